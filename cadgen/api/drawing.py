@@ -44,7 +44,7 @@ def draw(
     """
     from cadgen.api.cam import Cam
     from cadgen.api.gear_train import GearTrain
-    from cadgen.jobs.drawing import Parts, write_drawings
+    from cadgen.jobs.drawings import Parts, write_drawings
 
     place = folder_of(folder)
     if cam is not None:

@@ -20,7 +20,6 @@ from cadgen.errors import DesignError, brief
 from cadgen.gears import pair as numbers
 from cadgen.gears import spur
 from cadgen.gears import train as numeric
-from cadgen.gears.backlash import with_deviation, with_deviations
 from cadgen.gears.choices import Thinning
 from cadgen.gears.contact import contact_ratio
 from cadgen.gears.tooth import tooth_of
@@ -99,14 +98,14 @@ class GearPair(Assembly):
             tooth_of(gear.form)
 
     @cached_property
-    def nominal(self) -> spur.GearPair:
+    def nominal(self) -> spur.SpurPair:
         """The pair with the thickness that its teeth are to be cut to."""
         gears = [
-            numbers.Gear(form=with_deviation(gear.form, 0.0), grade=gear.grade, overrides=gear.overrides)
+            numbers.GradedGear(form=gear.form.cut_to(0.0), grade=gear.grade, overrides=gear.overrides)
             for gear in (self.pinion, self.wheel)
         ]
         apart = self.centre_distance
-        pair = spur.GearPair(
+        pair = spur.SpurPair(
             driver=gears[0],
             driven=gears[1],
             centre_distance=numbers.closest(gears[0].form, gears[1].form) if apart is None else float(apart),
@@ -115,7 +114,7 @@ class GearPair(Assembly):
         )
         return pair.thinned_to(*self._thinning(pair))
 
-    def _thinning(self, pair: spur.GearPair) -> tuple[float | Thinning, float | Thinning]:
+    def _thinning(self, pair: spur.SpurPair) -> tuple[float | Thinning, float | Thinning]:
         """Thickness of the pinion's and of the wheel's teeth: E_sn, mm, or a place in the zone of their grade."""
         fixed = self.pinion.thickness_deviation, self.wheel.thickness_deviation
         if self.backlash is None:
@@ -130,13 +129,13 @@ class GearPair(Assembly):
         return pinion, wheel
 
     @cached_property
-    def cut(self) -> spur.GearPair:
+    def cut(self) -> spur.SpurPair:
         """The pair with its teeth as they are cut."""
         pair = self.nominal
         driver, driven = pair.driver.thinning, pair.driven.thinning
         if isinstance(driver, str) or isinstance(driven, str):
             return spur.spur_pairs(numeric.thinned(numeric.Train((pair,))), "a pair is")[0]
-        return with_deviations(pair, driver, driven)
+        return pair.cut_to(driver, driven)
 
     @property
     def axes_apart(self) -> float:

@@ -12,7 +12,7 @@ from math import degrees, tan
 import numpy as np
 
 from cadgen.arrays import Array, gauss_nodes
-from cadgen.curves.closed import ClosedCurve, Jet, Piece, Span, left_normal, polar_angle
+from cadgen.curves.closed import ClosedCurve, Jet, Piece, PieceSpan, left_normal, polar_angle
 from cadgen.curves.derived import OffsetPiece
 from cadgen.errors import CheckError
 
@@ -133,7 +133,7 @@ def chamfer_strips(curve: ClosedCurve, leg: float) -> tuple[Strip, ...]:
     chamfer = []
     for index, strip in enumerate(strips):
         if index in alive:
-            chamfer.append(Strip(strip.outer, Span(strip.inner, *spans[index])))
+            chamfer.append(Strip(strip.outer, PieceSpan(strip.inner, *spans[index])))
         elif not isinstance(strip.outer, Apex):
             following = next((k for k in alive if k > index), alive[0])
             meeting = strips[following].inner.jet(np.array([spans[following][0]])).point[0]

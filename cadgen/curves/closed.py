@@ -50,7 +50,7 @@ _MOST_OUTLINES = 8  # of a curve that are kept; a job takes four
 
 
 @dataclass(frozen=True)
-class Span:
+class PieceSpan:
     """Part of a smooth piece, between two of its parameters."""
 
     piece: Piece
@@ -181,7 +181,7 @@ class ClosedCurve:
             t: parameter on the piece.
         """
         piece = self.pieces[number]
-        ends = (Span(piece, t, piece.stop), Span(piece, piece.start, t))
+        ends = (PieceSpan(piece, t, piece.stop), PieceSpan(piece, piece.start, t))
         rest = (*self.pieces[number + 1 :], *self.pieces[:number])
         return ClosedCurve(tuple(p for p in (ends[0], *rest, ends[1]) if p.stop > p.start))
 

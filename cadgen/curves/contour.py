@@ -110,7 +110,7 @@ class Contour:
 
     def curve(self) -> ClosedCurve:
         """The contour as a closed curve, one piece a side."""
-        return ClosedCurve(tuple(Side(self, number) for number in range(len(self.bulges))))
+        return ClosedCurve(tuple(ContourSide(self, number) for number in range(len(self.bulges))))
 
     def side(self, number: int, share: Array) -> Array:
         """Points of one side at shares of its length, by the sine rule on its chord: no distant centre.
@@ -129,7 +129,7 @@ class Contour:
 
 
 @dataclass(frozen=True)
-class Side:
+class ContourSide:
     """One side of a contour as a smooth piece, by the share of its length."""
 
     contour: Contour

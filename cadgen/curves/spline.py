@@ -10,7 +10,7 @@ from scipy.interpolate import BSpline, CubicSpline, PPoly, make_interp_spline
 
 from cadgen.arrays import Array
 from cadgen.curves.chamfer import Apex, Strip
-from cadgen.curves.closed import ClosedCurve, Jet, Piece, Span, left_normal
+from cadgen.curves.closed import ClosedCurve, Jet, Piece, PieceSpan, left_normal
 from cadgen.curves.spacing import even_nodes, inside_spans, turning
 
 Degree = Literal[3, 5]
@@ -111,7 +111,7 @@ def _cut(strip: Strip) -> list[Strip]:
 
     def cut(side: Piece) -> list[Piece]:
         edges = side.start + shares * (side.stop - side.start)
-        return [side if isinstance(side, Apex) else Span(side, float(a), float(b)) for a, b in pairwise(edges)]
+        return [side if isinstance(side, Apex) else PieceSpan(side, float(a), float(b)) for a, b in pairwise(edges)]
 
     return [Strip(outer, inner) for outer, inner in zip(cut(strip.outer), cut(strip.inner), strict=True)]
 

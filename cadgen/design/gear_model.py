@@ -14,8 +14,8 @@ from cadgen.design.train import Train as TrainKeys
 from cadgen.errors import DesignError
 from cadgen.gears.fits import clearance, flat_play, key_play
 from cadgen.gears.layout import Blanks
-from cadgen.gears.pair import Gear
-from cadgen.gears.spur import GearPair
+from cadgen.gears.pair import GradedGear
+from cadgen.gears.spur import SpurPair
 from cadgen.gears.stage import Stage, Wheel
 from cadgen.gears.synthesis import SearchLimits
 from cadgen.gears.tolerances import ToleranceOverrides
@@ -218,8 +218,8 @@ def _stage(stage: StageKeys, train: TrainKeys) -> Stage:
     return stage.registered.build(stage.keys, stage.bearing_span_mm or train.bearing_span_mm)
 
 
-def _pair(stage: SpurStage, train: TrainKeys) -> GearPair:
-    return GearPair(
+def _pair(stage: SpurStage, train: TrainKeys) -> SpurPair:
+    return SpurPair(
         driver=_gear(stage.driver, train),
         driven=_gear(stage.driven, train),
         centre_distance=stage.centre_distance_mm,
@@ -228,7 +228,7 @@ def _pair(stage: SpurStage, train: TrainKeys) -> GearPair:
     )
 
 
-def _gear(gear: GearKeys, train: TrainKeys) -> Gear:
+def _gear(gear: GearKeys, train: TrainKeys) -> GradedGear:
     angle = train.pressure_angle_deg if gear.pressure_angle_deg is None else gear.pressure_angle_deg
     form = GearForm(
         teeth=gear.teeth,
@@ -243,7 +243,7 @@ def _gear(gear: GearKeys, train: TrainKeys) -> Gear:
     )
     given = {name: getattr(gear, f"{name}_um") for name in _OVERRIDES}
     overrides = {name: value * _UM for name, value in given.items() if value is not None}
-    return Gear(
+    return GradedGear(
         form=form,
         grade=gear.grade or train.grade,
         overrides=ToleranceOverrides(**overrides),

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 from pydantic import Field, SerializeAsAny, WrapValidator
 
 from cadgen.design.section import ByKind, OneOf, Section, keys_in, section_with
-from cadgen.gears.kinds import SPUR, StageKind, codes, kind_of
+from cadgen.gears.stage_kinds import SPUR, StageKind, codes, kind_of
 
 
 class GearKeys(Section):

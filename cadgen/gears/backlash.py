@@ -1,4 +1,4 @@
-"""From tolerances to play: eq. 1-13 of the paper for a stage of spur gears, with least values too.
+"""Backlash: from tolerances to play by eq. 1-13 of the paper for a pair of spur gears, with least values too.
 
 The symbols are the paper's. Its lengths called "normal backlash" (j_bn1, j_bn2, j_bn3) are arcs of the pitch
 circle: widening the axes by Δa opens 2 Δa tan α there, and thinning a tooth by E opens E. Only along the
@@ -14,16 +14,16 @@ without composite error: j_bnmin = j_bn0 − j_bn1 − ΣE_sns. By eq. 7 that is
 for unshifted pairs: what eq. 6 asks for, and the room j_n for the errors that eq. 3 reckons with.
 
 The thickness to which a gear is cut is the middle of its zone, which is T_sn wide: by default the zone from E_sni to
-E_sns. A gear that is to be cut to another thickness (`Gear.thinning`) has the same zone about that thickness. Where its
-upper limit leaves less than the axes may close, the least play is negative: the teeth may jam.
+E_sns. A gear that is to be cut to another thickness (`GradedGear.thinning`) has the same zone about that thickness.
+Where its upper limit leaves less than the axes may close, the least play is negative: the teeth may jam.
 
-Teeth as they are cut, in the middle of their thickness limits, and what to do about teeth that this destroys.
+Teeth that this thinning destroys are refused by `cut_to_middle`, with what thins most.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import cos, tan
 from typing import Any, Generic, TypeVar
 
@@ -32,7 +32,7 @@ import numpy as np
 from cadgen.errors import DesignError
 from cadgen.gears.choices import Law, Thinning
 from cadgen.gears.distribution import ZoneSum
-from cadgen.gears.pair import Gear, Pair
+from cadgen.gears.pair import GradedGear, Pair
 from cadgen.gears.stage import Departure
 from cadgen.gears.tolerances import (
     GearTolerances,
@@ -41,7 +41,7 @@ from cadgen.gears.tolerances import (
     gear_tolerance,
     gear_tolerances,
 )
-from cadgen.gears.tooth import GearForm, tooth_of
+from cadgen.gears.tooth import tooth_of
 
 # The paper's "end face angle" of eq. 3 and 12, and the base helix angle of spur gears (see above).
 ALPHA_T = 0.0
@@ -253,7 +253,7 @@ def _standard(rule: Callable[..., Any], *arguments: Any) -> float | None:
         return None
 
 
-def _tolerances(gear: Gear) -> GearTolerances[float]:
+def _tolerances(gear: GradedGear) -> GearTolerances[float]:
     form = gear.form
     return gear_tolerances(form.reference_diameter, form.normal_module, form.width, gear.grade, gear.overrides)
 
@@ -277,37 +277,12 @@ def cut_to_middle(pair: P, play: StagePlay[float]) -> P:
     Raises `DesignError`, with what thins most, for a tooth that cannot be cut so or at its limits.
     """
     gears = ((pair.driver, play.driver), (pair.driven, play.driven))
-    return with_deviations(pair, *(_deviation(gear, limits, pair, play) for gear, limits in gears))
+    return pair.cut_to(*(_deviation(gear, limits, pair, play) for gear, limits in gears))
 
 
-def with_deviations(pair: P, driver: float, driven: float) -> P:
-    """The pair with teeth cut to E_sn = `driver` and `driven`, in mm.
-
-    Args:
-        pair: pair of gears.
-        driver: deviation E_sn of the driver, mm.
-        driven: deviation E_sn of the driven gear, mm.
-    """
-    driver_cut, driven_cut = (
-        replace(gear, form=with_deviation(gear.form, deviation))
-        for gear, deviation in ((pair.driver, driver), (pair.driven, driven))
-    )
-    return replace(pair, driver=driver_cut, driven=driven_cut)
-
-
-def with_deviation(form: GearForm, deviation: float) -> GearForm:
-    """`form` cut with the tooth-thickness deviation E_sn = `deviation` (mm).
-
-    Args:
-        form: numbers of the teeth.
-        deviation: deviation E_sn of the tooth thickness, mm.
-    """
-    return replace(form, tooth_thickness_deviation=deviation)
-
-
-def _deviation(gear: Gear, limits: GearPlay[float], pair: Pair, play: StagePlay[float]) -> float:
+def _deviation(gear: GradedGear, limits: GearPlay[float], pair: Pair, play: StagePlay[float]) -> float:
     """E_sn of one gear in mm, after its tooth has been tried at full thickness, as cut and at both limits."""
-    tooth_of(with_deviation(gear.form, 0.0))
+    tooth_of(gear.form.cut_to(0.0))
     prescribed = None if isinstance(gear.thinning, str) else gear.thinning
     asked = limits.E_sns - 0.5 * limits.T_sn if prescribed is None else prescribed
     for deviation, what in (
@@ -316,7 +291,7 @@ def _deviation(gear: Gear, limits: GearPlay[float], pair: Pair, play: StagePlay[
         (limits.E_sni, "at the lower limit of its thickness"),
     ):
         try:
-            tooth_of(with_deviation(gear.form, deviation))
+            tooth_of(gear.form.cut_to(deviation))
         except DesignError as error:
             fault, _, cure = str(error).partition("; ")
             source = (
@@ -331,7 +306,7 @@ def _deviation(gear: Gear, limits: GearPlay[float], pair: Pair, play: StagePlay[
     return asked
 
 
-def _source(gear: Gear, limits: GearPlay[float], pair: Pair, play: StagePlay[float]) -> str:
+def _source(gear: GradedGear, limits: GearPlay[float], pair: Pair, play: StagePlay[float]) -> str:
     """The term of eq. 7-9 that thins most, with its values, and how to lessen it, in words."""
     alpha_n, alpha_w = pair.driver.form.normal_pressure_angle, pair.working_pressure_angle
     own = limits.tolerances

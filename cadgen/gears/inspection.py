@@ -14,7 +14,6 @@ from math import acos, ceil, cos, hypot, pi, sin, tan
 from scipy.optimize import brentq
 
 from cadgen.errors import DesignError
-from cadgen.gears.backlash import with_deviation
 from cadgen.gears.tooth import GearForm, Tooth, involute, tooth_of
 
 LEAST_TEETH_SPANNED = 2
@@ -27,7 +26,7 @@ PINS_TRIED = 12
 
 
 @dataclass(frozen=True, slots=True)
-class Limits:
+class SizeLimits:
     """A dimension in mm at E_sn = 0 (`nominal`), at E_sns (`upper`) and at E_sni (`lower`)."""
 
     nominal: float
@@ -40,7 +39,7 @@ class SpanMeasurement:
     """Span W_k over `teeth_spanned` teeth; its flats touch on `contact_diameter` (mm, at the upper limit)."""
 
     teeth_spanned: int
-    span: Limits
+    span: SizeLimits
     contact_diameter: float
 
 
@@ -49,7 +48,7 @@ class PinMeasurement:
     """Size M_d over two pins, which touch the flanks on `contact_diameter` (mm, at the upper limit)."""
 
     pin_diameter: float
-    over_pins: Limits
+    over_pins: SizeLimits
     contact_diameter: float
 
 
@@ -80,8 +79,8 @@ def inspection_of(
             f"{form} has E_sni = {lower_deviation * 1e3:g} µm above E_sns = {upper_deviation * 1e3:g} µm; exchange them"
         )
     limits = (
-        tooth_of(with_deviation(form, upper_deviation)),
-        tooth_of(with_deviation(form, lower_deviation)),
+        tooth_of(form.cut_to(upper_deviation)),
+        tooth_of(form.cut_to(lower_deviation)),
     )
     if pin_diameter is None:
         return Inspection(_span_measurement(limits), _chosen_pins(limits))
@@ -158,7 +157,7 @@ def _span_measurement(limits: tuple[Tooth, Tooth]) -> SpanMeasurement | None:
     upper, lower = limits[0].form, limits[1].form
     best = None
     for count in range(LEAST_TEETH_SPANNED, upper.teeth):
-        spans = Limits(span_over(with_deviation(upper, 0.0), count), span_over(upper, count), span_over(lower, count))
+        spans = SizeLimits(span_over(upper.cut_to(0.0), count), span_over(upper, count), span_over(lower, count))
         contacts = [hypot(upper.base_diameter, spans.upper), hypot(upper.base_diameter, spans.lower)]
         if all(_usable(tooth, contact) for tooth, contact in zip(limits, contacts, strict=True)):
             candidate = SpanMeasurement(count, spans, contacts[0])
@@ -189,8 +188,8 @@ def _pin_measurement(limits: tuple[Tooth, Tooth], pin_diameter: float) -> PinMea
         if not rests or not form.root_diameter + pin_diameter < centre > form.tip_diameter - pin_diameter:
             return None
     upper, lower = limits[0].form, limits[1].form
-    sizes = [size_over_pins(form, pin_diameter) for form in (with_deviation(upper, 0.0), upper, lower)]
-    return PinMeasurement(pin_diameter, Limits(*sizes), contacts[0])
+    sizes = [size_over_pins(form, pin_diameter) for form in (upper.cut_to(0.0), upper, lower)]
+    return PinMeasurement(pin_diameter, SizeLimits(*sizes), contacts[0])
 
 
 def _chosen_pins(limits: tuple[Tooth, Tooth]) -> PinMeasurement | None:

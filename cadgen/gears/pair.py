@@ -23,7 +23,7 @@ STEEPEST_MESH = 1.4
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Gear:
+class GradedGear:
     """A spur gear and the tolerance grade it is made to; `overrides` stand in for the standards' values.
 
     `thinning` is the thickness that the teeth are cut to: a place in the zone of the grade, or E_sn in mm.
@@ -47,15 +47,15 @@ class Gear:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Pair:
-    """Two gears in mesh: `driver` turns `driven`. As a stage of a train it is a `kinds.spur.GearPair`.
+    """Two gears in mesh: `driver` turns `driven`. As a stage of a train it is a `spur.SpurPair`.
 
     The axes are `centre_distance` (a) apart, their bearings `bearing_span` (l), in mm.
     `centre_distance_deviation` stands in for the standard's f_a. Raises `DesignError` if modules or pressure
     angles differ, if the teeth jam or do not meet at a, or if a length is out of range.
     """
 
-    driver: Gear
-    driven: Gear
+    driver: GradedGear
+    driven: GradedGear
     centre_distance: float
     bearing_span: float
     centre_distance_deviation: float | None = None
@@ -144,9 +144,23 @@ class Pair:
         return self.normal_backlash(apart, deviation) / (self.driven.form.base_diameter / 2)
 
     def thinned_to(self, driver: Thinning | float, driven: Thinning | float) -> Self:
-        """The same pair with other thicknesses that its teeth are to be cut to; see `Gear.thinning`."""
+        """The same pair with other thicknesses that its teeth are to be cut to; see `GradedGear.thinning`."""
         driver_gear, driven_gear = replace(self.driver, thinning=driver), replace(self.driven, thinning=driven)
         return replace(self, driver=driver_gear, driven=driven_gear)
+
+    def cut_to(self, driver: float, driven: float) -> Self:
+        """The pair with teeth cut to the deviations E_sn of both gears.
+
+        Args:
+            driver: deviation E_sn of the driver, mm.
+            driven: deviation E_sn of the driven gear, mm.
+        """
+        one, two = self.driver, self.driven
+        return replace(
+            self,
+            driver=replace(one, form=one.form.cut_to(driver)),
+            driven=replace(two, form=two.form.cut_to(driven)),
+        )
 
     def by_the_standard(self) -> Self:
         """The same pair without overrides."""

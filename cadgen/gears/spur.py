@@ -9,13 +9,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, replace
 from enum import StrEnum
-from functools import cache, lru_cache
+from functools import cache, lru_cache, partial
 from math import degrees, pi, tan
 from typing import Any, NamedTuple, Self
 
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.errors import DesignError
-from cadgen.gears.backlash import GearPlay, StagePlay, cut_to_middle, pair_departures, stage_play, with_deviations
+from cadgen.gears.backlash import GearPlay, StagePlay, cut_to_middle, pair_departures, stage_play
 from cadgen.gears.contact import (
     LEAST_CONTACT_RATIO,
     LEAST_ROOT_CLEARANCE,
@@ -24,14 +24,12 @@ from cadgen.gears.contact import (
     missing_shift,
 )
 from cadgen.gears.distribution import quantiles
-from cadgen.gears.inspection import Inspection, Limits, inspection_of
-from cadgen.gears.pair import Gear, Pair
+from cadgen.gears.inspection import Inspection, SizeLimits, inspection_of
+from cadgen.gears.pair import GradedGear, Pair
 from cadgen.gears.stage import CONTRADICTION, LEAST_OVERLAP, PLAY_LIMIT_UM, Departure, Engage, Stage, cycle
 from cadgen.gears.tolerances import (
+    flank_tolerance,
     span_pitch_deviation,
-    tooth_radial_composite_deviation,
-    total_pitch_deviation,
-    total_profile_deviation,
 )
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train
@@ -75,8 +73,8 @@ def limit_states(pair: Pair) -> tuple[PairState, PairState]:
     play = stage_play(pair)
     opened = play.f_a + play.driver.tolerances.F_i_radial + play.driven.tolerances.F_i_radial
     return (
-        PairState(with_deviations(pair, play.driver.E_sni, play.driven.E_sni), pair.centre_distance + opened),
-        PairState(with_deviations(pair, play.driver.E_sns, play.driven.E_sns), pair.centre_distance - play.f_a),
+        PairState(pair.cut_to(play.driver.E_sni, play.driven.E_sni), pair.centre_distance + opened),
+        PairState(pair.cut_to(play.driver.E_sns, play.driven.E_sns), pair.centre_distance - play.f_a),
     )
 
 
@@ -207,18 +205,17 @@ def pair_facts(pair: Pair) -> dict[str, Any]:
     }
 
 
-def _tolerance_facts(gear: Gear, play: GearPlay[float]) -> dict[str, Any]:
+def _tolerance_facts(gear: GradedGear, play: GearPlay[float]) -> dict[str, Any]:
     """One gear's tolerances, as used, with those of the standard that only its inspection needs, and its limits."""
     form = gear.form
     diameter, module = form.reference_diameter, form.normal_module
     pitches = max(form.teeth // SPAN_OF_TEETH, 2)
     shown: dict[str, float | None] = {**asdict(play.tolerances)}
     rules: dict[str, Callable[[], Any]] = {
-        "F_p": lambda: total_pitch_deviation(diameter, module, gear.grade),
-        "F_pk": lambda: span_pitch_deviation(diameter, module, pitches, gear.grade),
-        "F_alpha": lambda: total_profile_deviation(diameter, module, gear.grade),
-        "f_i_radial": lambda: tooth_radial_composite_deviation(diameter, module, gear.grade),
+        symbol: partial(flank_tolerance, symbol, diameter, module, gear.grade)
+        for symbol in ("F_p", "F_pk", "F_alpha", "f_i_radial")
     }
+    rules["F_pk"] = partial(span_pitch_deviation, diameter, module, pitches, gear.grade)
     for symbol, rule in rules.items():
         try:
             shown[symbol] = float(rule())
@@ -266,7 +263,7 @@ def _in_um(values: Mapping[str, float | None]) -> dict[str, float | None]:
     return {f"{name}_um": None if value is None else float(value) * 1e3 for name, value in values.items()}
 
 
-def _limits(name: str, limits: Limits | None) -> dict[str, float | None]:
+def _limits(name: str, limits: SizeLimits | None) -> dict[str, float | None]:
     values = (None, None, None) if limits is None else (limits.nominal, limits.upper, limits.lower)
     return {f"{name}_{which}_mm": value for which, value in zip(("nominal", "max", "min"), values, strict=True)}
 
@@ -275,7 +272,7 @@ TEETH = "leave the kind out and give the stage gears with teeth"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class GearPair(Pair, Stage):
+class SpurPair(Pair, Stage):
     """One stage of spur gears; numbers and errors are those of `Pair`."""
 
     noun = "spur gears"
@@ -371,7 +368,7 @@ class GearPair(Pair, Stage):
 
 
 @lru_cache(maxsize=64)  # of the stages of a train, which is inspected and then written
-def _inspections(pair: GearPair) -> tuple[Inspection, Inspection]:
+def _inspections(pair: SpurPair) -> tuple[Inspection, Inspection]:
     """Of both gears, as cut, between E_sns and E_sni."""
     play = pair.play()
     driver, driven = (
@@ -381,7 +378,7 @@ def _inspections(pair: GearPair) -> tuple[Inspection, Inspection]:
     return driver, driven
 
 
-def spur_pairs(train: Train, what: str, cure: str = TEETH) -> tuple[GearPair, ...]:
+def spur_pairs(train: Train, what: str, cure: str = TEETH) -> tuple[SpurPair, ...]:
     """The stages of a train as spur gears.
 
     Args:
@@ -393,8 +390,8 @@ def spur_pairs(train: Train, what: str, cure: str = TEETH) -> tuple[GearPair, ..
         DesignError: a stage is of another kind.
     """
     for number, stage in enumerate(train.stages, 1):
-        if not isinstance(stage, GearPair):
+        if not isinstance(stage, SpurPair):
             raise DesignError(
                 f"train.stages.{number}.kind names {stage.noun}, and {what} worked out for spur gears alone: {cure}"
             )
-    return tuple(stage for stage in train.stages if isinstance(stage, GearPair))
+    return tuple(stage for stage in train.stages if isinstance(stage, SpurPair))

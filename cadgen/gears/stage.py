@@ -136,7 +136,7 @@ class Wheel(Protocol):
         """Greatest chord error of its mesh where none is given, mm."""
 
 
-class Play(Protocol):
+class PlayZone(Protocol):
     """Play of a stage at its driven shaft: a zone, and how it is distributed in it."""
 
     @property
@@ -204,7 +204,7 @@ class Stage(ABC):
         return None
 
     @abstractmethod
-    def play(self) -> Play:
+    def play(self) -> PlayZone:
         """Its play.
 
         Raises:

@@ -33,8 +33,8 @@ from cadgen.gears.contact import (
     missing_shifts,
 )
 from cadgen.gears.layout import Blanks, collar_length
-from cadgen.gears.pair import CENTRE_DISTANCE_ROUNDING, Gear
-from cadgen.gears.spur import GearPair, spur_pairs
+from cadgen.gears.pair import CENTRE_DISTANCE_ROUNDING, GradedGear
+from cadgen.gears.spur import SpurPair, spur_pairs
 from cadgen.gears.stage import Stage
 from cadgen.gears.tolerances import COVERED_DIAMETERS, ToleranceOverrides, centre_distance_deviation, gear_tolerances
 from cadgen.gears.tooth import MINIMUM_TEETH, GearForm, involute
@@ -70,7 +70,7 @@ class SearchLimits:
     widths: tuple[float, ...]
     centre_distance: tuple[float, float]
     bearing_span: float
-    pattern: Gear
+    pattern: GradedGear
     stage_ratio: tuple[float, float] = STAGE_RATIOS
     contact_ratio: float = CONTACT_RATIO
     undercut: float = UNDERCUT
@@ -141,7 +141,7 @@ class SearchLimits:
         )
 
 
-def _contact_and_undercut(pairs: Iterable[GearPair]) -> tuple[float, float]:
+def _contact_and_undercut(pairs: Iterable[SpurPair]) -> tuple[float, float]:
     """Least contact ratio and worst undercut of pairs as cut, to the outer hundredth; of those that can be cut."""
     contact, undercut = inf, 0.0
     for pair in pairs:
@@ -464,7 +464,7 @@ class TrainSearch:
         self._excluded.update(np.flatnonzero(same).tolist())
 
 
-def _stage(pairs: Pairs, row: int, limits: SearchLimits) -> GearPair:
+def _stage(pairs: Pairs, row: int, limits: SearchLimits) -> SpurPair:
     teeth, module = (int(pairs.driver[row]), int(pairs.driven[row])), float(pairs.module[row])
     driver, driven = (
         replace(
@@ -474,7 +474,7 @@ def _stage(pairs: Pairs, row: int, limits: SearchLimits) -> GearPair:
         )
         for z in teeth
     )
-    return GearPair(
+    return SpurPair(
         driver=driver,
         driven=driven,
         centre_distance=module * sum(teeth) / 2,

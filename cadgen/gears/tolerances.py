@@ -28,7 +28,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields
 from functools import cache
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -67,16 +67,51 @@ IT_DEPARTURES: dict[int, dict[int, float]] = {
 CENTRE_DISTANCE_GRADES = {3: 6, 4: 6, 5: 7, 6: 7, 7: 8, 8: 8, 9: 9, 10: 9, 11: 11, 12: 11}
 
 
-def single_pitch_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> Array:
-    """f_pt = 0.3 (m + 0.4 √d) + 4 µm at grade 5; the deviation may have either sign.
+class _Rule(NamedTuple):
+    """Formula of ISO 1328 for grade 5, in µm, on the step means of the reference diameter and of a second size, mm."""
+
+    formula: Callable[[Array, Array], Array]
+    second: str = "module"
+    second_steps: Sequence[float] = MODULE_STEPS
+    standard: str = "ISO 1328-1"
+    diameter_steps: Sequence[float] = DIAMETER_STEPS
+    finest: float = 0.1  # µm, to which values below 5 µm are rounded
+
+
+def _f_pt(d: Array, m: Array) -> Array:
+    return 0.3 * (m + 0.4 * np.sqrt(d)) + 4
+
+
+_PART_2: dict[str, Any] = {
+    "second_steps": COMPOSITE_MODULE_STEPS,
+    "standard": "ISO 1328-2",
+    "diameter_steps": COMPOSITE_DIAMETER_STEPS,
+    "finest": 0.5,
+}
+_RULES = {
+    "f_pt": _Rule(_f_pt),
+    "F_p": _Rule(lambda d, m: 0.3 * m + 1.25 * np.sqrt(d) + 7),
+    "F_alpha": _Rule(lambda d, m: 3.2 * np.sqrt(m) + 0.22 * np.sqrt(d) + 0.7),
+    "F_beta": _Rule(lambda d, b: 0.1 * np.sqrt(d) + 0.63 * np.sqrt(b) + 4.2, "face width", WIDTH_STEPS),
+    "F_r": _Rule(lambda d, m: 0.24 * m + np.sqrt(d) + 5.6, finest=0.5),  # 0.8 F_p
+    "F_i_radial": _Rule(lambda d, m: 3.2 * m + 1.01 * np.sqrt(d) + 6.4, **_PART_2),
+    "f_i_radial": _Rule(lambda d, m: 2.96 * m + 0.01 * np.sqrt(d) + 0.8, **_PART_2),
+}
+
+
+def flank_tolerance(symbol: str, diameter: ArrayLike, second: ArrayLike, grade: int) -> Array:
+    """Tolerance of ISO 1328 for its symbol, mm: of f_pt, F_p, F_alpha, F_beta, F_r, F_i_radial (F_i'') or f_i_radial.
 
     Args:
+        symbol: one of these.
         diameter: reference diameter d, mm.
-        module: normal module, mm.
+        second: normal module m, or for F_beta the face width b, mm.
         grade: tolerance grade, 3 to 12.
+
+    Raises:
+        DesignError: a size or the grade is outside the standard.
     """
-    d, m = _part_1(diameter, module, "f_pt")
-    return _graded(_f_pt(d, m), grade, finest=0.1)
+    return _by_rule(symbol, _RULES[symbol], diameter, second, grade)
 
 
 def span_pitch_deviation(diameter: ArrayLike, module: ArrayLike, pitches: int, grade: int) -> Array:
@@ -90,81 +125,8 @@ def span_pitch_deviation(diameter: ArrayLike, module: ArrayLike, pitches: int, g
     """
     if pitches < 2:
         raise DesignError(f"F_pk over {pitches} pitches is not defined; give 2 or more")
-    d, m = _part_1(diameter, module, "F_pk")
-    return _graded(_f_pt(d, m) + 1.6 * np.sqrt((pitches - 1) * m), grade, finest=0.1)
-
-
-def total_pitch_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> Array:
-    """F_p = 0.3 m + 1.25 √d + 7 µm at grade 5.
-
-    Args:
-        diameter: reference diameter d, mm.
-        module: normal module, mm.
-        grade: tolerance grade, 3 to 12.
-    """
-    d, m = _part_1(diameter, module, "F_p")
-    return _graded(0.3 * m + 1.25 * np.sqrt(d) + 7, grade, finest=0.1)
-
-
-def total_profile_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> Array:
-    """F_α = 3.2 √m + 0.22 √d + 0.7 µm at grade 5.
-
-    Args:
-        diameter: reference diameter d, mm.
-        module: normal module, mm.
-        grade: tolerance grade, 3 to 12.
-    """
-    d, m = _part_1(diameter, module, "F_alpha")
-    return _graded(3.2 * np.sqrt(m) + 0.22 * np.sqrt(d) + 0.7, grade, finest=0.1)
-
-
-def total_helix_deviation(diameter: ArrayLike, width: ArrayLike, grade: int) -> Array:
-    """F_β = 0.1 √d + 0.63 √b + 4.2 µm at grade 5.
-
-    Args:
-        diameter: reference diameter d, mm.
-        width: width of the face b, mm.
-        grade: tolerance grade, 3 to 12.
-    """
-    d = _step_mean(diameter, DIAMETER_STEPS, "reference diameter", "ISO 1328-1", "F_beta")
-    b = _step_mean(width, WIDTH_STEPS, "face width", "ISO 1328-1", "F_beta")
-    return _graded(0.1 * np.sqrt(d) + 0.63 * np.sqrt(b) + 4.2, grade, finest=0.1)
-
-
-def radial_composite_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> Array:
-    """F_i'' = 3.2 m_n + 1.01 √d + 6.4 µm at grade 5: the variation of the centre distance in a tight mesh.
-
-    Args:
-        diameter: reference diameter d, mm.
-        module: normal module, mm.
-        grade: tolerance grade, 3 to 12.
-    """
-    d, m = _part_2(diameter, module, "F_i_radial")
-    return _graded(3.2 * m + 1.01 * np.sqrt(d) + 6.4, grade, finest=0.5)
-
-
-def tooth_radial_composite_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> Array:
-    """f_i'' = 2.96 m_n + 0.01 √d + 0.8 µm at grade 5: the part of F_i'' within one pitch.
-
-    Args:
-        diameter: reference diameter d, mm.
-        module: normal module, mm.
-        grade: tolerance grade, 3 to 12.
-    """
-    d, m = _part_2(diameter, module, "f_i_radial")
-    return _graded(2.96 * m + 0.01 * np.sqrt(d) + 0.8, grade, finest=0.5)
-
-
-def radial_runout(diameter: ArrayLike, module: ArrayLike, grade: int) -> Array:
-    """F_r = 0.8 F_p = 0.24 m_n + 1.0 √d + 5.6 µm at grade 5, in the steps of part 1.
-
-    Args:
-        diameter: reference diameter d, mm.
-        module: normal module, mm.
-        grade: tolerance grade, 3 to 12.
-    """
-    d, m = _part_1(diameter, module, "F_r")
-    return _graded(0.24 * m + np.sqrt(d) + 5.6, grade, finest=0.5)
+    rule = _Rule(lambda d, m: _f_pt(d, m) + 1.6 * np.sqrt((pitches - 1) * m))
+    return _by_rule("F_pk", rule, diameter, module, grade)
 
 
 def standard_tolerance(size: ArrayLike, it_grade: int, quantity: str = "size", symbol: str = "IT") -> Array:
@@ -245,19 +207,14 @@ class ToleranceOverrides:
         return {name: value for name, value in values.items() if value is not None}
 
 
-_RULES: dict[str, Callable[[Any, Any, Any, int], Any]] = {
-    "f_pt": lambda d, m, b, grade: single_pitch_deviation(d, m, grade),
-    "F_beta": lambda d, m, b, grade: total_helix_deviation(d, b, grade),
-    "F_r": lambda d, m, b, grade: radial_runout(d, m, grade),
-    "b_r": lambda d, m, b, grade: cutting_feed_tolerance(d, grade),
-    "F_i_radial": lambda d, m, b, grade: radial_composite_deviation(d, m, grade),
-}
-
-
 def gear_tolerance(symbol: str, diameter: T, module: T, width: T, grade: int) -> T:
     """The standard's value of one of `GearTolerances`' symbols, for d, m and b."""
-    value: T = _RULES[symbol](diameter, module, width, grade)
-    return value
+    if symbol == "b_r":
+        value: Any = cutting_feed_tolerance(diameter, grade)
+    else:
+        value = flank_tolerance(symbol, diameter, width if symbol == "F_beta" else module, grade)
+    of_kind: T = value
+    return of_kind
 
 
 def gear_tolerances(
@@ -269,24 +226,18 @@ def gear_tolerances(
     one that is.
     """
     values: dict[str, Any] = dict(overrides.given()) if overrides else {}
-    for symbol in _RULES:
+    for symbol in (field.name for field in fields(GearTolerances)):
         if symbol not in values:
             values[symbol] = gear_tolerance(symbol, diameter, module, width, grade)
     return GearTolerances(**values)
 
 
-def _f_pt(d: Array, m: Array) -> Array:
-    return 0.3 * (m + 0.4 * np.sqrt(d)) + 4
-
-
-def _part_1(diameter: ArrayLike, module: ArrayLike, symbol: str) -> tuple[Array, Array]:
-    d = _step_mean(diameter, DIAMETER_STEPS, "reference diameter", "ISO 1328-1", symbol)
-    return d, _step_mean(module, MODULE_STEPS, "module", "ISO 1328-1", symbol)
-
-
-def _part_2(diameter: ArrayLike, module: ArrayLike, symbol: str) -> tuple[Array, Array]:
-    d = _step_mean(diameter, COMPOSITE_DIAMETER_STEPS, "reference diameter", "ISO 1328-2", symbol)
-    return d, _step_mean(module, COMPOSITE_MODULE_STEPS, "module", "ISO 1328-2", symbol)
+def _by_rule(symbol: str, rule: _Rule, diameter: ArrayLike, second: ArrayLike, grade: int) -> Array:
+    """Value in mm at the grade, rounded to 1 µm above 10 µm, to 0.5 µm below, and below 5 µm to the rule's finest."""
+    d = _step_mean(diameter, rule.diameter_steps, "reference diameter", rule.standard, symbol)
+    other = _step_mean(second, rule.second_steps, rule.second, rule.standard, symbol)
+    value = rule.formula(d, other) * 2 ** ((_checked(grade) - 5) / 2)
+    return _rounded(value, np.where(value > 10, 1.0, np.where(value >= 5, 0.5, rule.finest))) / UM_PER_MM
 
 
 def _step_mean(size: ArrayLike, steps: Sequence[float], quantity: str, standard: str, symbol: str) -> Array:
@@ -316,12 +267,6 @@ def _checked(grade: int, name: str = "tolerance grade") -> int:
     if grade not in GRADES:
         raise DesignError(f"the {name} {grade} is not offered; give a whole number from {GRADES[0]} to {GRADES[-1]}")
     return grade
-
-
-def _graded(grade_5_um: Array, grade: int, finest: float) -> Array:
-    """Value in mm at the grade, rounded to 1 µm above 10 µm, to 0.5 µm below, and below 5 µm to `finest`."""
-    value = grade_5_um * 2 ** ((_checked(grade) - 5) / 2)
-    return _rounded(value, np.where(value > 10, 1.0, np.where(value >= 5, 0.5, finest))) / UM_PER_MM
 
 
 def _rounded(value: Array, unit: Array) -> Array:

@@ -1,8 +1,10 @@
 """Form of a spur gear's tooth, as a rack with a rounded tip generates it (ISO 21771-1, basic rack ISO 53).
 
 The gear is given by numbers (`GearForm`); `tooth_of` resolves them into the exact curves of one tooth:
-involute flanks, trochoid roots, undercut where the rack undercuts. Helical teeth can follow: everything is
-computed from the transverse module and pressure angle, which for a spur gear are the normal ones.
+involute flanks, trochoid roots, undercut where the rack undercuts. Everything here is for spur teeth. The flanks of a
+helical gear would be the involutes of its transverse section, but not its roots: the rack's tip is round in the normal
+section, so in the transverse one it is an ellipse, and a circle of its radius there errs by 3 µm at 15° of helix and by
+12 µm at 30° (module 1).
 
 Choice of cutting: the tooth-thickness deviation E_sn is made by feeding the rack, so the root follows the
 flanks (generating profile shift x_E = x + E_sn / (2 m_n tan α_n), ISO 21771-1), while the tip circle is
@@ -15,12 +17,13 @@ from cmath import phase
 from dataclasses import dataclass, replace
 from math import acos, asinh, cos, degrees, isfinite, pi, radians, sin, sqrt, tan
 from numbers import Integral
+from typing import Self
 
 import numpy as np
 from scipy.optimize import brentq
 
 from cadgen.errors import DesignError
-from cadgen.parts.loop import Arc, Curve, Involute, Line, Loop, Trochoid
+from cadgen.parts.loop import Arc, Curve, Involute, Loop, Segment, Trochoid
 
 MINIMUM_TEETH = 4
 # Least rim under the root in tooth heights: ISO 6336-3 gives no rim factor for a thinner one.
@@ -165,6 +168,14 @@ class GearForm:
         """ψ_b in rad: half the angle of a tooth between the origins of its two involutes."""
         return self.tooth_thickness / self.reference_diameter + involute(self.transverse_pressure_angle)
 
+    def cut_to(self, deviation: float) -> Self:
+        """The gear cut with the tooth-thickness deviation E_sn.
+
+        Args:
+            deviation: deviation E_sn of the tooth thickness, mm.
+        """
+        return replace(self, tooth_thickness_deviation=deviation)
+
     def half_angle(self, diameter: float) -> float:
         """Half the angle of a tooth's thickness on the circle `diameter` ≥ d_b, in rad (ψ_b − inv α).
 
@@ -212,9 +223,9 @@ class Tooth:
         curves: list[Curve] = [self.upper_root.mirrored(), self.upper_flank.mirrored()]
         if form.tip_chamfer > 0:
             flank_end, tip_end = complex(self.upper_flank.point(1.0)), complex(tip.point(1.0))
-            curves.append(Line(flank_end.conjugate(), tip_end.conjugate()))
+            curves.append(Segment(flank_end.conjugate(), tip_end.conjugate()))
             curves.append(tip)
-            curves.append(Line(tip_end, flank_end))
+            curves.append(Segment(tip_end, flank_end))
         else:
             curves.append(tip)
         curves += [self.upper_flank.reversed(), self.upper_root.reversed()]

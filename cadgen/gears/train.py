@@ -22,7 +22,7 @@ import numpy as np
 from cadgen.errors import DesignError
 from cadgen.gears.choices import Law
 from cadgen.gears.distribution import ZoneSum
-from cadgen.gears.stage import Departure, Play, Stage
+from cadgen.gears.stage import Departure, PlayZone, Stage
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +64,7 @@ class TrainPlay:
     """A train with its stages' play, and its return error B_Σ at the output in rad (eq. 25)."""
 
     train: Train
-    stages: tuple[Play, ...]
+    stages: tuple[PlayZone, ...]
 
     @property
     def return_error_max(self) -> float:
@@ -89,7 +89,7 @@ class TrainPlay:
             law=law,
         )
 
-    def _at_output(self) -> list[tuple[Play, float]]:
+    def _at_output(self) -> list[tuple[PlayZone, float]]:
         """Each stage's play with its i_jn."""
         return [(play, float(i)) for play, i in zip(self.stages, self.train.output_ratios, strict=True)]
 

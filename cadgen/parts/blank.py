@@ -21,7 +21,7 @@ _ROUNDING = 1e-9  # mm, of a way along an outline
 
 
 @dataclass(frozen=True, slots=True)
-class Wall:
+class ThinWall:
     """Material left between two features.
 
     Attributes:
@@ -154,7 +154,7 @@ class Blank:
         """
         return (profile_area - sum(contour.area() for contour in self.inner_contours())) * thickness
 
-    def walls(self, profile: Outline) -> tuple[Wall, ...]:
+    def walls(self, profile: Outline) -> tuple[ThinWall, ...]:
         """Material between profile, bore, hub, set screw and lightening holes, at the thinnest place of each kind.
 
         Walls to the profile are taken on the disc's faces, where broken edges leave the least. Exact but for the
@@ -188,7 +188,7 @@ class Blank:
 
 
 @lru_cache(maxsize=8)  # checks, solids and meshes of a disc ask for the same walls
-def _walls(blank: Blank, profile: Outline) -> tuple[Wall, ...]:
+def _walls(blank: Blank, profile: Outline) -> tuple[ThinWall, ...]:
     core, name = blank.bore(), "bore"
     walls = [_to_rim(core, name, profile)]
     if blank.hub:
@@ -207,18 +207,18 @@ def _walls(blank: Blank, profile: Outline) -> tuple[Wall, ...]:
         aside = _distance(core, centers) * np.sign(_beyond(centers, core.outline(_STEP)))
         inner = aside - radii
         worst = int(np.argmin(inner))
-        walls.append(Wall(f"{names[worst]} and {name}", float(inner[worst]), centers[worst]))
+        walls.append(ThinWall(f"{names[worst]} and {name}", float(inner[worst]), centers[worst]))
     if ring and ring.circle_diameter and ring.count > 1:
         apart = ring.circle_diameter * np.sin(np.pi / ring.count) - ring.hole_diameter
-        walls.append(Wall("two lightening holes", float(apart), (centers[0] + centers[1]) / 2))
+        walls.append(ThinWall("two lightening holes", float(apart), (centers[0] + centers[1]) / 2))
     if ring and blank.mark:
         between = np.linalg.norm(centers[:-1] - centers[-1], axis=1) - radii[:-1] - radii[-1]
         near = int(np.argmin(between))
-        walls.append(Wall(f"{names[near]} and mark", float(between[near]), (centers[near] + centers[-1]) / 2))
+        walls.append(ThinWall(f"{names[near]} and mark", float(between[near]), (centers[near] + centers[-1]) / 2))
     return tuple(replace(wall, thickness=wall.thickness - blank.edge_break) if wall.at_rim else wall for wall in walls)
 
 
-def _screw_walls(hub: Hub) -> tuple[Wall, ...]:
+def _screw_walls(hub: Hub) -> tuple[ThinWall, ...]:
     """Walls along the hub's length on either side of its set screw; none without a set screw."""
     screw = hub.set_screw
     if screw is None:
@@ -226,25 +226,25 @@ def _screw_walls(hub: Hub) -> tuple[Wall, ...]:
     place = hub.diameter / 2 * np.array([np.cos(screw.angle), np.sin(screw.angle)])
     below = screw.height - screw.diameter / 2
     return (
-        Wall("set screw and disc", below, place),
-        Wall("set screw and the hub's end", hub.length - screw.height - screw.diameter / 2, place),
+        ThinWall("set screw and disc", below, place),
+        ThinWall("set screw and the hub's end", hub.length - screw.height - screw.diameter / 2, place),
     )
 
 
-def _to_rim(inner: Contour, name: str, profile: Outline) -> Wall:
+def _to_rim(inner: Contour, name: str, profile: Outline) -> ThinWall:
     return replace(_enclosed(inner, name, profile, "profile"), at_rim=True)
 
 
-def _enclosed(inner: Contour, name: str, outer: Outline, outer_name: str) -> Wall:
+def _enclosed(inner: Contour, name: str, outer: Outline, outer_name: str) -> ThinWall:
     points = inner.outline(_STEP).points
     beyond = _beyond(points, outer)
     worst = int(np.argmax(beyond))
     if beyond[worst] >= 0:
-        return Wall(f"{name} and {outer_name}", -float(beyond[worst]), points[worst])
+        return ThinWall(f"{name} and {outer_name}", -float(beyond[worst]), points[worst])
     near = outer.points[_may_be_nearest(inner, outer.points)]
     distance = _distance(inner, near)
     nearest = int(np.argmin(distance))
-    return Wall(f"{name} and {outer_name}", float(distance[nearest]), near[nearest])
+    return ThinWall(f"{name} and {outer_name}", float(distance[nearest]), near[nearest])
 
 
 def _may_be_nearest(contour: Contour, points: Array) -> NDArray[np.bool_]:

@@ -76,7 +76,7 @@ class Body:
 
 
 @dataclass(frozen=True, slots=True)
-class Wall:
+class SweptWall:
     """Outline swept from the height `start` to `end`; `outward` where the material is inside it."""
 
     outline: Loop
@@ -103,7 +103,7 @@ class Cap:
     inner: tuple[Loop, ...]
 
 
-def walls_of(body: Body) -> Iterator[Wall]:
+def walls_of(body: Body) -> Iterator[SweptWall]:
     """The walls of `body` by rising height, one per outline and unbroken run of slabs.
 
     A slab with a radial hole keeps its walls apart from those of its neighbours.
@@ -121,7 +121,7 @@ def walls_of(body: Body) -> Iterator[Wall]:
             if above.get(outline) is outward and drilled not in (i, i + 1):
                 open_walls[outline, outward] = start
             else:
-                yield Wall(outline, start, slab.end, outward)
+                yield SweptWall(outline, start, slab.end, outward)
 
 
 def caps_of(slabs: tuple[Slab, ...]) -> Iterator[Cap]:

@@ -47,7 +47,7 @@ def _unit(angle: ArrayLike) -> Points:
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class Segment:
     """Straight line from `start` to `end`."""
 
     start: complex
@@ -256,7 +256,7 @@ class Trochoid:
         return replace(self, q_start=self.q_end, q_end=self.q_start)
 
 
-Curve = Line | Arc | Involute | Trochoid
+Curve = Segment | Arc | Involute | Trochoid
 
 
 def chord_parameters(curve: Curve, chord_tolerance: float) -> Reals:
@@ -268,7 +268,7 @@ def chord_parameters(curve: Curve, chord_tolerance: float) -> Reals:
         curve: curve, mm.
         chord_tolerance: greatest distance of a chord from the curve, mm.
     """
-    if isinstance(curve, Line):
+    if isinstance(curve, Segment):
         return np.array([0.0, 1.0])
 
     def sags(nodes: Reals) -> Reals:
@@ -348,10 +348,10 @@ def loop_of(contour: Contour) -> Loop:
     return Loop(tuple(_side(contour, number % count) for number in range(1, count + 1)))
 
 
-def _side(contour: Contour, number: int) -> Line | Arc:
+def _side(contour: Contour, number: int) -> Segment | Arc:
     start, end = (complex(*contour.vertices[k % len(contour.vertices)]) for k in (number, number + 1))
     if contour.bulges[number] == 0:
-        return Line(start, end)
+        return Segment(start, end)
     centre = complex(*np.round(contour.centers[number], ARC_DECIMALS))
     radius = round(float(contour.radii[number]), ARC_DECIMALS)
     return Arc(radius, float(np.angle(start - centre)), float(contour.sweeps[number]), centre)

@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from cadgen.errors import DesignError
 from cadgen.gears.backlash import StagePlay, stage_play
-from cadgen.gears.pair import Gear
-from cadgen.gears.spur import GearPair
+from cadgen.gears.pair import GradedGear
+from cadgen.gears.spur import SpurPair
 from cadgen.gears.stage import Departure
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
@@ -22,11 +22,11 @@ from cadgen.gears.train import Train, train_play
 THIRD_ORDER = 0.05
 
 
-def pair(z1: int, z2: int, grade: int = 7, x: float = 0.0, **driver_overrides: float) -> GearPair:
+def pair(z1: int, z2: int, grade: int = 7, x: float = 0.0, **driver_overrides: float) -> SpurPair:
     driver, driven = (
-        Gear(form=GearForm(teeth=z, normal_module=0.5, width=5.0, profile_shift=x), grade=grade) for z in (z1, z2)
+        GradedGear(form=GearForm(teeth=z, normal_module=0.5, width=5.0, profile_shift=x), grade=grade) for z in (z1, z2)
     )
-    probe = GearPair(
+    probe = SpurPair(
         driver=replace(driver, overrides=ToleranceOverrides(**driver_overrides)),
         driven=driven,
         centre_distance=(z1 + z2) / 4 + max(0.0, x),

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from cadgen.gears.contact import contact_ratio, found_contact_ratio
-from cadgen.gears.pair import Gear
-from cadgen.gears.spur import GearPair
+from cadgen.gears.pair import GradedGear
+from cadgen.gears.spur import SpurPair
 from cadgen.gears.tooth import GearForm, tooth_of
 from cadgen.geometry.meshes.teeth import LEAST_OVERLAP, measured_pair
 
@@ -17,18 +17,18 @@ from cadgen.geometry.meshes.teeth import LEAST_OVERLAP, measured_pair
 FOUND_WITHIN = 2e-3
 
 
-def pair(z1: int, z2: int, module: float = 0.5, thinning: float = -0.1, **form: float) -> GearPair:
+def pair(z1: int, z2: int, module: float = 0.5, thinning: float = -0.1, **form: float) -> SpurPair:
     """`thinning` in modules."""
     one, two = (
-        Gear(
+        GradedGear(
             form=GearForm(teeth=z, normal_module=module, width=5.0, tooth_thickness_deviation=thinning * module, **form)
         )
         for z in (z1, z2)
     )
-    return GearPair(driver=one, driven=two, centre_distance=module * (z1 + z2) / 2, bearing_span=80.0)
+    return SpurPair(driver=one, driven=two, centre_distance=module * (z1 + z2) / 2, bearing_span=80.0)
 
 
-def pressed(made: GearPair, interference: float) -> float:
+def pressed(made: SpurPair, interference: float) -> float:
     """Pitches over which tooth 0 of the driver alone overlaps the driven gear, pressed in by `interference` (mm).
 
     By areas of polygons: nothing of what `contact` knows. Past its end a contact opens with the square of the way,

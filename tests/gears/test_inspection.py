@@ -8,7 +8,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from cadgen.errors import DesignError
-from cadgen.gears.inspection import ideal_pin_diameter, inspection_of, size_over_pins, span_over, with_deviation
+from cadgen.gears.inspection import ideal_pin_diameter, inspection_of, size_over_pins, span_over
 from cadgen.gears.tooth import GearForm, tooth_of
 
 
@@ -111,7 +111,7 @@ def test_limits_are_those_of_the_deviation() -> None:
     slope = cos(radians(20)) / np.sqrt(1 - centre**2)
     assert pins.upper - pins.nominal == pytest.approx(-0.033 * slope, abs=0.033**2 / 0.5)
     assert pins.nominal > pins.upper > pins.lower
-    assert pins.lower == size_over_pins(with_deviation(form, -0.078), found.pins.pin_diameter)
+    assert pins.lower == size_over_pins(form.cut_to(-0.078), found.pins.pin_diameter)
 
 
 def test_pins_may_touch_where_din_3977_allows() -> None:
@@ -142,7 +142,7 @@ def test_what_is_chosen_can_be_measured(
     except DesignError:
         assume(False)
     for deviation in (upper * module, (upper - tolerance) * module):
-        tooth = tooth_of(with_deviation(form, deviation))
+        tooth = tooth_of(form.cut_to(deviation))
         usable = (tooth.root_form_diameter, tooth.form.tip_form_diameter)
         if found.span:
             span = span_over(tooth.form, found.span.teeth_spanned)

@@ -14,8 +14,8 @@ import pytest
 from cadgen.design import gear_model, variation
 from cadgen.design.load import load_design, load_train, train_of
 from cadgen.errors import DesignError
-from cadgen.gears import kinds
-from cadgen.gears.spur import GearPair
+from cadgen.gears import stage_kinds
+from cadgen.gears.spur import SpurPair
 from cadgen.gears.stage import PLAY_LIMIT_UM
 from cadgen.geometry.solids.step_text import read_gear
 from cadgen.jobs.calibration import plan as calibration
@@ -27,7 +27,7 @@ from tests.forks import MAIN
 
 (SHOWN,) = [block.text for block in blocks(DOCS / "how-to/gear-kinds.md") if block.language == "python"]
 KIND = SHOWN.partition("# The line that registers it")[0]
-SCRIPT = f"{KIND}\nkinds.register(FRICTION)\n{MAIN}"
+SCRIPT = f"{KIND}\nstage_kinds.register(FRICTION)\n{MAIN}"
 MADE_UP: dict = {}
 exec(KIND, MADE_UP)
 FRICTION, FrictionDiscs = MADE_UP["FRICTION"], MADE_UP["FrictionDiscs"]
@@ -95,9 +95,9 @@ def train_of_teeth(design):
 
 @pytest.fixture(scope="module", autouse=True)
 def registered():
-    kinds.register(FRICTION)
+    stage_kinds.register(FRICTION)
     yield FRICTION
-    kinds.remove(FRICTION)
+    stage_kinds.remove(FRICTION)
 
 
 @pytest.fixture
@@ -176,7 +176,7 @@ def test_a_stage_of_discs_and_stages_of_teeth_make_one_train(mixed, tmp_path):
     assert plan.passed, [check.name for check in plan.checks if not check.passed]
     first, *others = plan.layout.train.stages
     assert isinstance(first, FrictionDiscs)
-    assert all(isinstance(stage, GearPair) for stage in others)
+    assert all(isinstance(stage, SpurPair) for stage in others)
     gears = plan_gears(load_design("carbon_free_car"))
     assert plan.play.stages[1:] == gears.play.stages[1:]
     later = float(others[0].ratio * others[1].ratio)
@@ -286,15 +286,15 @@ def test_its_values_make_the_same_design_again(discs):
 
 
 def test_a_kind_that_is_not_registered_is_refused(discs, registered):
-    kinds.remove(registered)
+    stage_kinds.remove(registered)
     try:
         with pytest.raises(DesignError, match=r'train.stages.1.kind is "friction_discs"; it must be "spur"'):
             load_train(discs)
     finally:
-        kinds.register(registered)
+        stage_kinds.register(registered)
 
 
 @pytest.mark.parametrize("code", ["spur", "friction_discs", "Two words", ""])
 def test_a_code_is_unique_and_plain(code):
     with pytest.raises(DesignError, match="kind of stage"):
-        kinds.register(replace(FRICTION, code=code))
+        stage_kinds.register(replace(FRICTION, code=code))

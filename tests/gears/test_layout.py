@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from cadgen.errors import DesignError
 from cadgen.gears.layout import Blanks, TrainLayout, lay_out
-from cadgen.gears.pair import Gear
-from cadgen.gears.spur import GearPair
+from cadgen.gears.pair import GradedGear
+from cadgen.gears.spur import SpurPair
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train, thinned
 from cadgen.geometry.meshes.mesh import body_mesh
@@ -30,8 +30,8 @@ BLANKS = Blanks(
 def train(*stages: tuple[int, int], module: float = 0.5, **form: float) -> Train:
     pairs = []
     for teeth in stages:
-        one, two = (Gear(form=GearForm(teeth=z, normal_module=module, width=4.0, **form)) for z in teeth)
-        pairs.append(GearPair(driver=one, driven=two, centre_distance=module * sum(teeth) / 2, bearing_span=60.0))
+        one, two = (GradedGear(form=GearForm(teeth=z, normal_module=module, width=4.0, **form)) for z in teeth)
+        pairs.append(SpurPair(driver=one, driven=two, centre_distance=module * sum(teeth) / 2, bearing_span=60.0))
     return thinned(Train(tuple(pairs)))
 
 

@@ -12,11 +12,11 @@ from hypothesis import strategies as st
 
 from cadgen.errors import DesignError
 from cadgen.gears import chains
-from cadgen.gears.backlash import stage_play, with_deviations
+from cadgen.gears.backlash import stage_play
 from cadgen.gears.contact import contact_ratio, missing_shift
 from cadgen.gears.layout import Blanks, lay_out
-from cadgen.gears.pair import Gear
-from cadgen.gears.spur import GearPair
+from cadgen.gears.pair import GradedGear
+from cadgen.gears.spur import SpurPair
 from cadgen.gears.synthesis import SearchLimits, TrainSearch, all_orders, arrange, search_trains
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
@@ -25,9 +25,9 @@ from cadgen.parts.blank import Blank
 from cadgen.parts.features import Hub
 
 
-def pair(z1: int, z2: int, module: float = 0.5, width: float = 5.0, **driver_overrides: float) -> GearPair:
-    driver, driven = (Gear(form=GearForm(teeth=z, normal_module=module, width=width)) for z in (z1, z2))
-    return GearPair(
+def pair(z1: int, z2: int, module: float = 0.5, width: float = 5.0, **driver_overrides: float) -> SpurPair:
+    driver, driven = (GradedGear(form=GearForm(teeth=z, normal_module=module, width=width)) for z in (z1, z2))
+    return SpurPair(
         driver=replace(driver, overrides=ToleranceOverrides(**driver_overrides)),
         driven=driven,
         centre_distance=module * (z1 + z2) / 2,
@@ -47,7 +47,7 @@ def return_error(stages) -> float:
     return lag
 
 
-def brute_force(limits: SearchLimits) -> list[tuple[float, tuple[GearPair, ...]]]:
+def brute_force(limits: SearchLimits) -> list[tuple[float, tuple[SpurPair, ...]]]:
     """Every train within the limits by plain loops, best first."""
     fewest, most = limits.teeth
     candidates = []
@@ -83,14 +83,14 @@ play_of = cache(stage_play)  # many of the limits below allow the same pairs
 
 
 @cache
-def mesh_figures(made: GearPair) -> tuple[float, float]:
+def mesh_figures(made: SpurPair) -> tuple[float, float]:
     """Contact ratio and greatest missing profile shift of a pair as cut."""
     play = play_of(made)
-    cut = with_deviations(made, *((role.E_sns + role.E_sni) / 2 for role in (play.driver, play.driven)))
+    cut = made.cut_to(*((role.E_sns + role.E_sni) / 2 for role in (play.driver, play.driven)))
     return contact_ratio(cut), max(missing_shift(gear.form) for gear in (cut.driver, cut.driven))
 
 
-def keeps_the_limits_in_mesh(made: GearPair, limits: SearchLimits) -> bool:
+def keeps_the_limits_in_mesh(made: SpurPair, limits: SearchLimits) -> bool:
     """By the tooth curves of the one pair, as cut."""
     play = play_of(made)
     if made.normal_backlash(made.centre_distance - play.f_a, play.driver.E_sns + play.driven.E_sns) <= 0:
@@ -195,7 +195,7 @@ def test_the_search_beats_the_reordering_within_the_paper_s_own_sizes():
 
 
 def test_searched_gears_take_the_pattern_s_grade_and_form():
-    pattern = Gear(
+    pattern = GradedGear(
         form=GearForm(
             teeth=20,
             normal_module=1.0,
@@ -311,7 +311,7 @@ def test_a_pair_that_is_excluded_stands_nowhere():
         ({"teeth": (8, 10), "modules": (0.8,), "undercut": 0.1}, "each has more undercut than 0.1; allow more teeth"),
         ({"pattern": replace(pair(20, 20).driver, thinning=0.0)}, "none has play at the closest axes"),
         (
-            {"pattern": Gear(form=GearForm(teeth=20, normal_module=0.5, width=5.0, addendum_factor=1.5))},
+            {"pattern": GradedGear(form=GearForm(teeth=20, normal_module=0.5, width=5.0, addendum_factor=1.5))},
             "none clears the roots by 0.12 modules",
         ),
     ],

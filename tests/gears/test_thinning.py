@@ -6,16 +6,16 @@ from math import pi
 import pytest
 
 from cadgen.errors import DesignError
-from cadgen.gears.pair import Gear
-from cadgen.gears.spur import GearPair
+from cadgen.gears.pair import GradedGear
+from cadgen.gears.spur import SpurPair
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train, thinned, train_play
 
 
 def pair(z1: int = 30, z2: int = 150, span: float = 80.0, grade: int = 7, f_a: float | None = None, **given: float):
-    driver, driven = (Gear(form=GearForm(teeth=z, normal_module=0.5, width=5.0), grade=grade) for z in (z1, z2))
-    return GearPair(
+    driver, driven = (GradedGear(form=GearForm(teeth=z, normal_module=0.5, width=5.0), grade=grade) for z in (z1, z2))
+    return SpurPair(
         driver=replace(driver, overrides=ToleranceOverrides(**given)),
         driven=driven,
         centre_distance=(z1 + z2) / 4,
@@ -48,7 +48,7 @@ def test_a_limit_that_cannot_be_cut_is_named_though_the_middle_could():
         thinned(play.train)
 
 
-def cut_to(made: GearPair, thinning) -> GearPair:
+def cut_to(made: SpurPair, thinning) -> SpurPair:
     return replace(made, driver=replace(made.driver, thinning=thinning), driven=replace(made.driven, thinning=thinning))
 
 

@@ -5,6 +5,7 @@ JIS B 1702. Grade 4 of F_i'' at (20-50, 0.2-0.5) and (5-20, 1.0-1.5) mm is left 
 and 9.60 there, next to a rounding border, and the printed values could not be confirmed.
 """
 
+from functools import partial
 from itertools import pairwise
 
 import numpy as np
@@ -20,50 +21,44 @@ from cadgen.gears.tolerances import (
     ToleranceOverrides,
     centre_distance_deviation,
     cutting_feed_tolerance,
+    flank_tolerance,
     gear_tolerances,
-    radial_composite_deviation,
-    radial_runout,
-    single_pitch_deviation,
     span_pitch_deviation,
     standard_tolerance,
-    tooth_radial_composite_deviation,
-    total_helix_deviation,
-    total_pitch_deviation,
-    total_profile_deviation,
 )
 
 # Values are multiples of 0.1 µm; a difference below this, in µm, is rounding of the binary fraction.
 SAME_UM = 1e-9
 
-# (rule, d, m or b): µm for grades 3 to 12 (4 to 12 for part 2's composite deviations).
+# (symbol, d, m or b): µm for grades 3 to 12 (4 to 12 for part 2's composite deviations).
 PRINTED = [
-    (single_pitch_deviation, 10, 1, "2.3 3.3 4.7 6.5 9.5 13 19 26 37 53"),
-    (single_pitch_deviation, 10, 3, "2.6 3.7 5.0 7.5 10 15 21 29 41 59"),
-    (single_pitch_deviation, 30, 1, "2.5 3.5 5.0 7.0 10 14 20 28 40 56"),
-    (single_pitch_deviation, 30, 5, "3.0 4.3 6.0 8.5 12 17 24 34 48 68"),
-    (single_pitch_deviation, 100, 1, "2.7 3.8 5.5 7.5 11 15 21 30 43 61"),
-    (total_pitch_deviation, 10, 1, "5.5 8.0 11 16 23 32 45 64 90 127"),
-    (total_pitch_deviation, 30, 3, "7.5 10 15 21 30 42 59 84 119 168"),
-    (total_pitch_deviation, 100, 1, "9.0 13 18 26 37 52 74 104 147 208"),
-    (total_profile_deviation, 10, 1, "2.3 3.2 4.6 6.5 9.0 13 18 26 37 52"),
-    (total_profile_deviation, 10, 3, "3.3 4.7 6.5 9.5 13 19 26 37 53 75"),
-    (total_profile_deviation, 30, 1, "2.6 3.6 5.0 7.5 10 15 21 29 41 58"),
-    (total_profile_deviation, 100, 1, "2.9 4.1 6.0 8.5 12 17 23 33 47 66"),
-    (total_helix_deviation, 10, 5, "3.1 4.3 6.0 8.5 12 17 24 35 49 69"),
-    (total_helix_deviation, 10, 15, "3.4 4.9 7.0 9.5 14 19 28 39 55 78"),
-    (total_helix_deviation, 30, 5, "3.2 4.5 6.5 9.0 13 18 25 36 51 72"),
-    (total_helix_deviation, 100, 5, "3.3 4.7 6.5 9.5 13 19 27 38 53 76"),
-    (total_helix_deviation, 100, 15, "3.7 5.5 7.5 11 15 21 30 42 60 84"),
-    (radial_runout, 10, 1, "4.5 6.5 9.0 13 18 25 36 51 72 102"),
-    (radial_runout, 30, 1, "5.5 8.0 11 16 23 32 46 65 92 130"),
-    (radial_runout, 100, 1, "7.5 10 15 21 29 42 59 83 118 167"),
-    (radial_composite_deviation, 10, 0.4, "7.5 11 15 21 30 42 60 85 120"),
-    (radial_composite_deviation, 10, 0.7, "8.0 12 16 23 33 46 66 93 131"),
-    (radial_composite_deviation, 30, 0.7, "10 14 20 28 40 56 80 113 160"),
-    (radial_composite_deviation, 100, 0.4, "12 16 23 33 46 66 93 131 185"),
-    (tooth_radial_composite_deviation, 10, 0.4, "1.0 2.0 2.5 3.5 5.0 7.0 10 14 20"),
-    (tooth_radial_composite_deviation, 10, 0.7, "2.0 2.5 4.0 5.5 7.5 11 15 22 31"),
-    (tooth_radial_composite_deviation, 100, 0.4, "1.5 2.0 2.5 3.5 5.0 7.5 10 15 21"),
+    ("f_pt", 10, 1, "2.3 3.3 4.7 6.5 9.5 13 19 26 37 53"),
+    ("f_pt", 10, 3, "2.6 3.7 5.0 7.5 10 15 21 29 41 59"),
+    ("f_pt", 30, 1, "2.5 3.5 5.0 7.0 10 14 20 28 40 56"),
+    ("f_pt", 30, 5, "3.0 4.3 6.0 8.5 12 17 24 34 48 68"),
+    ("f_pt", 100, 1, "2.7 3.8 5.5 7.5 11 15 21 30 43 61"),
+    ("F_p", 10, 1, "5.5 8.0 11 16 23 32 45 64 90 127"),
+    ("F_p", 30, 3, "7.5 10 15 21 30 42 59 84 119 168"),
+    ("F_p", 100, 1, "9.0 13 18 26 37 52 74 104 147 208"),
+    ("F_alpha", 10, 1, "2.3 3.2 4.6 6.5 9.0 13 18 26 37 52"),
+    ("F_alpha", 10, 3, "3.3 4.7 6.5 9.5 13 19 26 37 53 75"),
+    ("F_alpha", 30, 1, "2.6 3.6 5.0 7.5 10 15 21 29 41 58"),
+    ("F_alpha", 100, 1, "2.9 4.1 6.0 8.5 12 17 23 33 47 66"),
+    ("F_beta", 10, 5, "3.1 4.3 6.0 8.5 12 17 24 35 49 69"),
+    ("F_beta", 10, 15, "3.4 4.9 7.0 9.5 14 19 28 39 55 78"),
+    ("F_beta", 30, 5, "3.2 4.5 6.5 9.0 13 18 25 36 51 72"),
+    ("F_beta", 100, 5, "3.3 4.7 6.5 9.5 13 19 27 38 53 76"),
+    ("F_beta", 100, 15, "3.7 5.5 7.5 11 15 21 30 42 60 84"),
+    ("F_r", 10, 1, "4.5 6.5 9.0 13 18 25 36 51 72 102"),
+    ("F_r", 30, 1, "5.5 8.0 11 16 23 32 46 65 92 130"),
+    ("F_r", 100, 1, "7.5 10 15 21 29 42 59 83 118 167"),
+    ("F_i_radial", 10, 0.4, "7.5 11 15 21 30 42 60 85 120"),
+    ("F_i_radial", 10, 0.7, "8.0 12 16 23 33 46 66 93 131"),
+    ("F_i_radial", 30, 0.7, "10 14 20 28 40 56 80 113 160"),
+    ("F_i_radial", 100, 0.4, "12 16 23 33 46 66 93 131 185"),
+    ("f_i_radial", 10, 0.4, "1.0 2.0 2.5 3.5 5.0 7.0 10 14 20"),
+    ("f_i_radial", 10, 0.7, "2.0 2.5 4.0 5.5 7.5 11 15 22 31"),
+    ("f_i_radial", 100, 0.4, "1.5 2.0 2.5 3.5 5.0 7.5 10 15 21"),
 ]
 
 # ISO 286-1 table 1, IT3 to IT12 in µm by the upper limit of the size step in mm
@@ -96,11 +91,13 @@ def numbers(line: str) -> list[float]:
     return [float(word) for word in line.split()]
 
 
-@pytest.mark.parametrize(("rule", "diameter", "other", "line"), PRINTED)
-def test_rules_of_iso_1328_give_the_printed_tables(rule, diameter, other, line):
+@pytest.mark.parametrize(("symbol", "diameter", "other", "line"), PRINTED)
+def test_rules_of_iso_1328_give_the_printed_tables(symbol, diameter, other, line):
     printed = numbers(line)
     grades = GRADES[-len(printed) :]
-    assert 1000 * np.array([rule(diameter, other, grade) for grade in grades]) == pytest.approx(printed, abs=SAME_UM)
+    assert 1000 * np.array([flank_tolerance(symbol, diameter, other, grade) for grade in grades]) == pytest.approx(
+        printed, abs=SAME_UM
+    )
 
 
 @pytest.mark.parametrize(("upper", "line"), PRINTED_IT.items())
@@ -152,8 +149,8 @@ def test_values_behind_table_3_of_the_paper():
 @given(st.floats(5, 10000), st.floats(0.5, 70), st.sampled_from(GRADES))
 def test_runout_is_four_fifths_of_the_total_pitch_deviation(diameter, module, grade):
     runout, pitch = (
-        1000 * radial_runout(diameter, module, grade),
-        1000 * total_pitch_deviation(diameter, module, grade),
+        1000 * flank_tolerance("F_r", diameter, module, grade),
+        1000 * flank_tolerance("F_p", diameter, module, grade),
     )
     # Each is rounded by at most half a unit of 1 µm, or of 0.5 µm up to 10 µm.
     assert abs(runout - 0.8 * pitch) <= 0.5 + 0.8 * 0.5
@@ -173,8 +170,8 @@ def test_a_coarser_grade_is_never_finer_and_two_grades_double_the_tolerance(diam
 def test_a_tolerance_is_constant_over_a_step_that_includes_its_upper_limit(step, share, grade):
     lower, upper = step
     inside = lower + share * (upper - lower)
-    assert single_pitch_deviation(inside, 2, grade) == single_pitch_deviation(upper, 2, grade)
-    assert single_pitch_deviation(upper * (1 + 1e-15), 2, grade) == single_pitch_deviation(upper, 2, grade)
+    assert flank_tolerance("f_pt", inside, 2, grade) == flank_tolerance("f_pt", upper, 2, grade)
+    assert flank_tolerance("f_pt", upper * (1 + 1e-15), 2, grade) == flank_tolerance("f_pt", upper, 2, grade)
 
 
 def test_arrays_give_what_their_elements_give():
@@ -197,17 +194,17 @@ def test_span_deviation_of_two_pitches_exceeds_one_pitch_by_its_formula():
 @pytest.mark.parametrize(
     ("rule", "arguments", "said"),
     [
-        (single_pitch_deviation, (4.9, 1, 7), "reference diameter 4.9 mm .* 5 to 10000 mm"),
-        (single_pitch_deviation, ([20, 10001], 1, 7), "reference diameter 10001 mm"),
-        (single_pitch_deviation, (20, 0.4, 7), "module 0.4 mm .* 0.5 to 70 mm"),
-        (total_helix_deviation, (20, 3, 7), "face width 3 mm .* 4 to 1000 mm"),
-        (radial_composite_deviation, (1001, 1, 7), "reference diameter 1001 mm .* 5 to 1000 mm"),
-        (radial_composite_deviation, (20, 11, 7), "module 11 mm .* 0.2 to 10 mm"),
-        (radial_composite_deviation, (float("nan"), 1, 7), "reference diameter nan"),
+        (partial(flank_tolerance, "f_pt"), (4.9, 1, 7), "reference diameter 4.9 mm .* 5 to 10000 mm"),
+        (partial(flank_tolerance, "f_pt"), ([20, 10001], 1, 7), "reference diameter 10001 mm"),
+        (partial(flank_tolerance, "f_pt"), (20, 0.4, 7), "module 0.4 mm .* 0.5 to 70 mm"),
+        (partial(flank_tolerance, "F_beta"), (20, 3, 7), "face width 3 mm .* 4 to 1000 mm"),
+        (partial(flank_tolerance, "F_i_radial"), (1001, 1, 7), "reference diameter 1001 mm .* 5 to 1000 mm"),
+        (partial(flank_tolerance, "F_i_radial"), (20, 11, 7), "module 11 mm .* 0.2 to 10 mm"),
+        (partial(flank_tolerance, "F_i_radial"), (float("nan"), 1, 7), "reference diameter nan"),
         (standard_tolerance, (501, 7), "size 501 mm .* 0 to 500 mm"),
         (standard_tolerance, (0, 7), "size 0 mm"),
         (standard_tolerance, (20, 2), "IT grade 2 .* 3 to 12"),
-        (total_pitch_deviation, (20, 1, 13), "grade 13 .* 3 to 12"),
+        (partial(flank_tolerance, "F_p"), (20, 1, 13), "grade 13 .* 3 to 12"),
         (centre_distance_deviation, (20, 2), "grade 2 .* 3 to 12"),
         (cutting_feed_tolerance, (20, 7.5), r"grade 7\.5 .* 3 to 12"),
     ],

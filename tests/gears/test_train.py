@@ -9,8 +9,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from cadgen.errors import DesignError
-from cadgen.gears.pair import Gear
-from cadgen.gears.spur import GearPair
+from cadgen.gears.pair import GradedGear
+from cadgen.gears.spur import SpurPair
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train
@@ -19,15 +19,15 @@ teeth = st.integers(8, 200)
 shifts = st.floats(-0.2, 0.6)
 
 
-def gear(z: int, module: float = 0.5, **form: float) -> Gear:
-    return Gear(form=GearForm(teeth=z, normal_module=module, width=5.0, **form))
+def gear(z: int, module: float = 0.5, **form: float) -> GradedGear:
+    return GradedGear(form=GearForm(teeth=z, normal_module=module, width=5.0, **form))
 
 
-def pair(z1: int, z2: int, module: float = 0.5, x1: float = 0.0, x2: float = 0.0) -> GearPair:
+def pair(z1: int, z2: int, module: float = 0.5, x1: float = 0.0, x2: float = 0.0) -> SpurPair:
     one, two = gear(z1, module, profile_shift=x1), gear(z2, module, profile_shift=x2)
     # Any distance at which the teeth do not jam serves to ask for the zero-backlash distance.
     loose = module * ((z1 + z2) / 2 + max(0.0, x1 + x2))
-    probe = GearPair(driver=one, driven=two, centre_distance=loose, bearing_span=80.0)
+    probe = SpurPair(driver=one, driven=two, centre_distance=loose, bearing_span=80.0)
     return replace(probe, centre_distance=probe.zero_backlash_centre_distance)
 
 
@@ -154,7 +154,7 @@ def test_a_grade_outside_the_standards_is_refused(grade):
 
 def test_profile_shifts_that_no_centre_distance_allows_are_refused():
     with pytest.raises(DesignError, match="profile shifts of -3 together"):
-        GearPair(
+        SpurPair(
             driver=gear(10, profile_shift=-1.5),
             driven=gear(10, profile_shift=-1.5),
             centre_distance=5.0,

@@ -12,11 +12,10 @@ import pytest
 from cadgen.design.gear_model import mesh_chord
 from cadgen.design.load import load_design
 from cadgen.errors import FileError
-from cadgen.gears.backlash import with_deviation
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.wheel_body import gear_body
 from cadgen.geometry.meshes.mesh import body_mesh
-from cadgen.geometry.meshes.teeth import Section, section_of
+from cadgen.geometry.meshes.teeth import ToothSection, section_of
 from cadgen.jobs.gears.files import _stl_facts, _tables, table_of
 from cadgen.jobs.gears.plan import plan_gears
 from cadgen.jobs.gears.step_files import assembly_facts, play_facts, step_files
@@ -84,7 +83,7 @@ def test_sections_in_the_files_have_the_play_computed(plan):
     assert max(map(abs, facts["play_error_um"])) < 0.06
     assert abs(facts["return_error_error_um"]) < 0.06
     thick = [plan.layout.parts[3].gears[0].tooth_thickness_deviation + 1e-3]
-    wrong = [*by_part(plan)[:3], (section_of(with_deviation(plan.layout.parts[3].gears[0], *thick)),)]
+    wrong = [*by_part(plan)[:3], (section_of(plan.layout.parts[3].gears[0].cut_to(*thick)),)]
     with pytest.raises(FileError, match=r"has a play 0\.98 µm off the computed one"):
         play_facts(plan.layout, plan.passed, "x.step", wrong)
 
@@ -95,7 +94,7 @@ def test_sections_whose_play_is_right_only_at_the_line_of_centres_are_refused(pl
     radius = np.abs(corners)
     tooth = np.exp(2j * np.pi / len(corners) * np.arange(len(corners)))[:, None]
     out = np.clip((radius - (radius.max() - 0.1)) / 0.05, 0.0, 1.0)
-    raised = Section(corners * np.exp(1j * 5e-3 / radius * out * np.sign(np.angle(corners / tooth))))
+    raised = ToothSection(corners * np.exp(1j * 5e-3 / radius * out * np.sign(np.angle(corners / tooth))))
     with pytest.raises(FileError, match="has teeth in stage 1 whose play is not the same over a pitch"):
         play_facts(plan.layout, plan.passed, "x.step", [(raised,), *good[1:]])
 

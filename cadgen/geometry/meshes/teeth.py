@@ -34,7 +34,7 @@ TEETH_BESIDE = 2
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Section:
+class ToothSection:
     """Transverse section of a gear: corners by tooth, counter-clockwise, shape (teeth, n); tooth 0 on the x axis."""
 
     corners: Points
@@ -73,8 +73,8 @@ class Section:
 class MeasuredPair:
     """Two sections in mesh at a centre distance in mm."""
 
-    driver: Section
-    driven: Section
+    driver: ToothSection
+    driven: ToothSection
     centre_distance: float
 
     @property
@@ -159,7 +159,7 @@ class MeasuredPair:
         return f"the sections with {teeth} at {self.centre_distance:g} mm {fault}"
 
 
-def section_of(wheel: Wheel, chord_tolerance: float = CHORD_TOLERANCE) -> Section:
+def section_of(wheel: Wheel, chord_tolerance: float = CHORD_TOLERANCE) -> ToothSection:
     """Section of a wheel from its exact curves, by chords no further off than `chord_tolerance`, mm.
 
     Args:
@@ -167,7 +167,7 @@ def section_of(wheel: Wheel, chord_tolerance: float = CHORD_TOLERANCE) -> Sectio
         chord_tolerance: greatest distance of a chord from a curve, mm.
     """
     outline = wheel.outline
-    return Section(outline.polygon(chord_tolerance).reshape(outline.repeats, -1))
+    return ToothSection(outline.polygon(chord_tolerance).reshape(outline.repeats, -1))
 
 
 def measured_pair(stage: Stage, centre_distance: float | None = None) -> MeasuredPair:
@@ -199,7 +199,7 @@ def return_error(stages: Sequence[MeasuredPair], drive_angle: float = 0.0) -> fl
 
 
 @lru_cache(maxsize=8)  # the driver is held while the driven gear is turned
-def _held(driver: Section, angle: float) -> manifold3d.CrossSection:
+def _held(driver: ToothSection, angle: float) -> manifold3d.CrossSection:
     return _section(driver.near(angle, 0.0))
 
 

@@ -46,8 +46,8 @@ from cadgen.errors import FileError
 from cadgen.geometry.solids.crossing import with_exact_crossings
 from cadgen.geometry.solids.kernel import (
     TOLERANCE,
-    Edge,
-    Part,
+    CurveEdge,
+    SolidPart,
     closed_wire,
     contour_edges,
     drill,
@@ -102,7 +102,7 @@ class _Level(NamedTuple):
 
 def chamfered_disc(
     strips: Sequence[Strip],
-    holes: Iterable[Sequence[Edge]],
+    holes: Iterable[Sequence[CurveEdge]],
     thickness: float,
     leg: float,
     *,
@@ -266,7 +266,7 @@ _DEGREE: Degree = 5  # fewer control points than degree 3 at this tolerance, and
 _COLOUR = (0.55, 0.62, 0.70)  # of milled aluminium
 
 
-def cam_part(profile: ClosedCurve, blank: Blank, thickness: float, *, name: str, description: str) -> Part:
+def cam_part(profile: ClosedCurve, blank: Blank, thickness: float, *, name: str, description: str) -> SolidPart:
     """Return the disc with its bore, holes and hub; z = 0 is the inner face, z = thickness the outer one.
 
     Args:
@@ -294,10 +294,10 @@ def cam_part(profile: ClosedCurve, blank: Blank, thickness: float, *, name: str,
             f"the CAD kernel made {len(bodies)} solids of the cam, or an invalid one, where one valid solid "
             "was wanted: check the profile and the design's [blank]"
         )
-    return Part(solid=bodies[0], name=name, description=description, colour=_COLOUR)
+    return SolidPart(solid=bodies[0], name=name, description=description, colour=_COLOUR)
 
 
-def _disc(profile: ClosedCurve, holes: list[list[Edge]], thickness: float, edge_break: float) -> TopoDS_Shape:
+def _disc(profile: ClosedCurve, holes: list[list[CurveEdge]], thickness: float, edge_break: float) -> TopoDS_Shape:
     if edge_break:
         return chamfered_disc(
             chamfer_strips(profile, edge_break), holes, thickness, edge_break, tolerance=SPLINE_TOLERANCE

@@ -36,8 +36,8 @@ from cadgen.gears.layout import TrainLayout, TrainPart
 from cadgen.geometry.solids.crossing import with_exact_crossings
 from cadgen.geometry.solids.kernel import (
     TOLERANCE,
-    Edge,
-    Part,
+    CurveEdge,
+    SolidPart,
     closed_wire,
     drill,
     faces,
@@ -47,8 +47,8 @@ from cadgen.geometry.solids.kernel import (
     volume,
 )
 from cadgen.geometry.solids.step import add_part, colour_of, completed, document_bytes, new_document, read_document
-from cadgen.parts.body import Body, Cap, RadialHole, Wall, caps_of, walls_of
-from cadgen.parts.loop import Arc, Curve, Involute, Line, Loop, Points, bezier_poles
+from cadgen.parts.body import Body, Cap, RadialHole, SweptWall, caps_of, walls_of
+from cadgen.parts.loop import Arc, Curve, Involute, Loop, Points, Segment, bezier_poles
 
 if TYPE_CHECKING:
     from build123d import Compound as Compound
@@ -84,7 +84,7 @@ def body_solid(body: Body) -> TopoDS_Solid:
     return _closed([*walls, *drilled, *(_cap(cap, wires) for cap in caps_of(body.slabs))])
 
 
-def _side(wall: Wall, wires: Wires) -> TopoDS_Shape:
+def _side(wall: SweptWall, wires: Wires) -> TopoDS_Shape:
     """The faces of a wall as a shell facing out of the material; its two wires go into `wires`."""
     base = wires.get((wall.outline, wall.start)) or closed_wire(_edges(wall.outline, wall.start))
     prism = BRepPrimAPI_MakePrism(base, gp_Vec(0.0, 0.0, wall.end - wall.start))
@@ -94,16 +94,16 @@ def _side(wall: Wall, wires: Wires) -> TopoDS_Shape:
     return prism.Shape().Reversed() if wall.outward else prism.Shape()
 
 
-def _edges(outline: Loop, height: float) -> list[Edge]:
+def _edges(outline: Loop, height: float) -> list[CurveEdge]:
     copies = [_copies(curve, outline.turns, height) for curve in outline.curves]
     return [edge for pitch in zip(*copies, strict=True) for edge in pitch]
 
 
-def _copies(curve: Curve, turns: Points, height: float) -> list[Edge]:
+def _copies(curve: Curve, turns: Points, height: float) -> list[CurveEdge]:
     """The edges of `curve` turned by each of `turns`."""
     if isinstance(curve, Arc):
         return [_arc(curve.rotated(angle), height) for angle in np.angle(turns)]
-    if isinstance(curve, Line):
+    if isinstance(curve, Segment):
         return [_line(start, end, height) for start, end in _turned(curve.point([0.0, 1.0]), turns)]
     tolerance = FLANK_TOLERANCE if isinstance(curve, Involute) else ROOT_TOLERANCE
     return [_bezier(poles, height) for poles in _turned(bezier_poles(curve, tolerance), turns)]
@@ -113,23 +113,23 @@ def _turned(points: Points, turns: Points) -> list[list[complex]]:
     return [list(row) for row in np.round(turns[:, None] * points, DECIMALS).tolist()]
 
 
-def _bezier(poles: list[complex], height: float) -> Edge:
+def _bezier(poles: list[complex], height: float) -> CurveEdge:
     array = Array1_gp_Pnt(1, len(poles))
     for number, pole in enumerate(poles, 1):
         array.SetValue(number, gp_Pnt(pole.real, pole.imag, height))
-    return Edge(Geom_BezierCurve(array), 0.0, 1.0)
+    return CurveEdge(Geom_BezierCurve(array), 0.0, 1.0)
 
 
-def _arc(arc: Arc, height: float) -> Edge:
+def _arc(arc: Arc, height: float) -> CurveEdge:
     centre = gp_Pnt(arc.centre.real, arc.centre.imag, height)
     start = gp_Dir(np.cos(arc.start), np.sin(arc.start), 0.0)
-    return Edge(Geom_Circle(gp_Ax2(centre, UP, start), arc.radius), 0.0, arc.sweep)
+    return CurveEdge(Geom_Circle(gp_Ax2(centre, UP, start), arc.radius), 0.0, arc.sweep)
 
 
-def _line(start: complex, end: complex, height: float) -> Edge:
+def _line(start: complex, end: complex, height: float) -> CurveEdge:
     along = end - start
     line = Geom_Line(gp_Pnt(start.real, start.imag, height), gp_Dir(along.real, along.imag, 0.0))
-    return Edge(line, 0.0, abs(along))
+    return CurveEdge(line, 0.0, abs(along))
 
 
 def _cap(cap: Cap, wires: Wires) -> TopoDS_Shape:
@@ -183,7 +183,7 @@ class AssembledPart:
     volume: float
 
 
-def train_parts(layout: TrainLayout, name: str, description: str) -> tuple[Part, ...]:
+def train_parts(layout: TrainLayout, name: str, description: str) -> tuple[SolidPart, ...]:
     """The solids of a train, each in its own frame; the parts' names follow that of the train.
 
     Raises `DesignError` and `FileError` as `body_solid` does.
@@ -201,7 +201,7 @@ def colour_of_shaft(shaft: int) -> tuple[float, float, float]:
     return hsv_to_rgb((FIRST_HUE + HUE_STEP * (shaft - 1)) % 1.0, SATURATION, BRIGHTNESS)
 
 
-def assembly_bytes(parts: Sequence[Part], layout: TrainLayout, name: str, description: str) -> bytes:
+def assembly_bytes(parts: Sequence[SolidPart], layout: TrainLayout, name: str, description: str) -> bytes:
     """STEP file of the parts at their places, one product and one use for each: equal parts, equal bytes.
 
     Raises `FileError` as `step_bytes` does.
@@ -218,7 +218,7 @@ def assembly_bytes(parts: Sequence[Part], layout: TrainLayout, name: str, descri
     return document_bytes(document, name, description)
 
 
-def train_compound(parts: Sequence[Part], layout: TrainLayout, name: str) -> Compound:
+def train_compound(parts: Sequence[SolidPart], layout: TrainLayout, name: str) -> Compound:
     """Return the parts at their places as one build123d compound, a labelled and coloured solid for each."""
     import build123d
 
@@ -230,7 +230,7 @@ def train_compound(parts: Sequence[Part], layout: TrainLayout, name: str) -> Com
     return build123d.Compound(label=name, children=placed)
 
 
-def mesh_compound(parts: Sequence[Part], places: Sequence[tuple[float, float, float]], name: str) -> Compound:
+def mesh_compound(parts: Sequence[SolidPart], places: Sequence[tuple[float, float, float]], name: str) -> Compound:
     """Return gears as one build123d compound.
 
     Args:
@@ -302,8 +302,8 @@ def _judged(shapes: Sequence[TopoDS_Shape]) -> list[tuple[bool, float]]:
     return [(fits(shape) and is_valid(shape), volume(shape)) for shape in whole]
 
 
-def _solid_part(part: TrainPart, name: str, description: str) -> Part:
-    return Part(
+def _solid_part(part: TrainPart, name: str, description: str) -> SolidPart:
+    return SolidPart(
         solid=body_solid(part.body),
         name=part_name(name, part),
         description=description,

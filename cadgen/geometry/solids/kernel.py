@@ -1,7 +1,7 @@
 """Thin helpers on the CAD kernel: edges, wires, prisms, validity and volume.
 
 The kernel is OCCT through OCP, the binding that build123d stands on. OCP loads in a quarter of the time that
-build123d takes, so build123d itself is loaded only when a part is asked for in its terms (`Part.build123d`).
+build123d takes, so build123d itself is loaded only when a part is asked for in its terms (`SolidPart.build123d`).
 """
 
 from collections.abc import Iterable, Sequence
@@ -40,7 +40,7 @@ _VOLUME_TOLERANCE = 1e-9
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Part:
+class SolidPart:
     """A solid with its name, description and colour in a file.
 
     Attributes:
@@ -62,7 +62,7 @@ class Part:
         return build123d.Solid(self.solid, label=self.name, color=build123d.Color(*self.colour))
 
 
-class Edge(NamedTuple):
+class CurveEdge(NamedTuple):
     """A curve of the kernel, with its first and last parameter."""
 
     curve: Geom_Curve
@@ -70,7 +70,7 @@ class Edge(NamedTuple):
     last: float
 
 
-def spline_edges(arcs: Iterable[SplineArc], z: float) -> list[Edge]:
+def spline_edges(arcs: Iterable[SplineArc], z: float) -> list[CurveEdge]:
     """Return B-spline edges in the plane at height z, mm.
 
     Args:
@@ -88,11 +88,11 @@ def spline_edges(arcs: Iterable[SplineArc], z: float) -> list[Edge]:
             knots.SetValue(number, value)
             multiplicities.SetValue(number, count)
         curve = Geom_BSplineCurve(points, knots, multiplicities, spline.degree)
-        edges.append(Edge(curve, float(values[0]), float(values[-1])))
+        edges.append(CurveEdge(curve, float(values[0]), float(values[-1])))
     return edges
 
 
-def contour_edges(contour: Contour, z: float) -> list[Edge]:
+def contour_edges(contour: Contour, z: float) -> list[CurveEdge]:
     """Return the lines and arcs of a contour in the plane at height z, mm; a circle is one edge.
 
     Args:
@@ -102,7 +102,7 @@ def contour_edges(contour: Contour, z: float) -> list[Edge]:
     up = gp_Dir(0.0, 0.0, 1.0)
     if contour.is_circle:
         x, y = contour.centers[0].tolist()
-        return [Edge(Geom_Circle(gp_Ax2(gp_Pnt(x, y, z), up), float(contour.radii[0])), 0.0, 2 * np.pi)]
+        return [CurveEdge(Geom_Circle(gp_Ax2(gp_Pnt(x, y, z), up), float(contour.radii[0])), 0.0, 2 * np.pi)]
     edges = []
     for (x, y), (dx, dy), length, center, radius, sweep in zip(
         contour.vertices,
@@ -114,15 +114,15 @@ def contour_edges(contour: Contour, z: float) -> list[Edge]:
         strict=True,
     ):
         if sweep == 0:
-            edges.append(Edge(Geom_Line(gp_Pnt(x, y, z), gp_Dir(dx, dy, 0.0)), 0.0, float(length)))
+            edges.append(CurveEdge(Geom_Line(gp_Pnt(x, y, z), gp_Dir(dx, dy, 0.0)), 0.0, float(length)))
             continue
         axis, start = up if sweep > 0 else up.Reversed(), gp_Dir(x - center[0], y - center[1], 0.0)
         circle = Geom_Circle(gp_Ax2(gp_Pnt(*center, z), axis, start), float(radius))
-        edges.append(Edge(circle, 0.0, float(abs(sweep))))
+        edges.append(CurveEdge(circle, 0.0, float(abs(sweep))))
     return edges
 
 
-def closed_wire(edges: Sequence[Edge]) -> TopoDS_Wire:
+def closed_wire(edges: Sequence[CurveEdge]) -> TopoDS_Wire:
     """Join edges end to end into a loop; neighbours share one vertex, so nothing has to be sewn.
 
     Raises:
@@ -154,7 +154,7 @@ def closed_wire(edges: Sequence[Edge]) -> TopoDS_Wire:
     return wire
 
 
-def prism(outer: Sequence[Edge], inner: Iterable[Sequence[Edge]], height: float) -> TopoDS_Shape:
+def prism(outer: Sequence[CurveEdge], inner: Iterable[Sequence[CurveEdge]], height: float) -> TopoDS_Shape:
     """Extrude one planar face along z by `height`, mm: no boolean, one face per edge.
 
     Args:

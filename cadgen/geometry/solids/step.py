@@ -39,7 +39,7 @@ from OCP.XSControl import XSControl_WorkSession
 
 from cadgen.curves.closed import Outline
 from cadgen.errors import FileError
-from cadgen.geometry.solids.kernel import Part, edges_on_surfaces, fits, is_valid, solids, volume
+from cadgen.geometry.solids.kernel import SolidPart, edges_on_surfaces, fits, is_valid, solids, volume
 from cadgen.geometry.solids.step_text import read_rim
 
 # Written into every file so that equal designs give equal bytes; the environment's SOURCE_DATE_EPOCH (seconds
@@ -85,7 +85,7 @@ class StepContent(PartContent):
     rim: Outline
 
 
-def step_bytes(part: Part) -> bytes:
+def step_bytes(part: SolidPart) -> bytes:
     """Return the STEP file of a part: the same bytes for the same part, whatever was written before.
 
     Raises:
@@ -104,7 +104,7 @@ def new_document() -> TDocStd_Document:
     return document
 
 
-def add_part(document: TDocStd_Document, part: Part) -> TDF_Label:
+def add_part(document: TDocStd_Document, part: SolidPart) -> TDF_Label:
     """Put a part with its name and colour into a document, and return its label.
 
     Raises:

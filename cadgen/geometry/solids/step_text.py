@@ -23,7 +23,7 @@ from cadgen.arrays import Array
 from cadgen.curves.closed import Outline, cross
 from cadgen.errors import FileError
 from cadgen.gears.stage import Wheel
-from cadgen.geometry.meshes.teeth import CHORD_TOLERANCE, Section
+from cadgen.geometry.meshes.teeth import CHORD_TOLERANCE, ToothSection
 from cadgen.parts.loop import Arc, Curve, Involute, Loop, Trochoid, bernstein, chord_parameters
 
 # An instance ends at the first semicolon outside a string; a quote inside a string is doubled.
@@ -145,7 +145,7 @@ class GearContent:
     """
 
     solid: bytes
-    sections: tuple[Section, ...]
+    sections: tuple[ToothSection, ...]
     flank_error: float | None
     root_error: float | None
     rim_error: float | None
@@ -182,21 +182,21 @@ def read_gear(path: Path, gears: Sequence[Wheel], starts: Sequence[float]) -> Ge
     if not bare.endswith("END-ISO-10303-21;") or len(solids) != 1 or "SI_UNIT(.MILLI.,.METRE.)" not in bare:
         raise FileError(f"{path.name} is not a whole STEP file of one solid in mm: export it again")
     curves = _curves(bare, path)
-    sections: list[Section] = []
+    sections: list[ToothSection] = []
     errors: dict[type[Curve], float] = {}
     for wheel, start in zip(gears, starts, strict=True):
         outline, heights = wheel.outline, (start, start + wheel.width)
         tooth_curves = [exact for exact in outline.curves if isinstance(exact, Involute | Trochoid)]
         if not tooth_curves:
             errors[Arc] = max(errors.get(Arc, 0.0), _rim_error(outline, bare, heights, path))
-            sections.append(Section(outline.polygon(CHORD_TOLERANCE).reshape(outline.repeats, -1)))
+            sections.append(ToothSection(outline.polygon(CHORD_TOLERANCE).reshape(outline.repeats, -1)))
             continue
         rows: list[NDArray[np.complex128]] = []
         for exact in tooth_curves:
             poles = _matched(exact, outline.repeats, curves, heights, path)
             errors[type(exact)] = max(errors.get(type(exact), 0.0), _deviation(exact, poles))
             rows.append(poles @ bernstein(poles.shape[1] - 1, chord_parameters(exact, CHORD_TOLERANCE)).T)
-        sections.append(Section(np.concatenate(rows, axis=1)))
+        sections.append(ToothSection(np.concatenate(rows, axis=1)))
     return GearContent(
         solid=solids[0],
         sections=tuple(sections),

@@ -24,7 +24,7 @@ from cadgen.output.files.manifest import Written, file_facts, versions, write_ma
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
-    from cadgen.geometry.solids.kernel import Part
+    from cadgen.geometry.solids.kernel import SolidPart
 
 # Greatest error of the lift due to a file, um. STL and 3MF are held to their own chord tolerance.
 STEP_LIMIT_UM = 0.5
@@ -109,7 +109,7 @@ def _results(job: Job, writer: "_Writer") -> "list[Result] | CheckError":
         return error
 
 
-def cam_solid(plan: CamPlan) -> "Part":
+def cam_solid(plan: CamPlan) -> "SolidPart":
     """Solid of the cam, as in its STEP file."""
     return Job(plan, Path(), CAM_FORMATS).part
 

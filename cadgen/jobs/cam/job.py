@@ -20,7 +20,7 @@ from cadgen.jobs.cam.plan import CamPlan
 from cadgen.output.files.formats import Format
 
 if TYPE_CHECKING:
-    from cadgen.geometry.solids.kernel import Part
+    from cadgen.geometry.solids.kernel import SolidPart
 
 # Share of the chord tolerance that the rim's chords may take at a pressure angle of 0; and at least, at 87 degrees.
 _RIM_SHARE = 0.8
@@ -97,7 +97,7 @@ class Job:
         return max(_RIM_SHARE * steepest, _LEAST_RIM_SHARE)
 
     @cached_property
-    def part(self) -> "Part":
+    def part(self) -> "SolidPart":
         """The solid, for STEP, and for its volume."""
         from cadgen.geometry.solids.disc_solid import cam_part
 

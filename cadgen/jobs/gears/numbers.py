@@ -28,7 +28,7 @@ from cadgen.parts.blank import Blank
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
-    from cadgen.geometry.solids.kernel import Part
+    from cadgen.geometry.solids.kernel import SolidPart
 
 _FRAME = "mm; the gear's axis is z, a tooth stands on x, and its lower face lies at z = 0"
 
@@ -139,13 +139,13 @@ def part_of(form: GearForm, blank: Blank) -> TrainPart:
     )
 
 
-def solid_of(form: GearForm, part: TrainPart, name: str, shaft: int = 1) -> Part:
+def solid_of(form: GearForm, part: TrainPart, name: str, shaft: int = 1) -> SolidPart:
     """A gear's part as a solid; `shaft` decides its colour."""
     from cadgen.geometry.solids.gear_solids import body_solid, colour_of_shaft
-    from cadgen.geometry.solids.kernel import Part
+    from cadgen.geometry.solids.kernel import SolidPart
 
     description = f"spur gear of {form.teeth} teeth, module {form.normal_module:g} mm"
-    return Part(solid=body_solid(part.body), name=name, description=description, colour=colour_of_shaft(shaft))
+    return SolidPart(solid=body_solid(part.body), name=name, description=description, colour=colour_of_shaft(shaft))
 
 
 def write_gear(

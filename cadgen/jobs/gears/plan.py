@@ -11,7 +11,7 @@ from cadgen.design.schema import TrainDesign
 from cadgen.errors import DesignError
 from cadgen.gears.choices import Order, Thinning
 from cadgen.gears.layout import TrainLayout
-from cadgen.gears.spur import GearPair, spur_pairs
+from cadgen.gears.spur import SpurPair, spur_pairs
 from cadgen.gears.stage import Departure, Stage, Wheel
 from cadgen.gears.synthesis import SearchLimits, TrainSearch, arrange
 from cadgen.gears.train import Train, TrainPlay, WholePlay, teeth_of, train_play
@@ -277,7 +277,7 @@ def _thinning_notes(design: TrainDesign, made: MadeTrain) -> tuple[str, ...]:
     """Meaning of the design's tooth thickness for the return error, in words."""
     keys = gear_model.train_keys(design)
     zone = "and play, return error and the limits in the table of parts are those of such teeth"
-    plays = [stage.play() for stage in made.play.train.stages if isinstance(stage, GearPair)]
+    plays = [stage.play() for stage in made.play.train.stages if isinstance(stage, SpurPair)]
     if not plays:
         return ()
     if keys.E_sn_um is not None:

@@ -14,11 +14,11 @@ from cadgen.errors import FileError
 from cadgen.gears.layout import TrainLayout
 from cadgen.gears.stage import LEAST_OVERLAP, PLAY_LIMIT_UM, cycle
 from cadgen.geometry.meshes.made_train import meshes, play_error_um, return_error_um
-from cadgen.geometry.meshes.teeth import MeasuredPair, Section
+from cadgen.geometry.meshes.teeth import MeasuredPair, ToothSection
 
 if TYPE_CHECKING:
     from cadgen.geometry.solids.gear_solids import AssembledPart
-    from cadgen.geometry.solids.kernel import Part
+    from cadgen.geometry.solids.kernel import SolidPart
     from cadgen.geometry.solids.step_text import GearContent
 
 # Greatest distance of flanks and roots in a file from the exact curves, µm.
@@ -65,7 +65,7 @@ def step_files(layout: TrainLayout, stem: str, description: str, passed: bool, s
     ]
 
 
-def _write_parts(parts: Sequence[Part], files: Sequence[Path]) -> None:
+def _write_parts(parts: Sequence[SolidPart], files: Sequence[Path]) -> None:
     from cadgen.geometry.solids.step import step_bytes
 
     for part, file in zip(parts, files, strict=True):
@@ -103,7 +103,7 @@ def tooth_errors(name: str, content: GearContent) -> dict[str, Any]:
 
 
 def assembly_facts(
-    layout: TrainLayout, file: str, read: Sequence[AssembledPart], parts: Sequence[Part]
+    layout: TrainLayout, file: str, read: Sequence[AssembledPart], parts: Sequence[SolidPart]
 ) -> dict[str, Any]:
     """Require of every part read back that it is valid, with its name, colour, place and exact volume."""
     require(len(read) == len(parts), file, "has lost a part")
@@ -121,7 +121,9 @@ def assembly_facts(
     return {"bodies": len(read), "volume_error_relative": worst}
 
 
-def play_facts(layout: TrainLayout, passed: bool, name: str, sections: Sequence[tuple[Section, ...]]) -> dict[str, Any]:
+def play_facts(
+    layout: TrainLayout, passed: bool, name: str, sections: Sequence[tuple[ToothSection, ...]]
+) -> dict[str, Any]:
     """Play of every stage, and return error of the train, measured on the sections in the files.
 
     Over a pitch the sections do not overlap just within the computed play, and do just past it. Teeth that jam, do

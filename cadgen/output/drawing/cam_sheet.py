@@ -19,14 +19,14 @@ from cadgen.output.drawing.sheet import (
     SIZES,
     TITLE_SIZE,
     Closed,
-    Diameter,
+    DiameterDimension,
     Dimension,
-    Drawing,
+    DrawingSheet,
     Label,
-    Line,
-    Linear,
+    LinearDimension,
+    LineKind,
+    SheetTable,
     Stroke,
-    Table,
     Title,
     View,
     centre_cross,
@@ -81,7 +81,7 @@ class CamPart:
     notes: tuple[str, ...]
 
 
-def cam_drawing(cam: CamPart, title: Title) -> Drawing:
+def cam_drawing(cam: CamPart, title: Title) -> DrawingSheet:
     """Sheet A4, or A3 where the cam is larger than A4 shows at 1:1."""
     across = 2 * cam.greatest[0]
     axial = cam.thickness + (cam.blank.hub.length if cam.blank.hub else 0.0)
@@ -94,7 +94,7 @@ def cam_drawing(cam: CamPart, title: Title) -> Drawing:
     section_at = (face_at[0] + scale * across / 2 + 38.0 + scale * _below(cam), face_at[1])
     table_at = (width - EDGE - table_width, height - EDGE - 2.0)
     tables = _radii(cam, table_at)
-    return Drawing(
+    return DrawingSheet(
         size=size,
         scale=scale,
         title=title,
@@ -118,7 +118,7 @@ def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     curves: list[Closed | Stroke] = [
         Closed(cam.profile),
         Closed(blank.bore()),
-        *([ring(holes.circle_diameter, Line.CENTRE)] if holes and holes.circle_diameter else []),
+        *([ring(holes.circle_diameter, LineKind.CENTRE)] if holes and holes.circle_diameter else []),
         *(Closed(hole) for hole in blank.holes()),
         *centre_cross(reach + 0.4 * gap),
     ]
@@ -128,7 +128,7 @@ def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     ]
     curves += _arrow((zero + _ARROW / scale, 0.0), (zero + 0.8 / scale, 0.0), 2.5 / scale)
     if blank.hub:
-        seen = Line.VISIBLE if blank.hub.side == Face.OUTER else Line.HIDDEN
+        seen = LineKind.VISIBLE if blank.hub.side == Face.OUTER else LineKind.HIDDEN
         curves.append(ring(blank.hub.diameter, seen))
     screw = _screw(cam)
     curves += screw.face() if screw else ()
@@ -147,7 +147,7 @@ def _face_dimensions(cam: CamPart, scale: float) -> list[Dimension]:
     fit = f" {cam.bore_fit}" if cam.bore_fit else ""
     aside = degrees(blank.key.angle if blank.key else 0.0) + 125.0
     dimensions: list[Dimension] = [
-        Diameter(name="bore", centre=(0.0, 0.0), diameter=blank.bore_diameter, angle=aside, suffix=fit)
+        DiameterDimension(name="bore", centre=(0.0, 0.0), diameter=blank.bore_diameter, angle=aside, suffix=fit)
     ]
     match blank.key:
         case Keyway(width=width, depth=depth, angle=angle):
@@ -155,15 +155,19 @@ def _face_dimensions(cam: CamPart, scale: float) -> list[Dimension]:
             start, end = (_polar(out, angle, side * width / 2) for side in (-1, 1))
             at, across = _polar(out + 0.7 * gap, angle, 0.0), degrees(angle) + 90.0
             beside = scale * width / 2 + BEYOND
-            dimensions.append(Linear(name="keyway width", start=start, end=end, at=at, angle=across, beside=beside))
+            dimensions.append(
+                LinearDimension(name="keyway width", start=start, end=end, at=at, angle=across, beside=beside)
+            )
         case DFlat(depth=depth, angle=angle):
             radius = blank.bore_diameter / 2
             start, end = _polar(-radius, angle, 0.0), _polar(radius - depth, angle, 0.0)
             at = _polar(0.0, angle, -radius - 0.7 * gap)
-            dimensions.append(Linear(name="across the flat", start=start, end=end, at=at, angle=degrees(angle)))
+            dimensions.append(
+                LinearDimension(name="across the flat", start=start, end=end, at=at, angle=degrees(angle))
+            )
     if blank.mark:
         dimensions.append(
-            Diameter(
+            DiameterDimension(
                 name="mark",
                 centre=blank.mark.centre,
                 diameter=blank.mark.diameter,
@@ -176,14 +180,14 @@ def _face_dimensions(cam: CamPart, scale: float) -> list[Dimension]:
         x, y = ring_of_holes.centers()[ring_of_holes.count // 3].tolist()
         many = f"{ring_of_holes.count} × " if ring_of_holes.count > 1 else ""
         dimensions += [
-            Diameter(
+            DiameterDimension(
                 name="hole",
                 centre=(x, y),
                 diameter=ring_of_holes.hole_diameter,
                 angle=degrees(atan2(y, x)),
                 prefix=many,
             ),
-            Diameter(
+            DiameterDimension(
                 name="circle of holes",
                 centre=(0.0, 0.0),
                 diameter=ring_of_holes.circle_diameter,
@@ -210,25 +214,27 @@ def _section(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     top = max(area.bounds[3] for area in areas)
     low = min(area.bounds[0] for area in areas)
     high = max(area.bounds[2] for area in areas)
-    axis = Stroke(np.array([[low - 0.5 * gap, 0.0], [high + 0.5 * gap, 0.0]]), Line.CENTRE)
+    axis = Stroke(np.array([[low - 0.5 * gap, 0.0], [high + 0.5 * gap, 0.0]]), LineKind.CENTRE)
     dimensions: list[Dimension] = [
-        Linear(name="thickness", start=(0.0, top), end=(thickness, top), at=(0.0, top + 0.8 * gap))
+        LinearDimension(name="thickness", start=(0.0, top), end=(thickness, top), at=(0.0, top + 0.8 * gap))
     ]
     if isinstance(blank.key, Keyway):
         radius, depth = blank.bore_diameter / 2, blank.key.depth
         side = boss.high if boss else thickness
         at = (max(side, thickness) + gap, 0.0)
         dimensions.append(
-            Linear(name="bore and keyway", start=(side, -radius), end=(side, radius + depth), at=at, angle=90.0)
+            LinearDimension(
+                name="bore and keyway", start=(side, -radius), end=(side, radius + depth), at=at, angle=90.0
+            )
         )
     if boss:
         outer, half = boss.high > thickness, boss.diameter / 2
         end = boss.high if outer else boss.low
         dimensions += [
-            Linear(
+            LinearDimension(
                 name="hub length", start=(boss.low, -half), end=(boss.high, -half), at=(boss.low, -half - 1.6 * gap)
             ),
-            Linear(
+            LinearDimension(
                 name="hub diameter",
                 start=(end, -half),
                 end=(end, half),
@@ -284,7 +290,7 @@ def _chamfered(area: shapely.Polygon, cam: CamPart) -> shapely.Polygon:
     return area
 
 
-def _radii(cam: CamPart, at: tuple[float, float]) -> tuple[Table, ...]:
+def _radii(cam: CamPart, at: tuple[float, float]) -> tuple[SheetTable, ...]:
     """Radius of the outline by the polar angle, in three tables beside each other."""
     head = ("θ, °", "R, mm")
     cells = [
@@ -293,7 +299,7 @@ def _radii(cam: CamPart, at: tuple[float, float]) -> tuple[Table, ...]:
     ]
     third = ceil(len(cells) / 3)
     return tuple(
-        Table(
+        SheetTable(
             title="outline about the axis" if number == 0 else "",
             at=(at[0] + number * 34.0, at[1]),
             widths=(13.0, 20.0),

@@ -24,14 +24,14 @@ from cadgen.output.drawing.sheet import (
     SIZES,
     TITLE_SIZE,
     Closed,
-    Diameter,
+    DiameterDimension,
     Dimension,
-    Drawing,
+    DrawingSheet,
     Label,
-    Line,
-    Linear,
+    LinearDimension,
+    LineKind,
+    SheetTable,
     Stroke,
-    Table,
     Title,
     View,
     centre_cross,
@@ -107,7 +107,7 @@ class GearPart:
     notes: tuple[str, ...]
 
 
-def gear_drawing(gear: GearPart, title: Title) -> Drawing:
+def gear_drawing(gear: GearPart, title: Title) -> DrawingSheet:
     """Sheet A4, or A3 where the part is larger than A4 shows at 1:1."""
     body = gear.part.body
     across, axial = 2 * _reach(body), body.slabs[-1].end - body.slabs[0].start
@@ -123,10 +123,10 @@ def gear_drawing(gear: GearPart, title: Title) -> Drawing:
     tables, top = [], height - EDGE - 2.0
     for data, name in zip(gear.data, _names(gear.part), strict=True):
         at = (width - EDGE - table_width, top)
-        tables.append(Table(title=name, at=at, widths=_TABLE, rows=data, headed=False))
+        tables.append(SheetTable(title=name, at=at, widths=_TABLE, rows=data, headed=False))
         top -= tables[-1].height + 1.0
     notes = wrapped(_notes(gear), width - EDGE - TITLE_SIZE[0] - LEFT - 6.0)
-    return Drawing(
+    return DrawingSheet(
         size=size,
         scale=scale,
         title=title,
@@ -152,7 +152,7 @@ def _points(loop: Loop) -> Array:
     return np.stack([corners.real, corners.imag], axis=1)
 
 
-def _outline(loop: Loop, line: Line = Line.VISIBLE) -> Closed:
+def _outline(loop: Loop, line: LineKind = LineKind.VISIBLE) -> Closed:
     points = _points(loop)
     return Closed(Contour(points, np.zeros(len(points))), line)
 
@@ -168,15 +168,15 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     curves += [_outline(hole) for hole in holes]
     if blank.bore_diameter:
         curves.append(Closed(blank.bore()))
-    curves += [ring(diameter, Line.CENTRE) for diameter in _pitch_circles(gear)]
+    curves += [ring(diameter, LineKind.CENTRE) for diameter in _pitch_circles(gear)]
     curves += centre_cross(reach + 0.4 * gap)
     dimensions: list[Dimension] = []
     if blank.bore_diameter:
-        dimensions.append(Diameter(name="bore", centre=(0.0, 0.0), diameter=blank.bore_diameter, angle=125.0))
+        dimensions.append(DiameterDimension(name="bore", centre=(0.0, 0.0), diameter=blank.bore_diameter, angle=125.0))
     if isinstance(blank.key, Keyway):
         half, out = blank.key.width / 2, blank.bore_diameter / 2 + blank.key.depth
         dimensions.append(
-            Linear(
+            LinearDimension(
                 name="keyway width",
                 start=(out, -half),
                 end=(out, half),
@@ -193,10 +193,12 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
         angle = degrees(atan2(first.imag, first.real))
         at = (first.real, first.imag)
         dimensions += [
-            Diameter(name="hole", centre=at, diameter=size, angle=angle, prefix=many),
-            Diameter(name="circle of holes", centre=(0.0, 0.0), diameter=circle, angle=angle + 180 / len(holes)),
+            DiameterDimension(name="hole", centre=at, diameter=size, angle=angle, prefix=many),
+            DiameterDimension(
+                name="circle of holes", centre=(0.0, 0.0), diameter=circle, angle=angle + 180 / len(holes)
+            ),
         ]
-        curves.append(ring(circle, Line.CENTRE))
+        curves.append(ring(circle, LineKind.CENTRE))
     screw = ScrewHole.of(blank, part.body.radial_hole)
     plane, letters = cutting_plane(0.0, reach + 0.3 * gap, scale)
     curves += [*(screw.face() if screw else ()), *plane]
@@ -238,7 +240,7 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     strokes, hatches = drawn(areas)
     strokes += beyond(layers, whole)
     low, high = part.body.slabs[0].start, part.body.slabs[-1].end
-    strokes.append(Stroke(np.array([[low - 0.5 * gap, 0.0], [high + 0.5 * gap, 0.0]]), Line.CENTRE))
+    strokes.append(Stroke(np.array([[low - 0.5 * gap, 0.0], [high + 0.5 * gap, 0.0]]), LineKind.CENTRE))
     dimensions: list[Dimension] = []
     for number, (wheel, start) in enumerate(zip(part.gears, part.starts, strict=True)):
         tip, root, end = wheel.tip_diameter / 2, wheel.root_diameter / 2, start + wheel.width
@@ -249,7 +251,7 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
         out = start - 0.9 * gap if number == 0 else end + (1.95 if keyed else 0.9) * gap
         edge = start if number == 0 else end
         dimensions += [
-            Linear(
+            LinearDimension(
                 name=f"tip diameter, {name}",
                 start=(edge, -tip),
                 end=(edge, tip),
@@ -257,7 +259,7 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
                 angle=90.0,
                 prefix=DIAMETER,
             ),
-            Linear(
+            LinearDimension(
                 name=f"width, {name}", start=(start, tip), end=(end, tip), at=(start, _reach(part.body) + 0.8 * gap)
             ),
         ]
@@ -266,11 +268,13 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
         radius = blank.bore_diameter / 2
         up = radius + blank.key.depth
         dimensions.append(
-            Linear(
+            LinearDimension(
                 name="bore and keyway", start=(high, -radius), end=(high, up), at=(high + 0.9 * gap, 0.0), angle=90.0
             )
         )
-    rows_below = [each.at[1] for each in dimensions if isinstance(each, Linear) and not each.angle and each.at[1] < 0.0]
+    rows_below = [
+        each.at[1] for each in dimensions if isinstance(each, LinearDimension) and not each.angle and each.at[1] < 0.0
+    ]
     lowest = min(rows_below, default=-_reach(part.body))
     label = Label(text=section_name(0.0), at=((low + high) / 2, lowest - 0.9 * gap), height=3.5)
     return View(
@@ -313,11 +317,11 @@ def _lengths(part: TrainPart, low: float, high: float, gap: float, screw: ScrewH
         row += 0.9
     if high - low > first:
         at = (low, -reach - (row + 0.9) * gap)
-        yield Linear(name="length", start=(low, -reach), end=(high, -reach), at=at)
+        yield LinearDimension(name="length", start=(low, -reach), end=(high, -reach), at=at)
     if blank.hub and blank.hub.length:
         alone, half = len(part.gears) == 1, blank.hub.diameter / 2
         end = high if alone else part.gears[0].width + blank.hub.length
-        yield Linear(
+        yield LinearDimension(
             name="hub diameter" if alone else "collar diameter",
             start=(end, -half),
             end=(end, half),
@@ -327,12 +331,12 @@ def _lengths(part: TrainPart, low: float, high: float, gap: float, screw: ScrewH
         )
         if alone:
             start, at = (first, -half), (high, -reach - row * gap)
-            yield Linear(name="hub length", start=start, end=(high, -half), at=at)
+            yield LinearDimension(name="hub length", start=start, end=(high, -half), at=at)
     if blank.web:
         web = body.slabs[1]  # between the two recesses
         radius = (blank.hub.diameter / 2 if blank.hub else 0.0) + 0.3 * part.gears[0].root_diameter / 2
         recess = body.slabs[0].rings[1].radii[1]
-        yield Linear(
+        yield LinearDimension(
             name="recess diameter",
             start=(low, -recess),
             end=(low, recess),
@@ -340,7 +344,7 @@ def _lengths(part: TrainPart, low: float, high: float, gap: float, screw: ScrewH
             angle=90.0,
             prefix=DIAMETER,
         )
-        yield Linear(
+        yield LinearDimension(
             name="web thickness",
             start=(web.start, -radius),
             end=(web.end, -radius),
@@ -410,13 +414,13 @@ class Axis:
     reach: float
 
 
-def _distances(first: Axis, second: Axis, gap: float) -> Iterator[Linear]:
+def _distances(first: Axis, second: Axis, gap: float) -> Iterator[LinearDimension]:
     """Dimensions of the distance of two axes, at several distances from them on either side, mm on the part."""
     way = complex(second.x - first.x, second.y - first.y)
     for aside in (1.4, -1.4, 0.9, -0.9, 2.0, -2.0, 2.6, -2.6, 3.4, -3.4):
         middle = complex(first.x + second.x, first.y + second.y) / 2 + aside * gap * 1j * way / abs(way)
         for beside in (0.0, 5.0, -5.0, 10.0, -10.0):
-            yield Linear(
+            yield LinearDimension(
                 name=f"axes {first.shaft} and {second.shaft}",
                 start=(first.x, first.y),
                 end=(second.x, second.y),
@@ -426,7 +430,7 @@ def _distances(first: Axis, second: Axis, gap: float) -> Iterator[Linear]:
             )
 
 
-def plate_drawing(axes: tuple[Axis, ...], notes: tuple[str, ...], title: Title) -> Drawing:
+def plate_drawing(axes: tuple[Axis, ...], notes: tuple[str, ...], title: Title) -> DrawingSheet:
     """Sheet A4, or A3 where the plate is larger than A4 shows at 1:1."""
     places = np.array([[axis.x, axis.y] for axis in axes])
     reach = np.array([[axis.reach] for axis in axes])
@@ -445,18 +449,18 @@ def plate_drawing(axes: tuple[Axis, ...], notes: tuple[str, ...], title: Title) 
     curves: list[Closed | Stroke] = [Closed(Contour(corners, np.zeros(4)))]
     for axis in axes:
         at = (axis.x, axis.y)
-        curves += [ring(2 * axis.reach, Line.PHANTOM, at), *centre_cross(6.0 / scale, at)]
+        curves += [ring(2 * axis.reach, LineKind.PHANTOM, at), *centre_cross(6.0 / scale, at)]
         if axis.bore:
             curves.append(ring(axis.bore, centre=at))
     gap = _PLATE_GAP / scale
     room = Room(curves, scale)
     dimensions: list[Dimension] = [
-        Linear(name="plate width", start=(left, low), end=(right, low), at=(left, low - gap)),
-        Linear(name="plate height", start=(left, low), end=(left, high), at=(left - gap, low), angle=90.0),
-        Linear(
+        LinearDimension(name="plate width", start=(left, low), end=(right, low), at=(left, low - gap)),
+        LinearDimension(name="plate height", start=(left, low), end=(left, high), at=(left - gap, low), angle=90.0),
+        LinearDimension(
             name="axis 1 from the left", start=(left, high), end=(axes[0].x, axes[0].y), at=(left, high + 0.8 * gap)
         ),
-        Linear(
+        LinearDimension(
             name="axis 1 from below",
             start=(right, low),
             end=(axes[0].x, axes[0].y),
@@ -476,8 +480,8 @@ def plate_drawing(axes: tuple[Axis, ...], notes: tuple[str, ...], title: Title) 
     for axis in axes:
         rows.append((str(axis.shaft), f"{axis.x:.3f}", f"{axis.y:.3f}", f"{axis.bore:g}" if axis.bore else ""))
     table_at = (width - EDGE - table_width, height - EDGE - 2.0)
-    table = Table(title="axes, from that of the drive", at=table_at, widths=_WIDTHS, rows=tuple(rows))
-    return Drawing(
+    table = SheetTable(title="axes, from that of the drive", at=table_at, widths=_WIDTHS, rows=tuple(rows))
+    return DrawingSheet(
         size=size,
         scale=scale,
         title=title,

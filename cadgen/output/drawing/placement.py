@@ -13,11 +13,11 @@ from cadgen.output.drawing.sheet import (
     DIAMETER,
     TEXT,
     Closed,
-    Diameter,
+    DiameterDimension,
     Dimension,
     Label,
-    Line,
-    Linear,
+    LinearDimension,
+    LineKind,
     Stroke,
     length_of,
     shown,
@@ -35,7 +35,7 @@ _STEP = 3.0  # mm on paper between places along a dimension line
 _TURNS = (0, 8, -8, 16, -16, 24, -24, 32, -32, 40, -40)  # degrees
 
 
-Placed = TypeVar("Placed", Diameter, Linear, Label)
+Placed = TypeVar("Placed", DiameterDimension, LinearDimension, Label)
 
 
 class Room:
@@ -49,8 +49,8 @@ class Room:
             scale: mm on paper for a mm of the part.
         """
         self._scale = scale
-        heavy = [_line(curve, scale) for curve in curves if curve.line in (Line.VISIBLE, Line.THIN)]
-        light = [_line(curve, scale) for curve in curves if curve.line not in (Line.VISIBLE, Line.THIN)]
+        heavy = [_line(curve, scale) for curve in curves if curve.line in (LineKind.VISIBLE, LineKind.THIN)]
+        light = [_line(curve, scale) for curve in curves if curve.line not in (LineKind.VISIBLE, LineKind.THIN)]
         self._heavy, self._light = shapely.union_all(heavy), shapely.union_all(light)
         self._texts: shapely.Geometry = shapely.Polygon()
         points = np.concatenate([shapely.get_coordinates(line) for line in heavy])
@@ -62,7 +62,7 @@ class Room:
         self._texts = shapely.union(self._texts, box)
         self._light = shapely.union_all([self._light, *lines])
 
-    def diameter(self, dimension: Diameter) -> Diameter:
+    def diameter(self, dimension: DiameterDimension) -> DiameterDimension:
         """The dimension with its text where it is crossed least, a little turned or farther out if need be."""
         near = self._scale * dimension.diameter / 2 + _OUT
         centre = float(np.hypot(*dimension.centre)) * self._scale
@@ -78,7 +78,7 @@ class Room:
         ]
         return self._best(every)
 
-    def linear(self, candidates: Iterable[Linear]) -> Linear:
+    def linear(self, candidates: Iterable[LinearDimension]) -> LinearDimension:
         """One of several dimensions, the first if none is crossed."""
         return self._best([(each, _FAR * number) for number, each in enumerate(candidates)])
 
@@ -115,9 +115,9 @@ class Room:
         scale = self._scale
         if isinstance(placed, Label):
             return _box(placed.text, scale * np.array(placed.at), 0.0, placed.height, above=False), []
-        text = f"{placed.prefix}{DIAMETER if isinstance(placed, Diameter) else ''}{shown(length_of(placed))}"
+        text = f"{placed.prefix}{DIAMETER if isinstance(placed, DiameterDimension) else ''}{shown(length_of(placed))}"
         text += placed.suffix
-        if isinstance(placed, Diameter):
+        if isinstance(placed, DiameterDimension):
             along = _unit(placed.angle)
             centre = scale * np.array(placed.centre)
             middle = centre + (placed.reach or scale * placed.diameter / 2 + _OUT) * along
@@ -143,7 +143,7 @@ def placed(
         scale: mm on paper for a mm of the part.
     """
     room = Room(curves, scale)
-    lines = {each.name: each for each in dimensions if isinstance(each, Linear)}
+    lines = {each.name: each for each in dimensions if isinstance(each, LinearDimension)}
     for label in labels:
         room.take(label)
     for line in lines.values():
@@ -151,11 +151,12 @@ def placed(
             room.take(line)
     moved = {name: room.linear(_beside(each, scale)) for name, each in lines.items() if each.beside}
     return tuple(
-        room.diameter(each) if isinstance(each, Diameter) else moved.get(each.name, each) for each in dimensions
+        room.diameter(each) if isinstance(each, DiameterDimension) else moved.get(each.name, each)
+        for each in dimensions
     )
 
 
-def _beside(dimension: Linear, scale: float) -> Iterator[Linear]:
+def _beside(dimension: LinearDimension, scale: float) -> Iterator[LinearDimension]:
     """A dimension with its number at either end of its line, and with the line farther off, mm on paper."""
     aside = _unit(dimension.angle - 90.0) / scale
     for off in (0.0, 2.5, 5.0, 7.5, 10.0, 12.5, 15.0):

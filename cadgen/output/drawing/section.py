@@ -8,7 +8,7 @@ import numpy as np
 import shapely
 
 from cadgen.arrays import Array
-from cadgen.output.drawing.sheet import Closed, Hatch, Line, Linear, Stroke
+from cadgen.output.drawing.sheet import Closed, Hatch, LinearDimension, LineKind, Stroke
 from cadgen.parts.blank import Blank
 from cadgen.parts.body import RadialHole
 from cadgen.parts.features import Keyway
@@ -119,8 +119,8 @@ class ScrewHole:
         across = np.array([-along[1], along[0]])
         for side in (-half, half):
             inner, outer = (np.sqrt(max(radius**2 - half**2, 0.0)) for radius in (self.inner, self.outer))
-            yield Stroke(np.array([inner * along + side * across, outer * along + side * across]), Line.HIDDEN)
-        yield Stroke(np.array([self.inner * along, (self.outer + half) * along]), Line.CENTRE)
+            yield Stroke(np.array([inner * along + side * across, outer * along + side * across]), LineKind.HIDDEN)
+        yield Stroke(np.array([self.inner * along, (self.outer + half) * along]), LineKind.CENTRE)
 
     def cut(self, areas: Sequence[shapely.Polygon], angle: float) -> list[shapely.Polygon]:
         """Areas of the section in the plane through the axis at `angle` (rad), less the hole if it lies there.
@@ -149,24 +149,26 @@ class ScrewHole:
             for radius in (self.inner, self.outer):
                 yield Stroke(self._edge(radius, 0.0) * [1.0, np.sign(up)])
             ends = up * np.array([self.inner - half, self.outer + half])
-            yield Stroke(np.array([[height, ends[0]], [height, ends[1]]]), Line.CENTRE)
+            yield Stroke(np.array([[height, ends[0]], [height, ends[1]]]), LineKind.CENTRE)
             return
         # The section is looked at from the side at a quarter turn; a hole on the other side opens into the bore.
         beyond = sin(self.hole.angle - angle) < 0
         edge = self._edge(self.inner if beyond else self.outer, self.hole.angle - angle)
-        yield Stroke(edge, Line.VISIBLE if beyond else Line.PHANTOM)
+        yield Stroke(edge, LineKind.VISIBLE if beyond else LineKind.PHANTOM)
         middle = (self.inner if beyond else self.outer) * up
-        yield Stroke(np.array([[height, middle - 1.5 * half], [height, middle + 1.5 * half]]), Line.CENTRE)
-        yield Stroke(np.array([[height - 1.5 * half, middle], [height + 1.5 * half, middle]]), Line.CENTRE)
+        yield Stroke(np.array([[height, middle - 1.5 * half], [height, middle + 1.5 * half]]), LineKind.CENTRE)
+        yield Stroke(np.array([[height - 1.5 * half, middle], [height + 1.5 * half, middle]]), LineKind.CENTRE)
 
-    def height(self, face: float, at: tuple[float, float]) -> Linear:
+    def height(self, face: float, at: tuple[float, float]) -> LinearDimension:
         """Dimension of its height above the face at z = `face` (mm), the dimension line through `at`.
 
         Args:
             face: height of the face, mm.
             at: point of the dimension line, mm.
         """
-        return Linear(name="set screw height", start=(face, -self.outer), end=(self.hole.height, -self.outer), at=at)
+        return LinearDimension(
+            name="set screw height", start=(face, -self.outer), end=(self.hole.height, -self.outer), at=at
+        )
 
     def _in_plane(self, angle: float) -> bool:
         return abs(sin(self.hole.angle - angle)) < _BESIDE

@@ -25,7 +25,7 @@ _WIDE = 1.4  # the same of Chinese, Japanese and Korean letters
 _FIRST_WIDE = 0x2E80  # the first of these
 
 
-class Line(StrEnum):
+class LineKind(StrEnum):
     """Kinds of line (ISO 128), which are the layers of the DXF."""
 
     VISIBLE = "VISIBLE"
@@ -44,7 +44,7 @@ class Closed:
     """Closed curve of lines and arcs, mm on the part."""
 
     contour: Contour
-    line: Line = Line.VISIBLE
+    line: LineKind = LineKind.VISIBLE
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -57,7 +57,7 @@ class Stroke:
     """
 
     points: Array
-    line: Line = Line.VISIBLE
+    line: LineKind = LineKind.VISIBLE
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -74,7 +74,7 @@ class Hatch:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Linear:
+class LinearDimension:
     """Dimension between two points.
 
     Attributes:
@@ -99,7 +99,7 @@ class Linear:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Diameter:
+class DiameterDimension:
     """Diameter of a circle, written outside at the end of its dimension line.
 
     Attributes:
@@ -121,7 +121,7 @@ class Diameter:
     reach: float = 0.0
 
 
-Dimension = Linear | Diameter
+Dimension = LinearDimension | DiameterDimension
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -159,7 +159,7 @@ class View:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Table:
+class SheetTable:
     """Table with a heading.
 
     Attributes:
@@ -208,7 +208,7 @@ class Title:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Drawing:
+class DrawingSheet:
     """Everything on a sheet.
 
     Attributes:
@@ -225,7 +225,7 @@ class Drawing:
     scale: float
     title: Title
     views: tuple[View, ...]
-    tables: tuple[Table, ...]
+    tables: tuple[SheetTable, ...]
     notes: tuple[str, ...]
     notes_at: tuple[float, float]
 
@@ -243,13 +243,13 @@ class Drawing:
 
 def length_of(dimension: Dimension) -> float:
     """Length that a dimension states, mm on the part."""
-    if isinstance(dimension, Diameter):
+    if isinstance(dimension, DiameterDimension):
         return dimension.diameter
     along = np.array([np.cos(np.radians(dimension.angle)), np.sin(np.radians(dimension.angle))])
     return abs(float((np.array(dimension.end) - np.array(dimension.start)) @ along))
 
 
-def ring(diameter: float, line: Line = Line.VISIBLE, centre: tuple[float, float] = (0.0, 0.0)) -> Closed:
+def ring(diameter: float, line: LineKind = LineKind.VISIBLE, centre: tuple[float, float] = (0.0, 0.0)) -> Closed:
     """Circle of a diameter, mm.
 
     Args:
@@ -271,7 +271,7 @@ def centre_cross(reach: float, centre: tuple[float, float] = (0.0, 0.0), angle: 
     along = np.array([np.cos(angle), np.sin(angle)])
     across = np.array([-along[1], along[0]])
     first, second = (np.array([centre - reach * way, centre + reach * way]) for way in (along, across))
-    return Stroke(first, Line.CENTRE), Stroke(second, Line.CENTRE)
+    return Stroke(first, LineKind.CENTRE), Stroke(second, LineKind.CENTRE)
 
 
 def cutting_plane(angle: float, reach: float, scale: float) -> tuple[tuple[Stroke, ...], tuple[Label, Label]]:
@@ -289,12 +289,12 @@ def cutting_plane(angle: float, reach: float, scale: float) -> tuple[tuple[Strok
         corner = (reach + 5.0 / scale) * way
         tip = corner + 6.0 / scale * look
         barbs = [tip - 2.5 / scale * look + side * 0.8 / scale * along for side in (-1, 1)]
-        strokes += [Stroke(np.array([reach * way, corner])), Stroke(np.array([corner, tip]), Line.THIN)]
-        strokes.append(Stroke(np.array([barbs[0], tip, barbs[1]]), Line.THIN))
+        strokes += [Stroke(np.array([reach * way, corner])), Stroke(np.array([corner, tip]), LineKind.THIN)]
+        strokes.append(Stroke(np.array([barbs[0], tip, barbs[1]]), LineKind.THIN))
         x, y = (corner - 2.5 / scale * look).tolist()
         labels.append(Label(text="A", at=(x, y), height=3.5))
     if abs(np.sin(2 * angle)) > 1e-6:  # else a centre line is there already
-        strokes.append(Stroke(np.array([-reach * along, reach * along]), Line.CENTRE))
+        strokes.append(Stroke(np.array([-reach * along, reach * along]), LineKind.CENTRE))
     return tuple(strokes), (labels[0], labels[1])
 
 

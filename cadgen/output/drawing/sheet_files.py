@@ -18,7 +18,7 @@ from ezdxf.addons.drawing import Frontend, RenderContext
 from ezdxf.addons.drawing.config import BackgroundPolicy, ColorPolicy, Configuration, LineweightPolicy
 from ezdxf.addons.drawing.matplotlib import MatplotlibBackend
 from ezdxf.addons.drawing.properties import BackendProperties
-from ezdxf.document import Drawing as Document
+from ezdxf.document import DrawingSheet as Document
 from ezdxf.enums import TextEntityAlignment
 from ezdxf.fonts import fonts
 from ezdxf.layouts import Modelspace
@@ -39,14 +39,14 @@ from cadgen.output.drawing.sheet import (
     TEXT,
     TITLE_SIZE,
     Closed,
-    Diameter,
+    DiameterDimension,
     Dimension,
-    Drawing,
+    DrawingSheet,
     Hatch,
-    Line,
-    Linear,
+    LinearDimension,
+    LineKind,
+    SheetTable,
     Stroke,
-    Table,
     View,
     is_wide,
     scale_text,
@@ -61,18 +61,18 @@ _FAR_EASTERN_FONT = "simsun.ttc"  # that of Windows, for which every CAD has one
 _STYLE = "CADGEN"
 _MM = 4  # $INSUNITS
 # Width of each kind of line, hundredths of a mm (ISO 128), and its pattern on paper.
-_WIDTHS = {Line.VISIBLE: 50, Line.FRAME: 50}
+_WIDTHS = {LineKind.VISIBLE: 50, LineKind.FRAME: 50}
 _PATTERNS = {
-    Line.HIDDEN: [4.0, 3.0, -1.0],
-    Line.CENTRE: [13.0, 9.0, -1.5, 1.0, -1.5],
-    Line.PHANTOM: [15.5, 9.0, -1.5, 1.0, -1.5, 1.0, -1.5],
+    LineKind.HIDDEN: [4.0, 3.0, -1.0],
+    LineKind.CENTRE: [13.0, 9.0, -1.5, 1.0, -1.5],
+    LineKind.PHANTOM: [15.5, 9.0, -1.5, 1.0, -1.5, 1.0, -1.5],
 }
 _THIN = 18
 _HATCH_STEP = 2.0  # mm on paper
 _DIMGAP = 0.6  # mm on paper between a dimension line and its number
 
 
-def dxf_bytes(drawing: Drawing) -> bytes:
+def dxf_bytes(drawing: DrawingSheet) -> bytes:
     """The DXF of a sheet: the same bytes for the same sheet."""
     with fixed_dates():
         document = document_of(drawing)
@@ -84,7 +84,7 @@ def dxf_bytes(drawing: Drawing) -> bytes:
     return text.getvalue().encode(document.output_encoding, errors="dxfreplace")
 
 
-def document_of(drawing: Drawing) -> Document:
+def document_of(drawing: DrawingSheet) -> Document:
     """The sheet as a document of ezdxf."""
     document = ezdxf.new("R2010", units=_MM)
     document.styles.add(_STYLE, font=FONT)
@@ -92,7 +92,7 @@ def document_of(drawing: Drawing) -> Document:
         document.styles.add(FAR_EASTERN_STYLE, font=_FAR_EASTERN_FONT)
     for name, pattern in _PATTERNS.items():
         document.linetypes.add(name, pattern)
-    for line in Line:
+    for line in LineKind:
         document.layers.add(
             line, lineweight=_WIDTHS.get(line, _THIN), linetype=line if line in _PATTERNS else "CONTINUOUS"
         )
@@ -112,7 +112,7 @@ def document_of(drawing: Drawing) -> Document:
     return document
 
 
-def far_eastern(drawing: Drawing) -> frozenset[str]:
+def far_eastern(drawing: DrawingSheet) -> frozenset[str]:
     """Letters of the texts with Chinese, Japanese or Korean ones, which a font of their own must have."""
     texts = (drawing.title.title, drawing.title.finish)
     return frozenset().union(*(text for text in texts if any(map(is_wide, text))))
@@ -182,13 +182,13 @@ class _Place:
         lines = shapely.linestrings([[[low + x, low], [high + x, high]] for x in starts.tolist()])
         for piece in shapely.get_parts(shapely.intersection(area, lines)):
             if isinstance(piece, shapely.LineString) and not piece.is_empty:
-                self.space.add_line(*np.asarray(piece.coords).tolist(), dxfattribs={"layer": Line.HATCH.value})
+                self.space.add_line(*np.asarray(piece.coords).tolist(), dxfattribs={"layer": LineKind.HATCH.value})
 
     def _dimension(self, dimension: Dimension) -> None:
         text = f"{dimension.prefix}<>{dimension.suffix}"
-        attributes = {"layer": Line.DIMENSION.value}
+        attributes = {"layer": LineKind.DIMENSION.value}
         made: ezdxf.entities.DimStyleOverride
-        if isinstance(dimension, Diameter):
+        if isinstance(dimension, DiameterDimension):
             made = self.space.add_diameter_dim(
                 center=Vec2(self._on_paper(dimension.centre)),
                 radius=self.scale * dimension.diameter / 2,
@@ -214,7 +214,7 @@ class _Place:
         made.render()
         made.dimension.set_xdata(APP, [(1000, dimension.name)])
 
-    def _beside(self, dimension: Linear) -> Vec2:
+    def _beside(self, dimension: LinearDimension) -> Vec2:
         """Place of a number beside the middle of its dimension line, above that line."""
         along = Vec2.from_deg_angle(dimension.angle)
         base, *ends = (Vec2(self._on_paper(point)) for point in (dimension.at, dimension.start, dimension.end))
@@ -222,7 +222,7 @@ class _Place:
         upright = Vec2.from_deg_angle(180.0 - (90.0 - dimension.angle) % 180.0)
         return base + along * (middle + dimension.beside) + upright * (_DIMGAP + TEXT / 2)
 
-    def _outside(self, dimension: Diameter) -> Vec2:
+    def _outside(self, dimension: DiameterDimension) -> Vec2:
         """Place of the text of a diameter: outside the circle, on the dimension line's own side."""
         reach = dimension.reach or self.scale * dimension.diameter / 2 + 9.0
         return Vec2(self._on_paper(dimension.centre)) + Vec2.from_deg_angle(dimension.angle, reach)
@@ -237,18 +237,18 @@ def _text(
 ) -> None:
     plain = text.replace("^", "^ ").replace("%%", "% %")  # of a TEXT both begin codes
     style = FAR_EASTERN_STYLE if any(map(is_wide, plain)) else _STYLE
-    drawn = space.add_text(plain, height=height, dxfattribs={"layer": Line.TEXT.value, "style": style})
+    drawn = space.add_text(plain, height=height, dxfattribs={"layer": LineKind.TEXT.value, "style": style})
     drawn.set_placement(at, align=align)
 
 
-def _table(space: Modelspace, table: Table) -> None:
+def _table(space: Modelspace, table: SheetTable) -> None:
     x, y = table.at
     if table.title:
         _text(space, table.title, (x, y - 0.7 * ROW), TEXT)
     top = y - ROW
     bottom = top - len(table.rows) * ROW
     edges = [x + sum(table.widths[:n]) for n in range(len(table.widths) + 1)]
-    thin = {"layer": Line.THIN.value}
+    thin = {"layer": LineKind.THIN.value}
     for number in range(len(table.rows) + 1):
         if number < 2 or number == len(table.rows) or not table.headed:
             space.add_line((x, top - number * ROW), (edges[-1], top - number * ROW), dxfattribs=thin)
@@ -259,9 +259,9 @@ def _table(space: Modelspace, table: Table) -> None:
             _text(space, cell, (left + 1.0, top - (number + 0.75) * ROW), 0.85 * TEXT)
 
 
-def _frame(space: Modelspace, drawing: Drawing) -> None:
+def _frame(space: Modelspace, drawing: DrawingSheet) -> None:
     width, height = SIZES[drawing.size]
-    frame = {"layer": Line.FRAME.value}
+    frame = {"layer": LineKind.FRAME.value}
     corners = [(LEFT, EDGE), (width - EDGE, EDGE), (width - EDGE, height - EDGE), (LEFT, height - EDGE)]
     space.add_lwpolyline(corners, close=True, dxfattribs=frame)
     across, up = TITLE_SIZE
@@ -281,7 +281,7 @@ def _frame(space: Modelspace, drawing: Drawing) -> None:
         (0, 0, 3, "drawing", title.number),
     ]
     column, row = across / 3, up / 5
-    thin = {"layer": Line.THIN.value}
+    thin = {"layer": LineKind.THIN.value}
     for at, level, span, name, text in cells:
         left, low = x + at * column, y + level * row
         space.add_lwpolyline(
@@ -300,10 +300,10 @@ def _first_angle(space: Modelspace, x: float, y: float) -> None:
     small, length = 1.3, 5.2
     left, right, ring = x - 6.5, x - 6.5 + length, x + 3.9
     cone = [(left, y - small), (right, y - 2 * small), (right, y + 2 * small), (left, y + small)]
-    space.add_lwpolyline(cone, close=True, dxfattribs={"layer": Line.FRAME.value})
+    space.add_lwpolyline(cone, close=True, dxfattribs={"layer": LineKind.FRAME.value})
     for radius in (small, 2 * small):
-        space.add_circle((ring, y), radius, dxfattribs={"layer": Line.FRAME.value})
-    thin = {"layer": Line.THIN.value}
+        space.add_circle((ring, y), radius, dxfattribs={"layer": LineKind.FRAME.value})
+    thin = {"layer": LineKind.THIN.value}
     for start, end in (
         ((left - 1.0, y), (right + 1.0, y)),
         ((ring - 3.6, y), (ring + 3.6, y)),
@@ -418,7 +418,7 @@ _POINT = 72 / _INCH  # points in a mm
 _THINNEST = 0.13  # mm
 
 
-def pdf_bytes(drawing: Drawing) -> bytes:
+def pdf_bytes(drawing: DrawingSheet) -> bytes:
     """The page of a sheet, in its true size: the same bytes for the same sheet, fonts and libraries.
 
     Raises:

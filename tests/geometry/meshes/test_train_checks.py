@@ -7,10 +7,9 @@ import pytest
 
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.design.load import load_design
-from cadgen.gears.backlash import with_deviations
 from cadgen.gears.stage import PLAY_LIMIT_UM, cycle
 from cadgen.geometry.meshes.made_train import _bodies, _worst, meshes, play_error_um, return_error_um
-from cadgen.geometry.meshes.teeth import LEAST_OVERLAP, MeasuredPair, Section, section_of
+from cadgen.geometry.meshes.teeth import LEAST_OVERLAP, MeasuredPair, ToothSection, section_of
 from cadgen.jobs.gears.plan import plan_gears
 
 
@@ -25,7 +24,7 @@ def sections(pair, **off):
         gear.form.tooth_thickness_deviation + off.get(role, 0.0) * 1e-3
         for role, gear in (("driver", pair.driver), ("driven", pair.driven))
     ]
-    changed = with_deviations(pair, *deviations)
+    changed = pair.cut_to(*deviations)
     return MeasuredPair(section_of(changed.driver.form), section_of(changed.driven.form), pair.centre_distance)
 
 
@@ -64,7 +63,7 @@ def test_the_cycle_finds_what_is_wrong_only_elsewhere_in_the_pitch(layout):
     out = np.clip((radius - (radius.max() - 0.25)) / 0.1, 0.0, 1.0)
     tooth = np.exp(2j * np.pi / len(corners) * np.arange(len(corners)))[:, None]
     raised = MeasuredPair(
-        Section(corners * np.exp(1j * 3e-3 / radius * out * np.sign(np.angle(corners / tooth)))),
+        ToothSection(corners * np.exp(1j * 3e-3 / radius * out * np.sign(np.angle(corners / tooth)))),
         good.driven,
         good.centre_distance,
     )
@@ -93,7 +92,7 @@ def test_play_and_return_error_are_off_by_what_the_teeth_are(layout):
 def test_teeth_mesh_unless_they_jam(layout):
     cut = layout.train.stages
     assert meshes(cut)
-    assert not meshes((*cut[:2], with_deviations(cut[2], 0.03, 0.03)))
+    assert not meshes((*cut[:2], cut[2].cut_to(0.03, 0.03)))
 
 
 def test_the_worst_stage_is_shown_by_check_also_where_stages_have_fewer():

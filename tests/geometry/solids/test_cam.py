@@ -21,7 +21,7 @@ from cadgen.curves.contour import Contour, circle
 from cadgen.curves.spline import splines
 from cadgen.errors import DesignError, FileError
 from cadgen.geometry.solids.disc_solid import SPLINE_TOLERANCE, cam_part
-from cadgen.geometry.solids.kernel import Part, closed_wire, contour_edges, is_valid, volume
+from cadgen.geometry.solids.kernel import SolidPart, closed_wire, contour_edges, is_valid, volume
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, SetScrew
 
@@ -43,7 +43,7 @@ HUB_BLANKS = {
 }
 
 
-def make(profile: ClosedCurve, blank: Blank) -> Part:
+def make(profile: ClosedCurve, blank: Blank) -> SolidPart:
     return cam_part(profile, blank, THICKNESS, name="cam", description="test")
 
 
@@ -62,13 +62,13 @@ def hub_volume(blank: Blank) -> float:
     return whole - quad(wall, -drill, drill, epsabs=1e-12)[0]
 
 
-def count(part: Part, kind) -> int:
+def count(part: SolidPart, kind) -> int:
     found = ShapeMap()
     TopExp.MapShapes_s(part.solid, kind, found)
     return found.Extent()
 
 
-def farthest_hits(part: Part, angles: np.ndarray, z: float) -> np.ndarray:
+def farthest_hits(part: SolidPart, angles: np.ndarray, z: float) -> np.ndarray:
     """Distance at which rays from the axis at height z leave the solid for good."""
     faces = IntCurvesFace_ShapeIntersector()
     faces.Load(part.solid, 1e-9)

@@ -12,7 +12,7 @@ from cadgen.gears.tooth import GearForm
 from cadgen.gears.wheel_body import gear_body
 from cadgen.geometry.solids.disc_solid import cam_part
 from cadgen.geometry.solids.gear_solids import body_solid
-from cadgen.geometry.solids.kernel import Part, edges_on_surfaces, is_valid, solids, volume
+from cadgen.geometry.solids.kernel import SolidPart, edges_on_surfaces, is_valid, solids, volume
 from cadgen.geometry.solids.step import completed, read_document, step_bytes
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import DFlat, Hub, Keyway, SetScrew
@@ -35,7 +35,7 @@ def drilled(outside: float, inside: float, drill: float) -> float:
     return quad(wall, -drill, drill, epsabs=1e-12)[0]
 
 
-def read_again(part: Part, path):
+def read_again(part: SolidPart, path):
     path.write_bytes(step_bytes(part))
     document, _ = read_document(path)
     from OCP.collections import Sequence_TDF_Label
@@ -78,7 +78,7 @@ def test_the_screw_of_a_cams_hub(name, tmp_path):
 def test_the_screw_of_a_gears_hub(tmp_path):
     blank = Blank(bore_diameter=8.0, hub=Hub(diameter=16.0, length=6.0, set_screw=SetScrew(diameter=3.0, height=3.0)))
     body = gear_body(GearForm(teeth=30, normal_module=1.0, width=6.0), blank)
-    part = Part(solid=body_solid(body), name="gear", description="test", colour=(0.5, 0.5, 0.5))
+    part = SolidPart(solid=body_solid(body), name="gear", description="test", colour=(0.5, 0.5, 0.5))
     again = read_again(part, tmp_path / "gear.step")
     exact = body.prismatic_volume - drilled(8.0, 4.0, 1.5)
     assert edges_on_surfaces(again)

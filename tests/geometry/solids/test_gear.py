@@ -20,7 +20,7 @@ from cadgen.gears.tooth import GearForm, tooth_of
 from cadgen.gears.wheel_body import cluster_body, gear_body
 from cadgen.geometry.meshes.mesh import Mesh, body_mesh
 from cadgen.geometry.solids.gear_solids import body_solid
-from cadgen.geometry.solids.kernel import Part, is_valid, volume
+from cadgen.geometry.solids.kernel import SolidPart, is_valid, volume
 from cadgen.geometry.solids.step import step_bytes
 from cadgen.parts.blank import Blank
 from cadgen.parts.body import Body
@@ -109,7 +109,7 @@ def errors_um(shape: TopoDS_Shape, form: GearForm) -> tuple[float, float]:
 
 
 def through_step(solid: TopoDS_Solid, path: Path) -> TopoDS_Shape:
-    path.write_bytes(step_bytes(Part(solid=solid, name="gear", description="a gear", colour=(0.5, 0.5, 0.5))))
+    path.write_bytes(step_bytes(SolidPart(solid=solid, name="gear", description="a gear", colour=(0.5, 0.5, 0.5))))
     reader = STEPControl_Reader()
     assert reader.ReadFile(os.fspath(path)) == IFSelect_RetDone
     reader.TransferRoots()

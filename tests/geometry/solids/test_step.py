@@ -14,7 +14,7 @@ from cadgen.cam.contact import roll
 from cadgen.curves.contour import circle
 from cadgen.errors import FileError
 from cadgen.geometry.solids.disc_solid import SPLINE_TOLERANCE, cam_part
-from cadgen.geometry.solids.kernel import Part, contour_edges, prism, solids
+from cadgen.geometry.solids.kernel import SolidPart, contour_edges, prism, solids
 from cadgen.geometry.solids.step import read_part, read_step, step_bytes
 from cadgen.geometry.solids.step_text import read_rim
 from cadgen.parts.blank import Blank
@@ -34,13 +34,13 @@ KEYED = Blank(
 NAME, DESCRIPTION = "carbon_free_car cam, actual", 'steering cam; it\'s 3 mm (thick), "actual" profile'
 
 
-def washer(name: str = "washer") -> Part:
+def washer(name: str = "washer") -> SolidPart:
     shape = prism(contour_edges(circle((0, 0), 5.0), 0.0), [contour_edges(circle((0, 0), 2.0), 0.0)], 3.0)
-    return Part(solid=solids(shape)[0], name=name, description="a small part", colour=(0.1, 0.2, 0.3))
+    return SolidPart(solid=solids(shape)[0], name=name, description="a small part", colour=(0.1, 0.2, 0.3))
 
 
 @pytest.fixture(scope="module")
-def part(carbon_free_car) -> Part:
+def part(carbon_free_car) -> SolidPart:
     return cam_part(carbon_free_car.actual.curve, KEYED, THICKNESS, name=NAME, description=DESCRIPTION)
 
 

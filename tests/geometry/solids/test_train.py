@@ -8,8 +8,8 @@ from build123d import import_step
 
 from cadgen.errors import FileError
 from cadgen.gears.layout import Blanks, lay_out
-from cadgen.gears.pair import Gear
-from cadgen.gears.spur import GearPair
+from cadgen.gears.pair import GradedGear
+from cadgen.gears.spur import SpurPair
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train, thinned
 from cadgen.geometry.meshes.teeth import MeasuredPair, measured_pair
@@ -23,8 +23,8 @@ FLANK_BAR_UM, ROOT_BAR_UM, VOLUME_BAR = 0.001, 0.01, 1e-6
 
 
 def pair(z1, z2):
-    one, two = (Gear(form=GearForm(teeth=z, normal_module=0.5, width=4.0)) for z in (z1, z2))
-    return GearPair(driver=one, driven=two, centre_distance=(z1 + z2) / 4, bearing_span=60.0)
+    one, two = (GradedGear(form=GearForm(teeth=z, normal_module=0.5, width=4.0)) for z in (z1, z2))
+    return SpurPair(driver=one, driven=two, centre_distance=(z1 + z2) / 4, bearing_span=60.0)
 
 
 @pytest.fixture(scope="module")

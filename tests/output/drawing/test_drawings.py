@@ -10,7 +10,7 @@ import trimesh
 
 from cadgen import Design, draw
 from cadgen.errors import CheckError, DesignError, FileError
-from cadgen.output.drawing.sheet import Drawing, Linear, Title, View
+from cadgen.output.drawing.sheet import DrawingSheet, LinearDimension, Title, View
 from cadgen.output.drawing.sheet_files import read_dimensions
 
 CLOSE = 1e-4  # mm
@@ -231,7 +231,7 @@ def test_the_sheet_names_the_files_by_their_hashes(folder, cam):
 def sheet(views=(), title="t", finish=""):
     """A sheet with hardly anything on it."""
     block = Title(part="p", title=title, material="", finish=finish, quantity=1, date="", design="d", number="n")
-    return Drawing(size="A4", scale=1.0, title=block, views=views, tables=(), notes=(), notes_at=(0.0, 0.0))
+    return DrawingSheet(size="A4", scale=1.0, title=block, views=views, tables=(), notes=(), notes_at=(0.0, 0.0))
 
 
 @pytest.mark.slow
@@ -239,7 +239,7 @@ def test_a_title_in_chinese_is_drawn_with_a_font_of_the_system(tmp_path, monkeyp
     """The letters are outlines in the PDF and texts in the DXF; without such a font the page alone is left out."""
     import ezdxf
 
-    from cadgen.jobs.drawing import write_sheet
+    from cadgen.jobs.drawings import write_sheet
     from cadgen.output.drawing import sheet_files
     from cadgen.output.drawing.sheet_files import pdf_bytes
 
@@ -262,7 +262,7 @@ def test_a_title_in_chinese_is_drawn_with_a_font_of_the_system(tmp_path, monkeyp
 
 
 def test_two_dimensions_of_a_sheet_have_two_names():
-    one = Linear(name="width", start=(0.0, 0.0), end=(5.0, 0.0), at=(0.0, 1.0))
+    one = LinearDimension(name="width", start=(0.0, 0.0), end=(5.0, 0.0), at=(0.0, 1.0))
     views = tuple(View(place=(0.0, 0.0), curves=(), dimensions=(one,)) for _ in range(2))
     assert sheet(views[:1]).dimensions == {"width": 5.0}
     with pytest.raises(ValueError, match="two dimensions of a sheet are named width"):

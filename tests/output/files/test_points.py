@@ -7,7 +7,7 @@ import pytest
 
 from cadgen.cam.contact import roll
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.curves.closed import ClosedCurve, Span
+from cadgen.curves.closed import ClosedCurve, PieceSpan
 from cadgen.curves.contour import Contour, circle
 from cadgen.errors import FileError
 from cadgen.output.files.points import COLUMNS, contact_outline, contact_rows, read_csv, read_xyz, write_csv, write_xyz
@@ -153,9 +153,9 @@ def test_points_closer_than_rounding_are_one(carbon_free_car, tmp_path):
     piece = curve.pieces[1]
     middle = (piece.start + piece.stop) / 2
     parts = (
-        Span(piece, piece.start, middle),
-        Span(piece, middle, middle + 1e-11),
-        Span(piece, middle + 1e-11, piece.stop),
+        PieceSpan(piece, piece.start, middle),
+        PieceSpan(piece, middle, middle + 1e-11),
+        PieceSpan(piece, middle + 1e-11, piece.stop),
     )
     split = ClosedCurve((*curve.pieces[:1], *parts, *curve.pieces[2:]))
     for count in (360, 3600, 36000):

@@ -26,7 +26,7 @@ from cadgen.jobs.gears.facts import parts_facts
 from cadgen.jobs.gears.plan import GearsPlan
 from cadgen.output.drawing.cam_sheet import EVERY, CamPart, cam_drawing
 from cadgen.output.drawing.gear_sheets import Axis, GearPart, gear_drawing, gear_rows, plate_drawing
-from cadgen.output.drawing.sheet import Drawing, Title, scale_text
+from cadgen.output.drawing.sheet import DrawingSheet, Title, scale_text
 from cadgen.output.files.folder import publishing
 from cadgen.output.files.manifest import NAME, Written, file_facts, sound_parts, versions, write_manifest
 from cadgen.progress import Progress, silent
@@ -135,7 +135,7 @@ def stem_of(plan: CamPlan) -> str:
     return f"{plan.design.name}_{plan.profile}"
 
 
-def sheet_of(plan: CamPlan, folder: Folder) -> Drawing:
+def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
     """Sheet of a cam; it names the files of the folder that hold the same cam."""
     design, stem = plan.design, stem_of(plan)
     angles = np.radians(np.arange(0.0, 360.0, EVERY))
@@ -196,7 +196,7 @@ def inspection_csv(plan: CamPlan) -> str:
 _PART_ENDINGS = (".step", ".stl")
 
 
-def sheets_of(plan: GearsPlan, folder: Folder) -> Iterator[tuple[str, Drawing]]:
+def sheets_of(plan: GearsPlan, folder: Folder) -> Iterator[tuple[str, DrawingSheet]]:
     """Stem of the files that a sheet stands for, and the sheet: of each part, then of the plate."""
     layout, design = plan.layout, plan.design
     every = parts_facts(layout)
@@ -330,7 +330,7 @@ def _open(parts: Parts) -> dict[str, str]:
     return {} if parts.train is None else not_stated(parts.train.design, cam=False)
 
 
-def _sheets(parts: Parts, folder: Folder) -> Iterator[tuple[str, Drawing]]:
+def _sheets(parts: Parts, folder: Folder) -> Iterator[tuple[str, DrawingSheet]]:
     if parts.cam is not None:
         yield stem_of(parts.cam), sheet_of(parts.cam, folder)
     if parts.train is not None:
@@ -338,7 +338,7 @@ def _sheets(parts: Parts, folder: Folder) -> Iterator[tuple[str, Drawing]]:
 
 
 def write_sheet(
-    staging: Path, stem: str, sheet: Drawing, omitted: dict[str, str]
+    staging: Path, stem: str, sheet: DrawingSheet, omitted: dict[str, str]
 ) -> Iterator[tuple[str, dict[str, Any]]]:
     """Write a sheet and read it back; a page without a font for its letters is left out, with the reason."""
     from cadgen.output.drawing.sheet_files import NoFontError, dxf_bytes, pdf_bytes, read_dimensions
