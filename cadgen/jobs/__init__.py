@@ -8,6 +8,6 @@
 | `gears`       | design -> train, checks -> files of a gear train         |
 | `runs`        | the car's runs with play, one by one and by the thousand |
 | `calibration` | measured files -> verdicts -> the design as built        |
-| `drawing`     | cam and train -> drawings for a workshop                 |
+| `drawings`    | cam and train -> drawings for a workshop                 |
 | `adjustment`  | trial runs -> what a hand sets before the next           |
 """
