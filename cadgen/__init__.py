@@ -13,7 +13,8 @@ The rooms, in walking order; each imports only those before it.
 | `version`    | the version, in its one place                                                 |
 | `arrays`     | an array of floats, a turn                                                    |
 | `registry`   | kinds of one sort by their codes                                              |
-| `check`      | one figure with its limit and verdict                                         |
+| `figures`    | figures and sheets of them, for terminal, page, files and JSON alike          |
+| `check`      | figures with limits and verdicts                                              |
 | `reading`    | files that a user names, refused by kind and size                             |
 | `progress`   | the callback by which a job reports its progress                              |
 | `pace`       | how often Python and the C library look after memory                          |

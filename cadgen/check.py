@@ -1,8 +1,11 @@
-"""One figure with its limit and verdict, for cams and for gears. The module is light to import."""
+"""Figures with limits and verdicts, for cams and for gears. The module is light to import."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum, unique
+from math import inf
+
+from cadgen.figures import Figure
 
 
 class Bound(StrEnum):
@@ -88,8 +91,8 @@ class CheckCode(StrEnum):
 
 
 @dataclass(frozen=True)
-class Check:
-    """One figure with its limit and verdict.
+class Check(Figure):
+    """Figure with its limit and verdict.
 
     Attributes:
         code: kind of check, for programs: one of `CheckCode`, or a code of a kind of follower or gear.
@@ -103,11 +106,9 @@ class Check:
     """
 
     code: StrEnum
-    name: str
     value: float
-    unit: str
-    limit: float
-    bound: Bound
+    limit: float = inf
+    bound: Bound = Bound.MAX
     place: str = ""
     advice: str = ""
 

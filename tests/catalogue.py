@@ -1,6 +1,7 @@
 """Texts of the package and what each language lacks: `python -m tests.catalogue zh` prints entries to be filled in."""
 
 import ast
+import re
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -27,12 +28,12 @@ def templates(source: str) -> Iterator[str]:
 
 
 def used() -> dict[str, str]:
-    """Every template of the package, with a file that has it."""
-    return {
-        template: str(file.relative_to(PACKAGE))
-        for file in sorted(PACKAGE.rglob("*.py"))
-        for template in templates(file.read_text("utf-8"))
-    }
+    """Every template of the package, with a file that has it; those of the page's HTML among them."""
+    found = [(file, templates(file.read_text("utf-8"))) for file in sorted(PACKAGE.rglob("*.py"))]
+    found += [
+        (file, re.findall(r'\b_\("([^"]+)"\)', file.read_text("utf-8"))) for file in sorted(PACKAGE.rglob("*.html"))
+    ]
+    return {template: str(file.relative_to(PACKAGE)) for file, texts in found for template in texts}
 
 
 def entries(language: str) -> list[polib.POEntry]:

@@ -164,14 +164,14 @@ OTHER_WORDS = {
     "cadgen.design.planned": {"path"},
     "cadgen.design.reference": {"path"},
     "cadgen.viewer.editor.guard": {"none"},
-    "cadgen.viewer.editor.kinds": {"field", "walls", "zones"},
-    "cadgen.viewer.editor.words": {"finish", "start"},
+    "cadgen.viewer.editor.controls": {"finish", "start"},
+    "cadgen.viewer.editor.course_items": {"field", "walls", "zones"},
     "cadgen.studies.engines": {"fork"},
     "cadgen.studies.faults": {"missing"},
     "cadgen.studies.journal": {"path"},
     "cadgen.output.files.dxf": {"TEXT"},
     "cadgen.cli.draw": {"cam"},  # the value of --only
-    "cadgen.output.report.table": {"right"},  # of rich
+    "cadgen.output.report.terminal": {"right"},  # of rich
 }
 
 
@@ -227,7 +227,7 @@ def test_closed_lists_of_words_are_enumerations():
         for node in ast.walk(parsed(file.read_text("utf-8")))
         if isinstance(node, ast.Subscript) and ast.unparse(node.value) == "Literal" and [*texts(node.slice)]
     }
-    assert literal <= {"cadgen.viewer.page.binary"}
+    assert literal <= {"cadgen.viewer.page.mesh_block"}
 
 
 def test_a_word_that_is_compared_is_seen():

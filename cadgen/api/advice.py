@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from cadgen.inference.expectation.next_measurement import Expected, Next
     from cadgen.inference.expectation.predict import Prediction
-    from cadgen.output.report.text import Block
+    from cadgen.output.report.terminal import Block
 
 _REPORT_WIDTH = 110
 
@@ -39,7 +39,7 @@ class Advice:
         return words(self.computed, measured=self.measured)
 
     def __str__(self) -> str:
-        from cadgen.output.report.text import plain
+        from cadgen.output.report.terminal import plain
 
         return plain(self.report, _REPORT_WIDTH)
 
@@ -72,7 +72,7 @@ class Predictions:
         return words(self.each)
 
     def __str__(self) -> str:
-        from cadgen.output.report.text import plain
+        from cadgen.output.report.terminal import plain
 
         return plain(self.report, _REPORT_WIDTH)
 

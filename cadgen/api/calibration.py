@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from cadgen.api.advice import Advice, Predictions
     from cadgen.jobs.calibration import places
     from cadgen.jobs.calibration import plan as calibrations
-    from cadgen.output.report.text import Block
+    from cadgen.output.report.terminal import Block
 
 _REPORT_WIDTH = 110
 
@@ -124,7 +124,7 @@ class Calibration(Generic[D]):
         return report(self.computed)
 
     def __str__(self) -> str:
-        from cadgen.output.report.text import plain
+        from cadgen.output.report.terminal import plain
 
         return plain(self.report, _REPORT_WIDTH)
 

@@ -12,11 +12,11 @@ from cadgen.api.values import instance, whole
 from cadgen.check import Check, failing
 from cadgen.errors import FileError
 from cadgen.progress import Progress, silent
-from cadgen.viewer.page.content.plan import plan_page
+from cadgen.viewer.page.page_plan import plan_page
 
 if TYPE_CHECKING:
     from cadgen.jobs.calibration.plan import Source
-    from cadgen.viewer.page.content.plan import PagePlan
+    from cadgen.viewer.page.page_plan import PagePlan
 
 SAMPLES = 10_000
 
@@ -108,7 +108,7 @@ class Report:
 
     def facts(self) -> dict[str, Any]:
         """Every figure of the page as plain values, as in the manifest and with `--json`."""
-        from cadgen.viewer.page.content.files import page_facts
+        from cadgen.viewer.page.report import page_facts
 
         return page_facts(self.computed)
 
@@ -122,6 +122,6 @@ class Report:
         Raises:
             FileError: the file cannot be written.
         """
-        from cadgen.viewer.page.content.files import write_page
+        from cadgen.viewer.page.report import write_page
 
         return written(folder, lambda place: write_page(self.computed, place, progress))

@@ -68,7 +68,7 @@ def calibrate(
     from cadgen.cli import show
     from cadgen.cli.verdict import verdict
     from cadgen.design.load import packaged_designs
-    from cadgen.output.report.text import write
+    from cadgen.output.report.terminal import write
 
     design, files = design_and_files(arguments, packaged_designs(), some=not ask_next)
     loaded = Design.load(design, overrides)

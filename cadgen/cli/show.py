@@ -16,7 +16,7 @@ from rich.text import Text
 
 from cadgen.check import Bound
 from cadgen.cli.output import hush
-from cadgen.output.report.table import FittedConsole, FittedTable
+from cadgen.output.report.terminal import FittedConsole, FittedTable
 from cadgen.progress import Progress
 
 if TYPE_CHECKING:

@@ -9,6 +9,7 @@ import pytest
 from cadgen.design import variation
 from cadgen.design.load import load_design, packaged_designs
 from cadgen.errors import FileError
+from cadgen.figures import Sheet
 from cadgen.inference.measurement import kinds
 from cadgen.inference.measurement.findings import Finding, Value
 from cadgen.inference.measurement.together import Claim
@@ -20,7 +21,7 @@ from cadgen.jobs.calibration.plan import calibrate, read, stated_form_error
 from cadgen.jobs.calibration.words import sentence, shown, sizes
 from cadgen.jobs.cam.as_built import assumed_play
 from cadgen.jobs.runs.simulation import simulate
-from cadgen.output.report.text import Heading, Table, plain
+from cadgen.output.report.terminal import Heading, plain
 
 MEASURED = Path(__file__).parents[1] / "data" / "measured"
 
@@ -169,7 +170,7 @@ def test_numbers_that_belong_to_an_effect_are_told_with_it():
 
 
 def test_text_is_folded_but_numbers_are_not():
-    table = Table(("name", "value"), (("a very long name of many words", "1234.5678"),))
+    table = Sheet("", "", ("name", "value"), (("a very long name of many words", "1234.5678"),))
     folded = plain([Heading("head"), "words " * 30, table], 30)
     assert max(map(len, folded.splitlines())) <= 30
     assert "1234.5678" in folded

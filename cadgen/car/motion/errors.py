@@ -8,6 +8,7 @@ reverse zones after the valley, where eq. 29-30 have the part before it, and wit
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from enum import StrEnum
+from math import degrees
 
 import numpy as np
 
@@ -18,6 +19,8 @@ from cadgen.car.motion.play import LEAST_SWING, follow
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.steering import Car, track_curvature, travel_ratio
 from cadgen.errors import DesignError
+from cadgen.figures import Figure, Figures
+from cadgen.messages import Message
 
 GAUSS_POINTS = 8  # on every piece of the lift: exact to rounding, for pieces are half a degree wide
 
@@ -44,6 +47,15 @@ class Event:
     cam_angle: float
     lift: float
     deflection: float
+
+    @property
+    def figures(self) -> Figures:
+        """Place and effect of the event, as they are shown."""
+        return Figures(
+            Figure("cam_angle", Message("cam angle"), degrees(self.cam_angle), "°"),
+            Figure("lift", Message("lift"), self.lift, "mm"),
+            Figure("deflection", Message("deflection"), degrees(self.deflection), "°"),
+        )
 
 
 def turning(lift: PathMotion, car: Car, length: float, start: float, stop: float) -> float:
@@ -157,6 +169,15 @@ class RunError:
     heading: Array
     along: Array
     across: Array
+
+    @property
+    def figures(self) -> Figures:
+        """Errors at the end and the greatest on the run, as they are shown."""
+        return Figures(
+            Figure("end_heading", Message("heading at the end"), degrees(self.end_heading), "°"),
+            Figure("end_position", Message("position at the end"), self.end_distance, "mm"),
+            Figure("greatest_position", Message("greatest on the run"), float(self.distance.max()), "mm"),
+        )
 
     @property
     def distance(self) -> Array:

@@ -10,6 +10,7 @@ from cadgen.car.motion.friction import USUAL
 from cadgen.design import variation
 from cadgen.design.schema import Design
 from cadgen.errors import FileError
+from cadgen.figures import Sheet
 from cadgen.inference.expectation.known import Prior
 from cadgen.inference.expectation.next_measurement import Expected, Next, Range, next_measurement
 from cadgen.inference.measurement.findings import EvidenceDiagnosis
@@ -17,7 +18,7 @@ from cadgen.inference.measurement.nominal import MACHINED_UM, Nominal
 from cadgen.inference.measurement.record import Method, join
 from cadgen.inference.monte_carlo.parameters import Directed, Parameter
 from cadgen.jobs.calibration.plan import INCLINOMETER_DEG, Calibration, nominal_of
-from cadgen.output.report.text import Block, Heading, Table
+from cadgen.output.report.terminal import Block, Heading
 from cadgen.progress import Progress, silent
 
 # A measurement that brings the run nearer by less than this is not worth making.
@@ -122,7 +123,9 @@ def words(n: Next, *, measured: bool) -> list[Block]:
         f"A new cam made for {what} is expected to end the run {_mm(n.now.mean)} mm off ({_mm(n.now.least)} to "
         f"{_mm(n.now.most)} mm in 90 %), with what no record shows yet as [tolerances] allow, or as is usual. With one "
         "measurement more:",
-        Table(
+        Sheet(
+            "next",
+            "",
             ("measure", "mm off", "95 %", "nearer"),
             tuple((e.words, _mm(e.end.mean), _mm(e.end.most), f"{max(n.shrinks(e), 0.0):.0%}") for e in n.ranked),
         ),

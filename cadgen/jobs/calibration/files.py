@@ -21,7 +21,7 @@ from cadgen.jobs.calibration.zone_means import ZoneMeans
 from cadgen.output.files.folder import publishing
 from cadgen.output.files.manifest import Written, file_facts, versions, write_manifest
 from cadgen.output.report.calibration import draw_record
-from cadgen.output.report.text import plain
+from cadgen.output.report.terminal import plain
 from cadgen.progress import Progress, silent
 
 FORMAT = 1

@@ -7,6 +7,7 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.errors import FileError
+from cadgen.figures import Sheet
 from cadgen.inference.expectation.predict import Prediction, predict, predict_tricycle
 from cadgen.inference.measurement.findings import EvidenceDiagnosis, PathDiagnosis
 from cadgen.inference.measurement.nominal import LoggedCar
@@ -14,7 +15,7 @@ from cadgen.inference.measurement.record import Method, Record, join
 from cadgen.inference.measurement.units import refuse_wrong_units
 from cadgen.jobs.calibration.plan import Calibration, Source, wheelbase_of
 from cadgen.jobs.calibration.words import SIGNS
-from cadgen.output.report.text import Block, Heading, Table
+from cadgen.output.report.terminal import Block, Heading
 from cadgen.progress import Progress, silent
 
 
@@ -81,7 +82,7 @@ def words(predictions: Sequence[Prediction]) -> list[Block]:
         logged = ("-", "-") if p.as_logged is None else tuple(map(_figure, p.as_logged))
         rows.append((p.source, f"{len(p.before)}", SIGNS[p.unit], _figure(p.before), _figure(p.after), *logged))
     head = ("file", "runs", "rms in", "before", "after", "start as logged, before", "after")
-    blocks.append(Table(head, tuple(rows)))
+    blocks.append(Sheet("predicted", "", head, tuple(rows)))
     for effects in dict.fromkeys(p.effects for p in predictions):
         blocks.append(
             f"Predicted with {', '.join(effects) or 'no effect'}; nothing but the datum of each run is fitted."

@@ -11,6 +11,7 @@ from cadgen.design.section import listed
 from cadgen.deviations.friction import MEASURE_FRICTION
 from cadgen.deviations.names import Place
 from cadgen.deviations.transmission import WIND_UP
+from cadgen.figures import Sheet
 from cadgen.inference.expectation.outlook import WORSE, Outlook
 from cadgen.inference.measurement.findings import (
     Candidate,
@@ -28,7 +29,7 @@ from cadgen.inference.measurement.verdict import Verdict
 from cadgen.jobs.calibration.places import Built
 from cadgen.jobs.calibration.plan import Calibration, Source
 from cadgen.jobs.calibration.zone_means import ZoneMeans
-from cadgen.output.report.text import Block, Heading, Table
+from cadgen.output.report.terminal import Block, Heading
 
 SIGNS = {"um": "µm", "deg": "°", "%": "%", "mm": "mm", "s": "s", "": ""}
 PLACES = {
@@ -101,9 +102,9 @@ def summary(each: Sequence[Calibration]) -> list[Block]:
             effects.append((name, sizes((c.zones.finding,))))
     head = ("file", "verdict", "rms in", "before", "after", "left out", "less form", "noise")
     return [
-        Table(head, tuple(rows), words=3),
+        Sheet("summary", "", head, tuple(rows), words=3),
         "",
-        Table(("file", "effects and sizes"), tuple(effects), words=2),
+        Sheet("effects", "", ("file", "effects and sizes"), tuple(effects), words=2),
         "",
         "Left out: each run with the effects fitted to the others; less form: with what the other runs say of the form "
         "error taken away too.",
@@ -172,7 +173,7 @@ def _noise(diagnosis: EvidenceDiagnosis) -> str:
     return f"Noise between runs {_number(diagnosis.residual.noise)}{space}{unit}{alike}."
 
 
-def _residuals(diagnosis: EvidenceDiagnosis, files: Sequence[Source]) -> Table:
+def _residuals(diagnosis: EvidenceDiagnosis, files: Sequence[Source]) -> Sheet:
     """Residual before, after and on runs left out: root mean squares over runs."""
     p, left = diagnosis.per_run, diagnosis.residual.left_out
     head = [f"residual, rms in {SIGNS[diagnosis.unit]}", "before", "after", "left out"]
@@ -183,14 +184,14 @@ def _residuals(diagnosis: EvidenceDiagnosis, files: Sequence[Source]) -> Table:
     if left is not None:
         head.append("less form error")
         rows = [[*row, _number(left.repeating) if k == 0 else ""] for k, row in enumerate(rows)]
-    return Table(tuple(head), tuple(tuple(row) for row in rows))
+    return Sheet("residuals", "", tuple(head), tuple(tuple(row) for row in rows))
 
 
 def _columns(p: PerRun | PathErrors) -> tuple[Array | None, ...]:
     return p.before, p.after, p.held_out
 
 
-def _path_errors(diagnosis: PathDiagnosis, files: Sequence[Source]) -> Table:
+def _path_errors(diagnosis: PathDiagnosis, files: Sequence[Source]) -> Sheet:
     """Path error before, after and on runs left out: means over runs."""
     p = diagnosis.per_run
     head = (f"path error, rms in {SIGNS[diagnosis.unit]}", "before", "after", "left out", "before, start as logged")
@@ -198,7 +199,7 @@ def _path_errors(diagnosis: PathDiagnosis, files: Sequence[Source]) -> Table:
         (name, *(_number(float(np.mean(x[part]))) for x in (p.before, p.after, p.held_out, p.as_logged)))
         for name, part in _parts(files).items()
     ]
-    return Table(head, tuple(rows))
+    return Sheet("path-errors", "", head, tuple(rows))
 
 
 def _datum(diagnosis: Diagnosis) -> str:
@@ -216,15 +217,15 @@ def _datum(diagnosis: Diagnosis) -> str:
     return diagnosis.kind.datum.words + held + (f" ({'; '.join(numbers)})" if numbers else "")
 
 
-def _candidates(diagnosis: Diagnosis, files: Sequence[Source]) -> Table:
+def _candidates(diagnosis: Diagnosis, files: Sequence[Source]) -> Sheet:
     best = diagnosis.candidates[:_SHOWN_CANDIDATES]
     rows = [*best, *(c for c in diagnosis.candidates if not c.effects and c not in best)]
     if not isinstance(diagnosis, PathDiagnosis):
-        return Table(("candidates", "worse by"), tuple((_subset(c), f"{c.score:.1f}") for c in rows))
+        return Sheet("candidates", "", ("candidates", "worse by"), tuple((_subset(c), f"{c.score:.1f}") for c in rows))
     parts = _parts(files)
     by_path = [c for c in rows if isinstance(c, PathCandidate)]
     cells = [(_subset(c), *(_number(float(np.mean(c.held_out[p]))) for p in parts.values())) for c in by_path]
-    return Table(("candidates, mm on runs left out", *parts), tuple(cells))
+    return Sheet("candidates", "", ("candidates, mm on runs left out", *parts), tuple(cells))
 
 
 def _subset(candidate: Candidate) -> str:

@@ -1,7 +1,7 @@
 """A profile against play beside the plain profile: runs and errors of both, and the gain."""
 
 from dataclasses import dataclass
-from math import radians
+from math import degrees, radians
 
 from cadgen.cam.follower import Follower
 from cadgen.cam.followers.rod import rod_of
@@ -18,7 +18,9 @@ from cadgen.curves.closed import ClosedCurve
 from cadgen.design import cam_model, variation
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
+from cadgen.figures import Figure, Figures
 from cadgen.gears.choices import StageOrder
+from cadgen.messages import Message
 
 PAPER_PERCENT = 45.31  # reduction of the sum of deflection errors by the paper's two methods together
 # An error before that is no greater than this is within the error of rolling: no share of it can be taken off; mm, rad.
@@ -84,6 +86,39 @@ class PlayComparison:
         """Share by which a profile's sum of deflection errors, on its own train, is below that of `before`."""
         return _off(evaluation.deflection_sum, self.before.deflection_sum, _NO_HEADING)
 
+    def figures(self, evaluation: Evaluation) -> Figures:
+        """Errors of a profile and what it takes off, as they are shown.
+
+        Args:
+            evaluation: profile that was compared.
+        """
+        e, band = evaluation, evaluation.band
+        heading, distance = self.gain(e)
+        return Figures(
+            Figure("return_error", Message("return error"), degrees(e.play), "°"),
+            Figure("deflection_sum", Message("sum of deflection errors"), degrees(e.deflection_sum), "°"),
+            *(e.error.figures[code] for code in ("end_heading", "end_position")),
+            Figure("heading_percent_off", Message("heading taken off"), _percent(heading), "%"),
+            Figure("position_percent_off", Message("taken off"), _percent(distance), "%"),
+            Figure("worst_end_heading", Message("worst heading over the band"), degrees(band.worst_heading), "°"),
+            Figure("worst_end_position", Message("worst position over the band"), band.worst_distance, "mm"),
+            Figure(
+                "worst_position_percent_off",
+                Message("worst position taken off"),
+                _percent(self.worst_gain(band.worst_distance)),
+                "%",
+            ),
+            Figure("greatest_position_on_run", Message("greatest on the run"), float(e.error.distance.max()), "mm"),
+            Figure("end_position_without_play", Message("position without play"), e.deviation.end_distance, "mm"),
+            Figure(
+                "greatest_position_without_play",
+                Message("greatest without play"),
+                float(e.deviation.distance.max()),
+                "mm",
+            ),
+            Figure("lift_error", Message("lift error with play"), e.worst_lift_error * 1e3, "µm"),
+        )
+
     def loses(self, end_distance: float) -> bool:
         """Whether a file whose run ends `end_distance` (mm) off gives away the gain of the profile.
 
@@ -123,6 +158,10 @@ class PlayComparison:
         run = self.task.run(lift, self.chosen.play, least_swing=least_swing, cut=self.chosen.lift)
         error = run_error(run, self.task.planned())
         return error.end_heading, error.end_distance
+
+
+def _percent(share: float | None) -> float | None:
+    return None if share is None else 100 * share
 
 
 def _off(error: float, before: float, smallest: float) -> float | None:

@@ -104,6 +104,7 @@ def comparison_facts(comparison: PlayComparison) -> dict[str, Any]:
     """Facts on the profiles compared against play."""
     low, high = comparison.band.ends
     bound, measured = comparison.bound, comparison.band.measured
+    gain = comparison.worst_gain(bound.distance)
     return {
         "return_error_deg": {
             "least": degrees(low),
@@ -123,36 +124,19 @@ def comparison_facts(comparison: PlayComparison) -> dict[str, Any]:
         else {
             "worst_end_heading_deg": degrees(bound.heading),
             "worst_end_position_mm": bound.distance,
-            "worst_position_percent_off": _percent(comparison.worst_gain(bound.distance)),
+            "worst_position_percent_off": None if gain is None else 100 * gain,
         },
         "paper_percent_off": PAPER_PERCENT,
     }
 
 
 def _evaluation_facts(comparison: PlayComparison, evaluation: Evaluation) -> dict[str, Any]:
-    heading, distance = comparison.gain(evaluation)
     return {
         "profile": evaluation.profile.code,
         "as_measured": evaluation.measured,
         "train": evaluation.train,
-        "return_error_deg": degrees(evaluation.play),
-        "deflection_sum_deg": degrees(evaluation.deflection_sum),
-        "end_heading_deg": degrees(evaluation.error.end_heading),
-        "end_position_mm": evaluation.error.end_distance,
-        "heading_percent_off": _percent(heading),
-        "position_percent_off": _percent(distance),
-        "worst_end_heading_deg": degrees(evaluation.band.worst_heading),
-        "worst_end_position_mm": evaluation.band.worst_distance,
-        "worst_position_percent_off": _percent(comparison.worst_gain(evaluation.band.worst_distance)),
-        "greatest_position_on_run_mm": float(evaluation.error.distance.max()),
-        "end_position_without_play_mm": evaluation.deviation.end_distance,
-        "greatest_position_without_play_mm": float(evaluation.deviation.distance.max()),
-        "lift_error_um": evaluation.worst_lift_error * 1e3,
+        **comparison.figures(evaluation).facts(),
     }
-
-
-def _percent(share: float | None) -> float | None:
-    return None if share is None else 100 * share
 
 
 def mechanics_facts(band: MechanicsBand | None, lift: PathMotion) -> dict[str, Any] | None:
@@ -213,10 +197,4 @@ def as_built_facts(design: Design, stop: float) -> dict[str, Any] | None:
 
 def remedy_facts(remedy: Remedy) -> dict[str, Any]:
     """Facts on a remedy against play."""
-    return {
-        "remedy": remedy.name,
-        "cut_for_deg": None if remedy.cut_for is None else degrees(remedy.cut_for),
-        "worst_end_position_mm": remedy.worst_end,
-        "worst_position_on_run_mm": remedy.on_way,
-        "build": remedy.build,
-    }
+    return {"remedy": remedy.name, **remedy.figures.facts(), "build": remedy.build}

@@ -20,8 +20,10 @@ from cadgen.design import cam_model, variation
 from cadgen.design.load import with_overrides
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
+from cadgen.figures import Figure, Figures
 from cadgen.gears.choices import StageOrder
 from cadgen.jobs.cam.comparison import PlayComparison, known_trains
+from cadgen.messages import Message
 from cadgen.progress import Progress, silent
 
 _ALLOWED_END = 100.0  # mm; error allowed to a trimmed car where [optimize] has no limit
@@ -44,6 +46,16 @@ class Remedy:
     worst_end: float | None
     on_way: float | None
     build: str = ""
+
+    @property
+    def figures(self) -> Figures:
+        """Window of the profile and the errors left, as they are shown."""
+        cut_for = None if self.cut_for is None else degrees(self.cut_for)
+        return Figures(
+            Figure("cut_for", Message("cut for"), cut_for, "°"),
+            Figure("worst_end_position", Message("worst end"), self.worst_end, "mm"),
+            Figure("worst_position_on_run", Message("worst on the way"), self.on_way, "mm"),
+        )
 
 
 @dataclass(frozen=True)

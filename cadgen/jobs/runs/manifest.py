@@ -3,7 +3,7 @@
 from math import degrees
 from typing import Any
 
-from cadgen.car.motion.errors import RunError, deflection_sum
+from cadgen.car.motion.errors import deflection_sum
 from cadgen.inference.monte_carlo.budget import Budget
 from cadgen.inference.monte_carlo.parameters import Tolerance
 from cadgen.jobs.cam.manifest import as_built_facts, design_facts, mechanics_facts
@@ -30,33 +30,17 @@ def simulation_facts(simulation: Simulation) -> dict[str, Any]:
         "mechanics": mechanics_facts(comparison.task.mechanics, comparison.chosen.lift),
         "friction_note": comparison.rubbing,
         "as_built": as_built_facts(plan.design, float(simulation.planned.motor[-1])),
-        "events": [
-            {
-                "kind": event.kind,
-                "cam_angle_deg": degrees(event.cam_angle),
-                "lift_mm": event.lift,
-                "deflection_deg": degrees(event.deflection),
-            }
-            for event in simulation.events
-        ],
+        "events": [{"kind": event.kind, **event.figures.facts()} for event in simulation.events],
         "deflection_sum_deg": degrees(deflection_sum(simulation.events)),
-        "before": _end_facts(simulation.before_error),
-        "after": _end_facts(simulation.after_error),
-        "after_without_play": _end_facts(comparison.chosen.deviation),
+        "before": simulation.before_error.figures.facts(),
+        "after": simulation.after_error.figures.facts(),
+        "after_without_play": comparison.chosen.deviation.figures.facts(),
         **({} if laps is None else {"laps": laps.track_facts(planned=simulation.planned, **runs)}),
         "course": simulation.on_course
         and {
             name: {key: {"room_mm": room, "where": where} for key, (where, room) in run.figures().items()}
             for name, run in zip(("planned", "after"), simulation.on_course, strict=True)
         },
-    }
-
-
-def _end_facts(error: RunError) -> dict[str, float]:
-    return {
-        "end_heading_deg": degrees(error.end_heading),
-        "end_position_mm": error.end_distance,
-        "greatest_position_mm": float(error.distance.max()),
     }
 
 

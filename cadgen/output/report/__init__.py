@@ -9,8 +9,7 @@
 | `reasons` | reasons why a course cannot be driven                                         |
 | `lift`   | lift before and after, without and with play                                    |
 | `tracks` | the wheels on the field; heading and position error along the run               |
-| `text`   | reports in words                                                                |
-| `table`  | tables that never cut a number                                                  |
+| `terminal` | sheets and sentences on a terminal or as text; no number is cut               |
 | `calibration` | a verdict on one record: residual before and after, candidates             |
 | `errors` | deflection errors by event                                                      |
 | `cars`   | ends of the runs of many cars; sensitivities                                    |

@@ -11,14 +11,13 @@ from cadgen.errors import CadgenError
 from cadgen.gears.choices import Order
 from cadgen.jobs.gears.plan import GearsPlan, plan_gears
 from cadgen.progress import Progress
+from cadgen.viewer.editor.course_items import points_of
 from cadgen.viewer.editor.job import Job, Result, Stage, State, refusal
-from cadgen.viewer.editor.points import points_of
-from cadgen.viewer.page.content.page import page_of
-from cadgen.viewer.page.content.plan import PagePlan, plan_edited, plan_preview
-from cadgen.viewer.page.content.scene import floor_of
 from cadgen.viewer.page.data import data_of
-from cadgen.viewer.page.html import pieces_of
-from cadgen.viewer.page.views import course_view
+from cadgen.viewer.page.html import floor_html, pieces_of
+from cadgen.viewer.page.page_plan import PagePlan, plan_edited, plan_preview
+from cadgen.viewer.page.report import page_of
+from cadgen.viewer.page.scene import floor_of
 
 # Of a preview: the tables and the figures at the top wait for the whole.
 _PREVIEWED = ("cam-box", "course-box", "legend", "charts")
@@ -48,7 +47,7 @@ def compute(job: Job, progress: Progress) -> Result:
 
 
 def _floor(design: Design) -> str:
-    return course_view(floor_of(design), points=[(point.x, point.y) for point in points_of(design)])
+    return floor_html(floor_of(design), [(point.x, point.y) for point in points_of(design)])
 
 
 def _laid_out(job: Job, plan: PagePlan, progress: Progress) -> bytes:

@@ -2,15 +2,29 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 from math import ceil, floor, log10
 
 from cadgen.design.explain import section
-from cadgen.design.keys import Key, dotted, keys
+from cadgen.design.keys import Key, dotted, keys, without_unit
 from cadgen.design.kinds import NamedKinds, Place
 from cadgen.design.schema import Design
-from cadgen.viewer.editor.words import GROUPS, key_words
-from cadgen.viewer.page.document import Words
+from cadgen.messages import Message, joined
+from cadgen.viewer.editor.course_items import NAMED_KEYS, point_name
 
+# Groups of controls: code, heading, parts of the design.
+GROUPS = (
+    ("car", Message("Car"), ("car",)),
+    ("cam", Message("Cam and follower"), ("cam", "follower")),
+    ("path", Message("Path"), ("path",)),
+    ("course", Message("Course and field"), ("course", "field")),
+    ("blank", Message("Disc"), ("blank",)),
+    ("gears", Message("Gears"), ("train",)),
+    ("play", Message("Play and friction"), ("play", "mechanics")),
+    ("limits", Message("Limits"), ("checks", "optimize")),
+)
+# Sections whose name is that of their group, or goes without saying.
+_SILENT = ("car", "cam", "path", "course", "train", "play", "mechanics", "checks", "optimize", "blank")
 # Parts of a design that do not change the cam, its gears or their checks.
 _LEFT_OUT = ("train.search",)
 # Half of the range of a slider whose number is 0, by its unit; 1 for other units.
@@ -37,7 +51,7 @@ class Control:
     """
 
     key: str
-    label: Words
+    label: str
     meaning: str
     unit: str
     value: float
@@ -54,7 +68,7 @@ class Group:
     """Controls under one heading."""
 
     code: str
-    label: Words
+    label: str
     controls: tuple[Control, ...]
 
 
@@ -121,7 +135,7 @@ def _control(key: str, info: Key, value: float, opened: float) -> Control:
     digits = max(0, -floor(log10(step)))
     return Control(
         key=key,
-        label=key_words(key),
+        label=key_name(key),
         meaning=info.meaning,
         unit=info.unit,
         value=value,
@@ -138,3 +152,28 @@ def _round_step(width: float) -> float:
     """The greatest of 1, 2 and 5 times a power of ten that is no more than a width."""
     power = 10.0 ** floor(log10(width))
     return next(times * power for times in (5.0, 2.0, 1.0) if times * power <= width * (1 + 1e-9))
+
+
+@cache  # of some hundred keys; they are named after every change
+def key_name(key: str) -> Message:
+    """Name of a key: `train.stages.2.driver.teeth` is stage 2, driver, teeth."""
+    parts = [part for part in key.split(".") if part not in _SILENT]
+    names: list[Message] = []
+    while parts:
+        part = parts.pop(0)
+        if part == "stages" and parts:
+            names.append(Message("stage {number}", number=parts.pop(0)))
+        elif part in NAMED_KEYS and parts and parts[0].isdecimal():
+            names.append(point_name(part, int(parts.pop(0))))
+        elif part in ("start", "finish"):
+            names.append(point_name(part, 0))
+        elif part == "size_mm":
+            names.append(Message("width") if parts.pop(0) == "1" else Message("height"))
+        else:
+            name = without_unit(part)
+            if part[1:2] != "_":
+                name = name.replace("_", " ")
+            names.append(Message(name))
+    if len(names) > 1 and names[0] == "follower":
+        names[0] = Message("rod")
+    return joined(names)

@@ -32,10 +32,8 @@ from cadgen.viewer.editor.guard import Address, Guard, refused
 from cadgen.viewer.editor.job import Job, Result, Stage, State, fault_sentence
 from cadgen.viewer.editor.session import Session
 from cadgen.viewer.editor.text import read_changes, read_point
-from cadgen.viewer.editor.words import CHANGE, NO_SCRIPT
 from cadgen.viewer.editor.worker import Worker
 from cadgen.viewer.page.html import shell
-from cadgen.viewer.page.markup import labels, tag, text
 
 _STATUS = {State.DONE: 200, State.REFUSED: 422, State.SUPERSEDED: 409, State.FAULT: 503}
 _NEWER = "a newer version of the design is there: ask for that one"
@@ -109,8 +107,7 @@ def application(service: Service, address: Address) -> ASGIApp:
     """The server as an ASGI application."""
 
     async def page(request: Request) -> Response:
-        aside = tag("aside", tag("noscript", text(NO_SCRIPT, "p")), id="edit", **labels(CHANGE))
-        return HTMLResponse(shell(service.session.name, {}, aside=aside, edited=True))
+        return HTMLResponse(shell(service.session.name, {}, edited=True))
 
     async def state(request: Request) -> Response:
         return JSONResponse(service.session.state())

@@ -1,7 +1,7 @@
 """One design that is edited: its text, the changes made and undone, and its file."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
 from pathlib import Path
 from threading import Lock
@@ -11,12 +11,20 @@ from cadgen.design.load import design_of
 from cadgen.design.parse import parse
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError, brief
-from cadgen.viewer.editor.controls import groups_of
+from cadgen.viewer.editor.controls import Control, Group, groups_of
+from cadgen.viewer.editor.course_items import (
+    Kind,
+    MovablePoint,
+    items_of,
+    kinds_of,
+    new_item,
+    places_of,
+    points_of,
+)
 from cadgen.viewer.editor.items import exchanged, inserted, removed
-from cadgen.viewer.editor.kinds import items_of, kinds_of, new_item, places_of
-from cadgen.viewer.editor.points import points_of
 from cadgen.viewer.editor.saving import Origin, refuse_name
 from cadgen.viewer.editor.text import Value, applied, changed
+from cadgen.viewer.page.data import both
 
 MOST_STEPS = 200  # that can be undone
 
@@ -207,9 +215,9 @@ class Session:
                 "unsaved": self.unsaved,
                 "undo": len(self._undo),
                 "redo": len(self._redo),
-                "groups": [asdict(group) for group in groups_of(design, self._opened.design)],
-                "points": [asdict(point) for point in points_of(design)],
-                "kinds": [asdict(kind) for kind in kinds_of(design)],
+                "groups": [_plain(group) for group in groups_of(design, self._opened.design)],
+                "points": [_plain(point) for point in points_of(design)],
+                "kinds": [_plain(kind) for kind in kinds_of(design)],
             }
 
     def _step(self, version: Version) -> None:
@@ -241,3 +249,10 @@ def _renamed(version: Version, name: str) -> Version:
     if "name" in parse(version.text):
         return Version(*applied(version.text, file, [f'name="{name}"']))
     return Version(version.text, design_of(version.text, file))
+
+
+def _plain(value: Group | Control | MovablePoint | Kind) -> dict[str, Any]:
+    """Values for the page's script, the label in both languages."""
+    known = {field.name: getattr(value, field.name) for field in fields(value)}
+    inside = {"controls": [_plain(control) for control in value.controls]} if isinstance(value, Group) else {}
+    return {**known, "label": both(value.label), **inside}

@@ -1,20 +1,21 @@
 """The report page: one HTML file that works offline.
 
-| module        | what it does                                                      |
-|---------------|-------------------------------------------------------------------|
-| `content`     | what is on it, from the plans of a design                         |
-| `names`       | kinds of cells, figures, marks and parts                          |
-| `document`    | content of a page: tables, curves, meshes, motion                 |
-| `words`       | the page's texts in English and Chinese                           |
-| `check_words` | names and places of checks in Chinese                             |
-| `sentences`   | sentences that the program makes, in Chinese                      |
-| `shading`     | normals and edges of a mesh                                       |
-| `binary`      | arrays as one compressed block                                    |
-| `data`        | the data of the page's script: JSON with a version, and the block |
-| `markup`      | HTML elements, tables and sections                                |
-| `views`       | plan views as SVG                                                 |
-| `html`        | the file                                                          |
+| module          | what it holds                                                     |
+|-----------------|-------------------------------------------------------------------|
+| `page_plan`     | cam, gears, runs, tolerance and calibration, each computed once   |
+| `document`      | content of a page: sheets, curves, meshes, motion                 |
+| `turning_train` | the train beside its cam, and how its shafts turn                 |
+| `charts`        | curves over the cam angle                                         |
+| `scene`         | everything that moves: runs, course, parts and shafts in 3D       |
+| `sections`      | sheets of checks, play, tolerance, inspection, parts, calibration |
+| `check_words`   | names and places of checks in Chinese                             |
+| `sentences`     | sentences that the program makes, in Chinese                      |
+| `mesh_block`    | normals and edges of meshes; arrays as one compressed block       |
+| `data`          | the data of the page's script: JSON with a version, and the block |
+| `plan_views`    | cam and course from the side and from above                       |
+| `html`          | the page around its pieces, and its policy                        |
+| `report`        | the page of a plan, and the page as a file                        |
 
-`static` holds script and style as `page/build.mjs` bundles them, with the licences of the libraries in them. Nothing
-here computes a figure of the car; the script only reads between the entries of the arrays.
+`templates` holds the page as HTML, `static` script and style as `page/build.mjs` bundles them, with the licences of the
+libraries in them. Nothing here computes a figure of the car; the script only reads between the entries of the arrays.
 """

@@ -3,7 +3,7 @@
 import re
 
 from cadgen.check import Check, CheckCode
-from cadgen.viewer.page.document import Text, Words
+from cadgen.viewer.page.sentences import told
 
 _NAMES: dict[str, str] = {
     CheckCode.PRESSURE_ANGLE_RISE: "压力角，推程",
@@ -132,14 +132,14 @@ _PLACES = (
 )
 
 
-def check_name(check: Check) -> Text:
+def check_name(check: Check) -> str:
     """Name of a check in both languages; English in both for a check of a kind that was added."""
-    return Words(check.name, _NAMES.get(check.code.value, check.name))
+    return told(check.name, _NAMES.get(check.code.value, check.name))
 
 
-def place_words(place: str) -> Text:
+def place_words(place: str) -> str:
     """Place of a check in both languages."""
-    chinese = place
+    chinese = str(place)
     for pattern, words in _PLACES:
         chinese = re.sub(pattern, words, chinese)
-    return Words(place, chinese.replace(", ", "，"))
+    return told(place, chinese.replace(", ", "，"))

@@ -5,8 +5,9 @@ from typing import Any
 
 import numpy as np
 
-from cadgen.viewer.page.binary import Block
-from cadgen.viewer.page.document import Chart, Going, Page, Scene, Text
+from cadgen.messages import CHINESE, shown
+from cadgen.viewer.page.document import Chart, Going, Page, Scene
+from cadgen.viewer.page.mesh_block import Block
 
 FORMAT, VERSION = "cadgen-report", 1
 
@@ -33,8 +34,9 @@ def data_of(page: Page, level: int = 9) -> tuple[str, str]:
     return text.replace("<", "\\u003c"), block.text(level)
 
 
-def _words(text: Text) -> list[str]:
-    return [text, text] if isinstance(text, str) else [text.en, text.zh]
+def both(text: str) -> list[str]:
+    """A text in English and Chinese, as the page's script takes it."""
+    return [str(text), shown(text, CHINESE)]
 
 
 def _scene(scene: Scene, block: Block) -> dict[str, Any]:
@@ -56,7 +58,7 @@ def _scene(scene: Scene, block: Block) -> dict[str, Any]:
         "car": {"fork": list(car.fork), "middle": list(car.middle), "steering": car.steering},
         "shafts": [
             {
-                "label": _words(shaft.label),
+                "label": both(shaft.label),
                 "axis": list(map(float, shaft.axis)),
                 "diameter": shaft.diameter,
                 "low": shaft.low,
@@ -70,7 +72,7 @@ def _scene(scene: Scene, block: Block) -> dict[str, Any]:
         "parts": [
             {
                 "code": part.code,
-                "label": _words(part.label),
+                "label": both(part.label),
                 "shaft": part.shaft,
                 "colour": part.colour,
                 "mesh": block.mesh(part.shades[0]),
@@ -86,7 +88,7 @@ def _going(going: Going, block: Block) -> dict[str, Any]:
     """A run; angles and places in arrays of their own, the cam's angle as its lead over the motor."""
     return {
         "code": going.code,
-        "label": _words(going.label),
+        "label": both(going.label),
         "motor": block.add(going.motor),
         "lead": block.add(going.cam_angle - going.motor),
         "x": block.add(going.x),
@@ -99,12 +101,12 @@ def _going(going: Going, block: Block) -> dict[str, Any]:
 def _chart(chart: Chart, block: Block) -> dict[str, Any]:
     return {
         "code": chart.code,
-        "title": _words(chart.title),
+        "title": both(chart.title),
         "unit": chart.unit,
         "angle": block.add(np.degrees(chart.angle)),
         "curves": [
-            {"label": _words(curve.label), "values": block.add(curve.values), "dashed": curve.dashed}
+            {"label": both(curve.label), "values": block.add(curve.values), "dashed": curve.dashed}
             for curve in chart.curves
         ],
-        "limits": [{"label": _words(limit.label), "value": limit.value} for limit in chart.limits],
+        "limits": [{"label": both(limit.label), "value": limit.value} for limit in chart.limits],
     }

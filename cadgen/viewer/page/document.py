@@ -1,99 +1,49 @@
 """Content of a report page as frozen values: sections of tables, curves, meshes, motion, course.
 
-What a page shows is decided before it is written; `cadgen.viewer.page.html` and the page's script only lay it
-out. Lengths are mm and angles rad, but for cells and curves, which stand in the unit that they name.
+What a page shows is decided before it is written; `cadgen.viewer.page.html` and the page's script only lay it out.
+Texts are messages or labels, which the page shows in both languages. Lengths are mm and angles rad, but for cells and
+curves, which stand in the unit that they name.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
+from enum import StrEnum
 from functools import cached_property
-from math import isfinite
-from typing import NamedTuple
 
 from cadgen.arrays import Array
+from cadgen.figures import Cell, Sheet
 from cadgen.geometry.meshes.mesh import Mesh
-from cadgen.viewer.page.names import Colour, FigureKind, MarkKind, State
-from cadgen.viewer.page.shading import Shaded, shaded
+from cadgen.viewer.page.mesh_block import Shaded, shaded
 
 
-class Words(NamedTuple):
-    """A text in both languages of the page."""
+class FloorKind(StrEnum):
+    """Kind of a thing on the floor."""
 
-    en: str
-    zh: str
-
-
-Text = Words | str
-
-
-@dataclass(frozen=True)
-class Cell:
-    """One cell of a table.
-
-    Attributes:
-        text: shown text; for a number, the number as it is rounded, without unit.
-        value: number of the cell in full, None for words.
-        unit: unit of the number.
-        state: emphasis.
-    """
-
-    text: Text
-    value: float | None = None
-    unit: str = ""
-    state: State = State.PLAIN
+    EDGE = "edge"
+    POST = "post"
+    WALL = "wall"
+    ZONE = "zone"
+    GATE = "gate"
+    START = "start"
+    FINISH = "finish"
 
 
-def number(value: float | None, unit: str = "", state: State = State.PLAIN, digits: int | None = None) -> Cell:
-    """Cell of a number, rounded as the commands round it; of a dash for None.
+class MarkKind(StrEnum):
+    """Kind of a place on the turn."""
 
-    Args:
-        value: number, in its unit.
-        unit: unit.
-        state: emphasis.
-        digits: decimals; by the size of the number if left out.
-    """
-    if value is None:
-        return Cell("–", None, "", state or State.MUTED)
-    return Cell(rounded(value, digits), float(value), unit, state)
+    PEAK = "peak"
+    VALLEY = "valley"
+    BLEND = "blend"
+    JUMP = "jump"
+    REVERSE = "reverse"
 
 
-def rounded(value: float, digits: int | None = None) -> str:
-    """A number as text: to three decimals, a very small one to three digits.
+class Colour(StrEnum):
+    """Colour of a part, by what it is."""
 
-    Args:
-        value: number to show.
-        digits: digits after the point; chosen by its size if left out.
-    """
-    if not isfinite(value):
-        return "–"
-    if digits is not None:
-        return f"{value:.{digits}f}"
-    return f"{value:.3g}" if abs(value) < 1e-3 and value else f"{value:.3f}".rstrip("0").rstrip(".")
-
-
-@dataclass(frozen=True)
-class Table:
-    """A table.
-
-    Attributes:
-        code: name of the table for programs.
-        caption: title.
-        heads: heads of the columns.
-        rows: cells by row.
-        words: number of columns from the left that hold words; the others hold numbers.
-        tail: number of columns from the right that hold words again.
-    """
-
-    code: str
-    caption: Text
-    heads: tuple[Text, ...]
-    rows: tuple[tuple[Cell, ...], ...]
-    words: int = 1
-    tail: int = 0
-
-    def numeric(self, place: int) -> bool:
-        """Whether a column holds numbers, by its place from the left, from 0."""
-        return self.words <= place < len(self.heads) - self.tail
+    CAM = "cam"
+    GEAR = "gear"
+    PINION = "pinion"
+    FRAME = "frame"
 
 
 @dataclass(frozen=True)
@@ -104,15 +54,15 @@ class Section:
         code: name of the section for programs, and its anchor.
         title: heading.
         lead: sentences under the heading.
-        tables: tables.
+        tables: sheets.
         notes: sentences below the tables.
     """
 
     code: str
-    title: Text
-    lead: tuple[Text, ...] = ()
-    tables: tuple[Table, ...] = ()
-    notes: tuple[Text, ...] = ()
+    title: str
+    lead: tuple[str, ...] = ()
+    tables: tuple[Sheet, ...] = ()
+    notes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -125,7 +75,7 @@ class Curve:
         dashed: whether it is drawn with dashes.
     """
 
-    label: Text
+    label: str
     values: Array
     dashed: bool = False
 
@@ -134,7 +84,7 @@ class Curve:
 class Limit:
     """A limit drawn across a chart, in the unit of the chart."""
 
-    label: Text
+    label: str
     value: float
 
 
@@ -152,7 +102,7 @@ class Chart:
     """
 
     code: str
-    title: Text
+    title: str
     unit: str
     angle: Array
     curves: tuple[Curve, ...]
@@ -181,7 +131,7 @@ class Part:
     """
 
     code: str
-    label: Text
+    label: str
     mesh: Mesh
     coarse: Mesh
     shaft: int
@@ -210,7 +160,7 @@ class Shaft:
         lead: angle that it is ahead when the cam has run through the play, rad.
     """
 
-    label: Text
+    label: str
     axis: tuple[float, float]
     diameter: float
     low: float
@@ -270,7 +220,7 @@ class Going:
     """
 
     code: str
-    label: Text
+    label: str
     motor: Array
     cam_angle: Array
     x: Array
@@ -280,8 +230,8 @@ class Going:
 
 
 @dataclass(frozen=True)
-class Figure:
-    """Something on the floor, drawn from above.
+class FloorShape:
+    """Thing on the floor, drawn from above.
 
     Attributes:
         kind: what it is.
@@ -290,7 +240,7 @@ class Figure:
         reach: distance from the points that belongs to it, mm.
     """
 
-    kind: FigureKind
+    kind: FloorKind
     points: tuple[tuple[float, float], ...]
     filled: bool = False
     reach: float = 0.0
@@ -343,7 +293,7 @@ class Scene:
     lift: Lift
     stop: float
     goings: tuple[Going, ...]
-    floor: tuple[Figure, ...]
+    floor: tuple[FloorShape, ...]
     car: CarShape
     shafts: tuple[Shaft, ...]
     parts: tuple[Part, ...]
@@ -354,8 +304,8 @@ class Scene:
 class Failure:
     """A check that fails, or another reason not to make the part: what, and what to change."""
 
-    what: Text
-    advice: Text = ""
+    what: str
+    advice: str = ""
 
 
 @dataclass(frozen=True)
@@ -377,18 +327,13 @@ class Page:
     """
 
     name: str
-    subtitle: Text
+    subtitle: str
     passed: bool
     failures: tuple[Failure, ...]
-    summary: tuple[tuple[Text, Cell], ...]
+    summary: tuple[tuple[str, Cell], ...]
     scene: Scene
     charts: tuple[Chart, ...]
     marks: tuple[Mark, ...]
     sections: tuple[Section, ...]
-    notes: tuple[Text, ...] = ()
-    origin: tuple[tuple[Text, str], ...] = field(default=())
-
-
-def plain(texts: Sequence[Text]) -> tuple[str, ...]:
-    """Texts in English."""
-    return tuple(text if isinstance(text, str) else text.en for text in texts)
+    notes: tuple[str, ...] = ()
+    origin: tuple[tuple[str, str], ...] = field(default=())

@@ -5,8 +5,7 @@ A sentence of which a clause is not in the table stays English, whole.
 
 import re
 
-from cadgen.viewer.page.document import Text, Words
-from cadgen.viewer.page.words import named
+from cadgen.messages import CHINESE, Message, shown
 
 _N = r"([-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)"
 _FIGURES = {
@@ -305,20 +304,41 @@ _ENGLISH = re.compile(r"[A-Za-z]{2,}")
 _NAMES = ("smoothed+compensated", "actual", "compensated", "smoothed", "theoretical", "published", "optimized")
 
 
-def generated(sentence: str) -> Text:
+class Told(Message):
+    """Sentence with its Chinese."""
+
+    chinese: str
+
+    def translated(self, language: str) -> str:
+        """Text in a language."""
+        return self.chinese if language == CHINESE else str(self)
+
+
+def told(english: str, chinese: str) -> str:
+    """A sentence with its Chinese; the sentence alone where there is none."""
+    if (isinstance(english, Message) and english.arguments) or shown(english, CHINESE) != english or english == chinese:
+        return english
+    made = str.__new__(Told, english)
+    made.template, made.arguments, made.chinese = str(english), {}, chinese
+    return made
+
+
+def generated(sentence: str) -> str:
     """A sentence in both languages; English in both where a clause of it is not known."""
-    chinese = sentence
+    chinese = str(sentence)
     for pattern, words in _CLAUSES:
         chinese = re.sub(pattern, words, chinese)
     for english, words in _FIGURES.items():
         chinese = chinese.replace(english, words)
     for name in _NAMES:
-        chinese = re.sub(rf"(?<![A-Za-z+.-])(?<!--profile ){re.escape(name)}(?![A-Za-z+-])", named(name).zh, chinese)
+        chinese = re.sub(
+            rf"(?<![A-Za-z+.-])(?<!--profile ){re.escape(name)}(?![A-Za-z+-])", shown(name, CHINESE), chinese
+        )
     if chinese == sentence or is_english(chinese):
         return sentence
     chinese = re.sub(r"(?<=[\u4e00-\u9fff]), ?", "，", chinese)
     chinese = re.sub(r"(?<=[\u4e00-\u9fff]) (?=[\u4e00-\u9fff])", "", chinese)
-    return Words(sentence, re.sub(r"(?<=[。；：，]) +", "", chinese))
+    return told(sentence, re.sub(r"(?<=[。；：，]) +", "", chinese))
 
 
 def is_english(text: str) -> bool:

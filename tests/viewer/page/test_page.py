@@ -3,7 +3,7 @@
 import base64
 import hashlib
 import re
-from html import escape
+from html import unescape
 
 import numpy as np
 import pytest
@@ -12,18 +12,17 @@ from cadgen import Design, Report
 from cadgen.cam.contact import roll_curve
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.design.load import load_design
+from cadgen.figures import Cell, Sheet, number
 from cadgen.geometry.meshes.mesh import Mesh
 from cadgen.geometry.meshes.teeth import measured_pair
+from cadgen.messages import CHINESE, shown
 from cadgen.viewer.page.check_words import check_name, place_words
-from cadgen.viewer.page.content.files import page_facts
-from cadgen.viewer.page.content.page import page_of
-from cadgen.viewer.page.content.plan import plan_page
-from cadgen.viewer.page.content.train import turning_train
-from cadgen.viewer.page.document import Cell, Words, number
-from cadgen.viewer.page.html import html_of
-from cadgen.viewer.page.markup import cell, tag
+from cadgen.viewer.page.html import html_of, table_html
+from cadgen.viewer.page.mesh_block import shaded
+from cadgen.viewer.page.page_plan import plan_page
+from cadgen.viewer.page.report import page_facts, page_of
 from cadgen.viewer.page.sentences import generated
-from cadgen.viewer.page.shading import shaded
+from cadgen.viewer.page.turning_train import turning_train
 from tests.viewer.page.english import left_in_english
 from tests.viewer.page.reading import Tables, at, data, going
 
@@ -59,19 +58,22 @@ def test_a_round_wall_is_smooth_and_its_rims_are_edges():
 
 
 def test_text_of_a_design_is_no_markup():
-    assert tag("p", "x", title='a"<b') == '<p title="a&quot;&lt;b">x</p>'
-    assert "<script" not in cell(Cell("<script>", 1.5), numeric=True)
-    assert 'data-value="0.1"' in cell(number(0.1, "mm"), numeric=True)
+    cells = (Cell("<script>", 1.5), number(0.1, "mm"), 'a"<b')
+    text = table_html(Sheet('c"<', "t<", ("h<", "", 'i"<'), (cells,), words=0))
+    assert "<script" not in text
+    assert text.count("<") == text.count(">")
+    assert 'id="table-c&#34;&lt;"' in text
+    assert 'data-value="0.1"' in text
     assert number(float("inf")).text == "–"
 
 
 def test_every_check_has_a_chinese_name_and_places_are_translated():
     for code in CheckCode:
         words = check_name(Check(code, "its name", 0.0, "", 1.0, Bound.MAX))
-        assert words.en == "its name" != words.zh
-    assert place_words("cam angle 113.04° (4 in all)") == Words(
-        "cam angle 113.04° (4 in all)", "凸轮转角 113.04° （共 4 处）"
-    )
+        assert words == "its name" != shown(words, CHINESE)
+    place = place_words("cam angle 113.04° (4 in all)")
+    assert place == "cam angle 113.04° (4 in all)"
+    assert shown(place, CHINESE) == "凸轮转角 113.04° （共 4 处）"
 
 
 @pytest.mark.slow
@@ -121,7 +123,7 @@ def test_limits_across_a_curve_are_those_of_the_checks(plan, page):
 def test_the_page_allows_only_its_own_parts_and_asks_for_nothing(html):
     assert len(html.encode()) <= 2_000_000
     print(f"{len(html.encode()) / 1e6:.3f} MB")
-    policy = re.search(r'http-equiv="Content-Security-Policy" content="([^"]*)"', html)[1].replace("&#x27;", "'")
+    policy = re.search(r'http-equiv="Content-Security-Policy" content="([^"]*)"', html)[1].replace("&#39;", "'")
     assert policy.startswith("default-src 'none'")
     assert "unsafe" not in policy
     for pattern in (r"<style>(.*?)</style>", r"<script>(.*?)</script>"):
@@ -248,7 +250,7 @@ def test_the_page_of_a_packaged_design_is_small_and_whole_in_chinese(name):
 
 def test_a_sentence_that_is_not_known_stays_english_whole():
     known = "widen the turn there (path.waypoints_mm)"
-    assert generated(known).zh == "请加宽该处弯道（path.waypoints_mm）"
+    assert shown(generated(known), CHINESE) == "请加宽该处弯道（path.waypoints_mm）"
     assert generated(f"{known}, or ask a friend") == f"{known}, or ask a friend"
     assert left_in_english("<p>ask a friend</p><p data-zh='问朋友 please'>x</p>") == ["ask a friend"]
 
@@ -261,7 +263,7 @@ def test_a_measurement_that_is_missing_is_said_and_the_rest_is_there(minimal, wr
     (reason,) = report.refused
     assert "nothing.csv" in reason
     text = html_of(page_of(report.computed))
-    assert text.count(escape(reason, quote=False)) >= 2  # on top, and where the calibration would stand
+    assert unescape(text).count(reason) >= 2  # on top, and where the calibration would stand
     assert 'id="table-cam-checks"' in text
 
 

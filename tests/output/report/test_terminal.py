@@ -6,7 +6,7 @@ import pytest
 from rich.console import Console
 from rich.text import Text
 
-from cadgen.output.report.table import FittedConsole, FittedTable
+from cadgen.output.report.terminal import FittedConsole, FittedTable
 
 ROWS = (
     ("smoothed, compensated for the measured play", "0.962°", "1234.5 mm", "99.99 %", "at cam angle 12.3 degrees"),

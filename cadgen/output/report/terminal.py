@@ -1,7 +1,12 @@
-"""Lines and tables that never cut a number: words are folded, and at last each row of a table becomes a list."""
+"""Sheets and sentences on a terminal or as plain text: lines that never cut a number.
 
+Where a table is too wide, its words are folded; where that is not enough, each row becomes a list.
+"""
+
+import io
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from rich.cells import cell_len
@@ -10,6 +15,9 @@ from rich.padding import Padding
 from rich.segment import Segment
 from rich.table import Column, Table
 from rich.text import Text
+
+from cadgen.figures import Cell, Sheet, State, with_unit
+from cadgen.messages import ENGLISH, shown
 
 _GAP = 2  # columns of the terminal between two columns of the table
 _FOLDED = 24  # a word longer than that may be folded inside
@@ -117,3 +125,69 @@ def _longest_word(column: Column) -> int:
 def _text(cell: object, style: object = "") -> Text:
     """A cell or a head as text; the tables here hold nothing else."""
     return cell if isinstance(cell, Text) else Text(str(cell), style=str(style or ""))
+
+
+_STYLES = {State.PLAIN: "", State.GOOD: "green", State.BAD: "red", State.STRONG: "bold", State.MUTED: "dim"}
+
+
+def table(sheet: Sheet, *, gap: bool = False, language: str | None = None) -> FittedTable:
+    """A sheet as a table without rules, its title above it: words to the left, numbers to the right and never folded.
+
+    A row whose first cell is emphasized is so as a whole.
+
+    Args:
+        sheet: sheet.
+        gap: whether an empty line stands above the title.
+        language: language of its texts; the one chosen for the program if left out.
+    """
+    title = f"{chr(10) if gap else ''}{shown(sheet.title, language)}" or None
+    made = FittedTable(
+        title=title, title_justify="left", title_style="bold", box=None, pad_edge=False, header_style="dim"
+    )
+    for place, head in enumerate(sheet.heads):
+        numeric = sheet.numeric(place)
+        made.add_column(
+            shown(head, language), justify="right" if numeric else "left", overflow="ellipsis" if numeric else "fold"
+        )
+    for row in sheet.cells:
+        whole = row[0].state
+        made.add_row(*(_cell(cell, language, plain=cell.state == whole) for cell in row), style=_STYLES[whole] or None)
+    return made
+
+
+def _cell(cell: Cell, language: str | None, *, plain: bool) -> Text:
+    return Text(
+        with_unit(shown(cell.text, language), shown(cell.unit, language)), style="" if plain else _STYLES[cell.state]
+    )
+
+
+@dataclass(frozen=True)
+class Heading:
+    """Line that stands out."""
+
+    text: str
+
+
+Block = Heading | Sheet | str
+
+
+def write(blocks: Sequence[Block], console: FittedConsole, language: str | None = None) -> None:
+    """Print blocks, folded to the console's width.
+
+    Args:
+        blocks: headings, sheets and paragraphs.
+        console: console that they are printed on.
+        language: language of the texts; the one chosen for the program if left out.
+    """
+    for block in blocks:
+        if isinstance(block, Heading):
+            console.print(f"\n{shown(block.text, language)}", style="bold")
+        else:
+            console.print(table(block, language=language) if isinstance(block, Sheet) else shown(block, language))
+
+
+def plain(blocks: Sequence[Block], width: int) -> str:
+    """Blocks as plain English text, folded to `width` characters."""
+    file = io.StringIO()
+    write(blocks, FittedConsole(file=file, width=width, color_system=None), ENGLISH)
+    return "\n".join(line.rstrip() for line in file.getvalue().splitlines()).strip("\n") + "\n"

@@ -8,13 +8,13 @@ import numpy as np
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll_curve
 from cadgen.cam.follower import Contact
+from cadgen.car.optimize.evaluate import Evaluation
 from cadgen.curves.closed import ClosedCurve
 from cadgen.design import cam_model
 from cadgen.jobs.cam.plan import CamPlan
 from cadgen.jobs.runs.simulation import Simulation
-from cadgen.viewer.page.document import Chart, Curve, Limit, Mark
-from cadgen.viewer.page.names import MarkKind
-from cadgen.viewer.page.words import say
+from cadgen.messages import Message
+from cadgen.viewer.page.document import Chart, Curve, Limit, Mark, MarkKind
 
 STATIONS = 720  # of a chart: one each half degree; a curve on a phone has fewer dots
 _POINTS_OF_A_PIECE = 400  # at which the curvature of the profile is computed
@@ -47,11 +47,11 @@ def _closed(values: Array) -> Array:
 
 def _lift(plan: CamPlan, theta: Array, contact: Contact) -> Chart:
     """Lift wanted, and the lift that the follower gets."""
-    curves = [Curve(say("lift given"), _closed(contact.lift))]
+    curves = [Curve(Message("lift given"), _closed(contact.lift))]
     if plan.comparison is not None:
         wanted = plan.comparison.task.lift
-        curves.append(Curve(say("lift wanted"), np.asarray(plan.rod.lift(wanted.q(theta % TURN))), dashed=True))
-    return Chart("lift", say("Lift"), "mm", theta, tuple(curves))
+        curves.append(Curve(Message("lift wanted"), np.asarray(plan.rod.lift(wanted.q(theta % TURN))), dashed=True))
+    return Chart("lift", Message("Lift"), "mm", theta, tuple(curves))
 
 
 def _pressure(plan: CamPlan, theta: Array, contact: Contact) -> Chart:
@@ -59,11 +59,11 @@ def _pressure(plan: CamPlan, theta: Array, contact: Contact) -> Chart:
     values = np.degrees(contact.pressure_angle)
     return Chart(
         "pressure",
-        say("Pressure angle"),
+        Message("Pressure angle"),
         "°",
         theta,
-        (Curve(say("pressure angle"), _closed(values)),),
-        (Limit(say("limit, rise"), degrees(limits.rise)), Limit(say("limit, return"), -degrees(limits.fall))),
+        (Curve(Message("pressure angle"), _closed(values)),),
+        (Limit(Message("limit, rise"), degrees(limits.rise)), Limit(Message("limit, return"), -degrees(limits.fall))),
     )
 
 
@@ -74,7 +74,11 @@ def _curvature(plan: CamPlan, curve: ClosedCurve, theta: Array, contact: Contact
     at = (contact.cam_angle + np.arctan2(contact.across, ahead)) % TURN
     values = np.interp(at, angle, curvature, period=TURN)
     return Chart(
-        "curvature", say("Curvature of the profile"), "1/m", theta, (Curve(say("curvature"), _closed(1e3 * values)),)
+        "curvature",
+        Message("Curvature of the profile"),
+        "1/m",
+        theta,
+        (Curve(Message("curvature"), _closed(1e3 * values)),),
     )
 
 
@@ -87,6 +91,11 @@ def curvature_by_angle(curve: ClosedCurve) -> tuple[Array, Array]:
     return angle[order], curvature[order]
 
 
+def name_before(before: Evaluation) -> Message:
+    """Name of the run of the profile before, with play."""
+    return Message("measured cam, with play" if before.measured else "plain profile, with play")
+
+
 def _off(simulation: Simulation) -> Chart:
     """Distance from the planned place, with play."""
     motor = simulation.planned.motor
@@ -96,11 +105,10 @@ def _off(simulation: Simulation) -> Chart:
         return np.where(theta <= motor[-1] + 1e-9, np.interp(theta, motor, values), np.nan)
 
     chosen, before = simulation.comparison.chosen, simulation.comparison.before
-    curves = [Curve(say("this cam, with play"), along(simulation.after_error.distance))]
+    curves = [Curve(Message("this cam, with play"), along(simulation.after_error.distance))]
     if chosen is not before:
-        label = "measured cam, with play" if before.measured else "plain profile, with play"
-        curves.append(Curve(say(label), along(simulation.before_error.distance), dashed=True))
-    return Chart("off", say("Distance from the planned place"), "mm", theta, tuple(curves))
+        curves.append(Curve(name_before(before), along(simulation.before_error.distance), dashed=True))
+    return Chart("off", Message("Distance from the planned place"), "mm", theta, tuple(curves))
 
 
 def _torque(plan: CamPlan, theta: Array) -> Chart | None:
@@ -113,14 +121,14 @@ def _torque(plan: CamPlan, theta: Array) -> Chart | None:
     free = band.at(0.0, 0.0).torque(lift, theta % TURN)
     return Chart(
         "torque",
-        say("Torque of the rod on the cam"),
+        Message("Torque of the rod on the cam"),
         "N·mm",
         theta,
         (
-            Curve(say("with friction"), np.where(np.isfinite(values), values, np.nan)),
-            Curve(say("without friction"), np.where(np.isfinite(free), free, np.nan), dashed=True),
+            Curve(Message("with friction"), np.where(np.isfinite(values), values, np.nan)),
+            Curve(Message("without friction"), np.where(np.isfinite(free), free, np.nan), dashed=True),
         ),
-        (Limit(say("least drag"), band.drag[0]),) if band.drag[0] else (),
+        (Limit(Message("least drag"), band.drag[0]),) if band.drag[0] else (),
     )
 
 

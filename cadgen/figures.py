@@ -1,0 +1,155 @@
+"""Figures and sheets of them: one model of results for terminal, page, printed sheets, files and JSON.
+
+What is shown is put together once, as figures, cells and sheets. A renderer only lays it out: `cadgen.output.report`
+on a terminal and as text, `cadgen.viewer.page` as HTML. The module is light to import.
+"""
+
+from dataclasses import dataclass
+from enum import StrEnum
+from math import isfinite
+
+# End of a figure's key by its unit.
+_SUFFIX = {"°": "deg", "µm": "um", "%": "percent", "N·mm": "Nmm"}
+
+
+class State(StrEnum):
+    """Emphasis of a cell."""
+
+    PLAIN = ""
+    GOOD = "good"
+    BAD = "bad"
+    STRONG = "strong"
+    MUTED = "muted"
+
+
+@dataclass(frozen=True)
+class Figure:
+    """Number with its unit.
+
+    Attributes:
+        code: name of the figure for programs, without unit.
+        name: name for people.
+        value: number in `unit`; None where there is none.
+        unit: unit, such as `mm` or `°`; empty for a ratio.
+    """
+
+    code: str
+    name: str
+    value: float | None
+    unit: str = ""
+
+    @property
+    def key(self) -> str:
+        """Key in JSON and manifests: the code with the unit at its end, such as `end_heading_deg`."""
+        unit = _SUFFIX.get(self.unit, self.unit)
+        return f"{self.code}_{unit}" if unit and unit not in self.code.split("_") else self.code
+
+    def text(self, form: str = "") -> str:
+        """Number with its unit as text; empty without a number.
+
+        Args:
+            form: format of the number, as of `format`; rounded by its size if left out.
+        """
+        if self.value is None:
+            return ""
+        return with_unit(format(self.value, form) if form else rounded(self.value), self.unit)
+
+    def cell(self, state: State = State.PLAIN, digits: int | None = None) -> "Cell":
+        """Cell of the figure.
+
+        Args:
+            state: emphasis.
+            digits: decimals; by the size of the number if left out.
+        """
+        return number(self.value, self.unit, state, digits)
+
+
+class Figures(dict[str, Figure]):
+    """Figures of one thing by their codes, in the order in which JSON has them."""
+
+    def __init__(self, *figures: Figure) -> None:
+        super().__init__((figure.code, figure) for figure in figures)
+
+    def facts(self) -> dict[str, float | None]:
+        """Figures as plain values by their keys, for JSON and manifests."""
+        return {figure.key: figure.value for figure in self.values()}
+
+
+def with_unit(text: str, unit: str) -> str:
+    """Number as text with its unit behind it: `3.2 mm`, `3.2°`."""
+    return f"{text}{'' if unit == '°' else ' '}{unit}".rstrip()
+
+
+def rounded(value: float, digits: int | None = None) -> str:
+    """Number as text: to three decimals, a very small one to three digits.
+
+    Args:
+        value: number to show.
+        digits: digits after the point; chosen by its size if left out.
+    """
+    if not isfinite(value):
+        return "–"
+    if digits is not None:
+        return f"{value:.{digits}f}"
+    return f"{value:.3g}" if abs(value) < 1e-3 and value else f"{value:.3f}".rstrip("0").rstrip(".")
+
+
+@dataclass(frozen=True)
+class Cell:
+    """Cell of a sheet.
+
+    Attributes:
+        text: shown text; for a number, the number as it is rounded, without unit.
+        value: number of the cell in full, None for words.
+        unit: unit of the number.
+        state: emphasis.
+    """
+
+    text: str
+    value: float | None = None
+    unit: str = ""
+    state: State = State.PLAIN
+
+
+def number(value: float | None, unit: str = "", state: State = State.PLAIN, digits: int | None = None) -> Cell:
+    """Cell of a number, rounded as the commands round it; of a dash for None.
+
+    Args:
+        value: number, in its unit.
+        unit: unit.
+        state: emphasis.
+        digits: decimals; by the size of the number if left out.
+    """
+    if value is None:
+        return Cell("–", None, "", state or State.MUTED)
+    return Cell(rounded(value, digits), float(value), unit, state)
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """Table of figures and texts.
+
+    Attributes:
+        code: name of the sheet for programs.
+        title: title for people; empty if it has none.
+        heads: heads of the columns.
+        rows: cells by row; a text stands for a cell of words.
+        words: number of columns from the left that hold words; the others hold numbers.
+        tail: number of columns from the right that hold words again.
+    """
+
+    code: str
+    title: str
+    heads: tuple[str, ...]
+    rows: tuple[tuple[Cell | str, ...], ...]
+    words: int = 1
+    tail: int = 0
+
+    def numeric(self, place: int) -> bool:
+        """Whether a column holds numbers, by its place from the left, from 0."""
+        return self.words <= place < len(self.heads) - self.tail
+
+    @property
+    def cells(self) -> tuple[tuple[Cell, ...], ...]:
+        """Rows with texts as cells of words."""
+        return tuple(tuple(Cell(cell) if isinstance(cell, str) else cell for cell in row) for row in self.rows)

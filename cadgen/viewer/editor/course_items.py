@@ -1,0 +1,215 @@
+"""Points of the path and items on the course: what of them can be moved, added and removed."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from math import ceil, floor
+from typing import Any
+
+from cadgen.design.schema import Design
+from cadgen.messages import Message
+
+NAMED_KEYS = {
+    "waypoints_mm": Message("waypoint"),
+    "control_points_mm": Message("control point"),
+    "gates": Message("gate"),
+    "posts": Message("post"),
+    "walls": Message("wall"),
+    "zones": Message("zone"),
+    "start": Message("start"),
+    "finish": Message("finish"),
+    "field": Message("field"),
+}
+_PLACES = ("at_mm", "from_mm", "to_mm", "corner_mm")
+_LISTS = {"line_mm": 2, "outline_mm": 3}  # and how many points each needs
+# Lists and sections of [course] by the group that is moved together.
+ON_COURSE = {
+    "gates": ("gates", "start", "finish"),
+    "posts": ("posts", "walls", "zones", "field"),
+}
+_ALONE = ("start", "finish", "field")
+# Sizes that a new item takes from that before it, and what it has without one.
+_SIZES: dict[str, dict[str, Any]] = {
+    "posts": {"radius_mm": 10.0, "height_mm": None},
+    "walls": {"thickness_mm": 10.0, "height_mm": None},
+    "zones": {"size_mm": [200.0, 200.0], "height_mm": None},
+    "gates": {"radius_mm": 50.0, "point": None},
+    "start": {"radius_mm": 50.0},
+    "finish": {"radius_mm": 50.0},
+}
+_HALF_WALL_MM = 150.0
+_ROOM_MM, _ROUND_MM = 300.0, 100.0  # of a new field about all points, and what its sides are rounded to
+
+
+def point_name(kind: str, number: int, part: str = "") -> Message:
+    """Name of a point or an item.
+
+    Args:
+        kind: key or section that it stands in.
+        number: number of the item, from 1; 0 for one that is alone.
+        part: key of its place in the item, or the number of the point in it.
+    """
+    name = Message("{name} {number}", name=NAMED_KEYS[kind], number=number) if number else NAMED_KEYS[kind]
+    if part == "from_mm":
+        return Message("{name}, begin", name=name)
+    if part == "to_mm":
+        return Message("{name}, end", name=name)
+    if part == "corner_mm":
+        return Message("{name}, corner", name=name)
+    return Message("{name}, point {number}", name=name, number=part) if part.isdecimal() else name
+
+
+@dataclass(frozen=True)
+class MovablePoint:
+    """A point that can be moved.
+
+    Attributes:
+        key: dotted key of its pair, items of lists counted from 1.
+        layer: group that is moved together: `path`, `gates` or `posts`.
+        label: name.
+        x: place, mm.
+        y: place, mm.
+        listed: dotted key of the list of points that it stands in, which others can be put into; else empty.
+        closed: whether the last point of that list is followed by its first.
+        spare: whether that list can do without a point.
+        item: dotted key of the post, gate, wall or the like that it is of; empty for the path.
+    """
+
+    key: str
+    layer: str
+    label: str
+    x: float
+    y: float
+    listed: str = ""
+    closed: bool = False
+    spare: bool = False
+    item: str = ""
+
+
+def points_of(design: Design) -> tuple[MovablePoint, ...]:
+    """All points of a design that can be moved."""
+    return tuple(_points(design.values()))
+
+
+def _points(values: dict[str, Any]) -> Iterator[MovablePoint]:
+    path = values["path"]
+    for name in ("waypoints_mm", "control_points_mm"):
+        for number, (x, y) in enumerate(path.get(name, ()), 1):
+            closed = bool(path.get("closed", False))
+            label = point_name(name, number, "")
+            yield MovablePoint(f"path.{name}.{number}", "path", label, x, y, f"path.{name}", closed, spare=True)
+    course = values.get("course", {})
+    for layer, names in ON_COURSE.items():
+        for name in names:
+            several = course.get(name)
+            if isinstance(several, dict):
+                yield from _of_item(several, f"course.{name}", layer, name, 0)
+            else:
+                for number, item in enumerate(several or (), 1):
+                    yield from _of_item(item, f"course.{name}.{number}", layer, name, number)
+
+
+def _of_item(item: dict[str, Any], key: str, layer: str, kind: str, number: int) -> Iterator[MovablePoint]:
+    for name in _PLACES:
+        if name in item:
+            x, y = item[name]
+            yield MovablePoint(f"{key}.{name}", layer, point_name(kind, number, name), float(x), float(y), item=key)
+    for name, least in _LISTS.items():
+        points, closed = item.get(name, ()), name == "outline_mm"
+        for place, (x, y) in enumerate(points, 1):
+            label, listed, spare = point_name(kind, number, str(place)), f"{key}.{name}", len(points) > least
+            yield MovablePoint(f"{listed}.{place}", layer, label, float(x), float(y), listed, closed, spare, key)
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of item on the course.
+
+    Attributes:
+        key: dotted key of the list or section.
+        layer: group of points that it is moved with.
+        label: name.
+        count: how many there are.
+        alone: whether there is one at most, in a section without a number.
+    """
+
+    key: str
+    layer: str
+    label: str
+    count: int
+    alone: bool
+
+
+def kinds_of(design: Design) -> tuple[Kind, ...]:
+    """All kinds of items, those among them of which there is none."""
+    course = design.values().get("course", {})
+    assert isinstance(course, dict)
+    return tuple(
+        Kind(
+            f"course.{name}",
+            layer,
+            NAMED_KEYS[name],
+            int(name in course) if name in _ALONE else len(course.get(name, ())),
+            name in _ALONE,
+        )
+        for layer, names in ON_COURSE.items()
+        for name in names
+    )
+
+
+def places_of(design: Design) -> frozenset[str]:
+    """Keys that a new item can get."""
+    return frozenset(
+        key
+        for kind in kinds_of(design)
+        for key in ([kind.key] * (1 - kind.count) if kind.alone else _numbered(kind, kind.count + 1))
+    )
+
+
+def items_of(design: Design) -> frozenset[str]:
+    """Keys of all items on the course."""
+    return frozenset(
+        key
+        for kind in kinds_of(design)
+        for key in ([kind.key] * kind.count if kind.alone else _numbered(kind, kind.count))
+    )
+
+
+def _numbered(kind: Kind, count: int) -> list[str]:
+    return [f"{kind.key}.{number}" for number in range(1, count + 1)]
+
+
+def new_item(design: Design, raw: dict[str, Any], key: str, at: tuple[float, float]) -> dict[str, Any]:
+    """Values of a new item.
+
+    Args:
+        design: design that gets it.
+        raw: values as the design's text has them.
+        key: key that the item gets.
+        at: place of its middle, mm; a field goes about all points of the design.
+    """
+    _, name, *number = key.split(".")
+    if name == "field":
+        return _field_about([(point.x, point.y) for point in points_of(design)])
+    sizes = {**_SIZES[name], **_sizes_beside(raw.get("course", {}).get(name), number, _SIZES[name])}
+    sizes = {size: value for size, value in sizes.items() if value is not None}
+    x, y = at
+    if name == "walls":
+        return {"line_mm": [[x - _HALF_WALL_MM, y], [x + _HALF_WALL_MM, y]], **sizes}
+    if name == "zones":
+        width, height = sizes["size_mm"]
+        return {"corner_mm": [x - width / 2, y - height / 2], **sizes}
+    return {"at_mm": [x, y], **sizes}
+
+
+def _sizes_beside(items: object, number: Sequence[str], names: dict[str, Any]) -> dict[str, Any]:
+    """Sizes of the item before a new one, or of that after it."""
+    if not isinstance(items, list) or not items or not number:
+        return {}
+    beside = items[max(int(number[0]) - 2, 0)]
+    return {name: beside[name] for name in names if name in beside}
+
+
+def _field_about(points: list[tuple[float, float]]) -> dict[str, Any]:
+    low = [_ROUND_MM * floor((min(axis) - _ROOM_MM) / _ROUND_MM) for axis in zip(*points, strict=True)]
+    high = [_ROUND_MM * ceil((max(axis) + _ROOM_MM) / _ROUND_MM) for axis in zip(*points, strict=True)]
+    return {"corner_mm": low, "size_mm": [top - bottom for bottom, top in zip(low, high, strict=True)]}

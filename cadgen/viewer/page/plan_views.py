@@ -1,0 +1,192 @@
+"""The two plan views: the cam with its follower, and the car on its course. The page's script moves them."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import atan, cos
+
+import numpy as np
+
+from cadgen.arrays import Array
+from cadgen.parts.face import Face
+from cadgen.viewer.page.document import CarShape, FloorKind, FloorShape, Going, Scene
+
+_MARGIN = 4.0  # mm about the cam
+_ROOM = 220.0  # mm about the floor
+_TRACK = 6  # of a run's positions, one in so many is on its track
+_WHEEL = (32.0, 10.0)  # mm, half length and half width of a wheel whose size is not known
+_ORDER = {"planned": 0, "before": 1, "free": 2, "played": 3}  # of tracks, the last on top
+
+
+def coordinate(value: float) -> str:
+    """A coordinate in as few digits as it takes, to a hundredth.
+
+    Args:
+        value: coordinate, mm.
+    """
+    return f"{float(value):.2f}".rstrip("0").rstrip(".")
+
+
+@dataclass(frozen=True)
+class RodSection:
+    """Section of the rod in a face of the disc.
+
+    Attributes:
+        face: face of the disc.
+        x: place along the fork's axis, mm.
+        half_length: half of its length, mm.
+        radius: half of its width, mm.
+        carries: whether this face carries the rod at cam angle 0.
+    """
+
+    face: Face
+    x: str
+    half_length: str
+    radius: str
+    carries: bool
+
+
+@dataclass(frozen=True)
+class CamView:
+    """Cam and follower, seen from the left of the car with its front to the left; coordinates as text, mm.
+
+    All drawings have the frame of the file, mirrored, with the camshaft at the place that the disc turns about.
+
+    Attributes:
+        box: frame of the drawings.
+        aspect: width over height.
+        axis_at: place of the camshaft across the drawing, percent.
+        disc: outline with bore and holes, as a path of SVG.
+        zero: ends of the mark of cam angle 0.
+        inner: radius that the follower's nearest point has at lift 0.
+        reach: greatest radius of the disc.
+        ahead: how far the drawing goes to the front.
+        base: base radius.
+        sections: sections of the rod, that in the carrying face last; empty for another follower.
+        point: place of another follower at cam angle 0.
+    """
+
+    box: str
+    aspect: str
+    axis_at: str
+    disc: str
+    zero: tuple[str, str]
+    inner: str
+    reach: str
+    ahead: str
+    base: str
+    sections: tuple[RodSection, ...]
+    point: str
+
+
+def cam_view(scene: Scene) -> CamView:
+    """Cam and follower from the side."""
+    n, rod, tan_beta = coordinate, scene.follower, float(scene.lift.tan_beta[0])
+    reach = float(np.hypot(*scene.outline.T).max())
+    radius = 0.0 if rod is None else rod.radius
+    ahead = scene.base + float(np.abs(scene.lift.lift).max()) + radius + 6
+    left, wide, high = -max(ahead, reach) - _MARGIN, max(ahead, reach) + reach + 2 * _MARGIN, 2 * (reach + _MARGIN)
+    ray = scene.outline[int(np.argmin(np.abs(np.arctan2(scene.outline[:, 1], scene.outline[:, 0]))))][0]
+    outlines = (scene.outline, *scene.openings)
+    sections = (
+        ()
+        if rod is None
+        else tuple(
+            RodSection(
+                face=side,
+                x=n(rod.base + face * tan_beta),
+                half_length=n(rod.radius / cos(atan(tan_beta))),
+                radius=n(rod.radius),
+                carries=(side == Face.INNER) == (tan_beta >= 0),
+            )
+            for side, face in zip(Face, reversed(rod.faces), strict=True)
+        )
+    )
+    return CamView(
+        box=f"{n(left)} {n(-high / 2)} {n(wide)} {n(high)}",
+        aspect=f"{wide / high:.4f}",
+        axis_at=n(100 * -left / wide),
+        disc=" ".join(f"M{' '.join(f'{n(x)},{n(y)}' for x, y in outline)}Z" for outline in outlines),
+        zero=(n(ray - 7), n(ray - 1.5)),
+        inner=n(scene.base - radius),
+        reach=n(reach),
+        ahead=n(ahead),
+        base=n(scene.base),
+        sections=sections,
+        point=n(scene.base + float(scene.lift.lift[0])),
+    )
+
+
+@dataclass(frozen=True)
+class CourseView:
+    """The floor from above with the tracks of the car's middle; coordinates as text, mm.
+
+    Attributes:
+        left: left edge of the drawing.
+        top: its upper edge.
+        width: its width.
+        height: its height.
+        aspect: width over height.
+        floor: what stands or lies on the floor.
+        tracks: code and points of each track, shape (n, 2), mm.
+        car: the car, in a drawing of its own; None of a design that cannot be driven.
+        size: side of the square in which the car turns, mm.
+        wheel: half length and half width of a wheel, mm.
+    """
+
+    left: str
+    top: str
+    width: str
+    height: str
+    aspect: str
+    floor: Sequence[FloorShape]
+    tracks: Sequence[tuple[str, Array]]
+    car: CarShape | None
+    size: float
+    wheel: tuple[float, float]
+
+    @property
+    def box(self) -> str:
+        """Frame of the drawing, whose y points down."""
+        return f"{self.left} {coordinate(-float(self.top))} {self.width} {self.height}"
+
+
+def course_view(
+    floor: Sequence[FloorShape],
+    goings: Sequence[Going] = (),
+    car: CarShape | None = None,
+    points: Sequence[tuple[float, float]] = (),
+) -> CourseView:
+    """The floor with the runs of the car.
+
+    Args:
+        floor: what stands or lies on the floor.
+        goings: runs of the car; none of a design that cannot be driven.
+        car: the car that makes them.
+        points: further places to have in the picture, mm.
+    """
+    tracks = {going.code: _track(going, car) for going in goings if car is not None}
+    edges = [np.array(shape.points) for shape in floor if shape.kind == FloorKind.EDGE]
+    places = [*tracks.values(), *(np.array(shape.points) for shape in floor), *(np.array([at]) for at in points)]
+    seen = edges or places or [np.zeros((1, 2))]
+    room = _ROOM / 2 if edges else _ROOM
+    low, high = np.concatenate(seen).min(axis=0) - room, np.concatenate(seen).max(axis=0) + room
+    wide, tall = float(high[0] - low[0]), float(high[1] - low[1])
+    corners = () if car is None else (car.fork, car.idle, *car.corners, (60.0, 0.0))
+    return CourseView(
+        left=coordinate(low[0]),
+        top=coordinate(high[1]),
+        width=coordinate(wide),
+        height=coordinate(tall),
+        aspect=f"{wide / tall:.4f}",
+        floor=floor,
+        tracks=[(code, tracks[code]) for code in sorted(tracks, key=lambda code: _ORDER.get(code, 9))],
+        car=car,
+        size=2.2 * max((abs(complex(*point)) for point in corners), default=0.0),
+        wheel=((car and car.wheel) or _WHEEL[0], _WHEEL[1]),
+    )
+
+
+def _track(going: Going, car: CarShape) -> Array:
+    """Track of the car's middle, shape (n, 2), mm."""
+    at = (going.x + 1j * going.y + complex(*car.middle) * np.exp(1j * going.heading))[::_TRACK]
+    return np.column_stack([at.real, at.imag])

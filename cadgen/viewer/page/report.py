@@ -1,0 +1,158 @@
+"""The report page of a plan: what is at the top, what moves, curves and tables; and the page as a file."""
+
+from math import degrees
+from pathlib import Path
+from typing import Any
+
+from cadgen.figures import Cell, State, number
+from cadgen.jobs.cam.manifest import cam_facts, design_facts, remedy_facts
+from cadgen.jobs.gears.facts import plan_facts
+from cadgen.jobs.runs.manifest import simulation_facts, tolerance_facts
+from cadgen.messages import Message
+from cadgen.output.files.folder import publishing
+from cadgen.output.files.manifest import Written, file_facts, versions, write_manifest
+from cadgen.progress import Progress, silent
+from cadgen.version import __version__
+from cadgen.viewer.page.charts import charts_of
+from cadgen.viewer.page.check_words import check_name
+from cadgen.viewer.page.document import Failure, Page, Section
+from cadgen.viewer.page.html import html_of
+from cadgen.viewer.page.page_plan import PagePlan, Scope, Topic
+from cadgen.viewer.page.scene import scene_of
+from cadgen.viewer.page.sections import (
+    calibration_section,
+    checks_section,
+    inspection_section,
+    parts_section,
+    play_section,
+    tolerance_section,
+)
+from cadgen.viewer.page.sentences import generated
+
+
+def page_of(plan: PagePlan) -> Page:
+    """The page of a plan."""
+    scene, notes = scene_of(plan.cam, plan.gears)
+    charted = charts_of(plan.cam, plan.simulation)
+    design = plan.design
+    missing = () if design.train is not None else (Message("The design has no gear train: the cam is shown alone."),)
+    return Page(
+        name=design.name,
+        subtitle=plan.cam.profile.code,
+        passed=plan.passed,
+        failures=_failures(plan),
+        summary=_summary(plan),
+        scene=scene,
+        charts=charted.charts,
+        marks=charted.marks,
+        sections=() if plan.scope == Scope.PREVIEW else _sections(plan),
+        notes=(*missing, generated(plan.cam.wheel.sentence()), *notes),
+        origin=(
+            (Message("file of the design"), design.source),
+            (Message("hash"), design.content_hash),
+            (Message("made with"), f"cadgen {__version__}"),
+        ),
+    )
+
+
+def _sections(plan: PagePlan) -> tuple[Section, ...]:
+    reasons = {refusal.part: refusal.reason for refusal in plan.refusals}
+    without = Message("Without play there are no runs to vary: add [train] or [play] to the design.")
+    if plan.scope == Scope.EDITED:
+        without = Message(
+            "Random cars are left out while the design is edited: `cadgen tolerance` and `cadgen report` run them."
+        )
+    return (
+        checks_section(plan),
+        play_section(plan),
+        tolerance_section(
+            plan.tolerance, generated(reasons[Topic.TOLERANCE]) if Topic.TOLERANCE in reasons else without
+        ),
+        calibration_section(plan, reasons.get(Topic.CALIBRATION, "")),
+        inspection_section(plan),
+        parts_section(plan),
+    )
+
+
+def _failures(plan: PagePlan) -> tuple[Failure, ...]:
+    """Failures, each with advice, and the changes that are proved to bring lost lift within its limit."""
+    refused = [Failure(generated(refusal.reason)) for refusal in plan.refusals if refusal.fails]
+    failing = [check for check in plan.checks if not check.passed]
+    cures = [
+        Failure(
+            Message("Proved cure: --set {override}", override=cure.override), Message("now {value}", value=cure.now)
+        )
+        for cure in plan.cures.proved
+        if not cure.failing
+    ]
+    return (*refused, *(Failure(check_name(check), generated(check.advice)) for check in failing), *cures)
+
+
+def _summary(plan: PagePlan) -> tuple[tuple[str, Cell], ...]:
+    """The figures at the top."""
+    checks = plan.checks
+    passing = sum(check.passed for check in checks)
+    rows: list[tuple[str, Cell]] = [
+        (
+            Message("checks that pass"),
+            Cell(f"{passing} / {len(checks)}", state=State.BAD if passing < len(checks) else State.GOOD),
+        ),
+    ]
+    if plan.simulation is not None:
+        rows.append(
+            (Message("end of the run, with play"), number(plan.simulation.after_error.end_distance, "mm", digits=1))
+        )
+        rows.append((Message("return error"), number(degrees(plan.simulation.play), "°")))
+    if plan.tolerance is not None:
+        rows.append((Message("cars that pass"), number(100 * plan.tolerance.passed, "%", digits=2)))
+    if plan.gears is not None:
+        rows.append((Message("ratio of the train"), Cell(str(plan.gears.play.train.ratio))))
+    rows.append((Message("travel in a turn of the cam"), number(plan.cam.wheel.turn, "mm", digits=0)))
+    if plan.cam.wheel.radius is not None:
+        rows.append((Message("drive wheel radius"), number(plan.cam.wheel.radius, "mm")))
+    return tuple(rows)
+
+
+def page_facts(plan: PagePlan) -> dict[str, Any]:
+    """Every figure of the page as plain values, as the other commands give them."""
+    return {
+        **design_facts(plan.design),
+        "profile": plan.cam.profile.code,
+        "passed": plan.passed,
+        "refused": [{"part": refusal.part, "reason": refusal.reason} for refusal in plan.refusals],
+        "cam": cam_facts(plan.cam, plan.cures),
+        "gears": None if plan.gears is None else plan_facts(plan.gears),
+        "simulation": None if plan.simulation is None else simulation_facts(plan.simulation),
+        "remedies": [remedy_facts(remedy) for remedy in plan.remedies],
+        "tolerance": None if plan.tolerance is None else tolerance_facts(plan.tolerance),
+        "calibration": _calibration(plan),
+    }
+
+
+def _calibration(plan: PagePlan) -> dict[str, Any] | None:
+    if plan.calibration is None:
+        return None
+    from cadgen.jobs.calibration.files import document
+
+    return document(plan.calibration)
+
+
+def write_page(plan: PagePlan, out: Path, progress: Progress = silent) -> Written:
+    """Write the page and publish it with its figures; also if a check fails, for then it says so first.
+
+    Args:
+        plan: what the page shows.
+        out: folder for the file; nothing appears in it unless everything succeeded.
+        progress: function that is called with a few words on each step.
+
+    Raises:
+        FileError: the file cannot be written.
+    """
+    stem = f"{plan.design.name}_report"
+    with publishing(out) as staging:
+        progress("writing the page")
+        name = f"{stem}.html"
+        (staging / name).write_text(html_of(page_of(plan)), encoding="utf-8", newline="")
+        entry = {**page_facts(plan), "versions": versions(), "files": {name: file_facts(staging / name)}}
+        write_manifest(staging, stem, entry)
+    return Written(stem, entry)

@@ -1,0 +1,341 @@
+"""Everything that moves on the page: runs over the cam angle, course, car, shafts, and parts in 3D."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+from math import hypot
+
+import numpy as np
+
+from cadgen.arrays import TURN
+from cadgen.cam.followers.rod import LeaningRod
+from cadgen.car.course.body import place_of
+from cadgen.car.course.layout import CarPoint, Course, Gate, Shape, Side
+from cadgen.car.motion.drive import drive, start_pose
+from cadgen.car.motion.play import Following, follow
+from cadgen.car.path_motion import PathMotion
+from cadgen.design import cam_model, course_model
+from cadgen.design.schema import Design
+from cadgen.errors import CadgenError
+from cadgen.geometry.meshes.mesh import Mesh, cam_mesh
+from cadgen.jobs.cam.plan import CamPlan
+from cadgen.jobs.gears.plan import GearsPlan
+from cadgen.messages import Message
+from cadgen.parts.face import Face
+from cadgen.viewer.page.charts import name_before
+from cadgen.viewer.page.document import (
+    CarShape,
+    Colour,
+    FloorKind,
+    FloorShape,
+    Going,
+    Lift,
+    Part,
+    RodShape,
+    Scene,
+    Shaft,
+)
+from cadgen.viewer.page.turning_train import GAP, Stand, TurningPart, TurningTrain, turning_train
+
+POSITIONS = 1440  # of the motor: one each quarter of a degree, and to either side of each jump
+LIFTS = 2880  # straight lines between them err by 0.1 um where the lift bends by 150 mm/rad^2
+_OUTLINE = 0.5  # mm between points of the profile in the plan view
+_HOLE_CHORD = 0.02  # mm
+_BESIDE = 1e-7  # rad, before a jump
+MOST_TRIANGLES = 60_000
+# mm, of the meshes shown: the finest with which they are few enough.
+_CHORDS = (0.01, 0.015, 0.02, 0.03, 0.04, 0.08, 0.16)
+# mm, of the meshes shown while they move on a machine without a graphics card: as few triangles as still are the part.
+_COARSE = 0.12
+_BEYOND = 6.0  # mm by which a shaft is drawn longer than what sits on it
+
+
+@dataclass(frozen=True)
+class Bodies:
+    """Bodies drawn in 3D.
+
+    Attributes:
+        shafts: shafts; the first is that of the cam.
+        parts: parts on them.
+        wheel: index of the shaft, height and radius of the drive wheel, mm; None if one is not known.
+        fork: height of the fork's axis, mm.
+        side: 1 for a cam to the left of the fork, -1 to the right.
+        notes: remarks.
+    """
+
+    shafts: tuple[Shaft, ...]
+    parts: tuple[Part, ...]
+    wheel: tuple[int, float, float] | None
+    fork: float
+    side: int
+    notes: tuple[str, ...]
+
+
+def rolled_lift_of(plan: CamPlan) -> PathMotion:
+    """Lift that the follower gets on the cam that is made."""
+    return plan.lift if plan.comparison is None else plan.comparison.chosen.rolled
+
+
+def scene_of(plan: CamPlan, gears: GearsPlan | None) -> tuple[Scene, tuple[str, ...]]:
+    """Everything that moves, and remarks on what is drawn otherwise than it will be built.
+
+    Args:
+        plan: plan of the cam.
+        gears: plan of the train; None without one.
+    """
+    outline = plan.curve.outline(_OUTLINE).points
+    bodies = bodies_of(plan, gears, float(np.hypot(*outline.T).max()))
+    tan_beta = rolled_lift_of(plan).q(np.linspace(0.0, TURN, LIFTS + 1) % TURN)
+    scene = Scene(
+        outline=outline,
+        openings=tuple(contour.polygon(_HOLE_CHORD) for contour in plan.made_blank.inner_contours()),
+        follower=_rod(plan, bodies),
+        base=float(plan.rod.base_radius),
+        lift=Lift(lift=np.asarray(plan.rod.lift(tan_beta)), tan_beta=np.asarray(tan_beta)),
+        stop=plan.lift.blend_start if plan.comparison is None else plan.comparison.task.lift.blend_start,
+        goings=tuple(_goings(plan)),
+        floor=floor_of(plan.design),
+        car=_car(plan),
+        shafts=bodies.shafts,
+        parts=bodies.parts,
+        wheel=bodies.wheel,
+    )
+    noted = (
+        ()
+        if plan.design.as_built is None
+        else (
+            Message(
+                "The disc is drawn as it is cut and centred on its shaft; the runs count in what [as_built] says of "
+                "the car."
+            ),
+        )
+    )
+    return scene, (*bodies.notes, *noted)
+
+
+def _rod(plan: CamPlan, bodies: Bodies) -> RodShape | None:
+    rod, (inner, outer) = plan.rod, plan.design.cam.faces_mm
+    if not isinstance(rod, LeaningRod):
+        return None
+    return RodShape(
+        base=rod.base_radius,
+        radius=rod.radius,
+        length=min(rod.length, 4 * outer),
+        faces=(inner, outer),
+        height=bodies.fork,
+        side=bodies.side,
+    )
+
+
+def _goings(plan: CamPlan) -> Iterator[Going]:
+    """Runs: planned, this cam without and with play, the plain profile with play."""
+    lift, comparison = rolled_lift_of(plan), plan.comparison
+    if comparison is None:
+        yield _going(plan, "free", Message("this cam, without play"), follow(lift, 0.0), 0.0)
+        return
+    chosen, before, task = comparison.chosen, comparison.before, comparison.task
+    yield _going(plan, "planned", Message("planned"), task.following(task.lift, 0.0), 0.0)
+    yield _going(plan, "free", Message("this cam, without play"), comparison.following(chosen, 0.0), 0.0)
+    yield _going(plan, "played", Message("this cam, with play"), comparison.following(chosen, chosen.play), chosen.play)
+    if chosen is not before:
+        yield _going(plan, "before", name_before(before), comparison.following(before, chosen.play), chosen.play)
+
+
+def _going(plan: CamPlan, code: str, label: str, following: Following, play: float) -> Going:
+    """A run at even motor positions, and to either side of each place where the cam jumps, stops or goes on."""
+    design, track = plan.design, plan.track
+    stop = TURN if design.car.drive_wheel_radius_mm is None else plan.lift.blend_start
+    run = drive(
+        following.lift,
+        cam_model.car(design),
+        cam_model.travel(design, track),
+        start=start_pose(track),
+        stop=stop,
+        steps=POSITIONS,
+        following=following,
+        at_joints=True,
+    )
+    peaks = following.leads[:, 0] if len(following.leads) else np.empty(0)
+    motor = np.union1d(run.motor, np.clip(peaks - _BESIDE, 0.0, stop))
+    x, y, heading = (np.interp(motor, run.motor, values) for values in (*run.drive_wheel.T, run.heading))
+    cam_angle = following.cam_angle(motor)
+    return Going(code=code, label=label, motor=motor, cam_angle=cam_angle, x=x, y=y, heading=heading, play=play)
+
+
+def _car(plan: CamPlan) -> CarShape:
+    car, body = cam_model.car(plan.design), course_model.body(plan.design)
+    drive_wheel = place_of(CarPoint.DRIVE_WHEEL, car)
+
+    def seen(point: tuple[float, float]) -> tuple[float, float]:
+        return point[0] - drive_wheel[0], point[1] - drive_wheel[1]
+
+    return CarShape(
+        fork=seen(place_of(CarPoint.FORK, car)),
+        idle=seen(place_of(CarPoint.IDLE_WHEEL, car)),
+        middle=seen(place_of(CarPoint.MIDDLE, car)),
+        corners=tuple(seen(corner) for corner in body.corners),
+        wheel=plan.wheel.radius,
+        steering=1 if car.steering_gain > 0 else -1,
+    )
+
+
+def floor_of(design: Design) -> tuple[FloorShape, ...]:
+    """Everything on the floor."""
+    course = course_model.course(design)
+    return () if course is None else tuple(_figures(course))
+
+
+def _figures(course: Course) -> Iterator[FloorShape]:
+    if course.edge is not None:
+        yield _figure(FloorKind.EDGE, course.edge)
+    for obstacle in course.obstacles:
+        yield _figure(FloorKind(obstacle.kind), obstacle.shape)
+    stands: tuple[tuple[FloorKind, Gate | None], ...] = (
+        (FloorKind.START, course.start),
+        (FloorKind.FINISH, course.finish),
+    )
+    for gate in course.gates:
+        yield _figure(FloorKind.GATE, gate.place)
+    for kind, stand in stands:
+        if stand is not None:
+            yield _figure(kind, stand.place)
+
+
+def _figure(kind: FloorKind, shape: Shape) -> FloorShape:
+    return FloorShape(kind, shape.points, shape.filled, shape.reach)
+
+
+def bodies_of(plan: CamPlan, gears: GearsPlan | None, cam_radius: float) -> Bodies:
+    """Parts, shafts and remarks.
+
+    Args:
+        plan: plan of the cam.
+        gears: plan of the train; None without one.
+        cam_radius: greatest radius of the disc, mm.
+    """
+    (inner, outer), side = plan.design.cam.faces_mm, -1 if plan.design.cam.side == Side.RIGHT else 1
+    fork = -inner if side > 0 else outer
+    train = None if gears is None else _train(plan, gears, side)
+    notes: list[str] = []
+    parts = _parts(plan, train, notes)
+    shafts, wheel = [_camshaft(plan, train)], None
+    if train is not None:
+        reach = fork + cam_model.car(plan.design).drive_wheel_offset
+        for number, turning in enumerate(reversed(train.parts)):
+            # The drive's shaft goes on to its wheel.
+            last = turning is train.parts[0]
+            shafts.append(_shaft(turning, reach if last and plan.wheel.radius else None, drawn=number > 0))
+        if plan.wheel.radius:
+            wheel = (len(train.parts), reach, plan.wheel.radius)
+        notes += _notes(plan, train, cam_radius)
+    return Bodies(tuple(shafts), tuple(parts), wheel, fork, side, tuple(notes))
+
+
+def _train(plan: CamPlan, gears: GearsPlan, side: int) -> TurningTrain:
+    """The train on the side of the cam that looks to the fork."""
+    (inner, outer), hub = plan.design.cam.faces_mm, plan.made_blank.hub
+    towards = hub is not None and (hub.side == Face.INNER) == (side > 0)
+    stands = hub.length if hub is not None and towards else 0.0
+    plane = -GAP - stands if side > 0 else outer - inner + GAP + stands
+    return turning_train(gears.layout, _behind(plan), plane, side)
+
+
+def _behind(plan: CamPlan) -> float:
+    """Distance of the rear axle behind the camshaft, mm."""
+    return max(cam_model.car(plan.design).wheelbase - plan.rod.base_radius, 0.0)
+
+
+def _parts(plan: CamPlan, train: TurningTrain | None, notes: list[str]) -> list[Part]:
+    """Meshes of all parts, by the finest chord with which they are few enough triangles, and by a coarse one."""
+    turning = () if train is None else tuple(reversed(train.parts))
+    meshes: list[Mesh | None] = []
+    for chord in _CHORDS:
+        meshes = [_disc(plan, chord, notes), *(part.stand.mesh(chord) for part in turning)]
+        if sum(len(mesh.triangles) for mesh in meshes if mesh is not None) <= MOST_TRIANGLES:
+            break
+    disc = meshes[0]
+    coarse = _disc(plan, _COARSE, notes)
+    parts = [] if disc is None or coarse is None else [Part("cam", Message("cam"), disc, coarse, 0, Colour.CAM)]
+    for number, part in enumerate(turning, 1):
+        parts.append(_gear(part.part.name, _label(part), number, part.stand, chord))
+    return parts
+
+
+@lru_cache(maxsize=64)  # the gears of a design whose path is edited stay as they are, normals and edges included
+def _gear(code: str, label: str, shaft: int, stand: Stand, chord: float) -> Part:
+    return Part(code, label, stand.mesh(chord), stand.mesh(_COARSE), shaft, Colour.GEAR)
+
+
+def _disc(plan: CamPlan, chord: float, notes: list[str]) -> Mesh | None:
+    """Mesh of the disc; None, and the reason in the remarks, if its features cut into each other."""
+    inner, outer = plan.design.cam.faces_mm
+    try:
+        return cam_mesh(plan.curve, plan.made_blank, outer - inner, chord)
+    except CadgenError as error:
+        notes[:] = [Message("The cam has no solid: {error}.", error=error.message)]
+        return None
+
+
+def _label(turning: TurningPart) -> Message:
+    part = turning.part
+    teeth = " + ".join(str(wheel.teeth) for wheel in part.gears if hasattr(wheel, "teeth"))
+    if not teeth:
+        return Message("shaft {number}", number=part.shaft)
+    return Message("shaft {number} ({teeth})", number=part.shaft, teeth=teeth)
+
+
+def _camshaft(plan: CamPlan, train: TurningTrain | None) -> Shaft:
+    inner, outer = plan.design.cam.faces_mm
+    low, high = -_BEYOND, outer - inner + _BEYOND
+    if train is not None:
+        ends = train.parts[-1].range
+        low, high = min(low, ends[0] - _BEYOND), max(high, ends[1] + _BEYOND)
+    return Shaft(Message("camshaft"), (0.0, 0.0), plan.design.blank.bore_diameter_mm, low, high, 0.0, -1.0, 0.0)
+
+
+def _shaft(turning: TurningPart, reach: float | None, *, drawn: bool) -> Shaft:
+    low, high = turning.range
+    ends = (low, high) if reach is None else (min(low, reach), max(high, reach))
+    return Shaft(
+        Message("shaft {number}", number=turning.part.shaft),
+        (turning.axis.real, turning.axis.imag),
+        turning.part.blank.bore_diameter if drawn else 0.0,
+        ends[0] - _BEYOND,
+        ends[1] + _BEYOND,
+        turning.angle,
+        turning.rate,
+        turning.lead,
+    )
+
+
+def _notes(plan: CamPlan, train: TurningTrain, cam_radius: float) -> list[str]:
+    """Remarks on the place of the train in the car."""
+    notes: list[str] = []
+    behind, drive = _behind(plan), train.parts[0]
+    if train.reach < behind:
+        notes.append(
+            Message(
+                "The train as laid out reaches {reach:.1f} mm from the camshaft; the rear axle lies {behind:.1f} mm "
+                "behind it. Give the stages' directions to bring the drive onto the axle.",
+                reach=train.reach,
+                behind=behind,
+            )
+        )
+    room = hypot(drive.axis.real, drive.axis.imag) - drive.part.blank.bore_diameter / 2 - cam_radius
+    if room < 0 and plan.wheel.radius:
+        notes.append(
+            Message(
+                "As laid out, the shaft of the drive wheel runs through the circle that the cam sweeps, {depth:.1f} mm "
+                "deep: lay the stages out further apart, or lead the shaft past the cam.",
+                depth=-room,
+            )
+        )
+    if drive.rate < 0:
+        notes.append(
+            Message(
+                "With this number of stages the camshaft turns in the same sense as the drive wheel; the cam turns "
+                "against it in a car that drives forwards. Put the disc on its shaft turned over, a hub with it, or "
+                "add a stage."
+            )
+        )
+    return notes

@@ -1,0 +1,517 @@
+"""Sections of the page: checks, play, tolerance, inspection, parts, calibration."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+from math import degrees, isinf
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from cadgen.check import Bound, Check
+from cadgen.deviations.names import Place
+from cadgen.figures import Cell, Figures, Sheet, State, number
+from cadgen.gears.layout import TrainLayout
+from cadgen.jobs.cam.comparison import PlayComparison
+from cadgen.jobs.cam.plan import CamPlan
+from cadgen.jobs.cam.remedies import Remedy
+from cadgen.jobs.gears.facts import parts_facts
+from cadgen.jobs.runs.budget import shown_value
+from cadgen.jobs.runs.simulation import Simulation
+from cadgen.jobs.runs.tolerance import Spread, ToleranceRun
+from cadgen.messages import Message
+from cadgen.viewer.page.charts import name_before
+from cadgen.viewer.page.check_words import check_name, place_words
+from cadgen.viewer.page.document import Section
+from cadgen.viewer.page.page_plan import PagePlan
+from cadgen.viewer.page.sentences import generated
+
+if TYPE_CHECKING:
+    from cadgen.jobs.calibration.plan import Calibration
+
+_PLACES = {
+    Place.CAR: Message("the car"),
+    Place.PROCESS: Message("discs made this way"),
+    Place.PART: Message("the disc that was measured"),
+    Place.NOTED: Message("recorded only"),
+}
+_STEP_DEG = 10
+_LEAD = 4  # paragraphs of a calibration above its tables: expectation, warnings and verdict come first
+
+
+def checks_section(plan: PagePlan) -> Section:
+    """Every check of cam and gears, failures first."""
+    tables = [_checks("cam-checks", Message("Cam and course"), plan.cam.figures)]
+    if plan.gears is not None:
+        tables.append(_checks("gear-checks", Message("Gears"), plan.gears.checks))
+    return Section(
+        "checks",
+        Message("Checks"),
+        (Message("Each figure with its limit. A figure without a limit is shown and not judged."),),
+        tuple(tables),
+    )
+
+
+def _checks(code: str, caption: str, checks: Iterable[Check]) -> Sheet:
+    rows = [_check(check) for check in sorted(checks, key=lambda check: check.passed)]
+    heads = (Message("check"), Message("verdict"), Message("value"), Message("limit"), Message("where"))
+    return Sheet(code, caption, heads, tuple(rows), words=2, tail=1)
+
+
+def _check(check: Check) -> tuple[Cell | str, ...]:
+    unit, limit = check.unit_shown, number(check.limit, check.unit_shown)
+    verdict = Cell(Message("ok"), state=State.GOOD)
+    if isinf(check.limit):
+        verdict, limit = Cell(Message("shown"), state=State.MUTED), number(None)
+    else:
+        limit = replace(limit, text=f"{'≤' if check.bound == Bound.MAX else '≥'} {limit.text}")
+        if not check.passed:
+            verdict = Cell(Message("FAILS"), state=State.BAD)
+    value = number(check.value, unit, State.PLAIN if check.passed else State.BAD)
+    return check_name(check), verdict, value, limit, place_words(check.place)
+
+
+def play_section(plan: PagePlan) -> Section:
+    """Methods against play, runs, events, room on the course, remedies."""
+    comparison, simulation = plan.cam.comparison, plan.simulation
+    if comparison is None or simulation is None:
+        return Section(
+            "play",
+            Message("Play"),
+            (
+                Message(
+                    "Nothing is known of the play of the gears, or this profile is not compared under play: add "
+                    "[train] or [play] to the design."
+                ),
+            ),
+        )
+    low, high = comparison.band.ends
+    lead = Message(
+        "The train gives a return error of {low:.3f}° to {high:.3f}° at the camshaft; the profile is cut for "
+        "{cut:.3f}°, and the runs have {play:.3f}°.",
+        low=degrees(low),
+        high=degrees(high),
+        cut=degrees(comparison.chosen.made_for),
+        play=degrees(simulation.play),
+    )
+    tables = [_methods(comparison), _runs(simulation)]
+    if simulation.events:
+        tables.append(_events(simulation))
+    if simulation.on_course is not None:
+        tables.append(_course(simulation))
+    if plan.remedies:
+        tables.append(_remedies(plan.remedies))
+    notes = tuple(map(generated, (*comparison.reasons, *filter(None, [comparison.rubbing]))))
+    return Section(
+        "play",
+        Message("Methods against play"),
+        (
+            lead,
+            Message(
+                "Errors are those of the drive wheel at the end of the run, with the play that each profile is cut for."
+            ),
+        ),
+        tuple(tables),
+        notes,
+    )
+
+
+_COMPARED = (
+    "end_heading",
+    "end_position",
+    "position_percent_off",
+    "worst_end_position",
+    "lift_error",
+    "end_position_without_play",
+)
+
+
+def _methods(comparison: PlayComparison) -> Sheet:
+    several = len({evaluation.train for evaluation in comparison.evaluations}) > 1
+    rows, names = [], tuple[str, ...]()
+    for evaluation in comparison.evaluations:
+        chosen = evaluation is comparison.chosen
+        state = State.STRONG if chosen else State.PLAIN
+        figures = comparison.figures(evaluation)
+        names = tuple(figures[code].name for code in _COMPARED)
+        cells = {code: figures[code].cell(state) for code in _COMPARED}
+        gain = None if evaluation is comparison.before else figures["position_percent_off"].value
+        cells["position_percent_off"] = number(gain, "%", state, 1)
+        name = Message("cam as measured") if evaluation.measured else evaluation.profile.code
+        rows.append(
+            (
+                Cell(name, state=state),
+                *((Cell(evaluation.train, state=state),) if several else ()),
+                Cell(Message("chosen"), state=State.GOOD) if chosen else "",
+                *cells.values(),
+            )
+        )
+    heads = (Message("profile"), *((Message("train"),) if several else ()), "", *names)
+    return Sheet("methods", Message("Profiles compared"), heads, tuple(rows), words=3 if several else 2)
+
+
+def _names(figures: Figures) -> tuple[str, ...]:
+    return tuple(figure.name for figure in figures.values())
+
+
+def _runs(simulation: Simulation) -> Sheet:
+    chosen, before = simulation.comparison.chosen, simulation.comparison.before
+    runs = (
+        (Cell(name_before(before)), simulation.before_error),
+        (Cell(Message("this cam, with play"), state=State.STRONG), simulation.after_error),
+        (Cell(Message("this cam, without play")), chosen.deviation),
+    )
+    rows = tuple((name, *(figure.cell() for figure in error.figures.values())) for name, error in runs)
+    heads = (Message("run"), *_names(simulation.after_error.figures))
+    return Sheet("runs", Message("End of the run"), heads, rows)
+
+
+def _events(simulation: Simulation) -> Sheet:
+    digits = {"cam_angle": 2, "deflection": 4}
+    rows = tuple(
+        (Cell(event.kind), *(figure.cell(digits=digits.get(code)) for code, figure in event.figures.items()))
+        for event in simulation.events
+    )
+    heads = (Message("event"), *_names(simulation.events[0].figures))
+    return Sheet("events", Message("Jumps and waits of the plain profile"), heads, rows)
+
+
+def _course(simulation: Simulation) -> Sheet:
+    assert simulation.on_course is not None
+    planned, played = (run.figures() for run in simulation.on_course)
+    rows = [
+        (
+            place_words(key),
+            place_words(where),
+            number(planned[key][1], "mm", State.BAD if planned[key][1] < 0 else State.PLAIN),
+            number(room, "mm", State.BAD if room < 0 else State.PLAIN),
+        )
+        for key, (where, room) in played.items()
+    ]
+    heads = (Message("on the course"), Message("with play, by"), Message("planned"), Message("with play"))
+    return Sheet("course", Message("Room on the course"), heads, tuple(rows), words=2)
+
+
+def _remedies(sheet: tuple[Remedy, ...]) -> Sheet:
+    rows = tuple(
+        (*map(Cell, map(generated, (remedy.name, remedy.build))), *(part.cell() for part in remedy.figures.values()))
+        for remedy in sheet
+    )
+    heads = (Message("remedy"), Message("what to build"), *_names(sheet[0].figures))
+    return Sheet("remedies", Message("Remedies"), heads, rows, words=2)
+
+
+def tolerance_section(run: ToleranceRun | None, reason: str) -> Section:
+    """Many cars within the tolerances; or the reason why there are none."""
+    title = Message("Tolerance")
+    if run is None:
+        return Section("tolerance", title, (reason,))
+    lead = Message(
+        "{samples} random cars with this cam (seed {seed}, {law} law): {passing:.2f} % keep the course and its gates.",
+        samples=run.samples,
+        seed=run.seed,
+        law=Message(run.plan.design.tolerances.law),
+        passing=100 * run.passed,
+    )
+    spreads: tuple[tuple[str, Spread, str], ...] = (
+        (Message("position at the end"), run.end_position, "mm"),
+        (Message("heading at the end"), run.end_heading_deg, "°"),
+    )
+    ends = Sheet(
+        "ends",
+        Message("Errors at the end"),
+        (
+            Message("error"),
+            Message("mean"),
+            *(f"{100 * part:g} %" for part in run.end_position.quantiles),
+            Message("greatest"),
+        ),
+        tuple(
+            (
+                name,
+                number(spread.mean, unit),
+                *(number(value, unit) for value in spread.quantiles.values()),
+                number(spread.greatest, unit),
+            )
+            for name, spread, unit in spreads
+        ),
+    )
+    return Section("tolerance", title, (lead,), (ends, _sensitivities(run)))
+
+
+def _sensitivities(run: ToleranceRun) -> Sheet:
+    rows = [
+        (
+            item.name.replace("_", " "),
+            shown_value(item.name, run.half_width(item.name)),
+            shown_value(item.name, item.step),
+            number(item.distance, "mm"),
+            number(degrees(item.heading), "°", digits=4),
+            number(100 * item.share, "%", digits=1),
+        )
+        for item in run.sensitivities
+    ]
+    heads = (
+        Message("tolerance"),
+        Message("half width"),
+        Message("step"),
+        Message("position for a step"),
+        Message("heading for a step"),
+        Message("of the variance"),
+    )
+    return Sheet("sensitivities", Message("What matters most"), heads, tuple(rows), words=3)
+
+
+def inspection_section(plan: PagePlan) -> Section:
+    """Figures to measure the cam and the gears by, with room for what is measured."""
+    tables = [_cam_sizes(plan.cam), _lift_table(plan.cam)]
+    if plan.gears is not None and (gears := _gear_sizes(parts_facts(plan.gears.layout))) is not None:
+        tables.append(gears)
+    return Section(
+        "inspection",
+        Message("Inspection sheet"),
+        (
+            Message(
+                "Sizes to measure the parts by; write what you measure into the empty cells. The lift holds on the "
+                "finished cam with its follower, cam angle 0 at the keyway's zero."
+            ),
+        ),
+        tuple(tables),
+    )
+
+
+def _cam_sizes(plan: CamPlan) -> Sheet:
+    inner, outer = plan.design.cam.faces_mm
+    blank = plan.made_blank
+    radius = np.hypot(*plan.curve.outline(0.1).points.T)
+    rows: list[tuple[str, float]] = [
+        (Message("greatest radius of the disc"), float(radius.max())),
+        (Message("least radius of the disc"), float(radius.min())),
+        (Message("thickness"), outer - inner),
+        (Message("bore diameter"), blank.bore_diameter),
+    ]
+    if plan.design.blank.keyway is not None:
+        rows += [
+            (Message("keyway width"), plan.design.blank.keyway.width_mm),
+            (Message("keyway depth"), plan.design.blank.keyway.depth_mm),
+        ]
+    if blank.edge_break:
+        rows.append((Message("broken edges, leg of the chamfer"), blank.edge_break))
+    return Sheet(
+        "cam-sizes",
+        Message("Cam"),
+        (Message("size"), Message("nominal"), Message("measured")),
+        tuple((name, number(value, "mm"), "") for name, value in rows),
+    )
+
+
+def _lift_table(plan: CamPlan) -> Sheet:
+    """Lift each ten degrees, by which a dial gauge on the follower proves the disc."""
+    rolled = plan.lift if plan.comparison is None else plan.comparison.chosen.rolled
+    angles = np.arange(0, 360, _STEP_DEG)
+    lift = plan.rod.lift(rolled.q(np.radians(angles)))
+    half = len(angles) // 2
+    rows = [
+        (
+            number(float(angles[row]), "°", digits=0),
+            number(float(lift[row]), "mm", digits=3),
+            "",
+            number(float(angles[row + half]), "°", digits=0),
+            number(float(lift[row + half]), "mm", digits=3),
+            "",
+        )
+        for row in range(half)
+    ]
+    head = (Message("cam angle"), Message("lift"), Message("measured"))
+    return Sheet("lift-table", Message("Lift of the follower"), (*head, *head), tuple(rows), words=0)
+
+
+def _gear_sizes(parts: list[dict[str, Any]]) -> Sheet | None:
+    """Span and size over pins of each gear; None for wheels without teeth."""
+    rows = []
+    for part in parts:
+        for gear in part["gears"]:
+            if "span_max_mm" not in gear:
+                continue
+            rows.append(
+                (
+                    part["name"],
+                    number(gear["teeth"], digits=0),
+                    number(gear["teeth_spanned"], digits=0),
+                    number(gear["span_min_mm"], "mm", digits=3),
+                    number(gear["span_max_mm"], "mm", digits=3),
+                    number(gear["pin_diameter_mm"], "mm"),
+                    number(gear["over_pins_min_mm"], "mm", digits=3),
+                    number(gear["over_pins_max_mm"], "mm", digits=3),
+                    "",
+                )
+            )
+    heads = (
+        Message("part"),
+        Message("teeth"),
+        Message("teeth spanned"),
+        Message("span, least"),
+        Message("span, greatest"),
+        Message("pin diameter"),
+        Message("over pins, least"),
+        Message("over pins, greatest"),
+        Message("measured"),
+    )
+    return (
+        Sheet("gear-sizes", Message("Gears: base tangent length and size over pins"), heads, tuple(rows))
+        if rows
+        else None
+    )
+
+
+def parts_section(plan: PagePlan) -> Section:
+    """Parts list."""
+    design, cam = plan.design, plan.cam
+    inner, outer = design.cam.faces_mm
+    rows: list[tuple[Cell | str, ...]] = [
+        (
+            Message("cam"),
+            design.blank.material or "–",
+            number(1, digits=0),
+            number(None),
+            number(None),
+            number(cam.made_blank.bore_diameter, "mm"),
+            number(outer - inner, "mm"),
+            number(cam.made_blank.disc_volume(cam.area, outer - inner) * 1e-3, "cm³")
+            if cam.made_blank.hub is None
+            else number(None),
+        )
+    ]
+    if plan.gears is not None:
+        rows += _gear_rows(plan.gears.layout)
+    heads = (
+        Message("part"),
+        Message("material"),
+        Message("quantity"),
+        Message("teeth"),
+        Message("module"),
+        Message("bore"),
+        Message("width"),
+        Message("volume"),
+    )
+    tables = [Sheet("parts", Message("Parts"), heads, tuple(rows), words=2)]
+    if plan.gears is not None:
+        tables.append(_stages(plan.gears.layout))
+    notes = () if plan.gears is None else tuple(map(generated, plan.gears.notes))
+    return Section("parts", Message("Parts list"), (), tuple(tables), notes)
+
+
+def _gear_rows(layout: TrainLayout) -> list[tuple[Cell | str, ...]]:
+    rows: list[tuple[Cell | str, ...]] = []
+    for part in parts_facts(layout):
+        gears = part["gears"]
+        teeth = [gear["teeth"] for gear in gears if "teeth" in gear]
+        modules = sorted({gear["module_mm"] for gear in gears if "module_mm" in gear})
+        rows.append(
+            (
+                part["name"],
+                Cell("–", state=State.MUTED),
+                number(1, digits=0),
+                Cell(" + ".join(map(str, teeth)) or "–"),
+                Cell(" + ".join(f"{module:g}" for module in modules) or "–", unit="mm" if modules else ""),
+                number(part["bore_mm"], "mm"),
+                Cell(" + ".join(f"{gear['width_mm']:g}" for gear in gears if "width_mm" in gear) or "–", unit="mm"),
+                number(float(part["volume_mm3"]) * 1e-3, "cm³"),
+            )
+        )
+    return rows
+
+
+def _stages(layout: TrainLayout) -> Sheet:
+    """Each stage with its ratio and play."""
+    rows = [
+        (
+            number(count, digits=0),
+            stage.label,
+            number(float(stage.ratio)),
+            number(stage.centre_distance, "mm"),
+            number(degrees(stage.free_angle()), "°"),
+            number(degrees(layout.directions[count - 1]) % 360, "°", digits=1),
+        )
+        for count, stage in enumerate(layout.train.stages, 1)
+    ]
+    heads = (
+        Message("stage"),
+        Message("teeth"),
+        Message("ratio"),
+        Message("centre distance"),
+        Message("play as cut, at the driven wheel"),
+        Message("direction"),
+    )
+    return Sheet("stages", Message("Stages"), heads, tuple(rows), words=2)
+
+
+def calibration_section(plan: PagePlan, reason: str) -> Section:
+    """Measurements: verdicts on files, or the effects of an as-built design; a sentence without either.
+
+    Args:
+        plan: computed report.
+        reason: why the measured data are left out; empty if they are not.
+    """
+    if reason:
+        left_out = Message("The measured data are left out: {reason}.", reason=reason)
+        return Section("calibration", Message("Calibration"), (left_out,))
+    if plan.calibration is not None:
+        return _measured(plan.calibration)
+    record = plan.design.as_built
+    if record is None:
+        return Section(
+            "calibration",
+            Message("Calibration"),
+            (
+                Message(
+                    "Nothing was measured on this car: name measured files after the design, and what they say stands "
+                    "here."
+                ),
+            ),
+        )
+    rows = [
+        (
+            effect.effect.replace("_", " "),
+            _PLACES[effect.place],
+            value.name,
+            number(value.value),
+            number(value.sigma),
+        )
+        for effect in record.effects
+        for value in effect.values
+    ]
+    heads = (
+        Message("effect"),
+        Message("stays with"),
+        Message("number"),
+        Message("value"),
+        Message("standard deviation"),
+    )
+    sources = [(source.file, source.kind, source.verdict or "–") for source in record.sources]
+    tables = [Sheet("as-built", Message("Effects on the car as built"), heads, tuple(rows), words=3)]
+    if sources:
+        head = (Message("file"), Message("kind of data"), Message("verdict"))
+        tables.append(Sheet("sources", Message("Measured files"), head, tuple(sources), words=3))
+    return Section(
+        "calibration",
+        Message("Calibration"),
+        (Message("The design holds what was measured on the car; every figure of this page counts it in."),),
+        tuple(tables),
+    )
+
+
+def _measured(calibration: "Calibration") -> Section:
+    from cadgen.jobs.calibration.words import report
+    from cadgen.output.report.terminal import Heading
+
+    lead: list[str] = []
+    tables: list[Sheet] = []
+    title: str = Message("Calibration")
+    for block in report(calibration):
+        if isinstance(block, Sheet):
+            tables.append(replace(block, code=f"calibration-{len(tables) + 1}", title=title))
+        elif isinstance(block, Heading):
+            title = block.text
+        elif block.strip():
+            lead.append(block.strip())
+    return Section("calibration", Message("Calibration"), tuple(lead[:_LEAD]), tuple(tables), tuple(lead[_LEAD:]))
