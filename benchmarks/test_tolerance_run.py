@@ -24,9 +24,9 @@ from cadgen.car.motion.mechanics import Mechanics
 from cadgen.car.optimize.compensation import compensated_lift
 from cadgen.design import cam_model
 from cadgen.design.load import load_design
-from cadgen.inference.monte_carlo.derivatives import Expansion
+from cadgen.deviations.deviation import tolerance
+from cadgen.deviations.first_order import Expansion
 from cadgen.inference.monte_carlo.fleet import Fleet, make_fleet
-from cadgen.inference.monte_carlo.parameters import tolerance
 from cadgen.inference.monte_carlo.robust import Tolerances, tolerance_run
 
 SAMPLES = 10_000

@@ -11,8 +11,7 @@ from cadgen.api.files import Written, written
 from cadgen.api.values import paths, real, word
 from cadgen.design.schema import Design as DesignValues
 from cadgen.errors import DesignError, brief
-from cadgen.inference.adjustment.choice import Forecast
-from cadgen.inference.adjustment.trial import Settings
+from cadgen.inference.adjustment import Forecast, Settings
 from cadgen.jobs.adjustment import plan
 from cadgen.jobs.adjustment.files import adjustment_facts, write_adjustment
 from cadgen.progress import Progress, silent

@@ -246,11 +246,11 @@ def fleet(run: "ToleranceRun") -> None:
     table = plain_table("\nwhat matters most: errors at the end for a step of each tolerance")
     figure_columns(table, ("tolerance", "half width", "step", "position", "heading", "of the variance"))
     for sensitivity in result.sensitivities:
-        name = sensitivity.name
+        deviation = sensitivity.deviation
         table.add_row(
-            name.replace("_", " "),
-            shown_value(name, result.half_width(name)),
-            shown_value(name, sensitivity.step),
+            sensitivity.name.replace("_", " "),
+            shown_value(deviation, result.half_width(deviation)),
+            shown_value(deviation, sensitivity.step),
             f"{sensitivity.distance:.3f} mm",
             f"{degrees(sensitivity.heading):.4f}°",
             f"{100 * sensitivity.share:.1f} %",

@@ -8,7 +8,7 @@ from pydantic import Field, Strict, field_validator, model_validator
 from cadgen.car.optimize.profiles.actual import ACTUAL
 from cadgen.car.optimize.profiles.table import codes
 from cadgen.design.section import WORD, OneOf, Section, listed
-from cadgen.deviations.names import Place
+from cadgen.deviations.deviation import Place
 from cadgen.errors import DesignError
 
 if TYPE_CHECKING:

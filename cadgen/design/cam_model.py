@@ -22,7 +22,7 @@ from cadgen.design import blank as keys
 from cadgen.design import gear_model
 from cadgen.design.schema import Design
 from cadgen.deviations.as_built import AS_DESIGNED, AsBuilt, Placed
-from cadgen.deviations.names import Place
+from cadgen.deviations.deviation import Place
 from cadgen.errors import DesignError
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, Mark, SetScrew

@@ -1,12 +1,13 @@
 """The sections on play: how much there is, how far cars differ, and what is asked of the profile against it."""
 
 from enum import StrEnum
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
-from pydantic import Field, Strict, model_validator
+from pydantic import Field, Strict, create_model, model_validator
 
 from cadgen.car.motion.friction import DiscMaterial
 from cadgen.design.section import WORD, Section
+from cadgen.deviations.deviation import VARIED
 from cadgen.gears.choices import Law, StageOrder
 
 GATE_WIDTH_MM = 400.0
@@ -43,7 +44,36 @@ class Play(Section):
         return self
 
 
-class Tolerances(Section):
+class _Law(Section):
+    law: Annotated[Law, WORD] = Field(
+        default=Law.NORMAL,
+        description="within the zones: normal, with its 3 sigma at the limits and clipped there, or uniform",
+    )
+
+
+if TYPE_CHECKING:
+
+    class _Zones(_Law):
+        def __getattr__(self, key: str) -> float | None:
+            """Half width of a deviation by its key."""
+
+else:
+    # A key for each deviation of the catalogue that has a tolerance.
+    _Zones = create_model(
+        "_Zones",
+        __base__=_Law,
+        **{
+            each.tolerance_key: (
+                float | None if zone.optional else float,
+                Field(default=None if zone.optional else 0.0, ge=0, le=zone.most, description=zone.meaning),
+            )
+            for each in VARIED
+            if (zone := each.zone)
+        },
+    )
+
+
+class Tolerances(_Zones):
     """How far cars of this design differ from it: half of each tolerance zone. What is 0 does not vary.
 
     Many cars are reckoned to first order. So no tolerance may turn the front wheel by more than 0.004 rad: on the
@@ -54,70 +84,6 @@ class Tolerances(Section):
     [mechanics].
     """
 
-    law: Annotated[Law, WORD] = Field(
-        default=Law.NORMAL,
-        description="within the zones: normal, with its 3 sigma at the limits and clipped there, or uniform",
-    )
-    base_radius_mm: float = Field(default=0.0, ge=0, le=10, description="a, camshaft to fork axis, after adjustment")
-    inner_face_mm: float = Field(default=0.0, ge=0, le=10, description="place of the disc's inner face")
-    outer_face_mm: float = Field(default=0.0, ge=0, le=10, description="place of the disc's outer face")
-    rod_radius_mm: float = Field(default=0.0, ge=0, le=10, description="r_t, of the rod")
-    profile_offset_mm: float = Field(
-        default=0.0, ge=0, le=10, description="profile cut too large or too small all round, along its normal"
-    )
-    steering_zero_deg: float = Field(default=0.0, ge=0, le=10, description="front wheel against the rod")
-    wheelbase_mm: float = Field(default=0.0, ge=0, le=10, description="L")
-    drive_wheel_offset_mm: float = Field(default=0.0, ge=0, le=10, description="A1")
-    wheel_radius_mm: float = Field(
-        default=0.0, ge=0, le=10, description="R_h, of the drive wheel as it rolls under load; needs [train]"
-    )
-    cam_phase_deg: float = Field(default=0.0, ge=0, le=10, description="cam on its shaft against the start of the run")
-    start_x_mm: float = Field(default=0.0, ge=0, le=100, description="place at the start, along the planned heading")
-    start_y_mm: float = Field(default=0.0, ge=0, le=100, description="place at the start, across it")
-    start_heading_deg: float = Field(default=0.0, ge=0, le=45, description="heading at the start")
-    eccentricity_mm: float | None = Field(
-        default=None,
-        ge=0,
-        le=10,
-        description="of the profile about the shaft, in any direction: the bore's place, and half the clearance of "
-        "`blank.bore_fit`",
-    )
-    wobble_deg: float | None = Field(
-        default=None, ge=0, le=10, description="by which the disc leans on its shaft, in any direction"
-    )
-    taper_mm: float | None = Field(
-        default=None,
-        ge=0,
-        le=10,
-        description="by which one face is cut larger than the other, half of it on either: laser, water jet, wire",
-    )
-    edge_break_mm: float | None = Field(
-        default=None, ge=0, le=10, description="how much more or less than wanted both edges of the rim are broken"
-    )
-    edge_wear_mm: float | None = Field(
-        default=None, ge=0, le=10, description="what wears off both edges at most, as a chamfer's leg; not less than 0"
-    )
-    rod_height_mm: float | None = Field(
-        default=None, ge=0, le=10, description="rod's axis above or below the camshaft's"
-    )
-    rod_force_N: float | None = Field(
-        default=None, ge=0, le=100, description="of the rod, about `mechanics.rod_force_N`; needs [mechanics]"
-    )
-    steering_lost_motion_deg: float | None = Field(
-        default=None,
-        ge=0,
-        le=10,
-        description="half of the play between rod and front wheel, which stands anywhere in it and anew in each run",
-    )
-    wheel_runout_mm: float | None = Field(
-        default=None, ge=0, le=10, description="eccentricity of the drive wheel; needs [train]"
-    )
-    temperature_K: float | None = Field(
-        default=None,
-        ge=0,
-        le=100,
-        description="how far from that of the adjustment; needs `blank.material`, and goes by `frame_material`",
-    )
     frame_material: Annotated[DiscMaterial, WORD] | None = Field(
         default=None, description="of what holds camshaft and fork apart; left out, aluminium"
     )

@@ -22,18 +22,25 @@ from cadgen.design.mechanics import Braked, Mechanics
 from cadgen.design.play import Hardware
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
+from cadgen.deviations.deviation import (
+    DRAG,
+    ECCENTRIC_BORE,
+    RETURN_ERROR,
+    ROD_FORCE,
+    SLIDING_FRICTION,
+    TEMPERATURE,
+    TOLERANCES,
+    Deviation,
+)
+from cadgen.deviations.first_order import EXPANSION, Expansion
 from cadgen.errors import DesignError
 from cadgen.gears.choices import Order, StageOrder
 from cadgen.gears.distribution import ZoneSum
 from cadgen.gears.fits import clearance as fit_clearance
 from cadgen.gears.synthesis import arrange
 from cadgen.gears.train import WholePlay
-from cadgen.inference.monte_carlo.derivatives import Expansion
-from cadgen.inference.monte_carlo.parameters import TOLERANCES, Directed, Parameter, Tolerance
-from cadgen.inference.monte_carlo.processes import EXPANSION
 from cadgen.inference.monte_carlo.robust import Sampler, Tolerances
 
-_ENDINGS = {"mm": "mm", "rad": "deg", "N": "N", "K": "K", "1": "", "Nmm": ""}  # of the keys of [tolerances]
 _STATIONS = 3600  # of the turn at which forces are looked at
 
 
@@ -184,8 +191,8 @@ def _refuse_weak_drive(design: Design, band: MechanicsBand, lift: PathMotion) ->
         )
 
 
-def half_widths(design: Design, forces: MechanicsBand | None) -> dict[Tolerance, float]:
-    """Half of each tolerance zone by the names of `TOLERANCES`; what is 0 is left out.
+def half_widths(design: Design, forces: MechanicsBand | None) -> dict[Deviation, float]:
+    """Half of each tolerance zone; what is 0 is left out.
 
     Args:
         design: a loaded design.
@@ -195,20 +202,17 @@ def half_widths(design: Design, forces: MechanicsBand | None) -> dict[Tolerance,
         DesignError: a tolerance of a quantity that the design lacks.
     """
     tolerances = design.tolerances
-    halves: dict[Tolerance, float] = {}
-    for name in TOLERANCES:
-        unit = name.unit
-        value = getattr(tolerances, f"{name}_{_ENDINGS[unit]}", None) or 0.0
-        halves[name] = radians(value) if unit == "rad" else value
+    halves: dict[Deviation, float] = {}
+    for each in TOLERANCES:
+        value = getattr(tolerances, each.tolerance_key, None) or 0.0 if each.zone else 0.0
+        halves[each] = radians(value) if each.unit == "rad" else value
     if (fit := design.blank.bore_fit) is not None:
-        halves[Directed.ECCENTRICITY] += fit_clearance(fit, design.blank.bore_diameter_mm)[1] / 2
+        halves[ECCENTRIC_BORE] += fit_clearance(fit, design.blank.bore_diameter_mm)[1] / 2
     if forces is not None:
-        halves[Parameter.FRICTION], halves[Parameter.DRAG] = (
-            float(np.ptp(band)) / 2 for band in (forces.friction, forces.drag)
-        )
-    elif halves[Parameter.ROD_FORCE] > 0:
+        halves[SLIDING_FRICTION], halves[DRAG] = (float(np.ptp(band)) / 2 for band in (forces.friction, forces.drag))
+    elif halves[ROD_FORCE] > 0:
         raise DesignError("tolerances.rod_force_N needs the force itself: add [mechanics] with rod_force_N")
-    if halves[Parameter.TEMPERATURE] > 0 and design.blank.material is None:
+    if halves[TEMPERATURE] > 0 and design.blank.material is None:
         raise DesignError("tolerances.temperature_K needs to know what the disc is made of: set blank.material")
     return {name: half for name, half in halves.items() if half > 0}
 
@@ -232,7 +236,7 @@ def tolerances(design: Design, forces: MechanicsBand | None = None) -> Tolerance
             sample = partial(_plays, whole.return_error_distribution(law))
     else:
         band = play_bands(design)[design.optimize.order]
-        sample = ZoneSum((Parameter.PLAY,), np.array([band.least]), np.array([band.greatest]), law).sample
+        sample = ZoneSum((RETURN_ERROR.key,), np.array([band.least]), np.array([band.greatest]), law).sample
     return Tolerances(half_widths=half_widths(design, forces), law=law, play=sample)
 
 
@@ -248,7 +252,7 @@ def play_zones(design: Design) -> dict[str, float]:
     whole = None if design.play is not None else whole_play(design)
     if whole is None:
         low, high = play_bands(design)[design.optimize.order].ends
-        return {Parameter.PLAY: (high - low) / 2}
+        return {RETURN_ERROR.key: (high - low) / 2}
     teeth = whole.teeth
     of_teeth = {} if teeth is None else {"play of the teeth": (teeth.return_error_max - teeth.return_error_min) / 2}
     return {**of_teeth, **{joint.name: (joint.greatest - joint.least) / 2 for joint in whole.loose}}

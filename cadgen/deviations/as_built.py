@@ -2,22 +2,33 @@
 
 Prediction: an outline goes through the effects on the disc in turn and is rolled with the rod as it is. Cutting: the
 outline is moved the other way first, so that the finished disc, on this car's shaft, is the one wanted.
+
+A camshaft may lead or lag its gears by the same at each turn, by run-out of the gears and wind-up. Where the gears ask
+for theta, it stands at psi = theta + delta(theta), and the follower rests on the points that a true shaft brings under
+it at psi. A disc whose points are turned back by delta, each where the follower rests on it, gives the same lift at
+theta, to first order in the slope of delta.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from math import degrees, inf
 from typing import Any
 
 import numpy as np
 
-from cadgen.arrays import Array
-from cadgen.cam.contact import roll
+from cadgen.arrays import TURN, Array
+from cadgen.cam.contact import roll, rolling_step
 from cadgen.cam.follower import Contact
 from cadgen.cam.followers.rod import LeaningRod
+from cadgen.car.motion.drive import Running, drive, turns_of
+from cadgen.car.motion.sampled import rolled_lift
+from cadgen.car.path_motion import PathMotion
 from cadgen.car.steering import Car
+from cadgen.check import Bound, Check, CheckCode
 from cadgen.curves.closed import ClosedCurve, Outline, left_normal
 from cadgen.curves.derived import moved
-from cadgen.deviations import quantities
+from cadgen.deviations import deviation
+from cadgen.deviations.deviation import Place
 from cadgen.deviations.disc import (
     AXIS_REVERSAL,
     DISC,
@@ -27,14 +38,14 @@ from cadgen.deviations.disc import (
     nominal_disc,
     ramped_reversal,
 )
-from cadgen.deviations.effect import Effect
-from cadgen.deviations.lead import led
-from cadgen.deviations.names import Place
-from cadgen.deviations.transmission import MESH
+from cadgen.deviations.effect import Active, Effect, through
+from cadgen.deviations.lift import FOLLOWER, Seat
+from cadgen.deviations.track import RUNNING
+from cadgen.deviations.transmission import MESH, Turned
 from cadgen.errors import DesignError
 
-# Which of a disc's effects stand still on the shaft, whatever way the disc's key is turned.
-_OF_SHAFT = (quantities.ECCENTRIC_BORE, quantities.SHAFT_RUNOUT)
+# Effects of a disc that stand still on the shaft, whatever way the disc's key is turned.
+_OF_SHAFT = (deviation.ECCENTRIC_BORE, deviation.SHAFT_RUNOUT)
 
 _Act = Callable[[Disc, Array, Any], Disc]
 
@@ -44,6 +55,18 @@ _CONVERGED = 1e-10  # mm
 _MOST_STEPS = 50  # each leaves 2 % at most, the greatest scale, of what was left before
 # An offset of 0.5 mm makes the sides of a corner of 8 degrees overlap by this angle, rad; more is an overhang.
 _OVERLAP = 1e-3
+
+# Radians of lead per radian of the cam beyond which first order is not good enough: what is left is this share of it.
+STEEPEST = 0.1
+_GRID = np.linspace(0.0, TURN, 3600, endpoint=False)
+_LEAD_STEPS = 4  # to the angle that the gears ask for; each leaves a tenth of the error at most
+
+
+MORE = 0.1  # mm: a hand with a file or a deburring tool takes that much off an edge without being asked
+_STATIONS = 1200  # the difference of two runs then errs by 1e-3 mm
+_RUN_STEPS = 1200  # of a turn; what is wanted is the difference of two
+_TRIM_STEP = 1e-4  # rad, of the steering, by which the end of a run is differentiated
+_TRIM_ROUNDS = 4  # of Gauss and Newton, from an end that is off by centimetres
 
 
 @dataclass(frozen=True)
@@ -81,13 +104,7 @@ class AsBuilt:
 
     def car(self, nominal: Car) -> Car:
         """The car in plan view: offset of the drive wheel, steering zero, gain of the lever and slip."""
-        return replace(
-            nominal,
-            drive_wheel_offset=nominal.drive_wheel_offset + self._of_car("drive_wheel_offset_mm"),
-            steering_zero=self._of_car("steering_zero_deg"),
-            steering_gain=nominal.steering_gain * (1 + self._of_car("gain_percent")),
-            slip=self._of_car("slip_percent"),
-        )
+        return through(RUNNING, Running(car=nominal, length=TURN), self._of_car, None).car
 
     def follower(self, nominal: LeaningRod) -> LeaningRod:
         """The rod and the faces.
@@ -95,21 +112,20 @@ class AsBuilt:
         Raises:
             DesignError: nothing would be left of the rod, or of its distance from the disc.
         """
-        away, radius = self._of_car("axial_offset_um"), nominal.radius + self._of_car("rod_radius_um")
-        inner, outer = nominal.inner + away, nominal.outer + away
+        rod = through(FOLLOWER, Seat(nominal), self._of_car, None).follower
         correct = "correct rod_radius_um or axial_offset_um in [as_built]"
-        if radius <= 0:
-            less = 1e3 * (nominal.radius - radius)
+        if rod.radius <= 0:
+            less = 1e3 * (nominal.radius - rod.radius)
             raise DesignError(
                 f"as built nothing is left of the rod: its radius of {nominal.radius:g} mm is to be {less:g} µm less: "
                 f"{correct}"
             )
-        if radius >= inner:
+        if rod.radius >= rod.inner:
             raise DesignError(
-                f"as built the rod's radius is {radius:g} mm and the disc's inner face {abs(inner):g} mm "
-                f"{'from' if inner >= 0 else 'behind'} the fork axis; the rod must swing clear of it: {correct}"
+                f"as built the rod's radius is {rod.radius:g} mm and the disc's inner face {abs(rod.inner):g} mm "
+                f"{'from' if rod.inner >= 0 else 'behind'} the fork axis; the rod must swing clear of it: {correct}"
             )
-        return replace(nominal, inner=inner, outer=outer, radius=radius)
+        return rod
 
     def travel(self, nominal: float) -> float:
         """Travel of the drive wheel's rim for one turn of the cam, mm.
@@ -117,20 +133,18 @@ class AsBuilt:
         Args:
             nominal: travel of the car as designed, mm.
         """
-        return nominal * (1 + self._of_car("wheel_radius_percent"))
+        return nominal * (1 + (self._value(deviation.WHEEL_RADIUS) or 0.0))
 
     @property
     def play(self) -> float | None:
         """Return error B, rad; None if it was not found."""
-        return self._of_car("return_error_deg") if "return_error_deg" in self._numbers() else None
+        return self._value(deviation.RETURN_ERROR)
 
     @property
     def friction(self) -> tuple[float, float] | None:
         """Sliding friction between rod and disc, and its standard deviation; None if it was not found."""
-        for placed in self.effects:
-            if placed.place == Place.CAR and placed.effect.quantity == quantities.SLIDING_FRICTION:
-                return placed.values[0], placed.sigma
-        return None
+        found = (each for each in self.effects if each.effect.deviation == deviation.SLIDING_FRICTION)
+        return next(((each.values[0], each.sigma) for each in found if each.place == Place.CAR), None)
 
     @property
     def runs_free(self) -> bool:
@@ -141,14 +155,14 @@ class AsBuilt:
     def shows_play_with_rod(self) -> bool:
         """Whether the return error, or that there is none, was found on a track."""
         return any(
-            placed.place == Place.CAR and placed.effect.quantity == quantities.RETURN_ERROR and placed.on_track
+            placed.place == Place.CAR and placed.effect.deviation == deviation.RETURN_ERROR and placed.on_track
             for placed in self.effects
         )
 
     @property
     def phase(self) -> float:
         """How far the measured cam stands ahead on its shaft, rad."""
-        return self._of_car("phase_deg")
+        return self._value(deviation.CAM_PHASE) or 0.0
 
     @property
     def shapes_discs(self) -> bool:
@@ -167,7 +181,7 @@ class AsBuilt:
         places: tuple[Place, ...] = (Place.PART, Place.PROCESS) if measured else (Place.PROCESS,)
         height = 0.0
         for placed in self.effects:
-            uneven = placed.effect.quantity in (quantities.AXIS_REVERSAL, quantities.UNDULATION)
+            uneven = placed.effect.deviation in (deviation.AXIS_REVERSAL, deviation.UNDULATION)
             if placed.place in places and uneven:
                 height += 2 * float(np.hypot(placed.values[0], placed.values[1]))
         return height
@@ -271,25 +285,23 @@ class AsBuilt:
         for placed in self.effects:
             if placed.effect.stage is DISC and placed.place in places:
                 values, act = np.array(placed.values), placed.effect.act
-                if placed.place == Place.CAR and placed.effect.quantity in _OF_SHAFT:
+                if placed.place == Place.CAR and placed.effect.deviation in _OF_SHAFT:
                     c, s = np.cos(turned), np.sin(turned)
                     values = np.array([c * values[0] + s * values[1], c * values[1] - s * values[0]])
-                if placed.effect.quantity == quantities.AXIS_REVERSAL:
+                if placed.effect.deviation == deviation.AXIS_REVERSAL:
                     act = reversal
                 disc = act(disc, values, at)
         return disc
 
-    def _of_car(self, name: str) -> float:
-        return self._numbers().get(name, 0.0)
+    @property
+    def _of_car(self) -> Active:
+        """Effects that stay with the car, with their values, mm and rad."""
+        return [(each.effect, np.array(each.values)) for each in self.effects if each.place == Place.CAR]
 
-    def _numbers(self) -> dict[str, float]:
-        """Values of what stays with the car by the names of the parameters, mm and rad."""
-        return {
-            parameter.name: value
-            for placed in self.effects
-            if placed.place == Place.CAR
-            for parameter, value in zip(placed.effect.parameters, placed.values, strict=True)
-        }
+    def _value(self, which: deviation.Deviation) -> float | None:
+        """Value of a deviation that stays with the car, mm or rad, by whatever data it was found; None without it."""
+        found = (float(values[0]) for effect, values in self._of_car if effect.deviation == which)
+        return next(found, None)
 
 
 AS_DESIGNED = AsBuilt()
@@ -310,3 +322,111 @@ def _disc_of(outline: Outline) -> Disc:
         [np.gradient(points[outline.piece == k], axis=0, edge_order=2) for k in np.unique(outline.piece)]
     )
     return Disc(points, joined_normals(points, -left_normal(tangent)), outline.angle, np.empty(0), outline.piece)
+
+
+def led(
+    disc: Disc, effects: Sequence[tuple[Effect, tuple[float, ...]]], ahead: float, rod: LeaningRod, asking: Disc
+) -> Disc:
+    """The disc that gives on a true shaft the lift that a disc gives on a shaft that leads.
+
+    Args:
+        disc: as finished, on the shaft that leads.
+        effects: of the train on the camshaft's angle, with their values, rad.
+        ahead: angle by which the disc stands ahead on its shaft, rad.
+        rod: that follows, as designed.
+        asking: disc whose lift on a true shaft sets the torque that winds the train up.
+
+    Raises:
+        DesignError: the lead changes too fast for this.
+    """
+    contact = _contact(disc, rod)[0] - ahead
+    slope = _slope(asking, ahead, rod)
+
+    def lead(angle: Array) -> Array:
+        turned = np.append(angle, 0.0)
+        leading, at = turned, Turned(turned=turned, torque=np.interp(turned, _GRID, slope, period=TURN))
+        for effect, values in effects:
+            leading = effect.act(leading, np.array(values), at)
+        off = leading - turned
+        return np.asarray(off[:-1] - off[-1], dtype=float)
+
+    off = lead(contact)
+    steepest = np.abs(np.diff(lead(_GRID))).sum() / TURN
+    if steepest > STEEPEST:
+        raise DesignError(
+            f"as built the camshaft gains and loses {np.degrees(steepest * TURN):.1f} degrees on its gears in a turn, "
+            f"and a cam takes out {np.degrees(STEEPEST * TURN):.0f} at most: mend the train, or set place to noted"
+        )
+    for _ in range(_LEAD_STEPS):
+        off = lead(contact - off)
+    c, s = np.cos(off), np.sin(off)
+    x, y = disc.points.T
+    return replace(disc, points=np.stack([c * x + s * y, c * y - s * x], axis=1))
+
+
+def _contact(disc: Disc, rod: LeaningRod) -> tuple[Array, Array]:
+    """Cam angles at which the rod rests on a disc's points, rad, and distances of its middle there, mm."""
+    x, y = (disc.points + rod.radius * disc.normal).T
+    return np.arctan2(y, x), np.hypot(x, y)
+
+
+def _slope(disc: Disc, ahead: float, rod: LeaningRod) -> Array:
+    """Slope of tan(beta) on the grid, over its greatest: the torque of the shaft as `transmission.Turned` has it."""
+    contact, reach = _contact(disc, rod)
+    place = (contact - ahead) % TURN
+    order = np.argsort(place)
+    lift = np.interp(_GRID, place[order], reach[order], period=TURN) - rod.base_radius
+    tangent = lift / rod.contact_face(lift)
+    slope = np.roll(tangent, -1) - np.roll(tangent, 1)
+    return np.asarray(slope / np.abs(slope).max(), dtype=float)
+
+
+def edges_check(
+    lift: PathMotion, follower: LeaningRod, cut: ClosedCurve, as_built: AsBuilt, car: Car, travel: float
+) -> Check:
+    """Error at the end of the run with both edges broken by `MORE` beyond the design, before and after a trim.
+
+    Both runs are without play: its jumps are the same in both. A trim is one constant added to the steering.
+
+    Args:
+        lift: lift that the profile is made for.
+        follower: follower that rolls on the profile.
+        cut: curve that is cut, mm.
+        as_built: deviations of the disc in its making and on the car.
+        car: dimensions of the car.
+        travel: travel of the drive wheel's rim for one turn of the cam, mm.
+
+    Returns:
+        The error, mm, as a figure without a limit; its place has the error after the trim.
+    """
+    more = min(MORE, follower.land / 2)
+    worn = replace(follower, inner=follower.inner + more, outer=follower.outer - more)
+    theta, step = np.linspace(0.0, TURN, _STATIONS, endpoint=False), rolling_step(cut, follower)
+    wanted, got = (
+        rolled_lift(as_built.roll_new(cut, rod, theta, step), lift, blend_start=lift.blend_start)
+        for rod in (follower, worn)
+    )
+    end = _end(wanted, car, travel)
+
+    def off(trim: float) -> complex:
+        return _end(got, replace(car, steering_zero=car.steering_zero + trim), travel) - end
+
+    trim = 0.0
+    for _ in range(_TRIM_ROUNDS):
+        error, slope = off(trim), (off(trim + _TRIM_STEP) - off(trim - _TRIM_STEP)) / (2 * _TRIM_STEP)
+        trim -= (error * slope.conjugate()).real / abs(slope) ** 2
+    return Check(
+        CheckCode.EDGES_BROKEN_MORE,
+        f"edges broken {more:g} mm more",
+        abs(off(0.0)),
+        "mm",
+        inf,
+        Bound.MAX,
+        f"at the finish; {abs(off(trim)):.1f} mm with the steering trimmed by {degrees(trim):.3f}°",
+    )
+
+
+def _end(lift: PathMotion, car: Car, travel: float) -> complex:
+    """End of a run without play as x + iy, mm."""
+    x, y = drive(lift, car, travel, steps=_RUN_STEPS * turns_of(lift.blend_start)).drive_wheel[-1].tolist()
+    return complex(x, y)

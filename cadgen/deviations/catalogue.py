@@ -7,6 +7,7 @@ import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
+from cadgen.deviations.deviation import Deviation
 from cadgen.deviations.disc import LAST_LOBE, NOSE_WIDTHS_DEG, PROFILE_EFFECTS, undulation, worn_nose
 from cadgen.deviations.effect import Effect
 from cadgen.deviations.instrument import LIFT_INSTRUMENT, PROFILE_INSTRUMENT
@@ -114,3 +115,22 @@ TRANSMISSION = Catalogue(*TRAIN_EFFECTS, families=(_RUNOUTS, _MESHES))
 TRACK = Catalogue(*TRACK_EFFECTS)
 STEERED_TRACK = Catalogue(*TRICYCLE_EFFECTS)
 ZONES = Catalogue(RETURN_ERROR)
+
+
+def spreads(halves: Mapping[Deviation, float], sizes: Mapping[Deviation, float]) -> dict[str, float]:
+    """Standard deviations of effects' numbers that tolerances allow: half a zone, as of twice the zone.
+
+    Args:
+        halves: half of the tolerance zone of each deviation that varies, in its unit.
+        sizes: nominal sizes of deviations that effects state in per cent, mm.
+
+    Returns:
+        Standard deviations by the names of the numbers, internal units.
+    """
+    return {
+        number.name: halves[known] / (sizes[known] if number.unit == "%" else 1.0)
+        for kind in (LIFT, PROFILE, TRACK)
+        for effect in kind.effects
+        if (known := effect.deviation) and known in halves
+        for number in effect.parameters
+    }

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
 from cadgen.curves.closed import ClosedCurve, left_normal
-from cadgen.deviations import quantities
+from cadgen.deviations import deviation
+from cadgen.deviations.deviation import Place
 from cadgen.deviations.effect import Effect, Group, Parameter, Stage
-from cadgen.deviations.names import Place
 
 _SCALES = Group("scale")
 
@@ -70,16 +70,26 @@ def joined_normals(points: Array, normal: Array) -> Array:
     return out
 
 
-def _um(name: str, meaning: str, lower: float = -500.0, upper: float = 500.0) -> Parameter:
-    return Parameter(name=name, unit="um", lower=lower, upper=upper, step=10.0, meaning=meaning)
+def _um(name: str, meaning: str, usual: float | None = None, lower: float = -500.0, upper: float = 500.0) -> Parameter:
+    return Parameter(name=name, unit="um", lower=lower, upper=upper, step=10.0, usual=usual, meaning=meaning)
 
 
 def _percent(name: str, meaning: str) -> Parameter:
-    return Parameter(name=name, unit="%", lower=-2.0, upper=2.0, step=0.02, meaning=meaning)
+    return Parameter(name=name, unit="%", lower=-2.0, upper=2.0, step=0.02, usual=0.02, meaning=meaning)
+
+
+def eccentric(points: Array, p: Array) -> Array:
+    """Points about a shaft whose axis lies off the bore of the outline.
+
+    Args:
+        points: points about the bore, mm, shape (..., 2).
+        p: place of the shaft's axis, mm, shape (2,).
+    """
+    return np.asarray(points - p)
 
 
 def _eccentric(disc: Disc, p: Array, at: object) -> Disc:
-    return replace(disc, points=disc.points - p)
+    return replace(disc, points=eccentric(disc.points, p))
 
 
 def _offset(disc: Disc, p: Array, at: object) -> Disc:
@@ -152,11 +162,11 @@ ECCENTRIC_BORE = Effect(
     name="eccentric bore",
     stage=DISC,
     parameters=(
-        _um("eccentric_x_um", "+: the shaft's axis lies towards +x of the outline"),
-        _um("eccentric_y_um", "+: towards +y"),
+        _um("eccentric_x_um", "+: the shaft's axis lies towards +x of the outline", 10.0),
+        _um("eccentric_y_um", "+: towards +y", 10.0),
     ),
     act=_eccentric,
-    quantity=quantities.ECCENTRIC_BORE,
+    deviation=deviation.ECCENTRIC_BORE,
     places=(Place.PART, Place.PROCESS, Place.CAR),
     confused_with="a wobbling camshaft, or run-out of the shaft, in lift data",
     separated_by="measure the profile about the bore on a CMM",
@@ -164,8 +174,9 @@ ECCENTRIC_BORE = Effect(
 CUTTER_COMPENSATION = Effect(
     name="cutter compensation",
     stage=DISC,
-    parameters=(_um("cutter_offset_um", "+: too much stands all round, along the normal"),),
+    parameters=(_um("cutter_offset_um", "+: too much stands all round, along the normal", 10.0),),
     act=_offset,
+    deviation=deviation.PROFILE_OFFSET,
     places=(Place.PROCESS, Place.PART),
     confused_with="uniform scale (they differ only where the outline is not a circle)",
     separated_by="measure a feature of known size that the same cutter made inside, such as a pocket: "
@@ -199,11 +210,13 @@ AXIS_REVERSAL = Effect(
     name="machine-axis reversal",
     stage=DISC,
     parameters=(
-        _um("reversal_x_um", "+: the x axis lags by half of it, the cutter running counterclockwise", -200.0, 200.0),
-        _um("reversal_y_um", "+: the y axis likewise", -200.0, 200.0),
+        _um(
+            "reversal_x_um", "+: the x axis lags by half of it, the cutter running counterclockwise", 3.0, -200.0, 200.0
+        ),
+        _um("reversal_y_um", "+: the y axis likewise", 3.0, -200.0, 200.0),
     ),
     act=_reversal,
-    quantity=quantities.AXIS_REVERSAL,
+    deviation=deviation.AXIS_REVERSAL,
     places=(Place.PROCESS, Place.PART),
     confused_with="an eccentric bore if only one half was measured",
     separated_by="cut a circle on the same machine and look for steps at the four quadrants",
@@ -220,6 +233,7 @@ OUT_OF_SQUARE = Effect(
             lower=-1.0,
             upper=1.0,
             step=0.01,
+            usual=0.01,
             meaning="+: the axes of the machine that cut it enclose more than 90°",
         ),
     ),
@@ -260,7 +274,7 @@ def undulation(order: int) -> Effect:
             _um(f"{sort}_sin_um", "+: outwards where sin(n phi) = 1"),
         ),
         act=_harmonic(order),
-        quantity=quantities.UNDULATION,
+        deviation=deviation.UNDULATION,
         cause=sort,
         places=(Place.PART,),
         numerous=True,
@@ -300,7 +314,7 @@ def worn_nose(number: int, width_deg: float) -> Effect:
         name="worn nose",
         stage=DISC,
         parameters=(
-            _um("worn_depth_um", "material that is gone at the middle", 0.0, 300.0),
+            _um("worn_depth_um", "material that is gone at the middle", None, 0.0, 300.0),
             Parameter(
                 name="worn_width_deg",
                 unit="deg",
@@ -312,7 +326,7 @@ def worn_nose(number: int, width_deg: float) -> Effect:
             ),
         ),
         act=act,
-        quantity=quantities.WORN_NOSE,
+        deviation=deviation.WORN_NOSE,
         places=(Place.PART,),
         group=Group("worn nose"),
         variant=f"at {number} from {width_deg:g}",

@@ -6,10 +6,10 @@ from math import pi
 from typing import Any, Generic, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cadgen.arrays import Array
-from cadgen.deviations.names import Place
-from cadgen.deviations.quantities import Quantity
+from cadgen.deviations.deviation import Deviation, Place
 
 State = TypeVar("State")
 
@@ -19,6 +19,30 @@ PERCENT = 1e-2
 
 # Internal value of one of each unit that people read.
 UNITS = {"um": UM, "mm": 1.0, "deg": DEG, "%": PERCENT, "": 1.0, "s": 1.0}
+
+_USUAL_STEPS = 5.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rows:
+    """Run, angle and time of each measured number; arrays of shape (n,), in the order measured within each run.
+
+    Attributes:
+        run: number of the run, from 0.
+        place: angle round the cam, rad.
+        elapsed: place within the run, -1/2 to 1/2.
+        cell: rows of different runs with one number were taken under the same conditions; -1 if none repeats.
+    """
+
+    run: NDArray[np.intp]
+    place: Array
+    elapsed: Array
+    cell: NDArray[np.intp]
+
+    @property
+    def runs(self) -> int:
+        """Number of runs."""
+        return int(self.run.max()) + 1
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,6 +64,8 @@ class Parameter:
         unit: key of `UNITS`; bounds and step are in it.
         lower, upper: bounds of physically possible values.
         step: small but visible value, for differences.
+        usual: standard deviation from car to car, of parts made with care in a workshop and put together by hand, where
+            nobody has measured it; five steps if left out. A design's own [tolerances] come before it.
         start: value at which a search begins.
         meaning: meaning of a positive value, or of the number; empty only for forms without a name.
         stepwise: whether the expected readings change in steps, so that it is found by trial instead of by slopes.
@@ -50,6 +76,7 @@ class Parameter:
     lower: float
     upper: float
     step: float
+    usual: float | None = None
     start: float = 0.0
     meaning: str = ""
     stepwise: bool = False
@@ -58,6 +85,11 @@ class Parameter:
     def scale(self) -> float:
         """Internal value (mm, rad, 1) of one unit."""
         return UNITS[self.unit]
+
+    @property
+    def spread(self) -> float:
+        """Usual standard deviation from car to car, internal units."""
+        return (_USUAL_STEPS * self.step if self.usual is None else self.usual) * self.scale
 
 
 @dataclass(frozen=True)
@@ -76,7 +108,8 @@ class Effect:
         stage: stage of the forward model at which it acts.
         parameters: their internal values, in order, are the array `act` receives.
         act: (what passes the stage, values, stations) -> the same changed; exact, not linearised.
-        quantity: physical quantity; None for an effect that no other kind of data shows.
+        deviation: entry of the catalogue that it is, whatever its kind of data calls it, so that records of several
+            kinds agree about it; None for one that only its own kind of data shows.
         group: group of effects of which a subset holds one at most; None without one.
         twins: causes that no data of this kind can tell from this one.
         confused_with: causes that look like it.
@@ -100,7 +133,7 @@ class Effect:
     stage: Stage[Any]
     parameters: tuple[Parameter, ...]
     act: Callable[[Any, Array, Any], Any]
-    quantity: Quantity | None = None
+    deviation: Deviation | None = None
     group: Group | None = None
     twins: tuple[str, ...] = ()
     confused_with: str = ""

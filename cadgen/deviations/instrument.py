@@ -12,10 +12,10 @@ from dataclasses import replace
 import numpy as np
 
 from cadgen.arrays import Array
+from cadgen.deviations.deviation import Place
 from cadgen.deviations.disc import ANISOTROPIC_SCALE, CUTTER_COMPENSATION, OUT_OF_SQUARE, UNIFORM_SCALE
 from cadgen.deviations.effect import Effect, Group, Parameter, Stage
-from cadgen.deviations.lift import ANGLE, BACKLASH, PHASE, Readings
-from cadgen.deviations.names import Place
+from cadgen.deviations.lift import ANGLE, PHASE, RETURN_ERROR, Readings
 
 _MACHINE_SCALES = Group("scale of the machine")
 
@@ -41,8 +41,14 @@ STYLUS_RADIUS = replace(
     CUTTER_COMPENSATION,
     name="stylus radius",
     parameters=(
-        replace(CUTTER_COMPENSATION.parameters[0], name="stylus_um", meaning="+: the stylus is larger than corrected"),
+        replace(
+            CUTTER_COMPENSATION.parameters[0],
+            name="stylus_um",
+            usual=5.0,
+            meaning="+: the stylus is larger than corrected",
+        ),
     ),
+    deviation=None,
     places=_NOTED,
     looks_like=CUTTER_COMPENSATION,
     confused_with="cutter compensation",
@@ -51,7 +57,9 @@ STYLUS_RADIUS = replace(
 MACHINE_SCALE = Effect(
     name="scale of the measuring machine",
     stage=MACHINE,
-    parameters=(replace(UNIFORM_SCALE.parameters[0], name="machine_percent", meaning="+: it reads too much"),),
+    parameters=(
+        replace(UNIFORM_SCALE.parameters[0], name="machine_percent", usual=0.005, meaning="+: it reads too much"),
+    ),
     act=_scaled,
     group=_MACHINE_SCALES,
     looks_like=UNIFORM_SCALE,
@@ -62,7 +70,7 @@ AXIS_SCALE = Effect(
     name="axis scale of the measuring machine",
     stage=MACHINE,
     parameters=tuple(
-        replace(p, name=f"machine_{axis}_percent", meaning=f"+: it reads too much along {axis}")
+        replace(p, name=f"machine_{axis}_percent", usual=0.005, meaning=f"+: it reads too much along {axis}")
         for p, axis in zip(ANISOTROPIC_SCALE.parameters, "xy", strict=True)
     ),
     act=_scaled,
@@ -76,7 +84,12 @@ SQUARENESS = Effect(
     name="squareness of the measuring machine",
     stage=MACHINE,
     parameters=(
-        replace(OUT_OF_SQUARE.parameters[0], name="machine_square_deg", meaning="+: its axes enclose more than 90°"),
+        replace(
+            OUT_OF_SQUARE.parameters[0],
+            name="machine_square_deg",
+            usual=0.003,
+            meaning="+: its axes enclose more than 90°",
+        ),
     ),
     act=_squared,
     looks_like=OUT_OF_SQUARE,
@@ -88,10 +101,16 @@ DIVIDER_ZERO = replace(
     name="zero of the divider",
     parameters=(
         Parameter(
-            name="divider_deg", unit="deg", lower=-5.0, upper=5.0, step=0.05, meaning="+: it stands ahead of its mark"
+            name="divider_deg",
+            unit="deg",
+            lower=-5.0,
+            upper=5.0,
+            step=0.05,
+            usual=0.2,
+            meaning="+: it stands ahead of its mark",
         ),
     ),
-    quantity=None,
+    deviation=None,
     places=_NOTED,
     looks_like=PHASE,
     confused_with="phase",
@@ -100,7 +119,15 @@ INDEX_ERROR = Effect(
     name="index error",
     stage=ANGLE,
     parameters=tuple(
-        Parameter(name=f"index_{part}_deg", unit="deg", lower=-2.0, upper=2.0, step=0.02, meaning=f"+: ahead at {at}")
+        Parameter(
+            name=f"index_{part}_deg",
+            unit="deg",
+            lower=-2.0,
+            upper=2.0,
+            step=0.02,
+            usual=0.02,
+            meaning=f"+: ahead at {at}",
+        )
         for part, at in (("cos", "0°"), ("sin", "90°"))
     ),
     act=_turned_once,
@@ -108,14 +135,19 @@ INDEX_ERROR = Effect(
     separated_by="turn the divider by half a turn on the shaft and measure again",
 )
 READING_LAG = replace(
-    BACKLASH,
+    RETURN_ERROR,
     name="lag of the reading",
     parameters=(
-        replace(BACKLASH.parameters[0], name="reading_lag_deg", meaning="by which it lags, half of it either way"),
+        replace(
+            RETURN_ERROR.parameters[0],
+            name="reading_lag_deg",
+            usual=0.02,
+            meaning="by which it lags, half of it either way",
+        ),
     ),
-    quantity=None,
+    deviation=None,
     places=_NOTED,
-    looks_like=BACKLASH,
+    looks_like=RETURN_ERROR,
     confused_with="backlash",
     separated_by="measure at half the speed, or standing still: a lag follows the speed",
 )

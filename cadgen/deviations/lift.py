@@ -1,6 +1,6 @@
 """Effects of the mechanism and the instrument that show in a measured lift.
 
-Stages: `ANGLE` (cam angle of each reading), `FOLLOWER` (the `Setting`), `READING` (what the dial shows). `at` are the
+Stages: `ANGLE` (cam angle of each reading), `FOLLOWER` (the `Seat`), `READING` (what the dial shows). `at` are the
 `Readings`.
 """
 
@@ -10,11 +10,11 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.deviations import quantities
+from cadgen.deviations import deviation
+from cadgen.deviations.deviation import Place
 from cadgen.deviations.disc import ECCENTRIC_BORE
-from cadgen.deviations.effect import READING, Effect, Group, Parameter, Stage
-from cadgen.deviations.names import Place
-from cadgen.deviations.rows import Rows
+from cadgen.deviations.effect import READING, Effect, Group, Parameter, Rows, Stage
+from cadgen.deviations.return_error import return_error
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -33,7 +33,7 @@ class Readings(Rows):
 
 
 @dataclass(frozen=True)
-class Setting:
+class Seat:
     """The rod and how far the disc's faces stand off by cam angle: cos and sin amplitude, mm."""
 
     follower: LeaningRod
@@ -41,16 +41,12 @@ class Setting:
 
 
 ANGLE = Stage[Array]("angle")
-FOLLOWER = Stage[Setting]("follower")
+FOLLOWER = Stage[Seat]("follower")
 
 
-def _um(name: str, meaning: str, limit: float, lower: float | None = None) -> Parameter:
+def _um(name: str, meaning: str, usual: float, limit: float, lower: float | None = None) -> Parameter:
     low = -limit if lower is None else lower
-    return Parameter(name=name, unit="um", lower=low, upper=limit, step=limit / 50, meaning=meaning)
-
-
-def _play(meaning: str) -> Parameter:
-    return Parameter(name="return_error_deg", unit="deg", lower=0.0, upper=5.0, step=0.05, meaning=meaning)
+    return Parameter(name=name, unit="um", lower=low, upper=limit, step=limit / 50, usual=usual, meaning=meaning)
 
 
 def _phase(angle: Array, p: Array, at: Readings) -> Array:
@@ -67,16 +63,16 @@ def _held_by_spring(angle: Array, p: Array, at: Readings) -> Array:
     return np.asarray(angle - at.slope * p[0] / 2)
 
 
-def _rod(setting: Setting, p: Array, at: Readings) -> Setting:
+def _rod(setting: Seat, p: Array, at: Readings) -> Seat:
     return replace(setting, follower=replace(setting.follower, radius=setting.follower.radius + p[0]))
 
 
-def _axial(setting: Setting, p: Array, at: Readings) -> Setting:
+def _axial(setting: Seat, p: Array, at: Readings) -> Seat:
     moved = replace(setting.follower, inner=setting.follower.inner + p[0], outer=setting.follower.outer + p[0])
     return replace(setting, follower=moved)
 
 
-def _wobble(setting: Setting, p: Array, at: Readings) -> Setting:
+def _wobble(setting: Seat, p: Array, at: Readings) -> Seat:
     return replace(setting, wobble=(float(p[0]), float(p[1])))
 
 
@@ -103,12 +99,12 @@ def _drift(reading: Array, p: Array, at: Readings) -> Array:
     return np.asarray(reading + p[0] * at.elapsed)
 
 
-BACKLASH = Effect(
+RETURN_ERROR = Effect(
     name="backlash",
     stage=ANGLE,
-    parameters=(_play("whole play at the camshaft; the cam lags by half of it either way"),),
+    parameters=(return_error("whole play at the camshaft; the cam lags by half of it either way", 5.0, 0.05),),
     act=_held_by_friction,
-    quantity=quantities.RETURN_ERROR,
+    deviation=deviation.RETURN_ERROR,
     places=(Place.CAR,),
     group=Group("backlash"),
     confused_with="lost motion by friction",
@@ -124,11 +120,12 @@ PHASE = Effect(
             lower=-5.0,
             upper=5.0,
             step=0.05,
+            usual=0.2,
             meaning="+: the cam stands ahead, in its sense of turning",
         ),
     ),
     act=_phase,
-    quantity=quantities.CAM_PHASE,
+    deviation=deviation.CAM_PHASE,
     places=(Place.CAR,),
     confused_with="backlash held by the spring",
     separated_by="mark the keyway and read the divider at the mark",
@@ -137,10 +134,15 @@ SHAFT_RUNOUT = replace(
     ECCENTRIC_BORE,
     name="run-out of the shaft",
     parameters=tuple(
-        replace(p, name=p.name.replace("eccentric", "shaft"), meaning=f"+: it runs out towards {way} of the outline")
+        replace(
+            p,
+            name=p.name.replace("eccentric", "shaft"),
+            usual=5.0,
+            meaning=f"+: it runs out towards {way} of the outline",
+        )
         for p, way in zip(ECCENTRIC_BORE.parameters, ("+x", "+y"), strict=True)
     ),
-    quantity=quantities.SHAFT_RUNOUT,
+    deviation=deviation.SHAFT_RUNOUT,
     places=(Place.CAR,),
     looks_like=ECCENTRIC_BORE,
     confused_with="an eccentric bore",
@@ -154,8 +156,9 @@ LIFT_EFFECTS = (
     Effect(
         name="rod radius",
         stage=FOLLOWER,
-        parameters=(_um("rod_radius_um", "+: the rod is too thick", 1500.0),),
+        parameters=(_um("rod_radius_um", "+: the rod is too thick", 5.0, 1500.0),),
         act=_rod,
+        deviation=deviation.ROD_RADIUS,
         places=(Place.CAR,),
         twins=("cutter compensation",),
         confused_with="cutter compensation of the profile",
@@ -166,7 +169,13 @@ LIFT_EFFECTS = (
         stage=READING,
         parameters=(
             Parameter(
-                name="gain_percent", unit="%", lower=-5.0, upper=5.0, step=0.1, meaning="+: the dial shows too much"
+                name="gain_percent",
+                unit="%",
+                lower=-5.0,
+                upper=5.0,
+                step=0.1,
+                usual=0.3,
+                meaning="+: the dial shows too much",
             ),
         ),
         act=_gain,
@@ -177,8 +186,9 @@ LIFT_EFFECTS = (
     Effect(
         name="axial offset",
         stage=FOLLOWER,
-        parameters=(_um("axial_offset_um", "+: the disc stands too far from the fork axis", 4000.0),),
+        parameters=(_um("axial_offset_um", "+: the disc stands too far from the fork axis", 50.0, 4000.0),),
         act=_axial,
+        deviation=deviation.INNER_FACE,
         places=(Place.CAR,),
         confused_with="lever gain",
         separated_by="measure the distance from the fork axis to the disc's faces",
@@ -187,8 +197,8 @@ LIFT_EFFECTS = (
         name="camshaft wobble",
         stage=FOLLOWER,
         parameters=(
-            _um("wobble_cos_um", "+: at 0° of cam angle the face stands further from the fork axis", 4000.0),
-            _um("wobble_sin_um", "+: at 90° of cam angle", 4000.0),
+            _um("wobble_cos_um", "+: at 0° of cam angle the face stands further from the fork axis", 30.0, 4000.0),
+            _um("wobble_sin_um", "+: at 90° of cam angle", 30.0, 4000.0),
         ),
         act=_wobble,
         confused_with="an eccentric bore, lever gain",
@@ -197,23 +207,25 @@ LIFT_EFFECTS = (
     Effect(
         name="lost motion by friction",
         stage=READING,
-        parameters=(_um("lost_motion_um", "by which the dial lags behind the rod, either way", 300.0, 0.0),),
+        parameters=(_um("lost_motion_um", "by which the dial lags behind the rod, either way", 3.0, 300.0, 0.0),),
         act=_friction,
         confused_with="backlash",
         separated_by="tap the lever before each reading: friction lets go, backlash stays",
     ),
-    BACKLASH,
+    RETURN_ERROR,
     replace(
-        BACKLASH,
+        RETURN_ERROR,
         name="backlash, held by the spring",
         cause="backlash",
-        parameters=(_play("whole play at the camshaft; the spring turns the cam downhill by half of it"),),
+        parameters=(
+            return_error("whole play at the camshaft; the spring turns the cam downhill by half of it", 5.0, 0.05),
+        ),
         act=_held_by_spring,
     ),
     Effect(
         name="hysteresis of the dial",
         stage=READING,
-        parameters=(_um("hysteresis_um", "+: it reads less by half of it going forward, more in reverse", 300.0),),
+        parameters=(_um("hysteresis_um", "+: it reads less by half of it going forward, more in reverse", 2.0, 300.0),),
         act=_hysteresis,
         confused_with="drift, as each run goes forward first and then back",
         separated_by="move the dial up to a gauge block and down to it, and read both",
@@ -221,7 +233,7 @@ LIFT_EFFECTS = (
     Effect(
         name="drift",
         stage=READING,
-        parameters=(_um("drift_um_per_run", "+: the reading grows from a run's first row to its last", 200.0),),
+        parameters=(_um("drift_um_per_run", "+: the reading grows from a run's first row to its last", 3.0, 200.0),),
         act=_drift,
         confused_with="runs that disagree",
         separated_by="let the dial and the car warm up, and read the zero again at the end of each run",
@@ -236,6 +248,7 @@ LIFT_EFFECTS = (
                 lower=-20.0,
                 upper=20.0,
                 step=0.5,
+                usual=0.5,
                 meaning="+: its tip points away from the fork axis, so that it reads more on a lifted rod",
             ),
         ),

@@ -3,9 +3,6 @@
 Stages: `RUNNING` (the `Running` car: its numbers, play, friction and the cam's seat), `STEERING` (tangent of the front
 wheel's angle at motor positions). `at` are the motor positions of the stations, rad.
 
-Friction and drag hold the cam on the gentler parts of each fall, where it would else run ahead by the play: they do
-nothing without play, and act beside it.
-
 A gain of the lever and an error of the wheelbase turn every curvature into the same other one,
 -(1 + g) T / (L + A1 (1 + g) T) = -T / (L / (1 + g) + A1 T), so no track can tell them apart; nor, but for a second
 order in the angle, a yaw of the rear axle from a steering zero.
@@ -18,11 +15,11 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.car.motion.drive import Running
-from cadgen.deviations import quantities
+from cadgen.deviations import deviation
+from cadgen.deviations.deviation import Place
 from cadgen.deviations.disc import ECCENTRIC_BORE
 from cadgen.deviations.effect import Effect, Group, Parameter, Stage
-from cadgen.deviations.friction import DRAG, FRICTIONS, MEASURE_FRICTION, friction, rubbing
-from cadgen.deviations.names import Place
+from cadgen.deviations.return_error import DRAG, FRICTIONS, MEASURE_FRICTION, friction, return_error, rubbing
 
 RUNNING = Stage[Running]("running")
 STEERING = Stage[Array]("steering")
@@ -64,21 +61,12 @@ def _gain(run: Running, p: Array, at: object) -> Running:
     return replace(run, car=replace(run.car, steering_gain=run.car.steering_gain * (1 + float(p[0]))))
 
 
-BACKLASH = Effect(
+RETURN_ERROR = Effect(
     name="backlash",
     stage=RUNNING,
-    parameters=(
-        Parameter(
-            name="return_error_deg",
-            unit="deg",
-            lower=0.0,
-            upper=4.0,
-            step=0.02,
-            meaning="whole play at the camshaft, between two stops",
-        ),
-    ),
+    parameters=(return_error("whole play at the camshaft, between two stops", 4.0, 0.02),),
     act=_play,
-    quantity=quantities.RETURN_ERROR,
+    deviation=deviation.RETURN_ERROR,
     places=(Place.CAR,),
     group=Group("play"),
     confused_with="cam phase, steering zero",
@@ -89,9 +77,9 @@ SLIDING_FRICTION = Effect(
     stage=RUNNING,
     parameters=(friction(step=0.002),),
     act=_friction,
-    quantity=quantities.SLIDING_FRICTION,
+    deviation=deviation.SLIDING_FRICTION,
     places=(Place.CAR,),
-    beside=BACKLASH,
+    beside=RETURN_ERROR,
     twins=DRAG,
     confused_with="less play",
     separated_by=MEASURE_FRICTION,
@@ -117,10 +105,12 @@ TRACK_EFFECTS = (
                 lower=-5.0,
                 upper=5.0,
                 step=0.005,
+                usual=0.05,
                 meaning="+: the wheel points right where the rod is straight",
             ),
         ),
         act=_zero,
+        deviation=deviation.STEERING_ZERO,
         places=(Place.CAR,),
         twins=("yaw of the axle",),
         confused_with="yaw of the rear axle, a dial or micrometer head set to another base distance",
@@ -136,10 +126,12 @@ TRACK_EFFECTS = (
                 lower=-20.0,
                 upper=20.0,
                 step=0.05,
+                usual=0.3,
                 meaning="+: the wheel turns more than the rod, in its tangent",
             ),
         ),
         act=_gain,
+        deviation=deviation.WHEELBASE,
         places=(Place.CAR,),
         twins=("wheelbase",),
         confused_with="wheelbase",
@@ -155,10 +147,12 @@ TRACK_EFFECTS = (
                 lower=-10.0,
                 upper=10.0,
                 step=0.02,
+                usual=0.2,
                 meaning="+: the car goes too far for a turn of the cam",
             ),
         ),
         act=_length,
+        deviation=deviation.WHEEL_RADIUS,
         places=(Place.CAR,),
         twins=("ratio of cam and wheel",),
         confused_with="wrong ratio between cam and wheel",
@@ -174,10 +168,12 @@ TRACK_EFFECTS = (
                 lower=-30.0,
                 upper=30.0,
                 step=0.1,
+                usual=0.3,
                 meaning="+: the driven wheel stands further left of the fork axis",
             ),
         ),
         act=_offset,
+        deviation=deviation.DRIVE_WHEEL_OFFSET,
         places=(Place.CAR,),
         confused_with="lever gain where the turns all go one way",
         separated_by="measure from the fork axis to the middle of the tyre",
@@ -192,6 +188,7 @@ TRACK_EFFECTS = (
                 lower=-20.0,
                 upper=50.0,
                 step=0.2,
+                usual=1.0,
                 meaning="+: travel lost, for each unit of |tan(beta)|",
             ),
         ),
@@ -210,16 +207,17 @@ TRACK_EFFECTS = (
                 lower=-10.0,
                 upper=10.0,
                 step=0.02,
+                usual=0.2,
                 meaning="+: the cam stands ahead, in its sense of turning",
             ),
         ),
         act=_phase,
-        quantity=quantities.CAM_PHASE,
+        deviation=deviation.CAM_PHASE,
         places=(Place.CAR,),
         confused_with="backlash",
         separated_by="mark the keyway and the rod's place at the start",
     ),
-    BACKLASH,
+    RETURN_ERROR,
     SLIDING_FRICTION,
     ECCENTRIC,
 )
@@ -288,7 +286,7 @@ def track_forms() -> tuple[Effect, ...]:
     """Play at several frictions for a search to begin from, and the local forms that compete."""
     bumps = [steering_bump(c, w) for w in (5.0, 15.0) for c in np.arange(w / 2, 360.0, w)]
     return (
-        *(rubbing(BACKLASH, SLIDING_FRICTION, _rubbing, mu) for mu in FRICTIONS),
+        *(rubbing(RETURN_ERROR, SLIDING_FRICTION, _rubbing, mu) for mu in FRICTIONS),
         *SMOOTH_FORMS,
         WHEEL_THAT_SHRINKS,
         *bumps,

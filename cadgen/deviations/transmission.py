@@ -10,11 +10,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.deviations import quantities
-from cadgen.deviations.effect import Effect, Group, Parameter, Stage
-from cadgen.deviations.friction import DRAG, FRICTIONS, MEASURE_FRICTION, friction, rubbing
-from cadgen.deviations.names import Place
-from cadgen.deviations.rows import Rows
+from cadgen.deviations import deviation
+from cadgen.deviations.deviation import Place
+from cadgen.deviations.effect import Effect, Group, Parameter, Rows, Stage
+from cadgen.deviations.return_error import DRAG, FRICTIONS, MEASURE_FRICTION, friction, return_error, rubbing
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -53,9 +52,8 @@ MESH = Stage[Array]("mesh")
 PLAY = Stage[Play]("play")
 
 
-def _deg(name: str, meaning: str, limit: float, lower: float | None = None) -> Parameter:
-    low = -limit if lower is None else lower
-    return Parameter(name=name, unit="deg", lower=low, upper=limit, step=limit / 200, meaning=meaning)
+def _deg(name: str, meaning: str, limit: float, usual: float) -> Parameter:
+    return Parameter(name=name, unit="deg", lower=-limit, upper=limit, step=limit / 200, usual=usual, meaning=meaning)
 
 
 def _play(play: Play, p: Array, at: Turned) -> Play:
@@ -88,9 +86,9 @@ def _periodic(order: float) -> Callable[[Array, Array, Turned], Array]:
 RETURN_ERROR = Effect(
     name="return error",
     stage=PLAY,
-    parameters=(_deg("return_error_deg", "whole play at the camshaft, between two stops", 5.0, 0.0),),
+    parameters=(return_error("whole play at the camshaft, between two stops", 5.0, 0.025),),
     act=_play,
-    quantity=quantities.RETURN_ERROR,
+    deviation=deviation.RETURN_ERROR,
     places=(Place.CAR,),
     group=Group("play"),
     twins=("wind-up under friction", "lag at one speed"),
@@ -100,9 +98,9 @@ RETURN_ERROR = Effect(
 SLIDING_FRICTION = Effect(
     name="sliding friction",
     stage=PLAY,
-    parameters=(replace(friction(step=0.02), stepwise=True),),
+    parameters=(friction(step=0.02, stepwise=True),),
     act=_friction,
-    quantity=quantities.SLIDING_FRICTION,
+    deviation=deviation.SLIDING_FRICTION,
     places=(Place.CAR,),
     beside=RETURN_ERROR,
     twins=DRAG,
@@ -119,6 +117,7 @@ RATE = Effect(
             lower=-20.0,
             upper=20.0,
             step=0.05,
+            usual=0.01,
             meaning="+: the camshaft turns too far for the motor",
         ),
     ),
@@ -130,7 +129,7 @@ RATE = Effect(
 WIND_UP = Effect(
     name="wind-up",
     stage=MESH,
-    parameters=(_deg("wind_up_deg", "+: the camshaft lags where the lift rises most steeply", 5.0),),
+    parameters=(_deg("wind_up_deg", "+: the camshaft lags where the lift rises most steeply", 5.0, 0.03),),
     act=_wind_up,
     places=(Place.NOTED, Place.CAR),
     confused_with="runout of the camshaft",
@@ -149,8 +148,8 @@ def runout(shaft: str, order: float) -> Effect:
         name=f"runout of {shaft}",
         stage=MESH,
         parameters=(
-            _deg("runout_cos_deg", "+: the camshaft is ahead where that shaft has turned by 0°", 5.0),
-            _deg("runout_sin_deg", "+: where it has turned by 90°", 5.0),
+            _deg("runout_cos_deg", "+: the camshaft is ahead where that shaft has turned by 0°", 5.0, 0.03),
+            _deg("runout_sin_deg", "+: where it has turned by 90°", 5.0, 0.03),
         ),
         act=_periodic(order),
         # Of a whole order it repeats with every turn of the cam, and a cam may take it out.
@@ -173,8 +172,8 @@ def tooth_mesh(stage: int, order: float) -> Effect:
         name=f"tooth mesh of stage {stage}",
         stage=MESH,
         parameters=(
-            _deg("mesh_cos_deg", "+: the camshaft is ahead at the start of each tooth", 2.0),
-            _deg("mesh_sin_deg", "+: a quarter of a tooth later", 2.0),
+            _deg("mesh_cos_deg", "+: the camshaft is ahead at the start of each tooth", 2.0, 0.01),
+            _deg("mesh_sin_deg", "+: a quarter of a tooth later", 2.0, 0.01),
         ),
         act=_periodic(order),
         confused_with="a count error of the encoder at the same order",

@@ -9,8 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.deviations.effect import Effect, Parameter, Stage
-from cadgen.deviations.rows import Rows
+from cadgen.deviations.effect import Effect, Parameter, Rows, Stage
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -44,12 +43,12 @@ def _marker(place: complex, p: Array, at: Log) -> complex:
     return place + complex(p[0], p[1])
 
 
-def _percent(name: str, meaning: str, limit: float) -> Parameter:
-    return Parameter(name=name, unit="%", lower=-limit, upper=limit, step=0.05, meaning=meaning)
+def _percent(name: str, meaning: str, limit: float, usual: float = 1.0) -> Parameter:
+    return Parameter(name=name, unit="%", lower=-limit, upper=limit, step=0.05, usual=usual, meaning=meaning)
 
 
 def _mm(name: str, meaning: str) -> Parameter:
-    return Parameter(name=name, unit="mm", lower=-60.0, upper=60.0, step=0.2, meaning=meaning)
+    return Parameter(name=name, unit="mm", lower=-60.0, upper=60.0, step=0.2, usual=3.0, meaning=meaning)
 
 
 ON_THE_SPOT = "turn on the spot with the wheel at 90 degrees: there the rate of turning is the wheelbase's alone"
@@ -65,6 +64,7 @@ TRICYCLE_EFFECTS = (
                 lower=-10.0,
                 upper=10.0,
                 step=0.01,
+                usual=2.0,
                 meaning="+: the wheel points further left than was logged",
             ),
         ),
@@ -83,7 +83,7 @@ TRICYCLE_EFFECTS = (
     Effect(
         name="wheelbase",
         stage=WHEELBASE,
-        parameters=(_percent("wheelbase_percent", "+: longer than said", 30.0),),
+        parameters=(_percent("wheelbase_percent", "+: longer than said", 30.0, 3.0),),
         act=_times,
         confused_with="steering gain, as long as the wheel turns little",
         separated_by=ON_THE_SPOT,
@@ -106,6 +106,7 @@ TRICYCLE_EFFECTS = (
                 lower=-1.0,
                 upper=3.0,
                 step=0.02,
+                usual=0.05,
                 meaning="+: the wheel turns later than was logged",
             ),
         ),

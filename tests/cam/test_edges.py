@@ -12,8 +12,7 @@ from cadgen.cam.envelope import actual_profile
 from cadgen.cam.followers.rod_checks import CHAMFER_LEAN
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
 from cadgen.curves.closed import left_normal
-from cadgen.deviations.as_built import AS_DESIGNED
-from cadgen.deviations.edges import edges_check
+from cadgen.deviations.as_built import AS_DESIGNED, edges_check
 from cadgen.parts.blank import Blank
 
 STEP = 4e-3  # mm between points: a rod of 2.5 mm then rests within 1e-6 mm

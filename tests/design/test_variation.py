@@ -7,7 +7,7 @@ import pytest
 from cadgen.car.motion.mechanics import MechanicsBand
 from cadgen.design import variation
 from cadgen.design.load import load_design
-from cadgen.inference.monte_carlo.derivatives import Expansion
+from cadgen.deviations.first_order import Expansion
 
 
 def halves(*overrides: str, forces: MechanicsBand | None = None) -> dict[str, float]:

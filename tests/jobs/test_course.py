@@ -11,8 +11,8 @@ from cadgen.car.motion.drive import STEPS
 from cadgen.check import CheckCode
 from cadgen.design import cam_model
 from cadgen.design.load import load_design
+from cadgen.deviations.deviation import COLUMNS
 from cadgen.inference.monte_carlo.fleet import run_fleet
-from cadgen.inference.monte_carlo.parameters import PARAMETERS
 from cadgen.inference.monte_carlo.watch import seen
 from cadgen.jobs.cam.plan import plan_cam
 from cadgen.jobs.runs.fleet import fleet_of
@@ -73,8 +73,8 @@ def test_many_cars_are_held_against_the_course_as_one_car_is(plan):
     """Cars that differ in play and start alone, each driven exactly and judged by the sweep."""
     comparison, planned = plan.comparison, plan.course.planned
     fleet = watching(fleet_of(plan, [STEPS], None, comparison.chosen.play), planned)
-    rng, column = np.random.default_rng(1), {name: k for k, name in enumerate(PARAMETERS)}
-    deviations = np.zeros((12, len(PARAMETERS)))
+    rng, column = np.random.default_rng(1), {name: k for k, name in enumerate(COLUMNS)}
+    deviations = np.zeros((12, len(COLUMNS)))
     low, high = comparison.band.ends
     deviations[:, column["play"]] = rng.uniform(low, high, 12) - fleet.play
     for name, size in (("start_x", 2.0), ("start_y", 5.0), ("start_heading", 0.003)):

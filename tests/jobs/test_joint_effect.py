@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from cadgen.design.load import load_design
-from cadgen.deviations.names import Place
+from cadgen.deviations.deviation import Place
 from cadgen.inference.expectation.outlook import Outlook
 from cadgen.inference.measurement.verdict import Verdict
 from cadgen.jobs.calibration import plan
@@ -125,7 +125,7 @@ def test_whole_subsets_are_without_what_is_surely_not_there_or_on_its_bound_or_w
     tried.clear()
     with_joint_effect(told.diagnoses, [*sure, apart], expected)
     assert all(apart in some for some in tried)
-    assert not any(c.quantity == zero.quantity for some in tried for c in some if not c.sure)
+    assert not any(c.deviation == zero.deviation for some in tried for c in some if not c.sure)
     # Nor one that could go no further.
     upper = next(e.bounds[1] for one in first.likely for (_, name), e, _ in one.effects if name == zero.finding.effect)
     stuck = tuple(

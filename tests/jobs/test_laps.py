@@ -17,9 +17,9 @@ from cadgen.check import CheckCode
 from cadgen.design import cam_model
 from cadgen.design.load import design_of, load_design, with_overrides
 from cadgen.design.schema import Design
+from cadgen.deviations.deviation import COLUMNS
 from cadgen.errors import DesignError
 from cadgen.inference.monte_carlo.fleet import run_fleet
-from cadgen.inference.monte_carlo.parameters import PARAMETERS
 from cadgen.jobs.adjustment.plan import Wanted, adjust
 from cadgen.jobs.calibration.plan import calibrate
 from cadgen.jobs.cam.plan import CamPlan, plan_cam
@@ -212,8 +212,8 @@ def test_many_cars_drive_all_laps(plan):
     """The nominal car of a fleet and one with more play, against runs of their own."""
     more = radians(0.1)
     fleet = fleet_of(plan, [36_000], None, plan.comparison.chosen.play)
-    deviations = np.zeros((2, len(PARAMETERS)))
-    deviations[1, list(PARAMETERS).index("play")] = more
+    deviations = np.zeros((2, len(COLUMNS)))
+    deviations[1, list(COLUMNS).index("play")] = more
     ends = run_fleet(fleet, deviations)
     for car, play in enumerate((0.0, more)):
         found = plan.laps.of(plan.comparison.run(plan.comparison.chosen, plan.comparison.chosen.play + play))

@@ -22,7 +22,7 @@ from scipy.interpolate import CubicSpline
 from cadgen.arrays import Array
 from cadgen.cam.contact import roll
 from cadgen.design.load import load_design
-from cadgen.inference.adjustment.trial import Settings, Trial
+from cadgen.inference.adjustment import Settings, Trial
 from cadgen.jobs.adjustment.plan import Bench, Wanted
 from cadgen.jobs.cam.plan import comparison_of, plan_cam
 from tests.studies.command import PAGES, options, tell

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import Array
-from cadgen.deviations import quantities
+from cadgen.deviations import deviation
+from cadgen.deviations.deviation import Deviation
 from cadgen.deviations.effect import Active, Effect
-from cadgen.deviations.quantities import Quantity
 from cadgen.inference.expectation.linear import Linear
 
 # Play or friction that makes the records so far less likely by this factor is not there.
@@ -83,10 +83,10 @@ class Known:
         best = [(e, v) for e, v in linear.best if not e.shape]
         self._rows = linear.measured_rows(best)
         self._known = sum((rows.information() for rows in self._rows), np.zeros((size, size)))
-        means: Mapping[Quantity | None, float]
-        means = {quantities.RETURN_ERROR: prior.play, quantities.SLIDING_FRICTION: prior.friction}
+        means: Mapping[Deviation | None, float]
+        means = {deviation.RETURN_ERROR: prior.play, deviation.SLIDING_FRICTION: prior.friction}
         unseen = self._unseen(best, means)
-        hidden = [(e, np.array([means[e.quantity]])) for e in unseen if e.quantity in means]
+        hidden = [(e, np.array([means[e.deviation]])) for e in unseen if e.deviation in means]
         if linear.traced:
             subsets = [self._subset(weight, active, unseen, hidden) for weight, active in linear.likely]
         else:
@@ -94,7 +94,7 @@ class Known:
         self.about: Active = [*best, *hidden]
         self.subsets = [s for one in subsets if one.weight >= LEAST_WEIGHT for s in self._on_floors(one)]
 
-    def _unseen(self, best: Active, means: Mapping[Quantity | None, float]) -> list[Effect]:
+    def _unseen(self, best: Active, means: Mapping[Deviation | None, float]) -> list[Effect]:
         """Effects beside the best subset that a car may have all the same.
 
         Every car has a little of all that lies about 0. Play and friction are there or not: where they are not in a
@@ -119,7 +119,7 @@ class Known:
                 continue
             if effect.beside and effect.beside.key not in inside | {e.key for e in out}:
                 continue
-            mean = means.get(effect.quantity, 0.0) / linear.scale[span]
+            mean = means.get(effect.deviation, 0.0) / linear.scale[span]
             if mean.any():
                 side = known[span, :][:, at] @ inner
                 information = np.diag(known[span, span] - side @ known[at, span])
@@ -156,8 +156,8 @@ class Known:
         """A subset with effects that were not seen, some of them with a value beforehand, and what made the rest."""
         linear, first = self._linear, len(self._linear.scale)
         values = {e.key: v for e, v in active}
-        physical = {e.quantity for e, _ in active if e.quantity}
-        means = {e.key: v for e, v in hidden if e.quantity not in physical} | values
+        physical = {e.deviation for e, _ in active if e.deviation}
+        means = {e.key: v for e, v in hidden if e.deviation not in physical} | values
         here = [(e, s) for e, s in self._effects if e.key in values or e in unseen or e == cause]
         at = np.concatenate([*(np.arange(s.start, s.stop) for _, s in here), np.arange(first, linear.size)])
         at = at.astype(np.intp)

@@ -15,10 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
+from cadgen.deviations.deviation import Deviation, Place
 from cadgen.deviations.effect import Active, Effect
-from cadgen.deviations.names import Place
-from cadgen.deviations.quantities import Quantity
-from cadgen.deviations.usual import usual
 from cadgen.inference.expectation.outlook import ways
 from cadgen.inference.expectation.proposals import NOISE
 from cadgen.inference.measurement.diagnose import SOUND
@@ -129,7 +127,7 @@ class Linear:
     @cached_property
     def scale(self) -> Array:
         """One standard deviation of each direction, internal units, shape (p,)."""
-        return np.array([self.spread.get(q.name, 0.0) or usual(q) for e in self.effects for q in e.parameters])
+        return np.array([self.spread.get(q.name, 0.0) or q.spread for e in self.effects for q in e.parameters])
 
     @property
     def size(self) -> int:
@@ -222,12 +220,12 @@ class Linear:
         beside = np.array([(s.beside * track.discrepancy.sigma) ** 2 for s in self.grid])
         return np.hstack([form, beside])
 
-    def _columns(self, kind: Kind, model: Model, active: Active, idle: frozenset[Quantity]) -> Array:
+    def _columns(self, kind: Kind, model: Model, active: Active, idle: frozenset[Deviation]) -> Array:
         """How a record answers one standard deviation in each direction, shape (n, size)."""
         names, own = self.merged.names[self.kinds.index(kind)], self.own(kind, active)
         out = np.zeros((len(model.rows.run), self.size))
         for effect, span in zip(self.effects, self.spans, strict=True):
-            if effect.key in names and effect.quantity not in idle:
+            if effect.key in names and effect.deviation not in idle:
                 out[:, span] = -slopes(model, (names[effect.key],), own) * self.scale[span]
         if kind is TRACK:
             out[:, len(self.scale) :] = repeating(model) / np.sqrt(self.repeats)
@@ -239,7 +237,7 @@ class Linear:
         model: Model,
         noise: Noise,
         active: Active,
-        idle: frozenset[Quantity] = frozenset(),
+        idle: frozenset[Deviation] = frozenset(),
     ) -> "Rows":
         """A record's rows, whitened.
 

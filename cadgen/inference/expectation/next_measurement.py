@@ -20,8 +20,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.deviations import quantities
-from cadgen.deviations.names import Place
+from cadgen.deviations import deviation
+from cadgen.deviations.deviation import Place
 from cadgen.inference.expectation.known import LEAST_WEIGHT, Known, Prior
 from cadgen.inference.expectation.linear import Linear, Rows
 from cadgen.inference.expectation.outlook import RANGE, new_form
@@ -149,7 +149,7 @@ class _State:
         self._draw()
         self.by_hand = np.zeros((size, size))
         for effect, span in self._effects:
-            if effect.quantity == quantities.RETURN_ERROR and not effect.numerous:
+            if effect.deviation == deviation.RETURN_ERROR and not effect.numerous:
                 self.by_hand[span, span] = (linear.scale[span] / BY_HAND) ** 2
 
     def _draw(self) -> None:
@@ -243,7 +243,7 @@ class _State:
             if at[0] < 0 or not way.any():
                 continue
             has = np.array([effect.key in key or effect.key not in subset.key for key in self._keys])
-            play = effect.quantity == quantities.RETURN_ERROR  # a number of the design, too
+            play = effect.deviation == deviation.RETURN_ERROR  # a number of the design, too
             place = Place.CAR if play else linear.place(effect, kinds)
             # By a track a cam is made for a whole subset, for what is not sure by name, too.
             claimed = (np.sum(weight[has], axis=0) >= SURE) | (aliased and place in (Place.CAR, Place.PART))

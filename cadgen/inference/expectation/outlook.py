@@ -178,8 +178,8 @@ def _in_track(model: TrackModel, effect: Effect, kind: str) -> Effect | None:
     """Effect in the track that corresponds to one of any kind of data; None where it does not move the car."""
     if kind == KIND.code:
         return effect
-    if effect.quantity is not None:
-        same = next((e for e in KIND.catalogue.effects if e.quantity == effect.quantity), None)
+    if effect.deviation is not None:
+        same = next((e for e in KIND.catalogue.effects if e.deviation == effect.deviation), None)
         if same is not None:
             return same
     return effect if effect.stage in model.behind and not (effect.instrument or effect.shape) else None

@@ -14,7 +14,6 @@ from scipy.optimize import least_squares
 
 from cadgen.arrays import Array
 from cadgen.deviations.effect import UNITS, Active
-from cadgen.deviations.usual import usual
 from cadgen.inference.expectation.linear import Linear
 from cadgen.inference.measurement.findings import EvidenceDiagnosis, PathDiagnosis
 from cadgen.inference.measurement.models.base import Model, slopes
@@ -104,7 +103,7 @@ def _probable(model: Model, error: float) -> Active:
     """All effects of a logged car with their most probable numbers, the start pose of each run free."""
     effects = model.catalogue
     cuts = np.cumsum([len(e.parameters) for e in effects])[:-1]
-    spread = np.array([usual(p, logged=True) for e in effects for p in e.parameters])
+    spread = np.array([p.spread for e in effects for p in e.parameters])
     weight = np.sqrt(INDEPENDENT * model.rows.runs / len(model.rows.run)) / max(error, 1e-6)
     pose = np.linalg.qr(model.offsets)[0]
 

@@ -7,9 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN
-from cadgen.deviations import quantities
+from cadgen.deviations import deviation
+from cadgen.deviations.deviation import Deviation
 from cadgen.deviations.effect import Active
-from cadgen.deviations.quantities import Quantity
 from cadgen.inference.measurement.kinds import LIFT, PROFILE, TRACK, TRANSMISSION
 from cadgen.inference.measurement.kinds.track import run_of
 from cadgen.inference.measurement.nominal import Nominal
@@ -40,7 +40,7 @@ class Proposal:
     kind: Kind | None
     runs: int
     record: Record | None
-    idle: frozenset[Quantity] = frozenset()
+    idle: frozenset[Deviation] = frozenset()
 
 
 def proposals(nominal: Nominal, known: Active, measured: Sequence[Kind]) -> tuple[Proposal, ...]:
@@ -116,7 +116,7 @@ def _train(nominal: Nominal, *, lifted: bool, back: bool, runs: int = 3) -> Prop
     columns = {"motor_angle_deg": cam * float(np.prod(nominal.ratios)), "cam_angle_deg": cam}
     rod, way = "lifted" if lifted else "on the disc", "forward and back" if back else "forward only"
     words = f"angles at both ends of the train, {runs} runs, {way}, the rod {rod}"
-    idle = frozenset({quantities.SLIDING_FRICTION} if lifted else ())
+    idle = frozenset({deviation.SLIDING_FRICTION} if lifted else ())
     return Proposal(words, TRANSMISSION, runs, _record(TRANSMISSION, columns, runs), idle)
 
 

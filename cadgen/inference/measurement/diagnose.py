@@ -7,9 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import Array
+from cadgen.deviations.deviation import Deviation
 from cadgen.deviations.effect import UNITS, Active, Effect
 from cadgen.deviations.lift import Readings
-from cadgen.deviations.quantities import Quantity
 from cadgen.inference.measurement.doubt import doubted, refuse_too_few, resolved, unfit
 from cadgen.inference.measurement.evidence import Evidence, grid_of
 from cadgen.inference.measurement.findings import (
@@ -41,7 +41,7 @@ NOT_NOISE = 0.8
 SURE_SIGMAS = 4.0
 # Of many runs several are left out at a time, for so many fits at most.
 MOST_FITS = 10
-# Verdicts beside which it counts that a quantity is not named.
+# Verdicts beside which it counts that a deviation is not named.
 SOUND = (Verdict.NONE, Verdict.TRACED, Verdict.COMBINATION)
 
 
@@ -229,7 +229,7 @@ def _figures(
     )
 
 
-def _unnamed(part: Part, result: Weighed) -> dict[Quantity, Finding]:
+def _unnamed(part: Part, result: Weighed) -> dict[Deviation, Finding]:
     """How much of some quantities there could be where several runs and a sound verdict name none.
 
     Where it is not clear what is there, one that the likeliest subset has but cannot be claimed is looked at by itself:
@@ -241,20 +241,20 @@ def _unnamed(part: Part, result: Weighed) -> dict[Quantity, Finding]:
     sound = doubtful or judgement.verdict in SOUND or (judgement.verdict == Verdict.PARTIAL and best.spectrum.within)
     if part.model.rows.runs < 2 or not sound:
         return {}
-    named = {e.quantity for e in best.effects if e.name in judgement.claimed or not doubtful}
-    unnamed: dict[Quantity, Finding] = {}
+    named = {e.deviation for e in best.effects if e.name in judgement.claimed or not doubtful}
+    unnamed: dict[Deviation, Finding] = {}
     for effect in joint.core:
-        quantity = effect.quantity
-        if quantity is None or quantity not in part.kind.absences or quantity in named or quantity in unnamed:
+        deviation = effect.deviation
+        if deviation is None or deviation not in part.kind.absences or deviation in named or deviation in unnamed:
             continue
         if joint.kinds[effect.key] is not part.kind:
             continue
         if effect.beside and effect.beside.name not in judgement.claimed:
             continue
         # With the effects found free beside it, what they could hide of it widens its error.
-        others = tuple(e for e in best.effects if quantity not in (e.quantity, e.beside and e.beside.quantity))
+        others = tuple(e for e in best.effects if deviation not in (e.deviation, e.beside and e.beside.deviation))
         beside = fit(joint, (*others, effect), best.active, Search(1))
-        unnamed[quantity] = next(_finding(beside, *entry) for entry in beside.values() if entry[0] == effect)
+        unnamed[deviation] = next(_finding(beside, *entry) for entry in beside.values() if entry[0] == effect)
     return unnamed
 
 

@@ -7,7 +7,7 @@ from scipy.stats import f as f_distribution
 
 from cadgen.arrays import Array
 from cadgen.deviations.effect import UNITS, causes
-from cadgen.deviations.friction import NO_FRICTION
+from cadgen.deviations.return_error import NO_FRICTION
 from cadgen.errors import FileError
 from cadgen.inference.measurement.evidence import Evidence, Spectrum
 from cadgen.inference.measurement.hypothesis import Hypothesis

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import Array
+from cadgen.deviations.deviation import Deviation
 from cadgen.deviations.effect import Active, Effect
-from cadgen.deviations.quantities import Quantity
 from cadgen.inference.measurement.record import Kind
 from cadgen.inference.measurement.verdict import SIGMAS, Judgement, Verdict, within_error
 
@@ -218,7 +218,7 @@ class EvidenceDiagnosis(Diagnosis):
     leads: tuple[str, ...] = ()
     held: str = ""
     discrepancy: Finding | None = None
-    unnamed: dict[Quantity, Finding] = field(default_factory=dict)
+    unnamed: dict[Deviation, Finding] = field(default_factory=dict)
     play_known: bool = False
     score: float = 0.0
     contradicted: bool = False

@@ -8,7 +8,7 @@ friction holds the cam, tells them apart.
 from dataclasses import replace
 
 from cadgen.deviations.effect import Effect
-from cadgen.deviations.friction import MEASURE_FRICTION
+from cadgen.deviations.return_error import MEASURE_FRICTION
 from cadgen.inference.measurement.hypothesis import Hypothesis, Search, fit
 from cadgen.inference.measurement.joint import Joint
 from cadgen.inference.measurement.verdict import Judgement, unclaimed

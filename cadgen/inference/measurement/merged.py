@@ -84,7 +84,7 @@ def _identity(kind: Kind, model: Model, effect: Effect) -> tuple[str, ...]:
     """Identity of an effect across kinds of data: its quantity, and its number among many of one sort."""
     if effect.parts:
         return (*(name for part in effect.parts for name in _identity(kind, model, part)), effect.variant)
-    alike = [e for e in model.catalogue if e.quantity == effect.quantity and not e.numerous]
-    if effect.quantity is None or (not effect.numerous and len(alike) > 1):
+    alike = [e for e in model.catalogue if e.deviation == effect.deviation and not e.numerous]
+    if effect.deviation is None or (not effect.numerous and len(alike) > 1):
         return (kind.code, effect.key)
-    return (effect.quantity.name, effect.key if effect.numerous else "")
+    return (effect.deviation.name, effect.key if effect.numerous else "")

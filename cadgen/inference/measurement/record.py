@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import Array
 from cadgen.deviations.catalogue import Catalogue
+from cadgen.deviations.deviation import Deviation
 from cadgen.deviations.effect import Active, Effect
-from cadgen.deviations.quantities import Quantity
 from cadgen.errors import DesignError, FileError
 from cadgen.inference.measurement.models.base import Model
 
@@ -154,7 +154,7 @@ class Kind:
     least_rows: int = LEAST_ROWS
     counts: int = 0
     around: bool = False
-    absences: tuple[Quantity, ...] = ()
+    absences: tuple[Deviation, ...] = ()
     nearness: int
     rod_on: bool = False
     of_design: bool = True
@@ -179,10 +179,10 @@ class Kind:
         """Unit of the readings."""
         return self.readings[0].rpartition("_")[2]
 
-    def quantity(self, effect: str) -> Quantity:
-        """Physical quantity of a catalogue's effect; an effect of this kind alone is a quantity of its own."""
+    def deviation(self, effect: str) -> Deviation:
+        """Deviation that an effect of the catalogue is; an effect of this kind alone is one of its own."""
         known = self.catalogue.named(effect)
-        return (known and known.quantity) or Quantity(f"{effect} ({self.code})")
+        return (known and known.deviation) or Deviation(f"{effect} ({self.code})")
 
     def named(self, name: str, indices: Mapping[str, float] | None = None) -> Effect:
         """The effect that is written under a name, with the numbers that belong to the name (`Catalogue.named`).

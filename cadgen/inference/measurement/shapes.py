@@ -10,8 +10,7 @@ from typing import Any
 import numpy as np
 
 from cadgen.arrays import TURN, Array
-from cadgen.deviations.effect import READING, UNITS, Effect, Parameter, Stage
-from cadgen.deviations.rows import Rows
+from cadgen.deviations.effect import READING, UNITS, Effect, Parameter, Rows, Stage
 
 BUMP_WIDTHS_DEG = (2.0, 4.0, 8.0, 16.0)
 BUMP_PITCH = 0.75  # centres per half-width: a bump between two centres loses under 4 % of its square

@@ -11,8 +11,8 @@ from math import hypot
 import numpy as np
 from scipy.stats import chi2
 
-from cadgen.deviations.friction import NO_FRICTION
-from cadgen.deviations.quantities import RETURN_ERROR, Quantity
+from cadgen.deviations.deviation import RETURN_ERROR, Deviation
+from cadgen.deviations.return_error import NO_FRICTION
 from cadgen.inference.measurement.findings import Diagnosis, EvidenceDiagnosis, Finding, Value
 from cadgen.inference.measurement.record import Kind
 
@@ -41,9 +41,9 @@ class Claim:
     sure: bool = True
 
     @property
-    def quantity(self) -> Quantity:
-        """Its physical quantity."""
-        return self.kind.quantity(self.finding.effect)
+    def deviation(self) -> Deviation:
+        """Entry of the catalogue that it is."""
+        return self.kind.deviation(self.finding.effect)
 
     @property
     def absent(self) -> bool:
@@ -56,13 +56,13 @@ class Shared:
     """A physical quantity found in several records.
 
     Attributes:
-        quantity: which.
+        deviation: which.
         values: means weighted by their variances.
         sources: of the records.
         chance: of values so far apart if they were one effect's.
     """
 
-    quantity: Quantity
+    deviation: Deviation
     values: tuple[Value, ...]
     sources: tuple[str, ...]
     chance: float
@@ -124,18 +124,18 @@ def at_work(found: Sequence[Claim]) -> tuple[Claim, Claim]:
 def shared(found: Sequence[Claim]) -> tuple[Shared, ...]:
     """Quantities claimed in two records or more, with their common values."""
     out = []
-    for quantity in dict.fromkeys(claim.quantity for claim in found):
-        several = [claim for claim in found if claim.quantity == quantity and not claim.informed]
+    for deviation in dict.fromkeys(claim.deviation for claim in found):
+        several = [claim for claim in found if claim.deviation == deviation and not claim.informed]
         if len({claim.source for claim in several}) > 1:
             values, chance = _mean([claim.finding for claim in several])
-            out.append(Shared(quantity, values, tuple(claim.source for claim in several), chance))
+            out.append(Shared(deviation, values, tuple(claim.source for claim in several), chance))
     return tuple(out)
 
 
 def _claim(diagnosis: Diagnosis, finding: Finding) -> Claim:
     if not isinstance(diagnosis, EvidenceDiagnosis):
         return Claim(diagnosis.source, diagnosis.kind, finding)
-    informed = diagnosis.play_known and diagnosis.kind.quantity(finding.effect) == RETURN_ERROR
+    informed = diagnosis.play_known and diagnosis.kind.deviation(finding.effect) == RETURN_ERROR
     return Claim(diagnosis.source, diagnosis.kind, finding, informed)
 
 

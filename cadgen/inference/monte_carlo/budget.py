@@ -3,36 +3,100 @@
 A trim is a constant turn of the steering, set after a trial run so that the end is met as closely as it goes. It takes
 out what repeats from run to run, as far as a turn of the steering can; what does not repeat, and how closely the base
 radius can be set, by which it is done, it leaves as they are.
+
+A disc alone is ranked by manufacturing process. Half widths, in mm and rad, are those that a process makes on a disc of
+some 150 mm, 3 mm thick. The sources call them normal for it; a shop's own figures are better, and go into [tolerances].
+
+- **milled**: an end mill in one clamping holds 0.025 mm (tables of process capability: 0.025 to 0.13 mm; Machinery's
+  Handbook: milling IT 10, reaming and boring IT 7 to 8, which for a bore of 8 mm is 15 um); the mill gives way by some
+  hundredth over its length; edges are broken by hand; faces as ISO 2768-f, 0.05 mm.
+- **wire-cut** (wire EDM): 5 um of profile and taper with a second pass (makers' data: 2.5 to 5 um); bore and profile in
+  one clamping.
+- **laser-cut**: 0.1 mm of profile (ISO 9013, laser, up to 3 mm thick; job shops: 0.13 mm), the cut leans by
+  0.05 mm + 0.003 of the thickness (ISO 9013, perpendicularity, range 1), and sheet varies in thickness.
+- **printed** (melted filament): 0.15 mm (tables: 0.1 to 0.5 mm), the first layers stand out, edges are round with half
+  the bead.
 """
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from enum import StrEnum
 from math import radians
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
+from cadgen.deviations.deviation import (
+    COLUMNS,
+    ECCENTRIC_BORE,
+    EDGE_BREAK,
+    INNER_FACE,
+    OUTER_FACE,
+    PROFILE_OFFSET,
+    RETURN_ERROR,
+    STEERING_ZERO,
+    TAPER,
+    WOBBLE,
+    Deviation,
+)
 from cadgen.inference.monte_carlo.fleet import Fleet, run_fleet
-from cadgen.inference.monte_carlo.parameters import Directed, Parameter, Tolerance
-from cadgen.inference.monte_carlo.processes import HALF_WIDTHS, Process
-from cadgen.inference.monte_carlo.robust import MOST_STEERING, ONE_SIDED, steering_effect
+from cadgen.inference.monte_carlo.robust import MOST_STEERING, steering_effect
 
 Complex = NDArray[np.complex128]
 
-# These differ from run to run, or the trim itself sets them no closer (the base radius, by which it is set).
-FLEETING = (
-    Parameter.BASE_RADIUS,
-    Parameter.CAM_PHASE,
-    Parameter.START_X,
-    Parameter.START_Y,
-    Parameter.START_HEADING,
-    Parameter.STEERING_LOST_MOTION,
-    Parameter.TEMPERATURE,
-)
 _DIRECTIONS = 24  # of a deviation that has one, searched for the worst
 _TRIM_STEPS = 4  # of Newton's method
 _TRIM_PROBE = radians(0.01)
+
+
+class Process(StrEnum):
+    """Process by which a disc is made."""
+
+    MILLED = "milled"
+    WIRE_CUT = "wire-cut"
+    LASER_CUT = "laser-cut"
+    PRINTED = "printed"
+
+
+HALF_WIDTHS: dict[Process, dict[Deviation, float]] = {
+    Process.MILLED: {
+        PROFILE_OFFSET: 0.025,
+        TAPER: 0.01,
+        EDGE_BREAK: 0.05,
+        ECCENTRIC_BORE: 0.01,
+        WOBBLE: radians(0.05),
+        INNER_FACE: 0.05,
+        OUTER_FACE: 0.05,
+    },
+    Process.WIRE_CUT: {
+        PROFILE_OFFSET: 0.005,
+        TAPER: 0.005,
+        EDGE_BREAK: 0.01,
+        ECCENTRIC_BORE: 0.005,
+        WOBBLE: radians(0.05),
+        INNER_FACE: 0.05,
+        OUTER_FACE: 0.05,
+    },
+    Process.LASER_CUT: {
+        PROFILE_OFFSET: 0.1,
+        TAPER: 0.06,
+        EDGE_BREAK: 0.02,
+        ECCENTRIC_BORE: 0.05,
+        WOBBLE: radians(0.1),
+        INNER_FACE: 0.1,
+        OUTER_FACE: 0.1,
+    },
+    Process.PRINTED: {
+        PROFILE_OFFSET: 0.15,
+        TAPER: 0.1,
+        EDGE_BREAK: 0.1,
+        ECCENTRIC_BORE: 0.1,
+        WOBBLE: radians(0.2),
+        INNER_FACE: 0.1,
+        OUTER_FACE: 0.1,
+    },
+}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -41,8 +105,8 @@ class Cost:
 
     Attributes:
         name: name of the tolerance, or place of the play.
-        parameter: parameter that deviates: one of `TOLERANCES`, or `play`.
-        half_width: half of the tolerance zone, in the unit of the parameter.
+        deviation: what deviates.
+        half_width: half of the tolerance zone, in the unit of the deviation.
         before: greatest distance by which the end of the run is moved, mm.
         after: that distance after a trim, mm; equal to `before` for a deviation that does not repeat.
         repeats: whether the next run has the same deviation, so that a trim can take it out.
@@ -50,7 +114,7 @@ class Cost:
     """
 
     name: str
-    parameter: Tolerance
+    deviation: Deviation
     half_width: float
     before: float
     after: float
@@ -75,7 +139,7 @@ class Budget:
         return float(np.sqrt(sum(cost.after**2 for cost in self.costs)))
 
 
-def error_budget(fleet: Fleet, half_widths: Mapping[Tolerance, float], plays: Mapping[str, float]) -> Budget:
+def error_budget(fleet: Fleet, half_widths: Mapping[Deviation, float], plays: Mapping[str, float]) -> Budget:
     """Rank all deviations by their cost at the end of the run.
 
     Args:
@@ -83,10 +147,8 @@ def error_budget(fleet: Fleet, half_widths: Mapping[Tolerance, float], plays: Ma
         half_widths: half widths of the tolerances, as in `robust.Tolerances`.
         plays: half of the zone of each play, rad, by the place of the play.
     """
-    deviations: list[tuple[str, Tolerance, float]] = [
-        (name, name, half) for name, half in half_widths.items() if half > 0
-    ]
-    deviations += [(name, Parameter.PLAY, half) for name, half in plays.items() if half > 0]
+    deviations = [(each.key, each, half) for each, half in half_widths.items() if half > 0]
+    deviations += [(place, RETURN_ERROR, half) for place, half in plays.items() if half > 0]
     if not deviations:
         return Budget(())
     at = [fleet.end]
@@ -97,44 +159,43 @@ def error_budget(fleet: Fleet, half_widths: Mapping[Tolerance, float], plays: Ma
         end=-1,
         watches=(),
     )
-    tables = [_cases(parameter, half) for _, parameter, half in deviations]
+    tables = [_cases(each, half) for _, each, half in deviations]
     cases = np.concatenate(tables)
     first = np.concatenate([[0], np.cumsum([len(table) for table in tables])])[:-1]
     before, after = _moved(fleet, cases)
     costs = []
-    for number, (name, parameter, half) in enumerate(deviations):
+    for number, (name, each, half) in enumerate(deviations):
         rows = slice(first[number], first[number] + len(tables[number]))
-        repeats = parameter not in FLEETING
         worst = float(before[rows].max())
         costs.append(
             Cost(
                 name=name,
-                parameter=parameter,
+                deviation=each,
                 half_width=half,
                 before=worst,
-                after=float(after[rows].max()) if repeats else worst,
-                repeats=repeats,
-                rough=parameter != Parameter.PLAY and half * steering_effect(fleet, parameter) > MOST_STEERING,
+                after=worst if each.fleeting else float(after[rows].max()),
+                repeats=not each.fleeting,
+                rough=each != RETURN_ERROR and half * steering_effect(fleet, each) > MOST_STEERING,
             )
         )
     return Budget(tuple(sorted(costs, key=lambda cost: -cost.after)))
 
 
 def by_process(fleet: Fleet) -> dict[Process, Budget]:
-    """The part of the budget that the disc's making decides, for processes by name."""
+    """Budget of the disc's making, by process."""
     return {process: error_budget(fleet, halves, {}) for process, halves in HALF_WIDTHS.items()}
 
 
-def _cases(parameter: Tolerance, half: float) -> Array:
+def _cases(deviation: Deviation, half: float) -> Array:
     """Cars at the limits of one tolerance, in every direction if it has one; shape (k, columns)."""
-    if isinstance(parameter, Directed):
+    if deviation.directed:
         angle = TURN / _DIRECTIONS * np.arange(_DIRECTIONS)
-        cars = np.zeros((_DIRECTIONS, len(Parameter)))
-        cars[:, [part.column for part in parameter.parts]] = half * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+        cars = np.zeros((_DIRECTIONS, len(COLUMNS)))
+        cars[:, deviation.columns] = half * np.stack([np.cos(angle), np.sin(angle)], axis=1)
         return cars
-    ends = [half] if parameter in ONE_SIDED else [-half, half]
-    cars = np.zeros((len(ends), len(Parameter)))
-    cars[:, parameter.column] = ends
+    ends = [half] if deviation.one_sided else [-half, half]
+    cars = np.zeros((len(ends), len(COLUMNS)))
+    cars[:, deviation.column] = ends
     return cars
 
 
@@ -143,10 +204,10 @@ def _moved(fleet: Fleet, cases: Array) -> tuple[Array, Array]:
 
     def ends(turn: Array) -> Complex:
         turned = cases.copy()
-        turned[:, Parameter.STEERING_ZERO.column] += turn
+        turned[:, STEERING_ZERO.column] += turn
         return np.asarray(run_fleet(fleet, turned).position[:, fleet.end] - nominal)
 
-    nominal = run_fleet(fleet, np.zeros((1, len(Parameter)))).position[0, fleet.end]
+    nominal = run_fleet(fleet, np.zeros((1, len(COLUMNS)))).position[0, fleet.end]
     turn = np.zeros(len(cases))
     now = before = ends(turn)
     for _ in range(_TRIM_STEPS):

@@ -21,9 +21,25 @@ from cadgen.car.motion.mechanics import Mechanics
 from cadgen.car.motion.play import LEAST_SWING, falls
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.steering import Car
+from cadgen.deviations.deviation import (
+    CAM_PHASE,
+    DRIVE_WHEEL_OFFSET,
+    EDGE_BREAK,
+    EDGE_WEAR,
+    INNER_FACE,
+    OUTER_FACE,
+    RETURN_ERROR,
+    START_HEADING,
+    START_X,
+    START_Y,
+    STEERING_LOST_MOTION,
+    STEERING_ZERO,
+    TEMPERATURE,
+    WHEEL_RADIUS,
+    WHEELBASE,
+)
+from cadgen.deviations.first_order import Expansion, OtherEdge, steering_derivatives
 from cadgen.errors import DesignError
-from cadgen.inference.monte_carlo.derivatives import Expansion, OtherEdge, steering_derivatives
-from cadgen.inference.monte_carlo.parameters import Parameter
 from cadgen.inference.monte_carlo.stretches import Forces, Stretches, behind_a_brake, stretches
 from cadgen.inference.monte_carlo.tracks import Steered, Tracks
 from cadgen.inference.monte_carlo.watch import Watch
@@ -136,7 +152,7 @@ def run_fleet(fleet: Fleet, deviations: Array, stations: Array | None = None) ->
 
     Args:
         fleet: nominal car.
-        deviations: deviations of m cars, shape (m, 29), columns and units as in `PARAMETERS`.
+        deviations: deviations of m cars, shape (m, 29), columns and units as `deviation.COLUMNS`.
         stations: motor positions of each car, shape (m, g), rad; those of the fleet for all if left out.
     """
     own = None if stations is None else np.broadcast_to(stations, (len(deviations), np.shape(stations)[-1]))
@@ -146,18 +162,17 @@ def run_fleet(fleet: Fleet, deviations: Array, stations: Array | None = None) ->
 
 
 def _run(fleet: Fleet, deviations: Array, stations: Array | None) -> Poses:
-    column = dict(zip(Parameter, deviations.T, strict=True))
-    column = {**column, **_combined(fleet, column)}
-    play = np.maximum(fleet.play + column[Parameter.PLAY], 0.0)
-    rate = fleet.length / TURN * (1 + column[Parameter.WHEEL_RADIUS] / fleet.wheel_radius)
-    phase = column[Parameter.CAM_PHASE]
+    deviations = _combined(fleet, deviations)
+    play = np.maximum(fleet.play + deviations[:, RETURN_ERROR.column], 0.0)
+    rate = fleet.length / TURN * (1 + deviations[:, WHEEL_RADIUS.column] / fleet.wheel_radius)
+    phase = deviations[:, CAM_PHASE.column]
     first, last = float(phase.min()), float(fleet.stations[-1] + phase.max() + play.max())
-    track = Tracks.of(fleet, column, rate, first, last)
+    track = Tracks.of(fleet, deviations, rate, first, last)
 
-    stretch = _stretches(fleet, column, play, phase, last)
+    stretch = _stretches(fleet, deviations, play, phase, last)
     turned, moved = track.between(stretch.cam, stretch.motor[:, 1:] - stretch.motor[:, :-1], stretch.waits)
     zero = np.zeros((len(play), 1))
-    heading = column[Parameter.START_HEADING][:, None] + np.concatenate([zero, np.cumsum(turned, axis=1)], axis=1)
+    heading = deviations[:, START_HEADING.columns] + np.concatenate([zero, np.cumsum(turned, axis=1)], axis=1)
     position = np.concatenate([zero, np.cumsum(np.exp(1j * heading[:, :-1]) * moved, axis=1)], axis=1)
 
     motor = (fleet.stations if stations is None else stations) + phase[:, None]
@@ -167,27 +182,27 @@ def _run(fleet: Fleet, deviations: Array, stations: Array | None) -> Poses:
     rows = np.arange(len(play))[:, None]
     turned, moved = track.between(stretch.cam[rows, at], motor - stretch.motor[rows, at], stretch.waits[rows, at])
     position = position[rows, at] + np.exp(1j * heading[rows, at]) * moved
-    start = (column[Parameter.START_X] + 1j * column[Parameter.START_Y])[:, None]
+    start = deviations[:, START_X.columns] + 1j * deviations[:, START_Y.columns]
     return Poses(heading[rows, at] + turned, start + rate[:, None] * position)
 
 
-def _combined(fleet: Fleet, column: dict[Parameter, Array]) -> dict[Parameter, Array]:
-    """Columns that combine several deviations: broken and worn edges, play in the steering, a frame grown by heat."""
-    edges = column[Parameter.EDGE_BREAK] + column[Parameter.EDGE_WEAR]
-    growth = fleet.expansion.frame * column[Parameter.TEMPERATURE]
-    return {
-        Parameter.INNER_FACE: column[Parameter.INNER_FACE] + edges,
-        Parameter.OUTER_FACE: column[Parameter.OUTER_FACE] - edges,
-        Parameter.STEERING_ZERO: column[Parameter.STEERING_ZERO] + column[Parameter.STEERING_LOST_MOTION],
-        Parameter.WHEELBASE: column[Parameter.WHEELBASE] + fleet.car.wheelbase * growth,
-        Parameter.DRIVE_WHEEL_OFFSET: column[Parameter.DRIVE_WHEEL_OFFSET] + fleet.car.drive_wheel_offset * growth,
-    }
+def _combined(fleet: Fleet, deviations: Array) -> Array:
+    """Deviations with broken and worn edges, play in the steering and a frame grown by heat among what they change."""
+    out = deviations.copy()
+    edges = deviations[:, EDGE_BREAK.column] + deviations[:, EDGE_WEAR.column]
+    growth = fleet.expansion.frame * deviations[:, TEMPERATURE.column]
+    out[:, INNER_FACE.column] += edges
+    out[:, OUTER_FACE.column] -= edges
+    out[:, STEERING_ZERO.column] += deviations[:, STEERING_LOST_MOTION.column]
+    out[:, WHEELBASE.column] += fleet.car.wheelbase * growth
+    out[:, DRIVE_WHEEL_OFFSET.column] += fleet.car.drive_wheel_offset * growth
+    return out
 
 
-def _stretches(fleet: Fleet, column: dict[Parameter, Array], play: Array, phase: Array, last: float) -> Stretches:
+def _stretches(fleet: Fleet, deviations: Array, play: Array, phase: Array, last: float) -> Stretches:
     forces = fleet.forces
     if forces is None:
         return stretches(fleet.falls[None, :, 0], fleet.falls[None, :, 1], play, phase, last)
     if forces.mechanics.behind > 0:
-        return behind_a_brake(forces, column, play, phase, last)
-    return stretches(*forces.leads(column), play, phase, last)
+        return behind_a_brake(forces, deviations, play, phase, last)
+    return stretches(*forces.leads(deviations), play, phase, last)

@@ -8,12 +8,28 @@ from math import degrees, floor, log10, radians
 import numpy as np
 
 from cadgen.arrays import TURN, Array
+from cadgen.deviations.deviation import (
+    COLUMNS,
+    EDGE_BREAK,
+    EDGE_WEAR,
+    INNER_FACE,
+    OUTER_FACE,
+    RETURN_ERROR,
+    STEERING_LOST_MOTION,
+    STEERING_ZERO,
+    TOLERANCES,
+    VARIED,
+    WHEEL_RADIUS,
+    WHEEL_RUNOUT,
+    WHEELBASE,
+    Deviation,
+    tolerance,
+)
+from cadgen.deviations.first_order import ROWS
 from cadgen.errors import DesignError
 from cadgen.gears.choices import Law
 from cadgen.gears.distribution import ZoneSum
-from cadgen.inference.monte_carlo.derivatives import STEERING
 from cadgen.inference.monte_carlo.fleet import Fleet, Poses, run_fleet
-from cadgen.inference.monte_carlo.parameters import TOLERANCES, Directed, Parameter, Tolerance, parts_of, tolerance
 from cadgen.inference.monte_carlo.watch import Seen, seen
 
 # Type of the built-in `map` and of a pool's: calls may run anywhere, but results come in order.
@@ -32,8 +48,7 @@ MOST_STEERING = 0.004
 MOST_SHARE = 0.1  # greatest tolerance of a length, as a share of that length
 # The steps that sensitivities are stated for.
 UNITS = {"mm": 0.01, "rad": radians(0.1), "1": 0.01, "Nmm": 1.0, "N": 0.1, "K": 10.0}
-_FIRST = tuple(Parameter)[:13]  # drawn for every car, before its play; others only where they vary
-ONE_SIDED = (Parameter.EDGE_WEAR,)  # from 0 to their half width
+_FIRST = VARIED[: VARIED.index(RETURN_ERROR)]  # drawn for every car, before its play; others only where they vary
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -41,20 +56,20 @@ class Tolerances:
     """Tolerances within which the cars of a fleet differ.
 
     Attributes:
-        half_widths: half of the tolerance zone by name, one of `TOLERANCES`, in the unit of `PARAMETERS`. A parameter
-            without an entry does not vary. A deviation with a direction has this size, in any direction; one that is
-            `ONE_SIDED` lies between 0 and this.
+        half_widths: half of the tolerance zone by deviation, one of `TOLERANCES`, or by its key, in its unit. One
+            without an entry does not vary. A deviation with a direction has this size, in any direction; a one-sided
+            one lies between 0 and this.
         law: distribution: `normal`, clipped at the limits, which are its 3 sigma; or `uniform`.
         play: return errors B of random cars, rad: a function of a generator and a number, such as a train's
             `sample`; or least and greatest, evenly spread. None keeps the nominal play.
     """
 
-    half_widths: Mapping[Tolerance, float]
+    half_widths: Mapping[Deviation, float]
     law: Law = Law.NORMAL
     play: Sampler | tuple[float, float] | None = None
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "half_widths", {tolerance(name): half for name, half in self.half_widths.items()})
+        object.__setattr__(self, "half_widths", {tolerance(str(each)): half for each, half in self.half_widths.items()})
         for name, half in self.half_widths.items():
             if not half >= 0:
                 raise DesignError(f"the tolerance of {name} is {half:g}; it must be 0 or more")
@@ -62,7 +77,7 @@ class Tolerances:
             raise DesignError(f"the return error's band {self.play} must run from 0 or more upwards: put them in order")
 
     def draw(self, generator: np.random.Generator, count: int, nominal_play: float) -> Array:
-        """Deviations of random cars, shape (count, 29), columns as in `PARAMETERS`.
+        """Deviations of random cars, shape (count, 29), columns as `deviation.COLUMNS`.
 
         Args:
             generator: source of the random numbers.
@@ -70,38 +85,33 @@ class Tolerances:
             nominal_play: nominal return error, rad.
         """
         half = np.array([self.half_widths.get(name, 0.0) for name in _FIRST])
-        drawn = ZoneSum(_FIRST, -half, half, self.law).sample_contributions(generator, count)
+        drawn = ZoneSum(tuple(map(str, _FIRST)), -half, half, self.law).sample_contributions(generator, count)
         if self.play is None:
             play = np.full(count, nominal_play)
         elif callable(self.play):
             play = np.asarray(self.play(generator, count), dtype=float)
         else:
             play = generator.uniform(*self.play, count)
-        deviations = np.zeros((count, len(Parameter)))
+        deviations = np.zeros((count, len(COLUMNS)))
         deviations[:, : len(_FIRST)] = drawn
-        deviations[:, Parameter.PLAY.column] = play - nominal_play
+        deviations[:, RETURN_ERROR.column] = play - nominal_play
         for name in TOLERANCES[len(_FIRST) :]:
             if self.half_widths.get(name, 0.0) > 0:
                 size = self.zone(name).sample(generator, count)
-                if isinstance(name, Directed):
+                if name.directed:
                     angle = generator.uniform(0.0, TURN, count)
-                    deviations[:, _columns(name)] = size[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+                    deviations[:, name.columns] = size[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
                 else:
                     deviations[:, name.column] = size
         return deviations
 
-    def zone(self, name: Tolerance) -> ZoneSum:
+    def zone(self, name: Deviation) -> ZoneSum:
         """Distribution of one tolerance about the nominal value; of its size if the deviation has a direction."""
         half = self.half_widths.get(name, 0.0)
-        return ZoneSum((name,), np.array([0.0 if name in ONE_SIDED else -half]), np.array([half]), self.law)
+        return ZoneSum((str(name),), np.array([0.0 if name.one_sided else -half]), np.array([half]), self.law)
 
 
 _WORDS = {"mm": "mm", "rad": "degrees", "1": "", "Nmm": "N mm", "N": "N", "K": "K"}
-
-
-def _columns(name: Tolerance) -> list[int]:
-    """Columns of a tolerance's parameters in a table of deviations."""
-    return [part.column for part in parts_of(name)]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -156,7 +166,7 @@ class Sensitivity:
     """Effect of one parameter on the end of the run.
 
     Attributes:
-        name: tolerance, one of `TOLERANCES`, or play.
+        deviation: one of `TOLERANCES`, or the return error.
         step: change that the figures are for, as in `UNITS`; if it has a direction, in the worst direction.
         heading: heading error per step, rad.
         along: position error per step along the planned heading, mm.
@@ -164,12 +174,17 @@ class Sensitivity:
         share: share of the variance of the position error at the end, 0 to 1, to first order.
     """
 
-    name: Tolerance
+    deviation: Deviation
     step: float
     heading: float
     along: float
     across: float
     share: float
+
+    @property
+    def name(self) -> str:
+        """Key of the deviation."""
+        return self.deviation.key
 
     @property
     def distance(self) -> float:
@@ -182,7 +197,7 @@ def fleet_errors(fleet: Fleet, deviations: Array) -> FleetErrors:
 
     Args:
         fleet: nominal car.
-        deviations: deviations of m cars, shape (m, 29), columns and units as in `PARAMETERS`.
+        deviations: deviations of m cars, shape (m, 29), columns and units as `deviation.COLUMNS`.
     """
     return _errors(fleet, run_fleet(fleet, deviations))
 
@@ -297,9 +312,9 @@ def _gathered(parts: Iterable[Array], count: int, samples: int, done: Callable[[
 def _refuse_wide(fleet: Fleet, tolerances: Tolerances) -> None:
     """Refuse tolerances that are no longer small beside the car, or too large for first order."""
     for name, size in (
-        (Parameter.WHEELBASE, fleet.car.wheelbase),
-        (Parameter.WHEEL_RADIUS, fleet.wheel_radius),
-        (Directed.WHEEL_RUNOUT, fleet.wheel_radius),
+        (WHEELBASE, fleet.car.wheelbase),
+        (WHEEL_RADIUS, fleet.wheel_radius),
+        (WHEEL_RUNOUT, fleet.wheel_radius),
     ):
         half = tolerances.half_widths.get(name, 0.0)
         if half > size * MOST_SHARE:
@@ -319,14 +334,14 @@ def _refuse_wide(fleet: Fleet, tolerances: Tolerances) -> None:
             )
 
 
-def steering_effect(fleet: Fleet, name: Tolerance) -> float:
-    """Greatest angle by which one unit of a tolerance turns the front wheel, rad."""
-    row = dict(zip(STEERING, fleet.derivatives, strict=True))
-    if name in (Parameter.EDGE_BREAK, Parameter.EDGE_WEAR):
-        return float(np.abs(row[Parameter.INNER_FACE] - row[Parameter.OUTER_FACE]).max())
-    if name == Parameter.STEERING_LOST_MOTION:
-        return float(np.abs(row[Parameter.STEERING_ZERO]).max())
-    parts = [row[part] for part in parts_of(name) if part in row]
+def steering_effect(fleet: Fleet, name: Deviation) -> float:
+    """Greatest angle by which one unit of a deviation turns the front wheel, rad."""
+    row = dict(zip(ROWS, fleet.derivatives, strict=True))
+    if name in (EDGE_BREAK, EDGE_WEAR):
+        return float(np.abs(row[INNER_FACE.column] - row[OUTER_FACE.column]).max())
+    if name == STEERING_LOST_MOTION:
+        return float(np.abs(row[STEERING_ZERO.column]).max())
+    parts = [row[column] for column in name.columns if column in row]
     return float(np.sqrt(sum(part**2 for part in parts)).max()) if parts else 0.0
 
 
@@ -342,9 +357,9 @@ def sensitivities(fleet: Fleet, tolerances: Tolerances) -> tuple[Sensitivity, ..
     names = [name for name, spread in spreads.items() if spread > 0]
     if not names:
         return ()
-    parts = [(name, column) for name in names for column in _columns(name)]
+    parts = [(name, column) for name in names for column in name.columns]
     steps = np.array([UNITS[name.unit] for name, _ in parts])
-    deviations = np.zeros((2 * len(parts), len(Parameter)))
+    deviations = np.zeros((2 * len(parts), len(COLUMNS)))
     for row, (_, column) in enumerate(parts):
         deviations[2 * row : 2 * row + 2, column] = np.array([-0.5, 0.5]) * steps[row]
     errors = fleet_errors(fleet, deviations)
@@ -362,13 +377,13 @@ def sensitivities(fleet: Fleet, tolerances: Tolerances) -> tuple[Sensitivity, ..
         effects.append((variance, name, step, float(heading), float(along), float(across)))
     whole = float(np.sum([effect[0] for effect in effects])) or 1.0  # nothing moves the end: no share of it
     return tuple(
-        Sensitivity(name=name, step=step, heading=heading, along=along, across=across, share=variance / whole)
+        Sensitivity(deviation=name, step=step, heading=heading, along=along, across=across, share=variance / whole)
         for variance, name, step, heading, along, across in sorted(effects, key=lambda effect: -effect[0])
     )
 
 
-def _spreads(fleet: Fleet, tolerances: Tolerances) -> dict[Tolerance, float]:
+def _spreads(fleet: Fleet, tolerances: Tolerances) -> dict[Deviation, float]:
     """Standard deviation of each tolerance; a sampler's from its own random numbers."""
     spreads = {name: tolerances.zone(name).std for name in tolerances.half_widths}
-    play = tolerances.draw(np.random.default_rng(0), _SPREAD_SAMPLES, fleet.play)[:, Parameter.PLAY.column]
-    return {**spreads, Parameter.PLAY: float(play.std())}
+    play = tolerances.draw(np.random.default_rng(0), _SPREAD_SAMPLES, fleet.play)[:, RETURN_ERROR.column]
+    return {**spreads, RETURN_ERROR: float(play.std())}

@@ -15,7 +15,7 @@ from cadgen.arrays import TURN, Array
 from cadgen.car.motion.mechanics import Mechanics, levers
 from cadgen.car.motion.play import falls
 from cadgen.car.path_motion import PathMotion
-from cadgen.inference.monte_carlo.parameters import Parameter
+from cadgen.deviations.deviation import DRAG, ROD_FORCE, SLIDING_FRICTION
 
 _STEP = radians(0.1)  # between stations: the end of the run errs by less than 0.1 mm
 _HALVINGS = 30  # of a step, in the search for a change of face
@@ -73,14 +73,14 @@ class Forces:
         ends = np.concatenate([np.append(0, last[:-1]), last - 1]) if pieces else np.empty(0, dtype=int)
         return cls(mechanics=mechanics, cut=cut, angle=angle, ends=ends.astype(np.intp), parts=np.stack(parts))
 
-    def of_cars(self, deviations: dict[Parameter, Array]) -> tuple[Array, Array, Array]:
+    def of_cars(self, deviations: Array) -> tuple[Array, Array, Array]:
         """Friction, drag and rod force of cars, each of shape (m,)."""
         nominal = self.mechanics
-        friction = np.maximum(nominal.friction + deviations[Parameter.FRICTION], 0.0)
-        drag = np.maximum(nominal.drag + deviations[Parameter.DRAG], 0.0)
-        return friction, drag, nominal.rod_force + deviations[Parameter.ROD_FORCE]
+        friction = np.maximum(nominal.friction + deviations[:, SLIDING_FRICTION.column], 0.0)
+        drag = np.maximum(nominal.drag + deviations[:, DRAG.column], 0.0)
+        return friction, drag, nominal.rod_force + deviations[:, ROD_FORCE.column]
 
-    def leads(self, deviations: dict[Parameter, Array]) -> tuple[Array, Array]:
+    def leads(self, deviations: Array) -> tuple[Array, Array]:
         """Cam angles between which each of m cars' cams lead, both of shape (m, k), rad, in order.
 
         A car with fewer stretches than another has some of no length at the end.
@@ -147,14 +147,12 @@ def stretches(peak: Array, valley: Array, play: Array, phase: Array, last: float
     return Stretches(motor, cam, np.broadcast_to(waits, cam.shape))
 
 
-def behind_a_brake(
-    forces: Forces, deviations: dict[Parameter, Array], play: Array, phase: Array, last: float
-) -> Stretches:
+def behind_a_brake(forces: Forces, deviations: Array, play: Array, phase: Array, last: float) -> Stretches:
     """Runs of cams with play on a shaft that is braked: car by car, for there shaft and cam lead in turn.
 
     Args:
         forces: torques on the cam.
-        deviations: deviations of the cars by their parameters, shape (m,) each, mm and rad.
+        deviations: deviations of m cars, shape (m, 29), columns and units as `deviation.COLUMNS`.
         play: return error of each car, rad, shape (m,).
         phase: angle by which each cam stands ahead on its shaft, rad, shape (m,).
         last: motor position at which the runs end, rad.

@@ -16,13 +16,13 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
 from cadgen.car.steering import Car, wheel_tangent, wheel_travel_ratio
-from cadgen.inference.monte_carlo.derivatives import STEERING, OtherEdge
-from cadgen.inference.monte_carlo.parameters import Directed, Parameter
+from cadgen.deviations.deviation import DRIVE_WHEEL_OFFSET, WHEEL_RUNOUT, WHEELBASE
+from cadgen.deviations.first_order import ROWS, OtherEdge
 
 Complex = NDArray[np.complex128]
 _Values = TypeVar("_Values", Array, Complex)
 
-_ALWAYS = 6  # rows of `STEERING` that every car has
+_ALWAYS = 6  # rows of the derivatives that every car has
 _MARGIN = 2  # steps of the grid beyond the cam angles of the run
 # Of a turn of a wheel that runs out, at most, in a cell: a run errs by 0.01 mm where 0.1 mm of run-out moves it by 1.
 _SHARE = 0.1
@@ -35,7 +35,7 @@ class Steered:
 
     Attributes:
         tan_beta: nominal steering on an even grid of one turn from cam angle 0, shape (n,).
-        derivatives: derivatives of tan_beta, shape (13, n); see `steering_derivatives`.
+        derivatives: derivatives of tan_beta, shape (13, n); see `first_order.steering_derivatives`.
         other: edge of the disc that does not carry the nominal rod.
         car: nominal dimensions.
         length: travel of the drive wheel in one turn of the cam, mm.
@@ -169,27 +169,27 @@ class Tracks:
     pace: Array
 
     @classmethod
-    def of(cls, steered: Steered, column: dict[Parameter, Array], rate: Array, first: float, last: float) -> Self:
+    def of(cls, steered: Steered, deviations: Array, rate: Array, first: float, last: float) -> Self:
         """Tracks of cars.
 
         Args:
             steered: nominal car.
-            column: deviations by parameter, shape (m,) each.
+            deviations: deviations of m cars, columns as `COLUMNS` of the catalogue, shape (m, 29).
             rate: travel of each car's rim for a rad of the cam, mm, shape (m,).
             first, last: between what cam angles, rad.
         """
         # A wheel that runs out turns many times with the cam: no cell is to be a large part of its turn.
-        runs_out = any(column[name].any() for name in Directed.WHEEL_RUNOUT.parts)
+        runs_out = bool(deviations[:, WHEEL_RUNOUT.columns].any())
         cell = min(_CELL, _SHARE * TURN / _wheel_turns(steered)) if runs_out else _CELL
         nominal = _Nominal.of(steered, first, last, cell)
         car, width = steered.car, nominal.width * nominal.step
         mean = nominal.means(steered.tan_beta[nominal.index])
-        used = [row for row, name in enumerate(STEERING) if row < _ALWAYS or column[name].any()]
-        deviation = np.stack([column[STEERING[row]] for row in used], axis=1)
+        used = [row for row, column in enumerate(ROWS) if row < _ALWAYS or deviations[:, column].any()]
+        turned = deviations[:, [ROWS[row] for row in used]]
         # Not `@`: a library's threads would compete with other processes for so small a product.
-        tangent = np.einsum("ci,ij->cj", deviation, nominal.means(steered.derivatives[used][:, nominal.index]))
+        tangent = np.einsum("ci,ij->cj", turned, nominal.means(steered.derivatives[used][:, nominal.index]))
         tangent += mean
-        parts = np.stack([column[name] for name in OtherEdge.PARTS], axis=1)
+        parts = deviations[:, OtherEdge.COLUMNS]
         if parts.any():
             _raise(tangent, *steered.other.raised(parts, nominal.index), nominal.width)
         plain, usual = _turning(mean, car, steered.length / TURN, car.wheelbase, car.drive_wheel_offset)
@@ -197,12 +197,12 @@ class Tracks:
             tangent,
             car,
             rate[:, None],
-            (car.wheelbase + column[Parameter.WHEELBASE])[:, None],
-            (car.drive_wheel_offset + column[Parameter.DRIVE_WHEEL_OFFSET])[:, None],
+            car.wheelbase + deviations[:, WHEELBASE.columns],
+            car.drive_wheel_offset + deviations[:, DRIVE_WHEEL_OFFSET.columns],
         )
         relative = pace / usual if car.slip != 0 else np.ones((1, 1))
         if runs_out:
-            rolling = _rolling(steered, column, nominal, len(mean))
+            rolling = _rolling(steered, deviations[:, WHEEL_RUNOUT.columns], nominal, len(mean))
             relative = relative * rolling
             turning *= rolling
         turning -= plain
@@ -280,7 +280,7 @@ def _raise(tangent: Array, near: NDArray[np.intp], more: Array, width: int) -> N
         tangent[:, cells] += np.add.reduceat(more[:, which] * share, begins, axis=1)
 
 
-def _rolling(steered: Steered, column: dict[Parameter, Array], nominal: _Nominal, cells: int) -> Array:
+def _rolling(steered: Steered, runout: Array, nominal: _Nominal, cells: int) -> Array:
     """Travel of an eccentric drive wheel for that of a round one, mean over each cell, shape (m, k).
 
     By the cam's angle: while the cam leads it is ahead of the motor's, which makes more of the wheel's effect than
@@ -289,7 +289,7 @@ def _rolling(steered: Steered, column: dict[Parameter, Array], nominal: _Nominal
     width = nominal.width * nominal.step
     turns = _wheel_turns(steered)
     turned = turns * (nominal.first + width * (np.arange(cells) + 0.5))
-    parts = (column[name][:, None] / steered.wheel_radius for name in Directed.WHEEL_RUNOUT.parts)
+    parts = (part[:, None] / steered.wheel_radius for part in runout.T)
     low, quarter = (part * np.sinc(turns * width / TURN) for part in parts)
     return np.asarray(1 + low * np.cos(turned) + quarter * np.sin(turned))
 

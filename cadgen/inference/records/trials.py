@@ -16,7 +16,7 @@ import numpy as np
 
 from cadgen.car.motion.drive import Pose
 from cadgen.errors import FileError, brief
-from cadgen.inference.adjustment.trial import Settings, Trial
+from cadgen.inference.adjustment import Settings, Trial
 from cadgen.inference.measurement.kinds.track import KIND as TRACK
 from cadgen.inference.measurement.record import Record
 from cadgen.inference.records.load import load

@@ -6,8 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from cadgen.errors import FileError
-from cadgen.inference.adjustment.choice import Forecast
-from cadgen.inference.adjustment.trial import Settings
+from cadgen.inference.adjustment import Forecast, Settings
 from cadgen.jobs.adjustment.plan import Adjustment
 from cadgen.output.files.folder import publishing
 from cadgen.output.files.manifest import Written, file_facts, versions, write_manifest

@@ -14,11 +14,29 @@ from cadgen.car.motion.friction import USUAL
 from cadgen.car.motion.mechanics import Mechanics
 from cadgen.design import cam_model, variation
 from cadgen.design.schema import Design
-from cadgen.inference.adjustment.choice import LIMITS, Forecast, best_settings, forecast
-from cadgen.inference.adjustment.posterior import Posterior, Prior, explain
-from cadgen.inference.adjustment.trial import STARTS, Noise, Setting, Settings, Trial
+from cadgen.deviations.deviation import (
+    BASE_RADIUS,
+    CAM_PHASE,
+    RETURN_ERROR,
+    SETTABLE,
+    SLIDING_FRICTION,
+    STARTS,
+    STEERING_ZERO,
+    VARIED,
+    Deviation,
+)
+from cadgen.inference.adjustment import (
+    CarPrior,
+    Forecast,
+    Posterior,
+    Settings,
+    Trial,
+    TrialNoise,
+    best_settings,
+    explain,
+    forecast,
+)
 from cadgen.inference.monte_carlo.fleet import Fleet
-from cadgen.inference.monte_carlo.parameters import Directed, Parameter, parts_of
 from cadgen.inference.records.trials import read_trials, settings_line, trials_of
 from cadgen.jobs.cam.plan import CamPlan, comparison_of, plan_cam
 from cadgen.jobs.runs.fleet import fleet_of
@@ -33,13 +51,7 @@ _GRID = 1200  # cam angles of a turn: the end of the run errs by less than 0.1 m
 MOST_RESIDUAL = 1.6  # root mean square in standard deviations of a point, beyond which a run is not explained
 WORTH = 60.0  # mm at the end that settings are to leave at most, if the design has no gates
 # No car is better known than so, whatever its tolerances say: mm and rad.
-_LEAST: dict[Parameter, float] = {
-    Parameter.BASE_RADIUS: 0.01,
-    Parameter.STEERING_ZERO: radians(0.05),
-    Parameter.CAM_PHASE: radians(0.1),
-}
-# Deviations of the start are in each run's own settings and noise.
-_OF_A_RUN = tuple(setting.parameter for setting in STARTS)
+_LEAST: dict[Deviation, float] = {BASE_RADIUS: 0.01, STEERING_ZERO: radians(0.05), CAM_PHASE: radians(0.1)}
 
 
 class Point(Enum):
@@ -69,9 +81,9 @@ class Knob(Enum):
     START = "start"
 
     @property
-    def settings(self) -> tuple[Setting, ...]:
-        """Its settings."""
-        return STARTS if self is Knob.START else (Setting(self.value),)
+    def deviations(self) -> tuple[Deviation, ...]:
+        """Deviations that it sets."""
+        return tuple(each for each in SETTABLE if each.hand and each.hand.knob == self.value)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -242,7 +254,7 @@ class Bench:
 
     plan: CamPlan
     wanted: Wanted
-    prior: Prior
+    prior: CarPrior
     fine: Fleet
     coarse: Fleet
 
@@ -264,21 +276,21 @@ class Bench:
             frictions, mechanics = band.friction, band.nominal
         steps = 1 + ceil((frictions[1] - frictions[0]) / FRICTION_STEP - 1e-9)
         grid = {
-            Parameter.PLAY: _grid(low, high, PLAYS if high > low else 1) - play,
-            Parameter.FRICTION: _grid(*frictions, steps) - mechanics.friction,
+            RETURN_ERROR: _grid(low, high, PLAYS if high > low else 1) - play,
+            SLIDING_FRICTION: _grid(*frictions, steps) - mechanics.friction,
         }
         sigma = _spreads(plan)
-        if len(grid[Parameter.PLAY]) == 1:
-            sigma[Parameter.PLAY] = max(0.03 * play, radians(0.01))
-        noise = Noise(point=wanted.noise, head=wanted.division / sqrt(12))
-        ordered = {name: sigma[name] for name in Parameter if name in sigma}
+        if len(grid[RETURN_ERROR]) == 1:
+            sigma[RETURN_ERROR] = max(0.03 * play, radians(0.01))
+        noise = TrialNoise(point=wanted.noise, head=wanted.division / sqrt(12))
+        ordered = {each: sigma[each] for each in VARIED if each in sigma}
         fine, coarse = (
             fleet_of(plan, list(range(0, STEPS + 1, apart)), mechanics, play, grid=_GRID) for apart in (FINE, COARSE)
         )
         return cls(
             plan=plan,
             wanted=wanted,
-            prior=Prior(sigma=ordered, grid=grid, noise=noise),
+            prior=CarPrior(sigma=ordered, grid=grid, noise=noise),
             fine=fine,
             coarse=coarse,
         )
@@ -288,13 +300,12 @@ class Bench:
         wanted, noise, last = self.wanted, self.prior.noise, trials[-1].settings
         posterior = explain(self.fine, wanted.point.lever(self.plan.design), self.prior, trials)
         cars = posterior.draw(np.random.default_rng(SEED), CARS)
-        free = [name for knob in wanted.knobs for name in knob.settings]
+        free = [each for knob in wanted.knobs for each in knob.deviations]
         settings = best_settings(
             self.coarse,
             cars,
             free,
             division=wanted.division,
-            limits=LIMITS,
             noise=noise,
             generator=np.random.default_rng(SEED),
         )
@@ -314,16 +325,15 @@ class Bench:
         )
 
 
-def _spreads(plan: CamPlan) -> dict[Parameter, float]:
+def _spreads(plan: CamPlan) -> dict[Deviation, float]:
     """Standard deviations of what the car may differ by, but for play, friction and the start."""
     sigma = dict(_LEAST)
     for name, width in variation.half_widths(plan.design, comparison_of(plan).task.mechanics).items():
-        if name in (*_OF_A_RUN, Parameter.PLAY, Parameter.FRICTION):
-            continue
-        for part in parts_of(name):
+        # Deviations of the start are in each run's own settings and noise.
+        if name not in (*STARTS, SLIDING_FRICTION):
             # A value that is anywhere within the zone, or one direction of such a size.
-            spread = WIDER * width / (sqrt(6) if isinstance(name, Directed) else sqrt(3))
-            sigma[part] = max(sigma.get(part, 0.0), spread)
+            spread = WIDER * width / (sqrt(6) if name.directed else sqrt(3))
+            sigma[name] = max(sigma.get(name, 0.0), spread)
     return sigma
 
 

@@ -9,6 +9,8 @@ import numpy as np
 from cadgen.car.motion.friction import USUAL
 from cadgen.design import variation
 from cadgen.design.schema import Design
+from cadgen.deviations.catalogue import spreads
+from cadgen.deviations.deviation import WHEEL_RADIUS, WHEELBASE
 from cadgen.errors import FileError
 from cadgen.figures import Sheet
 from cadgen.inference.expectation.known import Prior
@@ -16,7 +18,6 @@ from cadgen.inference.expectation.next_measurement import Expected, Next, Range,
 from cadgen.inference.measurement.findings import EvidenceDiagnosis
 from cadgen.inference.measurement.nominal import MACHINED_UM, Nominal
 from cadgen.inference.measurement.record import Method, join
-from cadgen.inference.monte_carlo.parameters import Directed, Parameter
 from cadgen.jobs.calibration.plan import INCLINOMETER_DEG, Calibration, nominal_of
 from cadgen.output.report.terminal import Block, Heading
 from cadgen.progress import Progress, silent
@@ -74,8 +75,11 @@ def after(calibration: Calibration, progress: Progress = silent) -> Next:
 
 def _prior(design: Design, nominal: Nominal, calibration: Calibration | None) -> Prior:
     """Knowledge without a measurement: [tolerances], the play of the train, and what was measured apart."""
-    spread = _tolerances(design, nominal)
     bare = design.as_designed()
+    forces = variation.mechanics(bare, nominal.follower, nominal.lift)
+    radius = variation.wheel_radius(bare, nominal.track.length)
+    sizes = {WHEELBASE: nominal.car.wheelbase, WHEEL_RADIUS: radius}
+    spread = spreads(variation.half_widths(bare, forces), sizes)
     band = variation.play_bands(bare).get(design.optimize.order)
     least, most = (0.0, 0.0) if band is None else band.ends
     play, unsure, assumed = (least + most) / 2, (most - least) / 4, most
@@ -88,30 +92,8 @@ def _prior(design: Design, nominal: Nominal, calibration: Calibration | None) ->
         assumed = play
     if unsure > 0:
         spread["return_error_deg"] = unsure
-    forces = variation.mechanics(bare, nominal.follower, nominal.lift)
     friction = USUAL if forces is None else forces.friction
     return Prior(spread=spread, play=play, friction=float(np.mean(friction)), assumed=assumed)
-
-
-def _tolerances(design: Design, nominal: Nominal) -> dict[str, float]:
-    """Standard deviations that [tolerances] allow, by names of effects' numbers: half a zone, as of twice the zone."""
-    bare = design.as_designed()
-    half = variation.half_widths(bare, variation.mechanics(bare, nominal.follower, nominal.lift))
-    radius = variation.wheel_radius(bare, nominal.track.length)
-    known = {
-        "steering_zero_deg": half.get(Parameter.STEERING_ZERO, 0.0),
-        "gain_percent": half.get(Parameter.WHEELBASE, 0.0) / nominal.car.wheelbase,
-        "drive_wheel_offset_mm": half.get(Parameter.DRIVE_WHEEL_OFFSET, 0.0),
-        "wheel_radius_percent": half.get(Parameter.WHEEL_RADIUS, 0.0) / radius,
-        "phase_deg": half.get(Parameter.CAM_PHASE, 0.0),
-        "rod_radius_um": half.get(Parameter.ROD_RADIUS, 0.0),
-        "cutter_offset_um": half.get(Parameter.PROFILE_OFFSET, 0.0),
-        "axial_offset_um": half.get(Parameter.INNER_FACE, 0.0),
-        "eccentric_x_um": half.get(Directed.ECCENTRICITY, 0.0),
-        "eccentric_y_um": half.get(Directed.ECCENTRICITY, 0.0),
-        "friction": half.get(Parameter.FRICTION, 0.0),
-    }
-    return {name: value for name, value in known.items() if value > 0}
 
 
 def words(n: Next, *, measured: bool) -> list[Block]:

@@ -5,7 +5,7 @@ from math import isfinite
 from typing import Any
 
 from cadgen.design.override import override
-from cadgen.deviations.names import Place
+from cadgen.deviations.deviation import Place
 from cadgen.inference.expectation.outlook import Outlook
 from cadgen.inference.measurement.findings import Value
 from cadgen.jobs.calibration.places import agreed_places

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from cadgen.design.load import load_design
-from cadgen.deviations import quantities
+from cadgen.deviations import deviation
 from cadgen.errors import FileError
 from cadgen.inference.expectation.outlook import Outlook
 from cadgen.inference.measurement.findings import Diagnosis, EvidenceDiagnosis, Finding, PathCandidate, PathDiagnosis
@@ -169,7 +169,7 @@ def _record(diagnosis: Diagnosis) -> dict[str, Any]:
 def _by_evidence(diagnosis: Diagnosis, effects: list[dict[str, Any]]) -> dict[str, Any]:
     assert isinstance(diagnosis, EvidenceDiagnosis)
     r, p, left = diagnosis.residual, diagnosis.per_run, diagnosis.residual.left_out
-    play, friction = (diagnosis.unnamed.get(q) for q in (quantities.RETURN_ERROR, quantities.SLIDING_FRICTION))
+    play, friction = (diagnosis.unnamed.get(q) for q in (deviation.RETURN_ERROR, deviation.SLIDING_FRICTION))
     held_out = [None] * diagnosis.runs if p.held_out is None else p.held_out.tolist()
     return {
         "effects": effects,
@@ -241,7 +241,7 @@ def _path_candidate(candidate: PathCandidate) -> dict[str, Any]:
 
 def _shared(shared: Shared) -> dict[str, Any]:
     return {
-        "thing": shared.quantity.name,
+        "thing": shared.deviation.name,
         "values": [asdict(value) for value in shared.values],
         "sources": shared.sources,
         "chance": _plain(shared.chance),

@@ -11,8 +11,8 @@ from dataclasses import replace
 import numpy as np
 
 from cadgen.arrays import Array
+from cadgen.deviations.deviation import Place
 from cadgen.deviations.effect import Effect
-from cadgen.deviations.names import Place
 from cadgen.inference.expectation.outlook import Outlook
 from cadgen.inference.measurement.findings import Diagnosis, EvidenceDiagnosis, Finding, Likely, Value
 from cadgen.inference.measurement.hypothesis import on_bound
@@ -69,13 +69,13 @@ def _whole(diagnoses: Sequence[Diagnosis], claims: Sequence[Claim]) -> Iterator[
         if not (found and sure.keys() < inside):
             continue
         whole = list(_claims(likely, sources, sure))
-        unsure = {claim.quantity for claim in whole if not claim.sure}
+        unsure = {claim.deviation for claim in whole if not claim.sure}
         # A name that is left out of a subset must do nothing to the run.
         kept = {(claim.kind.code, claim.finding.effect) for claim in whole}
         moves = [TRACK.code in kinds for kinds in likely.shown]
         every = zip(likely.effects, moves, strict=True)
         lost = any(runs and not effect.shape and name not in kept for (name, effect, _), runs in every)
-        if unsure and not lost and not unsure & {claim.quantity for claim in apart}:
+        if unsure and not lost and not unsure & {claim.deviation for claim in apart}:
             yield (*whole, *apart)
 
 

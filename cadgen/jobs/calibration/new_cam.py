@@ -7,10 +7,10 @@ import numpy as np
 from cadgen.arrays import Array
 from cadgen.design import variation
 from cadgen.design.schema import Design
-from cadgen.deviations import quantities
+from cadgen.deviations import deviation
+from cadgen.deviations.deviation import Place
 from cadgen.deviations.effect import UNITS
-from cadgen.deviations.names import Place
-from cadgen.deviations.track import BACKLASH
+from cadgen.deviations.track import RETURN_ERROR
 from cadgen.inference.expectation.outlook import Name, Outlook, outlook
 from cadgen.inference.measurement.findings import Diagnosis, EvidenceDiagnosis
 from cadgen.inference.measurement.kinds import TRACK
@@ -41,7 +41,7 @@ def expected_of(
     if not (taken or gone):
         return None
     assumed = variation.tabled_play(design)
-    if assumed is not None and not any(claim.quantity == quantities.RETURN_ERROR for claim, _ in placed):
+    if assumed is not None and not any(claim.deviation == deviation.RETURN_ERROR for claim, _ in placed):
         # Where nothing is known of the play, a new cam is made for the tabled one.
-        taken[TRACK.code, BACKLASH.name] = np.array([assumed])
+        taken[TRACK.code, RETURN_ERROR.name] = np.array([assumed])
     return outlook(told, nominal, taken, frozenset(gone))

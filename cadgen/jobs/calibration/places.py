@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from cadgen.deviations.names import Place
+from cadgen.deviations.deviation import Place
 from cadgen.inference.measurement.together import Claim, at_work
 
 
@@ -37,7 +37,7 @@ def placed(claims: Sequence[Claim]) -> tuple[Built, ...]:
     """Everything claimed, each physical quantity at work once."""
     built = []
     for claim in claims:
-        alike = [other for other in claims if other.quantity == claim.quantity]
+        alike = [other for other in claims if other.deviation == claim.deviation]
         best, taken = at_work(alike)
         if best is not claim:
             built.append(Built(claim, Place.NOTED, best))

@@ -15,8 +15,8 @@ from cadgen.car.motion.sampled import rolled_lift
 from cadgen.car.path_motion import PathMotion
 from cadgen.design import cam_model, gear_model, variation
 from cadgen.design.schema import Design
-from cadgen.deviations import quantities
-from cadgen.deviations.names import Place
+from cadgen.deviations import deviation
+from cadgen.deviations.deviation import Place
 from cadgen.errors import FileError, brief
 from cadgen.gears.choices import Order
 from cadgen.gears.spur import spur_pairs
@@ -210,7 +210,7 @@ def calibrate(
         diagnosis = calibrate_tricycle(logged, wheelbase[0], progress)
         diagnoses[diagnosis.kind] = diagnosis
     found = _claims(design, diagnoses.values(), zones)
-    if not any(c.absent and c.quantity == quantities.RETURN_ERROR and c.kind.rod_on for c in found):
+    if not any(c.absent and c.deviation == deviation.RETURN_ERROR and c.kind.rod_on for c in found):
         holds = None
     calibration = Calibration(
         design=design,
@@ -316,9 +316,9 @@ def _claims(design: Design, diagnoses: Iterable[Diagnosis], zones: ZoneMeans | N
     for diagnosis in diagnoses:
         found += claims(diagnosis)
         unnamed = diagnosis.unnamed if isinstance(diagnosis, EvidenceDiagnosis) else {}
-        if tabled is not None and (play := unnamed.get(quantities.RETURN_ERROR)):
+        if tabled is not None and (play := unnamed.get(deviation.RETURN_ERROR)):
             found.append(no_play(diagnosis.source, diagnosis.kind, play, degrees(tabled)))
-        if friction := unnamed.get(quantities.SLIDING_FRICTION):
+        if friction := unnamed.get(deviation.SLIDING_FRICTION):
             found.append(no_friction(diagnosis.source, diagnosis.kind, friction))
     if zones is not None and zones.judgement.claimed:
         found.append(Claim(zones.source, zones.kind, zones.finding))

@@ -8,8 +8,8 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.design.section import listed
-from cadgen.deviations.friction import MEASURE_FRICTION
-from cadgen.deviations.names import Place
+from cadgen.deviations.deviation import Place
+from cadgen.deviations.return_error import MEASURE_FRICTION
 from cadgen.deviations.transmission import WIND_UP
 from cadgen.figures import Sheet
 from cadgen.inference.expectation.outlook import WORSE, Outlook
@@ -286,13 +286,13 @@ def _together(c: Calibration) -> list[Block]:
         sources = listed(common.sources, "and")
         if common.agrees:
             values = ", ".join(f"{v.name} {' ± '.join(shown(v))}" for v in common.values)
-            blocks.append(f"{common.quantity.name} shows in {sources}, and they agree: {values} together.")
+            blocks.append(f"{common.deviation.name} shows in {sources}, and they agree: {values} together.")
         else:
-            best = at_work([claim for claim in c.claims if claim.quantity == common.quantity])[0]
+            best = at_work([claim for claim in c.claims if claim.deviation == common.deviation])[0]
             blocks.append(
-                f"{common.quantity.name} shows in {sources}, but not with one size (chance {common.chance:.0e}): it is "
-                f"not one effect, or something else hides in one of them. That of the {best.kind.code} is taken, which "
-                "is nearest to what the car drives with."
+                f"{common.deviation.name} shows in {sources}, but not with one size (chance {common.chance:.0e}): it "
+                "is not one effect, or something else hides in one of them. That of the "
+                f"{best.kind.code} is taken, which is nearest to what the car drives with."
             )
     return blocks
 

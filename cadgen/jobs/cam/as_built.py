@@ -8,7 +8,7 @@ from cadgen.design import cam_model, gear_model, variation
 from cadgen.design.as_built import Effect
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
-from cadgen.deviations.names import Place
+from cadgen.deviations.deviation import Place
 
 _SIGNS = {"deg": "°", "um": " µm", "%": " %", "mm": " mm", "s": " s", "": ""}
 _OTHER_PLACES = (

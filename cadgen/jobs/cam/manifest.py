@@ -11,7 +11,7 @@ from cadgen.car.path_motion import PathMotion
 from cadgen.check import Check
 from cadgen.design import cam_model, gear_model, variation
 from cadgen.design.schema import Design
-from cadgen.deviations.names import Place
+from cadgen.deviations.deviation import Place
 from cadgen.jobs.cam.as_built import stop_as_designed
 from cadgen.jobs.cam.comparison import PAPER_PERCENT, PlayComparison
 from cadgen.jobs.cam.cures import Cures

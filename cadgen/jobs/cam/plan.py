@@ -24,7 +24,7 @@ from cadgen.curves.derived import turned
 from cadgen.design import cam_model, variation
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
-from cadgen.deviations.edges import edges_check
+from cadgen.deviations.as_built import edges_check
 from cadgen.errors import DesignError
 from cadgen.jobs.cam.as_built import outlook_checks
 from cadgen.jobs.cam.checking import ProfileChecks

@@ -6,10 +6,9 @@ from math import degrees
 
 from cadgen.design import variation
 from cadgen.design.schema import Design
-from cadgen.inference.monte_carlo.budget import Budget, Cost, by_process, error_budget
+from cadgen.deviations.deviation import Deviation
+from cadgen.inference.monte_carlo.budget import Budget, Cost, Process, by_process, error_budget
 from cadgen.inference.monte_carlo.fleet import Fleet
-from cadgen.inference.monte_carlo.parameters import Tolerance
-from cadgen.inference.monte_carlo.processes import Process
 from cadgen.inference.monte_carlo.robust import Tolerances
 
 _SHOWN = {"rad": ("deg", degrees(1.0)), "Nmm": ("N·mm", 1.0)}
@@ -78,13 +77,13 @@ def budget_sheet(design: Design, fleet: Fleet, tolerances: Tolerances) -> Budget
     )
 
 
-def unit_of(name: Tolerance) -> tuple[str, float]:
+def unit_of(name: Deviation) -> tuple[str, float]:
     """Unit of a tolerance on screen and in files, and the factor from the internal unit to it."""
     unit = name.unit
     return _SHOWN.get(unit, (unit, 1.0))
 
 
-def shown_value(name: Tolerance, value: float) -> str:
+def shown_value(name: Deviation, value: float) -> str:
     """Value of a tolerance as text, with its unit on screen.
 
     Args:
@@ -97,4 +96,4 @@ def shown_value(name: Tolerance, value: float) -> str:
 
 def shown_half_width(cost: Cost) -> str:
     """Half width of a deviation as text, with its unit on screen."""
-    return shown_value(cost.parameter, cost.half_width)
+    return shown_value(cost.deviation, cost.half_width)

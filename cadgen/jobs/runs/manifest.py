@@ -4,8 +4,8 @@ from math import degrees
 from typing import Any
 
 from cadgen.car.motion.errors import deflection_sum
+from cadgen.deviations.deviation import Deviation
 from cadgen.inference.monte_carlo.budget import Budget
-from cadgen.inference.monte_carlo.parameters import Tolerance
 from cadgen.jobs.cam.manifest import as_built_facts, design_facts, mechanics_facts
 from cadgen.jobs.cam.plan import comparison_of
 from cadgen.jobs.runs.budget import BudgetSheet, unit_of
@@ -69,9 +69,9 @@ def tolerance_facts(run: ToleranceRun) -> dict[str, Any]:
         "sensitivities": [
             {
                 "tolerance": sensitivity.name,
-                "half_width": _shown(sensitivity.name, run.half_width(sensitivity.name)),
-                "unit": unit_of(sensitivity.name)[0],
-                "step": _shown(sensitivity.name, sensitivity.step),
+                "half_width": _shown(sensitivity.deviation, run.half_width(sensitivity.deviation)),
+                "unit": unit_of(sensitivity.deviation)[0],
+                "step": _shown(sensitivity.deviation, sensitivity.step),
                 "position_mm_per_step": sensitivity.distance,
                 "heading_deg_per_step": degrees(sensitivity.heading),
                 "share_of_variance": sensitivity.share,
@@ -94,7 +94,7 @@ def _quantiles(spread: Spread) -> dict[str, float]:
     return {f"{100 * part:g} %": value for part, value in spread.quantiles.items()}
 
 
-def _shown(name: Tolerance, value: float) -> float:
+def _shown(name: Deviation, value: float) -> float:
     return value * unit_of(name)[1]
 
 
@@ -112,8 +112,8 @@ def _costs(budget: Budget) -> dict[str, Any]:
         "costs": [
             {
                 "name": cost.name,
-                "half_width": _shown(cost.parameter, cost.half_width),
-                "unit": unit_of(cost.parameter)[0],
+                "half_width": _shown(cost.deviation, cost.half_width),
+                "unit": unit_of(cost.deviation)[0],
                 "end_position_mm": cost.before,
                 "end_position_after_trim_mm": cost.after,
                 "repeats": cost.repeats,

@@ -12,9 +12,9 @@ from cadgen.car.motion.drive import STEPS, turns_of
 from cadgen.design import cam_model, variation
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
+from cadgen.deviations.deviation import RETURN_ERROR, Deviation
 from cadgen.errors import DesignError, FileError
 from cadgen.inference.monte_carlo.fleet import Fleet
-from cadgen.inference.monte_carlo.parameters import Parameter, Tolerance
 from cadgen.inference.monte_carlo.robust import FleetEnds, Map, Sensitivity, sensitivities, tolerance_run
 from cadgen.jobs.cam.plan import CamPlan, comparison_of, plan_cam
 from cadgen.jobs.runs.budget import BudgetSheet, budget_sheet
@@ -117,9 +117,9 @@ class ToleranceRun:
         """Spread of the sizes of the heading errors at the end, degrees."""
         return spread(np.degrees(np.abs(self.ends.heading)))
 
-    def half_width(self, name: Tolerance) -> float:
+    def half_width(self, name: Deviation) -> float:
         """Half of the zone of a tolerance, or of the band of play, mm or rad."""
-        if name != Parameter.PLAY:
+        if name != RETURN_ERROR:
             return variation.half_widths(self.plan.design, comparison_of(self.plan).task.mechanics)[name]
         low, high = comparison_of(self.plan).band.ends
         return (high - low) / 2

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from cadgen.check import Bound, Check
-from cadgen.deviations.names import Place
+from cadgen.deviations.deviation import Place
 from cadgen.figures import Cell, Figures, Sheet, State, number
 from cadgen.gears.layout import TrainLayout
 from cadgen.jobs.cam.comparison import PlayComparison
@@ -242,8 +242,8 @@ def _sensitivities(run: ToleranceRun) -> Sheet:
     rows = [
         (
             item.name.replace("_", " "),
-            shown_value(item.name, run.half_width(item.name)),
-            shown_value(item.name, item.step),
+            shown_value(item.deviation, run.half_width(item.deviation)),
+            shown_value(item.deviation, item.step),
             number(item.distance, "mm"),
             number(degrees(item.heading), "°", digits=4),
             number(100 * item.share, "%", digits=1),

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cadgen.inference.adjustment.trial import Settings, Trial
+from cadgen.inference.adjustment import Settings, Trial
 from cadgen.jobs.adjustment.plan import Bench, Knob, Wanted
 from tests.forks import MAIN
 from tests.studies.adjust import ALLOWED_MM, Field, case

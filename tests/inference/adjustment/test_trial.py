@@ -8,7 +8,7 @@ import pytest
 
 from cadgen.car.motion.drive import Pose
 from cadgen.errors import FileError
-from cadgen.inference.adjustment.trial import Settings, stations_of
+from cadgen.inference.adjustment import Settings, stations_of
 from cadgen.inference.records.load import load_text
 from cadgen.inference.records.trials import MOST_POINTS, STOPPED, TRIAL, settings_in, settings_line, trials_of
 

@@ -11,9 +11,8 @@ from cadgen.design.as_built import AsBuilt
 from cadgen.design.load import load_design
 from cadgen.deviations import catalogue
 from cadgen.deviations.catalogue import Catalogue
-from cadgen.deviations.effect import READING, Effect, Parameter
-from cadgen.deviations.names import Place
-from cadgen.deviations.rows import Rows
+from cadgen.deviations.deviation import Place
+from cadgen.deviations.effect import READING, Effect, Parameter, Rows
 from cadgen.deviations.track import STEERING
 from cadgen.errors import FileError
 from cadgen.inference.measurement import kinds

@@ -6,8 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from cadgen.deviations.effect import READING, Effect, Parameter
-from cadgen.deviations.rows import Rows
+from cadgen.deviations.effect import READING, Effect, Parameter, Rows
 from cadgen.inference.measurement.doubt import unfit
 from cadgen.inference.measurement.evidence import Evidence, Spectrum
 from cadgen.inference.measurement.hypothesis import LEAST_PRICE, Hypothesis, Search, _overlap

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cadgen.deviations.quantities import RETURN_ERROR
+from cadgen.deviations.deviation import RETURN_ERROR
 from cadgen.errors import FileError
 from cadgen.inference.measurement.calibrate import calibrate
 from cadgen.inference.measurement.diagnose import diagnose
@@ -66,7 +66,7 @@ def _play(effect, value, sigma=0.01):
 def test_play_is_one_thing_under_its_names():
     found = [Claim("a", TRACK, _play("backlash", 0.80)), Claim("b", TRANSMISSION, _play("return error", 0.82))]
     (play,) = shared(found)
-    assert (play.quantity.name, play.agrees) == ("return error", True)
+    assert (play.deviation.name, play.agrees) == ("return error", True)
     assert play.values[0].value == pytest.approx(0.81)
     assert play.values[0].sigma == pytest.approx(0.01 / np.sqrt(2))
     (play,) = shared([found[0], replace(found[1], finding=_play("return error", 0.9))])
@@ -92,7 +92,7 @@ def test_what_a_lift_shows_beside_a_known_profile_is_the_shafts(synthetic_car, n
         )
         for claim in claims(told)
     ]
-    assert [claim.quantity.name for claim in found] == ["run-out of the shaft", "eccentric bore"]
+    assert [claim.deviation.name for claim in found] == ["run-out of the shaft", "eccentric bore"]
     assert shared(found) == ()
     assert [v.value for v in found[1].finding.values] == pytest.approx([30.0, -15.0], abs=3.0)
     for value, truth in zip(found[0].finding.values, (40.0, 20.0), strict=True):
@@ -120,7 +120,7 @@ def test_a_train_without_play_is_known_to_have_none_only_if_it_was_turned_both_w
     assert (both.verdict, one_way.verdict) == ("none", "none")
     claim = no_play(both.source, both.kind, both.unnamed[RETURN_ERROR], 0.96)
     assert claim.absent
-    assert (claim.quantity.name, claim.finding.values[0].value) == ("return error", 0.0)
+    assert (claim.deviation.name, claim.finding.values[0].value) == ("return error", 0.0)
     assert 0 < claim.finding.values[0].sigma < 0.02
     assert no_play(one_way.source, one_way.kind, one_way.unnamed[RETURN_ERROR], 0.96) is None
     # Against a return error that the scatter hides nothing can be said.

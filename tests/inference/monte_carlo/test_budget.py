@@ -11,11 +11,10 @@ from cadgen.cam.contact import roll
 from cadgen.car.motion.drive import drive
 from cadgen.car.motion.mechanics import Mechanics
 from cadgen.car.motion.sampled import sampled_lift
+from cadgen.deviations.deviation import COLUMNS, ECCENTRIC_BORE, PROFILE_OFFSET, TOLERANCES, WOBBLE, tolerance
 from cadgen.errors import DesignError
-from cadgen.inference.monte_carlo.budget import by_process, error_budget
+from cadgen.inference.monte_carlo.budget import HALF_WIDTHS, by_process, error_budget
 from cadgen.inference.monte_carlo.fleet import make_fleet
-from cadgen.inference.monte_carlo.parameters import PARAMETERS, TOLERANCES, Directed, Parameter, tolerance
-from cadgen.inference.monte_carlo.processes import HALF_WIDTHS
 from cadgen.inference.monte_carlo.robust import Tolerances, sensitivities, tolerance_run
 
 GRID = np.linspace(0.0, TURN, 1800, endpoint=False)
@@ -89,9 +88,7 @@ def test_a_trim_takes_out_what_repeats_and_nothing_else(fleet):
 
 
 def test_the_worst_direction_is_found_and_the_ranking_goes_by_what_a_trim_leaves(fleet):
-    budget = error_budget(
-        fleet, {Directed.ECCENTRICITY: 0.01, Directed.WOBBLE: 0.001, Parameter.PROFILE_OFFSET: 0.01}, {}
-    )
+    budget = error_budget(fleet, {ECCENTRIC_BORE: 0.01, WOBBLE: 0.001, PROFILE_OFFSET: 0.01}, {})
     assert [cost.after for cost in budget.costs] == sorted((cost.after for cost in budget.costs), reverse=True)
     assert budget.costs[0].name == "eccentricity"
     (known,) = (one for one in sensitivities(fleet, Tolerances(half_widths={"eccentricity": 0.01})) if one.share)
@@ -116,7 +113,7 @@ def test_directions_are_drawn_evenly_and_sizes_by_their_law(fleet):
     halves = {"eccentricity": 0.02, "edge_wear": 0.1, "start_y": 1.0}
     drawn = dict(
         zip(
-            PARAMETERS,
+            COLUMNS,
             Tolerances(half_widths=halves, law="uniform").draw(np.random.default_rng(1), 20000, 0.01).T,
             strict=True,
         )
@@ -133,7 +130,7 @@ def test_other_tolerances_leave_the_numbers_of_a_seed_as_they_are():
     plain, more = (
         dict(
             zip(
-                PARAMETERS,
+                COLUMNS,
                 Tolerances(half_widths=halves, play=(0.01, 0.02)).draw(np.random.default_rng(3), 50, 0.015).T,
                 strict=True,
             )
@@ -157,7 +154,7 @@ def test_other_tolerances_leave_the_numbers_of_a_seed_as_they_are():
     ],
 )
 def test_what_is_beyond_first_order_is_refused(fleet, contact, carbon_free_car, name, half, words):
-    from cadgen.inference.monte_carlo.derivatives import Expansion, steering_derivatives
+    from cadgen.deviations.first_order import Expansion, steering_derivatives
 
     hot = Expansion(disc=70e-6, frame=23e-6)
     warm = replace(

@@ -12,13 +12,13 @@ from cadgen.car.motion.drive import Pose, Run, drive
 from cadgen.car.motion.errors import run_error
 from cadgen.car.motion.sampled import sampled_lift
 from cadgen.car.optimize.compensation import compensated_lift
+from cadgen.deviations.deviation import COLUMNS
+from cadgen.deviations.first_order import steering_derivatives
 from cadgen.errors import DesignError
-from cadgen.inference.monte_carlo.derivatives import steering_derivatives
 from cadgen.inference.monte_carlo.fleet import make_fleet, run_fleet
-from cadgen.inference.monte_carlo.parameters import PARAMETERS
 from cadgen.inference.monte_carlo.robust import Tolerances, fleet_errors
 
-NAMES = list(PARAMETERS)
+NAMES = list(COLUMNS)
 PLAY = np.radians(0.8)
 WHEEL = 63.7
 STATIONS = (900, 1800, 3600)
@@ -126,7 +126,7 @@ def test_agrees_with_cars_driven_one_by_one(carbon_free_car, profile, as_built):
 def test_one_parameter_at_a_time(carbon_free_car, outline, planned, name, sign):
     fleet = fleet_of(carbon_free_car, outline, planned)
     deviation = np.zeros(len(NAMES))
-    deviation[NAMES.index(name)] = sign * {"mm": 0.05, "rad": np.radians(0.4)}[PARAMETERS[name]]
+    deviation[NAMES.index(name)] = sign * {"mm": 0.05, "rad": np.radians(0.4)}[COLUMNS[name]]
     mine = fleet_errors(fleet, deviation[None])
     exact = run_error(one_by_one(carbon_free_car, outline, deviation), planned)
     at = list(STATIONS)

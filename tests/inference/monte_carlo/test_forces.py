@@ -11,11 +11,11 @@ from cadgen.car.motion.drive import drive
 from cadgen.car.motion.errors import run_error
 from cadgen.car.motion.mechanics import Mechanics
 from cadgen.car.optimize.compensation import compensated_lift
+from cadgen.deviations.deviation import COLUMNS
 from cadgen.inference.monte_carlo.fleet import make_fleet
-from cadgen.inference.monte_carlo.parameters import PARAMETERS
 from cadgen.inference.monte_carlo.robust import Tolerances, fleet_errors, sensitivities
 
-COLUMN = {name: number for number, name in enumerate(PARAMETERS)}
+COLUMN = {name: number for number, name in enumerate(COLUMNS)}
 PLAY = np.radians(0.8)
 BANDS = {"friction": 0.2, "drag": 3.0, "rod_force": 0.3}
 

@@ -14,9 +14,9 @@ from cadgen.cam.contact import roll
 from cadgen.car.motion.drive import drive
 from cadgen.car.motion.errors import run_error
 from cadgen.car.motion.sampled import sampled_lift
+from cadgen.deviations.deviation import COLUMNS
 from cadgen.errors import DesignError
 from cadgen.inference.monte_carlo.fleet import make_fleet
-from cadgen.inference.monte_carlo.parameters import PARAMETERS
 from cadgen.inference.monte_carlo.robust import (
     CHUNK,
     MOST_STEERING,
@@ -26,7 +26,7 @@ from cadgen.inference.monte_carlo.robust import (
     tolerance_run,
 )
 
-NAMES = list(PARAMETERS)
+NAMES = list(COLUMNS)
 PLAY = np.radians(0.8)
 HALF_WIDTHS = {"base_radius": 0.004, "wheelbase": 0.05, "start_y": 1.0, "start_heading": np.radians(0.1)}
 
@@ -151,7 +151,7 @@ def test_refuses_tolerances_beyond_first_order(fleet, half_widths, words):
     # What is advised is accepted.
     advised = float(re.search(r"make it (\S+) ", str(caught.value))[1])
     (name,) = half_widths
-    half = np.radians(advised) if PARAMETERS[name] == "rad" else advised
+    half = np.radians(advised) if COLUMNS[name] == "rad" else advised
     assert tolerance_run(fleet, Tolerances(half_widths={name: half}), 1, seed=0).distance.shape == (1,)
 
 

@@ -6,7 +6,7 @@ from math import pi
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.deviations import catalogue, quantities
+from cadgen.deviations import catalogue, deviation
 from cadgen.inference.measurement.admission import refuse_twice
 from cadgen.inference.measurement.models.start import NUMBERS, doubts, held
 from cadgen.inference.measurement.models.track import TrackModel
@@ -58,7 +58,7 @@ KIND = Kind(
     model=_model,
     check=_check,
     spans=_spans,
-    absences=(quantities.RETURN_ERROR, quantities.SLIDING_FRICTION),
+    absences=(deviation.RETURN_ERROR, deviation.SLIDING_FRICTION),
     nearness=1,
     rod_on=True,
     abscissa=Abscissa.TRAVEL,

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from cadgen.deviations import catalogue, quantities
+from cadgen.deviations import catalogue, deviation
 from cadgen.errors import DesignError, FileError
 from cadgen.inference.measurement.models.transmission import TransmissionModel
 from cadgen.inference.measurement.nominal import Nominal
@@ -56,6 +56,6 @@ KIND = Kind(
     check=_check,
     counts=8192,  # an encoder of 13 bits
     spans=_spans,
-    absences=(quantities.RETURN_ERROR,),
+    absences=(deviation.RETURN_ERROR,),
     nearness=3,
 )

@@ -9,8 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import Array
-from cadgen.deviations.effect import Active, Effect, Stage
-from cadgen.deviations.rows import Rows
+from cadgen.deviations.effect import Active, Effect, Rows, Stage
 from cadgen.inference.measurement.models.rolled import Rolled
 
 SMALL = 0.1  # of the step of a parameter

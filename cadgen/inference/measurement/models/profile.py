@@ -8,9 +8,8 @@ from scipy.optimize import least_squares
 from cadgen.arrays import TURN, Array
 from cadgen.deviations.catalogue import PROFILE
 from cadgen.deviations.disc import DISC, NOSE_WIDTHS_DEG, Disc, undulation, worn_nose
-from cadgen.deviations.effect import READING, Active, Effect, Parameter, Stage, key_of, through
+from cadgen.deviations.effect import READING, Active, Effect, Parameter, Rows, Stage, key_of, through
 from cadgen.deviations.instrument import MACHINE
-from cadgen.deviations.rows import Rows
 from cadgen.inference.measurement.models.base import (
     Discrepancy,
     elapsed,

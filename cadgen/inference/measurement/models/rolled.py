@@ -20,9 +20,9 @@ from cadgen.car.motion.sampled import sampled_lift
 from cadgen.car.path_motion import PathMotion
 from cadgen.curves.closed import Outline
 from cadgen.deviations.disc import DISC, Disc
-from cadgen.deviations.effect import Active, Effect, Stage, key_of, through
-from cadgen.deviations.lift import FOLLOWER, Setting
-from cadgen.deviations.rows import Rows
+from cadgen.deviations.effect import Active, Effect, Rows, Stage, key_of, through
+from cadgen.deviations.first_order import displaced
+from cadgen.deviations.lift import FOLLOWER, Seat
 from cadgen.errors import DesignError
 from cadgen.inference.measurement.recent import Recent
 
@@ -45,12 +45,12 @@ class _Roll:
     """
 
     outline: Outline
-    setting: Setting
+    setting: Seat
     contacts: tuple[Contact, ...]
     share: Array
 
     @classmethod
-    def of(cls, disc: Disc, setting: Setting, grid: Array) -> "_Roll":
+    def of(cls, disc: Disc, setting: Seat, grid: Array) -> "_Roll":
         """Roll at the cam angles of a grid."""
         outline = Outline(disc.points, disc.piece)
         a, b = setting.wobble
@@ -67,7 +67,7 @@ class _Roll:
         """tan(beta) on the grid."""
         return np.asarray(sum(share * c.q for share, c in zip(self.share, self.contacts, strict=True)))
 
-    def answer(self, moved: Array, by: Setting) -> Array:
+    def answer(self, moved: Array, by: Seat) -> Array:
         """Change of tan(beta) on the grid to first order.
 
         Args:
@@ -87,9 +87,7 @@ class _Roll:
             x, y = (np.interp(at, angle, column) for column in moved.T)
             c, s = np.cos(theta), np.sin(theta)
             face = np.where(inner, by.follower.inner, by.follower.outer) + by.wobble[0] * c + by.wobble[1] * s
-            out += share * (
-                first.displaced(x * c + y * s, y * c - x * s) + first.face * face + first.thicker * by.follower.radius
-            )
+            out += share * (displaced(first, theta, x, y) + first.face * face + first.thicker * by.follower.radius)
         return out
 
 
@@ -159,7 +157,7 @@ class Rolled:
             if len(others) == len(moved) and all(e.key != effect.key for e, _ in moved):
                 others.append((effect, there))
             disc = through(DISC, self._disc, others, rows)
-            ends.append((there[number], disc.points, through(FOLLOWER, Setting(self._follower), others, rows)))
+            ends.append((there[number], disc.points, through(FOLLOWER, Seat(self._follower), others, rows)))
         (low, before, less), (high, after, more) = ends
         by = high - low
         follower = LeaningRod(
@@ -169,7 +167,7 @@ class Rolled:
             radius=(more.follower.radius - less.follower.radius) / by,
         )
         wobble = tuple((m - w) / by for m, w in zip(more.wobble, less.wobble, strict=True))
-        slope = self._closed(base.answer((after - before) / by, Setting(follower, (wobble[0], wobble[1]))))
+        slope = self._closed(base.answer((after - before) / by, Seat(follower, (wobble[0], wobble[1]))))
         return Effect(
             name=effect.name,
             variant=f"{effect.variant} {number} {hash(slope.c.tobytes())}",
@@ -201,7 +199,7 @@ class Rolled:
     def _roll(self, moved: Sequence[tuple[Effect, Array]], rows: object) -> _Roll:
         def rolled() -> _Roll:
             disc = through(DISC, self._disc, moved, rows)
-            return _Roll.of(disc, through(FOLLOWER, Setting(self._follower), moved, rows), self._grid)
+            return _Roll.of(disc, through(FOLLOWER, Seat(self._follower), moved, rows), self._grid)
 
         return self._rolls.of(key_of(moved), rolled)
 

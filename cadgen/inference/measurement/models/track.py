@@ -9,8 +9,7 @@ from cadgen.car.path.track import Track
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.steering import Car, wheel_tangent
 from cadgen.deviations.catalogue import TRACK
-from cadgen.deviations.effect import Active, Effect, through
-from cadgen.deviations.rows import Rows
+from cadgen.deviations.effect import Active, Effect, Rows, through
 from cadgen.deviations.track import RUNNING, STEERING, track_forms
 from cadgen.deviations.transmission import MESH, RATIO, Turned
 from cadgen.inference.measurement.models.base import elapsed, fourier

@@ -1,4 +1,4 @@
-"""Change of the steering, to first order, with small deviations of the disc and the rod.
+"""Change of the steering with small deviations of disc, rod and frame, to first order.
 
 As `cadgen.cam.followers.rod_first_order` has it:
 
@@ -24,28 +24,40 @@ from cadgen.arrays import Array
 from cadgen.cam.follower import Contact
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.followers.rod_first_order import FirstOrder
-from cadgen.inference.monte_carlo.parameters import Parameter
-
-# The rows, in order.
-STEERING = (
-    *(
-        Parameter.BASE_RADIUS,
-        Parameter.INNER_FACE,
-        Parameter.OUTER_FACE,
-        Parameter.ROD_RADIUS,
-        Parameter.PROFILE_OFFSET,
-        Parameter.STEERING_ZERO,
-    ),
-    *(
-        Parameter.TAPER,
-        Parameter.ROD_HEIGHT,
-        Parameter.ECCENTRICITY_0,
-        Parameter.ECCENTRICITY_90,
-        Parameter.WOBBLE_0,
-        Parameter.WOBBLE_90,
-        Parameter.TEMPERATURE,
-    ),
+from cadgen.car.motion.friction import DiscMaterial
+from cadgen.deviations.deviation import (
+    BASE_RADIUS,
+    ECCENTRIC_BORE,
+    INNER_FACE,
+    OUTER_FACE,
+    PROFILE_OFFSET,
+    ROD_HEIGHT,
+    ROD_RADIUS,
+    STEERING_ZERO,
+    TAPER,
+    TEMPERATURE,
+    WOBBLE,
 )
+from cadgen.deviations.disc import eccentric
+
+# Deviations that turn the rod, in the order of the rows.
+STEERING = (
+    *(BASE_RADIUS, INNER_FACE, OUTER_FACE, ROD_RADIUS, PROFILE_OFFSET, STEERING_ZERO, TAPER, ROD_HEIGHT),
+    *(ECCENTRIC_BORE, WOBBLE, TEMPERATURE),
+)
+# Column of each row in a table of deviations.
+ROWS = [column for each in STEERING for column in each.columns]
+
+# Linear thermal expansion per K near room temperature: handbooks' tables, such as those that The Engineering ToolBox
+# collects; PLA by makers of filament.
+EXPANSION: dict[DiscMaterial, float] = {
+    DiscMaterial.ALUMINIUM: 23e-6,
+    DiscMaterial.STEEL: 12e-6,
+    DiscMaterial.BRASS: 19e-6,
+    DiscMaterial.ACRYLIC: 70e-6,
+    DiscMaterial.PLA: 68e-6,
+    DiscMaterial.POM: 110e-6,
+}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -54,20 +66,20 @@ class OtherEdge:
 
     Attributes:
         below: amount by which tan(beta) would be less if this edge alone carried the rod, shape (n,).
-        rising: excess of its derivatives of tan(beta) by `PARTS` over those of the carrying edge, shape (3, n).
+        rising: excess of its derivatives of tan(beta) by `COLUMNS` over those of the carrying edge, shape (3, n).
     """
 
     below: Array
     rising: Array
 
-    PARTS: ClassVar[tuple[Parameter, ...]] = (Parameter.TAPER, Parameter.WOBBLE_0, Parameter.WOBBLE_90)
+    COLUMNS: ClassVar[list[int]] = [*TAPER.columns, *WOBBLE.columns]
 
     @classmethod
     def of(cls, contact: Contact, follower: LeaningRod) -> "OtherEdge":
         """The edge opposite a contact of the nominal rod on the nominal disc."""
         opposite = replace(contact, face=follower.inner + follower.outer - contact.face)
         carrying, other = (steering_derivatives(edge, follower) for edge in (contact, opposite))
-        rows = [STEERING.index(name) for name in cls.PARTS]
+        rows = [ROWS.index(column) for column in cls.COLUMNS]
         # Both edges have one outline, so the lift would be the same, further out or further in.
         below = np.abs(contact.q * (1 - contact.face / opposite.face))
         return cls(below=below, rising=other[rows] - carrying[rows])
@@ -76,7 +88,7 @@ class OtherEdge:
         """Cam angles at which cars ride on this edge, and the angle by which it turns the rod.
 
         Args:
-            deviations: deviations in `PARTS`, mm, shape (m, 3).
+            deviations: deviations in `COLUMNS`, mm and rad, shape (m, 3).
             columns: indices of cam angles, shape (j,).
 
         Returns:
@@ -101,6 +113,18 @@ class Expansion:
     rod: float = 0.0
 
 
+def displaced(first: FirstOrder, cam_angle: Array, x: Array | float, y: Array | float) -> Array:
+    """Change of tan(beta) with a displacement of the points that the rod rests on, in the disc's own frame.
+
+    Args:
+        first: derivatives at n cam angles.
+        cam_angle: the cam angles, rad, shape (n,).
+        x, y: displacement, mm, shape (n,) or one for all.
+    """
+    c, s = np.cos(cam_angle), np.sin(cam_angle)
+    return first.displaced(x * c + y * s, y * c - x * s)
+
+
 def steering_derivatives(
     contact: Contact, follower: LeaningRod, gain: float = 1.0, expansion: Expansion | None = None
 ) -> Array:
@@ -115,12 +139,12 @@ def steering_derivatives(
         expansion: thermal expansion of disc and frame; none if left out.
 
     Returns:
-        Shape (13, n), rows as `STEERING`: per mm, but steering_zero and the wobbles per rad, temperature per K. The
-        numbers 0 and 90 are polar angles of the direction.
+        Shape (13, n), rows as `STEERING`: per mm, but steering zero and wobble per rad, temperature per K; two rows
+        of a deviation with a direction, towards the polar angles 0 and 90 degrees.
     """
     T, w, y = contact.q, contact.face, contact.across
     first = FirstOrder.of(contact, follower)
-    root, height, divisor, displaced = first.root, first.height, first.divisor, first.displaced
+    root, height, divisor = first.root, first.height, first.divisor
     raised, face = first.thicker, first.face
     inner = w == follower.inner
     zero = (1 + (gain * T) ** 2) / gain
@@ -130,20 +154,23 @@ def steering_derivatives(
     x = follower.base_radius + w * T - height * root
     c, s = np.cos(contact.cam_angle), np.sin(contact.cam_angle)
 
-    directions = ((c, -s), (s, c))
+    # The bore off centre the other way moves the disc towards a direction.
+    shifts = [eccentric(np.zeros(2), -np.array(towards)) for towards in ((1.0, 0.0), (0.0, 1.0))]
+    shifted = [displaced(first, contact.cam_angle, *shift) for shift in shifts]
     wobbles = [
-        face * (x * along + y * across) - (w - middle) * displaced(along, across) for along, across in directions
+        face * (x * along + y * across) - (w - middle) * moved
+        for (along, across), moved in zip(((c, -s), (s, c)), shifted, strict=True)
     ]
     heat = expansion or Expansion()
-    grown = heat.disc * displaced(x, y) - heat.frame * follower.base_radius / divisor
+    grown = heat.disc * first.displaced(x, y) - heat.frame * follower.base_radius / divisor
     grown += face * (heat.frame * middle + heat.disc * (w - middle)) + heat.rod * follower.radius * raised
     # Along the outline's normal in the plane of the edge, (h / sqrt(1 + T^2), -y) before it is made a unit.
     normal = np.hypot(height / root, y)
-    offset = displaced(height / root / normal, -y / normal) if follower.radius > 0 else 1 / divisor
+    offset = first.displaced(height / root / normal, -y / normal) if follower.radius > 0 else 1 / divisor
     more = [
         np.where(inner, -0.5, 0.5) * offset,
-        displaced(np.zeros_like(T), -np.ones_like(T)),
-        *(displaced(along, across) for along, across in directions),
+        first.displaced(np.zeros_like(T), -np.ones_like(T)),
+        *shifted,
         *wobbles,
         grown,
     ]

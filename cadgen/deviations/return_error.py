@@ -1,4 +1,8 @@
-"""Common parts of the effects of sliding friction in tracks and in transmissions."""
+"""Return error of the gears and the friction that acts beside it, as several kinds of data show them.
+
+Friction and drag hold the cam on the gentler parts of each fall, where it would else run ahead by the return error.
+They do nothing without it, and act beside it.
+"""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -18,11 +22,23 @@ MEASURE_FRICTION = (
 )
 
 
-def friction(step: float) -> Parameter:
-    """The number, with a step for differences.
+def return_error(meaning: str, upper: float, step: float) -> Parameter:
+    """Parameter of the return error.
+
+    Args:
+        meaning: meaning of the number.
+        upper: greatest return error, degrees.
+        step: step for differences, degrees.
+    """
+    return Parameter(name="return_error_deg", unit="deg", lower=0.0, upper=upper, step=step, usual=0.2, meaning=meaning)
+
+
+def friction(step: float, *, stepwise: bool = False) -> Parameter:
+    """Parameter of the sliding friction.
 
     Args:
         step: step for differences, a ratio.
+        stepwise: whether the expected readings change in steps.
     """
     return Parameter(
         name="friction",
@@ -30,12 +46,14 @@ def friction(step: float) -> Parameter:
         lower=0.0,
         upper=1.0,
         step=step,
+        usual=0.06,
+        stepwise=stepwise,
         meaning="of the rod on the disc in sliding; it holds the cam on the gentler parts of a fall",
     )
 
 
 def rubbing(play: Effect, friction: Effect, act: Callable[[Any, Array, Any], Any], start: float) -> Effect:
-    """Play and friction as one, for a search to begin from: at no play friction does nothing that could be seen.
+    """Return error and friction as one effect to begin a search from: without play friction shows nothing.
 
     Args:
         play, friction: effects that it stands for.

@@ -9,12 +9,12 @@ from cadgen.arrays import TURN
 from cadgen.cam.contact import roll
 from cadgen.car.motion.drive import drive
 from cadgen.car.motion.sampled import sampled_lift
-from cadgen.inference.monte_carlo.derivatives import STEERING, Expansion, OtherEdge, steering_derivatives
+from cadgen.deviations.deviation import COLUMNS
+from cadgen.deviations.first_order import ROWS, Expansion, OtherEdge, steering_derivatives
 from cadgen.inference.monte_carlo.fleet import make_fleet, run_fleet
-from cadgen.inference.monte_carlo.parameters import PARAMETERS
-from tests.inference.monte_carlo.displaced import Disc, rest
+from tests.deviations.displaced import Disc, rest
 
-COLUMN = {name: number for number, name in enumerate(PARAMETERS)}
+COLUMN = {name: number for number, name in enumerate(COLUMNS)}
 HEAT = Expansion(disc=70e-6, frame=23e-6, rod=12e-6)
 STATIONS = 1800
 GRID = np.linspace(0.0, TURN, STATIONS, endpoint=False)
@@ -74,7 +74,8 @@ def test_the_oracle_rolls_as_the_contact_does(at_rest, contact):
 @pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_steering_changes_as_on_the_displaced_disc(name, displaced, at_rest, contact, carbon_free_car):
-    rows = dict(zip(STEERING, steering_derivatives(contact, carbon_free_car.follower, expansion=HEAT), strict=True))
+    names = [list(COLUMNS)[column] for column in ROWS]
+    rows = dict(zip(names, steering_derivatives(contact, carbon_free_car.follower, expansion=HEAT), strict=True))
     size = CASES[name][1]
     apart = np.abs(displaced[name] - at_rest - size * rows[name])
     largest = np.abs(size * rows[name]).max()
@@ -106,7 +107,7 @@ def ends(carbon_free_car, contact):
     )
 
     def end(**off: float) -> complex:
-        deviations = np.zeros((1, len(PARAMETERS)))
+        deviations = np.zeros((1, len(COLUMNS)))
         for name, value in off.items():
             deviations[0, COLUMN[name]] = value
         return complex(run_fleet(fleet, deviations).position[0, -1])
