@@ -11,7 +11,8 @@ from cadgen.deviations.first_order import Expansion
 
 
 def halves(*overrides: str, forces: MechanicsBand | None = None) -> dict[str, float]:
-    return variation.half_widths(load_design("carbon_free_car", overrides), forces)
+    found = variation.half_widths(load_design("carbon_free_car", overrides), forces)
+    return {deviation.key: half for deviation, half in found.items()}
 
 
 def test_what_is_left_out_does_not_vary():
