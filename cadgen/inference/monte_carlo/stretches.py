@@ -74,7 +74,11 @@ class Forces:
         return cls(mechanics=mechanics, cut=cut, angle=angle, ends=ends.astype(np.intp), parts=np.stack(parts))
 
     def of_cars(self, deviations: Array) -> tuple[Array, Array, Array]:
-        """Friction, drag and rod force of cars, each of shape (m,)."""
+        """Friction, drag and rod force of cars, each of shape (m,).
+
+        Args:
+            deviations: deviations of m cars, columns and units as `deviation.COLUMNS`, shape (m, 29).
+        """
         nominal = self.mechanics
         friction = np.maximum(nominal.friction + deviations[:, SLIDING_FRICTION.column], 0.0)
         drag = np.maximum(nominal.drag + deviations[:, DRAG.column], 0.0)
@@ -84,6 +88,9 @@ class Forces:
         """Cam angles between which each of m cars' cams lead, both of shape (m, k), rad, in order.
 
         A car with fewer stretches than another has some of no length at the end.
+
+        Args:
+            deviations: deviations of m cars, columns and units as `deviation.COLUMNS`, shape (m, 29).
         """
         friction, drag, force = self.of_cars(deviations)
         rate = self.mechanics.rod_rate * np.ones_like(force)
