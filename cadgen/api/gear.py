@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from cadgen.api.files import Written, written
 from cadgen.api.values import Frozen, feature, optional, real, whole, word
 from cadgen.arrays import TURN
-from cadgen.design.names import name_fault
+from cadgen.design.file_names import name_fault
 from cadgen.errors import DesignError, brief
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm, tooth_of

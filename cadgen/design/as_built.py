@@ -7,7 +7,7 @@ from pydantic import Field, Strict, field_validator, model_validator
 
 from cadgen.car.optimize.profiles.actual import ACTUAL
 from cadgen.car.optimize.profiles.table import codes
-from cadgen.design.section import WORD, OneOf, Section, listed
+from cadgen.design.section import WORD, DesignSection, OneOf, listed
 from cadgen.deviations.deviation import Place
 from cadgen.errors import DesignError
 
@@ -28,7 +28,7 @@ Kind = Annotated[str, OneOf(_codes)]
 _ROUNDING = 1e-9  # of a parameter's range, by which a written value may pass its bound
 
 
-class Source(Section):
+class SourceSection(DesignSection):
     """A file of measured data. One table [[as_built.sources]] for each."""
 
     file: str = Field(description="its name, without the folder")
@@ -47,7 +47,7 @@ class Source(Section):
         return sha256
 
 
-class Value(Section):
+class EffectValue(DesignSection):
     """A number of an effect."""
 
     name: str = Field(description="of the number, with its unit at the end")
@@ -55,7 +55,7 @@ class Value(Section):
     sigma: float | None = Field(default=None, ge=0, le=1e6, description="its standard deviation")
 
 
-class Effect(Section):
+class EffectSection(DesignSection):
     """An effect that data were traced to, one table for each; those on the disc act in turn."""
 
     effect: str = Field(description="its name in the catalogue of that kind of data, as in [effects.md](effects.md)")
@@ -65,7 +65,7 @@ class Effect(Section):
         "it, and a cam is cut so that the finished disc is right; `part`: the disc that was measured has it, and a "
         "new one does not; `noted`: it is only recorded"
     )
-    values: Annotated[tuple[Value, ...], Strict(False)] = Field(
+    values: Annotated[tuple[EffectValue, ...], Strict(False)] = Field(
         min_length=1, description="as inline tables with name, value and, if known, sigma"
     )
 
@@ -90,7 +90,7 @@ class Effect(Section):
         return self.kind_of_data.named(self.effect, self.numbers)
 
     @model_validator(mode="after")
-    def _is_in_the_catalogue(self) -> "Effect":
+    def _is_in_the_catalogue(self) -> "EffectSection":
         try:
             known = self.known()
         except DesignError as error:
@@ -120,7 +120,7 @@ class Effect(Section):
                 raise ValueError(f"{where} {name} is {self.numbers[name]:g}; it must be a whole number from 1")
 
 
-class Outlook(Section):
+class OutlookSection(DesignSection):
     """Expected run of the car on the new cam, from all measurements; written by `cadgen calibrate`."""
 
     old_mm: float = Field(ge=0, le=1e7, description="median distance from the planned end of the run, on the old cam")
@@ -137,7 +137,7 @@ class Outlook(Section):
     )
 
 
-class AsBuilt(Section):
+class AsBuiltSection(DesignSection):
     """The car as it was built and measured: written by `cadgen calibrate`, taken into account by every command."""
 
     profile: Annotated[str, OneOf(codes)] = Field(
@@ -145,27 +145,27 @@ class AsBuilt(Section):
         description="of the cam that was on the car when it was measured, made from this design with `cut_for` in the "
         "place of `effects`",
     )
-    outlook: Outlook | None = Field(default=None, description="with the places that `cadgen calibrate` gave")
-    outlook_agreed: Outlook | None = Field(
+    outlook: OutlookSection | None = Field(default=None, description="with the places that `cadgen calibrate` gave")
+    outlook_agreed: OutlookSection | None = Field(
         default=None, description="with every effect that a cam can take out once you agree, by `car` as its place"
     )
-    sources: Annotated[tuple[Source, ...], Strict(False)] = ()
-    effects: Annotated[tuple[Effect, ...], Strict(False)] = ()
-    cut_for: Annotated[tuple[Effect, ...], Strict(False)] = Field(
+    sources: Annotated[tuple[SourceSection, ...], Strict(False)] = ()
+    effects: Annotated[tuple[EffectSection, ...], Strict(False)] = ()
+    cut_for: Annotated[tuple[EffectSection, ...], Strict(False)] = Field(
         default=(), description="effects that the measured cam was made for already; none for the first cam of a car"
     )
 
     @property
-    def expected(self) -> Outlook | None:
+    def expected(self) -> OutlookSection | None:
         """The outlook with the places that the effects have; None if none was reckoned with them."""
         places = tuple(effect.place for effect in self.effects)
         known = filter(None, (self.outlook, self.outlook_agreed))
         return next((outlook for outlook in known if outlook.places in ((), places)), None)
 
     @model_validator(mode="after")
-    def _each_thing_is_set_once(self) -> "AsBuilt":
+    def _each_thing_is_set_once(self) -> "AsBuiltSection":
         for name, effects in (("effects", self.effects), ("cut_for", self.cut_for)):
-            seen: dict[tuple[str, str], Effect] = {}
+            seen: dict[tuple[str, str], EffectSection] = {}
             for effect in effects:
                 # Gears on several shafts run out, each by itself.
                 own = effect.effect if effect.place == Place.CAR and effect.known().indices else ""

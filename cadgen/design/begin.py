@@ -1,4 +1,7 @@
-"""From points of a path and changes of keys to a commented design file."""
+"""A design to begin with: name, points of a path and changes of keys -> a commented design file.
+
+The text has a word on every key that a team sets first.
+"""
 
 from collections.abc import Sequence
 from os import PathLike
@@ -7,12 +10,179 @@ from pathlib import Path
 import tomlkit
 
 from cadgen.design.course import MOST_OF_A_KIND
+from cadgen.design.file_names import name_fault
 from cadgen.design.load import design_of
-from cadgen.design.names import name_fault
 from cadgen.design.override import override
-from cadgen.design.template import EXAMPLE, GATE_RADIUS, LAP, text_of
 from cadgen.errors import DesignError, FileError, brief
 from cadgen.inference.records.points import Points, read_points
+
+# Where the example's path goes, mm.
+EXAMPLE = ((500.0, 700.0), (2000.0, 900.0), (3100.0, 1900.0), (4500.0, 2200.0), (6000.0, 1700.0))
+# A figure 8 that is driven again and again, mm.
+LAP = (
+    *((3500.0, 1500.0), (4700.0, 2300.0), (5800.0, 1500.0), (4700.0, 700.0)),
+    *((3500.0, 1500.0), (2300.0, 2300.0), (1200.0, 1500.0), (2300.0, 700.0)),
+)
+GATE_RADIUS = 50.0
+
+_TEXT = """\
+# {name}: a car steered by a cam. Lengths in mm, angles in degrees; docs/design-file.md has every key.
+#   cadgen check {name}.toml       every figure with its limit; the first line names the drive wheel that the cam is for
+#   cadgen plan {name}.toml        the path on which most cars keep the course
+#   cadgen cam {name}.toml         the files
+name = "{name}"
+
+[path]
+spline = "quintic"                 # a smooth curve through all waypoints
+{closed}# How far it runs to the right of the drive wheel; by this the middle of the car drives it.
+offset_mm = {offset}
+waypoints_mm = [
+{waypoints}
+]
+
+[course]                           # what every run is checked against; remove what the rules do not ask for
+margin_mm = 20.0                   # that the car keeps from posts, walls, zones and the edge
+gates = [                          # the middle of the car passes within radius_mm, in this order
+{gates}
+]
+# posts = [{{ at_mm = [2500.0, 2000.0], radius_mm = 10.0 }}]
+# walls = [{{ line_mm = [[0.0, 3000.0], [2000.0, 3000.0]] }}]
+
+{field}
+[car]
+wheelbase_mm = 167.0               # L, fork axis to rear axle
+drive_wheel_offset_mm = 37.0       # A1, fork axis to the driven wheel; positive to the left
+idle_wheel_offset_mm = 201.0       # A2, fork axis to the other wheel; positive to the right
+max_steering_angle_deg = 35.0      # stop of the fork
+{wheel}
+[car.outline]                      # from above; posts, walls, zones and the edge keep clear of it
+length_mm = 290.0
+width_mm = 260.0
+front_overhang_mm = 60.0           # fork axis to the front
+wheel_diameter_mm = 128.0
+wheel_width_mm = 4.0
+# ground_clearance_mm = 20.0       # lower posts pass under the body
+
+[cam]
+base_radius_mm = 70.0              # a, camshaft to fork axis
+mid_plane_mm = 25.0                # e, fork axis to the disc's middle
+thickness_mm = 3.0                 # C
+# side = "right"                   # of the fork axis on which the disc is; left out, left
+{blend}
+[follower]
+radius_mm = 2.5                    # r_t, of the rod
+length_mm = 40.0                   # fork axis to the rod's end
+
+[blank]
+bore_diameter_mm = 8.0
+# material = "aluminium"           # on the drawings, and for the feeds of the mill
+# bore_fit = "H7/g6"               # of bore and shaft: what they may be apart is reckoned with
+
+[blank.mark]                       # a hole on one side: a disc that is turned over shows it on the other
+diameter_mm = 3.0
+radius_mm = 12.0
+angle_deg = 45.0
+
+[tolerances]                       # half widths that the workshop holds: cadgen tolerance and cadgen plan run such cars
+base_radius_mm = 0.005             # half a division of a micrometer head
+inner_face_mm = 0.05
+outer_face_mm = 0.05
+rod_radius_mm = 0.005
+profile_offset_mm = 0.01           # the disc cut too large all round
+steering_zero_deg = 0.02           # front wheel, set on a trial run
+wheelbase_mm = 0.1
+drive_wheel_offset_mm = 0.1
+# wheel_radius_mm = 0.02           # with [train]
+cam_phase_deg = 0.2
+start_x_mm = 2.0
+start_y_mm = 2.0
+start_heading_deg = 0.2
+
+[mechanics]
+friction_least = 0.05              # steel on greased aluminium
+friction_greatest = 0.20
+
+# [drawing]                        # what cadgen draw writes into the title blocks
+# finish = "Ra 1.6, deburred"
+# quantity = 1
+
+# The gears between drive wheel and cam: with them play is reckoned with, and the wheel's radius is known.
+# [train]
+# module_mm = 0.5
+# width_mm = 5.0
+# bearing_span_mm = 80.0
+#
+# [[train.stages]]
+# centre_distance_mm = 45.0
+# driver = {{ teeth = 30 }}
+# driven = {{ teeth = 150 }}
+"""
+
+_OPEN = {
+    "closed": "",
+    "wheel": "# drive_wheel_radius_mm = 64.0     # R_h; with it (and [train]) the whole path is driven before the "
+    "closing blend\n",
+    "blend": "blend_deg = 12.0                   # the last part of the turn leads back to the start\n",
+}
+_CLOSED = {
+    "closed": """\
+closed = true                      # a lap: from the last waypoint the path goes on to the first
+# laps_per_turn = 1                # laps in a turn of the cam; the drive wheel's radius follows from it
+# laps = 10                        # of a run, which the course is asked of
+""",
+    "wheel": "",
+    "blend": "",
+}
+_FIELD = """\
+[course.field]
+size_mm = [{width}, {height}]        # corner_mm is [0, 0] unless it is given
+"""
+_NO_FIELD = """\
+# [course.field]
+# size_mm = [8000.0, 8000.0]       # corner_mm is [0, 0] unless it is given
+"""
+
+
+def text_of(
+    name: str,
+    places: Sequence[tuple[float, float]],
+    weights: Sequence[float],
+    offset: float,
+    gate_radius: float,
+    field: tuple[float, float] | None,
+    *,
+    closed: bool,
+) -> str:
+    """Text of a design file.
+
+    Args:
+        name: name of the design.
+        places: waypoints, mm.
+        weights: weight of each: its gate is that much narrower, and of weight 0 there is none.
+        offset: how far the path runs to the right of the drive wheel, mm.
+        gate_radius: radius of a gate of weight 1, mm.
+        field: width and height of the field, mm; None if it is not known.
+        closed: whether the path is a lap.
+    """
+    gates = [
+        f"    {{ at_mm = [{_number(x)}, {_number(y)}], radius_mm = {_number(gate_radius / weight)} }},"
+        for (x, y), weight in zip(places, weights, strict=True)
+        if weight > 0
+    ]
+    return _TEXT.format(
+        **(_CLOSED if closed else _OPEN),
+        name=name,
+        offset=_number(offset),
+        waypoints="\n".join(f"    [{_number(x)}, {_number(y)}]," for x, y in places),
+        gates="\n".join(gates),
+        field=_NO_FIELD if field is None else _FIELD.format(width=_number(field[0]), height=_number(field[1])),
+    )
+
+
+def _number(value: float) -> str:
+    """A number as TOML has it, to a ten-thousandth of a millimetre."""
+    return repr(round(float(value), 4) + 0.0)
+
 
 _CAR = ("car.drive_wheel_offset_mm=", "car.idle_wheel_offset_mm=")
 _EXAMPLE_FIELD = (7000.0, 3000.0)

@@ -1,24 +1,99 @@
-"""The sections of what the disc has besides its profile, and how they must fit each other.
+"""Sections of what the disc has besides its profile, and how they must fit each other.
 
 Walls against the profile need the profile, and are checked with it.
 """
 
+from enum import StrEnum
 from math import hypot, pi, radians, sin
-from typing import Annotated
+from typing import Annotated, TypeVar
 
 from pydantic import Field, model_validator
 
 from cadgen.car.motion.friction import DiscMaterial
-from cadgen.design.joint import Held
-from cadgen.design.section import WORD, Feature, Section, ZeroOrFeature
+from cadgen.design.section import HERE, WORD, DesignSection, Feature, ZeroOrFeature
 from cadgen.errors import DesignError
-from cadgen.gears.fits import zones_of
 from cadgen.parts.face import Face
+
+
+class ShaftJoint(StrEnum):
+    """Joint of a wheel and its shaft."""
+
+    CLAMPED = "clamped"
+    PINNED = "pinned"
+    GLUED = "glued"
+    KEYED = "keyed"
+    D_FLAT = "d_flat"
+
+
+TIGHT = (ShaftJoint.CLAMPED, ShaftJoint.PINNED, ShaftJoint.GLUED)
+
+S = TypeVar("S", bound="Held")
+
+
+class Held(DesignSection):
+    """A wheel on its shaft."""
+
+    joint: Annotated[ShaftJoint, WORD] | None = Field(
+        default=None,
+        description="what holds it on its shaft: `clamped`, `pinned` or `glued`, without play; `keyed` or `d_flat`, "
+        "whose clearance adds to the return error; left out, none is counted",
+    )
+    joint_clearance_least_um: float | None = Field(
+        default=None,
+        ge=0,
+        le=1000,
+        description="of the key in its groove, or of a D-shaft across its flat; left out, 0 or that of the fit",
+    )
+    joint_clearance_greatest_um: float | None = Field(
+        default=None, ge=0, le=1000, description="the same at most; left out, that of the fit"
+    )
+    joint_fit: str | None = Field(
+        default=None,
+        max_length=20,
+        description="instead of the clearances, the fit by ISO 286, such as `JS9/h9` of a groove and its key, or "
+        "`H9/h9` of a D-shaft; of the keyway's width or of the bore",
+    )
+    joint_across_mm: float | None = Field(
+        default=None, gt=0, le=500, description="of a D-shaft, from its flat to its far side"
+    )
+
+    @model_validator(mode="after")
+    def _joint_is_whole(self: S) -> S:
+        loose = self.joint is not None and self.joint not in TIGHT
+        names = ("joint_clearance_least_um", "joint_clearance_greatest_um", "joint_fit", "joint_across_mm")
+        clearances = [name for name in names if getattr(self, name) is not None]
+        if clearances and not loose:
+            raise ValueError(
+                f'{HERE}.{clearances[0]} is for a wheel with joint = "keyed" or "d_flat", and this one has '
+                f"{self.joint or 'none'}: set joint, or remove {clearances[0]}"
+            )
+        least, greatest = self.joint_clearance_least_um, self.joint_clearance_greatest_um
+        if loose and greatest is None and self.joint_fit is None:
+            raise ValueError(
+                f'{HERE}.joint = "{self.joint}" needs its clearance: give joint_clearance_greatest_um, or joint_fit '
+                f'such as "JS9/h9"; or choose clamped, pinned or glued, which has none'
+            )
+        if loose and self.joint_fit is not None and (least is not None or greatest is not None):
+            raise ValueError(f"{HERE}.joint_fit and joint_clearance_..._um say the same twice: remove one of them")
+        if self.joint_fit is not None:
+            from cadgen.gears.fits import zones_of  # only here: it needs numpy, and most designs have no fit
+
+            try:
+                zones_of(self.joint_fit)
+            except DesignError as error:
+                raise ValueError(f"{HERE}.joint_fit: {error}; or give the clearance itself") from None
+        if least is not None and greatest is not None and least > greatest:
+            raise ValueError(
+                f"{HERE}.joint_clearance_least_um is {least:g}, more than joint_clearance_greatest_um, {greatest:g}: "
+                "exchange them"
+            )
+        return self
+
 
 _WIDEST_SCREW = 0.998  # of the bore
 
 
-class Keyway(Section):
+class KeywaySection(DesignSection):
     """A keyway in the bore."""
 
     width_mm: Feature = Field(le=100, description="across the key; less than the bore's diameter")
@@ -26,7 +101,7 @@ class Keyway(Section):
     angle_deg: float = Field(default=0.0, ge=-360, le=360, description="polar angle of its middle")
 
 
-class DFlat(Section):
+class DFlatSection(DesignSection):
     """A flat in the bore, for a D-shaft."""
 
     across_mm: Feature = Field(
@@ -35,7 +110,7 @@ class DFlat(Section):
     angle_deg: float = Field(default=0.0, ge=-360, le=360, description="polar angle of the flat's middle")
 
 
-class SetScrew(Section):
+class SetScrewSection(DesignSection):
     """A radial hole through the hub's wall."""
 
     hole_diameter_mm: Feature = Field(le=50, description="of the hole to be tapped; less than the bore's diameter")
@@ -43,7 +118,7 @@ class SetScrew(Section):
     angle_deg: float = Field(default=0.0, ge=-360, le=360, description="polar angle of the hole")
 
 
-class Hub(Section):
+class HubSection(DesignSection):
     """A round hub on one face of the disc."""
 
     diameter_mm: Feature = Field(le=500, description="outer; the bore and its keyway must fit inside")
@@ -51,10 +126,10 @@ class Hub(Section):
     side: Annotated[Face, WORD] = Field(
         default=Face.OUTER, description="face that it stands on; the inner one is nearer to the fork"
     )
-    set_screw: SetScrew | None = None
+    set_screw: SetScrewSection | None = None
 
     @model_validator(mode="after")
-    def _set_screw_fits(self) -> "Hub":
+    def _set_screw_fits(self) -> "HubSection":
         screw = self.set_screw
         if screw is None:
             return self
@@ -68,7 +143,7 @@ class Hub(Section):
         return self
 
 
-class Lightening(Section):
+class LighteningSection(DesignSection):
     """A ring of equal round holes."""
 
     holes: int = Field(ge=1, le=360, description="how many")
@@ -77,7 +152,7 @@ class Lightening(Section):
     angle_deg: float = Field(default=0.0, ge=-360, le=360, description="polar angle of the first hole")
 
     @model_validator(mode="after")
-    def _holes_keep_apart(self) -> "Lightening":
+    def _holes_keep_apart(self) -> "LighteningSection":
         apart = self.circle_diameter_mm * sin(pi / self.holes)
         if self.holes > 1 and apart <= self.hole_diameter_mm:
             raise ValueError(
@@ -88,7 +163,7 @@ class Lightening(Section):
         return self
 
 
-class Mark(Section):
+class MarkSection(DesignSection):
     """A hole beside the key that shows which face is up: on a disc that is turned over it is on the other side."""
 
     diameter_mm: Feature = Field(default=3.0, le=50, description="of the hole")
@@ -96,7 +171,7 @@ class Mark(Section):
     angle_deg: float = Field(default=45.0, ge=-360, le=360, description="polar angle of its centre")
 
 
-class Blank(Held):
+class BlankSection(Held):
     """Features of the disc besides its profile. Polar angles are those of the profile."""
 
     bore_diameter_mm: Feature = Field(default=8.0, le=200, description="of the hole for the camshaft")
@@ -106,11 +181,11 @@ class Blank(Held):
         description="leg of the 45° chamfer by which both edges of the outline (not those of bore and holes) are "
         "broken; the rod rides on the land between them, and the profile is made for that; left out, 0: sharp edges",
     )
-    keyway: Keyway | None = None
-    d_flat: DFlat | None = None
-    hub: Hub | None = None
-    lightening: Lightening | None = None
-    mark: Mark | None = None
+    keyway: KeywaySection | None = None
+    d_flat: DFlatSection | None = None
+    hub: HubSection | None = None
+    lightening: LighteningSection | None = None
+    mark: MarkSection | None = None
     bore_fit: str | None = Field(
         default=None,
         max_length=20,
@@ -122,7 +197,7 @@ class Blank(Held):
     )
 
     @model_validator(mode="after")
-    def _mark_is_on_one_side(self) -> "Blank":
+    def _mark_is_on_one_side(self) -> "BlankSection":
         key = self.keyway or self.d_flat
         if self.mark is None or key is None:
             return self
@@ -136,8 +211,10 @@ class Blank(Held):
         return self
 
     @model_validator(mode="after")
-    def _bore_fit_is_known(self) -> "Blank":
+    def _bore_fit_is_known(self) -> "BlankSection":
         if self.bore_fit is not None:
+            from cadgen.gears.fits import zones_of
+
             try:
                 zones_of(self.bore_fit, self.bore_diameter_mm)
             except DesignError as error:
@@ -147,7 +224,7 @@ class Blank(Held):
         return self
 
     @model_validator(mode="after")
-    def _parts_fit_each_other(self) -> "Blank":
+    def _parts_fit_each_other(self) -> "BlankSection":
         key_reach = self._reach_of_bore()
         core, reach = "bore and keyway" if self.keyway else "bore", key_reach
         if self.hub:

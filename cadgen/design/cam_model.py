@@ -260,7 +260,7 @@ def blank(design: Design) -> Blank:
     )
 
 
-def _mark(given: keys.Mark) -> Mark:
+def _mark(given: keys.MarkSection) -> Mark:
     return Mark(diameter=given.diameter_mm, radius=given.radius_mm, angle=radians(given.angle_deg))
 
 
@@ -281,7 +281,7 @@ def check_limits(design: Design) -> CheckLimits:
     )
 
 
-def _key(given: keys.Blank, back: float) -> Keyway | DFlat | None:
+def _key(given: keys.BlankSection, back: float) -> Keyway | DFlat | None:
     if given.keyway:
         key = given.keyway
         return Keyway(width=key.width_mm, depth=key.depth_mm, angle=radians(key.angle_deg) - back)
@@ -291,7 +291,7 @@ def _key(given: keys.Blank, back: float) -> Keyway | DFlat | None:
     return None
 
 
-def _hub(given: keys.Hub, back: float) -> Hub:
+def _hub(given: keys.HubSection, back: float) -> Hub:
     screw = None
     if given.set_screw:
         hole = given.set_screw
@@ -300,7 +300,7 @@ def _hub(given: keys.Hub, back: float) -> Hub:
     return Hub(diameter=given.diameter_mm, length=given.length_mm, side=given.side, set_screw=screw)
 
 
-def _lightening(given: keys.Lightening) -> Lightening:
+def _lightening(given: keys.LighteningSection) -> Lightening:
     return Lightening(
         count=given.holes,
         hole_diameter=given.hole_diameter_mm,

@@ -1,12 +1,82 @@
-"""The sections of the course: field, posts, walls, zones, gates, start and finish."""
+"""Sections of the course and of the car's outline, with the course and the body that they describe.
 
-from typing import Annotated
+The numeric rooms' types are made by `layout_of`, `spacings_of` and `body_of`.
+"""
+
+from collections.abc import Sequence
+from math import floor, inf, radians
+from typing import TYPE_CHECKING, Annotated
 
 from pydantic import Field, Strict, model_validator
 
-from cadgen.car.course.layout import CarPoint, Judged, Scaled, Side
-from cadgen.design.polygon import crossing
-from cadgen.design.section import HERE, WORD, Point, Points, Section, Size, listed
+from cadgen.car.course.layout import (
+    CarPoint,
+    Course,
+    Draw,
+    Gate,
+    Judged,
+    Obstacle,
+    ObstacleKind,
+    Scaled,
+    Shape,
+    Side,
+)
+from cadgen.design.section import HERE, WORD, DesignSection, Point, Points, Size, listed
+
+
+def crossing(corners: Sequence[Point]) -> tuple[int, int] | None:
+    """Numbers of the first two sides that meet where they should not, counted from 0; None of a simple polygon.
+
+    Side i leads from corner i to the next. Neighbours share a corner and no more; a side without length meets its
+    neighbour.
+
+    Args:
+        corners: corners in order, three or more; the last is joined to the first.
+    """
+    count = len(corners)
+    sides = [(corners[i], corners[(i + 1) % count]) for i in range(count)]
+    for i in range(count):
+        for j in range(i + 1, count):
+            if j == i + 1 or (i == 0 and j == count - 1):
+                first, second = (i, j) if j == i + 1 else (j, i)
+                if _folds_back(sides[first], sides[second]):
+                    return i, j
+            elif _meet(sides[i], sides[j]):
+                return i, j
+    return None
+
+
+def _folds_back(first: tuple[Point, Point], second: tuple[Point, Point]) -> bool:
+    """Whether a side runs back over the one before it, or one of the two has no length."""
+    (a, b), (_, c) = first, second
+    if _turn(a, b, c) != 0:
+        return False
+    return (b[0] - a[0]) * (c[0] - b[0]) + (b[1] - a[1]) * (c[1] - b[1]) <= 0
+
+
+def _meet(one: tuple[Point, Point], other: tuple[Point, Point]) -> bool:
+    (a, b), (c, d) = one, other
+    turns = _turn(a, b, c), _turn(a, b, d), _turn(c, d, a), _turn(c, d, b)
+    if turns[0] * turns[1] < 0 and turns[2] * turns[3] < 0:
+        return True
+    ends = zip(turns, ((a, b, c), (a, b, d), (c, d, a), (c, d, b)), strict=True)
+    return any(turn == 0 and _lies_between(p, q, r) for turn, (p, q, r) in ends)
+
+
+def _turn(a: Point, b: Point, c: Point) -> int:
+    """Sign of the turn from a to b to c: 1 to the left, -1 to the right, 0 straight on or back."""
+    area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+    return (area > 0) - (area < 0)
+
+
+def _lies_between(a: Point, b: Point, c: Point) -> bool:
+    """Whether c, on the line through a and b, lies between them."""
+    return min(a[0], b[0]) <= c[0] <= max(a[0], b[0]) and min(a[1], b[1]) <= c[1] <= max(a[1], b[1])
+
+
+if TYPE_CHECKING:
+    from cadgen.car.course.body import CarBody
+    from cadgen.car.steering import Car
 
 MOST_OF_A_KIND = 200  # posts, walls, zones, gates: more than any field has room for
 MOST_CORNERS = 200
@@ -14,7 +84,7 @@ MOST_SPACINGS = 200  # on a settings card: four pages
 _LEAST_SEGMENT_MM = 1e-3
 
 
-class Place(Section):
+class PlaceSection(DesignSection):
     """A disc about a point, or the segment between two."""
 
     at_mm: Point | None = Field(default=None, description="[x, y] of a disc's centre; or give from_mm and to_mm")
@@ -38,7 +108,7 @@ class Place(Section):
     )
 
     @model_validator(mode="after")
-    def _disc_or_segment(self) -> "Place":
+    def _disc_or_segment(self) -> "PlaceSection":
         given = [name for name in ("at_mm", "from_mm", "to_mm") if getattr(self, name) is not None]
         if given not in (["at_mm"], ["from_mm", "to_mm"]):
             have = listed(given, "and") or "none of them"
@@ -50,7 +120,7 @@ class Place(Section):
         return self
 
 
-class Gate(Place):
+class GateSection(PlaceSection):
     """A place that a point of the car must pass, in the order of the gates. One table [[course.gates]] for each."""
 
     heading_tolerance_deg: float = Field(
@@ -59,7 +129,7 @@ class Gate(Place):
     free: bool = Field(default=False, description="whether it may be passed at any time, not in its order")
 
 
-class Stand(Place):
+class StartSection(PlaceSection):
     """Where the run starts. Left out, the path says it."""
 
     heading_tolerance_deg: float = Field(
@@ -67,11 +137,11 @@ class Stand(Place):
     )
 
 
-class Finish(Stand):
+class FinishSection(StartSection):
     """Where the run ends. Left out, the path says it."""
 
 
-class Edge(Section):
+class FieldSection(DesignSection):
     """The field, which no part of the car may leave: a rectangle or a polygon."""
 
     corner_mm: Point | None = Field(default=None, description="[x, y] of a rectangle's lower left corner; or [0, 0]")
@@ -81,14 +151,14 @@ class Edge(Section):
     )
 
     @model_validator(mode="after")
-    def _rectangle_or_polygon(self) -> "Edge":
+    def _rectangle_or_polygon(self) -> "FieldSection":
         if (self.size_mm is None) == (self.outline_mm is None) or (self.corner_mm and self.outline_mm):
             raise ValueError(f"{HERE} takes size_mm, and corner_mm beside it, or else outline_mm: give one of the two")
         refuse_crossing(self.outline_mm, "outline_mm")
         return self
 
 
-class Post(Section):
+class PostSection(DesignSection):
     """A round post. One table [[course.posts]] for each."""
 
     at_mm: Point = Field(description="[x, y] of its middle")
@@ -103,7 +173,7 @@ class Post(Section):
     )
 
 
-class Wall(Section):
+class WallSection(DesignSection):
     """A wall along a line. One table [[course.walls]] for each."""
 
     line_mm: Points = Field(min_length=2, max_length=MOST_CORNERS, description="[x, y] of each point of its middle")
@@ -113,13 +183,13 @@ class Wall(Section):
     )
 
     @model_validator(mode="after")
-    def _line_has_a_length(self) -> "Wall":
+    def _line_has_a_length(self) -> "WallSection":
         if max(_apart(self.line_mm[0], point) for point in self.line_mm) < _LEAST_SEGMENT_MM:
             raise ValueError(f"{HERE}.line_mm is one point: give the two ends of the wall, or use [[course.posts]]")
         return self
 
 
-class Zone(Section):
+class ZoneSection(DesignSection):
     """An area that no part of the car may enter: a disc, a rectangle or a polygon. One table for each."""
 
     at_mm: Point | None = Field(default=None, description="[x, y] of a disc's centre")
@@ -134,7 +204,7 @@ class Zone(Section):
     )
 
     @model_validator(mode="after")
-    def _one_form(self) -> "Zone":
+    def _one_form(self) -> "ZoneSection":
         names = ("at_mm", "radius_mm", "corner_mm", "size_mm", "outline_mm")
         given = [name for name in names if getattr(self, name) is not None]
         if given not in (["at_mm", "radius_mm"], ["corner_mm", "size_mm"], ["outline_mm"]):
@@ -147,7 +217,7 @@ class Zone(Section):
         return self
 
 
-class Spacing(Section):
+class SpacingSection(DesignSection):
     """The spacing of the posts where it is drawn on site. The cam is made for the course as it is stated.
 
     At another spacing what `scaled` names stands so many times as far from `about_mm`. Sizes stay: those of posts and
@@ -177,7 +247,7 @@ class Spacing(Section):
         return (self.from_mm + self.to_mm) / 2 if self.nominal_mm is None else self.nominal_mm
 
     @model_validator(mode="after")
-    def _upwards(self) -> "Spacing":
+    def _upwards(self) -> "SpacingSection":
         low, high = self.from_mm, self.to_mm
         if low > high:
             raise ValueError(f"{HERE}.from_mm is {low:g}, more than {HERE}.to_mm, {high:g}: exchange them")
@@ -198,7 +268,7 @@ class Spacing(Section):
         return self
 
 
-class Course(Section):
+class CourseSection(DesignSection):
     """The course: what the car must pass and what it must not touch. The cam does not depend on it; its checks do."""
 
     margin_mm: float = Field(
@@ -209,14 +279,14 @@ class Course(Section):
         description="runs that must keep the course: `planned`, which is without play, or with `play` those over the "
         "band of play as well, which are else only shown",
     )
-    field: Edge | None = None
-    start: Stand | None = None
-    finish: Finish | None = None
-    spacing: Spacing | None = None
-    posts: Annotated[tuple[Post, ...], Strict(False)] = Field(default=(), max_length=MOST_OF_A_KIND)
-    walls: Annotated[tuple[Wall, ...], Strict(False)] = Field(default=(), max_length=MOST_OF_A_KIND)
-    zones: Annotated[tuple[Zone, ...], Strict(False)] = Field(default=(), max_length=MOST_OF_A_KIND)
-    gates: Annotated[tuple[Gate, ...], Strict(False)] = Field(default=(), max_length=MOST_OF_A_KIND)
+    field: FieldSection | None = None
+    start: StartSection | None = None
+    finish: FinishSection | None = None
+    spacing: SpacingSection | None = None
+    posts: Annotated[tuple[PostSection, ...], Strict(False)] = Field(default=(), max_length=MOST_OF_A_KIND)
+    walls: Annotated[tuple[WallSection, ...], Strict(False)] = Field(default=(), max_length=MOST_OF_A_KIND)
+    zones: Annotated[tuple[ZoneSection, ...], Strict(False)] = Field(default=(), max_length=MOST_OF_A_KIND)
+    gates: Annotated[tuple[GateSection, ...], Strict(False)] = Field(default=(), max_length=MOST_OF_A_KIND)
 
 
 def refuse_crossing(corners: Points | None, key: str) -> None:
@@ -238,3 +308,170 @@ def refuse_crossing(corners: Points | None, key: str) -> None:
 
 def _apart(a: Point, b: Point) -> float:
     return max(abs(a[0] - b[0]), abs(a[1] - b[1]))
+
+
+class OutlineSection(DesignSection):
+    """Area of the car in plan view, about its fork axis: a rectangle or a polygon, and its wheels.
+
+    Posts, walls and zones must keep clear of all that. Wheels that stick out are seen from above as rectangles as long
+    as their diameter.
+    """
+
+    length_mm: float | None = Field(default=None, gt=0, le=5000, description="of the body, from its front to its rear")
+    width_mm: float | None = Field(default=None, gt=0, le=5000, description="of the body")
+    front_overhang_mm: float | None = Field(
+        default=None, ge=-5000, le=5000, description="fork axis to the body's front; needed with length_mm"
+    )
+    left_overhang_mm: float | None = Field(
+        default=None,
+        ge=-5000,
+        le=5000,
+        description="fork axis to the body's left side; left out, the body is as wide to either side of the middle "
+        "between the rear wheels",
+    )
+    corners_mm: Points | None = Field(
+        default=None,
+        min_length=3,
+        max_length=MOST_CORNERS,
+        description="[x, y] of each corner of a polygon in order, x ahead of the fork axis and y to its left; instead "
+        "of length_mm and width_mm",
+    )
+    ground_clearance_mm: float = Field(
+        default=0.0, ge=0, le=10_000, description="height under the body, under which lower posts can pass"
+    )
+    wheel_diameter_mm: float | None = Field(
+        default=None, gt=0, le=5000, description="of the rear wheels; left out, only where they touch the floor counts"
+    )
+    wheel_width_mm: float = Field(default=0.0, ge=0, le=1000, description="of the rear wheels")
+    front_wheel_diameter_mm: float | None = Field(
+        default=None, gt=0, le=5000, description="of the front wheel, which turns with the fork"
+    )
+    front_wheel_width_mm: float = Field(default=0.0, ge=0, le=1000, description="of the front wheel")
+
+    @model_validator(mode="after")
+    def _rectangle_or_polygon(self) -> "OutlineSection":
+        names = ("length_mm", "width_mm", "front_overhang_mm", "left_overhang_mm")
+        given = [name for name in names if getattr(self, name) is not None]
+        if self.corners_mm and given:
+            raise ValueError(f"{HERE} has corners_mm and {listed(given, 'and')}: remove one or the other")
+        missing = [name for name in names[:3] if name not in given]
+        if not self.corners_mm and missing:
+            raise ValueError(f"{HERE} needs {listed(missing, 'and')}: add what is missing, or give corners_mm")
+        refuse_crossing(self.corners_mm, "corners_mm")
+        return self
+
+
+GATE_RADIUS = 50.0
+STAND_RADIUS = 1.0
+
+
+def layout_of(given: CourseSection | None) -> Course | None:
+    """Course of a design; None without [course]."""
+    if given is None:
+        return None
+    return Course(
+        edge=_edge(given.field) if given.field else None,
+        obstacles=(
+            *(_post(post, f"course.posts.{i}") for i, post in enumerate(given.posts, 1)),
+            *(_wall(wall, f"course.walls.{i}") for i, wall in enumerate(given.walls, 1)),
+            *(_zone(zone, f"course.zones.{i}") for i, zone in enumerate(given.zones, 1)),
+        ),
+        gates=tuple(_gate(gate, f"course.gates.{i}", GATE_RADIUS) for i, gate in enumerate(given.gates, 1)),
+        start=_gate(given.start, "course.start", STAND_RADIUS) if given.start else None,
+        finish=_gate(given.finish, "course.finish", STAND_RADIUS) if given.finish else None,
+        margin=given.margin_mm,
+        judged=given.judged,
+    )
+
+
+def spacings_of(course: CourseSection | None) -> Draw | None:
+    """Spacings of the course that can be drawn; None where the course has one spacing alone."""
+    given = None if course is None else course.spacing
+    if given is None:
+        return None
+    steps = floor((given.to_mm - given.from_mm) / given.step_mm + 1e-9)
+    spacings = {given.from_mm + step * given.step_mm for step in range(steps + 1)} | {given.to_mm}
+    return Draw(
+        spacings=tuple(sorted(spacings)), stated=given.stated_mm, about=given.about_mm, kinds=frozenset(given.scaled)
+    )
+
+
+def body_of(given: OutlineSection | None, car: "Car") -> "CarBody":
+    """Outline and wheels of the car; without [car.outline] the points where its wheels touch the floor."""
+    from cadgen.car.course.body import CarBody, CarWheel, PartName  # only here: a design is read without numpy
+
+    rear_radius, rear_width, front_radius, front_width, clearance = 0.0, 0.0, 0.0, 0.0, 0.0
+    if given:
+        rear_radius, rear_width = (given.wheel_diameter_mm or 0.0) / 2, given.wheel_width_mm
+        front_radius, front_width = (given.front_wheel_diameter_mm or 0.0) / 2, given.front_wheel_width_mm
+        clearance = given.ground_clearance_mm
+    drive, idle = (-car.wheelbase, car.drive_wheel_offset), (-car.wheelbase, -car.idle_wheel_offset)
+    return CarBody(
+        corners=_corners(given, (drive[1] + idle[1]) / 2) if given else (),
+        clearance=clearance,
+        wheels=(
+            CarWheel(
+                name=PartName.FRONT_WHEEL, centre=(0.0, 0.0), radius=front_radius, width=front_width, steered=True
+            ),
+            CarWheel(name=PartName.DRIVE_WHEEL, centre=drive, radius=rear_radius, width=rear_width),
+            CarWheel(name=PartName.IDLE_WHEEL, centre=idle, radius=rear_radius, width=rear_width),
+        ),
+    )
+
+
+def _corners(given: OutlineSection, middle: float) -> tuple[Point, ...]:
+    if given.corners_mm is not None:
+        return given.corners_mm
+    length, width, front = given.length_mm or 0.0, given.width_mm or 0.0, given.front_overhang_mm or 0.0
+    left = middle + width / 2 if given.left_overhang_mm is None else given.left_overhang_mm
+    return ((front, left), (front - length, left), (front - length, left - width), (front, left - width))
+
+
+def _edge(given: FieldSection) -> Shape:
+    if given.outline_mm is not None:
+        return Shape(given.outline_mm, filled=True)
+    return _rectangle(given.corner_mm or (0.0, 0.0), given.size_mm or (0.0, 0.0))
+
+
+def _rectangle(corner: Point, size: tuple[float, float]) -> Shape:
+    (x, y), (width, height) = corner, size
+    return Shape(((x, y), (x + width, y), (x + width, y + height), (x, y + height)), filled=True)
+
+
+def _height(given: float | None) -> float:
+    return inf if given is None else given
+
+
+def _post(given: PostSection, key: str) -> Obstacle:
+    shape = Shape.disc(given.at_mm, given.radius_mm)
+    return Obstacle(kind=ObstacleKind.POST, key=key, shape=shape, height=_height(given.height_mm), side=given.side)
+
+
+def _wall(given: WallSection, key: str) -> Obstacle:
+    shape = Shape(given.line_mm, reach=given.thickness_mm / 2)
+    return Obstacle(kind=ObstacleKind.WALL, key=key, shape=shape, height=_height(given.height_mm))
+
+
+def _zone(given: ZoneSection, key: str) -> Obstacle:
+    if given.outline_mm is not None:
+        shape = Shape(given.outline_mm, filled=True)
+    elif given.corner_mm is not None and given.size_mm is not None:
+        shape = _rectangle(given.corner_mm, given.size_mm)
+    else:
+        shape = Shape.disc(given.at_mm or (0.0, 0.0), given.radius_mm or 0.0)
+    return Obstacle(kind=ObstacleKind.ZONE, key=key, shape=shape, height=_height(given.height_mm))
+
+
+def _gate(given: GateSection | StartSection, key: str, radius: float) -> Gate:
+    if given.from_mm is not None and given.to_mm is not None:
+        place = Shape((given.from_mm, given.to_mm))
+    else:
+        place = Shape.disc(given.at_mm or (0.0, 0.0), radius if given.radius_mm is None else given.radius_mm)
+    return Gate(
+        key=key,
+        place=place,
+        point=given.point,
+        heading=None if given.heading_deg is None else radians(given.heading_deg),
+        heading_tolerance=radians(given.heading_tolerance_deg),
+        free=isinstance(given, GateSection) and given.free,
+    )

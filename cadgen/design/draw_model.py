@@ -15,9 +15,10 @@ from cadgen.car.draws.steering import Steering
 from cadgen.car.motion.drive import wheel_radius
 from cadgen.car.path.track import Track
 from cadgen.curves.closed import ClosedCurve
-from cadgen.design import cam_model, course_model, gear_model
+from cadgen.design import cam_model, gear_model
+from cadgen.design.course import spacings_of
 from cadgen.design.schema import Design
-from cadgen.design.settings import Settings
+from cadgen.design.settings import SettingsSection
 from cadgen.errors import DesignError
 
 # Share of steering or travel that may be missing at the end of a range; with more no turn comes out right.
@@ -26,7 +27,7 @@ _OUTLINE_STEP = 0.03  # mm; the run then ends within 0.01 mm of where finer step
 _ZERO = np.zeros(1)
 
 
-def settings(design: Design) -> Settings:
+def settings(design: Design) -> SettingsSection:
     """The section of what can be set on the car.
 
     Raises:
@@ -47,7 +48,7 @@ def draw(design: Design) -> Draw:
     Raises:
         DesignError: the course has one spacing alone.
     """
-    spacings = course_model.draw(design)
+    spacings = spacings_of(design.course)
     if spacings is None:
         raise DesignError(
             "course.spacing is missing, so there is one course and nothing to set for: add [course.spacing] with "
@@ -139,7 +140,7 @@ def refuse_range(design: Design, spacings: Draw, track: Track, rod: LeaningRod) 
             )
 
 
-def _refuse_ends(given: Settings, rod: LeaningRod) -> None:
+def _refuse_ends(given: SettingsSection, rod: LeaningRod) -> None:
     inner, outer = rod.inner + given.disc_from_mm, rod.outer + given.disc_to_mm
     if inner <= rod.radius:
         raise DesignError(

@@ -8,10 +8,10 @@ from pydantic import Field
 from cadgen.cam.followers.kind import FollowerKind
 from cadgen.cam.followers.rod_kind import ROD
 from cadgen.cam.followers.table import codes, kind_of
-from cadgen.design.section import ByKind, OneOf, Section, keys_in, section_with
+from cadgen.design.section import ByKind, DesignSection, OneOf, keys_in, section_with
 
 
-class Follower(Section):
+class Follower(DesignSection):
     """Follower that rides on the disc."""
 
     kind: Annotated[str | None, OneOf(codes)] = Field(

@@ -4,13 +4,10 @@ from collections.abc import Sequence
 from math import radians
 from typing import TypeVar
 
-from cadgen.design.joint import TIGHT, Held, Joint
+from cadgen.design.blank import TIGHT, Held, ShaftJoint
 from cadgen.design.schema import TrainDesign
 from cadgen.design.section import listed
-from cadgen.design.stage import GearKeys, SpurStage
-from cadgen.design.stage import Stage as StageKeys
-from cadgen.design.train import Blank, GearHub
-from cadgen.design.train import Train as TrainKeys
+from cadgen.design.train import GearBlankSection, GearHub, GearKeys, SpurStage, StageSection, TrainSection
 from cadgen.errors import DesignError
 from cadgen.gears.fits import clearance, flat_play, key_play
 from cadgen.gears.layout import Blanks
@@ -21,7 +18,7 @@ from cadgen.gears.synthesis import SearchLimits
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Loose, Train, bearings
-from cadgen.parts.blank import Blank as PartBlank
+from cadgen.parts.blank import Blank
 from cadgen.parts.features import Hub, Keyway, Lightening, SetScrew, Web
 
 T = TypeVar("T", int, float)
@@ -32,7 +29,7 @@ COARSEST_CHORD = 5e-3
 _OVERRIDES = ("f_pt", "F_beta", "F_r", "b_r", "F_i_radial")
 
 
-def train_keys(design: TrainDesign) -> TrainKeys:
+def train_keys(design: TrainDesign) -> TrainSection:
     """The section [train].
 
     Raises:
@@ -129,13 +126,13 @@ def _free_angle(
     if bore_mm <= 0:
         raise DesignError(f'{where}.joint is "{held.joint}" and there is no bore: set {where}.bore_diameter_mm')
     across = held.joint_across_mm or across_mm
-    if held.joint == Joint.D_FLAT and (across is None or not bore_mm / 2 < across < bore_mm):
+    if held.joint == ShaftJoint.D_FLAT and (across is None or not bore_mm / 2 < across < bore_mm):
         raise DesignError(
             f"{where}.joint is a D-flat: set {where}.joint_across_mm between half of the bore's {bore_mm:g} mm and "
             "all of it"
         )
     if held.joint_fit is not None:
-        size = key_mm if held.joint == Joint.KEYED else bore_mm
+        size = key_mm if held.joint == ShaftJoint.KEYED else bore_mm
         if size is None:
             raise DesignError(
                 f"{where}.joint_fit is that of a key, whose width is not known: add [{where}.keyway], or give "
@@ -147,14 +144,14 @@ def _free_angle(
             raise DesignError(f"{where}.joint_fit: {error}") from error
     else:
         zone = (held.joint_clearance_least_um or 0.0) / 1e3, (held.joint_clearance_greatest_um or 0.0) / 1e3
-    if held.joint == Joint.KEYED:
+    if held.joint == ShaftJoint.KEYED:
         return key_play(zone[0], bore_mm), key_play(zone[1], bore_mm)
     assert across is not None
     return flat_play(zone[0], bore_mm, across), flat_play(zone[1], bore_mm, across)
 
 
 def _joint(name: str, held: Held, zone: tuple[float, float]) -> Loose:
-    what = "key" if held.joint == Joint.KEYED else "D-flat"
+    what = "key" if held.joint == ShaftJoint.KEYED else "D-flat"
     return Loose(
         name=f"{what} of {name}", least=zone[0], greatest=zone[1], cure=f"clamp, pin or glue {name}: its {what} has"
     )
@@ -212,13 +209,13 @@ def _range(spans: tuple[T, T], low: T | None, high: T | None) -> tuple[T, T]:
     return spans[0] if low is None else low, spans[1] if high is None else high
 
 
-def _stage(stage: StageKeys, train: TrainKeys) -> Stage:
+def _stage(stage: StageSection, train: TrainSection) -> Stage:
     if isinstance(stage, SpurStage):
         return _pair(stage, train)
     return stage.registered.build(stage.keys, stage.bearing_span_mm or train.bearing_span_mm)
 
 
-def _pair(stage: SpurStage, train: TrainKeys) -> SpurPair:
+def _pair(stage: SpurStage, train: TrainSection) -> SpurPair:
     return SpurPair(
         driver=_gear(stage.driver, train),
         driven=_gear(stage.driven, train),
@@ -228,7 +225,7 @@ def _pair(stage: SpurStage, train: TrainKeys) -> SpurPair:
     )
 
 
-def _gear(gear: GearKeys, train: TrainKeys) -> GradedGear:
+def _gear(gear: GearKeys, train: TrainSection) -> GradedGear:
     angle = train.pressure_angle_deg if gear.pressure_angle_deg is None else gear.pressure_angle_deg
     form = GearForm(
         teeth=gear.teeth,
@@ -252,10 +249,10 @@ def _gear(gear: GearKeys, train: TrainKeys) -> GradedGear:
     )
 
 
-def _blank(keys: Blank) -> PartBlank:
+def _blank(keys: GearBlankSection) -> Blank:
     """Features of a gear besides its teeth, with the set screw at half the hub's length."""
     key, hub, web, holes = keys.keyway, keys.hub, keys.web, keys.lightening
-    return PartBlank(
+    return Blank(
         bore_diameter=keys.bore_diameter_mm,
         key=Keyway(width=key.width_mm, depth=key.depth_mm) if key else None,
         hub=_hub(hub) if hub else None,

@@ -14,10 +14,10 @@ from pydantic.fields import FieldInfo
 
 from cadgen.design.follower import Follower, section_of
 from cadgen.design.kinds import USUAL, Kinds
-from cadgen.design.path import Path, path_section
+from cadgen.design.path import PathSection, path_section
 from cadgen.design.schema import DesignFile
-from cadgen.design.section import OneOf, Section, ZeroOrFeature, listed
-from cadgen.design.stage import Stage, stage_section
+from cadgen.design.section import DesignSection, OneOf, ZeroOrFeature, listed
+from cadgen.design.train import StageSection, stage_section
 from cadgen.errors import escaped
 
 # How the ends of key names read in a sentence.
@@ -104,7 +104,7 @@ class Key:
 
 
 @dataclass(frozen=True)
-class Table:
+class SectionKeys:
     """A section with its keys and the names of the sections in it; `name` is dotted and empty at the top.
 
     Where `many` holds it is a list of such sections.
@@ -129,7 +129,7 @@ class Table:
 
 
 @cache
-def tables(kinds: Kinds = USUAL) -> dict[str, Table]:
+def tables(kinds: Kinds = USUAL) -> dict[str, SectionKeys]:
     """Every section of a design with some kinds of path, follower and stage by its dotted name, from the top down."""
     return {table.name: table for table in _walk("", DesignFile, kinds, required=True, many=False)}
 
@@ -197,30 +197,32 @@ def _stem(name: str) -> str:
     return _UNIT_ENDING.sub("", name).lower()
 
 
-def _walk(name: str, section: type[Section], kinds: Kinds, *, required: bool, many: bool) -> Iterator[Table]:
+def _walk(
+    name: str, section: type[DesignSection], kinds: Kinds, *, required: bool, many: bool
+) -> Iterator[SectionKeys]:
     own, below = [], []
     for part, info in section.model_fields.items():
         inner = _section_in(info.annotation)
         if inner is Follower:
             inner = section_of(kinds.follower)
-        elif inner is Path:
+        elif inner is PathSection:
             inner = path_section(kinds.path)
-        elif inner is Stage:
+        elif inner is StageSection:
             inner = stage_section(kinds.stage)
         if inner:
             below.append((part, inner, info.is_required(), get_origin(info.annotation) is tuple))
         else:
             own.append(_key(dotted(name, part), info))
     meaning = " ".join((section.__doc__ or "").split())
-    yield Table(name, meaning, required, many, tuple(own), tuple(part for part, *_ in below))
+    yield SectionKeys(name, meaning, required, many, tuple(own), tuple(part for part, *_ in below))
     for part, inner, needed, repeated in below:
         yield from _walk(dotted(name, part), inner, kinds, required=needed, many=repeated)
 
 
-def _section_in(annotation: Any) -> type[Section] | None:
+def _section_in(annotation: Any) -> type[DesignSection] | None:
     candidates = (annotation, *get_args(annotation))
     candidates += tuple(inner for arm in candidates if get_origin(arm) is Annotated for inner in get_args(arm))
-    return next((c for c in candidates if isinstance(c, type) and issubclass(c, Section)), None)
+    return next((c for c in candidates if isinstance(c, type) and issubclass(c, DesignSection)), None)
 
 
 def _key(name: str, info: FieldInfo) -> Key:

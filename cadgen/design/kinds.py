@@ -7,7 +7,7 @@ from cadgen.cam.followers.rod_kind import ROD
 from cadgen.car.path.path_kinds import QUINTIC, PathKind
 from cadgen.design.follower import FOLLOWER
 from cadgen.design.path import PATH
-from cadgen.design.stage import stage_kinds
+from cadgen.design.train import stage_kinds
 from cadgen.gears.stage_kinds import StageKind
 
 # A key's parts from the top, items of lists counted from 0.

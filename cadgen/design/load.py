@@ -10,8 +10,8 @@ from pydantic import ValidationError
 
 from cadgen.car.path.path_kinds import B_SPLINE
 from cadgen.design.explain import explain
+from cadgen.design.file_names import usable_name
 from cadgen.design.kinds import NamedKinds, Place
-from cadgen.design.names import usable_name
 from cadgen.design.override import override, quoted
 from cadgen.design.parse import DeepError, parse
 from cadgen.design.path import OF_ANY_PATH

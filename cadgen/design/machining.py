@@ -1,11 +1,11 @@
-"""The section on how a disc is milled and drilled."""
+"""Sections of the workshop: milling and drilling, and the texts in the title blocks of drawings."""
 
 from typing import Self
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import Field, ValidationInfo, field_validator, model_validator
 
 from cadgen.car.motion.friction import DiscMaterial
-from cadgen.design.section import Section, one_line
+from cadgen.design.section import HERE, LONGEST_LINE, DesignSection, one_line
 
 USUAL_FEED = 240.0  # mm/min, where the design gives neither a feed nor a material
 APPROACH_MM = 1.0  # above the work, to which a tool goes down at rapid speed
@@ -22,7 +22,7 @@ _FEED_PER_TOOTH = {
 }
 
 
-class Tabs(Section):
+class Tabs(DesignSection):
     """Bridges in the slot round the outline that hold the disc in its plate until the program stops for a clamp.
 
     The disc is then clamped through its bore, and the last passes take the tabs off: nothing of them is left on the
@@ -36,7 +36,7 @@ class Tabs(Section):
     )
 
 
-class Drilling(Section):
+class Drilling(DesignSection):
     """Programs that drill bore, lightening holes and mark, one for each drill, from the zero of the outline.
 
     Without this section nothing is drilled.
@@ -64,7 +64,7 @@ class Drilling(Section):
     )
 
 
-class Machining(Section):
+class Machining(DesignSection):
     """How the outline is milled (G-code)."""
 
     cutter_diameter_mm: float = Field(default=4.0, ge=0.2, le=100, description="of the end mill")
@@ -128,3 +128,29 @@ class Machining(Section):
                 "remove one of the two"
             )
         return self
+
+
+LONGEST_FINISH = 36  # letters that its cell holds
+# The last letter of Latin, Greek and Cyrillic; punctuation and signs; Chinese, Japanese and Korean ones.
+_LETTERS = ((0x20, 0x52F), (0x2010, 0x22FF), (0x2E80, 0xD7A3), (0xF900, 0xFAFF), (0xFE30, 0xFE4F), (0xFF00, 0xFFEF))
+
+
+class DrawingText(DesignSection):
+    """Texts of the title blocks of drawings, besides the material and the fits of [blank]."""
+
+    title: str | None = Field(default=None, description="name of the machine; left out, the design's name")
+    finish: str | None = Field(default=None, description="finish of the parts, such as `Ra 1.6, deburred`")
+    quantity: int = Field(default=1, ge=1, le=10_000, description="how many of each part are made")
+
+    @field_validator("title", "finish")
+    @classmethod
+    def _fits_its_cell(cls, text: str | None, info: ValidationInfo) -> str | None:
+        if text is None:
+            return None
+        unknown = [letter for letter in text if not any(low <= ord(letter) <= high for low, high in _LETTERS)]
+        if unknown and text.isprintable():
+            raise ValueError(
+                f"{HERE} has {unknown[0]}, which the fonts of drawings lack: write it in Latin, Greek, Cyrillic, "
+                "Chinese, Japanese or Korean letters"
+            )
+        return one_line(text, LONGEST_FINISH if info.field_name == "finish" else LONGEST_LINE)

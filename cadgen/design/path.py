@@ -6,13 +6,13 @@ from typing import Annotated, Any
 from pydantic import Field, model_validator
 
 from cadgen.car.path.path_kinds import QUINTIC, PathKind, codes, kind_of
-from cadgen.design.section import ByKind, OneOf, Section, keys_in, listed, section_with
+from cadgen.design.section import ByKind, DesignSection, OneOf, keys_in, listed, section_with
 
 MOST_LAPS = 100
 _LAPS = 10  # of a run, where the design does not say
 
 
-class Path(Section):
+class PathSection(DesignSection):
     """The path the car is to drive."""
 
     spline: Annotated[str, OneOf(codes)] = Field(
@@ -55,7 +55,7 @@ class Path(Section):
         return self.laps or max(_LAPS, self.turn_laps)
 
     @model_validator(mode="after")
-    def _laps_are_of_a_closed_path(self) -> "Path":
+    def _laps_are_of_a_closed_path(self) -> "PathSection":
         if not self.closed:
             for name in ("laps", "laps_per_turn"):
                 if getattr(self, name) is not None:
@@ -88,13 +88,13 @@ class Path(Section):
         return keys_in(self, self.registered.keys)
 
 
-OF_ANY_PATH = tuple(Path.model_fields)  # keys that do not depend on the kind
+OF_ANY_PATH = tuple(PathSection.model_fields)  # keys that do not depend on the kind
 
 
 @cache
-def path_section(kind: PathKind) -> type[Path]:
+def path_section(kind: PathKind) -> type[PathSection]:
     """The section with the keys of a kind."""
-    return section_with(Path, Path.__doc__ or "", kind.keys)
+    return section_with(PathSection, PathSection.__doc__ or "", kind.keys)
 
 
 PATH = ByKind("spline", QUINTIC.code, codes, kind_of, path_section)

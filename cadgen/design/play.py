@@ -1,4 +1,4 @@
-"""The sections on play: how much there is, how far cars differ, and what is asked of the profile against it."""
+"""Sections on play: how much there is, the forces that let it act, how far cars differ, what is asked of profiles."""
 
 from enum import StrEnum
 from typing import TYPE_CHECKING, Annotated
@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 from pydantic import Field, Strict, create_model, model_validator
 
 from cadgen.car.motion.friction import DiscMaterial
-from cadgen.design.section import WORD, Section
+from cadgen.design.section import WORD, DesignSection
 from cadgen.deviations.deviation import VARIED
 from cadgen.gears.choices import Law, StageOrder
 
@@ -20,7 +20,7 @@ class Hardware(StrEnum):
     TRIM = "trim"
 
 
-class Play(Section):
+class PlaySection(DesignSection):
     """The return error of the gears, at the camshaft. Left out, it is the band that the tolerances of [train] leave."""
 
     least_deg: float | None = Field(default=None, ge=0, lt=180, description="least return error")
@@ -33,7 +33,7 @@ class Play(Section):
     )
 
     @model_validator(mode="after")
-    def _a_band_has_two_ends(self) -> "Play":
+    def _a_band_has_two_ends(self) -> "PlaySection":
         least, greatest = self.least_deg, self.greatest_deg
         if (least is None) != (greatest is None):
             raise ValueError("play has only one of least_deg and greatest_deg: give both or neither")
@@ -44,7 +44,7 @@ class Play(Section):
         return self
 
 
-class _Law(Section):
+class _Law(DesignSection):
     law: Annotated[Law, WORD] = Field(
         default=Law.NORMAL,
         description="within the zones: normal, with its 3 sigma at the limits and clipped there, or uniform",
@@ -73,7 +73,7 @@ else:
     )
 
 
-class Tolerances(_Zones):
+class TolerancesSection(_Zones):
     """How far cars of this design differ from it: half of each tolerance zone. What is 0 does not vary.
 
     Many cars are reckoned to first order. So no tolerance may turn the front wheel by more than 0.004 rad: on the
@@ -101,7 +101,7 @@ class Tolerances(_Zones):
         return GATE_WIDTH_MM if self.gate_width_mm is None else self.gate_width_mm
 
 
-class Optimize(Section):
+class Optimize(DesignSection):
     """Limits for the profile against play. A limit that is left out allows anything."""
 
     order: Annotated[StageOrder, WORD] = Field(
@@ -134,3 +134,78 @@ class Optimize(Section):
     max_lift_error_um: float | None = Field(
         default=None, gt=0, le=1e6, description="lift that the rod gets with play against the lift wanted, at that play"
     )
+
+
+class Braked(StrEnum):
+    """Part on which a brake acts."""
+
+    DISC = "disc"
+    SHAFT = "shaft"
+
+
+class MechanicsSection(DesignSection):
+    """The rod's force, friction and drag.
+
+    Left out, the rod is reckoned to slide without friction, unless `follower.material` or `blank.material` says what
+    slides on what.
+    """
+
+    rod_force_N: float = Field(
+        default=1.0,
+        gt=0,
+        le=1000,
+        description="of the spring on the rod at zero lift, along the lift, less what fork and wheel hold back on a "
+        "fall; the greatest that it may be",
+    )
+    rod_rate_N_per_mm: float = Field(
+        default=0.0, ge=-100, le=100, description="by which that force grows with the lift"
+    )
+    friction_least: float | None = Field(
+        default=None, ge=0, le=1.5, description="sliding friction between rod and disc; left out, by the two materials"
+    )
+    friction_greatest: float | None = Field(default=None, ge=0, le=1.5, description="the most that it may be")
+    greased: bool = Field(default=True, description="whether rod and disc are; for the friction of their materials")
+    drag_least_Nmm: float = Field(
+        default=0.0, ge=0, le=100_000, description="torque of a brake or felt against the cam's motion, at its weakest"
+    )
+    drag_greatest_Nmm: float | None = Field(
+        default=None, ge=0, le=100_000, description="at its strongest; left out, the least"
+    )
+    drag_on: Annotated[Braked, WORD] = Field(
+        default=Braked.DISC,
+        description="what it acts on: the disc itself, or its shaft, on which the disc may have play that is not held",
+    )
+    drive_torque_Nmm: float | None = Field(
+        default=None, gt=0, le=1e7, description="what the drive can give at the camshaft"
+    )
+    drive_energy_J: float | None = Field(
+        default=None, gt=0, le=1e6, description="what the drive has for a run, such as 3.9 of 1 kg that falls 400 mm"
+    )
+
+    @model_validator(mode="after")
+    def _bands_run_upwards(self) -> "MechanicsSection":
+        least, greatest = self.friction_least, self.friction_greatest
+        if (least is None) != (greatest is None):
+            raise ValueError("mechanics has only one of friction_least and friction_greatest: give both or neither")
+        if least is not None and greatest is not None and least > greatest:
+            raise ValueError(
+                f"mechanics.friction_least is {least:g}, more than friction_greatest, {greatest:g}: exchange them"
+            )
+        if self.drag_greatest_Nmm is not None and self.drag_greatest_Nmm < self.drag_least_Nmm:
+            raise ValueError(
+                f"mechanics.drag_least_Nmm is {self.drag_least_Nmm:g}, more than drag_greatest_Nmm, "
+                f"{self.drag_greatest_Nmm:g}: exchange them"
+            )
+        strongest = self.drag_Nmm[1]
+        if self.drive_torque_Nmm is not None and strongest >= self.drive_torque_Nmm:
+            raise ValueError(
+                f"mechanics.drag_greatest_Nmm is {strongest:g}, and the drive gives {self.drive_torque_Nmm:g} N mm at "
+                f"the camshaft (mechanics.drive_torque_Nmm): it cannot turn that; lower the drag, or gear down"
+            )
+        return self
+
+    @property
+    def drag_Nmm(self) -> tuple[float, float]:
+        """Least and greatest drag."""
+        least = self.drag_least_Nmm
+        return least, least if self.drag_greatest_Nmm is None else self.drag_greatest_Nmm

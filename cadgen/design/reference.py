@@ -4,7 +4,7 @@ from math import degrees
 
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
 from cadgen.car.path.path_kinds import PathKind, codes, kind_of
-from cadgen.design.keys import Key, Table, last, shown, tables
+from cadgen.design.keys import Key, SectionKeys, last, shown, tables
 from cadgen.design.kinds import Kinds
 from cadgen.design.load import DEFAULT_DESIGN, packaged_designs
 from cadgen.design.section import listed
@@ -83,14 +83,14 @@ def page() -> str:
     return _HEAD.format(names=names, default=DEFAULT_DESIGN) + sections + _LIMITS + limits
 
 
-def _section(table: Table) -> str:
+def _section(table: SectionKeys) -> str:
     head = "| key | unit | must be | default | meaning |\n|---|---|---|---|---|\n"
     title = f"### {table.heading}\n\n{table.meaning}" if table.name else "### Before the first section"
     optional = "" if table.required else " May be left out."
     return f"\n{title}{optional}\n\n{head}{''.join(_row(key) for key in table.keys)}"
 
 
-def _other_paths(table: Table) -> str:
+def _other_paths(table: SectionKeys) -> str:
     """After the section [path], the keys of the kinds that have others than the usual one."""
     kinds = [kind_of(code) for code in codes()] if table.name == "path" else []
     usual = {key.name for key in table.keys}

@@ -14,20 +14,17 @@ from pydantic import Field, SerializeAsAny, ValidatorFunctionWrapHandler, field_
 from cadgen.cam.followers.kind import Seat
 from cadgen.cam.limits import PressureAngleLimitName
 from cadgen.car.course.layout import Side
-from cadgen.design.as_built import AsBuilt
-from cadgen.design.blank import Blank
-from cadgen.design.course import Course
-from cadgen.design.drawing import DrawingText
+from cadgen.design.as_built import AsBuiltSection
+from cadgen.design.blank import BlankSection
+from cadgen.design.course import CourseSection, OutlineSection
+from cadgen.design.file_names import name_fault
 from cadgen.design.follower import FOLLOWER, Follower
-from cadgen.design.machining import Machining
-from cadgen.design.mechanics import Mechanics
-from cadgen.design.names import name_fault
-from cadgen.design.outline import Outline
-from cadgen.design.path import PATH, Path
-from cadgen.design.play import Optimize, Play, Tolerances
-from cadgen.design.section import WORD, Point, Points, Section, Size, listed
-from cadgen.design.settings import Settings
-from cadgen.design.train import Train, train_by_stages
+from cadgen.design.machining import DrawingText, Machining
+from cadgen.design.path import PATH, PathSection
+from cadgen.design.play import MechanicsSection, Optimize, PlaySection, TolerancesSection
+from cadgen.design.section import WORD, DesignSection, Point, Points, Size, listed
+from cadgen.design.settings import SettingsSection
+from cadgen.design.train import TrainSection, train_by_stages
 from cadgen.parts.face import Face
 
 THINNEST_DISC_MM = 0.1
@@ -36,7 +33,7 @@ LEAST_LAND_MM = 0.1  # between two broken edges; less is worn to a ridge by the 
 CAM_CHORD_UM = 5.0
 
 
-class Arena(Section):
+class Arena(DesignSection):
     """The field the car drives on. The figures show it; the cam does not depend on it."""
 
     corner_mm: Point = Field(default=(0.0, 0.0), description="[x, y] of the field's lower left corner")
@@ -45,7 +42,7 @@ class Arena(Section):
     obstacles_mm: Points = Field(default=(), description="[x, y] of each obstacle's centre")
 
 
-class Car(Section):
+class CarSection(DesignSection):
     """The three-wheeled car in plan view. One of its rear wheels is driven: the left one, or with signs the right.
 
     A1 counts to the left of the fork axis and A2 to its right. A car whose right wheel is driven has both negative; one
@@ -69,10 +66,10 @@ class Car(Section):
         description="R_h; needs [train]. With it the whole path is driven before the closing blend; left out, a turn "
         "of the cam takes the whole path, which gives the radius, and the blend steers the last of it",
     )
-    outline: Outline | None = None
+    outline: OutlineSection | None = None
 
 
-class Cam(Section):
+class Cam(DesignSection):
     """The disc and its place. Two of the four keys from `inner_face_mm` to `thickness_mm` fix its faces."""
 
     base_radius_mm: float = Field(gt=0, le=500, description="a, camshaft to fork axis")
@@ -146,7 +143,7 @@ class Cam(Section):
         return self
 
 
-class Checks(Section):
+class Checks(DesignSection):
     """Limits that a cam must keep to be exported."""
 
     pressure_angle_limit: Annotated[PressureAngleLimitName, WORD] = Field(
@@ -165,7 +162,7 @@ class Checks(Section):
     min_wall_mm: float = Field(default=2.0, ge=0, le=100, description="least wall between the outline and any hole")
 
 
-class Export(Section):
+class Export(DesignSection):
     """How finely the files follow the exact outline."""
 
     mesh_chord_um: float | None = Field(
@@ -189,35 +186,35 @@ class Export(Section):
         return CAM_CHORD_UM if self.mesh_chord_um is None else self.mesh_chord_um
 
 
-class TrainFile(Section):
+class TrainFile(DesignSection):
     """A design file of which only the gear train is wanted: the sections of the cam may be left out."""
 
     name: str = Field(
         default="",
         description="what the exported files are named after; left out, the design file's own name",
     )
-    path: SerializeAsAny[Path] | None = None
+    path: SerializeAsAny[PathSection] | None = None
     field: Arena | None = None
-    course: Course | None = None
-    car: Car | None = None
+    course: CourseSection | None = None
+    car: CarSection | None = None
     cam: Cam | None = None
     follower: SerializeAsAny[Follower] | None = None
-    blank: Blank = Blank()
+    blank: BlankSection = BlankSection()
     machining: Machining = Machining()
     checks: Checks = Checks()
     export: Export = Export()
-    train: SerializeAsAny[Train] | None = None
-    play: Play | None = None
-    mechanics: Mechanics | None = None
-    tolerances: Tolerances = Tolerances()
+    train: SerializeAsAny[TrainSection] | None = None
+    play: PlaySection | None = None
+    mechanics: MechanicsSection | None = None
+    tolerances: TolerancesSection = TolerancesSection()
     optimize: Optimize = Optimize()
     drawing: DrawingText | None = None
-    settings: Settings | None = None
-    as_built: AsBuilt | None = None
+    settings: SettingsSection | None = None
+    as_built: AsBuiltSection | None = None
 
     @field_validator("path", mode="wrap")
     @classmethod
-    def _path_by_its_kind(cls, value: object, usual: ValidatorFunctionWrapHandler) -> Path | None:
+    def _path_by_its_kind(cls, value: object, usual: ValidatorFunctionWrapHandler) -> PathSection | None:
         return PATH.check(value, usual)
 
     @field_validator("follower", mode="wrap")
@@ -227,7 +224,7 @@ class TrainFile(Section):
 
     @field_validator("train", mode="wrap")
     @classmethod
-    def _train_by_its_stages(cls, value: object, usual: ValidatorFunctionWrapHandler) -> Train | None:
+    def _train_by_its_stages(cls, value: object, usual: ValidatorFunctionWrapHandler) -> TrainSection | None:
         return train_by_stages(value, usual)
 
     @model_validator(mode="after")
@@ -258,8 +255,8 @@ class TrainFile(Section):
 class DesignFile(TrainFile):
     """A design as its file gives it, checked, with the defaults filled in."""
 
-    path: SerializeAsAny[Path]
-    car: Car
+    path: SerializeAsAny[PathSection]
+    car: CarSection
     cam: Cam
     follower: SerializeAsAny[Follower]
 
@@ -379,4 +376,4 @@ class Design(DesignFile, TrainDesign):
     def as_cut(self) -> "Design":
         """Design that the measured cam was made from: this one with the deviations known by then."""
         known = self.as_built.cut_for if self.as_built else ()
-        return self.model_copy(update={"as_built": AsBuilt(effects=known) if known else None})
+        return self.model_copy(update={"as_built": AsBuiltSection(effects=known) if known else None})

@@ -30,7 +30,7 @@ Points = Annotated[tuple[Point, ...], Strict(False)]
 Size = Annotated[tuple[Extent, Extent], Strict(False)]
 
 
-class Section(BaseModel):
+class DesignSection(BaseModel):
     """A frozen table of a design file: no unknown keys, no text for numbers, no NaN or infinity.
 
     The docstring of a section and the descriptions of its keys make the reference page.
@@ -96,7 +96,7 @@ FeatureOrNone = Annotated[float, ZeroOrFeature()]
 
 K = TypeVar("K")
 R = TypeVar("R")
-S = TypeVar("S", bound=Section)
+S = TypeVar("S", bound=DesignSection)
 
 
 def section_with(base: type[S], meaning: str, keys: type[Any]) -> type[S]:
@@ -137,7 +137,7 @@ def _as_read(hint: Any) -> Any:
     return Annotated[(Points, *arguments[1:])] if arguments[0] == path_kinds.Points else hint
 
 
-def keys_in(section: Section, keys: type[Any]) -> Any:
+def keys_in(section: DesignSection, keys: type[Any]) -> Any:
     """Values of a section as the dataclass of its kind's keys."""
     return keys(**{item.name: getattr(section, item.name) for item in fields(keys)})
 

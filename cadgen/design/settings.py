@@ -5,14 +5,14 @@ from typing import Annotated
 from annotated_types import Ge, Gt, Le
 from pydantic import Field, Strict, model_validator
 
-from cadgen.design.section import Section
+from cadgen.design.section import DesignSection
 
 MOST_AT_HAND = 50
 Radii = Annotated[tuple[Annotated[float, Gt(0), Le(1000)], ...], Strict(False)]
 Ratios = Annotated[tuple[Annotated[float, Ge(0.01), Le(10_000)], ...], Strict(False)]
 
 
-class Settings(Section):
+class SettingsSection(DesignSection):
     """Ranges of what a team can set on the car when the spacing of the course is drawn. What is left out stays."""
 
     disc_from_mm: float = Field(
@@ -53,7 +53,7 @@ class Settings(Section):
     start_heading_step_deg: float = Field(default=0.0, ge=0, le=10, description="to which it is set; 0 for any")
 
     @model_validator(mode="after")
-    def _wheels_are_listed_or_made(self) -> "Settings":
+    def _wheels_are_listed_or_made(self) -> "SettingsSection":
         low, high = self.wheel_from_mm, self.wheel_to_mm
         if (low is None) != (high is None):
             raise ValueError("settings has only one of wheel_from_mm and wheel_to_mm: give both or neither")

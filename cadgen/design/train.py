@@ -1,18 +1,111 @@
-"""The section of the gear train: its stages from the drive to the camshaft, and what their gears are made of.
-
-What a gear or a stage does not say, the train says for all of them.
-"""
+"""Sections of the gear train; a stage's keys are those of the kind that it names, by default a pair of spur gears."""
 
 from collections.abc import Callable
-from typing import Annotated
+from functools import cache
+from typing import Annotated, Any
 
 from annotated_types import Gt, Le
-from pydantic import Field, Strict, create_model
+from pydantic import Field, SerializeAsAny, Strict, WrapValidator, create_model
 
-from cadgen.design.joint import Held
-from cadgen.design.section import WORD, Feature, FeatureOrNone, Section, listed
-from cadgen.design.stage import StageItem, stage_kinds
+from cadgen.design.blank import Held
+from cadgen.design.section import (
+    WORD,
+    ByKind,
+    DesignSection,
+    Feature,
+    FeatureOrNone,
+    OneOf,
+    keys_in,
+    listed,
+    section_with,
+)
 from cadgen.gears.choices import Thinning
+from cadgen.gears.stage_kinds import SPUR, StageKind, codes, kind_of
+
+
+class GearKeys(DesignSection):
+    """One gear of a stage. Tolerances given here stand in for those of the standards."""
+
+    teeth: int = Field(ge=4, le=1000, description="z")
+    profile_shift: float = Field(default=0.0, ge=-2, le=2, description="x, in modules")
+    module_mm: float | None = Field(default=None, gt=0, le=10, description="m_n; left out, that of the train")
+    pressure_angle_deg: float | None = Field(
+        default=None, ge=10, le=35, description="alpha_n; left out, that of the train"
+    )
+    width_mm: float | None = Field(default=None, gt=0, le=500, description="b; left out, that of the train")
+    grade: int | None = Field(default=None, ge=3, le=12, description="tolerance grade; left out, that of the train")
+    f_pt_um: float | None = Field(default=None, ge=0, le=1e4, description="single pitch deviation")
+    F_beta_um: float | None = Field(default=None, ge=0, le=1e4, description="total helix deviation")
+    F_r_um: float | None = Field(default=None, ge=0, le=1e4, description="radial runout")
+    b_r_um: float | None = Field(default=None, ge=0, le=1e4, description="radial feed when cutting the teeth")
+    F_i_radial_um: float | None = Field(
+        default=None, ge=0, le=1e4, description="F_i'', total radial composite deviation"
+    )
+
+
+class StageSection(DesignSection):
+    """One stage, the first one next to the drive. One table [[train.stages]] for each."""
+
+    kind: Annotated[str | None, OneOf(lambda: (SPUR, *codes()))] = Field(
+        default=None, description="which kind of stage; left out, a pair of spur gears"
+    )
+    bearing_span_mm: float | None = Field(default=None, gt=0, le=5000, description="l; left out, that of the train")
+    direction_deg: float | None = Field(
+        default=None,
+        ge=-360,
+        le=360,
+        description="of the line from the driver's axis to the driven gear's; left out, one is found that clears",
+    )
+
+    @property
+    def registered(self) -> StageKind:
+        """Kind that it names, which is not that of spur gears."""
+        return kind_of(str(self.kind))
+
+    @property
+    def keys(self) -> Any:
+        """Values as the dataclass of that kind."""
+        return keys_in(self, self.registered.keys)
+
+
+class SpurStage(StageSection):
+    """One stage, the first one next to the drive. One table [[train.stages]] for each."""
+
+    centre_distance_mm: float = Field(gt=0, le=2000, description="a")
+    f_a_um: float | None = Field(
+        default=None, ge=0, le=1e4, description="deviation of the centre distance; left out, the standard's"
+    )
+    driver: GearKeys
+    driven: GearKeys
+
+
+@cache
+def stage_section(kind: StageKind | None) -> type[StageSection]:
+    """Section with the keys of a kind; None for spur gears."""
+    return SpurStage if kind is None else section_with(StageSection, kind.meaning, kind.keys)
+
+
+STAGE = ByKind[StageKind | None, StageSection](
+    "kind", SPUR, lambda: (SPUR, *codes()), lambda code: None if code == SPUR else kind_of(code), stage_section
+)
+
+
+def stage_kinds(values: object) -> tuple[StageKind | None, ...]:
+    """Kinds that the raw values of a design name for its stages, in their order."""
+    train = values.get("train") if isinstance(values, dict) else None
+    stages = train.get("stages") if isinstance(train, dict) else getattr(train, "stages", None)
+    return tuple(STAGE.kind(stage) for stage in stages) if isinstance(stages, list | tuple) else ()
+
+
+def _checked(value: object, otherwise: Callable[[object], StageSection]) -> StageSection:
+    """Check one stage by the keys of its kind."""
+    if isinstance(value, dict):
+        return STAGE.check(value, otherwise)
+    return value if isinstance(value, StageSection) else SpurStage.model_validate(value)
+
+
+StageItem = Annotated[SerializeAsAny[StageSection], WrapValidator(_checked)]
+
 
 # All orders of so many stages, 5040, are compared within a second; ten would take an hour.
 MOST_STAGES = 7
@@ -21,14 +114,14 @@ MOST_SIZES = 100  # modules or widths to choose from
 Lengths = Annotated[tuple[Annotated[float, Gt(0), Le(500)], ...], Strict(False)]
 
 
-class GearKeyway(Section):
+class GearKeyway(DesignSection):
     """A keyway in the bore, under a tooth of the larger gear."""
 
     width_mm: Feature = Field(le=100, description="b")
     depth_mm: Feature = Field(le=50, description="t2: bore and keyway span the bore's diameter and this")
 
 
-class GearHub(Section):
+class GearHub(DesignSection):
     """A round hub on the outer face of a gear. Between the two gears of an intermediate shaft it is their collar.
 
     Without one there, they get a collar as thick as their roots allow, so that the wheels of neighbouring stages do
@@ -43,21 +136,21 @@ class GearHub(Section):
     )
 
 
-class GearWeb(Section):
+class GearWeb(DesignSection):
     """A thinner disc between hub and rim."""
 
     thickness_mm: Feature = Field(le=500, description="of the disc")
     rim_mm: Feature = Field(le=500, description="thickness of the rim under the teeth's root")
 
 
-class GearLightening(Section):
+class GearLightening(DesignSection):
     """A ring of equal round holes midway between rim and hub."""
 
     holes: int = Field(ge=1, le=360, description="how many")
     hole_diameter_mm: Feature = Field(le=500, description="of each hole")
 
 
-class Blank(Held):
+class GearBlankSection(Held):
     """Features of a shaft's gear besides its teeth; on an intermediate shaft, the driven gear of its two.
 
     A joint on an intermediate shaft is that between its wheel and its pinion, which are one piece without it.
@@ -70,7 +163,7 @@ class Blank(Held):
     lightening: GearLightening | None = None
 
 
-class Search(Section):
+class SearchSection(DesignSection):
     """Within what limits `--order search` looks for trains. Sizes left out span those of the given stages."""
 
     stages: int | None = Field(default=None, ge=1, le=6, description="how many stages; left out, as many as given")
@@ -116,7 +209,7 @@ class Search(Section):
     keep: int = Field(default=10, ge=1, le=1000, description="how many trains are reported")
 
 
-class Train(Section):
+class TrainSection(DesignSection):
     """The gear train that drives the camshaft, of spur gears. `cadgen gears` needs it."""
 
     module_mm: float = Field(gt=0, le=10, description="m_n")
@@ -156,17 +249,17 @@ class Train(Section):
     stages: Annotated[tuple[StageItem, ...], Strict(False)] = Field(
         min_length=1, max_length=MOST_STAGES, description=f"at least one, and at most {MOST_STAGES}"
     )
-    drive: Blank = Blank()
-    intermediate: Blank = Blank()
-    output: Blank = Blank()
-    search: Search = Search()
+    drive: GearBlankSection = GearBlankSection()
+    intermediate: GearBlankSection = GearBlankSection()
+    output: GearBlankSection = GearBlankSection()
+    search: SearchSection = SearchSection()
 
 
 # A train without spur gears needs neither module nor width.
-_TOOTHLESS: type[Train] = create_model(
-    "Train",
-    __base__=Train,
-    __doc__=Train.__doc__,
+_TOOTHLESS: type[TrainSection] = create_model(
+    "TrainSection",
+    __base__=TrainSection,
+    __doc__=TrainSection.__doc__,
     module_mm=(float | None, Field(default=None, gt=0, le=10)),
     width_mm=(float | None, Field(default=None, gt=0, le=500)),
 )
@@ -188,7 +281,7 @@ _TEETH = (
 )
 
 
-def train_by_stages(value: object, usual: Callable[[object], Train | None]) -> Train | None:
+def train_by_stages(value: object, usual: Callable[[object], TrainSection | None]) -> TrainSection | None:
     """Check a section by the kinds of its stages.
 
     Args:

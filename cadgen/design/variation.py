@@ -18,8 +18,7 @@ from cadgen.car.optimize.band import PlayBand
 from cadgen.car.optimize.remedies import holding
 from cadgen.car.path_motion import PathMotion
 from cadgen.design import cam_model, gear_model
-from cadgen.design.mechanics import Braked, Mechanics
-from cadgen.design.play import Hardware
+from cadgen.design.play import Braked, Hardware, MechanicsSection
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.deviations.deviation import (
@@ -106,7 +105,7 @@ def mechanics(design: Design, follower: Follower, lift: PathMotion) -> Mechanics
     hardware, keys = design.optimize.hardware or (), cam_model.rod_keys(design)
     material = keys.material if keys else None
     if given is None and (material or design.blank.material):
-        given = Mechanics()  # their friction follows from the materials
+        given = MechanicsSection()  # their friction follows from the materials
     if given is None and known.friction is not None and not hardware:
         return MechanicsBand(
             follower=rod_of(follower, "friction", "remove [as_built]"), friction=_measured(known.friction)

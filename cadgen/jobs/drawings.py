@@ -16,7 +16,7 @@ import numpy as np
 from cadgen.arrays import TURN
 from cadgen.car.course.layout import Side
 from cadgen.curves.biarc import arcs
-from cadgen.design.drawing import DrawingText
+from cadgen.design.machining import DrawingText
 from cadgen.design.schema import Design, TrainDesign
 from cadgen.errors import FileError
 from cadgen.gears.layout import TrainPart

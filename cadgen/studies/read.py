@@ -6,8 +6,8 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from cadgen.design.file_names import usable_name
 from cadgen.design.load import design_of, packaged_designs, packaged_studies, read_design
-from cadgen.design.names import usable_name
 from cadgen.design.override import key_at, override
 from cadgen.design.parse import DeepError, parse
 from cadgen.design.section import listed

@@ -12,7 +12,7 @@ from pydantic import BeforeValidator, Field, Strict, field_validator, model_vali
 from cadgen.car.optimize.profiles.table import codes as profile_codes
 from cadgen.car.planner import RESERVE, SEEDS, WITHIN_MM
 from cadgen.check import CheckCode
-from cadgen.design.section import HERE, OneOf, Section, listed
+from cadgen.design.section import HERE, DesignSection, OneOf, listed
 from cadgen.errors import DesignError, brief
 from cadgen.studies import plans, search
 from cadgen.studies.figures import table
@@ -32,7 +32,7 @@ def plan_kinds() -> tuple[str, ...]:
     return (*plans.codes(), search.CODE)
 
 
-class PlanKeys(Section):
+class PlanKeys(DesignSection):
     """How designs are chosen."""
 
     kind: Annotated[str, OneOf(plan_kinds)] = Field(description="full_factorial, latin_hypercube, sobol or nsga2")
@@ -54,7 +54,7 @@ class PlanKeys(Section):
         return self
 
 
-class Vary(Section):
+class Vary(DesignSection):
     """One key that varies: by values, or from a least to a most."""
 
     key: str = Field(min_length=1, description="key of the design, or replan.within_mm, replan.reserve or replan.seeds")
@@ -128,7 +128,7 @@ def _is_plain(value: object) -> bool:
     return isinstance(value, bool | int | str) or (isinstance(value, float) and isfinite(value))
 
 
-class LimitKeys(Section):
+class LimitKeys(DesignSection):
     """A limit on a figure; one on a cheap figure screens."""
 
     figure: FigureCode = Field(description="code of a figure")
@@ -182,7 +182,7 @@ _REPLANNED = {"within_mm": _within, "reserve": _reserve, "seeds": _seeds}
 Within = Annotated[Any, BeforeValidator(_within)]
 
 
-class ReplanKeys(Section):
+class ReplanKeys(DesignSection):
     """Plan the path of the designs, as `cadgen plan --from` does; each distinct path once."""
 
     within_mm: Within = Field(
@@ -201,14 +201,14 @@ class ReplanKeys(Section):
     )
 
 
-class EachKeys(Section):
+class EachKeys(DesignSection):
     """Limits of the computation of one design."""
 
     seconds: float = Field(default=600.0, gt=0, le=1e6, description="time that one design may take")
     memory_mb: float | None = Field(default=None, ge=50, le=1e7, description="memory that a process may take more")
 
 
-class StudyFile(Section):
+class StudyFile(DesignSection):
     """All of a study's file."""
 
     name: str = Field(default="", pattern=r"^([A-Za-z0-9][\w.-]{0,80})?$", description="in the names of the results")

@@ -12,8 +12,8 @@ import pytest
 import cadgen
 from cadgen import Design, Gear, GearPair, Measured, Report, Train, draw, merge, verify, write_script
 from cadgen.api.files import Written
+from cadgen.design.file_names import name_fault, usable_name
 from cadgen.design.keys import tables
-from cadgen.design.names import name_fault, usable_name
 from cadgen.errors import DesignError, FileError
 from cadgen.parts.features import Hub, Keyway, Lightening, Web
 

@@ -6,7 +6,7 @@ import pytest
 from pydantic import ValidationError
 
 from cadgen.design import cam_model
-from cadgen.design.as_built import AsBuilt, Source
+from cadgen.design.as_built import AsBuiltSection, SourceSection
 from cadgen.design.load import load_design, with_overrides
 from cadgen.errors import DesignError
 
@@ -25,7 +25,7 @@ ZERO = effect("track", "steering zero", "car", steering_zero_deg=0.55)
 
 def refusal(*effects: dict[str, Any]) -> str:
     with pytest.raises(ValidationError) as caught:
-        AsBuilt.model_validate({"effects": list(effects)})
+        AsBuiltSection.model_validate({"effects": list(effects)})
     return str(caught.value)
 
 
@@ -84,28 +84,28 @@ def test_one_thing_of_the_car_is_set_once() -> None:
     assert 'from backlash of kind track and from return error of kind zones: set place = "noted"' in refusal(
         track, zones
     )
-    AsBuilt.model_validate({"effects": [track, {**zones, "place": "noted"}]})
+    AsBuiltSection.model_validate({"effects": [track, {**zones, "place": "noted"}]})
     # Gears on several shafts run out.
     numbers = {"runout_cos_deg": 0.1, "runout_sin_deg": -0.1}
     gears = [
         effect("transmission", name, "car", **numbers, turns_per_turn=turns)
         for name, turns in (("runout of shaft 2", 3.0), ("runout of the camshaft", 1.0))
     ]
-    AsBuilt.model_validate({"effects": gears})
+    AsBuiltSection.model_validate({"effects": gears})
     assert "has runout_cos_deg of the car twice" in refusal(gears[0], gears[0])
     # A disc may have one thing twice: the bore of the part, and the run-out of the shaft.
     part = effect("profile", "eccentric bore", "part", eccentric_x_um=30.0, eccentric_y_um=0.0)
     shaft = effect("lift", "eccentric bore", "car", eccentric_x_um=30.0, eccentric_y_um=0.0)
-    AsBuilt.model_validate({"effects": [part, shaft]})
+    AsBuiltSection.model_validate({"effects": [part, shaft]})
 
 
 def test_noted_effects_need_no_numbers_of_the_catalogue() -> None:
-    AsBuilt.model_validate({"effects": [effect("transmission", "runout of shaft 2", "noted", order=9.0)]})
+    AsBuiltSection.model_validate({"effects": [effect("transmission", "runout of shaft 2", "noted", order=9.0)]})
 
 
 def test_a_hash_that_is_none_is_refused() -> None:
     with pytest.raises(ValidationError, match="64 hexadecimal digits"):
-        Source(file="a.csv", kind="track", sha256="abc")
+        SourceSection(file="a.csv", kind="track", sha256="abc")
 
 
 def test_a_worn_nose_keeps_its_number(written: Any, minimal: Any) -> None:

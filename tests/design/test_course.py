@@ -7,7 +7,8 @@ import pytest
 import tomli_w
 
 from cadgen.car.path_motion import PathMotion
-from cadgen.design import cam_model, course_model
+from cadgen.design import cam_model
+from cadgen.design.course import body_of, layout_of
 from cadgen.design.load import load_design, with_overrides
 from cadgen.errors import DesignError
 from cadgen.jobs.cam.course import on_course
@@ -65,7 +66,8 @@ def test_an_outline_is_a_rectangle_or_a_polygon(tmp_path):
     car["outline"] = {"corners_mm": [[0, 0], [-200, 99], [-100, 99], [-200, -99]]}
     with pytest.raises(DesignError, match=r"car\.outline\.corners_mm crosses itself"):
         load(tmp_path, {}, car=car)
-    body = course_model.body(load(tmp_path, {}))
+    design = load(tmp_path, {})
+    body = body_of(design.car.outline, cam_model.car(design))
     # As wide to either side of the middle between the rear wheels, 82 to the right of the fork.
     assert body.corners == ((60.0, 48.0), (-200.0, 48.0), (-200.0, -212.0), (60.0, -212.0))
 
@@ -122,7 +124,7 @@ def test_gates_are_given_once():
 @pytest.mark.parametrize("name", ["appendix_car", "carbon_free_car", "workshop_car"])
 def test_the_papers_points_are_gates_of_the_packaged_designs(name):
     design = load_design(name)
-    course = course_model.course(design)
+    course = layout_of(design.course)
     assert [gate.place.points[0] for gate in course.gates] == list(design.path.waypoints_mm)
     assert {(gate.place.reach, gate.point, gate.free) for gate in course.gates} == {(50.0, "middle", False)}
     assert with_overrides(design, ["course.margin_mm=3"]).course.gates == design.course.gates

@@ -13,8 +13,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from cadgen.design import load
+from cadgen.design.file_names import name_fault
 from cadgen.design.load import DEFAULT_DESIGN, load_design, packaged_designs
-from cadgen.design.names import name_fault
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
 

@@ -13,7 +13,7 @@ from cadgen.cam.followers.rod_kind import ROD
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
 from cadgen.car.path.path_kinds import B_SPLINE, codes
 from cadgen.car.path.spline import DEGREE, MIN_WAYPOINTS, SplineKind
-from cadgen.design.blank import Blank, Lightening
+from cadgen.design.blank import BlankSection, LighteningSection
 from cadgen.design.follower import section_of
 from cadgen.design.keys import keys
 from cadgen.design.kinds import Kinds
@@ -106,7 +106,7 @@ SCREW = {"hole_diameter_mm": 2.5, "height_mm": 3.0}
     ],
 )
 def test_parts_of_the_blank_fit_each_other(blank: dict[str, Any], fits: bool) -> None:
-    assert accepted(Blank, **blank) is fits
+    assert accepted(BlankSection, **blank) is fits
 
 
 @given(
@@ -120,7 +120,7 @@ def test_holes_are_refused_just_when_two_of_them_meet(holes: int, circle: float,
     centres = [(circle / 2 * cos(t), circle / 2 * sin(t)) for t in turns]
     apart = min(hypot(x1 - x2, y1 - y2) for (x1, y1), (x2, y2) in combinations(centres, 2))
     ring = {"holes": holes, "hole_diameter_mm": filled * apart, "circle_diameter_mm": circle, "angle_deg": angle}
-    assert accepted(Lightening, **ring) is (filled < 1)
+    assert accepted(LighteningSection, **ring) is (filled < 1)
 
 
 def test_the_schema_agrees_with_the_numeric_rooms() -> None:

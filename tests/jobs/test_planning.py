@@ -8,7 +8,7 @@ import pytest
 
 from cadgen import Design
 from cadgen.design import cam_model
-from cadgen.design.template import EXAMPLE, text_of
+from cadgen.design.begin import EXAMPLE, text_of
 from cadgen.errors import CheckError, DesignError
 from tests.studies import courses
 

@@ -20,7 +20,7 @@ from cadgen.cam.followers.rod_kind import ROD
 from cadgen.design.follower import section_of
 from cadgen.design.load import DEFAULT_DESIGN, packaged_designs
 from cadgen.design.schema import DesignFile
-from cadgen.design.stage import stage_section
+from cadgen.design.train import stage_section
 
 Place = tuple[str | int, ...]
 

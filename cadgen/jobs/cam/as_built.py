@@ -5,7 +5,7 @@ from math import degrees, radians
 from cadgen.arrays import TURN
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.design import cam_model, gear_model, variation
-from cadgen.design.as_built import Effect
+from cadgen.design.as_built import EffectSection
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.deviations.deviation import Place
@@ -162,12 +162,12 @@ def stop_as_designed(design: Design) -> float:
     return cam_model.turn_to_finish(design, cam_model.track(design))
 
 
-def _listed_effects(effects: list[Effect]) -> str:
+def _listed_effects(effects: list[EffectSection]) -> str:
     named = [f"{effect.effect} {_values(effect)} ({effect.place}, from {effect.kind})" for effect in effects]
     return listed(named, "and")
 
 
-def _values(effect: Effect) -> str:
+def _values(effect: EffectSection) -> str:
     units = {p.name: p.unit for p in effect.known().parameters}
     return ", ".join(
         f"{value.value:.4g}{_SIGNS[units.get(value.name, '')]}"

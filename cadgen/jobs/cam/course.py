@@ -20,7 +20,8 @@ from cadgen.car.path.track import Track
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.steering import Car
 from cadgen.check import Bound, Check, CheckCode
-from cadgen.design import cam_model, course_model
+from cadgen.design import cam_model
+from cadgen.design.course import STAND_RADIUS, body_of, layout_of
 from cadgen.design.schema import Design
 from cadgen.jobs.cam.comparison import PlayComparison
 
@@ -64,7 +65,7 @@ class OnCourse:
     @cached_property
     def body(self) -> CarBody:
         """Outline and wheels of the car."""
-        return course_model.body(self.design)
+        return body_of(self.design.car.outline, cam_model.car(self.design))
 
     @property
     def stop(self) -> float:
@@ -290,7 +291,7 @@ class CourseRun:
             f"{name} off",
             stand.off,
             "mm",
-            wanted.place.reach or course_model.STAND_RADIUS,  # a line has none, and rounding must not fail it
+            wanted.place.reach or STAND_RADIUS,  # a line has none, and rounding must not fail it
             Bound.MAX,
             what,
             f"let the path {name} there, or change {wanted.key}",
@@ -357,5 +358,5 @@ def on_course(design: Design, track: Track, lift: PathMotion) -> OnCourse | None
         track: track of the drive wheel.
         lift: lift wanted.
     """
-    course = course_model.course(design)
+    course = layout_of(design.course)
     return None if course is None else OnCourse(design, track, lift, course)

@@ -21,7 +21,8 @@ from cadgen.car.motion.sampled import rolled_lift
 from cadgen.car.optimize.profiles.actual import ACTUAL
 from cadgen.car.path_motion import PathMotion
 from cadgen.curves.closed import ClosedCurve
-from cadgen.design import cam_model, course_model, draw_model
+from cadgen.design import cam_model, draw_model
+from cadgen.design.course import layout_of
 from cadgen.design.schema import Design
 from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.jobs.cam.course import CourseRun, OnCourse
@@ -86,7 +87,7 @@ class Maker:
     @cached_property
     def _course(self) -> Course:
         """The course as stated; where the car starts the setting says."""
-        course = course_model.course(self._design)
+        course = layout_of(self._design.course)
         assert course is not None  # it has spacings
         return replace(course, start=None)
 

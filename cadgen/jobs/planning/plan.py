@@ -20,7 +20,8 @@ from cadgen.car.planner.gates import is_exact
 from cadgen.car.planner.path_plan import PathPlan, Reason, reasons
 from cadgen.car.planner.path_plan import best_plan as planned
 from cadgen.car.planner.path_task import Margins, PathTask
-from cadgen.design import cam_model, course_model, draw_model, gear_model
+from cadgen.design import cam_model, draw_model, gear_model
+from cadgen.design.course import body_of, layout_of, spacings_of
 from cadgen.design.load import design_of
 from cadgen.design.planned import planned_text, rounded
 from cadgen.design.schema import Design
@@ -186,7 +187,7 @@ def _planned(
     """
     design, wanted, progress = asked.design, asked.wanted, asked.progress
     rounds = _MORE_ROUNDS if design.course is not None and design.course.judged == Judged.PLAY else _ROUNDS
-    if course_model.draw(design) is not None:
+    if spacings_of(design.course) is not None:
         draw_model.settings(design)
         rounds = _MORE_ROUNDS
     for number in range(rounds):
@@ -241,7 +242,7 @@ def _settings(task: PathTask, cam: CamPlan, progress: Progress) -> tuple[Drawn, 
 
 def _refuse_course(design: Design) -> None:
     """Refuse a course on which the car cannot stand at its start, where the course says how it stands there."""
-    course, car = course_model.course(design), cam_model.car(design)
+    course, car = layout_of(design.course), cam_model.car(design)
     start = None if course is None else course.start
     if course is None or start is None or start.heading is None or not is_exact(start):
         return
@@ -249,7 +250,7 @@ def _refuse_course(design: Design) -> None:
     fork = complex(*start.place.points[0]) - complex(*place_of(start.point, car)) * ahead
     still = np.zeros(2)
     pose = Poses(fork=np.full(2, fork), heading=still + start.heading, steering=still, travel=still)
-    refuse_course(course, course_model.body(design), pose)
+    refuse_course(course, body_of(design.car.outline, cam_model.car(design)), pose)
 
 
 def _chosen_radius(design: Design, task: PathTask, result: PathPlan) -> float | None:

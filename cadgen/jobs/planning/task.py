@@ -12,7 +12,8 @@ from cadgen.car.path.track import Track
 from cadgen.car.planner.constraints import curvature_limits
 from cadgen.car.planner.path_task import Margins, PathTask, SteeringLimits, Vehicle
 from cadgen.car.planner.route import in_order
-from cadgen.design import cam_model, course_model, gear_model, variation
+from cadgen.design import cam_model, gear_model, variation
+from cadgen.design.course import body_of, layout_of, spacings_of
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
 
@@ -71,8 +72,8 @@ def task_of(
             "path.closed alike in both"
         )
     vehicle = _vehicle(design, near is None and _free_wheel(design, drawn is not None))
-    course = _course(design, drawn) if near is None else in_order(course_model.course(design) or Course())
-    draw = course_model.draw(design)
+    course = _course(design, drawn) if near is None else in_order(layout_of(design.course) or Course())
+    draw = spacings_of(design.course)
     return PathTask(
         vehicle=vehicle,
         limits=_limits(design, vehicle, calm, tightening, 1.0 if draw is None else draw.spacings[0] / draw.stated),
@@ -91,7 +92,7 @@ def track_points(track: Track) -> Array:
 
 def _course(design: Design, drawn: Track | None) -> Course:
     """The course; start and finish that it leaves out are those of the design's path."""
-    course = course_model.course(design)
+    course = layout_of(design.course)
     if course is None:
         raise DesignError(
             "the design has no course to plan a path for: add [course] with [course.start], [[course.gates]] and "
@@ -139,7 +140,7 @@ def _vehicle(design: Design, free: bool) -> Vehicle:
     laps, travel = bool(design.path.closed), _given_travel(design)
     return Vehicle(
         car=cam_model.car(design),
-        body=course_model.body(design),
+        body=body_of(design.car.outline, cam_model.car(design)),
         path_offset=design.path.offset_mm,
         base_radius=rod.base_radius,
         faces=(rod.inner, rod.outer),

@@ -10,7 +10,8 @@ from cadgen.arrays import Array
 from cadgen.car.course.layout import Shape
 from cadgen.car.motion.errors import EventKind, RunError, deflected, run_error
 from cadgen.car.optimize.evaluate import Evaluation
-from cadgen.design import course_model
+from cadgen.design import cam_model
+from cadgen.design.course import body_of, layout_of
 from cadgen.design.schema import Design
 from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.jobs.cam.cures import Cures, find_cures
@@ -169,8 +170,8 @@ def _ends(comparison: PlayComparison, evaluation: Evaluation) -> Array:
 
 
 def _field(design: Design) -> Field:
-    course, field = course_model.course(design), design.field
-    body = course_model.body(design)
+    course, field = layout_of(design.course), design.field
+    body = body_of(design.car.outline, cam_model.car(design))
     car = np.array(body.corners or [wheel.centre for wheel in body.wheels])
     if course is not None:
         return Field(

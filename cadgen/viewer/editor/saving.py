@@ -7,8 +7,8 @@ from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
+from cadgen.design.file_names import name_fault
 from cadgen.design.load import MOST_BYTES, packaged_designs, read_design
-from cadgen.design.names import name_fault
 from cadgen.errors import DesignError, FileError, brief
 from cadgen.reading import read_regular
 

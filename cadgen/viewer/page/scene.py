@@ -14,7 +14,8 @@ from cadgen.car.course.layout import CarPoint, Course, Gate, Shape, Side
 from cadgen.car.motion.drive import drive, start_pose
 from cadgen.car.motion.play import Following, follow
 from cadgen.car.path_motion import PathMotion
-from cadgen.design import cam_model, course_model
+from cadgen.design import cam_model
+from cadgen.design.course import layout_of, body_of
 from cadgen.design.schema import Design
 from cadgen.errors import CadgenError
 from cadgen.geometry.meshes.mesh import Mesh, cam_mesh
@@ -163,7 +164,7 @@ def _going(plan: CamPlan, code: str, label: str, following: Following, play: flo
 
 
 def _car(plan: CamPlan) -> CarShape:
-    car, body = cam_model.car(plan.design), course_model.body(plan.design)
+    car, body = cam_model.car(plan.design), body_of(plan.design.car.outline, cam_model.car(plan.design))
     drive_wheel = place_of(CarPoint.DRIVE_WHEEL, car)
 
     def seen(point: tuple[float, float]) -> tuple[float, float]:
@@ -181,7 +182,7 @@ def _car(plan: CamPlan) -> CarShape:
 
 def floor_of(design: Design) -> tuple[FloorShape, ...]:
     """Everything on the floor."""
-    course = course_model.course(design)
+    course = layout_of(design.course)
     return () if course is None else tuple(_figures(course))
 
 

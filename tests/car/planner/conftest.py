@@ -8,7 +8,8 @@ from cadgen.car.planner.constraints import curvature_limits
 from cadgen.car.planner.path_motion import Basis
 from cadgen.car.planner.path_task import SteeringLimits, Vehicle
 from cadgen.car.planner.route import fitted_to
-from cadgen.design import cam_model, course_model
+from cadgen.design import cam_model
+from cadgen.design.course import body_of
 from cadgen.design.load import load_design
 
 
@@ -16,7 +17,7 @@ from cadgen.design.load import load_design
 def vehicle() -> Vehicle:
     """The paper's car, with an outline, half the band of its train off."""
     design = load_design()
-    wheels = course_model.body(design).wheels
+    wheels = body_of(design.car.outline, cam_model.car(design)).wheels
     body = CarBody(corners=((45, 55), (-215, 55), (-215, -215), (45, -215)), clearance=0.0, wheels=wheels)
     return Vehicle(
         car=cam_model.car(design),

@@ -10,7 +10,7 @@ import pytest
 from cadgen.car.motion.mechanics import Mechanics, holding_friction
 from cadgen.car.path_motion import PathMotion
 from cadgen.design import cam_model, variation
-from cadgen.design.as_built import AsBuilt
+from cadgen.design.as_built import AsBuiltSection
 from cadgen.design.load import load_design
 from cadgen.inference.measurement.calibrate import calibrate
 from cadgen.inference.measurement.friction import with_friction_judged, with_known_play
@@ -163,7 +163,7 @@ def _as_built(*effects):
         value = 0.0 if name.startswith("no ") else value
         values = [{"name": number, "value": value, "sigma": sigma}]
         rows.append({"effect": name.removeprefix("no "), "kind": "track", "place": "car", "values": values})
-    return AsBuilt.model_validate({"effects": rows})
+    return AsBuiltSection.model_validate({"effects": rows})
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from cadgen import Design
-from cadgen.design.as_built import AsBuilt
+from cadgen.design.as_built import AsBuiltSection
 from cadgen.design.load import load_design
 from cadgen.deviations import catalogue
 from cadgen.deviations.catalogue import Catalogue
@@ -132,7 +132,7 @@ def test_without_it_the_file_is_of_no_kind(fork_file):
     with pytest.raises(FileError, match=r"are no kind of measured data; nearest is"):
         load(fork_file)
     with pytest.raises(ValueError, match='must be "lift", "profile"'):
-        AsBuilt.model_validate({"sources": [{"file": "a.csv", "kind": "fork angle", "sha256": "0" * 64}]})
+        AsBuiltSection.model_validate({"sources": [{"file": "a.csv", "kind": "fork angle", "sha256": "0" * 64}]})
 
 
 def test_kinds_and_effects_have_codes_of_their_own(fork):
