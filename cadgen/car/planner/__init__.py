@@ -7,7 +7,7 @@ region bounds the step (Fletcher & Sainz de la Maza, Math. Program. 43 (1989) 23
 | module        | what it does                                                                       |
 |---------------|------------------------------------------------------------------------------------|
 | `path_task`   | car, limits and course as the planner has them, and margins beside the limits      |
-| `path_motion` | control points -> curvature of the drive wheel's track and poses, with derivatives |
+| `kinematics`  | control points -> curvature of the drive wheel's track and poses, with derivatives |
 | `sensitivity` | cost of play at the end of the run, to first order                                 |
 | `constraints` | limits of steering, cam and length, and a corridor along a track                   |
 | `gates`       | gates, start and finish                                                            |

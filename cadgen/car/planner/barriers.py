@@ -18,7 +18,7 @@ from cadgen.arrays import Array
 from cadgen.car.course.body import CarBody
 from cadgen.car.course.layout import Course, Draw, Shape, Side
 from cadgen.car.planner.constraints import Constraint, LimitKind, PathLimit
-from cadgen.car.planner.path_motion import Basis, PathMotion
+from cadgen.car.planner.kinematics import Basis, Kinematics
 from cadgen.car.planner.path_task import Vehicle
 
 _EACH = 20  # places of a span at which clearances are held
@@ -168,12 +168,12 @@ class Clearances:
         """
         if not self.barriers:
             return []
-        motion = PathMotion(self.basis.even(_EACH), points, self.vehicle.path_offset)
+        motion = Kinematics(self.basis.even(_EACH), points, self.vehicle.path_offset)
         radius = max(float(np.linalg.norm(corners, axis=1).max()) for corners, _ in self._parts)
         kept = [each for barrier in self.barriers if (each := self._constraint(barrier, motion, radius)) is not None]
         return kept + [each.tightened(spare) for each in kept if (spare := self.spare.get(each.limit.key, 0.0)) > 0]
 
-    def _constraint(self, barrier: Barrier, motion: PathMotion, radius: float) -> Constraint | None:
+    def _constraint(self, barrier: Barrier, motion: Kinematics, radius: float) -> Constraint | None:
         place, far = motion.jets[0], radius * barrier.grown + barrier.reach + barrier.margin + _FAR
         if barrier.inside:
             near = _signed(place, barrier.corners)[0] > -far
@@ -181,7 +181,7 @@ class Clearances:
             near = np.linalg.norm(place[:, None] - barrier.points[None], axis=2).min(axis=1) < far
         if not near.any():
             return None
-        close = PathMotion(motion.places[np.flatnonzero(near)], motion.points, motion.offset)
+        close = Kinematics(motion.places[np.flatnonzero(near)], motion.points, motion.offset)
         parts = [corners * barrier.grown for corners, wheel in self._parts if wheel or not barrier.under]
         distance, by = _nearest(barrier, close, parts)
         if barrier.side is not None:
@@ -191,7 +191,7 @@ class Clearances:
         return Constraint(PathLimit(kind, barrier.key), value, _PER_MM, close.places.both, -by, close.places.u)
 
 
-def _nearest(barrier: Barrier, motion: PathMotion, parts: list[Array]) -> tuple[Array, Array]:
+def _nearest(barrier: Barrier, motion: Kinematics, parts: list[Array]) -> tuple[Array, Array]:
     """Least distance at each place, shape (m,), and its derivative, shape (m, 12)."""
     m = len(motion.places.u)
     best = np.full(m, np.inf)
@@ -218,7 +218,7 @@ def _nearest(barrier: Barrier, motion: PathMotion, parts: list[Array]) -> tuple[
     return best, motion.moved(direction, x, y)
 
 
-def _corner_distance(barrier: Barrier, motion: PathMotion, corners: Array) -> tuple[Array, NDArray[np.intp], Array]:
+def _corner_distance(barrier: Barrier, motion: Kinematics, corners: Array) -> tuple[Array, NDArray[np.intp], Array]:
     """Distance of the corner that is nearest to a barrier, its number, and the direction in which it gets away."""
     m = len(motion.places.u)
     placed = (
@@ -240,7 +240,7 @@ def _corner_distance(barrier: Barrier, motion: PathMotion, corners: Array) -> tu
 
 
 def _on_side(
-    barrier: Barrier, motion: PathMotion, parts: list[Array], distance: Array, by: Array
+    barrier: Barrier, motion: Kinematics, parts: list[Array], distance: Array, by: Array
 ) -> tuple[Array, Array]:
     """Distance to the side on which a barrier must be passed, where the car passes it on the other one."""
     frame = np.stack([motion.ahead, motion.left], axis=1)

@@ -15,7 +15,7 @@ from scipy.sparse import csr_array
 from scipy.spatial import KDTree
 
 from cadgen.arrays import Array
-from cadgen.car.planner.path_motion import Basis, PathMotion
+from cadgen.car.planner.kinematics import Basis, Kinematics
 from cadgen.car.planner.path_task import SteeringLimits, Vehicle
 from cadgen.car.planner.sensitivity import TrackLength
 from cadgen.car.steering import tan_steering
@@ -131,7 +131,7 @@ _SHORTER = 1 - 1e-6  # of the greatest length, for rounding
 
 
 def driving_constraints(
-    motion: PathMotion, line: TrackLength, vehicle: Vehicle, limits: SteeringLimits
+    motion: Kinematics, line: TrackLength, vehicle: Vehicle, limits: SteeringLimits
 ) -> list[Constraint]:
     """Limits of steering and cam on the curvature and on its two derivatives."""
     K, K1, K2 = motion.quantities[:3]
@@ -168,7 +168,7 @@ def driving_constraints(
     return rows
 
 
-def _step(motion: PathMotion, line: TrackLength, vehicle: Vehicle, limits: SteeringLimits) -> list[Constraint]:
+def _step(motion: Kinematics, line: TrackLength, vehicle: Vehicle, limits: SteeringLimits) -> list[Constraint]:
     """Limit of the step that the closing blend must come over."""
     if limits.step == inf:
         return []
@@ -186,7 +186,7 @@ def _step(motion: PathMotion, line: TrackLength, vehicle: Vehicle, limits: Steer
     ]
 
 
-def evenness_constraints(motion: PathMotion) -> list[Constraint]:
+def evenness_constraints(motion: Kinematics) -> list[Constraint]:
     """Evenness of the parameter, which keeps the control points spread along the path."""
     speed, slopes = motion.quantities[4], motion.slopes[4]
     mean, places = float(speed.mean()), motion.places
@@ -228,7 +228,7 @@ def _axis(K: Array, K1: Array, K2: Array, vehicle: Vehicle, rate: float) -> tupl
     )
 
 
-def _constraint(kind: LimitKind, share: Array, by: tuple[Array, ...], motion: PathMotion) -> Constraint:
+def _constraint(kind: LimitKind, share: Array, by: tuple[Array, ...], motion: Kinematics) -> Constraint:
     slopes = sum(part[:, None] * motion.slopes[order] for order, part in enumerate(by))
     return Constraint(PathLimit(kind), share - 1.0, _WEIGHT, motion.places.both, np.asarray(slopes), motion.places.u)
 
@@ -291,7 +291,7 @@ class Corridor:
         Args:
             points: control points of the path, shape (n, 2), mm.
         """
-        motion = PathMotion(self.basis.even(_CORRIDOR_EACH), points, self.offset)
+        motion = Kinematics(self.basis.even(_CORRIDOR_EACH), points, self.offset)
         _, number = self._tree.query(motion.track)
         normal = self._normals[number]
         off = np.sum(normal * (motion.track - self.track[number]), axis=1)

@@ -14,7 +14,7 @@ from cadgen.arrays import TURN, Array
 from cadgen.car.course.body import place_of
 from cadgen.car.course.layout import Gate
 from cadgen.car.planner.constraints import Constraint, LimitKind, PathLimit
-from cadgen.car.planner.path_motion import Basis, PathMotion
+from cadgen.car.planner.kinematics import Basis, Kinematics
 from cadgen.car.planner.path_task import Vehicle
 
 _EACH = 24  # places of a span among which the nearest is looked for
@@ -31,7 +31,7 @@ def planned_place(gate: Gate, vehicle: Vehicle) -> tuple[float, float]:
     return x + vehicle.car.wheelbase, y - (vehicle.car.drive_wheel_offset - vehicle.path_offset)
 
 
-def passing_places(motion: PathMotion, gates: tuple[Gate, ...], vehicle: Vehicle) -> Array:
+def passing_places(motion: Kinematics, gates: tuple[Gate, ...], vehicle: Vehicle) -> Array:
     """Parameters at which a path comes nearest to its gates, one after the other, shape (k,).
 
     Of all sequences of places in the order of the gates, the one with the least sum of squared distances.
@@ -58,12 +58,12 @@ def passing_places(motion: PathMotion, gates: tuple[Gate, ...], vehicle: Vehicle
     return np.array(places[::-1])
 
 
-def _crossing(motion: PathMotion, gate: Gate, vehicle: Vehicle, place: int) -> float | None:
+def _crossing(motion: Kinematics, gate: Gate, vehicle: Vehicle, place: int) -> float | None:
     """Parameter at which a segment is crossed beside a place; None where it is not."""
     if len(gate.place.points) < 2:
         return None
     u, first, last = motion.places.u, max(place - 1, 0), min(place + 2, len(motion.places.u))
-    near = PathMotion(motion.places[np.arange(first, last)], motion.points, motion.offset)
+    near = Kinematics(motion.places[np.arange(first, last)], motion.points, motion.offset)
     a, b = (np.array(point) for point in gate.place.points)
     height = (near.point(*planned_place(gate, vehicle)) - a) @ np.array([a[1] - b[1], b[0] - a[0]])
     changes = np.flatnonzero(height[:-1] * height[1:] < 0)
@@ -74,7 +74,7 @@ def _crossing(motion: PathMotion, gate: Gate, vehicle: Vehicle, place: int) -> f
     return float(u[first + k] + share * (u[first + k + 1] - u[first + k]))
 
 
-def _off(motion: PathMotion, gate: Gate, vehicle: Vehicle) -> Array:
+def _off(motion: Kinematics, gate: Gate, vehicle: Vehicle) -> Array:
     """Distance of the gate's point of the car from the gate's middle line or centre, shape (m,), mm."""
     track = motion.point(*planned_place(gate, vehicle))
     a, b = np.array(gate.place.points[0]), np.array(gate.place.points[-1])
@@ -121,7 +121,7 @@ class Passing:
         Args:
             points: control points of the path, shape (n, 2), mm.
         """
-        fine = PathMotion(self.basis.even(_EACH), points, self.vehicle.path_offset)
+        fine = Kinematics(self.basis.even(_EACH), points, self.vehicle.path_offset)
         u = passing_places(fine, self.gates, self.vehicle)
         passed = [(gate, at, False) for gate, at in zip(self.gates, u.tolist(), strict=True)]
         for end, at in ((self.start, 0.0), (self.finish, self.basis.stop)):
@@ -129,14 +129,14 @@ class Passing:
                 passed.append((end, at, True))
         rows = []
         for gate, at, ends in passed:
-            motion = PathMotion(self.basis.at(np.array([at])), points, self.vehicle.path_offset)
+            motion = Kinematics(self.basis.at(np.array([at])), points, self.vehicle.path_offset)
             kept = self.margin, self.spare.get(gate.key, 0.0)
             rows += _through(gate, motion, self.vehicle, kept, ends=ends)
         return rows
 
 
 def _through(
-    gate: Gate, motion: PathMotion, vehicle: Vehicle, kept: tuple[float, float], *, ends: bool
+    gate: Gate, motion: Kinematics, vehicle: Vehicle, kept: tuple[float, float], *, ends: bool
 ) -> list[Constraint]:
     """Limits of one gate at the place where it is passed; where a run starts or ends it is held in every direction.
 
@@ -202,7 +202,7 @@ def _through(
     return rows
 
 
-def _along(motion: PathMotion, x: float, y: float) -> Array:
+def _along(motion: Kinematics, x: float, y: float) -> Array:
     """Unit vector along which a point of the car moves at the first place, shape (2,)."""
     first, second = motion.jets[1][0], motion.jets[2][0]
     turning = (first[0] * second[1] - first[1] * second[0]) / float(first @ first)

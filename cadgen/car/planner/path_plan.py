@@ -15,7 +15,7 @@ from cadgen.car.path.spline import DEGREE
 from cadgen.car.planner.barriers import Clearances, barriers_of
 from cadgen.car.planner.constraints import Constraint, Corridor, LimitKind, PathLimit
 from cadgen.car.planner.gates import Passing
-from cadgen.car.planner.path_motion import Basis
+from cadgen.car.planner.kinematics import Basis
 from cadgen.car.planner.path_task import PathTask, Vehicle
 from cadgen.car.planner.route import End, fitted_to, planned_end, route_of, smooth_path
 from cadgen.car.planner.search import PathSearch, SearchedPath, fixed_ends, fixed_start

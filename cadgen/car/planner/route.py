@@ -25,7 +25,7 @@ from cadgen.arrays import Array
 from cadgen.car.course.layout import Course, Gate, Side
 from cadgen.car.planner.barriers import Barrier, barriers_of, parts_of, polygon_holds
 from cadgen.car.planner.gates import is_exact, planned_place
-from cadgen.car.planner.path_motion import Basis, PathMotion
+from cadgen.car.planner.kinematics import Basis, Kinematics
 from cadgen.car.planner.path_task import Vehicle
 from cadgen.errors import DesignError
 
@@ -403,7 +403,7 @@ def _settled(basis: Basis, route: Array, weight: Array, ends: tuple[End, End]) -
     fine = basis.even(_EACH)
     for _ in range(_ROUNDS):
         points = _fitted(basis, route, weight, u, ends, length)
-        motion = PathMotion(fine, points, 0.0)
+        motion = Kinematics(fine, points, 0.0)
         arc = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(motion.jets[0], axis=0), axis=1)))
         length = float(arc[-1])
         # Each point of the route at the same share of the length as before, and the parameter in step with the length.

@@ -29,7 +29,7 @@ from cadgen.car.planner.constraints import (
     evenness_constraints,
     length_constraints,
 )
-from cadgen.car.planner.path_motion import Basis, PathMotion
+from cadgen.car.planner.kinematics import Basis, Kinematics
 from cadgen.car.planner.path_task import PathTask
 from cadgen.car.planner.sensitivity import PlayCost, TrackLength
 
@@ -200,7 +200,7 @@ class PathSearch:
             points: control points of the path, shape (n, 2), mm.
         """
         vehicle, limits = self.task.vehicle, self.task.limits
-        motion = PathMotion(self.basis.even(EACH), points, vehicle.path_offset)
+        motion = Kinematics(self.basis.even(EACH), points, vehicle.path_offset)
         line = TrackLength(motion, vehicle)
         constraints = [
             *driving_constraints(motion, line, vehicle, limits),

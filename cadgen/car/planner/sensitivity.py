@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.car.planner.path_motion import PathMotion
+from cadgen.car.planner.kinematics import Kinematics
 from cadgen.car.planner.path_task import Vehicle
 
 # What a fall costs besides what it does at the end of the run, as a share of the path's length taken as its lever. It
@@ -38,7 +38,7 @@ class TrackLength:
         vehicle: the car.
     """
 
-    motion: PathMotion
+    motion: Kinematics
     vehicle: Vehicle
 
     @cached_property

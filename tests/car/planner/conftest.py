@@ -5,7 +5,7 @@ import pytest
 
 from cadgen.car.course.body import CarBody
 from cadgen.car.planner.constraints import curvature_limits
-from cadgen.car.planner.path_motion import Basis
+from cadgen.car.planner.kinematics import Basis
 from cadgen.car.planner.path_task import SteeringLimits, Vehicle
 from cadgen.car.planner.route import fitted_to
 from cadgen.design import cam_model

@@ -13,7 +13,7 @@ from cadgen.car.course.layout import Course, Gate, Obstacle, Shape
 from cadgen.car.planner.barriers import Clearances, barriers_of, parts_of
 from cadgen.car.planner.constraints import LimitKind, PathLimit
 from cadgen.car.planner.gates import Passing, passing_places, planned_place
-from cadgen.car.planner.path_motion import Basis, PathMotion
+from cadgen.car.planner.kinematics import Basis, Kinematics
 from cadgen.car.planner.path_task import Margins
 from cadgen.car.planner.route import _improved, _inserted, _tour, in_order, route_of
 from cadgen.design.load import course_of
@@ -43,7 +43,7 @@ def course(random: np.random.Generator, track: np.ndarray) -> Course:
     return Course(edge=FIELD, obstacles=tuple(obstacles), margin=10.0)
 
 
-def car_at(motion: PathMotion, place: int, corners: np.ndarray) -> shapely.Geometry:
+def car_at(motion: Kinematics, place: int, corners: np.ndarray) -> shapely.Geometry:
     x, y = corners.T
     spots = motion.jets[0][place] + x[:, None] * motion.ahead[place] + y[:, None] * motion.left[place]
     return shapely.Polygon(spots) if len(spots) > 2 else shapely.Point(spots[0])
@@ -53,7 +53,7 @@ def car_at(motion: PathMotion, place: int, corners: np.ndarray) -> shapely.Geome
 def test_clearances_are_those_of_shapely(seed, paper_points, vehicle):
     random = np.random.default_rng(seed)
     basis = Basis(len(paper_points))
-    motion = PathMotion(basis.even(20), paper_points, vehicle.path_offset)
+    motion = Kinematics(basis.even(20), paper_points, vehicle.path_offset)
     its_course = course(random, motion.track)
     rows = Clearances(basis, vehicle, barriers_of(its_course, vehicle.body)).constraints(paper_points)
     places = {u: number for number, u in enumerate(motion.places.u.tolist())}
@@ -96,7 +96,7 @@ def test_clearances_are_those_of_shapely(seed, paper_points, vehicle):
 def test_derivatives_of_clearances_and_gates(paper_points, vehicle):
     random = np.random.default_rng(8)
     basis = Basis(len(paper_points))
-    motion = PathMotion(basis.even(20), paper_points, vehicle.path_offset)
+    motion = Kinematics(basis.even(20), paper_points, vehicle.path_offset)
     clearances = Clearances(basis, vehicle, barriers_of(course(random, motion.track), vehicle.body))
     gates = tuple(
         Gate(
@@ -133,7 +133,7 @@ def test_derivatives_of_clearances_and_gates(paper_points, vehicle):
 def test_a_post_is_passed_on_the_side_that_is_asked_for(paper_points, vehicle):
     """On the wrong side the limit pushes the car across."""
     basis = Basis(len(paper_points))
-    motion = PathMotion(basis.even(20), paper_points, vehicle.path_offset)
+    motion = Kinematics(basis.even(20), paper_points, vehicle.path_offset)
     at = 500
     for side, sign in (("left", 1.0), ("right", -1.0)):
         post = motion.jets[0][at] + sign * 400 * motion.left[at]  # the car has it on the wrong hand
@@ -152,7 +152,7 @@ def test_gates_are_passed_in_their_order_where_the_path_is_nearest(vehicle):
     angle = np.linspace(0, 2 * pi, 24)
     points = 1500 * np.stack([np.sin(angle), np.sin(angle) * np.cos(angle)], axis=1)
     basis = Basis(len(points))
-    motion = PathMotion(basis.even(3), points, vehicle.path_offset)
+    motion = Kinematics(basis.even(3), points, vehicle.path_offset)
     gates = tuple(
         Gate(key=str(k), place=Shape.disc(spot, 20.0))
         for k, spot in enumerate([(0.0, 30.0), (900.0, 400.0), (10.0, 0.0), (-1000.0, -500.0)])

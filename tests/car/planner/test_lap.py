@@ -9,7 +9,7 @@ import pytest
 from cadgen.arrays import TURN
 from cadgen.car.course.layout import Course, Gate, Shape
 from cadgen.car.path.spline import closed_control_path
-from cadgen.car.planner.path_motion import Basis, PathMotion
+from cadgen.car.planner.kinematics import Basis, Kinematics
 from cadgen.car.planner.path_plan import best_plan
 from cadgen.car.planner.path_task import PathTask
 from cadgen.car.planner.search import fixed_start
@@ -54,7 +54,7 @@ def test_derivatives_of_length_and_error_go_round_the_lap(points, lap_vehicle):
     basis = Basis(COUNT, closed=True)
 
     def cost(at):
-        return PlayCost(TrackLength(PathMotion(basis.even(8), at, lap_vehicle.path_offset), lap_vehicle), 0.01)
+        return PlayCost(TrackLength(Kinematics(basis.even(8), at, lap_vehicle.path_offset), lap_vehicle), 0.01)
 
     here, rng = cost(points), np.random.default_rng(2)
     change = rng.normal(size=(COUNT, 2))

@@ -9,7 +9,7 @@ from cadgen.car.optimize.band import best_for_band
 from cadgen.car.path.spline import control_path
 from cadgen.car.path.track import offset_track
 from cadgen.car.planner.constraints import LimitKind, PathLimit, curvature_limits, driving_constraints
-from cadgen.car.planner.path_motion import Basis, PathMotion
+from cadgen.car.planner.kinematics import Basis, Kinematics
 from cadgen.car.planner.sensitivity import PlayCost, TrackLength
 from cadgen.curves.piecewise import quintic_hermite
 from cadgen.design import cam_model
@@ -21,7 +21,7 @@ SMALL_STEP = 1e-5  # mm; falls begin and end where the rate of curvature passes 
 
 def test_curvature_is_that_of_the_track(paper_points, vehicle):
     track = offset_track(control_path(paper_points), vehicle.path_offset)
-    motion = PathMotion(Basis(len(paper_points)).even(8), paper_points, vehicle.path_offset)
+    motion = Kinematics(Basis(len(paper_points)).even(8), paper_points, vehicle.path_offset)
     line = TrackLength(motion, vehicle)
     assert abs(line.length / track.length - 1) < 1e-8
     u = motion.places.u
@@ -41,7 +41,7 @@ def test_the_cost_of_play_is_that_of_the_exact_chain(paper_points, vehicle):
     lift = cam_model.lift(design, track)
     band = tuple(np.radians([0.51215675, 0.96199785]))
     exact = best_for_band(lift, cam_model.follower(design), cam_model.car(design), track.length, band)
-    motion = PathMotion(Basis(len(paper_points)).even(8), paper_points, vehicle.path_offset)
+    motion = Kinematics(Basis(len(paper_points)).even(8), paper_points, vehicle.path_offset)
     cost = PlayCost(TrackLength(motion, vehicle), vehicle.spread)
     print(f"{cost.distance:.1f} mm, exactly {exact.worst_distance:.1f} mm")
     assert abs(cost.distance / exact.worst_distance - 1) < 0.01
@@ -56,7 +56,7 @@ def test_derivatives(paper_points, vehicle):
     flat = change.T.ravel()
 
     def at(points):
-        motion = PathMotion(places, points, vehicle.path_offset)
+        motion = Kinematics(places, points, vehicle.path_offset)
         return motion, PlayCost(TrackLength(motion, vehicle), vehicle.spread)
 
     motion, cost = at(paper_points)
@@ -80,7 +80,7 @@ def test_the_linear_model_of_the_error(paper_points, vehicle):
     flat = change.T.ravel()
 
     def at(points):
-        return PlayCost(TrackLength(PathMotion(basis.even(8), points, vehicle.path_offset), vehicle), vehicle.spread)
+        return PlayCost(TrackLength(Kinematics(basis.even(8), points, vehicle.path_offset), vehicle), vehicle.spread)
 
     cost, ahead, back = at(paper_points), at(paper_points + SMALL_STEP * change), at(paper_points - SMALL_STEP * change)
     columns, slopes = cost.by_rises()
@@ -110,7 +110,7 @@ def test_a_mirrored_car_on_a_mirrored_path_is_the_same(paper_points, vehicle, li
     )
     basis, figures = Basis(len(paper_points)), []
     for its_vehicle, points in ((vehicle, paper_points), (other, paper_points * [1, -1])):
-        motion = PathMotion(basis.even(8), points, its_vehicle.path_offset)
+        motion = Kinematics(basis.even(8), points, its_vehicle.path_offset)
         line = TrackLength(motion, its_vehicle)
         left, right = curvature_limits(its_vehicle)
         its_limits = replace(limits, left=left, right=right, valley=40.0)
@@ -126,7 +126,7 @@ def test_the_step_that_the_blend_must_come_over(paper_points, vehicle, limits):
     held = replace(limits, step=2.0)
 
     def row(points):
-        motion = PathMotion(places, points, vehicle.path_offset)
+        motion = Kinematics(places, points, vehicle.path_offset)
         line = TrackLength(motion, vehicle)
         (found,) = [
             rows

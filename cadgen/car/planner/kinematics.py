@@ -1,4 +1,4 @@
-"""Motion of the car along a path: B-splines by control points, curvature of the track and poses, with derivatives."""
+"""Kinematics of the car along a path: B-splines by control points, curvature of the track and poses, with derivatives."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -98,8 +98,8 @@ _STEP = 1e-30  # of a complex step, which has no rounding to trade against
 
 
 @dataclass(frozen=True, eq=False)
-class PathMotion:
-    """Motion of the car along a path, at m places.
+class Kinematics:
+    """Kinematics of the car along a path, at m places.
 
     Attributes:
         places: where.
@@ -189,7 +189,7 @@ def _column(value: float | Array) -> float | Array:
 
 
 def _quantities(jets: Array, offset: float) -> Array:
-    """Quantities of `PathMotion` from four derivatives of the planned path, shape (4, 2, m).
+    """Quantities of `Kinematics` from four derivatives of the planned path, shape (4, 2, m).
 
     Those of `cadgen.car.path.track`, written for real and complex numbers, so that a complex step differentiates them.
     """
