@@ -1,4 +1,4 @@
-"""Kinematics of the car along a path: B-splines by control points, the track's curvature and poses, with derivatives."""
+"""Kinematics of the car along a path: B-splines by control points, curvature of the track, poses, with derivatives."""
 
 from dataclasses import dataclass
 from functools import cached_property

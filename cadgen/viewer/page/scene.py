@@ -15,7 +15,7 @@ from cadgen.car.motion.drive import drive, start_pose
 from cadgen.car.motion.play import Following, follow
 from cadgen.car.path_motion import PathMotion
 from cadgen.design import cam_model
-from cadgen.design.course import layout_of, body_of
+from cadgen.design.course import body_of, layout_of
 from cadgen.design.schema import Design
 from cadgen.errors import CadgenError
 from cadgen.geometry.meshes.mesh import Mesh, cam_mesh
