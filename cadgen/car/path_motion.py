@@ -15,7 +15,8 @@ from cadgen.cam.place import cam_place
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.curves.piecewise import quintic_hermite
 from cadgen.errors import DesignError
-from cadgen.laws.motion import TAN, Motion, Unit
+from cadgen.laws.motion import Motion
+from cadgen.laws.unit import TAN, Unit
 
 # rad; a shorter piece before the blend is a share of the open curve's own polynomial: from values and derivatives at
 # its two ends its second derivative would err by the rounding of a value over the square of its length, 1e-8 here.

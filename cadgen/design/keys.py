@@ -15,7 +15,7 @@ from pydantic.fields import FieldInfo
 from cadgen.design.follower import Follower, section_of
 from cadgen.design.kinds import USUAL, Kinds
 from cadgen.design.path import PathSection, path_section
-from cadgen.design.schema import DesignFile
+from cadgen.design.schema import OF_A_CAR, DesignFile, MotionFile
 from cadgen.design.section import DesignSection, OneOf, ZeroOrFeature, listed
 from cadgen.design.train import StageSection, stage_section
 from cadgen.errors import escaped
@@ -131,7 +131,8 @@ class SectionKeys:
 @cache
 def tables(kinds: Kinds = USUAL) -> dict[str, SectionKeys]:
     """Every section of a design with some kinds of path, follower and stage by its dotted name, from the top down."""
-    return {table.name: table for table in _walk("", DesignFile, kinds, required=True, many=False)}
+    file = MotionFile if kinds.motion else DesignFile
+    return {table.name: table for table in _walk("", file, kinds, required=True, many=False)}
 
 
 @cache
@@ -202,6 +203,8 @@ def _walk(
 ) -> Iterator[SectionKeys]:
     own, below = [], []
     for part, info in section.model_fields.items():
+        if not name and kinds.motion and part in OF_A_CAR:
+            continue
         inner = _section_in(info.annotation)
         if inner is Follower:
             inner = section_of(kinds.follower)

@@ -22,11 +22,13 @@ class Kinds:
         follower: kind of follower.
         stage: kind of the stage that holds the place; None for spur gears.
         path: kind of path.
+        motion: whether the design has [motion] instead of [path] and [car].
     """
 
     follower: FollowerKind = ROD
     stage: StageKind | None = None
     path: PathKind = QUINTIC
+    motion: bool = False
 
 
 USUAL = Kinds()
@@ -40,21 +42,24 @@ class NamedKinds:
         follower: kind of follower.
         stages: kind of each stage of the train; None for spur gears.
         path: kind of path.
+        motion: whether the design has [motion] instead of [path] and [car].
     """
 
     follower: FollowerKind = ROD
     stages: tuple[StageKind | None, ...] = ()
     path: PathKind = QUINTIC
+    motion: bool = False
 
     @classmethod
     def of(cls, values: object) -> "NamedKinds":
         """Kinds that raw values name; the usual ones where they name none that is known."""
         follower, path = (values.get(name) if isinstance(values, dict) else None for name in ("follower", "path"))
-        return cls(FOLLOWER.kind(follower), stage_kinds(values), PATH.kind(path))
+        motion = isinstance(values, dict) and "motion" in values
+        return cls(FOLLOWER.kind(follower), stage_kinds(values), PATH.kind(path), motion)
 
     def at(self, place: Place) -> Kinds:
         """Kinds that decide at a place."""
         match place:
             case ("train", "stages", int(number), *_) if number < len(self.stages):
-                return Kinds(self.follower, self.stages[number], self.path)
-        return Kinds(self.follower, path=self.path)
+                return Kinds(self.follower, self.stages[number], self.path, self.motion)
+        return Kinds(self.follower, path=self.path, motion=self.motion)

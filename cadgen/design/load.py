@@ -4,7 +4,7 @@ import os
 import re
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from pydantic import ValidationError
 
@@ -15,7 +15,7 @@ from cadgen.design.kinds import NamedKinds, Place
 from cadgen.design.override import override, quoted
 from cadgen.design.parse import DeepError, parse
 from cadgen.design.path import OF_ANY_PATH
-from cadgen.design.schema import Design, DesignFile, TrainDesign, TrainFile
+from cadgen.design.schema import OF_A_CAR, Design, DesignFile, MotionDesign, MotionFile, TrainDesign, TrainFile
 from cadgen.design.section import listed
 from cadgen.errors import DesignError, brief
 from cadgen.reading import read_regular
@@ -73,7 +73,31 @@ def design_of(text: str, file: Path, overrides: Sequence[str] = ()) -> Design:
     Raises:
         DesignError: as `load_design`.
     """
-    return Design(**_checked(DesignFile, _parsed(text, file), file.name, overrides), overrides=tuple(overrides))
+    made = complete_of(text, file, overrides)
+    if isinstance(made, Design):
+        return made
+    raise DesignError(
+        "{file}: this is worked out for a car, but the design has [motion], and not [path] and [car]: a cam by its "
+        "motion has cadgen check, cam, draw, report and gears",
+        file=brief(file.name),
+    )
+
+
+def complete_of(text: str, file: Path, overrides: Sequence[str] = ()) -> Design | MotionDesign:
+    """A design of a cam from its text: one with [path] and [car], or one with [motion].
+
+    Args:
+        text: TOML.
+        file: path of the file, real or not, for messages.
+        overrides: as for `load_design`.
+
+    Raises:
+        DesignError: as `load_design`.
+    """
+    values = _parsed(text, file)
+    checked = _checked(DesignFile, values, file.name, overrides)
+    made: type[Design | MotionDesign] = MotionDesign if "motion" in values else Design
+    return made(**checked, overrides=tuple(overrides))
 
 
 def course_of(text: str, file: Path, overrides: Sequence[str] = ()) -> tuple[Design, bool]:
@@ -114,19 +138,24 @@ def train_of(text: str, file: Path, overrides: Sequence[str] = ()) -> TrainDesig
     return TrainDesign(**_checked(TrainFile, _parsed(text, file), file.name, overrides), overrides=tuple(overrides))
 
 
-def with_overrides(design: Design, overrides: Sequence[str]) -> Design:
+D = TypeVar("D", Design, MotionDesign)
+
+
+def with_overrides(design: D, overrides: Sequence[str]) -> D:
     """Return a design with more overrides applied, checked as `load_design` does.
 
     Raises:
         DesignError: the result is no design.
     """
     checked = _checked(DesignFile, design.values(), design.source, overrides)
-    return Design(**checked, overrides=(*design.overrides, *overrides))
+    return type(design)(**checked, overrides=(*design.overrides, *overrides))
 
 
 def _checked(schema: type[TrainFile], values: dict[str, Any], source: str, overrides: Sequence[str]) -> dict[str, Any]:
     """The values after the overrides, checked, with their source."""
     applied = [(override(values, text), text) for text in overrides]
+    if "motion" in values and schema is not TrainFile:
+        schema = MotionFile
     values.setdefault("name", usable_name(Path(source).stem))
     if schema is TrainFile:
         _draw(values)
@@ -134,7 +163,8 @@ def _checked(schema: type[TrainFile], values: dict[str, Any], source: str, overr
         checked = schema.model_validate(values)
     except ValidationError as error:
         raise DesignError(_report(error, source, applied, NamedKinds.of(values))) from None
-    return {**dict(checked), "source": source}
+    unused = OF_A_CAR if schema is MotionFile else ()
+    return {**{name: value for name, value in checked if name not in unused}, "source": source}
 
 
 def design_file(source: str | Path | None = None) -> Path:

@@ -16,8 +16,8 @@ A design is a TOML file in UTF-8. Lengths are in mm, angles in degrees, small er
 at the end of a key's name. A key that is not listed here, a number in quotes, NaN or a value outside its
 range is an error, which names the key and what is allowed.
 
-The shortest useful design has a path, a car, a cam and a follower; everything else has a default. `cadgen gears` needs
-`[train]` alone.
+The shortest useful design of a car has a path, a car, a cam and a follower; everything else has a default. A cam for
+any other use has `[motion]` in the place of the path and the car (see how-to/followers.md). `cadgen gears` needs `[train]` alone.
 
 ```toml
 [path]
@@ -61,6 +61,8 @@ The designs {names} come with the program and go by name; without any it takes
 ## Keys
 """
 
+_BY_MOTION = ("cam",)  # sections with other keys where the design has [motion]
+
 _LIMITS = """
 ## Limits of the pressure angle
 
@@ -91,7 +93,11 @@ def _section(table: SectionKeys) -> str:
 
 
 def _other_paths(table: SectionKeys) -> str:
-    """After the section [path], the keys of the kinds that have others than the usual one."""
+    """After the sections [path] and [cam], the keys that take the place of the usual ones."""
+    if table.name in _BY_MOTION:
+        head = "| key | unit | must be | default | meaning |\n|---|---|---|---|---|\n"
+        keys = tables(Kinds(motion=True))[table.name].keys
+        return f"\nWith `[motion]`, instead of all these:\n\n{head}{''.join(map(_row, keys))}"
     kinds = [kind_of(code) for code in codes()] if table.name == "path" else []
     usual = {key.name for key in table.keys}
     return "".join(_path_kind(kind, usual) for kind in kinds)

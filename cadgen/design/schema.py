@@ -7,11 +7,12 @@ them all; their messages are sentences for the user.
 
 import hashlib
 import json
-from typing import Annotated
+from typing import Annotated, Any
 
 from pydantic import Field, SerializeAsAny, ValidatorFunctionWrapHandler, field_validator, model_validator
 
 from cadgen.cam.followers.kind import Seat
+from cadgen.cam.followers.table import codes, kind_of
 from cadgen.cam.limits import PressureAngleLimitName
 from cadgen.car.course.layout import Side
 from cadgen.design.as_built import AsBuiltSection
@@ -20,11 +21,14 @@ from cadgen.design.course import CourseSection, OutlineSection
 from cadgen.design.file_names import name_fault
 from cadgen.design.follower import FOLLOWER, Follower
 from cadgen.design.machining import DrawingText, Machining
+from cadgen.design.motion import MotionCam, MotionSection, motion_of
 from cadgen.design.path import PATH, PathSection
 from cadgen.design.play import MechanicsSection, Optimize, PlaySection, TolerancesSection
 from cadgen.design.section import WORD, DesignSection, Point, Points, Size, listed
 from cadgen.design.settings import SettingsSection
 from cadgen.design.train import TrainSection, train_by_stages
+from cadgen.errors import DesignError
+from cadgen.laws.unit import TAN
 from cadgen.parts.face import Face
 
 THINNEST_DISC_MM = 0.1
@@ -197,7 +201,8 @@ class TrainFile(DesignSection):
     field: Arena | None = None
     course: CourseSection | None = None
     car: CarSection | None = None
-    cam: Cam | None = None
+    motion: MotionSection | None = None
+    cam: Cam | MotionCam | None = None
     follower: SerializeAsAny[Follower] | None = None
     blank: BlankSection = BlankSection()
     machining: Machining = Machining()
@@ -252,19 +257,74 @@ class TrainFile(DesignSection):
         return name
 
 
-class DesignFile(TrainFile):
-    """A design as its file gives it, checked, with the defaults filled in."""
+class DiscFile(TrainFile):
+    """A design file with a cam."""
 
-    path: SerializeAsAny[PathSection]
-    car: CarSection
-    cam: Cam
+    cam: Cam | MotionCam
     follower: SerializeAsAny[Follower]
 
     @property
     def seat(self) -> Seat:
         """Disc and place that the follower is built on."""
         (inner, outer), leg = self.cam.faces_mm, self.blank.edge_break_mm or 0.0
-        return Seat(base_radius=self.cam.base_radius_mm, faces=(inner, outer), carrying=(inner + leg, outer - leg))
+        radius = self.cam.base_radius_mm if isinstance(self.cam, Cam) else self.cam.base_circle_radius_mm
+        return Seat(base_radius=radius, faces=(inner, outer), carrying=(inner + leg, outer - leg))
+
+    @model_validator(mode="after")
+    def _follower_fits_the_disc(self) -> "DiscFile":
+        kind, moved = self.follower.registered, self.motion is not None
+        if moved == (kind.unit == TAN):
+            others = [f'"{code}"' for code in codes() if moved != (kind_of(code).unit == TAN)]
+            wanted = f" = {listed(others, 'or')}" if others else " to a registered kind that moves by its lift"
+            does = "follows the steering of a car" if moved else "moves by its lift"
+            give = "[path] and [car] instead of [motion]" if moved else "[motion] instead of [path] and [car]"
+            raise ValueError(f'follower.kind is "{kind.code}", which {does}: set follower.kind{wanted}, or give {give}')
+        kind.refuse(self.follower.keys, self.seat)
+        return self
+
+    @model_validator(mode="after")
+    def _broken_edges_leave_a_land(self) -> "DiscFile":
+        (inner, outer), leg = self.cam.faces_mm, self.blank.edge_break_mm
+        # A thinner disc with sharp edges is not broken at all; rounding must not refuse the value that is named.
+        if leg and outer - inner - 2 * leg < LEAST_LAND_MM - 1e-9:
+            most = (outer - inner - LEAST_LAND_MM) / 2
+            cure = f"lower it to {most:.4g} or less" if most > 1e-6 else "leave it out"
+            raise ValueError(
+                f"blank.edge_break_mm is {leg:g}; two edges broken by that leave no land of at least "
+                f"{LEAST_LAND_MM:g} mm for the rod on a disc {outer - inner:g} mm thick: {cure}, or make the disc "
+                "thicker"
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _tabs_end_below_the_outer_face(self) -> "DiscFile":
+        (inner, outer), tabs = self.cam.faces_mm, self.machining.tabs
+        if tabs and tabs.height_mm >= outer - inner:
+            raise ValueError(
+                f"machining.tabs.height_mm is {tabs.height_mm:g}; it must be less than the disc's thickness of "
+                f"{outer - inner:g} mm: lower it"
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _drill_leaves_the_bore(self) -> "DiscFile":
+        drilling, blank = self.machining.drilling, self.blank
+        drill = drilling.bore_diameter_mm if drilling else None
+        most = 2 * blank.d_flat.across_mm - blank.bore_diameter_mm if blank.d_flat else blank.bore_diameter_mm
+        if drill is not None and drill > most + 1e-9:
+            cause = "the circle inside the bore's flat" if blank.d_flat else "blank.bore_diameter_mm"
+            raise ValueError(
+                f"machining.drilling.bore_diameter_mm is {drill:g}; it must be at most {most:g}, {cause}: lower it"
+            )
+        return self
+
+
+class DesignFile(DiscFile):
+    """A design as its file gives it, checked, with the defaults filled in."""
+
+    path: SerializeAsAny[PathSection]
+    car: CarSection
+    cam: Cam
 
     @model_validator(mode="after")
     def _laps_need_no_blend(self) -> "DesignFile":
@@ -284,47 +344,6 @@ class DesignFile(TrainFile):
         return self
 
     @model_validator(mode="after")
-    def _follower_fits_the_disc(self) -> "DesignFile":
-        self.follower.registered.refuse(self.follower.keys, self.seat)
-        return self
-
-    @model_validator(mode="after")
-    def _broken_edges_leave_a_land(self) -> "DesignFile":
-        (inner, outer), leg = self.cam.faces_mm, self.blank.edge_break_mm
-        # A thinner disc with sharp edges is not broken at all; rounding must not refuse the value that is named.
-        if leg and outer - inner - 2 * leg < LEAST_LAND_MM - 1e-9:
-            most = (outer - inner - LEAST_LAND_MM) / 2
-            cure = f"lower it to {most:.4g} or less" if most > 1e-6 else "leave it out"
-            raise ValueError(
-                f"blank.edge_break_mm is {leg:g}; two edges broken by that leave no land of at least "
-                f"{LEAST_LAND_MM:g} mm for the rod on a disc {outer - inner:g} mm thick: {cure}, or make the disc "
-                "thicker"
-            )
-        return self
-
-    @model_validator(mode="after")
-    def _tabs_end_below_the_outer_face(self) -> "DesignFile":
-        (inner, outer), tabs = self.cam.faces_mm, self.machining.tabs
-        if tabs and tabs.height_mm >= outer - inner:
-            raise ValueError(
-                f"machining.tabs.height_mm is {tabs.height_mm:g}; it must be less than the disc's thickness of "
-                f"{outer - inner:g} mm: lower it"
-            )
-        return self
-
-    @model_validator(mode="after")
-    def _drill_leaves_the_bore(self) -> "DesignFile":
-        drilling, blank = self.machining.drilling, self.blank
-        drill = drilling.bore_diameter_mm if drilling else None
-        most = 2 * blank.d_flat.across_mm - blank.bore_diameter_mm if blank.d_flat else blank.bore_diameter_mm
-        if drill is not None and drill > most + 1e-9:
-            cause = "the circle inside the bore's flat" if blank.d_flat else "blank.bore_diameter_mm"
-            raise ValueError(
-                f"machining.drilling.bore_diameter_mm is {drill:g}; it must be at most {most:g}, {cause}: lower it"
-            )
-        return self
-
-    @model_validator(mode="after")
     def _hub_ends_before_the_fork(self) -> "DesignFile":
         (inner, _), hub = self.cam.faces_mm, self.blank.hub
         if hub and hub.side == Face.INNER and hub.length_mm >= inner:
@@ -332,6 +351,38 @@ class DesignFile(TrainFile):
                 f"blank.hub.length_mm is {hub.length_mm:g}; on the inner side it must be less than the distance of "
                 f"the disc's inner face from the fork axis, {inner:g} mm: lower it, or put the hub on the outer side"
             )
+        return self
+
+
+# Sections of a design with [path] and [car] that one with [motion] has not.
+OF_A_CAR = ("path", "field", "course", "car", "play", "mechanics", "tolerances", "optimize", "settings", "as_built")
+
+
+class MotionFile(DiscFile):
+    """A design file of a cam by its motion."""
+
+    motion: MotionSection
+    cam: MotionCam
+
+    @model_validator(mode="before")
+    @classmethod
+    def _no_section_of_a_car(cls, values: object) -> object:
+        if isinstance(values, dict) and (both := [name for name in OF_A_CAR if name in values]):
+            named = listed([f"[{name}]" for name in both], "and")
+            removed = " ".join(f"--set {name}=" for name in both)
+            raise ValueError(
+                f"the design has [motion], which says what the follower does, and {named}, which only a design with "
+                f"[path] and [car] has: remove the one (on the command line with {removed}) or the other "
+                "(--set motion=)"
+            )
+        return values
+
+    @model_validator(mode="after")
+    def _motion_fits_the_follower(self) -> "MotionFile":
+        try:
+            motion_of(self.motion, self.follower.registered)
+        except DesignError as error:
+            raise ValueError(str(error)) from None
         return self
 
 
@@ -348,7 +399,9 @@ class TrainDesign(TrainFile):
 
     def values(self) -> dict[str, object]:
         """Values of all keys, defaults included, as plain TOML or JSON values; no blend where the path is closed."""
-        unused = {"cam": {"blend_deg"}} if self.path and self.path.closed else None
+        unused: dict[str, Any] | None = {"cam": {"blend_deg"}} if self.path and self.path.closed else None
+        if self.motion is not None:
+            unused = dict.fromkeys(OF_A_CAR, True)
         return self.model_dump(mode="json", include=set(DesignFile.model_fields), exclude=unused, exclude_none=True)
 
     @property
@@ -377,3 +430,7 @@ class Design(DesignFile, TrainDesign):
         """Design that the measured cam was made from: this one with the deviations known by then."""
         known = self.as_built.cut_for if self.as_built else ()
         return self.model_copy(update={"as_built": AsBuiltSection(effects=known) if known else None})
+
+
+class MotionDesign(MotionFile, TrainDesign):
+    """A whole design of a cam by its motion."""

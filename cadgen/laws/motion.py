@@ -11,27 +11,12 @@ from scipy.interpolate import PPoly
 
 from cadgen.arrays import TURN, Array
 from cadgen.curves.piecewise import zeros
+from cadgen.laws.unit import Unit
 
 # A stretch of at least this angle over which q stays within the second figure is level: the second is 0.01 um
 # of lift, what rolling an outline errs by, and a smooth peak stays within it over so wide an angle only if its second
 # derivative is below 0.042, a tenth of what a gentle turn has.
 _LEVEL_ANGLE = np.radians(0.5)
-
-
-@dataclass(frozen=True)
-class Unit:
-    """Unit of a motion: the coordinate in which a follower moves.
-
-    Attributes:
-        symbol: unit as text.
-        level: range within which a motion counts as level, in the unit: 0.01 um of lift on an arm of 25 mm.
-    """
-
-    symbol: str
-    level: float
-
-
-MM, RAD, TAN = Unit("mm", 1e-5), Unit("rad", 4e-7), Unit("tan", 4e-7)
 
 
 @dataclass(frozen=True)

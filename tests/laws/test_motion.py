@@ -5,7 +5,8 @@ import pytest
 
 from cadgen.arrays import TURN
 from cadgen.curves.piecewise import quintic_hermite
-from cadgen.laws.motion import MM, Motion
+from cadgen.laws.motion import Motion
+from cadgen.laws.unit import MM
 
 RISE = np.radians([0.0, 90.0, 135.0, 315.0, 360.0])
 

@@ -6,6 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from cadgen.laws.unit import MM, Unit
+
 if TYPE_CHECKING:
     from cadgen.cam.follower import Follower
 
@@ -15,8 +17,10 @@ class Seat:
     """Disc and place that a follower is built on, mm.
 
     Attributes:
-        base_radius: distance of the camshaft from the fork axis.
-        faces: lateral distances of the disc's faces from the fork axis, the nearer one first.
+        base_radius: radius of the base circle, where the motion is 0; of a follower on a car's fork the distance of
+            the camshaft from the fork axis.
+        faces: heights of the disc's faces; of a follower on a car's fork their distances from the fork axis, the
+            nearer one first.
         carrying: the same of the edges of the land between broken edges; the faces, if those are sharp.
     """
 
@@ -36,6 +40,7 @@ class FollowerKind:
             for the reference; its `__post_init__` may refuse what contradicts itself by a `ValueError`, one sentence
             for the user.
         build: function of keys and seat that returns the follower of the car as designed.
+        unit: unit of its motion: lift in mm, swing in rad, or tangent of a car's steering angle.
         refuse: function that refuses keys that do not suit their seat, by a `ValueError` of one sentence.
     """
 
@@ -43,4 +48,5 @@ class FollowerKind:
     meaning: str
     keys: type[Any]
     build: Callable[[Any, Seat], Follower]
+    unit: Unit = MM
     refuse: Callable[[Any, Seat], None] = lambda keys, seat: None

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 from annotated_types import Ge, Gt, Le
 
 from cadgen.cam.followers.kind import FollowerKind, Seat
+from cadgen.laws.unit import TAN
 
 if TYPE_CHECKING:
     from cadgen.cam.followers.rod import LeaningRod
@@ -86,5 +87,6 @@ ROD = FollowerKind(
     meaning="The straight round rod on the fork that rides on the disc.",
     keys=RodKeys,
     build=_build,
+    unit=TAN,
     refuse=_refuse,
 )

@@ -1,0 +1,8 @@
+"""Every motion law by its code. A new one is a file in this folder and a name below, or is registered."""
+
+from cadgen.laws.cycloidal import CYCLOIDAL
+from cadgen.laws.polynomial_3_4_5 import POLYNOMIAL_3_4_5
+from cadgen.registry import Registry
+
+_LAWS = Registry("motion law", (POLYNOMIAL_3_4_5, CYCLOIDAL))
+register, remove, codes, law_of = _LAWS.register, _LAWS.remove, _LAWS.codes, _LAWS.kind_of
