@@ -17,7 +17,8 @@ at the end of a key's name. A key that is not listed here, a number in quotes, N
 range is an error, which names the key and what is allowed.
 
 The shortest useful design of a car has a path, a car, a cam and a follower; everything else has a default. A cam for
-any other use has `[motion]` in the place of the path and the car (see how-to/followers.md). `cadgen gears` needs `[train]` alone.
+any other use has `[motion]` in the place of the path and the car (see how-to/followers.md). `cadgen gears` needs
+`[train]` alone.
 
 ```toml
 [path]
