@@ -19,8 +19,11 @@ FILES = (".csv", ".dxf", ".md", ".nc", ".png", ".py", ".step", ".stl", ".toml", 
 OTHERS = {
     "path.simplify_threshold": "a setting of matplotlib",
     "cam.failed": "an attribute of the Python face",
+    "motion.drive.driven": "a function",
+    "motion.kinks": "an attribute of a motion",
+    "motion.stations": "an attribute of a motion",
 }
-PATHS = [Kinds(path=kind_of(code)) for code in codes()]
+PATHS = [*(Kinds(path=kind_of(code)) for code in codes()), Kinds(motion=True)]
 TABLES = [table for kinds in PATHS for table in tables(kinds).values()]
 NAMES = {name for table in TABLES for name in (table.name, *(key.name for key in table.keys))}
 SECTIONS = {name.partition(".")[0] for name in tables()} - {""}
