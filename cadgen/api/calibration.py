@@ -57,7 +57,7 @@ class Calibration(Generic[D]):
     @property
     def unclear(self) -> dict[str, str]:
         """The verdicts that leave something unexplained or undecided, by the kind of data."""
-        from cadgen.inference.measurement.diagnose import SOUND
+        from cadgen.inference.measurement.diagnosis import SOUND
 
         return {kind: verdict for kind, verdict in self.verdicts.items() if verdict not in SOUND}
 

@@ -11,8 +11,8 @@ from cadgen.design.load import load_design, packaged_designs
 from cadgen.errors import FileError
 from cadgen.figures import Sheet
 from cadgen.inference.measurement import kinds
+from cadgen.inference.measurement.claims import Claim
 from cadgen.inference.measurement.findings import Finding, Value
-from cadgen.inference.measurement.together import Claim
 from cadgen.jobs.calibration import plan
 from cadgen.jobs.calibration.as_built_file import as_built_text
 from cadgen.jobs.calibration.files import write_calibration

@@ -100,7 +100,7 @@ def case(seed: int, number: int, cases: int) -> Case:
 
 def judged(seed: int, number: int, cases: int) -> Outcome:
     """Drive a car and calibrate it."""
-    from cadgen.inference.measurement.calibrate import calibrate
+    from cadgen.inference.measurement.diagnosis import calibrate
 
     made = case(seed, number, cases)
     world, nominal = _bench()

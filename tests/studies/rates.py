@@ -40,7 +40,7 @@ def _car() -> Any:
 def judged(seed: int, kind: str, sort: str, number: int) -> Found:
     """A case, what was said of it, and what an ideal judge would say."""
     from cadgen.errors import CadgenError
-    from cadgen.inference.measurement.diagnose import weigh
+    from cadgen.inference.measurement.diagnosis import weigh
     from tests.inference.measurement import limit, study
 
     car, rng = _car(), np.random.default_rng([seed, number, len(sort), len(kind)])

@@ -19,17 +19,16 @@ from cadgen.deviations.deviation import Deviation, Place
 from cadgen.deviations.effect import Active, Effect
 from cadgen.inference.expectation.outlook import ways
 from cadgen.inference.expectation.proposals import NOISE
-from cadgen.inference.measurement.diagnose import SOUND
-from cadgen.inference.measurement.doubt import resolved
-from cadgen.inference.measurement.evidence import Evidence, Spectrum, grid_of
+from cadgen.inference.measurement.diagnosis import SOUND
+from cadgen.inference.measurement.evidence import Evidence, Noise, Spectrum, estimate_noise, grid_of
 from cadgen.inference.measurement.findings import EvidenceDiagnosis
+from cadgen.inference.measurement.joint import Merged
 from cadgen.inference.measurement.kinds import TRACK, TRANSMISSION
-from cadgen.inference.measurement.merged import Merged
-from cadgen.inference.measurement.models.base import Model, repeating, slopes
-from cadgen.inference.measurement.models.track import TrackModel
-from cadgen.inference.measurement.noise import Noise, estimate_noise
+from cadgen.inference.measurement.kinds.track import TrackModel
+from cadgen.inference.measurement.model import Model, repeating, slopes
 from cadgen.inference.measurement.nominal import Nominal
 from cadgen.inference.measurement.record import Kind, Record
+from cadgen.inference.measurement.reservations import resolved
 from cadgen.inference.measurement.verdict import Verdict
 
 _FLAT = 1e-6  # precision that stands for no knowledge of a datum, relative to what the rows say of it

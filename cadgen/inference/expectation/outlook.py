@@ -17,11 +17,10 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import Array
 from cadgen.deviations.effect import Active, Effect
-from cadgen.inference.measurement.doubt import TYPICAL
 from cadgen.inference.measurement.findings import EvidenceDiagnosis, Likely
-from cadgen.inference.measurement.kinds.track import KIND, run_of
-from cadgen.inference.measurement.models.track import TrackModel
+from cadgen.inference.measurement.kinds.track import KIND, TrackModel, run_of
 from cadgen.inference.measurement.nominal import Nominal
+from cadgen.inference.measurement.reservations import TYPICAL
 from cadgen.inference.measurement.verdict import Verdict
 
 DRAWS = 4000

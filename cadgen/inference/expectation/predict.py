@@ -15,13 +15,12 @@ from scipy.optimize import least_squares
 from cadgen.arrays import Array
 from cadgen.deviations.effect import UNITS, Active
 from cadgen.inference.expectation.linear import Linear
+from cadgen.inference.measurement.evidence import Noise, registered
 from cadgen.inference.measurement.findings import EvidenceDiagnosis, PathDiagnosis
-from cadgen.inference.measurement.models.base import Model, slopes
-from cadgen.inference.measurement.models.track import TrackModel
-from cadgen.inference.measurement.noise import Noise
+from cadgen.inference.measurement.kinds.track import TrackModel
+from cadgen.inference.measurement.model import Model, slopes
 from cadgen.inference.measurement.nominal import LoggedCar, Nominal
 from cadgen.inference.measurement.record import Kind, Record
-from cadgen.inference.measurement.remains import registered
 
 # Independent numbers in the path of one run: its errors are smooth, and the start pose takes three of them.
 INDEPENDENT = 6

@@ -16,7 +16,7 @@ from scipy.optimize import least_squares
 
 from cadgen.arrays import Array
 from cadgen.deviations.effect import Active, Effect
-from cadgen.inference.measurement.models.base import Model, slopes
+from cadgen.inference.measurement.model import Model, slopes
 from cadgen.inference.measurement.record import Record
 from cadgen.inference.measurement.verdict import sigmas_of
 

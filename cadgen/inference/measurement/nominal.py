@@ -1,21 +1,73 @@
-"""The design that data are measured against."""
+"""The design that data are measured against, and the forces on its cam."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from math import pi
 
+import numpy as np
+
+from cadgen.arrays import TURN, Array
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.car.motion.mechanics import Mechanics
+from cadgen.car.motion.mechanics import Leads, Mechanics
 from cadgen.car.path.track import Track
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.steering import Car
 from cadgen.curves.closed import ClosedCurve
 from cadgen.deviations.disc import Disc, nominal_disc
 from cadgen.errors import DesignError
-from cadgen.inference.measurement.models.base import Model
-from cadgen.inference.measurement.models.forces import Forces
-from cadgen.inference.measurement.models.rolled import Rolled
+from cadgen.inference.measurement.model import Cache, Model, Rolled
 from cadgen.inference.measurement.record import Method, Record
+
+_KEPT = 256  # fits go back and forth between few frictions
+
+
+@dataclass(frozen=True)
+class Forces:
+    """The cam that is measured and what acts on it.
+
+    Attributes:
+        cut: lift that it was cut for.
+        mechanics: rod force and drag; the friction is what is sought.
+    """
+
+    cut: PathMotion
+    mechanics: Mechanics
+    _known: Cache[tuple[float, bool, int], tuple[PathMotion, Leads]] = field(
+        default_factory=lambda: Cache(_KEPT), repr=False
+    )
+
+    def leads(self, friction: float, *, back: bool = False, lift: PathMotion | None = None) -> Leads:
+        """Where the cam leads with a sliding friction; remembered, since most differences leave friction alone.
+
+        Args:
+            friction: friction coefficient between rod and disc.
+            back: of a cam that is turned back, by the angle that it has turned back.
+            lift: that the disc gives, where that is not the one it was cut for.
+        """
+        cut = lift or self.cut
+
+        def made() -> tuple[PathMotion, Leads]:
+            mechanics = replace(self.mechanics, friction=friction)
+            # With the lift, so that no other one is taken for it.
+            return cut, mechanics.leads(cut.mirrored if back else cut)
+
+        return self._known.of((friction, back, id(cut)), made)[1]
+
+    def drawn(self, friction: float) -> tuple[Array, Array]:
+        """Where the rod draws a free cam on, and where it draws it back.
+
+        Args:
+            friction: coefficient of friction, a number.
+
+        Returns:
+            Cam angles between which it does, shape (k, 2) each, rad, begins in [0, 2 pi) and in order: the first draw
+            to their ends, the second to their begins.
+        """
+        ahead, mirrored = self.leads(friction).stretches, self.leads(friction, back=True).stretches
+        begin = (-mirrored[:, 1]) % TURN
+        back = np.stack([begin, begin + mirrored[:, 1] - mirrored[:, 0]], axis=1)
+        return ahead, back[np.argsort(back[:, 0])]
+
 
 MACHINED_UM = 2.0
 PRINTED_UM = 30.0

@@ -1,10 +1,16 @@
-"""A kind of measured data as one object, and measured data of a kind as read: one table with its runs."""
+"""Kinds of measured data, records of a kind as read, what their comment lines say, and what no record may be.
 
+A record is refused if no instrument reads it: copied runs, too few rows, angles that go round twice, or numbers of
+another unit than the header says, by what the design lets expect.
+"""
+
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from enum import Enum, StrEnum
 from itertools import pairwise
+from math import pi
 from typing import Any
 
 import numpy as np
@@ -15,7 +21,7 @@ from cadgen.deviations.catalogue import Catalogue
 from cadgen.deviations.deviation import Deviation
 from cadgen.deviations.effect import Active, Effect
 from cadgen.errors import DesignError, FileError
-from cadgen.inference.measurement.models.base import Model
+from cadgen.inference.measurement.model import Model
 
 # Of one kind: the catalogue has some 2000 columns of them, and must fit into memory.
 MOST_ROWS = 20_000
@@ -323,3 +329,138 @@ def refuse_many_runs(kind: Kind, rows: int, runs: int, name: str) -> None:
             f"{name}: {runs} runs of {rows} rows in all, more than the {most} runs that can be judged together with so "
             f"many rows; keep one row in {-(-rows * runs // MOST_ENTRIES)}, or give fewer runs"
         )
+
+
+@dataclass(frozen=True)
+class Instrument:
+    """Noise that a file states of the instrument, in the file's unit."""
+
+    noise: float
+    unit: str
+
+
+def instrument(record: Record) -> Instrument | None:
+    """Noise that the comment lines state; None if they do not."""
+    if stated := said(record, r"noise\s+([0-9.]+)\s*(um|mm|deg)\b"):
+        return Instrument(float(stated[0]), stated[1])
+    return None
+
+
+def printed(record: Record) -> bool:
+    """True if a comment line says that the part was printed, not machined."""
+    return any(re.search(r"\bprinted\b", remark) for remark in record.remarks)
+
+
+def said(record: Record, pattern: str) -> tuple[str, ...]:
+    """Groups of a pattern's first match in the comment lines; empty without a match."""
+    return _first(record.remarks, pattern)
+
+
+def said_of_runs(record: Record, pattern: str) -> list[tuple[str, ...]]:
+    """The same in the comment lines of each run's own file."""
+    return [_first(remarks, pattern) for remarks in record.of_runs or (record.remarks,) * record.runs]
+
+
+def _first(remarks: Iterable[str], pattern: str) -> tuple[str, ...]:
+    for remark in remarks:
+        if match := re.search(pattern, remark):
+            return match.groups()
+    return ()
+
+
+_ROUNDING = 1e-9  # smaller steps are those of decimal numbers
+
+
+def refuse_impossible(record: Record) -> None:
+    """Check a record of whatever kind, and by its kind's own rule.
+
+    Raises:
+        FileError: runs that are copies, too few rows or too short a span in a run, or what the kind refuses.
+    """
+    if record.kind.method is Method.ZONE_MEANS:
+        return
+    # One column after the other, rows in the order of runs: a run is a slice, and its digits are its name.
+    readings = np.stack([values.astype(float) for values in record.columns.values() if values.dtype.kind == "f"])
+    runs, seen, counted = record.parts, dict[bytes, int](), _counted(record)
+    for later, mine in enumerate(runs):
+        earlier = seen.setdefault(readings[:, mine].tobytes(), later)
+        if earlier != later and not counted:
+            raise FileError(
+                f"{record.source}: runs {earlier + 1} and {later + 1} are the same to the last digit; a copy is no "
+                "repetition: give runs that were measured anew"
+            )
+    wide = [(column, record[column.name]) for column in record.kind.columns if column.least_span]
+    for run, mine in enumerate(runs):
+        if (rows := mine.stop - mine.start) < (least := record.kind.least_rows):
+            raise FileError(f"{record.source}: run {run + 1} has {rows} rows; give at least {least} in each run")
+        for column, values in wide:
+            if (span := float(np.ptp(values[mine]))) < column.least_span:
+                raise FileError(
+                    f"{record.source}: {column.name} of run {run + 1} spans only {span:g}; check its unit, or measure "
+                    f"at least {column.least_span:g}"
+                )
+    record.kind.check(record)
+
+
+def _counted(record: Record) -> bool:
+    """Whether an instrument whose steps are coarse may read the same twice, as an encoder of few counts does."""
+    for column in record.kind.readings:
+        values = np.unique(record[column])
+        steps = np.diff(values)
+        least = float(np.min(steps[steps > _ROUNDING], initial=np.inf))
+        if np.ptp(values) > record.kind.counts * least:
+            return False
+    return True
+
+
+def refuse_twice(record: Record, key: NDArray[np.generic], column: str) -> None:
+    """Refuse rows of one run that were taken under one condition.
+
+    Args:
+        record: for the message.
+        key: condition of each row, shape (k, n), the angle last.
+        column: of the angle.
+
+    Raises:
+        FileError: a condition stands twice.
+    """
+    unique, count = np.unique(key, axis=1, return_counts=True)
+    if (count > 1).any():
+        where = unique[-1, int(np.argmax(count))]
+        raise FileError(
+            f"{record.source}: {column} {float(where):g} stands twice in one run, so the angle goes round more than "
+            "once; number each turn as its own run"
+        )
+
+
+# Size of a number in a mistaken unit, over its size in the one that the header names.
+SLIPS = {
+    "mm": {"m": 1e-3, "cm": 0.1, "inches": 1 / 25.4, "um": 1e3},
+    "deg": {"rad": pi / 180, "turns": 1 / 360},
+}
+# A part that was made to the design does not differ from it by so much; a slip of unit is that near to its factor.
+NEAR = 1.6
+
+
+def refuse_wrong_units(record: Record, against: Any) -> None:
+    """Compare how far the readings span with what the design, or another column of them, lets expect.
+
+    Args:
+        record: of any kind.
+        against: what data of its kind are measured against (see `Kind.model`).
+
+    Raises:
+        FileError: they are those of another unit.
+    """
+    for span in record.kind.spans(record, against):
+        _refuse(record, span)
+
+
+def _refuse(record: Record, span: Span) -> None:
+    for other, factor in SLIPS.get(span.unit, {}).items():
+        if span.expected > 0 and factor / NEAR < span.measured / span.expected < factor * NEAR:
+            raise FileError(
+                f"{record.source}: {span.columns} is {'greater' if factor > 1 else 'smaller'} than the design lets "
+                f"expect by a factor of {round(max(factor, 1 / factor), 1):g}, so it seems to be in {other}: give "
+                f"{span.unit}"
+            )

@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Collection, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from itertools import chain, combinations
+from itertools import chain, combinations, pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,10 +19,100 @@ from numpy.typing import NDArray
 from cadgen.arrays import Array
 from cadgen.deviations.effect import Active, Effect, causes
 from cadgen.errors import DesignError
-from cadgen.inference.measurement.columns import Columns, of_shapes, side_by_side, tangents
 from cadgen.inference.measurement.hypothesis import Hypothesis, Search, fit
 from cadgen.inference.measurement.joint import Joint
-from cadgen.inference.measurement.numerous import Index, Numerous
+
+
+@dataclass(frozen=True)
+class Columns:
+    """Linearised responses of candidate effects: `spans[i]` are the columns of `effects[i]`."""
+
+    effects: tuple[Effect, ...]
+    spans: tuple[slice, ...]
+    values: Array
+
+
+def tangents(joint: Joint, effects: tuple[Effect, ...], best: Hypothesis) -> Columns:
+    """Responses of effects about the best subset, in their order; those that do nothing there are left out."""
+    values = joint.slopes(effects, best.active)
+    ends = np.cumsum([0, *(len(e.parameters) for e in effects)])
+    # A second parameter that does nothing yet (a width at no depth) has no column of its own.
+    alive = np.linalg.norm(values, axis=0) > 0
+    kept = np.concatenate([[0], np.cumsum(alive)])
+    spans = tuple(slice(int(kept[a]), int(kept[b])) for a, b in pairwise(ends))
+    useful = [i for i, s in enumerate(spans) if s.stop > s.start]
+    return Columns(tuple(effects[i] for i in useful), tuple(spans[i] for i in useful), values[:, alive])
+
+
+def of_shapes(joint: Joint) -> Columns:
+    """Shapes act on the reading alone and in proportion to their size, so their columns are read off."""
+    columns: list[Array] = []
+    spans = []
+    for shape in joint.shapes:
+        first = len(columns)
+        for k, step in enumerate(shape.steps):
+            values = shape.start.copy()
+            values[k] += step
+            column = joint.shape_column(shape, values) / step
+            if np.any(column):
+                columns.append(column)
+        spans.append(slice(first, len(columns)))
+    return Columns(joint.shapes, tuple(spans), np.stack(columns, axis=1) if columns else np.empty((joint.rows, 0)))
+
+
+def side_by_side(one: Columns, two: Columns) -> Columns:
+    """The columns of both, side by side."""
+    shift = one.values.shape[1]
+    moved = tuple(slice(s.start + shift, s.stop + shift) for s in two.spans)
+    return Columns(one.effects + two.effects, one.spans + moved, np.hstack([one.values, two.values]))
+
+
+Index = NDArray[np.intp]
+# Share of a column's square that is left of it, less than which is rounding.
+_HIDDEN = 1e-12
+
+
+@dataclass(frozen=True)
+class Alike:
+    """Some of the numerous effects, k of them, that have the same number of columns.
+
+    Attributes:
+        effects: numbers of the effects, shape (k,).
+        columns: columns of each, shape (k, width).
+        products: products of these columns for every spectrum, shape (g, k, width, width).
+        size: sizes of the columns, shape (g, k, width); infinite where nothing is left of one.
+    """
+
+    effects: Index
+    columns: Index
+    products: Array
+    size: Array
+
+
+class Numerous:
+    """The many effects that enter one at a time: whitened once, with their products among their own columns."""
+
+    def __init__(self, joint: Joint, columns: Columns) -> None:
+        self.effects, self.spans = columns.effects, columns.spans
+        self.white = joint.whiten(columns.values)
+        self.halves = joint.halves(self.white)
+        sorts = [(s.stop - s.start, bool(e.parts)) for e, s in zip(self.effects, self.spans, strict=True)]
+        self.groups = [
+            self._alike(sort[0], np.array([i for i, s in enumerate(sorts) if s == sort], dtype=np.intp))
+            for sort in sorted(set(sorts))
+        ]
+
+    def _alike(self, width: int, which: Index) -> Alike:
+        """Effects by their numbers, each of which has so many columns."""
+        columns = np.array([self.spans[i].start for i in which], dtype=np.intp)[:, None] + np.arange(width)
+        own = np.einsum("nki,nkj->kij", self.white[:, columns], self.white[:, columns])
+        taken = np.einsum("gqki,gqkj->gkij", self.halves[:, :, columns], self.halves[:, :, columns])
+        whole = np.einsum("kii->ki", own)
+        left = np.maximum(whole - np.einsum("gkii->gki", taken), 0.0)
+        # What the discrepancy hides but for rounding is of no size that anything could be measured against.
+        size = np.where(left > _HIDDEN * whole, np.sqrt(left), np.inf)
+        return Alike(which, columns, own - taken, size)
+
 
 Start = tuple[tuple[Effect, ...], Active]  # a subset, and values to begin from
 

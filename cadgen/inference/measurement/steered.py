@@ -6,20 +6,20 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.deviations.effect import Active
-from cadgen.inference.measurement.diagnose import Step
 from cadgen.inference.measurement.findings import Finding, PathCandidate, PathDiagnosis, PathError, PathErrors, Value
 from cadgen.inference.measurement.leave_out import LEAST_RUNS, LeftOut, Trial, leave_runs_out
-from cadgen.inference.measurement.models.base import Model
+from cadgen.inference.measurement.model import Model
 from cadgen.inference.measurement.record import Record
 from cadgen.inference.measurement.verdict import Judgement, Verdict, unclaimed, within_words
+from cadgen.progress import Progress, silent
 
 # Effects must take away this share of the path error on runs left out to be named.
 LEAST_GAIN = 0.1
 
 
-def diagnose_steered(record: Record, build: Callable[[Record], Model], step: Step = lambda text: None) -> PathDiagnosis:
+def diagnose_steered(record: Record, build: Callable[[Record], Model], progress: Progress = silent) -> PathDiagnosis:
     """Trace the path error of logged runs to effects; of fewer than `LEAST_RUNS` runs nothing is claimed."""
-    step(f"{record.source}: leaving runs out")
+    progress(f"{record.source}: leaving runs out")
     model = build(record)
     left_out = leave_runs_out(record, build)
     chosen = left_out.chosen

@@ -10,9 +10,16 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import Array
 from cadgen.errors import FileError, brief, escaped
-from cadgen.inference.measurement.admission import refuse_impossible
 from cadgen.inference.measurement.kinds import kinds
-from cadgen.inference.measurement.record import Column, Kind, Method, Record, refuse_many, refuse_many_runs
+from cadgen.inference.measurement.record import (
+    Column,
+    Kind,
+    Method,
+    Record,
+    refuse_impossible,
+    refuse_many,
+    refuse_many_runs,
+)
 from cadgen.reading import read_regular
 
 MOST_BYTES = 32_000_000  # of a file: the longest log with all digits

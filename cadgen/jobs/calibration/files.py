@@ -11,8 +11,8 @@ from cadgen.design.load import load_design
 from cadgen.deviations import deviation
 from cadgen.errors import FileError
 from cadgen.inference.expectation.outlook import Outlook
+from cadgen.inference.measurement.claims import Shared
 from cadgen.inference.measurement.findings import Diagnosis, EvidenceDiagnosis, Finding, PathCandidate, PathDiagnosis
-from cadgen.inference.measurement.together import Shared
 from cadgen.jobs.calibration.as_built_file import as_built_text
 from cadgen.jobs.calibration.places import Built
 from cadgen.jobs.calibration.plan import Calibration, Source

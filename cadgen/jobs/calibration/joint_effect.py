@@ -14,10 +14,10 @@ from cadgen.arrays import Array
 from cadgen.deviations.deviation import Place
 from cadgen.deviations.effect import Effect
 from cadgen.inference.expectation.outlook import Outlook
+from cadgen.inference.measurement.claims import Claim
 from cadgen.inference.measurement.findings import Diagnosis, EvidenceDiagnosis, Finding, Likely, Value
 from cadgen.inference.measurement.hypothesis import on_bound
 from cadgen.inference.measurement.kinds import TRACK, kind_of
-from cadgen.inference.measurement.together import Claim
 from cadgen.inference.measurement.verdict import Verdict
 
 _UNSURE = (Verdict.AMBIGUOUS, Verdict.PARTIAL)

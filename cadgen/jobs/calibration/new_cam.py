@@ -12,10 +12,10 @@ from cadgen.deviations.deviation import Place
 from cadgen.deviations.effect import UNITS
 from cadgen.deviations.track import RETURN_ERROR
 from cadgen.inference.expectation.outlook import Name, Outlook, outlook
+from cadgen.inference.measurement.claims import Claim
 from cadgen.inference.measurement.findings import Diagnosis, EvidenceDiagnosis
 from cadgen.inference.measurement.kinds import TRACK
 from cadgen.inference.measurement.nominal import Nominal
-from cadgen.inference.measurement.together import Claim
 
 
 def expected_of(

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from cadgen.deviations.deviation import Place
-from cadgen.inference.measurement.together import Claim, at_work
+from cadgen.inference.measurement.claims import Claim, at_work
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,14 +22,12 @@ from cadgen.gears.choices import Order
 from cadgen.gears.spur import spur_pairs
 from cadgen.gears.synthesis import arrange
 from cadgen.inference.expectation.outlook import Outlook
-from cadgen.inference.measurement.calibrate import calibrate as judge
-from cadgen.inference.measurement.calibrate import calibrate_tricycle
-from cadgen.inference.measurement.diagnose import SOUND
+from cadgen.inference.measurement.claims import Claim, Shared, claims, no_friction, no_play, shared
+from cadgen.inference.measurement.diagnosis import SOUND, calibrate_tricycle
+from cadgen.inference.measurement.diagnosis import calibrate as judge
 from cadgen.inference.measurement.findings import Diagnosis, EvidenceDiagnosis
 from cadgen.inference.measurement.nominal import MACHINED_UM, PRINTED_UM, Nominal
-from cadgen.inference.measurement.record import Kind, Method, Record, join
-from cadgen.inference.measurement.remarks import printed, said
-from cadgen.inference.measurement.together import Claim, Shared, claims, no_friction, no_play, shared
+from cadgen.inference.measurement.record import Kind, Method, Record, join, printed, said
 from cadgen.inference.measurement.verdict import Verdict
 from cadgen.inference.records.load import digest, load
 from cadgen.jobs.calibration.joint_effect import with_joint_effect

@@ -11,8 +11,7 @@ from cadgen.figures import Sheet
 from cadgen.inference.expectation.predict import Prediction, predict, predict_tricycle
 from cadgen.inference.measurement.findings import EvidenceDiagnosis, PathDiagnosis
 from cadgen.inference.measurement.nominal import LoggedCar
-from cadgen.inference.measurement.record import Method, Record, join
-from cadgen.inference.measurement.units import refuse_wrong_units
+from cadgen.inference.measurement.record import Method, Record, join, refuse_wrong_units
 from cadgen.jobs.calibration.plan import Calibration, Source, wheelbase_of
 from cadgen.jobs.calibration.words import SIGNS
 from cadgen.output.report.terminal import Block, Heading

@@ -13,6 +13,7 @@ from cadgen.deviations.return_error import MEASURE_FRICTION
 from cadgen.deviations.transmission import WIND_UP
 from cadgen.figures import Sheet
 from cadgen.inference.expectation.outlook import WORSE, Outlook
+from cadgen.inference.measurement.claims import at_work
 from cadgen.inference.measurement.findings import (
     Candidate,
     Diagnosis,
@@ -24,7 +25,6 @@ from cadgen.inference.measurement.findings import (
     PerRun,
     Value,
 )
-from cadgen.inference.measurement.together import at_work
 from cadgen.inference.measurement.verdict import Verdict
 from cadgen.jobs.calibration.places import Built
 from cadgen.jobs.calibration.plan import Calibration, Source

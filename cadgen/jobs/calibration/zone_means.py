@@ -9,10 +9,9 @@ from cadgen.design import variation
 from cadgen.design.schema import Design
 from cadgen.gears.choices import StageOrder
 from cadgen.inference.measurement.findings import Finding
-from cadgen.inference.measurement.record import Kind, Record
-from cadgen.inference.measurement.remarks import said
+from cadgen.inference.measurement.kinds.zones import Shortfall, Zones, judged, return_error, shortfall
+from cadgen.inference.measurement.record import Kind, Record, said
 from cadgen.inference.measurement.verdict import Judgement
-from cadgen.inference.measurement.zones import Shortfall, Zones, judged, return_error, shortfall
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -9,7 +9,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[3]))
 
-from cadgen.inference.measurement.calibrate import calibrate
+from cadgen.inference.measurement.diagnosis import calibrate
 from cadgen.inference.measurement.findings import EvidenceDiagnosis
 from cadgen.inference.measurement.nominal import Nominal
 from cadgen.inference.records.load import load

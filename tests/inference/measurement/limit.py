@@ -14,7 +14,7 @@ import numpy as np
 from scipy.stats import norm
 
 from cadgen.deviations.effect import Active, Effect
-from cadgen.inference.measurement.models.base import Model, fourier, slopes
+from cadgen.inference.measurement.model import Model, fourier, slopes
 from cadgen.inference.measurement.verdict import sure_of
 from tests.inference.measurement import study
 from tests.inference.measurement import synthetic as syn

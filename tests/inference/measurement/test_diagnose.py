@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from cadgen.errors import DesignError
-from cadgen.inference.measurement.calibrate import calibrate
+from cadgen.inference.measurement.diagnosis import calibrate
 from cadgen.inference.measurement.kinds import LIFT
 from cadgen.inference.measurement.nominal import Nominal
 from cadgen.inference.measurement.record import Record

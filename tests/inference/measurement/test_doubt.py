@@ -7,13 +7,11 @@ import numpy as np
 import pytest
 
 from cadgen.errors import FileError
-from cadgen.inference.measurement.calibrate import calibrate
-from cadgen.inference.measurement.diagnose import diagnose
-from cadgen.inference.measurement.doubt import doubted, refuse_too_few, resolved
-from cadgen.inference.measurement.noise import Noise
+from cadgen.inference.measurement.diagnosis import calibrate, diagnose
+from cadgen.inference.measurement.evidence import Noise
 from cadgen.inference.measurement.nominal import Nominal
-from cadgen.inference.measurement.remains import runs_disagree
-from cadgen.inference.measurement.verdict import Judgement
+from cadgen.inference.measurement.reservations import doubted, refuse_too_few, resolved
+from cadgen.inference.measurement.verdict import Judgement, runs_disagree
 from cadgen.inference.records.load import load
 
 CLEAR = Judgement(verdict="traced", sentence="", claimed=("x",), reported=("x",), rivals=(), separate=())

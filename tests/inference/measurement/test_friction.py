@@ -12,12 +12,12 @@ from cadgen.car.path_motion import PathMotion
 from cadgen.design import cam_model, variation
 from cadgen.design.as_built import AsBuiltSection
 from cadgen.design.load import load_design
-from cadgen.inference.measurement.calibrate import calibrate
-from cadgen.inference.measurement.friction import with_friction_judged, with_known_play
+from cadgen.inference.measurement.claims import no_friction
+from cadgen.inference.measurement.diagnosis import calibrate
 from cadgen.inference.measurement.kinds import kind_of
-from cadgen.inference.measurement.models.forces import Forces
-from cadgen.inference.measurement.models.transmission import follow
-from cadgen.inference.measurement.together import no_friction
+from cadgen.inference.measurement.kinds.transmission import follow
+from cadgen.inference.measurement.nominal import Forces
+from cadgen.inference.measurement.reservations import with_friction_judged, with_known_play
 from cadgen.inference.measurement.verdict import Judgement
 from cadgen.jobs.cam.as_built import as_built_sentences
 from cadgen.jobs.cam.manifest import as_built_facts
@@ -198,8 +198,8 @@ def test_a_true_play_goes_by_the_friction_of_the_design():
 
 
 def test_a_play_that_has_the_others_in_it_is_taken_as_it_is():
+    from cadgen.inference.measurement.claims import Claim, at_work, shared
     from cadgen.inference.measurement.findings import Finding, Value
-    from cadgen.inference.measurement.together import Claim, at_work, shared
 
     def claim(kind, effect, value, **more):
         return Claim(

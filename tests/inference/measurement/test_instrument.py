@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cadgen.inference.measurement.calibrate import calibrate
+from cadgen.inference.measurement.diagnosis import calibrate
 from cadgen.inference.measurement.kinds import PROFILE
 from cadgen.inference.measurement.record import join
 from tests.inference.measurement import synthetic as syn

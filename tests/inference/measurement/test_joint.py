@@ -9,12 +9,10 @@ import pytest
 from cadgen.deviations.disc import DISC
 from cadgen.deviations.effect import READING, Effect, Parameter
 from cadgen.deviations.transmission import runout
-from cadgen.inference.measurement.evidence import Evidence, Spectrum
-from cadgen.inference.measurement.joint import Joint, Part
+from cadgen.inference.measurement.evidence import Evidence, Noise, Spectrum
+from cadgen.inference.measurement.joint import Joint, Merged, Part
 from cadgen.inference.measurement.kinds import LIFT, TRACK, TRANSMISSION
-from cadgen.inference.measurement.merged import Merged
-from cadgen.inference.measurement.models.rolled import CHANGE
-from cadgen.inference.measurement.noise import Noise
+from cadgen.inference.measurement.model import CHANGE
 from cadgen.inference.measurement.shapes import bump
 from tests.inference.measurement import synthetic_drive as drive
 from tests.inference.measurement.synthetic import Bench, lift_record

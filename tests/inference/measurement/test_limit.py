@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from cadgen.inference.measurement.models.base import fourier, per_run
+from cadgen.inference.measurement.model import fourier, per_run
 from tests.inference.measurement import limit, study
 from tests.inference.measurement.limit import covariance, rates
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from cadgen.design.load import load_design
-from cadgen.inference.measurement.calibrate import calibrate
+from cadgen.inference.measurement.diagnosis import calibrate
 from cadgen.inference.records.load import load
 from cadgen.jobs.calibration import plan
 from cadgen.jobs.calibration.words import report

@@ -8,7 +8,7 @@ real.
 import numpy as np
 import pytest
 
-from cadgen.inference.measurement.calibrate import calibrate_tricycle
+from cadgen.inference.measurement.diagnosis import calibrate_tricycle
 from cadgen.inference.records.load import load
 
 PINNED = {

@@ -10,7 +10,7 @@ from cadgen.car.motion.drive import drive as drive_car
 from cadgen.car.motion.drive import start_pose
 from cadgen.deviations.effect import Effect
 from cadgen.inference.measurement.kinds import TRACK
-from cadgen.inference.measurement.models.base import Model, slopes
+from cadgen.inference.measurement.model import Model, slopes
 from tests.inference.measurement import synthetic as syn
 from tests.inference.measurement import synthetic_drive as drive
 from tests.inference.measurement.study import PRINTED, _wave, same

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from cadgen.inference.expectation.outlook import outlook
-from cadgen.inference.measurement.calibrate import calibrate
+from cadgen.inference.measurement.diagnosis import calibrate
 from tests.inference.measurement import synthetic as syn
 from tests.inference.measurement import synthetic_drive as drive
 

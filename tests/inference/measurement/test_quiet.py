@@ -3,10 +3,9 @@
 import numpy as np
 import pytest
 
-from cadgen.inference.measurement.admission import refuse_impossible
-from cadgen.inference.measurement.calibrate import calibrate
+from cadgen.inference.measurement.diagnosis import calibrate
 from cadgen.inference.measurement.kinds import TRANSMISSION
-from cadgen.inference.measurement.record import Record
+from cadgen.inference.measurement.record import Record, refuse_impossible
 
 PLAY_DEG = 0.8
 MOTOR = np.concatenate([np.arange(361), np.arange(359, -1, -1)]) * 45.0

@@ -16,8 +16,8 @@ from cadgen.deviations.effect import READING, Effect, Parameter, Rows
 from cadgen.deviations.track import STEERING
 from cadgen.errors import FileError
 from cadgen.inference.measurement import kinds
-from cadgen.inference.measurement.calibrate import calibrate
-from cadgen.inference.measurement.models.base import Discrepancy, elapsed, fourier, per_run, unknown
+from cadgen.inference.measurement.diagnosis import calibrate
+from cadgen.inference.measurement.model import Discrepancy, elapsed, fourier, per_run, unknown
 from cadgen.inference.measurement.record import Column, Datum, Kind, Span
 from cadgen.inference.measurement.shapes import shapes
 from cadgen.inference.records.load import load

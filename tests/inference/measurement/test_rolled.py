@@ -5,7 +5,7 @@ import pytest
 
 from cadgen.deviations.disc import PROFILE_EFFECTS, worn_nose
 from cadgen.deviations.lift import LIFT_EFFECTS
-from cadgen.inference.measurement.models.rolled import Rolled
+from cadgen.inference.measurement.model import Rolled
 
 EFFECTS = {e.name: e for e in (*LIFT_EFFECTS, *PROFILE_EFFECTS, worn_nose(0, 4.0)) if e.stage in Rolled.stages}
 ANGLES = np.linspace(0, 2 * np.pi, 1000)

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from cadgen.inference.measurement.diagnose import weigh
+from cadgen.inference.measurement.diagnosis import weigh
 from cadgen.inference.measurement.search import LARGEST_SUBSET, MOST_CAUSES, _grown
 from cadgen.inference.measurement.verdict import SURE, Verdict, sure_of
 from tests.inference.measurement import study

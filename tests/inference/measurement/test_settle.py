@@ -5,7 +5,7 @@ import pytest
 from scipy.optimize import lsq_linear
 
 from cadgen.errors import DesignError
-from cadgen.inference.measurement.settle import settled
+from cadgen.inference.measurement.hypothesis import least_squares
 
 
 def _squares(residual, slopes):
@@ -31,7 +31,7 @@ def test_a_linear_problem_within_bounds_is_solved_in_one_step(seed):
     bounds = np.stack([-half, half])
     looked = []
     half, normal = _squares(lambda v: A @ v - b, lambda v: A)
-    x, H, done = settled(lambda v: looked.append(1) or half(v), normal, np.zeros(4), bounds)
+    x, H, done = least_squares(lambda v: looked.append(1) or half(v), normal, np.zeros(4), bounds)
     expected = lsq_linear(A, b, bounds, tol=1e-14)
     assert done
     assert (x >= bounds[0]).all()
@@ -43,7 +43,7 @@ def test_a_linear_problem_within_bounds_is_solved_in_one_step(seed):
 
 def test_a_crooked_valley_is_followed_to_its_end():
     """Rosenbrock's."""
-    x, _, done = settled(
+    x, _, done = least_squares(
         *_squares(
             lambda v: np.array([10 * (v[1] - v[0] ** 2), 1 - v[0]]),
             lambda v: np.array([[-20 * v[0], 10.0], [-1.0, 0.0]]),
@@ -61,7 +61,7 @@ def test_a_value_without_effect_stays_and_a_step_too_far_is_taken_back():
             raise DesignError("no rod can follow")
         return np.array([30 * (np.sqrt(v[0] + 0.1) - 1.2)])
 
-    x, _, done = settled(
+    x, _, done = least_squares(
         *_squares(residual, lambda v: np.array([[15 / np.sqrt(v[0] + 0.1), 0.0]])),
         np.array([0.0, 0.3]),
         np.array([[0.0, -1.0], [9.0, 1.0]]),
@@ -73,7 +73,7 @@ def test_a_value_without_effect_stays_and_a_step_too_far_is_taken_back():
 def test_it_says_when_it_did_not_settle():
     """A residual whose slopes are wrong by a factor of thirty creeps."""
     residual = lambda v: np.concatenate([1e3 * (v - 5), [1.0]])  # noqa: E731
-    _, _, done = settled(*_squares(residual, lambda v: np.array([[3e4], [0.0]])), np.zeros(1), FREE[:, :1])
+    _, _, done = least_squares(*_squares(residual, lambda v: np.array([[3e4], [0.0]])), np.zeros(1), FREE[:, :1])
     assert not done
 
 
@@ -93,10 +93,10 @@ def test_a_fit_that_stays_behind_a_level_is_given_up():
         return J.T @ J, J.T @ residual(x)
 
     start, bounds = np.array([-1.2, 1.0]), np.array([[-5.0, -5.0], [5.0, 5.0]])
-    free = settled(half, normal, start, bounds)
+    free = least_squares(half, normal, start, bounds)
     whole = len(asked)
-    given_up = settled(half, normal, start, bounds, level=100.0)
+    given_up = least_squares(half, normal, start, bounds, level=100.0)
     assert len(asked) - whole < whole
     assert not given_up[2]
-    reached = settled(half, normal, start, bounds, level=1005.0)
+    reached = least_squares(half, normal, start, bounds, level=1005.0)
     assert np.array_equal(reached[0], free[0])

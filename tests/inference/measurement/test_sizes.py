@@ -5,9 +5,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from cadgen.inference.measurement.columns import Columns
 from cadgen.inference.measurement.hypothesis import Hypothesis, _covariance, sized
-from cadgen.inference.measurement.search import Numerous
+from cadgen.inference.measurement.search import Columns, Numerous
 
 
 def test_a_size_has_the_uncertainty_of_every_spectrum_by_its_chance():

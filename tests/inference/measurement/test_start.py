@@ -5,9 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cadgen.inference.measurement.models.base import slopes
-from cadgen.inference.measurement.models.floor import floor
-from cadgen.inference.measurement.models.start import BY_HAND_MM, Setting, doubts, held, scattered, settings
+from cadgen.inference.measurement.kinds.track import BY_HAND_MM, StartSpread, doubts, floor, held, scattered, settings
+from cadgen.inference.measurement.model import slopes
 from cadgen.inference.measurement.record import join
 from tests.inference.measurement import synthetic_drive as drive
 
@@ -74,7 +73,7 @@ def test_a_remark_holds_for_the_runs_of_its_own_file(track, nominal):
 
 
 def test_starts_that_scatter_more_are_judged_by_their_scatter():
-    rng, stated = np.random.default_rng(51), Setting(3.0, 0.15 * DEG, True)
+    rng, stated = np.random.default_rng(51), StartSpread(3.0, 0.15 * DEG, True)
     poses = rng.normal(0, [3.0, 3.0, 0.15 * DEG], (6, 3)) + np.array([50.0, 0.0, 2 * DEG])
     assert scattered(poses, (stated,) * 6) == (stated,) * 6  # what all share is an effect's
     wide = scattered(poses * (1, 1, 12), (stated,) * 6)[0]
@@ -87,7 +86,7 @@ def test_starts_that_scatter_more_are_judged_by_their_scatter():
 
 
 def test_a_start_off_in_all_runs_is_said():
-    stated, sigmas = Setting(3.0, 0.15 * DEG, True), np.full((4, 3), 1e-9)
+    stated, sigmas = StartSpread(3.0, 0.15 * DEG, True), np.full((4, 3), 1e-9)
     near = np.array([[3.0, 0, 0], [-2.0, 1, 0], [1.0, -4, 0], [0.0, 2, 0]])
     alike = (stated,) * 4
     assert doubts(alike, alike, near, sigmas) == ()

@@ -7,11 +7,10 @@ import numpy as np
 import pytest
 
 from cadgen.deviations.effect import READING, Effect, Parameter, Rows
-from cadgen.inference.measurement.doubt import unfit
-from cadgen.inference.measurement.evidence import Evidence, Spectrum
+from cadgen.inference.measurement.evidence import Evidence, Noise, Spectrum, estimate_noise
 from cadgen.inference.measurement.hypothesis import LEAST_PRICE, Hypothesis, Search, _overlap
-from cadgen.inference.measurement.models.base import Discrepancy, fourier, highest_order, per_run
-from cadgen.inference.measurement.noise import Noise, estimate_noise
+from cadgen.inference.measurement.model import Discrepancy, fourier, highest_order, per_run
+from cadgen.inference.measurement.reservations import unfit
 from cadgen.inference.measurement.verdict import _within_floor
 
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cadgen.inference.measurement.calibrate import calibrate_tricycle
+from cadgen.inference.measurement.diagnosis import calibrate_tricycle
 from cadgen.inference.measurement.kinds import STEERED_TRACK
 from cadgen.inference.measurement.leave_out import LEAST_RUNS
 from cadgen.inference.measurement.record import Record

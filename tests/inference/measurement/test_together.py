@@ -7,11 +7,10 @@ import pytest
 
 from cadgen.deviations.deviation import RETURN_ERROR
 from cadgen.errors import FileError
-from cadgen.inference.measurement.calibrate import calibrate
-from cadgen.inference.measurement.diagnose import diagnose
+from cadgen.inference.measurement.claims import Claim, at_work, claims, no_play, shared
+from cadgen.inference.measurement.diagnosis import calibrate, diagnose
 from cadgen.inference.measurement.findings import Finding, Value
 from cadgen.inference.measurement.kinds import PROFILE, TRACK, TRANSMISSION, ZONES
-from cadgen.inference.measurement.together import Claim, at_work, claims, no_play, shared
 from tests.inference.measurement import synthetic as syn
 from tests.inference.measurement.synthetic_drive import Train, transmission_record
 

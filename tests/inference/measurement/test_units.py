@@ -7,7 +7,7 @@ import pytest
 
 from cadgen.errors import FileError
 from cadgen.inference.measurement.nominal import LoggedCar
-from cadgen.inference.measurement.units import refuse_wrong_units
+from cadgen.inference.measurement.record import refuse_wrong_units
 from cadgen.inference.records.load import load
 
 LOGGED = LoggedCar(150.0)

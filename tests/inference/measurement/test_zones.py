@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from cadgen.errors import FileError
-from cadgen.inference.measurement.zones import judged, return_error, shortfall
+from cadgen.inference.measurement.kinds.zones import judged, return_error, shortfall
 from cadgen.inference.records.load import load
 
 

@@ -1,14 +1,72 @@
 """Lift: a dial on the lever at the disc's inner face, read by cam angle, forward and back."""
 
 from collections.abc import Iterable
+from functools import cached_property
 
 import numpy as np
 
-from cadgen.deviations import catalogue
-from cadgen.inference.measurement.admission import refuse_twice
-from cadgen.inference.measurement.models.lift import LiftModel
+from cadgen.arrays import Array
+from cadgen.deviations.catalogue import LIFT
+from cadgen.deviations.disc import NOSE_WIDTHS_DEG, worn_nose
+from cadgen.deviations.effect import READING, Active, Effect, through
+from cadgen.deviations.lift import ANGLE, Readings
+from cadgen.inference.measurement.model import CHANGE, Discrepancy, Rolled, elapsed, fourier, per_run, unknown
 from cadgen.inference.measurement.nominal import Nominal
-from cadgen.inference.measurement.record import Column, Datum, Direction, Kind, Record, Span
+from cadgen.inference.measurement.record import Column, Datum, Direction, Kind, Record, Span, refuse_twice
+from cadgen.inference.measurement.shapes import shapes
+
+FORM_ORDERS = 90
+SHAPE_ORDERS = range(1, 61)
+
+
+class LiftModel:
+    """Lift by cam angle, run and direction: reading = w_in tan(beta), the dial at the inner face's nominal place."""
+
+    unit = "um"
+    measured = tangent = resolved = None
+    behind = Rolled.stages
+
+    def __init__(self, record: Record, nominal: Nominal) -> None:
+        self._lift, self._follower = lift, follower = nominal.lift, nominal.follower
+        self._reading = record["lift_mm"]
+        angle = np.radians(record["cam_angle_deg"])
+        forward = record.columns["direction"] == Direction.FORWARD
+        key = np.round(record["cam_angle_deg"], 6) + 1000.0 * forward
+        slope = np.asarray(lift.q(angle, nu=1))
+        self.rows = Readings(
+            run=record.run,
+            place=angle,
+            elapsed=elapsed(record.run),
+            cell=np.unique(key, return_inverse=True)[1].astype(np.intp),
+            direction=np.where(forward, 1.0, -1.0),
+            slope=np.sign(slope),
+            steering=np.asarray(lift.q(angle)),
+        )
+        self.catalogue = (
+            *LIFT.effects,
+            *(worn_nose(k, width) for k in range(len(nominal.disc.noses)) for width in NOSE_WIDTHS_DEG),
+        )
+        self.datum: tuple[Effect, ...] = ()
+        self.offsets = per_run(record.run)
+        self.spread, self.discrepancy = unknown(self.offsets), Discrepancy.none(len(angle))
+        self.form, self.order = fourier(angle, FORM_ORDERS)
+        self.floor = nominal.form_error
+        self.slip = follower.inner * slope
+        self.rolled = nominal.rolled
+
+    @cached_property
+    def shapes(self) -> tuple[Effect, ...]:
+        """Harmonics, bumps and steps of the reading."""
+        return shapes(self.rows, self.unit, SHAPE_ORDERS, CHANGE)
+
+    def residual(self, active: Active) -> Array:
+        """Measured less expected reading, mm."""
+        angle = through(ANGLE, self.rows.place, active, self.rows)
+        steering = self._lift.q(angle)
+        if (change := self.rolled.change(active, self.rows)) is not None:
+            steering = steering + change(angle)
+        reading = through(READING, self._follower.inner * steering, active, self.rows)
+        return self._reading - reading
 
 
 def _check(record: Record) -> None:
@@ -22,11 +80,6 @@ def _spans(record: Record, nominal: Nominal) -> Iterable[Span]:
     yield Span("lift_mm", float(np.ptp(record["lift_mm"])), float(np.ptp(expected)), "mm")
 
 
-def _model(record: Record, nominal: Nominal) -> LiftModel:
-    n = nominal
-    return LiftModel(record, n.rolled, n.lift, n.follower, noses=len(n.disc.noses), floor=n.form_error)
-
-
 KIND = Kind(
     code="lift",
     title="Lift",
@@ -36,9 +89,9 @@ KIND = Kind(
         Column(name="lift_mm", lower=-100.0, upper=100.0),
     ),
     readings=("lift_mm",),
-    catalogue=catalogue.LIFT,
+    catalogue=LIFT,
     datum=Datum(words="the zero of the dial in each run", name="zero of the dial", numbers=(("zero_um", "um"),)),
-    model=_model,
+    model=LiftModel,
     check=_check,
     spans=_spans,
     around=True,

@@ -1,14 +1,182 @@
-"""Transmission: angles at both ends of the train, one turn of the cam forward, then back."""
+"""Transmission: angles at both ends of the train, one turn of the cam forward, then back.
 
+The model goes from the motor's angle through the gears and the play to the camshaft.
+"""
+
+from bisect import bisect_right
 from collections.abc import Iterable
+from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
+from numpy.typing import NDArray
 
-from cadgen.deviations import catalogue, deviation
+from cadgen.arrays import TURN, Array
+from cadgen.deviations import deviation
+from cadgen.deviations.catalogue import TRANSMISSION
+from cadgen.deviations.effect import READING, Active, Effect, key_of, through
+from cadgen.deviations.transmission import MESH, PLAY, RATIO, Play, Turns, train_orders
 from cadgen.errors import DesignError, FileError
-from cadgen.inference.measurement.models.transmission import TransmissionModel
+from cadgen.inference.measurement.model import Cache, Discrepancy, elapsed, fourier, highest_order, per_run, unknown
 from cadgen.inference.measurement.nominal import Nominal
 from cadgen.inference.measurement.record import Column, Datum, Kind, Record, Span
+from cadgen.inference.measurement.shapes import shapes
+
+FORM_ORDERS = 30
+SHAPE_ORDERS = 60
+# What repeats with the motor: its own turn, its poles and the teeth of its pinion, as far as the readings resolve it.
+MOTOR_HARMONICS = 12
+COGGING = np.radians(0.005)
+# Where in the play a run begins is set by chance: its first degrees of cam angle take it up and are not used.
+TAKE_UP_DEG = 5.0
+_KEPT = 16  # angles of the camshaft: forms without a name act on the reading alone
+
+
+class TransmissionModel:
+    """Cam angle by motor angle, forward and back, the inclinometer's zero free in each run."""
+
+    behind = ()
+    rolled = tangent = None
+    unit = "deg"
+    measured = None
+
+    def __init__(self, record: Record, nominal: Nominal) -> None:
+        """Take a record.
+
+        Raises:
+            DesignError: the design has no gear train.
+        """
+        ratios = nominal.ratios
+        if not ratios:
+            raise DesignError(f"{record.source}: the design has no gear train; add its stages to judge this file")
+        turned = np.radians(record["motor_angle_deg"]) / float(np.prod(ratios))
+        first = np.array([turned[record.run == k][0] for k in range(record.runs)])[record.run]
+        self._all, self._forces, self._known = turned, nominal.forces, Cache[bytes, Array](_KEPT)
+        self._run_all = record.run
+        # A run that comes back passes its start again: what matters is whether it has been away.
+        away = np.zeros(len(turned), dtype=bool)
+        for number in range(record.runs):
+            mine = record.run == number
+            travel = np.abs(turned[mine] - first[mine])
+            away[mine] = np.maximum.accumulate(travel) >= np.radians(TAKE_UP_DEG)
+        self._used = away
+        self._reading = np.radians(record["cam_angle_deg"])[away]
+        run, turned = record.run[away], turned[away]
+        back = np.concatenate([[False], (np.diff(turned) < 0) & (run[1:] == run[:-1])])
+        key = np.round(np.degrees(turned), 4) + 1e4 * back
+        slope = np.asarray(nominal.lift.q(self._all % TURN, nu=1))
+        self.rows = Turns(
+            run=run,
+            place=turned,
+            elapsed=elapsed(run),
+            cell=np.unique(key, return_inverse=True)[1].astype(np.intp),
+            turned=self._all,
+            torque=slope / np.abs(slope).max(),
+        )
+        self.resolved = highest = record.resolved or highest_order(turned[~back], run[~back])
+        self.catalogue = (*TRANSMISSION.effects, *train_orders(ratios, nominal.teeth, highest))
+        motor = np.arange(1.0, MOTOR_HARMONICS + 1.0) * float(np.prod(ratios))
+        motor = np.asarray(motor[(motor > FORM_ORDERS) & (motor <= highest)], dtype=float)
+        self._shape_orders = np.union1d(np.arange(1, min(SHAPE_ORDERS, highest) + 1), motor)
+        self.datum: tuple[Effect, ...] = ()
+        self.offsets = per_run(run)
+        self.spread = unknown(self.offsets)
+        self.discrepancy = _cogging(turned, motor)
+        self.form, self.order = fourier(turned, min(FORM_ORDERS, highest))
+        self.floor = nominal.train_error
+        self.slip = np.empty(0)
+
+    @cached_property
+    def shapes(self) -> tuple[Effect, ...]:
+        """Harmonics, bumps and steps of the reading."""
+        return shapes(self.rows, self.unit, self._shape_orders)
+
+    def residual(self, active: Active) -> Array:
+        """Measured less expected cam angle, rad."""
+        before = [(effect, values) for effect, values in active if effect.stage is not READING]
+        angle = self._known.of(key_of(before), lambda: self._camshaft(before)[self._used])
+        return np.asarray(self._reading - through(READING, angle, active, self.rows))
+
+    def _camshaft(self, active: Active) -> Array:
+        """Angle of the camshaft behind gears and play, rad."""
+        asked = through(RATIO, self._all, active, self.rows)
+        asked = through(MESH, asked, active, self.rows)
+        play = through(PLAY, Play(), active, self.rows)
+        if play.width <= 0:
+            return asked
+        drawn = None if play.friction is None else self._forces.drawn(play.friction)
+        return follow(asked, self._run_all, play.width, drawn)
+
+
+def _cogging(turned: Array, orders: Array) -> Discrepancy:
+    """Errors that repeat with every turn of the motor, or several times in it: poles, and teeth of the first pinion."""
+    waves = turned[:, None] * orders
+    columns = np.hstack([np.cos(waves), np.sin(waves)])
+    return Discrepancy("what repeats with the motor's turns", columns, np.full(columns.shape[1], COGGING))
+
+
+def follow(asked: Array, run: NDArray[np.intp], width: float, drawn: tuple[Array, Array] | None = None) -> Array:
+    """The play operator: the camshaft stays where it is until a flank of the gap takes it along, or the rod draws it.
+
+    y_i = clip(y_(i-1), u_i - width/2, u_i + width/2), from the middle of the gap at the start of each run; then, within
+    a stretch where the rod draws, to its end or to the flank.
+
+    Args:
+        asked: u, angle that the gears ask for, shape (n,), rad, in the order turned.
+        run: of each.
+        width: of the play, rad.
+        drawn: where the rod draws the cam ahead and back, from `Forces.drawn`, at the cam's angle when it is pushed
+            ahead; nowhere if left out.
+    """
+    out = np.empty(len(asked))
+    known: dict[bytes, Array] = {}
+    for number in np.unique(run):
+        mine = run == number
+        way = asked[mine]
+        key = way.tobytes()  # runs are mostly turned alike
+        if key not in known:
+            known[key] = _pushed(way, width / 2) if drawn is None else _drawn(way, width / 2, *drawn)
+        out[mine] = known[key]
+    return out
+
+
+def _pushed(asked: Array, half: float) -> Array:
+    """The play operator on one run, between reversals at once: there the angle is where it was, or at one flank."""
+    out, y = np.empty(len(asked)), asked[0]
+    rises = np.diff(asked, prepend=asked[0]) >= 0
+    ends = [0, *(np.flatnonzero(rises[1:] != rises[:-1]) + 1).tolist(), len(asked)]
+    for begin, end in pairwise(ends):
+        way = asked[begin:end]
+        out[begin:end] = np.maximum(y, way - half) if rises[begin] else np.minimum(y, way + half)
+        y = out[end - 1]
+    return out
+
+
+def _drawn(asked: Array, half: float, ahead: Array, back: Array) -> Array:
+    """The play operator on one run with a rod that draws."""
+    out, y = [float(asked[0])], float(asked[0])
+    forward, backward = (([begin for begin, _ in some], some) for some in (ahead.tolist(), back.tolist()))
+    for low, high in zip((asked[1:] - half).tolist(), (asked[1:] + half).tolist(), strict=True):
+        y = low if y < low else high if y > high else y
+        at = (y + half) % TURN
+        if (inside := _inside(*forward, at)) is not None:
+            y = min(y + inside[1] - at, high)
+        elif (inside := _inside(*backward, at)) is not None:
+            y = max(y + inside[0] - at, low)
+        out.append(y)
+    return np.array(out)
+
+
+def _inside(begins: list[float], stretches: list[list[float]], at: float) -> tuple[float, float] | None:
+    """Begin and end of the stretch that an angle of [0, 2 pi) lies in, on the angle's own turn; None if in none."""
+    if not stretches:
+        return None
+    number = bisect_right(begins, at) - 1
+    begin, end = stretches[number]
+    if number < 0:
+        begin, end = begin - TURN, end - TURN
+    return (begin, end) if at < end else None
+
 
 MOST_TURN_DEG = 400.0  # of a camshaft that is to turn once and come back
 
@@ -30,14 +198,6 @@ def _spans(record: Record, nominal: Nominal) -> Iterable[Span]:
         yield Span("motor_angle_deg", float(np.ptp(record["motor_angle_deg"])), expected, "deg")
 
 
-def _model(record: Record, nominal: Nominal) -> TransmissionModel:
-    if not nominal.ratios:
-        raise DesignError(f"{record.source}: the design has no gear train; add its stages to judge this file")
-    return TransmissionModel(
-        record, nominal.lift, nominal.ratios, nominal.forces, teeth=nominal.teeth, floor=nominal.train_error
-    )
-
-
 KIND = Kind(
     code="transmission",
     title="Transmission",
@@ -46,13 +206,13 @@ KIND = Kind(
         Column(name="cam_angle_deg", lower=-800.0, upper=800.0, least_span=10.0),
     ),
     readings=("cam_angle_deg",),
-    catalogue=catalogue.TRANSMISSION,
+    catalogue=TRANSMISSION,
     datum=Datum(
         words="the zero of the inclinometer in each run",
         name="zero of the inclinometer",
         numbers=(("zero_deg", "deg"),),
     ),
-    model=_model,
+    model=TransmissionModel,
     check=_check,
     counts=8192,  # an encoder of 13 bits
     spans=_spans,

@@ -11,7 +11,7 @@ from cadgen.arrays import TURN, Array
 from cadgen.deviations.catalogue import STEERED_TRACK
 from cadgen.deviations.effect import Active, Effect, through
 from cadgen.deviations.tricycle import DELAY, MARKER, STEERING, TRAVEL, WHEELBASE, Log
-from cadgen.inference.measurement.models.base import Discrepancy, elapsed, unknown
+from cadgen.inference.measurement.model import Discrepancy, elapsed, unknown
 from cadgen.inference.measurement.record import Record
 
 # Every so many rows enter the fit: 20 rows a second say no more than two of a path that bends over seconds.

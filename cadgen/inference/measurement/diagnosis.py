@@ -1,6 +1,9 @@
-"""From measured data to a verdict: noise, search, comparison of the rivals, and a test on runs left out."""
+"""From measured data to a verdict: noise, search, comparison of the rivals, and a test on runs left out.
 
-from collections.abc import Callable, Sequence
+`calibrate` is the entry: records of one car against its design give a diagnosis for each kind of data.
+"""
+
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -10,29 +13,36 @@ from cadgen.arrays import Array
 from cadgen.deviations.deviation import Deviation
 from cadgen.deviations.effect import UNITS, Active, Effect
 from cadgen.deviations.lift import Readings
-from cadgen.inference.measurement.doubt import doubted, refuse_too_few, resolved, unfit
-from cadgen.inference.measurement.evidence import Evidence, grid_of
+from cadgen.inference.measurement.evidence import Evidence, Noise, estimate_noise, grid_of, registered
 from cadgen.inference.measurement.findings import (
     Candidate,
     EvidenceDiagnosis,
     Finding,
     HeldOut,
     Likely,
+    PathDiagnosis,
     PerRun,
     Residual,
     Value,
 )
-from cadgen.inference.measurement.friction import with_friction_judged, with_known_play
 from cadgen.inference.measurement.hypothesis import Hypothesis, Search, fit, sized
 from cadgen.inference.measurement.joint import Build, Joint, Part
-from cadgen.inference.measurement.models.base import Model, repeating, slopes
-from cadgen.inference.measurement.noise import Noise, estimate_noise
-from cadgen.inference.measurement.record import Datum, Record
-from cadgen.inference.measurement.remains import registered
+from cadgen.inference.measurement.model import Model, repeating, slopes
+from cadgen.inference.measurement.nominal import LoggedCar, Nominal
+from cadgen.inference.measurement.record import Datum, Record, join, refuse_many_together, refuse_wrong_units
+from cadgen.inference.measurement.reservations import (
+    doubted,
+    refuse_too_few,
+    resolved,
+    unfit,
+    with_friction_judged,
+    with_known_play,
+)
 from cadgen.inference.measurement.search import find
+from cadgen.inference.measurement.steered import diagnose_steered
 from cadgen.inference.measurement.verdict import Judgement, Verdict, judge
+from cadgen.progress import Progress, silent
 
-Step = Callable[[str], None]
 # A subset less likely than this does not change what is expected of the car.
 LEAST_WEIGHT = 1e-3
 # Noise that falls to this share once the likeliest effects are taken out was theirs.
@@ -46,14 +56,14 @@ SOUND = (Verdict.NONE, Verdict.TRACED, Verdict.COMBINATION)
 
 
 def diagnose(
-    records: Sequence[Record], build: Build, step: Step = lambda text: None, play: tuple[float, float] | None = None
+    records: Sequence[Record], build: Build, progress: Progress = silent, play: tuple[float, float] | None = None
 ) -> tuple[EvidenceDiagnosis, ...]:
     """Trace what records of one car show to effects, or say why not; arguments and errors as of `weigh`.
 
     Returns:
         What each record shows by the joint verdict.
     """
-    return weigh(records, build, step, play).told(step)
+    return weigh(records, build, progress, play).told(progress)
 
 
 @dataclass(frozen=True)
@@ -66,20 +76,20 @@ class Weighed:
     found: list[Hypothesis]
     play_known: bool
 
-    def told(self, step: Step = lambda text: None) -> tuple[EvidenceDiagnosis, ...]:
+    def told(self, progress: Progress = silent) -> tuple[EvidenceDiagnosis, ...]:
         """Diagnosis of each record by the joint verdict, with the residual of runs left out."""
-        return tuple(_told(self, part, step) for part in self.joint.parts)
+        return tuple(_told(self, part, progress) for part in self.joint.parts)
 
 
 def weigh(
-    records: Sequence[Record], build: Build, step: Step = lambda text: None, play: tuple[float, float] | None = None
+    records: Sequence[Record], build: Build, progress: Progress = silent, play: tuple[float, float] | None = None
 ) -> Weighed:
     """Search the effects that explain records of one car, and judge them.
 
     Args:
         records: measured data, one record of each kind.
         build: makes the forward model of a record; called again for records with some runs left out.
-        step: told what is being done.
+        progress: function that is called with a few words on each step.
         play: return error that was measured apart, and its standard deviation, rad.
 
     Raises:
@@ -88,12 +98,12 @@ def weigh(
     models = [build(record) for record in records]
     parts, grid = [], grid_of(models)
     for record, model in zip(records, models, strict=True):
-        step(f"{record.source}: telling noise from what repeats")
+        progress(f"{record.source}: telling noise from what repeats")
         refuse_too_few(record, model)
         noise = resolved(record, estimate_noise(model, model.residual([(e, e.start) for e in model.datum])))
         parts.append(Part(record, build, model, noise, Evidence(model, noise, grid)))
     joint = Joint.of(parts)
-    step(f"{joint.source}: comparing all small subsets of {len(joint.core) + len(joint.numerous)} effects")
+    progress(f"{joint.source}: comparing all small subsets of {len(joint.core) + len(joint.numerous)} effects")
     found = find(joint)
     quieter = [_less_noise(part, found[0]) for part in joint.parts]
     if any(new is not old for new, old in zip(quieter, joint.parts, strict=True)):
@@ -121,7 +131,7 @@ def _less_noise(part: Part, best: Hypothesis) -> Part:
     return replace(part, noise=noise, evidence=Evidence(part.model, noise, part.evidence.grid))
 
 
-def _told(result: Weighed, part: Part, step: Step) -> EvidenceDiagnosis:
+def _told(result: Weighed, part: Part, progress: Progress) -> EvidenceDiagnosis:
     """Diagnosis of one record by the joint verdict."""
     joint, best, record, model, noise = result.joint, result.best, part.record, part.model, part.noise
     none = next(h for h in result.found if not h.effects)
@@ -130,7 +140,7 @@ def _told(result: Weighed, part: Part, step: Step) -> EvidenceDiagnosis:
     held_out: list[tuple[Array, Array]] = []
     for runs in np.array_split(np.arange(record.runs), min(record.runs, MOST_FITS)) if record.runs > 1 else ():
         which = f"run {runs[0] + 1}" if len(runs) == 1 else f"runs {runs[0] + 1} to {runs[-1] + 1}"
-        step(f"{record.source}: {which} left out")
+        progress(f"{record.source}: {which} left out")
         held_out += _held_out(joint, part, best, runs)
     residual, per_run = _figures(model, noise, before, after, held_out)
     entries = [(part.names[e.key], v, s) for e, v, s in best.values() if e.key in part.names]
@@ -340,3 +350,61 @@ def _by_run(residual: Array, model: Model) -> Array:
 
 def _rms(values: Array) -> float:
     return float(np.sqrt(np.mean(values**2)))
+
+
+# Records of one car are likelier together. By so much of the criterion (odds of 3 million to one) they must be likelier
+# apart before they are said to contradict each other.
+CONTRADICTED = 30.0
+
+
+def calibrate(
+    records: Sequence[Record], nominal: Nominal, progress: Progress = silent
+) -> tuple[EvidenceDiagnosis, ...]:
+    """Diagnose several records of one car by their joint evidence; those of one kind are taken together.
+
+    Returns:
+        What each kind shows, in the order given.
+
+    Raises:
+        DesignError, FileError: see `Nominal.model`, `record.join` and `units.refuse_wrong_units`.
+    """
+    kinds = dict.fromkeys(record.kind for record in records)
+    joined = [join([record for record in records if record.kind is kind]) for kind in kinds]
+    refuse_many_together(joined)
+    for record in joined:
+        refuse_wrong_units(record, nominal)
+    together = weigh(joined, nominal.model, progress, nominal.play)
+    if len(joined) == 1 or together.judgement.verdict in SOUND:
+        return together.told(progress)
+    # What no car of one kind shows may be of two cars, or of one in two states: then the records are likelier apart.
+    apart = [weigh([record], nominal.model, progress, nominal.play) for record in joined]
+    if together.best.score < sum(alone.best.score for alone in apart) + CONTRADICTED:
+        return together.told(progress)
+    return tuple(_contradicted(diagnosis) for alone in apart for diagnosis in alone.told(progress))
+
+
+def _contradicted(diagnosis: EvidenceDiagnosis) -> EvidenceDiagnosis:
+    limit = (
+        "the records contradict each other: they are likelier of several cars than of one, and so they were judged "
+        "apart; make sure that they are of one car in one state"
+    )
+    judgement = replace(diagnosis.judgement, limits=(*diagnosis.judgement.limits, limit))
+    return replace(diagnosis, judgement=judgement, contradicted=True)
+
+
+def calibrate_tricycle(records: Sequence[Record], wheelbase: float, progress: Progress = silent) -> PathDiagnosis:
+    """Diagnose runs of a tricycle whose steering was logged.
+
+    Args:
+        records: records of runs.
+        wheelbase: distance of the axles, mm.
+        progress: function that is called with a few words on each step.
+
+    Raises:
+        FileError: see `record.join` and `units.refuse_wrong_units`.
+    """
+    record, logged = join(records), LoggedCar(wheelbase)
+    refuse_wrong_units(record, logged)
+    model = record.kind.model
+    assert model is not None
+    return diagnose_steered(record, lambda part: model(part, logged), progress)
