@@ -26,8 +26,8 @@ from cadgen.design import cam_model
 from cadgen.design.load import load_design
 from cadgen.deviations.deviation import tolerance
 from cadgen.deviations.first_order import Expansion
-from cadgen.inference.monte_carlo.fleet import Fleet, make_fleet
-from cadgen.inference.monte_carlo.robust import Tolerances, tolerance_run
+from cadgen.inference.monte_carlo.cars import Cars, nominal_cars
+from cadgen.inference.monte_carlo.random_cars import Tolerances, tolerance_run
 
 SAMPLES = 10_000
 STEPS = 3600
@@ -76,7 +76,7 @@ EVERYTHING = replace(
 )
 
 
-def made(mechanics: Mechanics | None) -> Fleet:
+def made(mechanics: Mechanics | None) -> Cars:
     design = load_design("carbon_free_car")
     track, car, follower = cam_model.track(design), cam_model.car(design), cam_model.follower(design)
     lift = cam_model.lift(design, track)
@@ -84,7 +84,7 @@ def made(mechanics: Mechanics | None) -> Fleet:
     cam = compensated_lift(lift, follower, play)
     grid = np.linspace(0.0, TURN, STEPS, endpoint=False)
     contact = roll(actual_profile(cam, follower).curve.outline(0.06), follower, grid)
-    return make_fleet(
+    return nominal_cars(
         contact,
         follower,
         car,
@@ -100,7 +100,7 @@ def made(mechanics: Mechanics | None) -> Fleet:
 
 
 @pytest.fixture(scope="module")
-def fleet() -> Fleet:
+def fleet() -> Cars:
     return made(None)
 
 

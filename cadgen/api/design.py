@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from cadgen.api.gear_train import GearTrain
     from cadgen.api.planning import Plan
     from cadgen.api.runs import Comparison, Pool, Simulation, ToleranceRun
-    from cadgen.inference.monte_carlo.robust import Map
+    from cadgen.inference.monte_carlo.random_cars import Map
 
 MOST_CARS, MOST_PROCESSES = 10_000_000, 256
 FORM_ERROR_UM = (0.01, 1000.0)

@@ -13,7 +13,7 @@ from cadgen.car.motion.drive import Run
 from cadgen.car.motion.errors import Event, RunError
 from cadgen.car.optimize.evaluate import Evaluation
 from cadgen.errors import DesignError, brief
-from cadgen.inference.monte_carlo.robust import FleetEnds, Map, Sensitivity
+from cadgen.inference.monte_carlo.random_cars import CarEnds, Map, Sensitivity
 from cadgen.jobs.cam.as_built import as_built_sentences, assumed_play
 from cadgen.jobs.cam.manifest import remedy_facts
 from cadgen.jobs.cam.mechanics import joint_sentences
@@ -185,7 +185,7 @@ class ToleranceRun:
         return self.computed.passed
 
     @property
-    def ends(self) -> FleetEnds:
+    def ends(self) -> CarEnds:
         """Errors of every car at the end of its run, shape (samples,), mm and rad."""
         return self.computed.ends
 

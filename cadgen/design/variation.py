@@ -38,7 +38,7 @@ from cadgen.gears.distribution import ZoneSum
 from cadgen.gears.fits import clearance as fit_clearance
 from cadgen.gears.synthesis import arrange
 from cadgen.gears.train import WholePlay
-from cadgen.inference.monte_carlo.robust import Sampler, Tolerances
+from cadgen.inference.monte_carlo.random_cars import Sampler, Tolerances
 
 _STATIONS = 3600  # of the turn at which forces are looked at
 

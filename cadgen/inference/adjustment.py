@@ -33,7 +33,7 @@ from cadgen.deviations.deviation import (
     Deviation,
 )
 from cadgen.errors import DesignError
-from cadgen.inference.monte_carlo.fleet import Fleet, run_fleet
+from cadgen.inference.monte_carlo.cars import Cars, run_cars
 
 Complex = NDArray[np.complex128]
 
@@ -191,8 +191,8 @@ class CarPrior:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Cars:
-    """Cars that explain the trial runs, m of them.
+class LikelyCars:
+    """LikelyCars that explain the trial runs, m of them.
 
     Attributes:
         table: their deviations, shape (m, 29), columns as `deviation.COLUMNS`.
@@ -238,21 +238,21 @@ class Posterior:
     last: Settings
     residual: float
 
-    def draw(self, generator: np.random.Generator, count: int) -> Cars:
+    def draw(self, generator: np.random.Generator, count: int) -> LikelyCars:
         """Random cars."""
         cell = generator.choice(len(self.weight), count, p=self.weight)
         normal = generator.standard_normal((count, self.mean.shape[1]))
         values = self.mean[cell] + np.einsum("npq,nq->np", self.root[cell], normal)
         table = np.zeros((count, len(COLUMNS)))
         table[:, self.columns] = values[:, :-1]
-        return Cars(table=table, head=values[:, -1], last=self.last)
+        return LikelyCars(table=table, head=values[:, -1], last=self.last)
 
 
-def explain(fleet: Fleet, lever: complex, prior: CarPrior, trials: Sequence[Trial]) -> Posterior:
-    """Cars that explain trial runs.
+def explain(nominal: Cars, lever: complex, prior: CarPrior, trials: Sequence[Trial]) -> Posterior:
+    """LikelyCars that explain trial runs.
 
     Args:
-        fleet: the nominal car, with stations close together over the whole run, the last one its end.
+        nominal: the nominal car, with stations close together over the whole run, the last one its end.
         lever: place of the measured point in the car's frame from the drive wheel, x + iy, mm.
         prior: what may deviate, and how much is measured.
         trials: one or more, in the order of driving.
@@ -271,7 +271,7 @@ def explain(fleet: Fleet, lever: complex, prior: CarPrior, trials: Sequence[Tria
     unit = np.concatenate([prior.scales(), np.full(turns[-1] + 1, noise.head), *(starts for _ in trials)])
     shared, first = len(columns), len(columns) + turns[-1] + 1
     fits = [
-        _Fit(fleet, lever, prior, trial, [*range(shared), shared + turn, *range(at, at + len(starts))])
+        _Fit(nominal, lever, prior, trial, [*range(shared), shared + turn, *range(at, at + len(starts))])
         for trial, turn, at in zip(trials, turns, range(first, len(unit), len(starts)), strict=True)
     ]
     value = np.zeros((len(cells), len(unit)))
@@ -304,9 +304,9 @@ def explain(fleet: Fleet, lever: complex, prior: CarPrior, trials: Sequence[Tria
 
 @dataclass(frozen=True)
 class _Fit:
-    """One trial run against the fleet; `columns` says which of all values are the car's, its head's and its start's."""
+    """One trial run against the nominal car; `columns` are the values of the car, its head and its start."""
 
-    fleet: Fleet
+    nominal: Cars
     lever: complex
     prior: CarPrior
     trial: Trial
@@ -341,7 +341,7 @@ class _Fit:
         if self.trial.motor is None:
             at = np.stack([stations_of(row, self.trial.points) for row in track])
         else:
-            nearest = np.searchsorted(self.fleet.stations, self.trial.motor)
+            nearest = np.searchsorted(self.nominal.stations, self.trial.motor)
             at = np.broadcast_to(np.clip(nearest, 0, track.shape[1] - 1), (len(track), len(nearest)))
         ends = np.clip(at - 1, 0, None), np.clip(at + 1, None, track.shape[1] - 1)
         chord = np.take_along_axis(track, ends[1], axis=1) - np.take_along_axis(track, ends[0], axis=1)
@@ -364,15 +364,15 @@ class _System:
             columns, starts = fit.columns, list(fit.prior.noise.starts)
             own, scales = value[:, columns], unit[columns]
             table = fit.cars(cells, own, scales)
-            track = track_of(fit.fleet, fit.lever, table)
+            track = track_of(fit.nominal, fit.lever, table)
             at, along = fit.assigned(track)
             places = np.take_along_axis(track, at, axis=1)
             # The places of the points alone, with each deviation of car and head greater by a standard deviation.
             number = len(columns) - len(starts)
             moved = (own[:, None, :] + np.eye(len(columns))[:number]).reshape(-1, len(columns))
             cars = fit.cars(np.repeat(cells, number, axis=0), moved, scales)
-            stations = np.repeat(fit.fleet.stations[at], number, axis=0)
-            shifted = track_of(fit.fleet, fit.lever, cars, stations).reshape(count, number, -1)
+            stations = np.repeat(fit.nominal.stations[at], number, axis=0)
+            shifted = track_of(fit.nominal, fit.lever, cars, stations).reshape(count, number, -1)
             begun = [started(places, table, each, scale) for each, scale in zip(STARTS, scales[number:], strict=True)]
             base = fit.residual(places, along)
             off = [fit.residual(shifted[:, k], along) for k in range(number)]
@@ -401,19 +401,19 @@ class _System:
         return np.asarray(-np.linalg.solve(self.information, gradient[..., None])[..., 0])
 
 
-def track_of(fleet: Fleet, lever: complex, table: Array, stations: Array | None = None) -> Complex:
-    """Places of a point of the car at the fleet's stations, or at each car's own, shape (m, g), mm.
+def track_of(nominal: Cars, lever: complex, table: Array, stations: Array | None = None) -> Complex:
+    """Places of a point of the car at the nominal car's stations, or at each car's own, shape (m, g), mm.
 
     Args:
-        fleet: the nominal car.
+        nominal: the nominal car.
         lever: place of the point in the car's frame from the drive wheel, x + iy, mm.
         table: deviations, shape (m, 29), columns as `deviation.COLUMNS`.
-        stations: motor positions of each car, shape (m, g), rad; the fleet's if left out.
+        stations: motor positions of each car, shape (m, g), rad; the nominal car's if left out.
     """
     tracks = []
     for begin in range(0, len(table), _BLOCK):
         block = slice(begin, begin + _BLOCK)
-        poses = run_fleet(fleet, table[block], None if stations is None else stations[block])
+        poses = run_cars(nominal, table[block], None if stations is None else stations[block])
         tracks.append(poses.position + lever * np.exp(1j * poses.heading))
     return np.concatenate(tracks)
 
@@ -455,8 +455,8 @@ class Forecast:
 
 
 def best_settings(
-    fleet: Fleet,
-    cars: Cars,
+    nominal: Cars,
+    cars: LikelyCars,
     free: Sequence[Deviation],
     *,
     division: float,
@@ -468,7 +468,7 @@ def best_settings(
     A head that is turned stands a little off its new setting again, so it is turned only if that is worth it.
 
     Args:
-        fleet: the nominal car, with stations over the whole run.
+        nominal: the nominal car, with stations over the whole run.
         cars: cars that may be this one.
         free: deviations that may be set, within their limits from the design; the others stay as in the last run.
         division: division of the micrometer head, mm: it is turned by a whole number of them.
@@ -476,20 +476,20 @@ def best_settings(
         generator: source of the random numbers.
     """
     others = [name for name in free if name != BASE_RADIUS]
-    left = _solved(fleet, cars, others, cars.last)
+    left = _solved(nominal, cars, others, cars.last)
     if BASE_RADIUS not in free:
         return left
-    moved = _solved(fleet, cars, free, cars.last)
+    moved = _solved(nominal, cars, free, cars.last)
     turns = round((moved.head - cars.last.head) / division)
     if not turns:
         return left
-    turned = _solved(fleet, cars, others, replace(moved, head=cars.last.head + turns * division))
+    turned = _solved(nominal, cars, others, replace(moved, head=cars.last.head + turns * division))
     error = noise.head * generator.standard_normal(len(cars.head))
-    costs = [float(np.sum(_weighted(_errors(fleet, cars.run(one, error))) ** 2)) for one in (left, turned)]
+    costs = [float(np.sum(_weighted(_errors(nominal, cars.run(one, error))) ** 2)) for one in (left, turned)]
     return left if costs[0] <= costs[1] else turned
 
 
-def _solved(fleet: Fleet, cars: Cars, free: Sequence[Deviation], start: Settings) -> Settings:
+def _solved(nominal: Cars, cars: LikelyCars, free: Sequence[Deviation], start: Settings) -> Settings:
     settings = start
     hands = [(name, name.hand.limit, name.hand.probe) for name in free if name.hand]
     if not hands:
@@ -498,16 +498,16 @@ def _solved(fleet: Fleet, cars: Cars, free: Sequence[Deviation], start: Settings
     for _ in range(_STEPS):
         value = np.array([settings.of(name) for name in free])
         table = cars.run(settings, cars.head)
-        places = run_fleet(fleet, table).position
-        base = _weighted(places - fleet.planned.position)
+        places = run_cars(nominal, table).position
+        base = _weighted(places - nominal.planned.position)
         columns = []
         for name, limit, probe in hands:
             if name in STARTS:
                 moved = started(places, table, name, probe)
             else:
                 probed = settings.with_({name: settings.of(name) + probe})
-                moved = run_fleet(fleet, cars.run(probed, cars.head)).position
-            error = _weighted(moved - fleet.planned.position)
+                moved = run_cars(nominal, cars.run(probed, cars.head)).position
+            error = _weighted(moved - nominal.planned.position)
             columns.append((error - base) * limit / probe)
         share = value / scale
         system = np.concatenate([np.stack(columns, axis=1), _RIDGE * np.sqrt(len(cars.head)) * np.diag(scale)])
@@ -518,24 +518,24 @@ def _solved(fleet: Fleet, cars: Cars, free: Sequence[Deviation], start: Settings
 
 
 def forecast(
-    fleet: Fleet, cars: Cars, settings: Settings, noise: TrialNoise, generator: np.random.Generator
+    nominal: Cars, cars: LikelyCars, settings: Settings, noise: TrialNoise, generator: np.random.Generator
 ) -> Forecast:
     """Errors of cars with settings that a hand makes as well as it can.
 
     Args:
-        fleet, cars, noise, generator: as in `best_settings`.
+        nominal, cars, noise, generator: as in `best_settings`.
         settings: what is set for the run.
     """
     table = cars.run(settings, noise.head * generator.standard_normal(len(cars.head)))
     for name, sigma in noise.starts.items():
         table[:, name.column] += sigma * generator.standard_normal(len(table))
-    errors = np.abs(_errors(fleet, table))
+    errors = np.abs(_errors(nominal, table))
     return Forecast(end=errors[:, -1], way=errors.max(axis=1))
 
 
-def _errors(fleet: Fleet, table: Array) -> Complex:
+def _errors(nominal: Cars, table: Array) -> Complex:
     """Position errors of the drive wheel at the stations, shape (m, g), mm."""
-    return np.asarray(run_fleet(fleet, table).position - fleet.planned.position)
+    return np.asarray(run_cars(nominal, table).position - nominal.planned.position)
 
 
 def _weighted(errors: Complex) -> Array:

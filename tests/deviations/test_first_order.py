@@ -11,7 +11,7 @@ from cadgen.car.motion.drive import drive
 from cadgen.car.motion.sampled import sampled_lift
 from cadgen.deviations.deviation import COLUMNS
 from cadgen.deviations.first_order import ROWS, Expansion, OtherEdge, steering_derivatives
-from cadgen.inference.monte_carlo.fleet import make_fleet, run_fleet
+from cadgen.inference.monte_carlo.cars import nominal_cars, run_cars
 from tests.deviations.displaced import Disc, rest
 
 COLUMN = {name: number for number, name in enumerate(COLUMNS)}
@@ -94,7 +94,7 @@ def ends(carbon_free_car, contact):
     """Ends of runs of the fleet with one thing off."""
     built = carbon_free_car
     planned = drive(built.lift, built.car, built.track.length, steps=360)
-    fleet = make_fleet(
+    fleet = nominal_cars(
         contact,
         built.follower,
         built.car,
@@ -110,7 +110,7 @@ def ends(carbon_free_car, contact):
         deviations = np.zeros((1, len(COLUMNS)))
         for name, value in off.items():
             deviations[0, COLUMN[name]] = value
-        return complex(run_fleet(fleet, deviations).position[0, -1])
+        return complex(run_cars(fleet, deviations).position[0, -1])
 
     return lambda **off: end(**off) - end()
 

@@ -12,8 +12,8 @@ from cadgen.check import CheckCode
 from cadgen.design import cam_model
 from cadgen.design.load import load_design
 from cadgen.deviations.deviation import COLUMNS
-from cadgen.inference.monte_carlo.fleet import run_fleet
-from cadgen.inference.monte_carlo.watch import seen
+from cadgen.inference.monte_carlo.cars import run_cars
+from cadgen.inference.monte_carlo.course_margins import margins_at
 from cadgen.jobs.cam.plan import plan_cam
 from cadgen.jobs.runs.fleet import fleet_of
 from cadgen.jobs.runs.watched import watching
@@ -79,8 +79,8 @@ def test_many_cars_are_held_against_the_course_as_one_car_is(plan):
     deviations[:, column["play"]] = rng.uniform(low, high, 12) - fleet.play
     for name, size in (("start_x", 2.0), ("start_y", 5.0), ("start_heading", 0.003)):
         deviations[:, column[name]] = rng.uniform(-size, size, 12)
-    poses = run_fleet(fleet, deviations)
-    met = seen(fleet.watches, poses.heading, poses.position, (fleet.planned.heading, fleet.planned.position))
+    poses = run_cars(fleet, deviations)
+    met = margins_at(fleet.items, poses.heading, poses.position, (fleet.planned.heading, fleet.planned.position))
     quick = met.margins.min(axis=0)
     exact = []
     for row in deviations:

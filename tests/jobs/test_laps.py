@@ -19,7 +19,7 @@ from cadgen.design.load import design_of, load_design, with_overrides
 from cadgen.design.schema import Design
 from cadgen.deviations.deviation import COLUMNS
 from cadgen.errors import DesignError
-from cadgen.inference.monte_carlo.fleet import run_fleet
+from cadgen.inference.monte_carlo.cars import run_cars
 from cadgen.jobs.adjustment.plan import Wanted, adjust
 from cadgen.jobs.calibration.plan import calibrate
 from cadgen.jobs.cam.plan import CamPlan, plan_cam
@@ -214,7 +214,7 @@ def test_many_cars_drive_all_laps(plan):
     fleet = fleet_of(plan, [36_000], None, plan.comparison.chosen.play)
     deviations = np.zeros((2, len(COLUMNS)))
     deviations[1, list(COLUMNS).index("play")] = more
-    ends = run_fleet(fleet, deviations)
+    ends = run_cars(fleet, deviations)
     for car, play in enumerate((0.0, more)):
         found = plan.laps.of(plan.comparison.run(plan.comparison.chosen, plan.comparison.chosen.play + play))
         print(f"{degrees(ends.heading[car, -1]):.4f} deg, {abs(ends.position[car, -1]):.3f} mm")

@@ -20,7 +20,7 @@ from unittest.mock import patch
 
 import numpy as np
 
-from cadgen.inference.expectation.proposals import proposals
+from cadgen.inference.expectation.next_measurement import proposals
 from tests.studies.circles_truth import Car, World, declared, drawn_form
 
 FIRST = ("track", "lift", "transmission")

@@ -12,7 +12,7 @@ import numpy as np
 
 from cadgen import Design, __version__
 from cadgen.design import variation
-from cadgen.inference.monte_carlo.robust import watched_run
+from cadgen.inference.monte_carlo.random_cars import margins_of_cars
 from cadgen.jobs.runs.tolerance import ToleranceRun, comparison_of, watched_fleet
 from tests.studies.command import PAGES, options, tell
 from tests.studies.planner import gates
@@ -27,10 +27,10 @@ def each_alone(run: ToleranceRun, seed: int) -> dict[str, float]:
     """Share of the cars that keep each gate alone, and the edge."""
     fleet, plan = watched_fleet(run.plan), run.plan
     tolerances = variation.tolerances(plan.design, comparison_of(plan).task.mechanics)
-    margins = watched_run(fleet, tolerances, FEW, seed=seed).margins
+    margins = margins_of_cars(fleet, tolerances, FEW, seed=seed).margins
     return {
         watch.key.removeprefix("course."): float(np.mean(each >= 0))
-        for watch, each in zip(fleet.watches, margins, strict=True)
+        for watch, each in zip(fleet.items, margins, strict=True)
     }
 
 

@@ -3,9 +3,7 @@
 | module             | what it does                                                                              |
 |--------------------|-------------------------------------------------------------------------------------------|
 | `outlook`          | where the car ends on the old cam, and on a new one made for what is claimed              |
-| `proposals`        | measurements that could be made, as the records that they would give                      |
-| `linear`           | joint information of records on all effects, to first order                               |
-| `known`            | what may be true of the car by the records so far                                         |
+| `linear`           | joint information of records on all effects, to first order; what may be true of the car  |
 | `next_measurement` | which measurement brings the run nearest to its end on the next cam                       |
 | `predict`          | runs that were not used, predicted with what was found                                    |
 """

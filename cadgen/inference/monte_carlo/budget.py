@@ -40,8 +40,8 @@ from cadgen.deviations.deviation import (
     WOBBLE,
     Deviation,
 )
-from cadgen.inference.monte_carlo.fleet import Fleet, run_fleet
-from cadgen.inference.monte_carlo.robust import MOST_STEERING, steering_effect
+from cadgen.inference.monte_carlo.cars import Cars, run_cars
+from cadgen.inference.monte_carlo.random_cars import MOST_STEERING, steering_effect
 
 Complex = NDArray[np.complex128]
 
@@ -139,11 +139,11 @@ class Budget:
         return float(np.sqrt(sum(cost.after**2 for cost in self.costs)))
 
 
-def error_budget(fleet: Fleet, half_widths: Mapping[Deviation, float], plays: Mapping[str, float]) -> Budget:
+def error_budget(cars: Cars, half_widths: Mapping[Deviation, float], plays: Mapping[str, float]) -> Budget:
     """Rank all deviations by their cost at the end of the run.
 
     Args:
-        fleet: nominal car.
+        cars: nominal car.
         half_widths: half widths of the tolerances, as in `robust.Tolerances`.
         plays: half of the zone of each play, rad, by the place of the play.
     """
@@ -151,18 +151,18 @@ def error_budget(fleet: Fleet, half_widths: Mapping[Deviation, float], plays: Ma
     deviations += [(place, RETURN_ERROR, half) for place, half in plays.items() if half > 0]
     if not deviations:
         return Budget(())
-    at = [fleet.end]
-    fleet = replace(
-        fleet,
-        stations=fleet.stations[at],
-        planned=replace(fleet.planned, heading=fleet.planned.heading[:, at], position=fleet.planned.position[:, at]),
+    at = [cars.end]
+    cars = replace(
+        cars,
+        stations=cars.stations[at],
+        planned=replace(cars.planned, heading=cars.planned.heading[:, at], position=cars.planned.position[:, at]),
         end=-1,
-        watches=(),
+        items=(),
     )
     tables = [_cases(each, half) for _, each, half in deviations]
     cases = np.concatenate(tables)
     first = np.concatenate([[0], np.cumsum([len(table) for table in tables])])[:-1]
-    before, after = _moved(fleet, cases)
+    before, after = _moved(cars, cases)
     costs = []
     for number, (name, each, half) in enumerate(deviations):
         rows = slice(first[number], first[number] + len(tables[number]))
@@ -175,15 +175,15 @@ def error_budget(fleet: Fleet, half_widths: Mapping[Deviation, float], plays: Ma
                 before=worst,
                 after=worst if each.fleeting else float(after[rows].max()),
                 repeats=not each.fleeting,
-                rough=each != RETURN_ERROR and half * steering_effect(fleet, each) > MOST_STEERING,
+                rough=each != RETURN_ERROR and half * steering_effect(cars, each) > MOST_STEERING,
             )
         )
     return Budget(tuple(sorted(costs, key=lambda cost: -cost.after)))
 
 
-def by_process(fleet: Fleet) -> dict[Process, Budget]:
+def by_process(cars: Cars) -> dict[Process, Budget]:
     """Budget of the disc's making, by process."""
-    return {process: error_budget(fleet, halves, {}) for process, halves in HALF_WIDTHS.items()}
+    return {process: error_budget(cars, halves, {}) for process, halves in HALF_WIDTHS.items()}
 
 
 def _cases(deviation: Deviation, half: float) -> Array:
@@ -199,15 +199,15 @@ def _cases(deviation: Deviation, half: float) -> Array:
     return cars
 
 
-def _moved(fleet: Fleet, cases: Array) -> tuple[Array, Array]:
+def _moved(cars: Cars, cases: Array) -> tuple[Array, Array]:
     """Distances of the ends of cars' runs from the nominal car's, before and after a trim, shape (m,) each, mm."""
 
     def ends(turn: Array) -> Complex:
         turned = cases.copy()
         turned[:, STEERING_ZERO.column] += turn
-        return np.asarray(run_fleet(fleet, turned).position[:, fleet.end] - nominal)
+        return np.asarray(run_cars(cars, turned).position[:, cars.end] - nominal)
 
-    nominal = run_fleet(fleet, np.zeros((1, len(COLUMNS)))).position[0, fleet.end]
+    nominal = run_cars(cars, np.zeros((1, len(COLUMNS)))).position[0, cars.end]
     turn = np.zeros(len(cases))
     now = before = ends(turn)
     for _ in range(_TRIM_STEPS):

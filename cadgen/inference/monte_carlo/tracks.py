@@ -109,7 +109,7 @@ class _Nominal:
 
     def at(self, cam: Array) -> "_Nominal.At":
         """The nominal track at cam angles, by cubic Hermite interpolation."""
-        # Stretches before the start or after the end have no length or no station; they may lie off the grid.
+        # LeadIntervals before the start or after the end have no length or no station; they may lie off the grid.
         place = np.clip((cam - self.first) / self.step, 0.0, len(self.heading) - 1.5)
         left = place.astype(np.intp)
         u, right = place - left, left + 1

@@ -1,8 +1,7 @@
-"""Measured data from files. Only this room, `design` and `export` read files that users write.
+"""Files that users write: measured data and trial runs, and points of a path.
 
-| module | what it does                                                                      |
-|--------|-----------------------------------------------------------------------------------|
-| `load` | CSV files -> records, of the kind with these columns; impossible values are refused |
-| `points` | points of a path, from rows of numbers or a DXF's polyline                        |
-| `trials` | trial runs from such files, and the comment line that gives their settings        |
+| module   | what it does                                                                              |
+|----------|-------------------------------------------------------------------------------------------|
+| `load`   | CSV files -> records of the kind with these columns, and trial runs with their settings   |
+| `points` | points of a path, from rows of numbers or a DXF's polyline                                |
 """

@@ -36,8 +36,8 @@ from cadgen.inference.adjustment import (
     explain,
     forecast,
 )
-from cadgen.inference.monte_carlo.fleet import Fleet
-from cadgen.inference.records.trials import read_trials, settings_line, trials_of
+from cadgen.inference.monte_carlo.cars import Cars
+from cadgen.inference.records.load import read_trials, settings_line, trials_of
 from cadgen.jobs.cam.plan import CamPlan, comparison_of, plan_cam
 from cadgen.jobs.runs.fleet import fleet_of
 from cadgen.progress import Progress, silent
@@ -255,8 +255,8 @@ class Bench:
     plan: CamPlan
     wanted: Wanted
     prior: CarPrior
-    fine: Fleet
-    coarse: Fleet
+    fine: Cars
+    coarse: Cars
 
     @classmethod
     def of(cls, plan: CamPlan, wanted: Wanted) -> "Bench":

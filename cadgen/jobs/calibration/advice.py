@@ -13,8 +13,8 @@ from cadgen.deviations.catalogue import spreads
 from cadgen.deviations.deviation import WHEEL_RADIUS, WHEELBASE
 from cadgen.errors import FileError
 from cadgen.figures import Sheet
-from cadgen.inference.expectation.known import Prior
-from cadgen.inference.expectation.next_measurement import Expected, Next, Range, next_measurement
+from cadgen.inference.expectation.linear import PriorKnowledge
+from cadgen.inference.expectation.next_measurement import EndRange, Expected, Next, next_measurement
 from cadgen.inference.measurement.findings import EvidenceDiagnosis
 from cadgen.inference.measurement.nominal import MACHINED_UM, Nominal
 from cadgen.inference.measurement.record import Method, join
@@ -73,7 +73,7 @@ def after(calibration: Calibration, progress: Progress = silent) -> Next:
     return next_measurement(nominal, records, told, _prior(c.design, nominal, c))
 
 
-def _prior(design: Design, nominal: Nominal, calibration: Calibration | None) -> Prior:
+def _prior(design: Design, nominal: Nominal, calibration: Calibration | None) -> PriorKnowledge:
     """Knowledge without a measurement: [tolerances], the play of the train, and what was measured apart."""
     bare = design.as_designed()
     forces = variation.mechanics(bare, nominal.follower, nominal.lift)
@@ -93,7 +93,7 @@ def _prior(design: Design, nominal: Nominal, calibration: Calibration | None) ->
     if unsure > 0:
         spread["return_error_deg"] = unsure
     friction = USUAL if forces is None else forces.friction
-    return Prior(spread=spread, play=play, friction=float(np.mean(friction)), assumed=assumed)
+    return PriorKnowledge(spread=spread, play=play, friction=float(np.mean(friction)), assumed=assumed)
 
 
 def words(n: Next, *, measured: bool) -> list[Block]:
@@ -154,7 +154,7 @@ def _expected(n: Next, e: Expected) -> dict[str, Any]:
     }
 
 
-def _range(r: Range) -> dict[str, Any]:
+def _range(r: EndRange) -> dict[str, Any]:
     return {"mean_mm": r.mean, "range_90_percent_mm": [r.least, r.most]}
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from cadgen.design import variation
 from cadgen.design.schema import Design
 from cadgen.errors import CadgenError
-from cadgen.inference.monte_carlo.robust import watched_run
+from cadgen.inference.monte_carlo.random_cars import margins_of_cars
 from cadgen.jobs.cam.plan import CamPlan, plan_cam
 from cadgen.jobs.runs.tolerance import CarSample, ToleranceRun, tolerance_of, watched_fleet
 from cadgen.progress import Progress
@@ -96,13 +96,13 @@ def tried(cam: CamPlan, factor: float) -> Tried | None:
     if cam.comparison is None or cam.course is None:
         return None
     fleet = watched_fleet(cam)
-    if not fleet.watches:
+    if not fleet.items:
         return None
-    seen = watched_run(fleet, variation.tolerances(cam.design, cam.comparison.task.mechanics), _FEW, seed=_SEED)
+    seen = margins_of_cars(fleet, variation.tolerances(cam.design, cam.comparison.task.mechanics), _FEW, seed=_SEED)
     alone: dict[str, float] = {}
     scatter: dict[str, float] = {}
     margins = seen.margins
-    for watch, margin, aside in zip(fleet.watches, margins, seen.aside, strict=True):
+    for watch, margin, aside in zip(fleet.items, margins, seen.distance, strict=True):
         key = watch.key.partition(",")[0]  # of a gate of each lap
         alone[key] = min(float(np.mean(margin >= 0)), alone.get(key, 1.0))
         scatter[key] = max(float(np.sqrt(np.mean(aside**2))), scatter.get(key, 0.0))

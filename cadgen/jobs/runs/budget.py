@@ -8,8 +8,8 @@ from cadgen.design import variation
 from cadgen.design.schema import Design
 from cadgen.deviations.deviation import Deviation
 from cadgen.inference.monte_carlo.budget import Budget, Cost, Process, by_process, error_budget
-from cadgen.inference.monte_carlo.fleet import Fleet
-from cadgen.inference.monte_carlo.robust import Tolerances
+from cadgen.inference.monte_carlo.cars import Cars
+from cadgen.inference.monte_carlo.random_cars import Tolerances
 
 _SHOWN = {"rad": ("deg", degrees(1.0)), "Nmm": ("N·mm", 1.0)}
 
@@ -64,7 +64,7 @@ class BudgetSheet:
         return [*rows, ("all, root of squares", together)]
 
 
-def budget_sheet(design: Design, fleet: Fleet, tolerances: Tolerances) -> BudgetSheet:
+def budget_sheet(design: Design, fleet: Cars, tolerances: Tolerances) -> BudgetSheet:
     """The error budget of a design.
 
     Args:

@@ -8,7 +8,7 @@ from cadgen.arrays import TURN
 from cadgen.car.motion.drive import STEPS
 from cadgen.car.motion.mechanics import Mechanics
 from cadgen.design import variation
-from cadgen.inference.monte_carlo.fleet import Fleet, make_fleet
+from cadgen.inference.monte_carlo.cars import Cars, nominal_cars
 from cadgen.jobs.cam.plan import CamPlan, comparison_of
 
 _OUTLINE_STEP = 0.06  # mm; rolling errs by 0.01 um of lift
@@ -16,7 +16,7 @@ _OUTLINE_STEP = 0.06  # mm; rolling errs by 0.01 um of lift
 
 def fleet_of(
     plan: CamPlan, stations: Sequence[int], mechanics: Mechanics | None, play: float, grid: int = STEPS
-) -> Fleet:
+) -> Cars:
     """The nominal car of a design, ready to be varied.
 
     Args:
@@ -28,7 +28,7 @@ def fleet_of(
         grid: cam angles of a turn on which the cars are integrated.
     """
     task = comparison_of(plan).task
-    return make_fleet(
+    return nominal_cars(
         task.as_built.roll_new(plan.curve, task.follower, np.linspace(0.0, TURN, grid, endpoint=False), _OUTLINE_STEP),
         task.follower,
         task.car,

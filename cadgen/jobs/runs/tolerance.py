@@ -14,8 +14,8 @@ from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.deviations.deviation import RETURN_ERROR, Deviation
 from cadgen.errors import DesignError, FileError
-from cadgen.inference.monte_carlo.fleet import Fleet
-from cadgen.inference.monte_carlo.robust import FleetEnds, Map, Sensitivity, sensitivities, tolerance_run
+from cadgen.inference.monte_carlo.cars import Cars
+from cadgen.inference.monte_carlo.random_cars import CarEnds, Map, Sensitivity, sensitivities, tolerance_run
 from cadgen.jobs.cam.plan import CamPlan, comparison_of, plan_cam
 from cadgen.jobs.runs.budget import BudgetSheet, budget_sheet
 from cadgen.jobs.runs.fleet import fleet_of
@@ -66,7 +66,7 @@ class ToleranceRun:
 
     plan: CamPlan
     seed: int
-    ends: FleetEnds
+    ends: CarEnds
     gates: int
     sensitivities: tuple[Sensitivity, ...]
     budget: BudgetSheet | None = None
@@ -210,7 +210,7 @@ def _map(processes: int) -> Map | None:
     return partial(in_processes, processes, prepare=compute_undisturbed) if processes > 1 else None
 
 
-def watched_fleet(plan: CamPlan) -> Fleet:
+def watched_fleet(plan: CamPlan) -> Cars:
     """The nominal car of a plan that was compared under play, with what it must keep of its course."""
     comparison = comparison_of(plan)
     mechanics = None if comparison.task.mechanics is None else comparison.task.mechanics.nominal

@@ -8,8 +8,8 @@ import numpy as np
 from cadgen.car.course.approach import nearest_point
 from cadgen.car.course.body import place_of
 from cadgen.car.course.judge import Passage, turned_by
-from cadgen.inference.monte_carlo.fleet import Fleet, Poses
-from cadgen.inference.monte_carlo.watch import ClearanceWatch, Complex, GateWatch
+from cadgen.inference.monte_carlo.cars import Cars, Poses
+from cadgen.inference.monte_carlo.course_margins import ClearanceItem, Complex, GateItem
 from cadgen.jobs.cam.course import CourseRun
 
 _WINDOW = 600.0  # mm of the planned track to either side of a gate, in which a car may be early or late
@@ -17,7 +17,7 @@ _STEP = 10.0  # mm between its points
 _EDGE = "course.field"  # key of the field's edge
 
 
-def watching(fleet: Fleet, planned: CourseRun) -> Fleet:
+def watching(fleet: Cars, planned: CourseRun) -> Cars:
     """The fleet with stations at the gates, the nearest obstacles and the edge, besides its own.
 
     Args:
@@ -27,7 +27,7 @@ def watching(fleet: Fleet, planned: CourseRun) -> Fleet:
     wheel = planned.run.drive_wheel[:, 0] + 1j * planned.run.drive_wheel[:, 1]
     turned = np.exp(-1j * planned.run.heading[0])
     driven, course = planned.driven, planned.on.course
-    watched: list[tuple[int, GateWatch | ClearanceWatch]] = []
+    watched: list[tuple[int, GateItem | ClearanceItem]] = []
 
     def local(points: Complex) -> Complex:
         """Points on the floor in the frame of the start."""
@@ -41,7 +41,7 @@ def watching(fleet: Fleet, planned: CourseRun) -> Fleet:
     for key, shape, there in near:
         point, away = nearest_point(planned.poses, planned.on.body, shape, there, edge=key == _EDGE)
         room = there.clearance - course.margin
-        watch = ClearanceWatch(0, local(np.array([point])), complex(away * turned), room, key)
+        watch = ClearanceItem(0, local(np.array([point])), complex(away * turned), room, key)
         watched.append((round(there.place), watch))
 
     motor = planned.run.motor[[number for number, _ in watched]]
@@ -57,14 +57,14 @@ def watching(fleet: Fleet, planned: CourseRun) -> Fleet:
         stations=stations,
         planned=Poses(heading, position),
         end=int(own[-1]),
-        watches=tuple(
+        items=tuple(
             replace(watch, station=int(at))
             for (_, watch), at in zip(watched, np.searchsorted(stations, motor), strict=True)
         ),
     )
 
 
-def _gate(planned: CourseRun, passage: Passage, local: Callable[[Complex], Complex]) -> GateWatch:
+def _gate(planned: CourseRun, passage: Passage, local: Callable[[Complex], Complex]) -> GateItem:
     gate, poses, number = passage.gate, planned.poses, round(passage.place)
     middle = poses.travel[number]
     around = np.searchsorted(poses.travel, np.arange(middle - _WINDOW, middle + _WINDOW, _STEP))
@@ -72,7 +72,7 @@ def _gate(planned: CourseRun, passage: Passage, local: Callable[[Complex], Compl
     heading = None
     if gate.heading is not None:
         heading = float(turned_by(poses.heading[number], gate.heading)), gate.heading_tolerance
-    return GateWatch(
+    return GateItem(
         0,
         local(np.array([complex(*point) for point in gate.place.points])),
         gate.place.reach,

@@ -9,8 +9,7 @@ import pytest
 from cadgen.car.motion.drive import Pose
 from cadgen.errors import FileError
 from cadgen.inference.adjustment import Settings, stations_of
-from cadgen.inference.records.load import load_text
-from cadgen.inference.records.trials import MOST_POINTS, STOPPED, TRIAL, settings_in, settings_line, trials_of
+from cadgen.inference.records.load import MOST_POINTS, STOPPED, TRIAL, load_text, settings_in, settings_line, trials_of
 
 
 @pytest.mark.parametrize("seed", range(5))

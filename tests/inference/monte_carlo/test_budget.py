@@ -14,8 +14,8 @@ from cadgen.car.motion.sampled import sampled_lift
 from cadgen.deviations.deviation import COLUMNS, ECCENTRIC_BORE, PROFILE_OFFSET, TOLERANCES, WOBBLE, tolerance
 from cadgen.errors import DesignError
 from cadgen.inference.monte_carlo.budget import HALF_WIDTHS, by_process, error_budget
-from cadgen.inference.monte_carlo.fleet import make_fleet
-from cadgen.inference.monte_carlo.robust import Tolerances, sensitivities, tolerance_run
+from cadgen.inference.monte_carlo.cars import nominal_cars
+from cadgen.inference.monte_carlo.random_cars import Tolerances, sensitivities, tolerance_run
 
 GRID = np.linspace(0.0, TURN, 1800, endpoint=False)
 PLAY = np.radians(0.738)
@@ -29,7 +29,7 @@ def contact(carbon_free_car):
 @pytest.fixture(scope="module")
 def fleet(carbon_free_car, contact):
     built = carbon_free_car
-    return make_fleet(
+    return nominal_cars(
         contact,
         built.follower,
         built.car,

@@ -15,8 +15,8 @@ from cadgen.car.optimize.compensation import compensated_lift
 from cadgen.deviations.deviation import COLUMNS
 from cadgen.deviations.first_order import steering_derivatives
 from cadgen.errors import DesignError
-from cadgen.inference.monte_carlo.fleet import make_fleet, run_fleet
-from cadgen.inference.monte_carlo.robust import Tolerances, fleet_errors
+from cadgen.inference.monte_carlo.cars import nominal_cars, run_cars
+from cadgen.inference.monte_carlo.random_cars import Tolerances, errors_of_cars
 
 NAMES = list(COLUMNS)
 PLAY = np.radians(0.8)
@@ -54,7 +54,7 @@ def outline(carbon_free_car):
 
 def fleet_of(built, outline, planned, lift=None, count=3600, stations=STATIONS):
     contact = roll(outline, built.follower, grid(count))
-    return make_fleet(
+    return nominal_cars(
         contact,
         built.follower,
         built.car,
@@ -111,7 +111,7 @@ def test_agrees_with_cars_driven_one_by_one(carbon_free_car, profile, as_built):
     fleet = fleet_of(built, outline, planned, lift)
     tolerances = Tolerances(half_widths=HALF_WIDTHS, law="uniform", play=(np.radians(0.5), np.radians(1.0)))
     deviations = tolerances.draw(np.random.default_rng(7), 8, PLAY)
-    errors = fleet_errors(fleet, deviations)
+    errors = errors_of_cars(fleet, deviations)
     for number, deviation in enumerate(deviations):
         exact = run_error(one_by_one(built, outline, deviation), planned)
         at = list(STATIONS)
@@ -127,7 +127,7 @@ def test_one_parameter_at_a_time(carbon_free_car, outline, planned, name, sign):
     fleet = fleet_of(carbon_free_car, outline, planned)
     deviation = np.zeros(len(NAMES))
     deviation[NAMES.index(name)] = sign * {"mm": 0.05, "rad": np.radians(0.4)}[COLUMNS[name]]
-    mine = fleet_errors(fleet, deviation[None])
+    mine = errors_of_cars(fleet, deviation[None])
     exact = run_error(one_by_one(carbon_free_car, outline, deviation), planned)
     at = list(STATIONS)
     size = np.hypot(exact.along[at], exact.across[at])
@@ -146,10 +146,10 @@ def test_error_falls_with_the_square_of_the_step(carbon_free_car, planned):
         zero = np.zeros(count)
         T = built.lift.q(grid(count))
         contact = replace(base, cam_angle=grid(count), q=T, lift=zero, face=built.follower.contact_face(T), across=zero)
-        fleet = make_fleet(
+        fleet = nominal_cars(
             contact, built.follower, built.car, built.track.length, built.lift, planned, wheel_radius=WHEEL, play=PLAY
         )
-        error = fleet_errors(fleet, np.zeros((1, len(NAMES))))
+        error = errors_of_cars(fleet, np.zeros((1, len(NAMES))))
         ends.append(abs(complex(error.along[0, 0] - wanted.along[-1], error.across[0, 0] - wanted.across[-1])))
     order = np.log2(ends[0] / ends[2]) / 2
     print(f"errors {ends} mm at 900, 1800, 3600 steps, order {order:.2f}")
@@ -193,9 +193,9 @@ def test_cars_do_not_depend_on_their_neighbours(carbon_free_car, outline, planne
     fleet = fleet_of(carbon_free_car, outline, planned, count=900, stations=(-1,))
     tolerances = Tolerances(half_widths=HALF_WIDTHS)
     deviations = tolerances.draw(np.random.default_rng(3), 5, PLAY)
-    together = run_fleet(fleet, deviations)
+    together = run_cars(fleet, deviations)
     for number in range(5):
-        alone = run_fleet(fleet, deviations[number : number + 1])
+        alone = run_cars(fleet, deviations[number : number + 1])
         np.testing.assert_allclose(alone.position[0], together.position[number], rtol=1e-9)
 
 
@@ -206,7 +206,7 @@ def test_a_wheel_that_runs_out(carbon_free_car, outline, planned):
     deviations = np.zeros((2, len(NAMES)))
     deviations[0, [NAMES.index("wheel_runout_0"), NAMES.index("wheel_runout_90")]] = size
     deviations[:, NAMES.index("play")] = -PLAY
-    heading, position = (each[0] - each[1] for each in vars(run_fleet(fleet, deviations)).values())
+    heading, position = (each[0] - each[1] for each in vars(run_cars(fleet, deviations)).values())
     run = drive(built.lift, built.car, built.track.length, steps=57600)
     place = run.drive_wheel @ [1, 1j] * np.exp(-1j * run.heading[0])
     middle = (run.motor[1:] + run.motor[:-1]) / 2 * built.track.length / (TURN * WHEEL)
@@ -230,7 +230,7 @@ def test_refuses_an_uneven_grid_and_stations_out_of_order(carbon_free_car, outli
     contact = roll(outline, built.follower, grid(90) + 0.1)
     settings = {"wheel_radius": WHEEL, "play": PLAY}
     with pytest.raises(DesignError, match="even grid"):
-        make_fleet(contact, built.follower, built.car, built.track.length, built.lift, planned, **settings)
+        nominal_cars(contact, built.follower, built.car, built.track.length, built.lift, planned, **settings)
     with pytest.raises(DesignError, match="at least one station"):
         fleet_of(built, outline, planned, count=90, stations=(1800, 900))
     with pytest.raises(DesignError, match="at least one station"):

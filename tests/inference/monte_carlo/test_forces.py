@@ -12,8 +12,8 @@ from cadgen.car.motion.errors import run_error
 from cadgen.car.motion.mechanics import Mechanics
 from cadgen.car.optimize.compensation import compensated_lift
 from cadgen.deviations.deviation import COLUMNS
-from cadgen.inference.monte_carlo.fleet import make_fleet
-from cadgen.inference.monte_carlo.robust import Tolerances, fleet_errors, sensitivities
+from cadgen.inference.monte_carlo.cars import nominal_cars
+from cadgen.inference.monte_carlo.random_cars import Tolerances, errors_of_cars, sensitivities
 
 COLUMN = {name: number for number, name in enumerate(COLUMNS)}
 PLAY = np.radians(0.8)
@@ -27,7 +27,7 @@ def fleet_of(built, lift, mechanics, count=3600):
     T, zero = lift.q(grid), np.zeros(count)
     contact = replace(base, cam_angle=grid, q=T, lift=zero, face=built.follower.contact_face(T), across=zero)
     planned = drive(built.lift, built.car, built.track.length, steps=360)
-    return make_fleet(
+    return nominal_cars(
         contact,
         built.follower,
         built.car,
@@ -58,7 +58,7 @@ def test_agrees_with_cars_driven_one_by_one(carbon_free_car, profile, behind):
     cars[0, [COLUMN["friction"], COLUMN["drag"]]] = -0.2, -3.0
     cars[1, COLUMN["drag"]] = 200.0
     cars[2, COLUMN["friction"]] = 0.6
-    errors = fleet_errors(fleet, cars)
+    errors = errors_of_cars(fleet, cars)
     planned = drive(built.lift, built.car, built.track.length, steps=360)
     worst = 0.0
     for number, car in enumerate(cars):
@@ -82,8 +82,8 @@ def test_agrees_with_cars_driven_one_by_one(carbon_free_car, profile, behind):
 def test_without_friction_and_drag_it_is_the_fleet_without_forces(carbon_free_car):
     built = carbon_free_car
     cars = Tolerances(half_widths={"base_radius": 0.005}, play=(0.008, 0.016)).draw(np.random.default_rng(2), 5, PLAY)
-    free = fleet_errors(fleet_of(built, built.lift, None, 900), cars)
-    smooth = fleet_errors(fleet_of(built, built.lift, Mechanics(follower=built.follower), 900), cars)
+    free = errors_of_cars(fleet_of(built, built.lift, None, 900), cars)
+    smooth = errors_of_cars(fleet_of(built, built.lift, Mechanics(follower=built.follower), 900), cars)
     np.testing.assert_allclose(smooth.across, free.across, atol=1e-6)
 
 
@@ -91,9 +91,9 @@ def test_cars_do_not_depend_on_their_neighbours(carbon_free_car):
     """The number of stretches is that of the car that has most."""
     fleet = fleet_of(carbon_free_car, carbon_free_car.lift, nominal(carbon_free_car), 900)
     cars = Tolerances(half_widths=BANDS, law="uniform").draw(np.random.default_rng(3), 9, PLAY)
-    together = fleet_errors(fleet, cars)
+    together = errors_of_cars(fleet, cars)
     for number in range(9):
-        alone = fleet_errors(fleet, cars[number : number + 1])
+        alone = errors_of_cars(fleet, cars[number : number + 1])
         np.testing.assert_allclose(alone.across[0], together.across[number], atol=1e-7)
 
 

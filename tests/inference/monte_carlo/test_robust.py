@@ -16,12 +16,12 @@ from cadgen.car.motion.errors import run_error
 from cadgen.car.motion.sampled import sampled_lift
 from cadgen.deviations.deviation import COLUMNS
 from cadgen.errors import DesignError
-from cadgen.inference.monte_carlo.fleet import make_fleet
-from cadgen.inference.monte_carlo.robust import (
+from cadgen.inference.monte_carlo.cars import nominal_cars
+from cadgen.inference.monte_carlo.random_cars import (
     CHUNK,
     MOST_STEERING,
     Tolerances,
-    fleet_errors,
+    errors_of_cars,
     sensitivities,
     tolerance_run,
 )
@@ -36,7 +36,7 @@ def fleet(carbon_free_car):
     built = carbon_free_car
     contact = roll(built.actual.curve.outline(0.2), built.follower, np.linspace(0.0, TURN, 900, endpoint=False))
     planned = drive(built.lift, built.car, built.track.length, steps=360)
-    return make_fleet(
+    return nominal_cars(
         contact,
         built.follower,
         built.car,
@@ -81,7 +81,7 @@ def test_random_cars_are_those_drawn_from_the_children_of_the_seed(fleet):
     drawn = [
         tolerances.draw(np.random.default_rng(child), n, PLAY) for child, n in zip(children, (CHUNK, 7), strict=True)
     ]
-    errors = fleet_errors(fleet, np.concatenate(drawn))
+    errors = errors_of_cars(fleet, np.concatenate(drawn))
     for name in ("heading", "along", "across"):
         np.testing.assert_allclose(getattr(kept, name), getattr(errors, name)[:, -1], atol=1e-8)
     np.testing.assert_allclose(kept.widest, np.abs(errors.across).max(axis=1), atol=1e-8)
@@ -111,7 +111,7 @@ def test_first_order_misses_two_percent_at_the_widest_tolerance(carbon_free_car,
     assert tolerance_run(fleet, Tolerances(half_widths={name: 0.999 * half}), 1, seed=0)
     deviations = np.zeros((2, len(NAMES)))
     deviations[1, NAMES.index(name)] = sign * half
-    linear = fleet_errors(fleet, deviations)
+    linear = errors_of_cars(fleet, deviations)
     ends = linear.along[:, -1] + 1j * linear.across[:, -1]
 
     fields = {"base_radius": "base_radius", "inner_face": "inner", "outer_face": "outer", "rod_radius": "radius"}
@@ -213,7 +213,7 @@ def test_yield(fleet):
 
 def test_without_tolerances_every_car_is_the_nominal_one(fleet):
     run = tolerance_run(fleet, Tolerances(half_widths={}), 3, seed=0)
-    nominal = fleet_errors(fleet, np.zeros((1, len(NAMES))))
+    nominal = errors_of_cars(fleet, np.zeros((1, len(NAMES))))
     np.testing.assert_array_equal(run.across, np.repeat(nominal.across[:, -1], 3))
     assert sensitivities(fleet, Tolerances(half_widths={})) == ()
 

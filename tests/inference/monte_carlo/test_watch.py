@@ -3,32 +3,32 @@
 import numpy as np
 import pytest
 
-from cadgen.inference.monte_carlo.watch import ClearanceWatch, GateWatch
+from cadgen.inference.monte_carlo.course_margins import ClearanceItem, GateItem
 
 TRACK = np.arange(-600, 601, 10) * np.exp(0.3j)  # straight, by 0.3 rad, through 0
 
 
 @pytest.mark.parametrize(("off", "by"), [(20.0, -1.0), (-20.0, 1.0)])
 def test_off_the_middle_of_a_disc_the_margin_changes_by_what_a_car_is_aside(off, by):
-    gate = GateWatch(0, np.array([1j * off * np.exp(0.3j)]), 50.0, TRACK)
+    gate = GateItem(0, np.array([1j * off * np.exp(0.3j)]), 50.0, TRACK)
     moved = gate.places + np.array([3.0 * 1j * np.exp(0.3j), 5.0 * np.exp(0.3j)])[:, None]  # across, and along
-    np.testing.assert_allclose(gate.aside(moved), [3.0, 0.0], atol=1e-9)
+    np.testing.assert_allclose(gate.distance(moved), [3.0, 0.0], atol=1e-9)
     nominal = gate.margin(gate.places[None, :], np.zeros(1))
-    np.testing.assert_allclose(gate.margin(moved, np.zeros(2)) - nominal, by * gate.aside(moved), atol=1e-9)
+    np.testing.assert_allclose(gate.margin(moved, np.zeros(2)) - nominal, by * gate.distance(moved), atol=1e-9)
 
 
 def test_on_a_segment_the_crossing_moves_by_what_a_car_is_aside():
     """The segment lies at 60 degrees to the track."""
     along = np.exp(1j * (0.3 + np.pi / 3))
-    gate = GateWatch(0, np.array([-30.0, 100.0]) * along, 0.0, TRACK)
+    gate = GateItem(0, np.array([-30.0, 100.0]) * along, 0.0, TRACK)
     moved = gate.places + np.array([4.0 * 1j * np.exp(0.3j), 7.0 * np.exp(0.3j)])[:, None]
-    np.testing.assert_allclose(gate.aside(moved), [4.0 / np.sin(np.pi / 3), 0.0], atol=1e-9)
+    np.testing.assert_allclose(gate.distance(moved), [4.0 / np.sin(np.pi / 3), 0.0], atol=1e-9)
     nominal = gate.margin(gate.places[None, :], np.zeros(1))
-    np.testing.assert_allclose(gate.margin(moved, np.zeros(2)) - nominal, -gate.aside(moved), atol=1e-9)
+    np.testing.assert_allclose(gate.margin(moved, np.zeros(2)) - nominal, -gate.distance(moved), atol=1e-9)
 
 
 def test_room_grows_as_an_obstacle_goes_away():
-    post = ClearanceWatch(0, np.array([200j]), 1j, 30.0)
+    post = ClearanceItem(0, np.array([200j]), 1j, 30.0)
     moved = post.places + np.array([[2.0 + 5j], [-3j]])
-    np.testing.assert_allclose(post.aside(moved), [5.0, -3.0])
+    np.testing.assert_allclose(post.distance(moved), [5.0, -3.0])
     np.testing.assert_allclose(post.margin(moved, np.zeros(2)), [35.0, 27.0])

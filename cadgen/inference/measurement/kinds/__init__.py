@@ -1,5 +1,7 @@
 """The kinds of measured data: a new one is a file here and a line in the table, or is registered.
 
+A kind brings its columns, its catalogue of effects, and its forward model (`Kind.model`), which stands in its file.
+
 | module          | what is measured                                                               |
 |-----------------|--------------------------------------------------------------------------------|
 | `lift`          | a dial on the lever, by cam angle                                              |

@@ -1,4 +1,4 @@
-"""Effect of a design's tolerances on its runs: Monte Carlo, yield within a gate, and sensitivities."""
+"""Random cars within a design's tolerances: ends of their runs, yield within a gate, and sensitivities."""
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
@@ -29,8 +29,8 @@ from cadgen.deviations.first_order import ROWS
 from cadgen.errors import DesignError
 from cadgen.gears.choices import Law
 from cadgen.gears.distribution import ZoneSum
-from cadgen.inference.monte_carlo.fleet import Fleet, Poses, run_fleet
-from cadgen.inference.monte_carlo.watch import Seen, seen
+from cadgen.inference.monte_carlo.cars import Cars, Poses, run_cars
+from cadgen.inference.monte_carlo.course_margins import CourseMargins, margins_at
 
 # Type of the built-in `map` and of a pool's: calls may run anywhere, but results come in order.
 Map = Callable[[Callable[[int], Array], Iterable[int]], Iterable[Array]]
@@ -53,7 +53,7 @@ _FIRST = VARIED[: VARIED.index(RETURN_ERROR)]  # drawn for every car, before its
 
 @dataclass(frozen=True, kw_only=True)
 class Tolerances:
-    """Tolerances within which the cars of a fleet differ.
+    """Tolerances within which the cars that are run differ.
 
     Attributes:
         half_widths: half of the tolerance zone by deviation, one of `TOLERANCES`, or by its key, in its unit. One
@@ -115,7 +115,7 @@ _WORDS = {"mm": "mm", "rad": "degrees", "1": "", "Nmm": "N mm", "N": "N", "K": "
 
 
 @dataclass(frozen=True, kw_only=True)
-class FleetErrors:
+class CarErrors:
     """Errors of m cars at g stations against the planned run.
 
     Attributes:
@@ -130,7 +130,7 @@ class FleetErrors:
 
 
 @dataclass(frozen=True, kw_only=True)
-class FleetEnds:
+class CarEnds:
     """Errors of m random cars at the end, and the widest on the run: little enough that millions fit into memory.
 
     Attributes:
@@ -192,37 +192,37 @@ class Sensitivity:
         return float(np.hypot(self.along, self.across))
 
 
-def fleet_errors(fleet: Fleet, deviations: Array) -> FleetErrors:
+def errors_of_cars(cars: Cars, deviations: Array) -> CarErrors:
     """Errors of cars with known deviations, all at once.
 
     Args:
-        fleet: nominal car.
+        cars: nominal car.
         deviations: deviations of m cars, shape (m, 29), columns and units as `deviation.COLUMNS`.
     """
-    return _errors(fleet, run_fleet(fleet, deviations))
+    return _errors(cars, run_cars(cars, deviations))
 
 
-def _errors(fleet: Fleet, poses: Poses) -> FleetErrors:
-    off = (poses.position - fleet.planned.position) * np.exp(-1j * fleet.planned.heading)
-    return FleetErrors(heading=poses.heading - fleet.planned.heading, along=off.real, across=off.imag)
+def _errors(cars: Cars, poses: Poses) -> CarErrors:
+    off = (poses.position - cars.planned.position) * np.exp(-1j * cars.planned.heading)
+    return CarErrors(heading=poses.heading - cars.planned.heading, along=off.real, across=off.imag)
 
 
 def tolerance_run(
-    fleet: Fleet,
+    cars: Cars,
     tolerances: Tolerances,
     samples: int,
     *,
     seed: int,
     map_with: Map | None = None,
     done: Callable[[int], None] = lambda cars: None,
-) -> FleetEnds:
+) -> CarEnds:
     """Run random cars within the tolerances.
 
     Every chunk of cars draws from its own child of the seed where it is run, so a seed gives the same cars whatever
     the map, and a longer run begins with the cars of a shorter one, but for its last chunk.
 
     Args:
-        fleet: nominal car.
+        cars: nominal car.
         tolerances: tolerances within which the cars differ.
         samples: number of cars.
         seed: seed of the random numbers.
@@ -236,51 +236,51 @@ def tolerance_run(
     """
     if samples < 1:
         raise DesignError(f"a tolerance run of {samples} samples says nothing: ask for at least 1")
-    _refuse_wide(fleet, tolerances)
-    run = partial(_chunk, fleet, tolerances, seed, samples)
-    chunks, count = range(-(-samples // CHUNK)), 5 if fleet.watches else 4
+    _refuse_wide(cars, tolerances)
+    run = partial(_chunk, cars, tolerances, seed, samples)
+    chunks, count = range(-(-samples // CHUNK)), 5 if cars.items else 4
     if map_with is None:
         rows = _gathered(map(run, chunks), count, samples, done)
     else:
         blocks = range(-(-len(chunks) // _BLOCK))
         rows = _gathered(map_with(partial(_block, run, len(chunks)), blocks), count, samples, done)
-    margin = rows[4] if fleet.watches else np.broadcast_to(np.inf, samples)
-    return FleetEnds(heading=rows[0], along=rows[1], across=rows[2], widest=rows[3], margin=margin)
+    margin = rows[4] if cars.items else np.broadcast_to(np.inf, samples)
+    return CarEnds(heading=rows[0], along=rows[1], across=rows[2], widest=rows[3], margin=margin)
 
 
 def _block(run: Callable[[int], Array], chunks: int, number: int) -> Array:
-    """The rows of several chunks, so that the fleet is not sent to another process for each."""
+    """The rows of several chunks, so that the nominal car is not sent to another process for each."""
     return np.concatenate([run(chunk) for chunk in range(number * _BLOCK, min((number + 1) * _BLOCK, chunks))], axis=1)
 
 
-def _chunk(fleet: Fleet, tolerances: Tolerances, seed: int, samples: int, number: int) -> Array:
-    """Rows of `FleetEnds` for one chunk of random cars."""
-    poses = _cars(fleet, tolerances, seed, samples, number)
-    errors = _errors(fleet, poses)
-    ends = (each[:, fleet.end] for each in (errors.heading, errors.along, errors.across))
+def _chunk(cars: Cars, tolerances: Tolerances, seed: int, samples: int, number: int) -> Array:
+    """Rows of `CarEnds` for one chunk of random cars."""
+    poses = _cars(cars, tolerances, seed, samples, number)
+    errors = _errors(cars, poses)
+    ends = (each[:, cars.end] for each in (errors.heading, errors.along, errors.across))
     rows = [*ends, np.abs(errors.across).max(axis=1)]
-    if fleet.watches:
-        rows.append(_seen(fleet, poses).margins.min(axis=0))
+    if cars.items:
+        rows.append(_met(cars, poses).margins.min(axis=0))
     return np.stack(rows)
 
 
-def _cars(fleet: Fleet, tolerances: Tolerances, seed: int, samples: int, number: int) -> Poses:
+def _cars(cars: Cars, tolerances: Tolerances, seed: int, samples: int, number: int) -> Poses:
     """Poses of one chunk of random cars."""
     generator = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(number,)))
     count = min(CHUNK, samples - number * CHUNK)
-    return run_fleet(fleet, tolerances.draw(generator, count, fleet.play))
+    return run_cars(cars, tolerances.draw(generator, count, cars.play))
 
 
-def _seen(fleet: Fleet, poses: Poses) -> Seen:
-    planned = fleet.planned.heading, fleet.planned.position
-    return seen(fleet.watches, poses.heading, poses.position, planned)
+def _met(cars: Cars, poses: Poses) -> CourseMargins:
+    planned = cars.planned.heading, cars.planned.position
+    return margins_at(cars.items, poses.heading, poses.position, planned)
 
 
-def watched_run(fleet: Fleet, tolerances: Tolerances, samples: int, *, seed: int) -> Seen:
-    """Things that a fleet watches, as the random cars of `tolerance_run` meet it.
+def margins_of_cars(cars: Cars, tolerances: Tolerances, samples: int, *, seed: int) -> CourseMargins:
+    """Items, as the random cars of `tolerance_run` meet it.
 
     Args:
-        fleet: nominal car with its watches.
+        cars: nominal car with the items of its course.
         tolerances: tolerances within which the cars differ.
         samples: number of cars.
         seed: seed of the random numbers.
@@ -288,11 +288,11 @@ def watched_run(fleet: Fleet, tolerances: Tolerances, samples: int, *, seed: int
     Raises:
         DesignError: a tolerance is too large for first order.
     """
-    _refuse_wide(fleet, tolerances)
-    chunks = [_seen(fleet, _cars(fleet, tolerances, seed, samples, number)) for number in range(-(-samples // CHUNK))]
+    _refuse_wide(cars, tolerances)
+    chunks = [_met(cars, _cars(cars, tolerances, seed, samples, number)) for number in range(-(-samples // CHUNK))]
     places = zip(*(chunk.places for chunk in chunks), strict=True)
     turned = np.concatenate([chunk.turned for chunk in chunks], axis=1)
-    return Seen(fleet.watches, tuple(np.concatenate(several) for several in places), turned)
+    return CourseMargins(cars.items, tuple(np.concatenate(several) for several in places), turned)
 
 
 def _gathered(parts: Iterable[Array], count: int, samples: int, done: Callable[[int], None]) -> Array:
@@ -309,12 +309,12 @@ def _gathered(parts: Iterable[Array], count: int, samples: int, done: Callable[[
     return gathered
 
 
-def _refuse_wide(fleet: Fleet, tolerances: Tolerances) -> None:
+def _refuse_wide(cars: Cars, tolerances: Tolerances) -> None:
     """Refuse tolerances that are no longer small beside the car, or too large for first order."""
     for name, size in (
-        (WHEELBASE, fleet.car.wheelbase),
-        (WHEEL_RADIUS, fleet.wheel_radius),
-        (WHEEL_RUNOUT, fleet.wheel_radius),
+        (WHEELBASE, cars.car.wheelbase),
+        (WHEEL_RADIUS, cars.wheel_radius),
+        (WHEEL_RUNOUT, cars.wheel_radius),
     ):
         half = tolerances.half_widths.get(name, 0.0)
         if half > size * MOST_SHARE:
@@ -323,7 +323,7 @@ def _refuse_wide(fleet: Fleet, tolerances: Tolerances) -> None:
                 f"{_below(size * MOST_SHARE):g} mm or less"
             )
     for name, half in tolerances.half_widths.items():
-        steepest = steering_effect(fleet, name)
+        steepest = steering_effect(cars, name)
         if half * steepest > MOST_STEERING:
             unit = name.unit
             shown = degrees if unit == "rad" else float
@@ -334,9 +334,9 @@ def _refuse_wide(fleet: Fleet, tolerances: Tolerances) -> None:
             )
 
 
-def steering_effect(fleet: Fleet, name: Deviation) -> float:
+def steering_effect(cars: Cars, name: Deviation) -> float:
     """Greatest angle by which one unit of a deviation turns the front wheel, rad."""
-    row = dict(zip(ROWS, fleet.derivatives, strict=True))
+    row = dict(zip(ROWS, cars.derivatives, strict=True))
     if name in (EDGE_BREAK, EDGE_WEAR):
         return float(np.abs(row[INNER_FACE.column] - row[OUTER_FACE.column]).max())
     if name == STEERING_LOST_MOTION:
@@ -351,9 +351,9 @@ def _below(value: float) -> float:
     return floor(value / unit) * unit
 
 
-def sensitivities(fleet: Fleet, tolerances: Tolerances) -> tuple[Sensitivity, ...]:
+def sensitivities(cars: Cars, tolerances: Tolerances) -> tuple[Sensitivity, ...]:
     """Effect of each varying parameter on the end of the run, by central differences, greatest share first."""
-    spreads = _spreads(fleet, tolerances)
+    spreads = _spreads(cars, tolerances)
     names = [name for name, spread in spreads.items() if spread > 0]
     if not names:
         return ()
@@ -362,9 +362,9 @@ def sensitivities(fleet: Fleet, tolerances: Tolerances) -> tuple[Sensitivity, ..
     deviations = np.zeros((2 * len(parts), len(COLUMNS)))
     for row, (_, column) in enumerate(parts):
         deviations[2 * row : 2 * row + 2, column] = np.array([-0.5, 0.5]) * steps[row]
-    errors = fleet_errors(fleet, deviations)
+    errors = errors_of_cars(cars, deviations)
     moved = np.stack(
-        [np.diff(e[:, fleet.end].reshape(-1, 2))[:, 0] for e in (errors.heading, errors.along, errors.across)], axis=1
+        [np.diff(e[:, cars.end].reshape(-1, 2))[:, 0] for e in (errors.heading, errors.along, errors.across)], axis=1
     )
     effects = []
     for name in names:
@@ -382,8 +382,8 @@ def sensitivities(fleet: Fleet, tolerances: Tolerances) -> tuple[Sensitivity, ..
     )
 
 
-def _spreads(fleet: Fleet, tolerances: Tolerances) -> dict[Deviation, float]:
+def _spreads(cars: Cars, tolerances: Tolerances) -> dict[Deviation, float]:
     """Standard deviation of each tolerance; a sampler's from its own random numbers."""
     spreads = {name: tolerances.zone(name).std for name in tolerances.half_widths}
-    play = tolerances.draw(np.random.default_rng(0), _SPREAD_SAMPLES, fleet.play)[:, RETURN_ERROR.column]
+    play = tolerances.draw(np.random.default_rng(0), _SPREAD_SAMPLES, cars.play)[:, RETURN_ERROR.column]
     return {**spreads, RETURN_ERROR: float(play.std())}

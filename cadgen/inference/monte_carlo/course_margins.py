@@ -1,4 +1,4 @@
-"""Whether cars keep a course, from their poses at a few places of the run.
+"""Margins of cars to the items of a course, from their poses at a few places of the run.
 
 Near a place a car's track is the planned one, moved as the car's pose there is off: what bends it otherwise counts with
 the square of the way. So what stands on the course is moved back by the same, and held against the planned run.
@@ -18,8 +18,8 @@ _SQUARE = 0.2  # sine of the least angle between track and segment that is recko
 _FAILED = -1e-6  # mm; at most, of a gate that is passed in the wrong direction or order
 
 
-class Watch(Protocol):
-    """A thing on the course at a station of the fleet's runs; all places in the frame of the nominal start, x + iy."""
+class CourseItem(Protocol):
+    """Item of a course at a station of the cars' runs; all places in the frame of the nominal start, x + iy."""
 
     @property
     def key(self) -> str:
@@ -27,11 +27,11 @@ class Watch(Protocol):
 
     @property
     def station(self) -> int:
-        """Number of the station of its fleet."""
+        """Number of its station among those of the cars."""
 
     @property
     def places(self) -> Complex:
-        """Points of the thing, shape (p,), mm."""
+        """Points of the item, shape (p,), mm."""
 
     def margin(self, places: Complex, turned: Array) -> Array:
         """Margins of cars, shape (m,), mm; less than 0 where they fail.
@@ -41,8 +41,8 @@ class Watch(Protocol):
             turned: heading error of each car there, shape (m,), rad.
         """
 
-    def aside(self, places: Complex) -> Array:
-        """How far cars are off on the line on which its margin is measured, with a sign, shape (m,), mm.
+    def distance(self, places: Complex) -> Array:
+        """Signed distance of cars from the item, along the line on which its margin is measured, shape (m,), mm.
 
         Args:
             places: its points as they lie to each car's planned run, shape (m, p), mm.
@@ -50,7 +50,7 @@ class Watch(Protocol):
 
 
 @dataclass(frozen=True)
-class GateWatch:
+class GateItem:
     """A gate, disc or segment.
 
     Attributes:
@@ -72,7 +72,7 @@ class GateWatch:
     key: str = ""
 
     def margin(self, places: Complex, turned: Array) -> Array:
-        """As `Watch.margin`: radius less the distance of the track, or distance of the crossing from the nearer end.
+        """Radius less the distance of the track, or distance of the crossing from the nearer end.
 
         Args:
             places: places of the cars, x + iy, shape (m, k), mm.
@@ -85,8 +85,8 @@ class GateWatch:
             failed |= np.abs((off + turned + TURN / 2) % TURN - TURN / 2) > most
         return np.asarray(np.where(failed, np.minimum(margin, _FAILED), margin))
 
-    def aside(self, places: Complex) -> Array:
-        """As `Watch.aside`: across the track, or along a segment to where it is crossed."""
+    def distance(self, places: Complex) -> Array:
+        """Signed distance across the track, or along a segment to where it is crossed; see `CourseItem.distance`."""
         moved, middle = places.mean(axis=1) - self.places.mean(), self.places.mean()
         along = np.diff(self.track)[np.abs(self.track[1:] - middle).argmin()]
         along /= abs(along)
@@ -121,7 +121,7 @@ class GateWatch:
 
 
 @dataclass(frozen=True)
-class ClearanceWatch:
+class ClearanceItem:
     """An obstacle or the edge, at the planned run's nearest approach to it.
 
     Attributes:
@@ -139,58 +139,60 @@ class ClearanceWatch:
     key: str = ""
 
     def margin(self, places: Complex, turned: Array) -> Array:
-        """As `Watch.margin`, to first order: the clearance grows as its nearest point moves away from the car.
+        """Clearance to first order: it grows as its nearest point moves away from the car.
 
         Args:
             places: places of the cars, x + iy, shape (m, k), mm.
             turned: headings of the cars against the planned one, shape (m, k), rad.
         """
-        return np.asarray(self.clearance + self.aside(places))
+        return np.asarray(self.clearance + self.distance(places))
 
-    def aside(self, places: Complex) -> Array:
-        """As `Watch.aside`: away from the car."""
+    def distance(self, places: Complex) -> Array:
+        """Signed distance away from the car; see `CourseItem.distance`."""
         return np.asarray(np.real((places[:, 0] - self.places[0]) * np.conj(self.away)))
 
 
 @dataclass(frozen=True)
-class Seen:
-    """Things that are watched, as m cars meet them.
+class CourseMargins:
+    """Items of a course as m cars meet them.
 
     Attributes:
-        watches: the things.
+        items: the items.
         places: points of each as they lie to each car's planned run, shape (m, p) each, mm.
         turned: heading error of each car at each, shape (w, m), rad.
     """
 
-    watches: tuple[Watch, ...]
+    items: tuple[CourseItem, ...]
     places: tuple[Complex, ...]
     turned: Array
 
     @property
     def margins(self) -> Array:
-        """Margin of each car to each thing, shape (w, m), mm."""
-        met = zip(self.watches, self.places, self.turned, strict=True)
-        return np.stack([watch.margin(places, turned) for watch, places, turned in met])
+        """Margin of each car to each item, shape (w, m), mm."""
+        met = zip(self.items, self.places, self.turned, strict=True)
+        return np.stack([item.margin(places, turned) for item, places, turned in met])
 
     @property
-    def aside(self) -> Array:
-        """How far each car is off at each thing, on the line on which its margin is measured, shape (w, m), mm."""
-        return np.stack([watch.aside(places) for watch, places in zip(self.watches, self.places, strict=True)])
+    def distance(self) -> Array:
+        """Signed distance of each car from each course item, along the item's margin line, shape (w, m), mm."""
+        return np.stack([item.distance(places) for item, places in zip(self.items, self.places, strict=True)])
 
 
-def seen(watches: tuple[Watch, ...], heading: Array, position: Complex, planned: tuple[Array, Complex]) -> Seen:
-    """Things that are watched, as cars meet them.
+def margins_at(
+    items: tuple[CourseItem, ...], heading: Array, position: Complex, planned: tuple[Array, Complex]
+) -> CourseMargins:
+    """Items of a course as cars meet them.
 
     Args:
-        watches: what the cars must keep, one thing at least.
+        items: what the cars must keep, one item at least.
         heading: headings of m cars at g stations, shape (m, g), rad.
         position: positions of their drive wheels, shape (m, g), mm.
         planned: the planned run's, shape (1, g).
     """
-    turned = np.stack([heading[:, watch.station] - planned[0][0, watch.station] for watch in watches])
+    turned = np.stack([heading[:, item.station] - planned[0][0, item.station] for item in items])
     back = np.exp(-1j * turned)
     places = tuple(
-        (watch.places - position[:, watch.station, None]) * ways[:, None] + planned[1][0, watch.station]
-        for watch, ways in zip(watches, back, strict=True)
+        (item.places - position[:, item.station, None]) * ways[:, None] + planned[1][0, item.station]
+        for item, ways in zip(items, back, strict=True)
     )
-    return Seen(watches, places, turned)
+    return CourseMargins(items, places, turned)
