@@ -22,7 +22,6 @@ from cadgen.arrays import TURN, Array
 from cadgen.deviations import deviation
 from cadgen.deviations.deviation import Deviation, Place
 from cadgen.deviations.effect import Active, Effect
-from cadgen.inference.expectation.next_measurement import NOISE
 from cadgen.inference.expectation.outlook import ways
 from cadgen.inference.measurement.diagnosis import SOUND
 from cadgen.inference.measurement.evidence import Evidence, Noise, Spectrum, estimate_noise, grid_of
@@ -285,7 +284,7 @@ class Linear:
         if kind in self.kinds[: self.measured]:
             known = self.noises[self.kinds.index(kind)]
             return Noise(np.full(rows, known.rms), 0.0, 0.0, known.runs)
-        return Noise(np.full(rows, NOISE[kind.code]), 0.0, 0.0, model.rows.runs)
+        return Noise(np.full(rows, kind.noise), 0.0, 0.0, model.rows.runs)
 
 
 @dataclass(frozen=True)

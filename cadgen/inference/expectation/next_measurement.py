@@ -32,8 +32,6 @@ from cadgen.inference.measurement.nominal import Nominal
 from cadgen.inference.measurement.record import Direction, Kind, Record
 from cadgen.inference.measurement.verdict import MARGIN, SIGMAS, SURE
 
-# Standard deviation of a reading, by code of the kind, internal units: usual instruments, where no record shows better.
-NOISE = {LIFT.code: 4e-3, PROFILE.code: 2e-3, TRANSMISSION.code: float(np.radians(0.03)), TRACK.code: 3.0}
 # The play at the camshaft, by hand and an inclinometer with the rod lifted.
 BY_HAND = float(np.radians(0.01))
 STOP = "start set to 0.5 mm and 0.05 deg"

@@ -138,6 +138,7 @@ class Kind:
             read the same in every run; 0 where no two runs are ever alike.
         around: whether it is to show the whole turn of the cam, as few and far points cannot.
         absences: quantities of which a sound verdict that does not name them says that there is little.
+        noise: standard deviation of a reading by a usual instrument, internal units, where no record shows better.
         nearness: among kinds that show one quantity, the least is nearest to what the car drives with.
         rod_on: whether the rod is on the disc and the car runs, so that friction acts beside the play.
         of_design: whether the car is the design's, so that a remark that names another is a warning.
@@ -161,6 +162,7 @@ class Kind:
     counts: int = 0
     around: bool = False
     absences: tuple[Deviation, ...] = ()
+    noise: float = 0.0
     nearness: int
     rod_on: bool = False
     of_design: bool = True

@@ -109,13 +109,13 @@ def _judgement(*claimed):
 
 def _best(nominal, world, play_sigma, friction_sigma):
     """A fitted pair with made-up standard deviations."""
-    from cadgen.deviations.track import BACKLASH, SLIDING_FRICTION
+    from cadgen.deviations.track import RETURN_ERROR, SLIDING_FRICTION
 
     values = [
-        (BACKLASH, np.array([radians(0.8)]), np.array([radians(play_sigma)])),
+        (RETURN_ERROR, np.array([radians(0.8)]), np.array([radians(play_sigma)])),
         (SLIDING_FRICTION, np.array([0.3]), np.array([friction_sigma])),
     ]
-    return SimpleNamespace(effects=(BACKLASH, SLIDING_FRICTION), values=lambda: values)
+    return SimpleNamespace(effects=(RETURN_ERROR, SLIDING_FRICTION), values=lambda: values)
 
 
 @pytest.mark.parametrize(

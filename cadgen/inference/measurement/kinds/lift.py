@@ -95,5 +95,6 @@ KIND = Kind(
     check=_check,
     spans=_spans,
     around=True,
+    noise=4e-3,
     nearness=4,
 )

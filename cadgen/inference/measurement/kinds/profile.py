@@ -211,5 +211,6 @@ KIND = Kind(
     check=_check,
     spans=_spans,
     around=True,
+    noise=2e-3,
     nearness=0,
 )

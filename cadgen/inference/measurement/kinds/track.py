@@ -422,6 +422,7 @@ KIND = Kind(
     check=_check,
     spans=_spans,
     absences=(deviation.RETURN_ERROR, deviation.SLIDING_FRICTION),
+    noise=3.0,
     nearness=1,
     rod_on=True,
     abscissa=Abscissa.TRAVEL,

@@ -217,5 +217,6 @@ KIND = Kind(
     counts=8192,  # an encoder of 13 bits
     spans=_spans,
     absences=(deviation.RETURN_ERROR,),
+    noise=float(np.radians(0.03)),
     nearness=3,
 )
