@@ -8,7 +8,6 @@ from cadgen.curves.contour import Contour
 from cadgen.curves.spacing import even_nodes, inside_spans, turning
 
 _SAMPLES = 16  # of a span: eight to an arc, whose error is a single hump
-_QUARTER = np.pi / 2  # a span turns by less, so that its two arcs exist and never double back
 _SAME = 1e-9  # mm; arcs of one span that lie on one circle, or on a line, within this are joined
 
 
@@ -25,18 +24,13 @@ def arcs(curve: ClosedCurve, tolerance: float) -> Contour:
         curve: closed curve, mm.
         tolerance: greatest distance from the curve, mm.
     """
-    chains = [_piece_arcs(piece, tolerance) for piece in curve.pieces]
-    return Contour(*(np.concatenate(parts) for parts in zip(*chains, strict=True)))
 
+    def chain(piece: Piece) -> tuple[Array, Array]:
+        ends = piece.start, piece.stop
+        nodes = even_nodes(lambda t: _Biarcs(piece, t).errors(), ends, tolerance, 3, turn=turning(piece))
+        return _Biarcs(piece, nodes).chain()
 
-def _piece_arcs(piece: Piece, tolerance: float) -> tuple[Array, Array]:
-    """Vertices and bulges of one piece, without its last point."""
-
-    def errors(nodes: Array) -> Array:
-        return _Biarcs(piece, nodes).errors()
-
-    at_least = max(1, int(np.ceil(turning(piece) / _QUARTER)))
-    return _Biarcs(piece, even_nodes(errors, (piece.start, piece.stop), tolerance, 3, at_least=at_least)).chain()
+    return Contour(*(np.concatenate(parts) for parts in zip(*map(chain, curve.pieces), strict=True)))
 
 
 class _Biarcs:

@@ -13,11 +13,10 @@ import numpy as np
 
 from cadgen.arrays import Array, gauss_nodes
 from cadgen.curves.closed import ClosedCurve, Jet, Piece, PieceSpan, left_normal, polar_angle
-from cadgen.curves.derived import OffsetPiece
+from cadgen.curves.derived import CornerArc, OffsetPiece, sharpest
 from cadgen.errors import CheckError
 
 _SNAP = 1e-5  # mm; moved pieces whose ends are no further apart than this are joined as they are
-_SAMPLES_PER_RADIAN = 600  # of a piece, in search of its sharpest ridge
 _NEWTON_STEPS = 30
 _CONVERGED = 1e-11  # mm between two moved pieces where they cross
 _GAUSS_POINTS, _GAUSS_STEPS = 6, 360  # per radian
@@ -38,33 +37,6 @@ class Apex:
             t: parameters of the points, shape (n,).
         """
         return Jet(np.tile(self.point, (len(t), 1)), np.zeros((len(t), 2)), np.zeros(len(t)))
-
-
-@dataclass(frozen=True)
-class HollowArc:
-    """A circular arc about a hollow corner, run clockwise, by the share of its sweep."""
-
-    center: Array
-    radius: float
-    first: float
-    sweep: float
-    start: float = 0.0
-    stop: float = 1.0
-
-    def jet(self, t: Array) -> Jet:
-        """Point, velocity by the share, and curvature.
-
-        Args:
-            t: shares of the arc, 0 to 1, shape (n,).
-        """
-        angle = self.first + t * self.sweep
-        out = np.stack([np.cos(angle), np.sin(angle)], axis=1)
-        around = np.stack([-out[:, 1], out[:, 0]], axis=1)
-        return Jet(
-            self.center + self.radius * out,
-            self.radius * self.sweep * around,
-            np.full(len(t), np.sign(self.sweep) / self.radius),
-        )
 
 
 @dataclass(frozen=True)
@@ -89,7 +61,7 @@ class Strip:
         return np.asarray(self.inner.start + share * (self.inner.stop - self.inner.start))
 
     def jets(self, t: Array) -> tuple[Jet, Jet]:
-        """Both pieces at parameters of `outer`, each with its velocity by its own parameter.
+        """Jets of both pieces at parameters of `outer`, each with its velocity by its own parameter.
 
         Args:
             t: parameters of `outer`, shape (n,).
@@ -101,8 +73,8 @@ def chamfer_strips(curve: ClosedCurve, leg: float) -> tuple[Strip, ...]:
     """The chamfer of a leg of `leg` mm along a counterclockwise curve, strip after strip.
 
     The strips' inner pieces, end to end, are the parallel curve inside. Beside a convex corner of angle d the lines
-    stand askew by leg tan(d / 2) along the curve at most, which leaves the true chamfer by the square of that times
-    the curve's curvature over 8: 20 nm at a corner of 17 degrees with a leg of 0.5 mm.
+    stand askew by leg tan(d / 2) along the curve at most. They leave the true chamfer by the square of that times the
+    curve's curvature over 8: 20 nm at a corner of 17 degrees with a leg of 0.5 mm.
 
     Args:
         curve: closed curve, mm.
@@ -128,17 +100,20 @@ def chamfer_strips(curve: ClosedCurve, leg: float) -> tuple[Strip, ...]:
                 spans[neighbour] = [strips[neighbour].inner.start, strips[neighbour].inner.stop]
         alive.remove(dead)
         number = 0
-    if not alive:
-        raise CheckError(_too_narrow(leg))
     chamfer = []
     for index, strip in enumerate(strips):
         if index in alive:
             chamfer.append(Strip(strip.outer, PieceSpan(strip.inner, *spans[index])))
-        elif not isinstance(strip.outer, Apex):
+        elif alive and not isinstance(strip.outer, Apex):
             following = next((k for k in alive if k > index), alive[0])
             meeting = strips[following].inner.jet(np.array([spans[following][0]])).point[0]
             chamfer.append(Strip(strip.outer, Apex(meeting)))
-    _refuse_folds(chamfer, leg)
+    # The curve inside must run once round the origin: it does not where two flanks are closer than two legs.
+    angle = inner_curve(chamfer).outline(0.1).angle if alive else np.zeros(2)
+    if not alive or np.diff(angle).min() < -1e-6 or abs(angle[-1] - angle[0] - 2 * np.pi) > 1e-3:
+        raise CheckError(
+            f"blank.edge_break_mm is {leg:g}, but the disc is so narrow somewhere that its chamfers meet: break less"
+        )
     return tuple(chamfer)
 
 
@@ -150,9 +125,9 @@ def inner_curve(strips: Sequence[Strip]) -> ClosedCurve:
 def chamfered_off(curve: ClosedCurve, leg: float) -> float:
     """Volume that a chamfer of leg `leg` mm takes off one edge of a prism, mm^3, by Steiner's formula.
 
-    Of the area A, the parallel curve at depth d leaves A - L d + k d^2, with the length L and
-    k = (2 pi - sum of the corners' turns) / 2 + sum of tan(turn / 2) at convex corners, of turn / 2 at hollow ones;
-    integrated over d from 0 to the leg. Exact where the curve is straight beside its corners, and elsewhere within
+    Of the area A, the parallel curve at depth d leaves A - L d + k d^2, integrated over d from 0 to the leg. L is the
+    length, and k = (2 pi - sum of the corners' turns) / 2 + sum of tan(turn / 2) at convex corners, of turn / 2 at
+    hollow ones. Exact where the curve is straight beside its corners, and elsewhere within
     leg^4 times the curvature times tan(turn / 2)^2.
 
     Args:
@@ -170,12 +145,18 @@ def _moved_inwards(curve: ClosedCurve, leg: float) -> list[Strip]:
     corners = {corner.after: corner for corner in curve.corners()}
     strips = []
     for number, piece in enumerate(curve.pieces):
-        _refuse_ridge(piece, leg)
+        ridge, point = sharpest(piece, 1)
+        if leg * ridge >= 1:
+            angle = degrees(float(polar_angle(point))) % 360
+            raise CheckError(
+                f"blank.edge_break_mm is {leg:g}, but the outline is convex with a radius of "
+                f"{1 / ridge:.3f} mm at polar angle {angle:.2f} degrees: break the edges by less"
+            )
         corner = corners.get(number)
         if corner is not None and -leg * corner.turn > _SNAP:
             normal = left_normal(piece.jet(np.array([piece.start])).velocity)
             first = float(polar_angle(normal)[0]) - corner.turn
-            strips.append(Strip(Apex(corner.point), HollowArc(corner.point, leg, first, corner.turn)))
+            strips.append(Strip(Apex(corner.point), CornerArc(corner.point, leg, 0.0, 1.0, first, corner.turn)))
         strips.append(Strip(piece, OffsetPiece(piece, -leg)))
     return strips
 
@@ -210,29 +191,6 @@ def _extended(piece: Piece, t: float) -> tuple[Array, Array]:
     inside = min(max(t, piece.start), piece.stop)
     jet = piece.jet(np.array([inside]))
     return jet.point[0] + (t - inside) * jet.velocity[0], jet.velocity[0]
-
-
-def _refuse_ridge(piece: Piece, leg: float) -> None:
-    count = max(65, int(_SAMPLES_PER_RADIAN * (piece.stop - piece.start)))
-    jet = piece.jet(np.linspace(piece.start, piece.stop, count))
-    sharpest = int(np.argmax(jet.curvature))
-    if leg * jet.curvature[sharpest] >= 1:
-        angle = degrees(float(polar_angle(jet.point[sharpest]))) % 360
-        raise CheckError(
-            f"blank.edge_break_mm is {leg:g}, but the outline is convex with a radius of "
-            f"{1 / jet.curvature[sharpest]:.3f} mm at polar angle {angle:.2f} degrees: break the edges by less"
-        )
-
-
-def _refuse_folds(strips: Sequence[Strip], leg: float) -> None:
-    """Refuse a curve inside that does not run once round the origin, as where two flanks are closer than two legs."""
-    angle = inner_curve(strips).outline(0.1).angle
-    if np.diff(angle).min() < -1e-6 or abs(angle[-1] - angle[0] - 2 * np.pi) > 1e-3:
-        raise CheckError(_too_narrow(leg))
-
-
-def _too_narrow(leg: float) -> str:
-    return f"blank.edge_break_mm is {leg:g}, but the disc is so narrow somewhere that its chamfers meet: break less"
 
 
 def _length(piece: Piece) -> float:

@@ -1,6 +1,6 @@
 """A closed plane curve made of smooth pieces, star-shaped about the origin and run counterclockwise."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple, Protocol
 
@@ -125,6 +125,7 @@ class ClosedCurve:
     """Smooth pieces joined end to end, the last to the first."""
 
     pieces: tuple[Piece, ...]
+    _outlines: dict[float, Outline] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     def outline(self, step: float) -> Outline:
         """Sample every piece evenly in its parameter, no two points further apart than `step` mm or so.
@@ -137,21 +138,12 @@ class ClosedCurve:
         """
         known = self._outlines
         if step not in known:
-            known[step] = self._outlined(step)
+            points = [piece.jet(t).point for piece, t in zip(self.pieces, self.parameters(step), strict=True)]
+            owner = np.repeat(np.arange(len(points)), [len(part) for part in points])
+            known[step] = Outline(np.concatenate(points), owner)
             if len(known) > _MOST_OUTLINES:
                 del known[next(iter(known))]
         return known[step]
-
-    @cached_property
-    def _outlines(self) -> dict[float, Outline]:
-        return {}
-
-    def _outlined(self, step: float) -> Outline:
-        points, owner = [], []
-        for number, (piece, t) in enumerate(zip(self.pieces, self.parameters(step), strict=True)):
-            points.append(piece.jet(t).point)
-            owner.append(np.full(len(t), number))
-        return Outline(np.concatenate(points), np.concatenate(owner))
 
     def parameters(self, step: float) -> tuple[Array, ...]:
         """For each piece, the parameters of the points that `outline` takes.
@@ -174,7 +166,7 @@ class ClosedCurve:
         return [float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum()) for points in along]
 
     def begun_at(self, number: int, t: float) -> "ClosedCurve":
-        """The same curve, begun inside piece `number` at its parameter t.
+        """Curve begun inside piece `number` at its parameter t.
 
         Args:
             number: number of the piece, counted from 0.

@@ -82,12 +82,9 @@ class Contour:
         Args:
             step: greatest distance of two points, mm.
         """
-        points, owner = [], []
         counts = np.maximum(5, np.ceil(self.lengths / step).astype(int) + 1)
-        for number, count in enumerate(counts):
-            points.append(self.side(number, np.linspace(0, 1, count)))
-            owner.append(np.full(count, number))
-        return Outline(np.concatenate(points), np.concatenate(owner))
+        points = [self.side(number, np.linspace(0, 1, count)) for number, count in enumerate(counts)]
+        return Outline(np.concatenate(points), np.repeat(np.arange(len(counts)), counts))
 
     def polygon(self, chord_tolerance: float) -> Array:
         """Points whose chords stay within `chord_tolerance` mm of the contour, shape (m, 2), not repeated.
@@ -105,7 +102,7 @@ class Contour:
         return np.concatenate(sides)
 
     def reversed(self) -> "Contour":
-        """The same contour run the other way round, from the same first vertex."""
+        """Contour run the other way round, from the same first vertex."""
         return Contour(np.roll(self.vertices[::-1], 1, axis=0), -self.bulges[::-1])
 
     def curve(self) -> ClosedCurve:
@@ -130,7 +127,7 @@ class Contour:
 
 @dataclass(frozen=True)
 class ContourSide:
-    """One side of a contour as a smooth piece, by the share of its length."""
+    """Side of a contour as a smooth piece, by the share of its length."""
 
     contour: Contour
     number: int

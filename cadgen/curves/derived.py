@@ -131,7 +131,7 @@ def _slide(piece: Piece, at: Array, end: Array, *, from_end: bool) -> Array:
 # rad; a hollow that turns by no more than this holds no cutter up: one of radius R leaves at most R turn^2 / 8 in it,
 # and takes as little beside it: 0.03 um at 10 mm.
 SLIGHT_TURN = 5e-3
-_SAMPLES_PER_RADIAN = 600  # of a piece, in search of its tightest hollow
+_SAMPLES_PER_RADIAN = 600  # of a piece, in search of its sharpest bend
 
 
 @dataclass(frozen=True)
@@ -160,22 +160,35 @@ class OffsetPiece(DerivedPiece):
 
 @dataclass(frozen=True)
 class CornerArc:
-    """A circular arc about a convex corner, run counterclockwise, by the polar angle about it."""
+    """A circular arc about a corner, run counterclockwise or, by a negative rate, clockwise.
+
+    Attributes:
+        center: the corner, mm.
+        radius: radius, mm.
+        start: first parameter.
+        stop: last parameter.
+        first: polar angle about the corner at the parameter 0, rad.
+        rate: growth of that angle by the parameter, rad.
+    """
 
     center: Array
     radius: float
     start: float
     stop: float
+    first: float = 0.0
+    rate: float = 1.0
 
     def jet(self, t: Array) -> Jet:
-        """Point (mm), velocity by the angle t (rad), and curvature.
+        """Point (mm), velocity by the parameter, and curvature.
 
         Args:
-            t: angles, rad, shape (n,).
+            t: parameters of the points, shape (n,).
         """
-        out = np.stack([np.cos(t), np.sin(t)], axis=1)
+        angle = self.first + t * self.rate
+        out = np.stack([np.cos(angle), np.sin(angle)], axis=1)
         around = np.stack([-out[:, 1], out[:, 0]], axis=1)
-        return Jet(self.center + self.radius * out, self.radius * around, np.full(len(t), 1 / self.radius))
+        bend = np.full(len(t), np.sign(self.rate) / self.radius)
+        return Jet(self.center + self.radius * out, self.radius * self.rate * around, bend)
 
 
 def parallel(curve: ClosedCurve, distance: float) -> ClosedCurve:
@@ -197,10 +210,14 @@ def parallel(curve: ClosedCurve, distance: float) -> ClosedCurve:
     for number, piece in enumerate(curve.pieces):
         if number in corners:
             pieces.append(_round(corners[number], piece, distance))
-        if (tight := _tightest(piece, distance)) is not None:
+        hollow, point = sharpest(piece, -1)
+        if 1 - distance * hollow <= 0:
             if turning(piece) <= SLIGHT_TURN:
                 continue
-            _refuse_tight(*tight, distance)
+            raise CheckError(
+                f"the curve is hollow with a radius of {1 / hollow:.3f} mm at {_place(point)}, where a "
+                f"cutter of radius {distance:g} mm cuts into it: use one of less than {1 / hollow:.3f} mm"
+            )
         pieces.append(OffsetPiece(piece, distance))
     return ClosedCurve(tuple(pieces))
 
@@ -217,21 +234,17 @@ def _round(corner: Corner, after: Piece, distance: float) -> CornerArc:
     return CornerArc(corner.point, distance, stop - corner.turn, stop)
 
 
-def _tightest(piece: Piece, distance: float) -> tuple[float, Array] | None:
-    """Radius and place of a piece's tightest hollow, if an offset by `distance` mm closes it."""
+def sharpest(piece: Piece, sense: int) -> tuple[float, Array]:
+    """Greatest curvature of a piece, mm^-1, and its point, shape (2,), mm.
+
+    Args:
+        piece: smooth piece, mm.
+        sense: direction of the bend, 1 for convex and -1 for hollow places.
+    """
     count = max(65, int(_SAMPLES_PER_RADIAN * (piece.stop - piece.start)))
     jet = piece.jet(np.linspace(piece.start, piece.stop, count))
-    tightest = int(np.argmin(jet.curvature))
-    if 1 + distance * jet.curvature[tightest] > 0:
-        return None
-    return float(-1 / jet.curvature[tightest]), jet.point[tightest]
-
-
-def _refuse_tight(radius: float, point: Array, distance: float) -> None:
-    raise CheckError(
-        f"the curve is hollow with a radius of {radius:.3f} mm at {_place(point)}, where a "
-        f"cutter of radius {distance:g} mm cuts into it: use one of less than {radius:.3f} mm"
-    )
+    worst = int(np.argmax(sense * jet.curvature))
+    return float(sense * jet.curvature[worst]), jet.point[worst]
 
 
 def _place(point: Array) -> str:

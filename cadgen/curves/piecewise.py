@@ -67,7 +67,11 @@ def zeros(curve: PPoly, *, jumps: bool) -> Array:
         Places in order, shape (n,), in the unit of the curve's argument; where the curve is zero all along a piece, its
         beginning and then NaN.
     """
-    sign = _signs(curve)
+    power = curve.c[::-1] * np.diff(curve.x) ** np.arange(len(curve.c))[:, None]
+    bernstein = _bernstein(len(curve.c)) @ power
+    least = _ROUNDING * np.abs(power).sum(axis=0)
+    # 1 where a piece is positive all along, -1 where it is negative, 0 where neither is sure.
+    sign = np.where((bernstein > least).all(axis=0), 1.0, np.where((bernstein < -least).all(axis=0), -1.0, 0.0))
     solved = sign == 0
     if jumps:
         # A breakpoint between two pieces of opposite signs is a jump.
@@ -85,15 +89,8 @@ def zeros(curve: PPoly, *, jumps: bool) -> Array:
     return found
 
 
-def _signs(curve: PPoly) -> Array:
-    """1 where a piece is positive all along, -1 where it is negative, 0 where neither is sure."""
-    power = curve.c[::-1] * np.diff(curve.x) ** np.arange(len(curve.c))[:, None]
-    bernstein = _bernstein(len(curve.c)) @ power
-    least = _ROUNDING * np.abs(power).sum(axis=0)
-    return np.where((bernstein > least).all(axis=0), 1.0, np.where((bernstein < -least).all(axis=0), -1.0, 0.0))
-
-
 @cache
 def _bernstein(count: int) -> Array:
+    """Matrix from the coefficients of the powers, lowest first, to those of the Bernstein polynomials."""
     degree = count - 1
     return np.array([[comb(j, k) / comb(degree, k) if k <= j else 0.0 for k in range(count)] for j in range(count)])

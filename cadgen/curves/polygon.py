@@ -1,6 +1,7 @@
 """A closed curve as a polygon within a stated chord tolerance."""
 
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -10,7 +11,6 @@ from cadgen.curves.closed import ClosedCurve, Outline, Piece, left_normal
 from cadgen.curves.spacing import even_nodes, inside_spans, turning
 
 _SAMPLES = 8  # of a chord; the middle one meets the peak of an even bend
-_QUARTER = np.pi / 2
 
 
 def polygon(curve: ClosedCurve, chord_tolerance: float) -> Array:
@@ -26,7 +26,12 @@ def polygon(curve: ClosedCurve, chord_tolerance: float) -> Array:
     Returns:
         Points in order, counterclockwise, shape (n, 2), mm; the first is not repeated.
     """
-    return np.concatenate([_piece_points(piece, chord_tolerance) for piece in curve.pieces])
+    points = []
+    for piece in curve.pieces:
+        sagittas = partial(_sagittas, piece)
+        nodes = even_nodes(sagittas, (piece.start, piece.stop), chord_tolerance, 2, turn=turning(piece))
+        points.append(piece.jet(nodes[:-1]).point)
+    return np.concatenate(points)
 
 
 def strip_polygons(strips: Sequence[Strip], chord_tolerance: float) -> tuple[Array, Array]:
@@ -65,13 +70,6 @@ def polyline(corners: Array, step: float) -> Outline:
     return Outline(corners[piece] + share[:, None] * chords[piece], piece)
 
 
-def _piece_points(piece: Piece, tolerance: float) -> Array:
-    """Points of one piece, without its last."""
-    at_least = max(1, int(np.ceil(turning(piece) / _QUARTER)))
-    nodes = even_nodes(lambda t: _sagittas(piece, t), (piece.start, piece.stop), tolerance, 2, at_least=at_least)
-    return piece.jet(nodes[:-1]).point
-
-
 def _even(sides: Sequence[Piece], tolerance: float) -> Array:
     """Shares of pieces at which their points are to stand together."""
     real = [side for side in sides if not isinstance(side, Apex)]
@@ -80,8 +78,7 @@ def _even(sides: Sequence[Piece], tolerance: float) -> Array:
         each = [_sagittas(side, side.start + shares * (side.stop - side.start)) for side in real]
         return np.asarray(np.max(each, axis=0))
 
-    at_least = max(1, int(np.ceil(max(turning(side) for side in real) / _QUARTER)))
-    return even_nodes(sagittas, (0.0, 1.0), tolerance, 2, at_least=at_least)
+    return even_nodes(sagittas, (0.0, 1.0), tolerance, 2, turn=max(map(turning, real)))
 
 
 def _sagittas(piece: Piece, nodes: Array) -> Array:

@@ -9,6 +9,7 @@ from cadgen.curves.closed import Piece, cross
 from cadgen.errors import DesignError
 
 _FIRST_SPANS = 32
+_QUARTER = np.pi / 2  # a span turns by no more, so that its arcs exist and never double back
 _ROUNDS = 3  # each brings the shares nearer to even; the count settles within a few per cent
 _REPAIRS = 40  # rounds after that, for the last spans that miss the tolerance by a little
 _SEEN = 0.97  # share of a span's largest error that eight samples of each hump see at least
@@ -23,7 +24,7 @@ def even_nodes(
     tolerance: float,
     order: int,
     *,
-    at_least: int = 1,
+    turn: float = 0.0,
     local: bool = True,
 ) -> Array:
     """Return about the fewest nodes between which no span's error exceeds the tolerance.
@@ -38,23 +39,28 @@ def even_nodes(
         ends: first and last node.
         tolerance: allowed error, in the unit of `errors`.
         order: power of the span's width with which the error falls.
-        at_least: least number of spans.
+        turn: angle by which the whole turns, rad: there are as many spans as right angles in it, at least, so that
+            even a curve smaller than the tolerance keeps its shape.
         local: whether the error of a span depends on that span alone. If not, as in a spline, the widths of
             neighbours must change gently, or the order is lost.
 
     Raises:
         DesignError: the tolerance is not reached, because it is finer than rounding.
     """
+    at_least = max(1, int(np.ceil(turn / _QUARTER)))
     nodes = np.linspace(*ends, max(_FIRST_SPANS, at_least) + 1)
     allowed, more = _SEEN * tolerance, 1.0
-    for turn in range(_ROUNDS + _REPAIRS):
+    for number in range(_ROUNDS + _REPAIRS):
         error = errors(nodes)
         shares = more * np.maximum((error / (_AIM * allowed)) ** (1 / order), _WIDEN)
         if not local:
-            shares = _gentle(shares, np.diff(nodes))
+            # The density by the parameter is the average of three neighbours, weighted 1, 2, 1.
+            widths = np.diff(nodes)
+            density = np.pad(shares / widths, 1, mode="edge")
+            shares = (density[:-2] + 2 * density[1:-1] + density[2:]) / 4 * widths
         laid = np.concatenate([[0.0], np.cumsum(shares)])
         count = max(at_least, int(np.ceil(laid[-1])))
-        kept, settled = error.max() <= allowed, turn >= _ROUNDS
+        kept, settled = error.max() <= allowed, number >= _ROUNDS
         if kept and (settled or count >= len(shares)):
             return nodes
         if settled and local:
@@ -85,9 +91,3 @@ def turning(piece: Piece, samples: int = 65) -> float:
     velocity = piece.jet(np.linspace(piece.start, piece.stop, samples)).velocity
     before, after = velocity[:-1], velocity[1:]
     return float(np.abs(np.arctan2(cross(before, after), np.sum(before * after, axis=1))).sum())
-
-
-def _gentle(shares: Array, widths: Array) -> Array:
-    """Shares whose density by the parameter is the average of three neighbours, weighted 1, 2, 1."""
-    density = np.pad(shares / widths, 1, mode="edge")
-    return np.asarray((density[:-2] + 2 * density[1:-1] + density[2:]) / 4 * widths)

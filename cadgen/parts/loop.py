@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from math import comb
-from typing import Self
+from typing import Protocol, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -30,8 +30,6 @@ AREA_NODES = 40
 CHORD_SAMPLES = 8
 # Parameters at which radius and turning of a curve are read; ends and middle are among them.
 SHARES = np.linspace(0.0, 1.0, 65)
-# No chord turns by more, so that even a curve smaller than the tolerance keeps its shape.
-QUARTER_TURN = np.pi / 2
 # Decimals of a mm to which the arcs of a contour are rounded, far below any kernel's least distance: radius and centre
 # come from chord and bulge, which leave some 1e-15 mm of noise on them.
 ARC_DECIMALS = 12
@@ -46,27 +44,49 @@ def _unit(angle: ArrayLike) -> Points:
     return np.asarray(np.exp(1j * np.asarray(angle)), dtype=np.complex128)
 
 
+class PlaneCurve(Protocol):
+    """A smooth curve over the parameter t from 0 to 1."""
+
+    __slots__ = ()
+
+    def point(self, t: ArrayLike) -> Points:
+        """Points, mm.
+
+        Args:
+            t: parameters, 0 to 1.
+        """
+
+    def tangent(self, t: ArrayLike) -> Points:
+        """Unit tangents.
+
+        Args:
+            t: parameters, 0 to 1.
+        """
+
+    def swept_area(self) -> float:
+        """Area between the curve and the origin, ½∫(x dy − y dx), mm²."""
+
+    def rotated(self, angle: float) -> Self:
+        """Curve turned about the origin.
+
+        Args:
+            angle: angle, rad, counterclockwise.
+        """
+
+
 @dataclass(frozen=True, slots=True)
-class Segment:
+class Segment(PlaneCurve):
     """Straight line from `start` to `end`."""
 
     start: complex
     end: complex
 
     def point(self, t: ArrayLike) -> Points:
-        """Points (mm) at parameters t.
-
-        Args:
-            t: parameters, 0 to 1.
-        """
+        """Points (mm) at parameters t, see `PlaneCurve`."""
         return np.asarray(self.start + (self.end - self.start) * np.asarray(t), dtype=np.complex128)
 
     def tangent(self, t: ArrayLike) -> Points:
-        """Unit tangent at t.
-
-        Args:
-            t: parameters, 0 to 1.
-        """
+        """Unit tangent at t, see `PlaneCurve`."""
         step = self.end - self.start
         return np.full(np.shape(t), step / abs(step), dtype=np.complex128)
 
@@ -75,17 +95,13 @@ class Segment:
         return float((self.start.conjugate() * self.end).imag) / 2
 
     def rotated(self, angle: float) -> Self:
-        """The curve turned about the origin by `angle` in rad.
-
-        Args:
-            angle: angle, rad.
-        """
+        """Curve turned about the origin, see `PlaneCurve`."""
         turn = complex(_unit(angle))
         return replace(self, start=self.start * turn, end=self.end * turn)
 
 
 @dataclass(frozen=True, slots=True)
-class Arc:
+class Arc(PlaneCurve):
     """Circular arc about `centre`, from polar angle `start` through the signed angle `sweep`."""
 
     radius: float
@@ -97,19 +113,11 @@ class Arc:
         return _share(self.start, self.start + self.sweep, t)
 
     def point(self, t: ArrayLike) -> Points:
-        """Points (mm) at parameters t.
-
-        Args:
-            t: parameters, 0 to 1.
-        """
+        """Points (mm) at parameters t, see `PlaneCurve`."""
         return self.centre + self.radius * _unit(self._angle(t))
 
     def tangent(self, t: ArrayLike) -> Points:
-        """Unit tangent at t.
-
-        Args:
-            t: parameters, 0 to 1.
-        """
+        """Unit tangent at t, see `PlaneCurve`."""
         return _unit(self._angle(t) + np.copysign(np.pi / 2, self.sweep))
 
     def swept_area(self) -> float:
@@ -119,16 +127,12 @@ class Arc:
         return float(self.radius**2 * self.sweep + moment) / 2
 
     def rotated(self, angle: float) -> Self:
-        """The curve turned about the origin by `angle` in rad.
-
-        Args:
-            angle: angle, rad.
-        """
+        """Curve turned about the origin, see `PlaneCurve`."""
         return replace(self, start=self.start + angle, centre=self.centre * complex(_unit(angle)))
 
 
 @dataclass(frozen=True, slots=True)
-class Involute:
+class Involute(PlaneCurve):
     """Involute r_b·exp(i(origin + hand·ξ))·(1 − i·hand·ξ) of the base circle over the roll angle ξ.
 
     `hand` is +1 where the polar angle grows with the radius and −1 where it falls.
@@ -141,20 +145,12 @@ class Involute:
     roll_end: float
 
     def point(self, t: ArrayLike) -> Points:
-        """Points (mm) at parameters t.
-
-        Args:
-            t: parameters, 0 to 1.
-        """
+        """Points (mm) at parameters t, see `PlaneCurve`."""
         roll = self.hand * _share(self.roll_start, self.roll_end, t)
         return self.base_radius * _unit(self.origin + roll) * (1 - 1j * roll)
 
     def tangent(self, t: ArrayLike) -> Points:
-        """Unit tangent at t: d(point)/dξ = r_b·ξ·exp(i(origin + hand·ξ)).
-
-        Args:
-            t: parameters, 0 to 1.
-        """
+        """Unit tangent at t, along d(point)/dξ = r_b·ξ·exp(i(origin + hand·ξ)); see `PlaneCurve`."""
         roll = self.hand * _share(self.roll_start, self.roll_end, t)
         return _unit(self.origin + roll) * float(np.sign(self.roll_end - self.roll_start))
 
@@ -163,11 +159,7 @@ class Involute:
         return self.hand * self.base_radius**2 * (self.roll_end**3 - self.roll_start**3) / 6
 
     def rotated(self, angle: float) -> Self:
-        """The curve turned about the origin by `angle` in rad.
-
-        Args:
-            angle: angle, rad.
-        """
+        """Curve turned about the origin, see `PlaneCurve`."""
         return replace(self, origin=self.origin + angle)
 
     def mirrored(self) -> Self:
@@ -180,7 +172,7 @@ class Involute:
 
 
 @dataclass(frozen=True, slots=True)
-class Trochoid:
+class Trochoid(PlaneCurve):
     """Root curve cut by the rounded tip of a rack: the envelope of a circle carried by the rolling rack.
 
     The circle of radius ρ has its centre at the depth d_c below the rack's pitch line. When the centre is at
@@ -197,54 +189,37 @@ class Trochoid:
     q_start: float
     q_end: float
 
-    def _q(self, t: ArrayLike) -> Reals:
-        return _share(self.q_start, self.q_end, t)
-
     def _turn(self, q: Reals) -> Points:
         rolled = self.centre_depth * np.sinh(q) / self.reference_radius
         return _unit(self.origin + self.hand * rolled)
 
     def point(self, t: ArrayLike) -> Points:
-        """Points (mm) at parameters t.
-
-        Args:
-            t: parameters, 0 to 1.
-        """
-        q = self._q(t)
+        """Points (mm) at parameters t, see `PlaneCurve`."""
+        q = _share(self.q_start, self.q_end, t)
         along = self.centre_depth * np.sinh(q) + self.tip_radius * np.tanh(q)
         outward = self.reference_radius - self.centre_depth - self.tip_radius / np.cosh(q)
         return (outward - 1j * self.hand * along) * self._turn(q)
 
     def tangent(self, t: ArrayLike) -> Points:
-        """Unit tangent at t: across the common normal.
-
-        Args:
-            t: parameters, 0 to 1.
-        """
-        q, sense = self._q(t), float(np.sign(self.q_end - self.q_start))
+        """Unit tangent at t, across the common normal; see `PlaneCurve`."""
+        q, sense = _share(self.q_start, self.q_end, t), float(np.sign(self.q_end - self.q_start))
         return self._turn(q) * (np.tanh(q) - 1j * self.hand / np.cosh(q)) * sense
-
-    def _speed(self, t: ArrayLike) -> Reals:
-        # The gear turns about the pitch point, d_c·cosh q + ρ away from the contact, while the contact
-        # walks along the circle of radius ρ.
-        q = self._q(t)
-        reach = self.centre_depth * np.cosh(q)
-        rate = self.tip_radius / np.cosh(q) + reach / self.reference_radius * (reach + self.tip_radius)
-        return abs(self.q_end - self.q_start) * rate
 
     def swept_area(self) -> float:
         """½∫(x dy − y dx) in mm² by Gauss-Legendre quadrature (`AREA_NODES`), exact to rounding."""
         node, weight = gauss_nodes(AREA_NODES)
         t = (node + 1) / 2
-        integrand = (np.conj(self.point(t)) * self.tangent(t)).imag * self._speed(t)
+        # The gear turns about the pitch point, d_c·cosh q + ρ away from the contact, while the contact
+        # walks along the circle of radius ρ.
+        q = _share(self.q_start, self.q_end, t)
+        reach = self.centre_depth * np.cosh(q)
+        rate = self.tip_radius / np.cosh(q) + reach / self.reference_radius * (reach + self.tip_radius)
+        speed = abs(self.q_end - self.q_start) * rate
+        integrand = (np.conj(self.point(t)) * self.tangent(t)).imag * speed
         return float(weight @ integrand) / 4
 
     def rotated(self, angle: float) -> Self:
-        """The curve turned about the origin by `angle` in rad.
-
-        Args:
-            angle: angle, rad.
-        """
+        """Curve turned about the origin, see `PlaneCurve`."""
         return replace(self, origin=self.origin + angle)
 
     def mirrored(self) -> Self:
@@ -279,7 +254,7 @@ def chord_parameters(curve: Curve, chord_tolerance: float) -> Reals:
         return np.asarray(np.abs(across).max(axis=1))
 
     turning = np.abs(np.angle(curve.tangent(SHARES[1:]) / curve.tangent(SHARES[:-1]))).sum()
-    return even_nodes(sags, (0.0, 1.0), chord_tolerance, 2, at_least=max(1, int(np.ceil(turning / QUARTER_TURN))))
+    return even_nodes(sags, (0.0, 1.0), chord_tolerance, 2, turn=float(turning))
 
 
 @dataclass(frozen=True, slots=True)
