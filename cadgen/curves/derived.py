@@ -91,7 +91,7 @@ def moved(curve: ClosedCurve, at: tuple[Array, ...], by: tuple[Array, ...]) -> C
     """Move the points of every piece and join the pieces again.
 
     Where the shifts of two neighbours differ at a corner, the ends slide along themselves to where their tangents
-    cross, as the sides of a corner do that is cut with another offset.
+    cross. So do the sides of a corner that is cut with another offset.
 
     Args:
         curve: any closed curve.

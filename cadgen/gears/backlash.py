@@ -5,8 +5,8 @@ circle: widening the axes by Δa opens 2 Δa tan α there, and thinning a tooth 
 line of action are they shorter, by cos α. With the paper's α_t = 0, eq. 12 leaves them as they are, and
 eq. 13 is right; with α_t = α it would count cos α twice. `Pair.normal_backlash` is the true one.
 
-For profile-shifted pairs the arcs on the reference circles are carried over to the working pitch circles, a
-factor cos α / cos α_w, and axes further apart than the teeth need add the nominal play j_bn0. For unshifted
+For profile-shifted pairs the arcs on the reference circles are carried over to the working pitch circles by the
+factor cos α / cos α_w. Axes further apart than the teeth need add the nominal play j_bn0. For unshifted
 pairs at a = m Σz / 2 the factor is 1, j_bn0 is 0, and every line is the paper's.
 
 The least play is that of the closest axes (a − f_a), the thickest teeth (E_sns on both gears) and gears
@@ -57,7 +57,7 @@ CONTRIBUTIONS = (
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GearPlay(Generic[T]):
-    """One gear's part of a stage's play, in mm.
+    """Part of a stage's play that one gear has, mm.
 
     E_sns (eq. 7), E_sni (eq. 9) and T_sn (eq. 8) are on the reference circle, E_sns and E_sni as the gear is made:
     about the thickness that it is cut to. `thickness_min` and `thickness_max` are what E_sns and E_sni open,
@@ -205,11 +205,11 @@ def stage_play(pair: Pair) -> StagePlay[float]:
 
     f_a follows the coarser of both grades. Raises `DesignError` for a size that the standards do not cover.
     """
-    form, mesh = pair.driver.form, pair.working_pressure_angle
+    form, mesh, f_a = pair.driver.form, pair.working_pressure_angle, pair.centre_distance_deviation
     return play_equations(
         _tolerances(pair.driver),
         _tolerances(pair.driven),
-        f_a=_f_a(pair),
+        f_a=float(centre_distance_deviation(pair.centre_distance, pair.grade)) if f_a is None else f_a,
         j_bn0=pair.normal_backlash(pair.centre_distance) / float(np.cos(mesh)),
         module=form.normal_module,
         alpha_n=form.normal_pressure_angle,
@@ -231,7 +231,7 @@ def pair_departures(pair: Pair, number: int) -> tuple[Departure, ...]:
             standard = _standard(gear_tolerance, symbol, *sizes)
             departures.append(Departure(where=where, symbol=symbol, used=used, standard=standard))
     if pair.centre_distance_deviation is not None:
-        standard = _standard(centre_distance_deviation, pair.centre_distance, _pair_grade(pair))
+        standard = _standard(centre_distance_deviation, pair.centre_distance, pair.grade)
         used = pair.centre_distance_deviation
         departures.append(Departure(where=f"stage {number}", symbol="f_a", used=used, standard=standard))
     return tuple(departures)
@@ -256,16 +256,6 @@ def _standard(rule: Callable[..., Any], *arguments: Any) -> float | None:
 def _tolerances(gear: GradedGear) -> GearTolerances[float]:
     form = gear.form
     return gear_tolerances(form.reference_diameter, form.normal_module, form.width, gear.grade, gear.overrides)
-
-
-def _f_a(pair: Pair) -> float:
-    if pair.centre_distance_deviation is not None:
-        return pair.centre_distance_deviation
-    return float(centre_distance_deviation(pair.centre_distance, _pair_grade(pair)))
-
-
-def _pair_grade(pair: Pair) -> int:
-    return max(pair.driver.grade, pair.driven.grade)
 
 
 P = TypeVar("P", bound=Pair)

@@ -34,7 +34,7 @@ def missing_shift(form: GearForm) -> float:
 
 
 def missing_shifts(rack: GearForm, teeth: ArrayLike, x_E: ArrayLike) -> Array:
-    """The same for gears of `teeth` teeth and generating profile shift `x_E`, arrays of one shape.
+    """Profile shifts that gears of `teeth` teeth, cut with `x_E`, lack to be free of undercut, arrays of one shape.
 
     `rack` is any gear with their pressure angle and basic rack.
 

@@ -7,7 +7,6 @@ linearised.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from math import acos, ceil, cos, hypot, pi, sin, tan
 
@@ -104,9 +103,8 @@ def span_over(form: GearForm, teeth_spanned: int) -> float:
 def size_over_pins(form: GearForm, pin_diameter: float) -> float:
     """Size M_d over two pins in mm, as cut: d_K + D_M, times cos(π/2z) on d_K for an odd number of teeth.
 
-    The pin's centre lies on d_K = d_b / cos α_K with inv α_K = D_M / d_b − (π/z − ψ_b), where ψ_b is half the
-    angle of the tooth on the base circle. Raises `DesignError` if the pin is too thin to stand above the base
-    circle.
+    The pin's centre lies on d_K = d_b / cos α_K with inv α_K = D_M / d_b − (π/z − ψ_b); ψ_b is half the angle of the
+    tooth on the base circle. Raises `DesignError` if the pin is too thin to stand above the base circle.
 
     Args:
         form: numbers of the teeth.
@@ -196,14 +194,10 @@ def _chosen_pins(limits: tuple[Tooth, Tooth]) -> PinMeasurement | None:
     """The first pin from the ideal one upwards that rests on the flanks within `PIN_CONTACT_RANGE`."""
     form = limits[0].form
     low, high = (_reference_with_shift(form) + 2 * place * form.normal_module for place in PIN_CONTACT_RANGE)
-    for pin in _pins_from(ideal_pin_diameter(form)):
-        pins = _pin_measurement(limits, pin)
-        if pins and low <= pins.contact_diameter <= high:
-            return pins
-    return None
-
-
-def _pins_from(diameter: float) -> Iterator[float]:
     for step in PIN_STEPS:
-        first = ceil(diameter / step)
-        yield from (round(count * step, 3) for count in range(first, first + PINS_TRIED))
+        first = ceil(ideal_pin_diameter(form) / step)
+        for count in range(first, first + PINS_TRIED):
+            pins = _pin_measurement(limits, round(count * step, 3))
+            if pins and low <= pins.contact_diameter <= high:
+                return pins
+    return None

@@ -1,7 +1,7 @@
 """Where the parts of a train go: parts on shafts, shafts that keep clear of each other, teeth in phase.
 
-All axes are parallel to z. The wheel of a stage and the pinion of the next one are one part on one shaft, with a
-collar between them, so that the wheels of neighbouring stages do not rub. The stages are stacked along z, and every
+All axes are parallel to z. The wheel of a stage and the pinion of the next one are one part on one shaft. A collar
+between them keeps the wheels of neighbouring stages from rubbing. The stages are stacked along z, and every
 pair meshes in a plane of its own. The drive's pinion lies with its hub below the stack, the output's wheel with its
 hub above.
 
@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import gauss_nodes
 from cadgen.errors import DesignError
-from cadgen.gears.stage import Stage, Wheel
+from cadgen.gears.stage import Wheel
 from cadgen.gears.train import Train
 from cadgen.gears.wheel_body import cluster_body, gear_body, with_collar
 from cadgen.parts.blank import Blank
@@ -51,16 +51,16 @@ class Blanks:
     output: Blank
 
     def by_shaft(self, shafts: int) -> tuple[Blank, ...]:
-        """One for each of so many shafts, from the drive to the output."""
+        """Blank of each of so many shafts, from the drive to the output."""
         return (self.drive, *(self.intermediate,) * (shafts - 2), self.output)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TrainPart:
-    """One part at its place: its own frame turned by `angle` about z (rad) and set at `axis`, `height` (mm).
+    """Part of a train at its place: its own frame turned by `angle` about z (rad) and set at `axis`, `height` (mm).
 
     `gears` are one or two wheels by rising height in the part's own frame, each with a tooth on the x axis if it has
-    any, and `stages` the numbers of the stages they belong to, from 1. A `flipped` part is first turned over about x.
+    any. `stages` are the numbers of the stages they belong to, from 1. A `flipped` part is first turned over about x.
     """
 
     name: str
@@ -83,8 +83,8 @@ class TrainPart:
     def volume(self) -> float:
         """Exact volume in mm³: that of the prisms, less the set screw's hole through the hub's wall.
 
-        Across the hole, at the distance y from its axis, its chord is 2 √(ρ² − y²) long, and the wall reaches
-        from the bore or the keyway's floor to the hub's circle.
+        Across the hole, at the distance y from its axis, its chord is 2 √(ρ² − y²) long. The wall reaches from the
+        bore or the keyway's floor to the hub's circle.
         """
         hub, bore = self.blank.hub, self.blank.bore_diameter / 2
         if hub is None or hub.set_screw is None:
@@ -167,7 +167,12 @@ def lay_out(
         row = [0.0 if direction is None else direction for direction in wanted]
         stated = takewhile(lambda direction: direction is not None, (row[0], *wanted[1:]))
         said = (_collision(_axes(train, list(way)), discs, clearance) for way in (row[: len(list(stated))], row))
-        raise DesignError(next(filter(None, said), "") or _no_way(clearance))
+        if collision := next(filter(None, said), ""):
+            raise DesignError(collision)
+        raise DesignError(
+            f"the shafts cannot be laid out with {clearance:g} mm between them in steps of"
+            f" {degrees(DIRECTION_STEP):g}°; give the stages' directions, or a smaller clearance"
+        )
     placed = []
     angle = 0.0
     for number, (part, axis) in enumerate(zip(parts, _axes(train, chosen), strict=True)):
@@ -184,13 +189,6 @@ def collar_length(clearance: float) -> float:
         clearance: least gap between bodies, mm.
     """
     return max(COLLAR, 2 * clearance)
-
-
-def _collar_length(before: Stage, after: Stage, clearance: float) -> float:
-    """The same for gears of any widths: what the gears in mesh with both stand out towards each other comes on top."""
-    above = (before.wheels[0].width - before.wheels[1].width) / 2
-    below = (after.wheels[1].width - after.wheels[0].width) / 2
-    return collar_length(clearance) + max(above, 0.0) + max(below, 0.0)
 
 
 def _stacked(train: Train, blanks: Sequence[Blank], clearance: float) -> list[TrainPart]:
@@ -218,7 +216,9 @@ def _stacked(train: Train, blanks: Sequence[Blank], clearance: float) -> list[Tr
     parts = [part("1_pinion", 1, (first,), blanks[0], drive, plane + first.width / 2)]
     for shaft, (before, after) in enumerate(pairwise(stages), 2):
         lower, upper = before.wheels[1], after.wheels[0]
-        length = _collar_length(before, after, clearance)
+        # What the gears in mesh with both stand out towards each other comes on top of the collar.
+        above, below = (before.wheels[0].width - lower.width) / 2, (after.wheels[1].width - upper.width) / 2
+        length = collar_length(clearance) + max(above, 0.0) + max(below, 0.0)
         blank = _made(shaft, "intermediate", with_collar, blanks[shaft - 1], lower, upper, length, clearance)
         body = _made(shaft, "intermediate", cluster_body, lower, upper, blank)
         start = plane - lower.width / 2
@@ -329,10 +329,3 @@ def _between(first: Sequence[_Disc], second: Sequence[_Disc], apart: float, clea
             " directions"
         )
     return ""
-
-
-def _no_way(clearance: float) -> str:
-    return (
-        f"the shafts cannot be laid out with {clearance:g} mm between them in steps of"
-        f" {degrees(DIRECTION_STEP):g}°; give the stages' directions, or a smaller clearance"
-    )

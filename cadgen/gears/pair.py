@@ -14,8 +14,6 @@ from cadgen.gears.choices import Thinning
 from cadgen.gears.tolerances import GRADES, ToleranceOverrides
 from cadgen.gears.tooth import GearForm, involute
 
-# Where in its zone the thickness of a tooth is aimed at: its upper limit E_sns by eq. 7, the middle, or the lower limit
-# E_sni by eq. 9.
 # Centre distances are stated to the micrometre: one this much short, in mm, is rounded and not too small.
 CENTRE_DISTANCE_ROUNDING = 0.5e-3
 # Greatest working pressure angle that profile shifts may ask for, in rad (80°).
@@ -98,6 +96,11 @@ class Pair:
         return Fraction(self.driven.form.teeth, self.driver.form.teeth)
 
     @property
+    def grade(self) -> int:
+        """Coarser of both tolerance grades."""
+        return max(self.driver.grade, self.driven.grade)
+
+    @property
     def driven_pitch_radius(self) -> float:
         """Radius of the driven gear's working pitch circle, in mm."""
         driver_teeth, driven_teeth = self.driver.form.teeth, self.driven.form.teeth
@@ -144,7 +147,7 @@ class Pair:
         return self.normal_backlash(apart, deviation) / (self.driven.form.base_diameter / 2)
 
     def thinned_to(self, driver: Thinning | float, driven: Thinning | float) -> Self:
-        """The same pair with other thicknesses that its teeth are to be cut to; see `GradedGear.thinning`."""
+        """Pair with other thicknesses that its teeth are to be cut to; see `GradedGear.thinning`."""
         driver_gear, driven_gear = replace(self.driver, thinning=driver), replace(self.driven, thinning=driven)
         return replace(self, driver=driver_gear, driven=driven_gear)
 
@@ -163,7 +166,7 @@ class Pair:
         )
 
     def by_the_standard(self) -> Self:
-        """The same pair without overrides."""
+        """Pair without overrides."""
         bare = ToleranceOverrides()
         return replace(
             self,

@@ -206,7 +206,7 @@ def pair_facts(pair: Pair) -> dict[str, Any]:
 
 
 def _tolerance_facts(gear: GradedGear, play: GearPlay[float]) -> dict[str, Any]:
-    """One gear's tolerances, as used, with those of the standard that only its inspection needs, and its limits."""
+    """Tolerances of a gear as used, with those of the standard that only its inspection needs, and its limits."""
     form = gear.form
     diameter, module = form.reference_diameter, form.normal_module
     pitches = max(form.teeth // SPAN_OF_TEETH, 2)
@@ -273,13 +273,13 @@ TEETH = "leave the kind out and give the stage gears with teeth"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SpurPair(Pair, Stage):
-    """One stage of spur gears; numbers and errors are those of `Pair`."""
+    """Pair of spur gears as a stage; its numbers and errors are those of `Pair`."""
 
     noun = "spur gears"
 
     @property
     def wheels(self) -> tuple[GearForm, GearForm]:
-        """Both gears' forms."""
+        """Forms of both gears."""
         return self.driver.form, self.driven.form
 
     @property
@@ -318,7 +318,7 @@ class SpurPair(Pair, Stage):
         return cut_to_middle(self, self.play())
 
     def departures(self, number: int) -> tuple[Departure, ...]:
-        """Its overrides; `number` is that of the stage."""
+        """Overridden tolerances of both gears; `number` is that of the stage."""
         return pair_departures(self, number)
 
     def driven_angle(self, driver_angle: float, direction: float) -> float:
@@ -369,7 +369,7 @@ class SpurPair(Pair, Stage):
 
 @lru_cache(maxsize=64)  # of the stages of a train, which is inspected and then written
 def _inspections(pair: SpurPair) -> tuple[Inspection, Inspection]:
-    """Of both gears, as cut, between E_sns and E_sni."""
+    """Sizes of both gears that the shop measures, as cut, between E_sns and E_sni."""
     play = pair.play()
     driver, driven = (
         inspection_of(gear.form, limits.E_sns, limits.E_sni, gear.pin_diameter)

@@ -30,7 +30,7 @@ POSITIONS = 8
 
 
 class Engaged(Protocol):
-    """Both wheels' outlines, the driver's axis at 0 and the driven wheel's on x; angles are the wheels', rad."""
+    """Outlines of two wheels in mesh: the driver's axis at 0, the driven wheel's on x; angles are the wheels', rad."""
 
     def middle(self, driver_angle: float) -> float:
         """Angle of the driven wheel midway between the driver's flanks, rad, at an angle of the driver, rad.
@@ -48,14 +48,14 @@ class Engaged(Protocol):
         """
 
     def overlap_midway(self, driver_angle: float) -> float:
-        """The same at `middle`: above `LEAST_OVERLAP` the teeth jam.
+        """Common area at `middle`, mm²: above `LEAST_OVERLAP` the teeth jam.
 
         Args:
             driver_angle: angle of the driver, rad.
         """
 
     def overlap_tooth_on_tooth(self, driver_angle: float) -> float:
-        """The same half a pitch on: up to `LEAST_OVERLAP` the teeth do not hold each other.
+        """Common area half a pitch on, mm²: up to `LEAST_OVERLAP` the teeth do not hold each other.
 
         Args:
             driver_angle: angle of the driver, rad.
@@ -98,22 +98,22 @@ def cycle(engaged: Engaged, free_angle: float, teeth: int, pitch_radius: float) 
 
 
 class Wheel(Protocol):
-    """One wheel of a stage, without what it has besides its rim; its own axis at the origin.
+    """Wheel of a stage, without what it has besides its rim; its own axis at the origin.
 
     `str` of it names it at the head of a sentence.
     """
 
     @property
     def width(self) -> float:
-        """Of the face, mm."""
+        """Width of the face, mm."""
 
     @property
     def tip_diameter(self) -> float:
-        """Of the circle that holds the rim, mm."""
+        """Diameter of the circle that holds the rim, mm."""
 
     @property
     def root_diameter(self) -> float:
-        """Of the circle that the rim leaves whole, mm; the same for a plain disc."""
+        """Diameter of the circle that the rim leaves whole, mm; of a plain disc, its own."""
 
     @property
     def least_rim(self) -> float:
@@ -140,15 +140,15 @@ class PlayZone(Protocol):
     """Play of a stage at its driven shaft: a zone, and how it is distributed in it."""
 
     @property
-    def B_min(self) -> float:  # noqa: N802  # noqa: N802
+    def B_min(self) -> float:  # noqa: N802
         """Least free angle of the driven wheel, rad; below 0 the stage may jam."""
 
     @property
-    def B_max(self) -> float:  # noqa: N802  # noqa: N802
-        """Greatest, rad."""
+    def B_max(self) -> float:  # noqa: N802
+        """Greatest free angle of the driven wheel, rad."""
 
     def distribution(self, law: Law = Law.NORMAL) -> ZoneSum:
-        """Its independent contributions as arcs of the driven wheel's pitch circle, mm."""
+        """Independent contributions to the play, as arcs of the driven wheel's pitch circle, mm."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -162,7 +162,7 @@ class Departure:
 
 
 class Stage(ABC):
-    """One stage: a driver turns a driven wheel.
+    """Stage of a train: a driver turns a driven wheel.
 
     What has a body here holds for stages without teeth and tolerances.
 
@@ -200,12 +200,12 @@ class Stage(ABC):
 
     @property
     def module(self) -> float | None:
-        """Of the teeth, mm; None without teeth."""
+        """Module of the teeth, mm; None without teeth."""
         return None
 
     @abstractmethod
     def play(self) -> PlayZone:
-        """Its play.
+        """Play of the stage.
 
         Raises:
             DesignError: it cannot be known.
@@ -232,11 +232,11 @@ class Stage(ABC):
         return self
 
     def by_the_standard(self) -> Self:
-        """The same stage without tolerances of its own."""
+        """Stage without tolerances of its own."""
         return self
 
     def departures(self, number: int) -> tuple[Departure, ...]:
-        """Its own tolerances beside those of the standard; `number` is that of the stage, from 1."""
+        """Tolerances of its own, beside those of the standard; `number` is that of the stage, from 1."""
         return ()
 
     @abstractmethod

@@ -239,7 +239,7 @@ def pairs_within(limits: SearchLimits) -> Pairs:
 
 
 def _in_mesh(pairs: Pairs, play: StagePlay[Array], limits: SearchLimits) -> Pairs:
-    """Those pairs whose teeth do not jam, clear the roots, and keep the limits of undercut and contact ratio.
+    """Pairs whose teeth do not jam, clear the roots, and keep the limits of undercut and contact ratio.
 
     Raises `DesignError` where one of these leaves none of the pairs.
     """

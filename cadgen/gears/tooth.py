@@ -2,13 +2,13 @@
 
 The gear is given by numbers (`GearForm`); `tooth_of` resolves them into the exact curves of one tooth:
 involute flanks, trochoid roots, undercut where the rack undercuts. Everything here is for spur teeth. The flanks of a
-helical gear would be the involutes of its transverse section, but not its roots: the rack's tip is round in the normal
-section, so in the transverse one it is an ellipse, and a circle of its radius there errs by 3 µm at 15° of helix and by
+helical gear would be the involutes of its transverse section, but not its roots. The rack's tip is round in the normal
+section, so it is an ellipse in the transverse one. A circle of its radius there errs by 3 µm at 15° of helix and by
 12 µm at 30° (module 1).
 
-Choice of cutting: the tooth-thickness deviation E_sn is made by feeding the rack, so the root follows the
-flanks (generating profile shift x_E = x + E_sn / (2 m_n tan α_n), ISO 21771-1), while the tip circle is
-turned to the nominal x before cutting.
+Choice of cutting: the tooth-thickness deviation E_sn is made by feeding the rack, so the root follows the flanks
+(generating profile shift x_E = x + E_sn / (2 m_n tan α_n), ISO 21771-1). The tip circle is turned to the nominal x
+before cutting.
 """
 
 from __future__ import annotations
@@ -195,7 +195,7 @@ class GearForm:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Tooth:
-    """One resolved tooth of `form`, centred on the x axis.
+    """Resolved tooth of `form`, centred on the x axis.
 
     `root_form_diameter` is where the usable flank starts, `undercut` whether the root cuts into the involute
     there. `upper_flank` and `upper_root` run outwards on the side of growing angle; `root_flat_angle` is half
@@ -238,10 +238,10 @@ class Tooth:
 def tooth_of(form: GearForm) -> Tooth:
     """Exact curves of one tooth of `form`.
 
-    The flank of the rack makes the involute down to the depth h_Ff = d_c + ρ sin α below the pitch line, at
-    the roll angle ξ_Ff = tan α − h_Ff / (r sin α cos α); its rounded tip makes the root, tangent to the flank
-    there. A negative ξ_Ff is undercut: the root then cuts the involute off where both have the same radius
-    and angle (ISO 21771-1).
+    The flank of the rack makes the involute down to the depth h_Ff = d_c + ρ sin α below the pitch line. Its roll
+    angle there is ξ_Ff = tan α − h_Ff / (r sin α cos α). The rack's rounded tip makes the root, tangent to the flank.
+    A negative ξ_Ff is undercut: the root then cuts the involute off where both have the same radius and angle
+    (ISO 21771-1).
 
     Raises `DesignError` if the rack has no such tip radius, if the teeth are pointed or severed, if undercut
     or chamfer leave no flank, or if nothing is left inside the root.

@@ -47,11 +47,11 @@ class Train:
         return tuple(prod((stage.ratio for stage in stages), start=Fraction(1)) for stages in later)
 
     def reordered(self, order: Sequence[int]) -> Train:
-        """The same stages in another order: `order` holds their present numbers, from 0."""
+        """Train of the stages in another order: `order` holds their present numbers, from 0."""
         return Train(tuple(self.stages[j] for j in order))
 
     def by_the_standard(self) -> Train:
-        """The same train without overrides."""
+        """Train without overrides."""
         return Train(tuple(stage.by_the_standard() for stage in self.stages))
 
     def departures(self) -> tuple[Departure, ...]:
@@ -140,7 +140,7 @@ class Loose:
     cure: str
 
     def at(self, ratio: float) -> Loose:
-        """The same on a shaft that turns so many times for one turn of the camshaft.
+        """Play at the camshaft of the joint on a shaft that turns faster.
 
         Args:
             ratio: turns of the shaft for one turn of the camshaft.
@@ -183,16 +183,16 @@ class WholePlay:
 
     @property
     def return_error_min(self) -> float:
-        """Least, rad."""
+        """Least return error, rad."""
         return (self.teeth.return_error_min if self.teeth else 0.0) + sum(one.least for one in self.loose)
 
     @property
     def return_error_max(self) -> float:
-        """Greatest, rad."""
+        """Greatest return error, rad."""
         return (self.teeth.return_error_max if self.teeth else 0.0) + sum(one.greatest for one in self.loose)
 
     def return_error_distribution(self, law: Law = Law.NORMAL) -> ZoneSum:
-        """Distribution, rad: every contribution free in its own zone."""
+        """Distribution of the return error, rad: every contribution free in its own zone."""
         joints = ZoneSum(
             names=tuple(one.name for one in self.loose),
             low=np.array([one.least for one in self.loose]),

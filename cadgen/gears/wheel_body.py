@@ -57,7 +57,7 @@ def with_collar(blank: Blank, lower: Wheel, upper: Wheel, length: float, clearan
     """The blank of two gears on one shaft with a collar of `length` (mm) between them, if it has no hub of its own.
 
     The collar stays under the roots of both gears by `clearance` (mm), to a tenth of a millimetre, so that the gears in
-    mesh with them pass it, and is no thinner than bore and keyway need. Raises `DesignError` where there is no room.
+    mesh with them pass it. It is no thinner than bore and keyway need. Raises `DesignError` where there is no room.
 
     Args:
         blank: blank of the part.

@@ -175,8 +175,8 @@ class Involute(PlaneCurve):
 class Trochoid(PlaneCurve):
     """Root curve cut by the rounded tip of a rack: the envelope of a circle carried by the rolling rack.
 
-    The circle of radius ρ has its centre at the depth d_c below the rack's pitch line. When the centre is at
-    u = d_c·sinh q along that line from the pitch point, the common normal through the pitch point meets the
+    The circle of radius ρ has its centre at the depth d_c below the rack's pitch line. Let the centre be at
+    u = d_c·sinh q along that line from the pitch point. The common normal through the pitch point then meets the
     circle at Q = (u + ρ·tanh q, r − d_c − ρ·sech q), and the gear has turned by u/r (law of gearing). In q
     polynomials of low degree follow the curve closely, and it serves d_c of either sign and zero.
     """

@@ -3,8 +3,8 @@
 A section is a polygon whose corners lie on the tooth curves; two of them overlap where the teeth do, which
 manifold3d finds exactly. No formula of the involute is used here, so the figures of the formulas can fail.
 
-Error of a measured play: a chord lies inside a convex flank by at most its tolerance ε, so both gears together
-seem to have up to 2 ε more room along the normal on each side, 4 ε / cos α_w on the pitch circle: 0.04 µm at
+Error of a measured play: a chord lies inside a convex flank by at most its tolerance ε. Both gears together seem to
+have up to 2 ε more room along the normal on each side, 4 ε / cos α_w on the pitch circle: 0.04 µm at
 `CHORD_TOLERANCE`. Overlaps below `LEAST_OVERLAP` are not seen; where they begin the teeth are pressed into each
 other by less than 0.005 µm, and the search stops at `ANGLE_STEP`, 0.005 µm on a wheel of 1 m.
 

@@ -1,10 +1,10 @@
 """Exact edges where a drilled hole meets a round wall or a slanting floor.
 
 Two cylinders meet in a curve that is neither a line nor a conic. The kernel's boolean follows it within a tolerance
-that it then understates, and a STEP file gives it without its parameters on the surfaces, which readers find by too
-few of its points: they see the edge beside its surfaces, by 2e-5 mm, and miss the volume by 3e-5 of itself. The same
-goes for an ellipse on a cylinder. Here every such edge gets the curve from its equation, in space and in the parameters
-of both surfaces, as one spline of that many spans that all three are right to 1e-8 mm.
+that it then understates. A STEP file gives it without its parameters on the surfaces, which readers find by too few of
+its points: they see the edge beside its surfaces, by 2e-5 mm, and miss the volume by 3e-5 of itself. The same goes for
+an ellipse on a cylinder. Here every such edge gets the curve from its equation, in space and in the parameters of both
+surfaces. It is one spline of so many spans that all three are right to 1e-8 mm.
 """
 
 from collections.abc import Callable
@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from OCP.BRep import BRep_Builder, BRep_Tool
 from OCP.BRepAdaptor import BRepAdaptor_Curve
-from OCP.collections import Array1_double, Array1_gp_Pnt, Array1_gp_Pnt2d, Array1_int
+from OCP.collections import Array1_gp_Pnt, Array1_gp_Pnt2d
 from OCP.Geom import Geom_BSplineCurve, Geom_CylindricalSurface, Geom_Plane
 from OCP.Geom2d import Geom2d_BSplineCurve
 from OCP.GeomAbs import GeomAbs_BSplineCurve, GeomAbs_Ellipse
@@ -25,7 +25,7 @@ from scipy.interpolate import BSpline, make_interp_spline
 
 from cadgen.arrays import TURN, Array
 from cadgen.errors import FileError
-from cadgen.geometry.solids.kernel import TOLERANCE
+from cadgen.geometry.solids.kernel import TOLERANCE, filled, knots_of
 
 _DEGREE = 5
 _ERROR = 1e-8  # mm; a tenth of the kernel's smallest distance
@@ -130,9 +130,12 @@ def _replace(edge: TopoDS_Edge, drill: _Side, wall: _Side) -> None:
 
     spline = _fitted(exact, first, last)
     builder = BRep_Builder()
-    builder.UpdateEdge(edge, _in_space(spline), TOLERANCE)
-    builder.UpdateEdge(edge, _in_plane(spline, slice(3, 5)), drill.face, TOLERANCE)
-    builder.UpdateEdge(edge, _in_plane(spline, slice(5, 7)), wall.face, TOLERANCE)
+    knots, rows = knots_of(spline.t), np.asarray(spline.c)
+    in_space = filled(Array1_gp_Pnt, [gp_Pnt(*row) for row in rows[:, :3].tolist()])
+    builder.UpdateEdge(edge, Geom_BSplineCurve(in_space, *knots, _DEGREE), TOLERANCE)
+    for side, columns in ((drill, slice(3, 5)), (wall, slice(5, 7))):
+        on_surface = filled(Array1_gp_Pnt2d, [gp_Pnt2d(*row) for row in rows[:, columns].tolist()])
+        builder.UpdateEdge(edge, Geom2d_BSplineCurve(on_surface, *knots, _DEGREE), side.face, TOLERANCE)
     builder.SameRange(edge, True)
     builder.SameParameter(edge, True)
     builder.Range(edge, first, last)
@@ -151,29 +154,6 @@ def _fitted(exact: Callable[[Array], Array], first: float, last: float) -> BSpli
             return spline
         spans *= 2
     raise FileError("the set screw's hole is about as wide as the bore that it meets: give it a smaller diameter")
-
-
-def _knots(spline: BSpline) -> tuple[Array1_double, Array1_int]:
-    values, counts = np.unique(spline.t, return_counts=True)
-    knots, multiplicities = Array1_double(1, len(values)), Array1_int(1, len(values))
-    for number, (value, count) in enumerate(zip(values.tolist(), counts.tolist(), strict=True), 1):
-        knots.SetValue(number, value)
-        multiplicities.SetValue(number, count)
-    return knots, multiplicities
-
-
-def _in_space(spline: BSpline) -> Geom_BSplineCurve:
-    poles = Array1_gp_Pnt(1, len(spline.c))
-    for number, pole in enumerate(spline.c[:, :3].tolist(), 1):
-        poles.SetValue(number, gp_Pnt(*pole))
-    return Geom_BSplineCurve(poles, *_knots(spline), _DEGREE)
-
-
-def _in_plane(spline: BSpline, columns: slice) -> Geom2d_BSplineCurve:
-    poles = Array1_gp_Pnt2d(1, len(spline.c))
-    for number, pole in enumerate(spline.c[:, columns].tolist(), 1):
-        poles.SetValue(number, gp_Pnt2d(*pole))
-    return Geom2d_BSplineCurve(poles, *_knots(spline), _DEGREE)
 
 
 def _vector(place: gp_Pnt | gp_Dir) -> Array:

@@ -13,7 +13,7 @@ from OCP.BRep import BRep_Builder
 from OCP.BRepAlgoAPI import BRepAlgoAPI_BooleanOperation, BRepAlgoAPI_Cut, BRepAlgoAPI_Fuse
 from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeFace
 from OCP.BRepPrimAPI import BRepPrimAPI_MakePrism
-from OCP.collections import Array1_double, Array1_gp_Pnt, Array1_int, Array2_gp_Pnt, List_TopoDS_Shape
+from OCP.collections import Array1_gp_Pnt, Array2_gp_Pnt, List_TopoDS_Shape
 from OCP.Geom import (
     Geom_BSplineCurve,
     Geom_BSplineSurface,
@@ -51,7 +51,9 @@ from cadgen.geometry.solids.kernel import (
     closed_wire,
     contour_edges,
     drill,
+    filled,
     is_valid,
+    knots_of,
     prism,
     solids,
     spline_edges,
@@ -164,7 +166,9 @@ def _wall(low: _Level, high: _Level) -> list[TopoDS_Face]:
             sides.append(sides[-1])
             continue
         start, end = _place(low.arcs[k], low.z), _place(high.arcs[k], high.z)
-        line = Geom_Line(start, _UP) if same else _segment(start, end)
+        line: Geom_Curve = Geom_Line(start, _UP)
+        if not same:
+            line = Geom_BSplineCurve(filled(Array1_gp_Pnt, [start, end]), *knots_of(np.array([0.0, 0.0, 1.0, 1.0])), 1)
         sides.append(_edge(line, (0.0, height), low.vertices[k], high.vertices[k]))
     faces = []
     for k in range(count):
@@ -223,31 +227,9 @@ def _ruled(low: SplineArc, low_z: float, high: SplineArc, high_z: float) -> Geom
     for column, (arc, z) in enumerate(((low, low_z), (high, high_z)), 1):
         for number, (x, y) in enumerate(arc.control_points.tolist(), 1):
             poles.SetValue(number, column, gp_Pnt(x, y, z))
-    values, counts = np.unique(low.knots, return_counts=True)
-    return Geom_BSplineSurface(
-        poles, _reals(values.tolist()), _reals([0.0, 1.0]), _integers(counts.tolist()), _integers([2, 2]), low.degree, 1
-    )
-
-
-def _segment(start: gp_Pnt, end: gp_Pnt) -> Geom_BSplineCurve:
-    poles = Array1_gp_Pnt(1, 2)
-    poles.SetValue(1, start)
-    poles.SetValue(2, end)
-    return Geom_BSplineCurve(poles, _reals([0.0, 1.0]), _integers([2, 2]), 1)
-
-
-def _reals(values: Sequence[float]) -> Array1_double:
-    array = Array1_double(1, len(values))
-    for number, value in enumerate(values, 1):
-        array.SetValue(number, value)
-    return array
-
-
-def _integers(values: Sequence[int]) -> Array1_int:
-    array = Array1_int(1, len(values))
-    for number, value in enumerate(values, 1):
-        array.SetValue(number, value)
-    return array
+    across = knots_of(np.array([0.0, 0.0, 1.0, 1.0]))
+    knots, counts = knots_of(low.knots)
+    return Geom_BSplineSurface(poles, knots, across[0], counts, across[1], low.degree, 1)
 
 
 def _is_point(arc: SplineArc) -> bool:

@@ -41,6 +41,7 @@ from cadgen.geometry.solids.kernel import (
     closed_wire,
     drill,
     faces,
+    filled,
     fits,
     is_valid,
     solids,
@@ -86,7 +87,10 @@ def body_solid(body: Body) -> TopoDS_Solid:
 
 def _side(wall: SweptWall, wires: Wires) -> TopoDS_Shape:
     """The faces of a wall as a shell facing out of the material; its two wires go into `wires`."""
-    base = wires.get((wall.outline, wall.start)) or closed_wire(_edges(wall.outline, wall.start))
+    base = wires.get((wall.outline, wall.start))
+    if base is None:
+        copies = [_copies(curve, wall.outline.turns, wall.start) for curve in wall.outline.curves]
+        base = closed_wire([edge for pitch in zip(*copies, strict=True) for edge in pitch])
     prism = BRepPrimAPI_MakePrism(base, gp_Vec(0.0, 0.0, wall.end - wall.start))
     wires[wall.outline, wall.start] = base
     wires[wall.outline, wall.end] = prism.LastShape()
@@ -94,42 +98,27 @@ def _side(wall: SweptWall, wires: Wires) -> TopoDS_Shape:
     return prism.Shape().Reversed() if wall.outward else prism.Shape()
 
 
-def _edges(outline: Loop, height: float) -> list[CurveEdge]:
-    copies = [_copies(curve, outline.turns, height) for curve in outline.curves]
-    return [edge for pitch in zip(*copies, strict=True) for edge in pitch]
-
-
 def _copies(curve: Curve, turns: Points, height: float) -> list[CurveEdge]:
-    """The edges of `curve` turned by each of `turns`."""
+    """Edges of a curve turned by each of `turns`, at a height, mm."""
+    edges = []
     if isinstance(curve, Arc):
-        return [_arc(curve.rotated(angle), height) for angle in np.angle(turns)]
+        for arc in (curve.rotated(angle) for angle in np.angle(turns)):
+            centre = gp_Pnt(arc.centre.real, arc.centre.imag, height)
+            start = gp_Dir(np.cos(arc.start), np.sin(arc.start), 0.0)
+            edges.append(CurveEdge(Geom_Circle(gp_Ax2(centre, UP, start), arc.radius), 0.0, arc.sweep))
+        return edges
     if isinstance(curve, Segment):
-        return [_line(start, end, height) for start, end in _turned(curve.point([0.0, 1.0]), turns)]
-    tolerance = FLANK_TOLERANCE if isinstance(curve, Involute) else ROOT_TOLERANCE
-    return [_bezier(poles, height) for poles in _turned(bezier_poles(curve, tolerance), turns)]
-
-
-def _turned(points: Points, turns: Points) -> list[list[complex]]:
-    return [list(row) for row in np.round(turns[:, None] * points, DECIMALS).tolist()]
-
-
-def _bezier(poles: list[complex], height: float) -> CurveEdge:
-    array = Array1_gp_Pnt(1, len(poles))
-    for number, pole in enumerate(poles, 1):
-        array.SetValue(number, gp_Pnt(pole.real, pole.imag, height))
-    return CurveEdge(Geom_BezierCurve(array), 0.0, 1.0)
-
-
-def _arc(arc: Arc, height: float) -> CurveEdge:
-    centre = gp_Pnt(arc.centre.real, arc.centre.imag, height)
-    start = gp_Dir(np.cos(arc.start), np.sin(arc.start), 0.0)
-    return CurveEdge(Geom_Circle(gp_Ax2(centre, UP, start), arc.radius), 0.0, arc.sweep)
-
-
-def _line(start: complex, end: complex, height: float) -> CurveEdge:
-    along = end - start
-    line = Geom_Line(gp_Pnt(start.real, start.imag, height), gp_Dir(along.real, along.imag, 0.0))
-    return CurveEdge(line, 0.0, abs(along))
+        poles = curve.point([0.0, 1.0])
+    else:
+        poles = bezier_poles(curve, FLANK_TOLERANCE if isinstance(curve, Involute) else ROOT_TOLERANCE)
+    for row in np.round(turns[:, None] * poles, DECIMALS).tolist():
+        points = [gp_Pnt(pole.real, pole.imag, height) for pole in row]
+        if isinstance(curve, Segment):
+            along = row[1] - row[0]
+            edges.append(CurveEdge(Geom_Line(points[0], gp_Dir(along.real, along.imag, 0.0)), 0.0, abs(along)))
+        else:
+            edges.append(CurveEdge(Geom_BezierCurve(filled(Array1_gp_Pnt, points)), 0.0, 1.0))
+    return edges
 
 
 def _cap(cap: Cap, wires: Wires) -> TopoDS_Shape:
@@ -188,7 +177,15 @@ def train_parts(layout: TrainLayout, name: str, description: str) -> tuple[Solid
 
     Raises `DesignError` and `FileError` as `body_solid` does.
     """
-    return tuple(_solid_part(part, name, description) for part in layout.parts)
+    return tuple(
+        SolidPart(
+            solid=body_solid(part.body),
+            name=part_name(name, part),
+            description=description,
+            colour=colour_of_shaft(part.shaft),
+        )
+        for part in layout.parts
+    )
 
 
 def part_name(train: str, part: TrainPart) -> str:
@@ -300,15 +297,6 @@ def _judged(shapes: Sequence[TopoDS_Shape]) -> list[tuple[bool, float]]:
     """Whether the kernel finds neither a gap nor a fault in each shape, and its volume, mm³."""
     whole = [completed(shape) for shape in shapes]
     return [(fits(shape) and is_valid(shape), volume(shape)) for shape in whole]
-
-
-def _solid_part(part: TrainPart, name: str, description: str) -> SolidPart:
-    return SolidPart(
-        solid=body_solid(part.body),
-        name=part_name(name, part),
-        description=description,
-        colour=colour_of_shaft(part.shaft),
-    )
 
 
 def _name(label: TDF_Label, name: str) -> None:

@@ -6,7 +6,7 @@ build123d takes, so build123d itself is loaded only when a part is asked for in 
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 import numpy as np
 from OCP.BOPAlgo import BOPAlgo_ArgumentAnalyzer
@@ -24,6 +24,7 @@ from OCP.TopAbs import TopAbs_FACE, TopAbs_FORWARD, TopAbs_REVERSED, TopAbs_Shap
 from OCP.TopExp import TopExp_Explorer
 from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Shape, TopoDS_Solid, TopoDS_Vertex, TopoDS_Wire
 
+from cadgen.arrays import Array
 from cadgen.curves.contour import Contour
 from cadgen.curves.spline import SplineArc
 from cadgen.errors import FileError
@@ -31,6 +32,8 @@ from cadgen.parts.body import RadialHole
 
 if TYPE_CHECKING:
     from build123d import Solid as Solid
+
+A = TypeVar("A", bound=Any)
 
 # The kernel's own smallest distance between two points (Precision::Confusion), mm.
 TOLERANCE = 1e-7
@@ -78,18 +81,34 @@ def spline_edges(arcs: Iterable[SplineArc], z: float) -> list[CurveEdge]:
         z: height of the plane, mm.
     """
     edges = []
-    for spline in arcs:
-        values, counts = np.unique(spline.knots, return_counts=True)
-        points = Array1_gp_Pnt(1, len(spline.control_points))
-        for number, (x, y) in enumerate(spline.control_points.tolist(), 1):
-            points.SetValue(number, gp_Pnt(x, y, z))
-        knots, multiplicities = Array1_double(1, len(values)), Array1_int(1, len(values))
-        for number, (value, count) in enumerate(zip(values.tolist(), counts.tolist(), strict=True), 1):
-            knots.SetValue(number, value)
-            multiplicities.SetValue(number, count)
-        curve = Geom_BSplineCurve(points, knots, multiplicities, spline.degree)
-        edges.append(CurveEdge(curve, float(values[0]), float(values[-1])))
+    for arc in arcs:
+        poles = filled(Array1_gp_Pnt, [gp_Pnt(x, y, z) for x, y in arc.control_points.tolist()])
+        curve = Geom_BSplineCurve(poles, *knots_of(arc.knots), arc.degree)
+        edges.append(CurveEdge(curve, float(arc.knots[0]), float(arc.knots[-1])))
     return edges
+
+
+def filled(kind: type[A], values: Sequence[object]) -> A:
+    """Array of the kernel that holds values, counted from 1.
+
+    Args:
+        kind: type of the array.
+        values: its values.
+    """
+    array: A = kind(1, len(values))
+    for number, value in enumerate(values, 1):
+        array.SetValue(number, value)
+    return array
+
+
+def knots_of(knots: Array) -> tuple[Array1_double, Array1_int]:
+    """Different knots of a spline and how often each stands, as arrays of the kernel.
+
+    Args:
+        knots: knots of the spline, not decreasing: parameters, shape (n,).
+    """
+    values, counts = np.unique(knots, return_counts=True)
+    return filled(Array1_double, values.tolist()), filled(Array1_int, counts.tolist())
 
 
 def contour_edges(contour: Contour, z: float) -> list[CurveEdge]:

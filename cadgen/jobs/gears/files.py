@@ -52,7 +52,7 @@ class PlannedTrain(Protocol):
 
     @property
     def description(self) -> str:
-        """One line for STEP files."""
+        """Description of the train for STEP files, one line."""
 
     @property
     def layout(self) -> TrainLayout:

@@ -72,7 +72,7 @@ class TrainPlan:
 
     @property
     def description(self) -> str:
-        """One line for STEP files."""
+        """Description of the gear for STEP files, one line."""
         return f"gear train {self.name}"
 
     def chord(self, gears: Sequence[Wheel]) -> float:
@@ -119,7 +119,7 @@ def plan_train(
 
 
 def part_of(form: GearForm, blank: Blank) -> TrainPart:
-    """One gear as a part by itself, its axis on z and its lower face at z = 0.
+    """Gear as a part by itself, its axis on z and its lower face at z = 0.
 
     Raises:
         DesignError: the tooth or the blank cannot be made.
@@ -179,7 +179,7 @@ def write_gear(
 
 
 def gear_facts(form: GearForm, part: TrainPart, name: str) -> dict[str, Any]:
-    """One gear as plain values, with what the shop measures on it as it is cut."""
+    """Gear as plain values, with what the shop measures on it as it is cut."""
     deviation = form.tooth_thickness_deviation
     sizes = inspection_of(form, deviation, deviation)
     return {

@@ -34,7 +34,7 @@ class Skipped:
 
 
 class NotMadeError(DesignError):
-    """None of several trains can be made; `ranked` are the trains tried first, `baseline` the play compared with."""
+    """Refusal of all of several trains; `ranked` are those tried first, `baseline` the play compared with."""
 
     def __init__(self, message: str, ranked: tuple[TrainPlay, ...], baseline: TrainPlay) -> None:
         super().__init__(message)
@@ -95,7 +95,7 @@ class GearsPlan:
 
     @property
     def description(self) -> str:
-        """One line for STEP files."""
+        """Description of the train for STEP files, one line."""
         return f"gear train, {self.order}, design {self.design.content_hash[:12]}"
 
     def chord(self, gears: Sequence[Wheel]) -> float:

@@ -79,7 +79,7 @@ class Room:
         return self._best(every)
 
     def linear(self, candidates: Iterable[LinearDimension]) -> LinearDimension:
-        """One of several dimensions, the first if none is crossed."""
+        """Dimension that is crossed least of several, the first if none is crossed."""
         return self._best([(each, _FAR * number) for number, each in enumerate(candidates)])
 
     def label(self, text: str, around: tuple[float, float], away: float, height: float) -> Label:

@@ -114,7 +114,7 @@ class ScrewHole:
         return cls(hole, inner, blank.hub.diameter / 2)
 
     def face(self) -> Iterator[Stroke]:
-        """Its edges in the view along the axis, hidden in the hub's wall, and its centre line."""
+        """Edges of the hole in the view along the axis, hidden in the hub's wall, and its centre line."""
         along, half = np.array([cos(self.hole.angle), sin(self.hole.angle)]), self.hole.diameter / 2
         across = np.array([-along[1], along[0]])
         for side in (-half, half):
@@ -138,7 +138,7 @@ class ScrewHole:
         return [piece for piece in pieces if isinstance(piece, shapely.Polygon) and not piece.is_empty]
 
     def section(self, angle: float) -> Iterator[Closed | Stroke]:
-        """Its edges in the section at `angle`, rad: those beyond the plane, or before it as a phantom.
+        """Edges of the hole in the section at `angle`, rad: those beyond the plane, or before it as a phantom.
 
         Args:
             angle: polar angle of the plane, rad.
