@@ -19,9 +19,9 @@ from cadgen.arrays import TURN
 from cadgen.aside import in_processes
 from cadgen.cam.contact import roll
 from cadgen.cam.envelope import actual_profile
-from cadgen.car.motion.drive import drive, wheel_radius
-from cadgen.car.motion.mechanics import Mechanics
-from cadgen.car.optimize.compensation import compensated_lift
+from cadgen.car.against_play.compensation import compensated_lift
+from cadgen.car.running.drive import drive, wheel_radius
+from cadgen.car.running.mechanics import Mechanics
 from cadgen.design import cam_model
 from cadgen.design.load import load_design
 from cadgen.deviations.deviation import tolerance

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from cadgen.api.files import Written, folder_of, refusal
 from cadgen.api.values import numbers, whole
 from cadgen.arrays import TURN, Array
-from cadgen.car.optimize.laps import Laps
+from cadgen.car.against_play.laps import Laps
 from cadgen.check import Check
 from cadgen.design.schema import Design as DesignValues
 from cadgen.errors import CheckError

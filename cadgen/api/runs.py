@@ -9,9 +9,9 @@ from typing import Any, Protocol
 from cadgen.api.cam import Cam
 from cadgen.api.files import Written, written
 from cadgen.arrays import Array
-from cadgen.car.motion.drive import Run
-from cadgen.car.motion.errors import Event, RunError
-from cadgen.car.optimize.evaluate import Evaluation
+from cadgen.car.against_play.evaluate import Evaluation
+from cadgen.car.running.drive import Run
+from cadgen.car.running.errors import Event, RunError
 from cadgen.errors import DesignError, brief
 from cadgen.inference.monte_carlo.random_cars import CarEnds, Map, Sensitivity
 from cadgen.jobs.cam.as_built import as_built_sentences, assumed_play

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import click
 
-from cadgen.car.optimize.profiles.optimized import OPTIMIZED
+from cadgen.car.against_play.profile_kinds import OPTIMIZED
 from cadgen.cli.options import Number, car_profile_option, design_and_files, out_option, overrides_option
 
 

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from cadgen.car.optimize.profiles.actual import ACTUAL
+from cadgen.car.against_play.profile_kinds import ACTUAL
 from cadgen.cli.options import Number, car_profile_option, design_and_files, out_option, overrides_option
 
 if TYPE_CHECKING:

@@ -7,8 +7,7 @@ from typing import Any
 
 import click
 
-from cadgen.car.optimize.profiles.optimized import OPTIMIZED
-from cadgen.car.optimize.profiles.table import codes, meanings
+from cadgen.car.against_play.profile_kinds import OPTIMIZED, codes, meanings
 
 PLAY_PROFILES, PROFILES = codes(for_play=True), codes()
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import click
 
-from cadgen.car.optimize.profiles.actual import ACTUAL
+from cadgen.car.against_play.profile_kinds import ACTUAL
 from cadgen.cli.options import design_options, out_option, play_profile_option
 
 

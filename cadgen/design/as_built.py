@@ -5,8 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from pydantic import Field, Strict, field_validator, model_validator
 
-from cadgen.car.optimize.profiles.actual import ACTUAL
-from cadgen.car.optimize.profiles.table import codes
+from cadgen.car.against_play.profile_kinds import ACTUAL, codes
 from cadgen.design.section import WORD, DesignSection, OneOf, listed
 from cadgen.deviations.deviation import Place
 from cadgen.errors import DesignError

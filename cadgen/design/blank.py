@@ -9,7 +9,7 @@ from typing import Annotated, TypeVar
 
 from pydantic import Field, model_validator
 
-from cadgen.car.motion.friction import DiscMaterial
+from cadgen.car.running.friction import DiscMaterial
 from cadgen.design.section import HERE, WORD, DesignSection, Feature, ZeroOrFeature
 from cadgen.errors import DesignError
 from cadgen.parts.face import Face

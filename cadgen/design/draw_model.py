@@ -9,11 +9,10 @@ from cadgen.cam.contact import rolling_step
 from cadgen.cam.follower import Contact
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.car.course.layout import Draw
-from cadgen.car.draws.error import Complex, Target
-from cadgen.car.draws.knobs import Knob, Knobs, Wheels
-from cadgen.car.draws.steering import Steering
-from cadgen.car.motion.drive import wheel_radius
+from cadgen.car.draws.setting_ranges import SettingRange, SettingRanges, Wheels
+from cadgen.car.draws.target import Complex, Steering, Target
 from cadgen.car.path.track import Track
+from cadgen.car.running.drive import wheel_radius
 from cadgen.curves.closed import ClosedCurve
 from cadgen.design import cam_model, gear_model
 from cadgen.design.course import spacings_of
@@ -57,7 +56,7 @@ def draw(design: Design) -> Draw:
     return spacings
 
 
-def knobs(design: Design, track: Track, start: tuple[float, float, float]) -> Knobs:
+def knobs(design: Design, track: Track, start: tuple[float, float, float]) -> SettingRanges:
     """Quantities that can be set, at a start of the scaled path.
 
     Args:
@@ -72,13 +71,13 @@ def knobs(design: Design, track: Track, start: tuple[float, float, float]) -> Kn
     x, y, heading = start
     within, turn = given.start_within_mm, radians(given.start_heading_within_deg)
     turn_step = radians(given.start_heading_step_deg)
-    return Knobs(
-        disc=Knob(given.disc_from_mm, given.disc_to_mm, given.disc_step_mm),
-        head=Knob(given.head_from_mm, given.head_to_mm, given.head_step_mm),
+    return SettingRanges(
+        disc=SettingRange(given.disc_from_mm, given.disc_to_mm, given.disc_step_mm),
+        head=SettingRange(given.head_from_mm, given.head_to_mm, given.head_step_mm),
         wheels=wheels(design, track),
-        x=Knob(-within, within, given.start_step_mm, x),
-        y=Knob(-within, within, given.start_step_mm, y),
-        heading=Knob(-turn, turn, turn_step, heading),
+        x=SettingRange(-within, within, given.start_step_mm, x),
+        y=SettingRange(-within, within, given.start_step_mm, y),
+        heading=SettingRange(-turn, turn, turn_step, heading),
     )
 
 

@@ -4,7 +4,7 @@ from typing import Self
 
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 
-from cadgen.car.motion.friction import DiscMaterial
+from cadgen.car.running.friction import DiscMaterial
 from cadgen.design.section import HERE, LONGEST_LINE, DesignSection, one_line
 
 USUAL_FEED = 240.0  # mm/min, where the design gives neither a feed nor a material

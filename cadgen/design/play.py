@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from pydantic import Field, Strict, create_model, model_validator
 
-from cadgen.car.motion.friction import DiscMaterial
+from cadgen.car.running.friction import DiscMaterial
 from cadgen.design.section import WORD, DesignSection
 from cadgen.deviations.deviation import VARIED
 from cadgen.gears.choices import Law, StageOrder

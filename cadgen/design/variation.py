@@ -11,12 +11,12 @@ from cadgen.arrays import TURN
 from cadgen.cam.follower import Follower
 from cadgen.cam.followers.rod import rod_of
 from cadgen.cam.followers.rod_kind import RodMaterial
-from cadgen.car.motion.drive import wheel_radius as drive_wheel_radius
-from cadgen.car.motion.friction import USUAL, DiscMaterial, friction_band
-from cadgen.car.motion.mechanics import MechanicsBand
-from cadgen.car.optimize.band import PlayBand
-from cadgen.car.optimize.remedies import holding
+from cadgen.car.against_play.band import PlayBand
+from cadgen.car.against_play.remedies import holding
 from cadgen.car.path_motion import PathMotion
+from cadgen.car.running.drive import wheel_radius as drive_wheel_radius
+from cadgen.car.running.friction import USUAL, DiscMaterial, friction_band
+from cadgen.car.running.mechanics import MechanicsBand
 from cadgen.design import cam_model, gear_model
 from cadgen.design.play import Braked, Hardware, MechanicsSection
 from cadgen.design.schema import Design

@@ -20,9 +20,9 @@ from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll, rolling_step
 from cadgen.cam.follower import Contact
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.car.motion.drive import Running, drive, turns_of
-from cadgen.car.motion.sampled import rolled_lift
 from cadgen.car.path_motion import PathMotion
+from cadgen.car.running.drive import Running, drive, turns_of
+from cadgen.car.running.sampled import rolled_lift
 from cadgen.car.steering import Car
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.curves.closed import ClosedCurve, Outline, left_normal

@@ -24,7 +24,7 @@ from cadgen.arrays import Array
 from cadgen.cam.follower import Contact
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.followers.rod_first_order import FirstOrder
-from cadgen.car.motion.friction import DiscMaterial
+from cadgen.car.running.friction import DiscMaterial
 from cadgen.deviations.deviation import (
     BASE_RADIUS,
     ECCENTRIC_BORE,

@@ -14,7 +14,7 @@ from dataclasses import replace
 import numpy as np
 
 from cadgen.arrays import TURN, Array
-from cadgen.car.motion.drive import Running
+from cadgen.car.running.drive import Running
 from cadgen.deviations import deviation
 from cadgen.deviations.deviation import Place
 from cadgen.deviations.disc import ECCENTRIC_BORE

@@ -9,7 +9,7 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator, Field, Strict, field_validator, model_validator
 
-from cadgen.car.optimize.profiles.table import codes as profile_codes
+from cadgen.car.against_play.profile_kinds import codes as profile_codes
 from cadgen.car.planner import RESERVE, SEEDS, WITHIN_MM
 from cadgen.check import CheckCode
 from cadgen.design.section import HERE, DesignSection, OneOf, listed

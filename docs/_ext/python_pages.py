@@ -18,7 +18,7 @@ import cadgen
 
 FOLDER = "reference/python"
 _ARRAY = re.compile(r"~?numpy\.ndarray\[tuple\[~?typing\.Any, \.\.\.\], ~?numpy\.dtype\[~?numpy\.float64\]\]")
-ROOMS = ("api", "cam", "gears", "car.path", "car.steering", "car.motion")
+ROOMS = ("api", "cam", "gears", "car.path", "car.steering", "car.running")
 
 
 def modules(room: str) -> list[str]:

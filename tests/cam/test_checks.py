@@ -13,8 +13,8 @@ from cadgen.cam.followers.rod_profiles import published_profile, theoretical_pro
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
 from cadgen.cam.loss import lost_lift
 from cadgen.car import path_motion as law
-from cadgen.car.optimize.compensation import compensated_lift
-from cadgen.car.optimize.smoothing import smoothed_lift
+from cadgen.car.against_play.compensation import compensated_lift
+from cadgen.car.against_play.smoothing import smoothed_lift
 from cadgen.car.path_motion import blend_checks, path_motion
 from cadgen.car.steering import steering_jets
 from cadgen.parts.blank import Blank

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from cadgen.arrays import TURN
-from cadgen.car.motion.drive import drive, start_pose
-from cadgen.car.motion.errors import turning
 from cadgen.car.path_motion import path_motion
+from cadgen.car.running.drive import drive, start_pose
+from cadgen.car.running.errors import turning
 from cadgen.car.steering import by_rim, rim_travel, steering_jets, tan_steering, track_curvature
 from cadgen.curves.piecewise import quintic_hermite
 from cadgen.errors import DesignError

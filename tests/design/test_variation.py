@@ -4,7 +4,7 @@ from math import radians
 
 import pytest
 
-from cadgen.car.motion.mechanics import MechanicsBand
+from cadgen.car.running.mechanics import MechanicsBand
 from cadgen.design import variation
 from cadgen.design.load import load_design
 from cadgen.deviations.first_order import Expansion

@@ -7,8 +7,8 @@ import pytest
 
 from cadgen.arrays import TURN
 from cadgen.cam.contact import roll
-from cadgen.car.motion.drive import drive
-from cadgen.car.motion.sampled import sampled_lift
+from cadgen.car.running.drive import drive
+from cadgen.car.running.sampled import sampled_lift
 from cadgen.deviations.deviation import COLUMNS
 from cadgen.deviations.first_order import ROWS, Expansion, OtherEdge, steering_derivatives
 from cadgen.inference.monte_carlo.cars import nominal_cars, run_cars

@@ -344,12 +344,12 @@ def test_the_reference_takes_up_the_face_of_the_package(tmp_path: Path, monkeypa
     from python_pages import modules
 
     (tmp_path / "api.py").touch()
-    (tmp_path / "car/motion").mkdir(parents=True)
+    (tmp_path / "car/running").mkdir(parents=True)
     for name in ("__init__", "drive", "play"):
-        (tmp_path / f"car/motion/{name}.py").touch()
+        (tmp_path / f"car/running/{name}.py").touch()
     monkeypatch.setattr("cadgen.__path__", [str(tmp_path)])
     assert modules("api") == ["cadgen.api"]
-    assert modules("car.motion") == ["cadgen.car.motion", "cadgen.car.motion.drive", "cadgen.car.motion.play"]
+    assert modules("car.running") == ["cadgen.car.running", "cadgen.car.running.drive", "cadgen.car.running.play"]
     assert modules("car.steering") == []
 
 

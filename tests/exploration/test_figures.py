@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import shapely
 
-from cadgen.car.optimize.band import fixed_profile_bound
+from cadgen.car.against_play.band import fixed_profile_bound
 from cadgen.design import cam_model
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from cadgen.car.course.judge import passages
-from cadgen.car.motion.drive import STEPS
+from cadgen.car.running.drive import STEPS
 from cadgen.check import CheckCode
 from cadgen.design import cam_model
 from cadgen.design.load import load_design

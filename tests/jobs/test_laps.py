@@ -11,8 +11,8 @@ import pytest
 import tomli_w
 
 from cadgen.arrays import TURN
-from cadgen.car.motion.drive import drive
-from cadgen.car.motion.laps import Drift, drift
+from cadgen.car.against_play.laps import Drift, drift
+from cadgen.car.running.drive import drive
 from cadgen.check import CheckCode
 from cadgen.design import cam_model
 from cadgen.design.load import design_of, load_design, with_overrides
@@ -25,7 +25,7 @@ from cadgen.jobs.calibration.plan import calibrate
 from cadgen.jobs.cam.plan import CamPlan, plan_cam
 from cadgen.jobs.planning.task import Tightening, task_of
 from cadgen.jobs.runs.fleet import fleet_of
-from tests.car.motion.laps_truth import laps_with_play
+from tests.car.running.laps_truth import laps_with_play
 from tests.conftest import DESIGNS
 
 A, B, OFFSET = 2000.0, 1000.0, 117.5  # mm: an eight sin t, sin 2t, whose lobes this car can drive

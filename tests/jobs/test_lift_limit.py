@@ -5,13 +5,13 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from cadgen.car.optimize.choice import Limit
+from cadgen.car.against_play.evaluate import FigureLimit
 from cadgen.jobs.cam.checking import ProfileChecks, _lift_check
 from cadgen.jobs.cam.choosing import LIFT_ERROR, _lifted
 
 LIMITS = (
-    Limit(figure="position error on the run", most=5.0, unit="mm"),
-    Limit(figure=LIFT_ERROR, most=50.0, unit="µm"),
+    FigureLimit(figure="position error on the run", most=5.0, unit="mm"),
+    FigureLimit(figure=LIFT_ERROR, most=50.0, unit="µm"),
 )
 
 
@@ -29,7 +29,7 @@ def cam(micrometres):
 )
 def test_limit_of_the_lift_error_on_a_car_that_was_measured(old, profiles, most):
     limits, words = _lifted(LIMITS, cam(old), [cam(each) for each in profiles])
-    assert limits == (LIMITS[0], Limit(figure=LIFT_ERROR, most=most, unit="µm"))
+    assert limits == (LIMITS[0], FigureLimit(figure=LIFT_ERROR, most=most, unit="µm"))
     assert bool(words) == (most > 50.0)
     assert all("114 µm at least" in sentence and "300 µm on this car" in sentence for sentence in words)
 

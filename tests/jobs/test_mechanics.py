@@ -5,8 +5,7 @@ import json
 import numpy as np
 import pytest
 
-from cadgen.car.optimize.profiles.actual import ACTUAL
-from cadgen.car.optimize.profiles.compensated import COMPENSATED
+from cadgen.car.against_play.profile_kinds import ACTUAL, COMPENSATED
 from cadgen.design import cam_model, variation
 from cadgen.design.load import load_design
 from cadgen.errors import CheckError, DesignError

@@ -12,13 +12,11 @@ from cadgen.aside import alone
 from cadgen.cam.checks import STATIONS
 from cadgen.cam.contact import roll
 from cadgen.cam.envelope import actual_profile
-from cadgen.car.motion.drive import drive
-from cadgen.car.motion.errors import run_error
-from cadgen.car.motion.sampled import sampled_lift
-from cadgen.car.optimize.compensation import compensated_lift
-from cadgen.car.optimize.profiles.actual import ACTUAL
-from cadgen.car.optimize.profiles.compensated import COMPENSATED
-from cadgen.car.optimize.profiles.table import profile_of
+from cadgen.car.against_play.compensation import compensated_lift
+from cadgen.car.against_play.profile_kinds import ACTUAL, COMPENSATED, profile_of
+from cadgen.car.running.drive import drive
+from cadgen.car.running.errors import run_error
+from cadgen.car.running.sampled import sampled_lift
 from cadgen.design.load import load_design
 from cadgen.errors import CheckError, DesignError
 from cadgen.jobs.cam.files import write_cam

@@ -7,11 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cadgen.car.motion.drive import drive
-from cadgen.car.motion.errors import run_error
-from cadgen.car.optimize.compensation import compensated_lift
-from cadgen.car.optimize.profiles.actual import ACTUAL
-from cadgen.car.optimize.profiles.compensated import COMPENSATED
+from cadgen.car.against_play.compensation import compensated_lift
+from cadgen.car.against_play.profile_kinds import ACTUAL, COMPENSATED
+from cadgen.car.running.drive import drive
+from cadgen.car.running.errors import run_error
 from cadgen.design.load import load_design
 from cadgen.errors import CheckError, FileError
 from cadgen.jobs.cam.manifest import comparison_facts

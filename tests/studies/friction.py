@@ -18,13 +18,13 @@ from matplotlib.figure import Figure
 from scipy.optimize import minimize
 
 from cadgen import __version__
-from cadgen.car.motion.friction import BEARING
-from cadgen.car.motion.mechanics import MechanicsBand
-from cadgen.car.optimize.band import best_for_band, over_band
-from cadgen.car.optimize.compensation import compensated_lift
-from cadgen.car.optimize.remedies import holding, trims
-from cadgen.car.optimize.task import Task
+from cadgen.car.against_play.band import best_for_band, over_band
+from cadgen.car.against_play.compensation import compensated_lift
+from cadgen.car.against_play.play_task import PlayTask
+from cadgen.car.against_play.remedies import holding, trims
 from cadgen.car.path_motion import PathMotion
+from cadgen.car.running.friction import BEARING
+from cadgen.car.running.mechanics import MechanicsBand
 from cadgen.curves.piecewise import quintic_hermite
 from cadgen.design import cam_model
 from cadgen.design.load import load_design
@@ -37,19 +37,19 @@ BUMPS = 12
 PICTURES = Path("docs/pictures")
 
 
-def car() -> Task:
+def car() -> PlayTask:
     """The paper's car."""
     design = load_design("carbon_free_car")
     track = cam_model.track(design)
     return task_of(design, track, cam_model.lift(design, track), cam_model.follower(design))
 
 
-def worst(task: Task, lift: PathMotion, band: MechanicsBand, plays: np.ndarray = PLAYS) -> float:
+def worst(task: PlayTask, lift: PathMotion, band: MechanicsBand, plays: np.ndarray = PLAYS) -> float:
     """Worst end over plays and frictions, mm."""
     return over_band(lift, task.lift, task.car, task.length, plays, mechanics=band.cases).worst_distance
 
 
-def curves(task: Task) -> dict[str, list[float]]:
+def curves(task: PlayTask) -> dict[str, list[float]]:
     """Worst end over the plays at each friction, by remedy, mm."""
     free = MechanicsBand(follower=task.follower)
     robust = best_for_band(
@@ -74,14 +74,14 @@ def curves(task: Task) -> dict[str, list[float]]:
     return found
 
 
-def bearing(task: Task) -> float:
+def bearing(task: PlayTask) -> float:
     """Worst end with a bearing of 11 mm and a cam for it, mm."""
     follower = replace(task.follower, radius=5.5)
     band = MechanicsBand(follower=follower, friction=BEARING)
     return best_for_band(task.lift, follower, task.car, task.length, ENDS, mechanics=band.corners).worst_distance
 
 
-def searched(task: Task) -> tuple[float, float]:
+def searched(task: PlayTask) -> tuple[float, float]:
     """Worst end of the best dilation, and of what a search from there over bumps of the lift reaches, mm."""
     band = MechanicsBand(follower=task.follower, friction=(0.05, 0.3))
     best = best_for_band(task.lift, task.follower, task.car, task.length, ENDS, mechanics=band.corners)

@@ -30,7 +30,7 @@ from pathlib import Path
 from pkgutil import walk_packages
 
 import cadgen
-from cadgen.car.optimize.profiles.table import codes
+from cadgen.car.against_play.profile_kinds import codes
 from cadgen.design.load import packaged_designs
 from tests.studies import fuzz_data, fuzz_designs
 

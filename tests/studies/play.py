@@ -24,9 +24,9 @@ from scipy.ndimage import maximum_filter1d, minimum_filter1d
 from cadgen import __version__
 from cadgen.arrays import TURN
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.car.motion.play import follow
-from cadgen.car.optimize.compensation import compensated_lift
+from cadgen.car.against_play.compensation import compensated_lift
 from cadgen.car.path_motion import PathMotion
+from cadgen.car.running.play import follow
 from cadgen.curves.piecewise import quintic_hermite
 from tests.studies.command import PAGES, options, tell
 

@@ -5,12 +5,10 @@ changes the lever, and with it the steering; the drive wheel or the ratio change
 but for the offset of the drive wheel, the thickness of the disc and the lean of the rod; head and start take most of
 what is left.
 
-| module     | what it does                                                              |
-|------------|---------------------------------------------------------------------------|
-| `knobs`    | what can be set, within which range and to which division                 |
-| `steering` | steering of one disc at any place on its shaft and any setting of the head |
-| `error`    | how far the car leaves the scaled path with some setting                  |
-| `minimax`  | the least greatest error to first order, by exchange                      |
-| `search`   | the best setting for a spacing                                            |
-| `drawn`    | a spacing with its setting, its errors and its checks                     |
+| module           | what it does                                                           |
+|------------------|------------------------------------------------------------------------|
+| `setting_ranges` | what can be set, within which range and to which division              |
+| `target`         | how far the car leaves the scaled path with some setting               |
+| `best_settings`  | the least greatest error to first order, then to the divisions         |
+| `drawn_spacing`  | a spacing with its setting, its errors and its checks                  |
 """

@@ -2,7 +2,8 @@
 
 A cam that is cut for a return error B gives back the lift wanted at B. With another, B + d, the car meets on each fall
 the turning rate of d further on: over a fall it turns by d times the fall of its turning rate, whatever the profile is
-(`cadgen.car.optimize.band.fixed_profile_bound`). The lift falls where the curvature of the drive wheel's track rises:
+(`cadgen.car.against_play.band.fixed_profile_bound`). The lift falls where the curvature of the drive wheel's track
+rises:
 
     heading of the end = d R int max(dK/ds, 0) ds,    place of the end = d R int max(dK/ds, 0) J (E - Q) ds,
 

@@ -20,8 +20,8 @@ from cadgen.cam.contact import roll
 from cadgen.cam.follower import Contact
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.followers.rod_first_order import FirstOrder
-from cadgen.car.motion.sampled import sampled_lift
 from cadgen.car.path_motion import PathMotion
+from cadgen.car.running.sampled import sampled_lift
 from cadgen.curves.closed import Outline
 from cadgen.deviations.disc import DISC, Disc
 from cadgen.deviations.effect import Active, Effect, Rows, Stage, key_of, through

@@ -8,9 +8,9 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.car.motion.mechanics import Leads, Mechanics
 from cadgen.car.path.track import Track
 from cadgen.car.path_motion import PathMotion
+from cadgen.car.running.mechanics import Leads, Mechanics
 from cadgen.car.steering import Car
 from cadgen.curves.closed import ClosedCurve
 from cadgen.deviations.disc import Disc, nominal_disc

@@ -22,10 +22,10 @@ from numpy.typing import NDArray
 from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import Contact
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.car.motion.drive import Run
-from cadgen.car.motion.mechanics import Mechanics, levers
-from cadgen.car.motion.play import LEAST_SWING, falls
 from cadgen.car.path_motion import PathMotion
+from cadgen.car.running.drive import Run
+from cadgen.car.running.mechanics import Mechanics, levers
+from cadgen.car.running.play import LEAST_SWING, falls
 from cadgen.car.steering import Car
 from cadgen.deviations.deviation import (
     CAM_PHASE,

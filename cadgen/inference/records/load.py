@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import Array
-from cadgen.car.motion.drive import Pose
+from cadgen.car.running.drive import Pose
 from cadgen.errors import FileError, brief, escaped
 from cadgen.inference.adjustment import Settings, Trial
 from cadgen.inference.measurement.kinds import kinds

@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.car.motion.drive import STEPS, start_pose
-from cadgen.car.motion.friction import USUAL
-from cadgen.car.motion.mechanics import Mechanics
+from cadgen.car.running.drive import STEPS, start_pose
+from cadgen.car.running.friction import USUAL
+from cadgen.car.running.mechanics import Mechanics
 from cadgen.design import cam_model, variation
 from cadgen.design.schema import Design
 from cadgen.deviations.deviation import (

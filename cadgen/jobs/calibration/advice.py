@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from cadgen.car.motion.friction import USUAL
+from cadgen.car.running.friction import USUAL
 from cadgen.design import variation
 from cadgen.design.schema import Design
 from cadgen.deviations.catalogue import spreads

@@ -10,9 +10,9 @@ import numpy as np
 
 from cadgen.cam.contact import roll_curve
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.car.motion.mechanics import Mechanics, holding_friction
-from cadgen.car.motion.sampled import rolled_lift
 from cadgen.car.path_motion import PathMotion
+from cadgen.car.running.mechanics import Mechanics, holding_friction
+from cadgen.car.running.sampled import rolled_lift
 from cadgen.design import cam_model, gear_model, variation
 from cadgen.design.schema import Design
 from cadgen.deviations import deviation

@@ -6,8 +6,8 @@ from math import degrees, inf
 import numpy as np
 
 from cadgen.cam.checks import check_cam
-from cadgen.car.optimize.evaluate import Evaluation
-from cadgen.car.optimize.task import Task
+from cadgen.car.against_play.evaluate import Evaluation
+from cadgen.car.against_play.play_task import PlayTask
 from cadgen.car.path_motion import blend_checks
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.design import cam_model
@@ -25,7 +25,7 @@ class ProfileChecks:
     """
 
     design: Design
-    task: Task
+    task: PlayTask
     _computed: dict[str, tuple[Check, ...]] = field(default_factory=dict, repr=False)
     _allowed: list[float] = field(default_factory=list, repr=False)
 

@@ -6,10 +6,9 @@ from math import degrees
 
 import numpy as np
 
-from cadgen.car.optimize.band import PlayBand, over_band
-from cadgen.car.optimize.choice import Candidate, Limit, choose
-from cadgen.car.optimize.evaluate import Evaluation
-from cadgen.car.optimize.remedies import trims
+from cadgen.car.against_play.band import PlayBand, over_band
+from cadgen.car.against_play.evaluate import Evaluation, FigureLimit, ProfileCandidate, choose
+from cadgen.car.against_play.remedies import trims
 from cadgen.check import failing
 from cadgen.design.play import Hardware
 from cadgen.design.schema import Design
@@ -54,7 +53,8 @@ def best_of(
                 checks.allow_lift_error(limit.most)
     remaining = {str(evaluation.profile): evaluation for evaluation in evaluations}
     candidates = {
-        name: Candidate(name=name, figures=_figures(checks, evaluation, band)) for name, evaluation in remaining.items()
+        name: ProfileCandidate(name=name, figures=_figures(checks, evaluation, band))
+        for name, evaluation in remaining.items()
     }
     first = remaining[choose(list(candidates.values()), allowed, objective=deciding, unit="mm").best.name]
     refused: list[str] = []
@@ -81,7 +81,7 @@ def _heading(band: PlayBand) -> str:
     return _deciding(band).replace("position", "heading")
 
 
-def _limits(design: Design, band: PlayBand) -> tuple[Limit, ...]:
+def _limits(design: Design, band: PlayBand) -> tuple[FigureLimit, ...]:
     """Limits of [optimize]."""
     keys = design.optimize
     limits = (
@@ -90,12 +90,12 @@ def _limits(design: Design, band: PlayBand) -> tuple[Limit, ...]:
         ("position error on the run", keys.max_run_position_mm, "mm"),
         (LIFT_ERROR, keys.max_lift_error_um, "µm"),
     )
-    return tuple(Limit(figure=name, most=most, unit=unit) for name, most, unit in limits if most is not None)
+    return tuple(FigureLimit(figure=name, most=most, unit=unit) for name, most, unit in limits if most is not None)
 
 
 def _lifted(
-    limits: tuple[Limit, ...], old: Evaluation, evaluations: Sequence[Evaluation]
-) -> tuple[tuple[Limit, ...], tuple[str, ...]]:
+    limits: tuple[FigureLimit, ...], old: Evaluation, evaluations: Sequence[Evaluation]
+) -> tuple[tuple[FigureLimit, ...], tuple[str, ...]]:
     """Limits with that of the lift error raised to the old cam's, if no profile keeps it; and that in words."""
     least, had = (1e3 * error for error in (min(e.worst_lift_error for e in evaluations), old.worst_lift_error))
     raised = [limit for limit in limits if limit.figure == LIFT_ERROR and limit.most < least < had]

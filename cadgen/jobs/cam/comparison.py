@@ -5,15 +5,15 @@ from math import degrees, radians
 
 from cadgen.cam.follower import Follower
 from cadgen.cam.followers.rod import rod_of
-from cadgen.car.motion.drive import Run, start_pose
-from cadgen.car.motion.errors import run_error
-from cadgen.car.motion.play import LEAST_SWING, Following
-from cadgen.car.optimize.band import Bound, PlayBand
-from cadgen.car.optimize.evaluate import Evaluation
-from cadgen.car.optimize.profiles.profile import Profile
-from cadgen.car.optimize.task import Task
+from cadgen.car.against_play.band import EndBound, PlayBand
+from cadgen.car.against_play.evaluate import Evaluation
+from cadgen.car.against_play.play_task import PlayTask
+from cadgen.car.against_play.profile_kinds import ProfileKind
 from cadgen.car.path.track import Track
 from cadgen.car.path_motion import PathMotion
+from cadgen.car.running.drive import Run, start_pose
+from cadgen.car.running.errors import run_error
+from cadgen.car.running.play import LEAST_SWING, Following
 from cadgen.curves.closed import ClosedCurve
 from cadgen.design import cam_model, variation
 from cadgen.design.schema import Design
@@ -33,7 +33,7 @@ _LEAST_LOSS = 10.0  # mm; less is within what a start by hand is off
 class MeasuredCam:
     """Cam that was on the car when the car was measured: its profile, its lift, and the curve that was cut, mm."""
 
-    profile: Profile
+    profile: ProfileKind
     lift: PathMotion
     curve: ClosedCurve
 
@@ -54,13 +54,13 @@ class PlayComparison:
         rubbing: effect of friction on the run, a sentence; empty if the design has friction or it changes nothing.
     """
 
-    task: Task
+    task: PlayTask
     band: PlayBand
     before: Evaluation
     chosen: Evaluation
     evaluations: tuple[Evaluation, ...]
     reasons: tuple[str, ...]
-    bound: Bound
+    bound: EndBound
     rubbing: str
 
     def gain(self, evaluation: Evaluation) -> tuple[float | None, float | None]:
@@ -168,14 +168,14 @@ def _off(error: float, before: float, smallest: float) -> float | None:
     return 1 - abs(error / before) if abs(before) > smallest else None
 
 
-def task_of(design: Design, track: Track, lift: PathMotion, follower: Follower) -> Task:
+def task_of(design: Design, track: Track, lift: PathMotion, follower: Follower) -> PlayTask:
     """Task of a profile against play, for a design and its track.
 
     Raises:
         DesignError: the follower is not the leaning rod.
     """
     rod = rod_of(follower, "what the play of the gears does to a cam", "take --profile actual")
-    return Task(
+    return PlayTask(
         lift=lift,
         follower=rod,
         car=cam_model.car(design),

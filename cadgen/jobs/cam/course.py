@@ -13,11 +13,10 @@ from cadgen.car.course.body import CarBody, Poses
 from cadgen.car.course.judge import CourseVerdict, EndDeviation, Passage, judge, judge_laps, passages
 from cadgen.car.course.layout import Course, Judged, ObstacleKind
 from cadgen.car.course.refuse import refuse_course
-from cadgen.car.motion.drive import STEPS, Run, drive, start_pose
-from cadgen.car.motion.mechanics import Mechanics
-from cadgen.car.motion.poses import poses_of
 from cadgen.car.path.track import Track
 from cadgen.car.path_motion import PathMotion
+from cadgen.car.running.drive import STEPS, Run, drive, poses_of, start_pose
+from cadgen.car.running.mechanics import Mechanics
 from cadgen.car.steering import Car
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.design import cam_model

@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 
 from cadgen.aside import Aside
-from cadgen.car.motion.mechanics import Mechanics
+from cadgen.car.running.mechanics import Mechanics
 from cadgen.check import Bound, Check
 from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.jobs.cam.course import OnCourse

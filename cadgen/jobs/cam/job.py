@@ -13,7 +13,7 @@ from cadgen.cam.checks import cam_angles
 from cadgen.cam.contact import roll, roll_curve
 from cadgen.cam.difference import Exact, dense_stations
 from cadgen.cam.follower import Contact
-from cadgen.car.motion.sampled import rolled_lift
+from cadgen.car.running.sampled import rolled_lift
 from cadgen.curves.chamfer import chamfered_off
 from cadgen.curves.closed import Outline
 from cadgen.jobs.cam.plan import CamPlan

@@ -4,10 +4,10 @@ from math import degrees, isfinite
 from typing import Any
 
 from cadgen.arrays import TURN
-from cadgen.car.motion.mechanics import MechanicsBand
-from cadgen.car.optimize.evaluate import Evaluation
-from cadgen.car.optimize.remedies import holding
+from cadgen.car.against_play.evaluate import Evaluation
+from cadgen.car.against_play.remedies import holding
 from cadgen.car.path_motion import PathMotion
+from cadgen.car.running.mechanics import MechanicsBand
 from cadgen.check import Check
 from cadgen.design import cam_model, gear_model, variation
 from cadgen.design.schema import Design

@@ -6,14 +6,14 @@ import numpy as np
 
 from cadgen.cam.follower import Follower
 from cadgen.cam.followers.rod import rod_of
-from cadgen.car.motion.errors import run_error
-from cadgen.car.motion.friction import USUAL
-from cadgen.car.motion.mechanics import MechanicsBand
-from cadgen.car.optimize.band import PlayBand, over_band
-from cadgen.car.optimize.evaluate import Evaluation
-from cadgen.car.optimize.remedies import holding, touched_width
-from cadgen.car.optimize.task import Task
+from cadgen.car.against_play.band import PlayBand, over_band
+from cadgen.car.against_play.evaluate import Evaluation
+from cadgen.car.against_play.play_task import PlayTask
+from cadgen.car.against_play.remedies import holding, touched_width
 from cadgen.car.path_motion import PathMotion
+from cadgen.car.running.errors import run_error
+from cadgen.car.running.friction import USUAL
+from cadgen.car.running.mechanics import MechanicsBand
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.design import cam_model, variation
 from cadgen.design.play import Hardware
@@ -25,7 +25,7 @@ _STEEP = 20.0  # mm at the end of the run for that step: friction decides more t
 _SHOWN = 1.0  # mm; less at the end is not worth a sentence
 
 
-def rubbing_sentence(task: Task, band: PlayBand, chosen: Evaluation, plain: Evaluation) -> str:
+def rubbing_sentence(task: PlayTask, band: PlayBand, chosen: Evaluation, plain: Evaluation) -> str:
     """Effect of friction on a cam that was computed without it, in words; empty if friction changes nothing."""
     usual = MechanicsBand(follower=task.follower, friction=USUAL).cases
     plays = np.array(band.ends if band.measured is None else [band.measured])
@@ -108,7 +108,7 @@ def joint_sentences(design: Design) -> list[str]:
     ]
 
 
-def border_sentences(design: Design, task: Task, chosen: Evaluation, band: PlayBand) -> list[str]:
+def border_sentences(design: Design, task: PlayTask, chosen: Evaluation, band: PlayBand) -> list[str]:
     """Advice besides the cam, and warnings where the cam may be held in one run and lead in the next, in words."""
     known, keys = task.mechanics, design.mechanics
     if known is None:

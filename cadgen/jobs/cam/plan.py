@@ -7,17 +7,14 @@ from cadgen.arrays import TURN
 from cadgen.cam.checks import LOST_LIFT, check_cam
 from cadgen.cam.follower import Follower, Trim
 from cadgen.cam.followers.rod import LeaningRod
+from cadgen.car.against_play.evaluate import evaluate
+from cadgen.car.against_play.laps import Laps
+from cadgen.car.against_play.play_task import TrainTask
+from cadgen.car.against_play.profile_kinds import ACTUAL, OPTIMIZED, ProfileKind, codes, profile_of
 from cadgen.car.course.layout import Side
-from cadgen.car.motion.drive import drive, start_pose
-from cadgen.car.optimize.evaluate import evaluate
-from cadgen.car.optimize.laps import Laps
-from cadgen.car.optimize.profiles.actual import ACTUAL
-from cadgen.car.optimize.profiles.optimized import OPTIMIZED
-from cadgen.car.optimize.profiles.profile import Profile
-from cadgen.car.optimize.profiles.table import codes, profile_of
-from cadgen.car.optimize.task import TrainTask
 from cadgen.car.path.track import Track
 from cadgen.car.path_motion import PathMotion, blend_checks
+from cadgen.car.running.drive import drive, start_pose
 from cadgen.check import Check, failing
 from cadgen.curves.closed import ClosedCurve
 from cadgen.curves.derived import turned
@@ -59,7 +56,7 @@ class CamPlan:
     """
 
     design: Design
-    profile: Profile
+    profile: ProfileKind
     track: Track
     lift: PathMotion
     rod: Follower
@@ -138,7 +135,7 @@ class CamPlan:
         return self.curve.area()
 
 
-def default_profile(design: Design) -> Profile:
+def default_profile(design: Design) -> ProfileKind:
     """The optimized profile for a design with [train] or [play], else the actual profile."""
     return OPTIMIZED if variation.play_bands(design) else ACTUAL
 
@@ -173,7 +170,7 @@ def plan_cam(
     return _plan(design, kind, progress, judged=judged)
 
 
-def _plan(design: Design, profile: Profile, progress: Progress, *, judged: bool = True) -> CamPlan:
+def _plan(design: Design, profile: ProfileKind, progress: Progress, *, judged: bool = True) -> CamPlan:
     """Plan of a profile that is not for play."""
     progress("planning the path")
     track = cam_model.track(design)
@@ -200,7 +197,7 @@ def _plan(design: Design, profile: Profile, progress: Progress, *, judged: bool 
 
 def _plan_against_play(
     design: Design,
-    profile: Profile,
+    profile: ProfileKind,
     progress: Progress,
     *,
     all_trains: bool = False,
@@ -287,5 +284,5 @@ def _laps(design: Design, track: Track, lift: PathMotion) -> Laps | None:
     )
 
 
-def _rolling(profile: Profile, rod: Follower) -> Follower:
+def _rolling(profile: ProfileKind, rod: Follower) -> Follower:
     return rod.point() if profile.by_axis else rod

@@ -7,12 +7,10 @@ from math import degrees
 
 from cadgen.arrays import TURN
 from cadgen.aside import Aside, only_here
-from cadgen.car.motion.play import falls
-from cadgen.car.optimize.evaluate import Evaluation, evaluate, evaluate_measured
-from cadgen.car.optimize.profiles.actual import ACTUAL
-from cadgen.car.optimize.profiles.profile import Profile
-from cadgen.car.optimize.profiles.table import compared
-from cadgen.car.optimize.task import Task, TrainTask
+from cadgen.car.against_play.evaluate import Evaluation, evaluate, evaluate_measured
+from cadgen.car.against_play.play_task import PlayTask, TrainTask
+from cadgen.car.against_play.profile_kinds import ACTUAL, ProfileKind, compared
+from cadgen.car.running.play import falls
 from cadgen.check import failing
 from cadgen.design.play import Hardware
 from cadgen.design.schema import Design
@@ -28,7 +26,7 @@ _LEAST_MISSED = 1e-4  # mm of lift; less is below what can be cut
 
 
 def against_play(
-    profile: Profile,
+    profile: ProfileKind,
     checks: ProfileChecks,
     *,
     all_trains: bool = False,
@@ -95,7 +93,7 @@ def against_play(
 
 
 def _evaluations(
-    work: TrainTask, profile: Profile, progress: Progress
+    work: TrainTask, profile: ProfileKind, progress: Progress
 ) -> tuple[tuple[Evaluation, ...], tuple[str, ...]]:
     """Evaluations of the actual and another profile, or of all that can be made; and why others cannot, in words."""
     if not profile.best_of:
@@ -120,7 +118,7 @@ def _evaluations(
     return tuple(evaluations), tuple(refusals.values())
 
 
-def _tried(work: TrainTask, kinds: Sequence[Profile], progress: Progress) -> list[Evaluation | DesignError]:
+def _tried(work: TrainTask, kinds: Sequence[ProfileKind], progress: Progress) -> list[Evaluation | DesignError]:
     """Evaluation of each profile, or why it cannot be made."""
     out: list[Evaluation | DesignError] = []
     for kind in kinds:
@@ -132,7 +130,7 @@ def _tried(work: TrainTask, kinds: Sequence[Profile], progress: Progress) -> lis
     return out
 
 
-def _lost_sentences(task: Task, chosen: Evaluation) -> list[str]:
+def _lost_sentences(task: PlayTask, chosen: Evaluation) -> list[str]:
     """Lift that a profile cannot give back because events are closer together than the play, in words."""
     if not chosen.lost:
         return []
@@ -148,7 +146,7 @@ def _lost_sentences(task: Task, chosen: Evaluation) -> list[str]:
     ]
 
 
-def _with_friction(design: Design, task: Task) -> str:
+def _with_friction(design: Design, task: PlayTask) -> str:
     """Advice where friction keeps every profile from its limit; empty if it does not apply."""
     known = task.mechanics
     if known is None or known.friction[1] == 0 or Hardware.DRAG in (design.optimize.hardware or ()):
@@ -159,7 +157,7 @@ def _with_friction(design: Design, task: Task) -> str:
     )
 
 
-def _other_order(works: Mapping[StageOrder, TrainTask], profile: Profile, checks: ProfileChecks) -> str:
+def _other_order(works: Mapping[StageOrder, TrainTask], profile: ProfileKind, checks: ProfileChecks) -> str:
     """Advice on another order of the train's stages that keeps the limits and the checks; empty if there is none."""
     for name, work in works.items():
         try:

@@ -8,14 +8,14 @@ import numpy as np
 from cadgen.cam.checks import check_cam
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.followers.rod_kind import RodMaterial
-from cadgen.car.motion.friction import BEARING
-from cadgen.car.motion.mechanics import Mechanics, MechanicsBand
-from cadgen.car.optimize.band import PlayBand, best_for_band, over_band
-from cadgen.car.optimize.evaluate import Evaluation
-from cadgen.car.optimize.profiles.actual import ACTUAL
-from cadgen.car.optimize.remedies import bearing_for, friction_to_fail, holding, trims, worst_on_way
-from cadgen.car.optimize.task import Task
+from cadgen.car.against_play.band import PlayBand, best_for_band, over_band
+from cadgen.car.against_play.evaluate import Evaluation
+from cadgen.car.against_play.play_task import PlayTask
+from cadgen.car.against_play.profile_kinds import ACTUAL
+from cadgen.car.against_play.remedies import bearing_for, friction_to_fail, holding, trims, worst_on_way
 from cadgen.car.path_motion import PathMotion, blend_checks
+from cadgen.car.running.friction import BEARING
+from cadgen.car.running.mechanics import Mechanics, MechanicsBand
 from cadgen.design import cam_model, variation
 from cadgen.design.load import with_overrides
 from cadgen.design.schema import Design
@@ -63,7 +63,7 @@ class _Sheet:
     """A design with its bands of play, friction and drag."""
 
     design: Design
-    task: Task
+    task: PlayTask
     band: PlayBand
     mechanics: MechanicsBand
 

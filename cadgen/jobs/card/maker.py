@@ -10,16 +10,15 @@ from cadgen.arrays import TURN, Array
 from cadgen.cam.checks import riding_checks
 from cadgen.cam.follower import Contact
 from cadgen.cam.followers.rod import LeaningRod, rod_of
+from cadgen.car.against_play.profile_kinds import ACTUAL
 from cadgen.car.course.layout import Course, Draw, Judged
-from cadgen.car.draws.drawn import Drawn, steering_check
-from cadgen.car.draws.error import Target, planned_point
-from cadgen.car.draws.knobs import Setting
-from cadgen.car.draws.search import best_settings, first_guess
-from cadgen.car.draws.steering import Steering, moved_rod
-from cadgen.car.motion.drive import Pose, Run, drive, turns_of
-from cadgen.car.motion.sampled import rolled_lift
-from cadgen.car.optimize.profiles.actual import ACTUAL
+from cadgen.car.draws.best_settings import best_settings, first_guess
+from cadgen.car.draws.drawn_spacing import DrawnSpacing, steering_check
+from cadgen.car.draws.setting_ranges import CarSetting
+from cadgen.car.draws.target import Steering, Target, moved_rod, planned_point
 from cadgen.car.path_motion import PathMotion
+from cadgen.car.running.drive import Pose, Run, drive, turns_of
+from cadgen.car.running.sampled import rolled_lift
 from cadgen.curves.closed import ClosedCurve
 from cadgen.design import cam_model, draw_model
 from cadgen.design.course import layout_of
@@ -50,7 +49,7 @@ class Maker:
     draw: Draw
     tries: int = TRIES
 
-    def drawn(self, spacing: float) -> Drawn:
+    def drawn(self, spacing: float) -> DrawnSpacing:
         """Setting for a spacing (mm) with the least error that keeps the course; else the one nearest to keeping it.
 
         Args:
@@ -62,7 +61,7 @@ class Maker:
         weights = np.ones(len(self._motor))
         middle = (self._rod.inner + self._rod.outer) / 2
         begin = first_guess(knobs, middle, track.turn, spacing / self.draw.stated)
-        rows: list[Drawn] = []
+        rows: list[DrawnSpacing] = []
         for _ in range(self.tries):
             near = best_settings(target, knobs, begin, weights)
             wrong: list[float] = []  # of the best
@@ -132,7 +131,7 @@ class Maker:
     def _contact(self, cut: ClosedCurve, rod: LeaningRod) -> Contact:
         return draw_model.contact(self._design, cut, rod, self._stations)
 
-    def _driven(self, spacing: float, target: Target, setting: Setting) -> tuple[Drawn, list[float]]:
+    def _driven(self, spacing: float, target: Target, setting: CarSetting) -> tuple[DrawnSpacing, list[float]]:
         """The setting as it drives, and motor positions, rad, at which it does not keep the course."""
         rod = moved_rod(self._rod, setting.disc, setting.head)
         contact = self._contact(self._plain, rod)
@@ -157,7 +156,7 @@ class Maker:
         checks += riding_checks(lift, rod, contact, self.cam.blank, cam_model.check_limits(self._design))
         worst = int(np.argmax(off))
         place = planned_point(np.array([start.x + 1j * start.y]), np.array([start.heading]), target.offset)[0]
-        row = Drawn(
+        row = DrawnSpacing(
             spacing=spacing,
             setting=setting,
             start=(float(place.real), float(place.imag), start.heading),

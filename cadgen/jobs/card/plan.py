@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from cadgen.car.course.layout import Draw
-from cadgen.car.draws.drawn import Drawn
+from cadgen.car.draws.drawn_spacing import DrawnSpacing
 from cadgen.design import cam_model, draw_model
 from cadgen.design.schema import Design
 from cadgen.jobs.cam.plan import CamPlan, plan_cam
@@ -23,7 +23,7 @@ class Card:
 
     cam: CamPlan
     draw: Draw
-    drawn: tuple[Drawn, ...]
+    drawn: tuple[DrawnSpacing, ...]
 
     @property
     def design(self) -> Design:
@@ -36,7 +36,7 @@ class Card:
         return self.cam.passed and not any(each.failed for each in self.drawn)
 
     @property
-    def worst(self) -> Drawn:
+    def worst(self) -> DrawnSpacing:
         """Spacing with the greatest remaining error."""
         return max(self.drawn, key=lambda each: each.error)
 

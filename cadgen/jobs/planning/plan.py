@@ -14,7 +14,7 @@ from cadgen.arrays import Array
 from cadgen.car.course.body import Poses, place_of
 from cadgen.car.course.layout import Judged
 from cadgen.car.course.refuse import refuse_course
-from cadgen.car.draws.drawn import Drawn
+from cadgen.car.draws.drawn_spacing import DrawnSpacing
 from cadgen.car.path.track import Track
 from cadgen.car.planner.gates import is_exact
 from cadgen.car.planner.path_plan import PathPlan, Reason, reasons
@@ -88,7 +88,7 @@ class PlannedPath:
     cam: CamPlan | None
     reasons: tuple[Reason, ...] = ()
     failed: str = ""
-    drawn: tuple[Drawn, ...] = ()
+    drawn: tuple[DrawnSpacing, ...] = ()
     kept: Margins = field(default_factory=Margins)
     cars: Cars | None = None
     no_cars: str = ""
@@ -230,7 +230,7 @@ def _planned(
     return path
 
 
-def _settings(task: PathTask, cam: CamPlan, progress: Progress) -> tuple[Drawn, ...]:
+def _settings(task: PathTask, cam: CamPlan, progress: Progress) -> tuple[DrawnSpacing, ...]:
     """Settings at the ends of what is drawn and between, if a spacing is drawn."""
     if task.draw is None:
         return ()

@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 
 from cadgen.arrays import Array
+from cadgen.car.against_play.evaluate import Evaluation
 from cadgen.car.course.layout import Shape
-from cadgen.car.motion.errors import EventKind, RunError, deflected, run_error
-from cadgen.car.optimize.evaluate import Evaluation
+from cadgen.car.running.errors import EventKind, RunError, deflected, run_error
 from cadgen.design import cam_model
 from cadgen.design.course import body_of, layout_of
 from cadgen.design.schema import Design

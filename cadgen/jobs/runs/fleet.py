@@ -5,8 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from cadgen.arrays import TURN
-from cadgen.car.motion.drive import STEPS
-from cadgen.car.motion.mechanics import Mechanics
+from cadgen.car.running.drive import STEPS
+from cadgen.car.running.mechanics import Mechanics
 from cadgen.design import variation
 from cadgen.inference.monte_carlo.cars import Cars, nominal_cars
 from cadgen.jobs.cam.plan import CamPlan, comparison_of

@@ -3,7 +3,7 @@
 from math import degrees
 from typing import Any
 
-from cadgen.car.motion.errors import deflection_sum
+from cadgen.car.running.errors import deflection_sum
 from cadgen.deviations.deviation import Deviation
 from cadgen.inference.monte_carlo.budget import Budget
 from cadgen.jobs.cam.manifest import as_built_facts, design_facts, mechanics_facts

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from math import radians
 
-from cadgen.car.motion.drive import Run
-from cadgen.car.motion.errors import Event, RunError, deflections, run_error
+from cadgen.car.running.drive import Run
+from cadgen.car.running.errors import Event, RunError, deflections, run_error
 from cadgen.design.schema import Design
 from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.jobs.cam.course import CourseRun

@@ -8,7 +8,7 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.aside import in_processes
-from cadgen.car.motion.drive import STEPS, turns_of
+from cadgen.car.running.drive import STEPS, turns_of
 from cadgen.design import cam_model, variation
 from cadgen.design.schema import Design
 from cadgen.design.section import listed

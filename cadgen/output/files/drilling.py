@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from math import pi, radians, tan
 from pathlib import Path
 
-from cadgen.car.motion.friction import DiscMaterial
+from cadgen.car.running.friction import DiscMaterial
 from cadgen.design.machining import Drilling, Machining
 from cadgen.output.files.gcode_words import SETTINGS, comments, words
 from cadgen.parts.blank import Blank

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from cadgen.cam.cutter import CutterLimit
-from cadgen.car.motion.friction import DiscMaterial
+from cadgen.car.running.friction import DiscMaterial
 from cadgen.curves.biarc import arcs
 from cadgen.curves.closed import ClosedCurve, left_normal, polar_angle
 from cadgen.curves.contour import Contour

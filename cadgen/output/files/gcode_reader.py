@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.car.motion.friction import DiscMaterial
+from cadgen.car.running.friction import DiscMaterial
 from cadgen.curves.closed import Outline
 from cadgen.design.machining import Machining
 from cadgen.errors import FileError

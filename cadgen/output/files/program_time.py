@@ -6,7 +6,7 @@ Rapid moves and changes of tool take what the machine takes, which no program sa
 from math import pi
 
 from cadgen.arrays import TURN
-from cadgen.car.motion.friction import DiscMaterial
+from cadgen.car.running.friction import DiscMaterial
 from cadgen.design.machining import Machining
 from cadgen.output.files.drilling import drill_feed, drills_of, pecks, point_length
 from cadgen.output.files.gcode import levels_of

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from cadgen.cam.cutter import CutterLimit
-from cadgen.car.motion.friction import DiscMaterial
+from cadgen.car.running.friction import DiscMaterial
 from cadgen.curves.closed import ClosedCurve, Outline
 from cadgen.design.machining import Machining
 from cadgen.output.files.drill_reader import read_drilling

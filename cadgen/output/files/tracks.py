@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.car.motion.drive import Run
+from cadgen.car.running.drive import Run
 from cadgen.errors import FileError
 
 _WHEELS = ("drive", "front", "idle")

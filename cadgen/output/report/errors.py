@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from cadgen.car.motion.errors import Event, deflection_sum
+from cadgen.car.running.errors import Event, deflection_sum
 from cadgen.output.report.style import BLUE, GREEN, ORANGE, SKY, VERMILLION, figure, save, zero_line
 
 _COLORS = (VERMILLION, ORANGE, SKY, GREEN, BLUE)

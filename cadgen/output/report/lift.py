@@ -8,8 +8,8 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import Follower
-from cadgen.car.motion.play import Following
 from cadgen.car.path_motion import PathMotion
+from cadgen.car.running.play import Following
 from cadgen.output.report.style import AFTER, BEFORE, GREY, WANTED, figure, save, zero_line
 
 _POINTS = 7200

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from math import degrees
 from typing import Any
 
-from cadgen.car.draws.drawn import Drawn
+from cadgen.car.draws.drawn_spacing import DrawnSpacing
 from cadgen.design.schema import Design
 from cadgen.output.report.card import Column
 
@@ -25,7 +25,7 @@ _COLUMNS = (
 )
 
 
-def sentences(drawn: Sequence[Drawn], band: tuple[float, float] | None, laps: int | None = None) -> list[str]:
+def sentences(drawn: Sequence[DrawnSpacing], band: tuple[float, float] | None, laps: int | None = None) -> list[str]:
     """The settings in words, the most important first.
 
     Args:
@@ -63,9 +63,9 @@ def sentences(drawn: Sequence[Drawn], band: tuple[float, float] | None, laps: in
     return lines
 
 
-def _faults(drawn: Sequence[Drawn]) -> Iterator[str]:
+def _faults(drawn: Sequence[DrawnSpacing]) -> Iterator[str]:
     """A sentence for each row of spacings at which the same limit is not kept."""
-    row: list[Drawn] = []
+    row: list[DrawnSpacing] = []
     for each, after in zip(drawn, (*drawn[1:], None), strict=True):
         if not each.failed:
             continue
@@ -91,7 +91,7 @@ def planned_point(design: Design) -> str:
     return f"the point of the rear axle {offset:g} mm to the right of the drive wheel"
 
 
-def rows(design: Design, drawn: Sequence[Drawn]) -> list[dict[str, Any]]:
+def rows(design: Design, drawn: Sequence[DrawnSpacing]) -> list[dict[str, Any]]:
     """The setting of each spacing in the units of its names."""
     cam = design.cam
     middle = sum(cam.faces_mm) / 2
@@ -122,7 +122,7 @@ def _plain(value: float, digits: int) -> float:
     return round(value, digits) + 0.0  # no minus before a 0
 
 
-def columns(design: Design, drawn: Sequence[Drawn]) -> tuple[Column, ...]:
+def columns(design: Design, drawn: Sequence[DrawnSpacing]) -> tuple[Column, ...]:
     """Columns of a printed card, without what cannot be set or is not known."""
     given, left_out = design.settings, set()
     if given is not None and given.head_from_mm == given.head_to_mm:

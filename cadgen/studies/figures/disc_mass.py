@@ -1,6 +1,6 @@
 """Mass of the disc without its hub: area less bore and holes, times thickness and density of its material."""
 
-from cadgen.car.motion.friction import DiscMaterial
+from cadgen.car.running.friction import DiscMaterial
 from cadgen.errors import DesignError
 from cadgen.studies.figures.evaluated import Evaluated
 from cadgen.studies.figures.figure import Figure

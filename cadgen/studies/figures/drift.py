@@ -13,7 +13,7 @@ The exact chain adds what is of higher order, what smoothing gains, and the jump
 import numpy as np
 
 from cadgen.arrays import TURN
-from cadgen.car.motion.drive import drive, turns_of
+from cadgen.car.running.drive import drive, turns_of
 from cadgen.car.steering import track_curvature, travel_ratio
 from cadgen.design import cam_model
 from cadgen.studies.figures.evaluated import Evaluated

@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from functools import cached_property
 from typing import Any
 
-from cadgen.car.optimize.band import PlayBand
+from cadgen.car.against_play.band import PlayBand
 from cadgen.car.path.track import Track
 from cadgen.car.path_motion import PathMotion
 from cadgen.design import cam_model, variation

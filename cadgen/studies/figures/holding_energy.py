@@ -1,6 +1,6 @@
 """Energy in a turn of the cam that the drag takes which holds the cam on its gears."""
 
-from cadgen.car.optimize.remedies import holding
+from cadgen.car.against_play.remedies import holding
 from cadgen.errors import DesignError
 from cadgen.jobs.cam.plan import comparison_of
 from cadgen.studies.figures.evaluated import Evaluated

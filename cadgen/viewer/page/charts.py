@@ -8,7 +8,7 @@ import numpy as np
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll_curve
 from cadgen.cam.follower import Contact
-from cadgen.car.optimize.evaluate import Evaluation
+from cadgen.car.against_play.evaluate import Evaluation
 from cadgen.curves.closed import ClosedCurve
 from cadgen.design import cam_model
 from cadgen.jobs.cam.plan import CamPlan

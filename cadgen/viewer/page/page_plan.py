@@ -6,7 +6,7 @@ from enum import StrEnum
 from typing import TYPE_CHECKING
 
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.car.optimize.profiles.actual import ACTUAL
+from cadgen.car.against_play.profile_kinds import ACTUAL
 from cadgen.check import Check
 from cadgen.design import cam_model, variation
 from cadgen.design.schema import Design, TrainDesign

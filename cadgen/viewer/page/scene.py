@@ -11,9 +11,9 @@ from cadgen.arrays import TURN
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.car.course.body import place_of
 from cadgen.car.course.layout import CarPoint, Course, Gate, Shape, Side
-from cadgen.car.motion.drive import drive, start_pose
-from cadgen.car.motion.play import Following, follow
 from cadgen.car.path_motion import PathMotion
+from cadgen.car.running.drive import drive, start_pose
+from cadgen.car.running.play import Following, follow
 from cadgen.design import cam_model
 from cadgen.design.course import body_of, layout_of
 from cadgen.design.schema import Design

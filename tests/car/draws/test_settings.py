@@ -8,8 +8,8 @@ from scipy.optimize import linprog
 
 from cadgen import Design
 from cadgen.car.course.layout import Course, Draw, Obstacle, Shape
-from cadgen.car.draws.knobs import Knob, Wheels
-from cadgen.car.draws.minimax import Minimax
+from cadgen.car.draws.best_settings import Minimax
+from cadgen.car.draws.setting_ranges import SettingRange, Wheels
 from cadgen.design import draw_model
 from cadgen.jobs.cam.plan import plan_cam
 from cadgen.jobs.card.maker import Maker
@@ -115,11 +115,11 @@ def test_least_greatest_error_is_that_of_the_linear_programme(seed):
 
 
 def test_what_can_be_set_on_either_side():
-    assert Knob(-5.0, 5.0, 0.5).near(1.2) == (1.0, 1.5)
-    assert Knob(-5.0, 5.0, 0.5).near(1.5) == (1.5,)
-    assert Knob(-5.0, 5.0).near(1.23) == (1.23,)
+    assert SettingRange(-5.0, 5.0, 0.5).near(1.2) == (1.0, 1.5)
+    assert SettingRange(-5.0, 5.0, 0.5).near(1.5) == (1.5,)
+    assert SettingRange(-5.0, 5.0).near(1.23) == (1.23,)
     # What is shown is 10.2 more, and set to whole numbers.
-    assert Knob(-5.0, 5.0, 1.0, 10.2).near(0.0) == pytest.approx((-0.2, 0.8))
+    assert SettingRange(-5.0, 5.0, 1.0, 10.2).near(0.0) == pytest.approx((-0.2, 0.8))
     hand = Wheels((50.0, 60.0), (10.0, 11.0))
     assert hand.near(2 * pi * 610) == ((60.0, 10.0), (60.0, 11.0))
     assert hand.near(2 * pi * 400) == ((50.0, 10.0),)

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cadgen.car.optimize.band import best_for_band
+from cadgen.car.against_play.band import best_for_band
 from cadgen.car.path.spline import control_path
 from cadgen.car.path.track import offset_track
 from cadgen.car.planner.constraints import LimitKind, PathLimit, curvature_limits, driving_constraints

@@ -6,7 +6,7 @@ from math import radians
 import numpy as np
 import pytest
 
-from cadgen.car.motion.drive import Pose
+from cadgen.car.running.drive import Pose
 from cadgen.errors import FileError
 from cadgen.inference.adjustment import Settings, stations_of
 from cadgen.inference.records.load import MOST_POINTS, STOPPED, TRIAL, load_text, settings_in, settings_line, trials_of

@@ -7,8 +7,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from cadgen.car.motion.mechanics import Mechanics, holding_friction
 from cadgen.car.path_motion import PathMotion
+from cadgen.car.running.mechanics import Mechanics, holding_friction
 from cadgen.design import cam_model, variation
 from cadgen.design.as_built import AsBuiltSection
 from cadgen.design.load import load_design

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from scipy.optimize import least_squares
 
-from cadgen.car.motion.drive import drive as drive_car
-from cadgen.car.motion.drive import start_pose
+from cadgen.car.running.drive import drive as drive_car
+from cadgen.car.running.drive import start_pose
 from cadgen.deviations.effect import Effect
 from cadgen.inference.measurement.kinds import TRACK
 from cadgen.inference.measurement.model import Model, slopes

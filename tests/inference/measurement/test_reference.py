@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cadgen.car.motion.drive import Running
+from cadgen.car.running.drive import Running
 from cadgen.deviations.disc import Disc
 from cadgen.inference.measurement.kinds import PROFILE, TRACK, kinds
 from cadgen.inference.measurement.reference import page

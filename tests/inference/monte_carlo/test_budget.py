@@ -8,9 +8,9 @@ from scipy.optimize import minimize_scalar
 
 from cadgen.arrays import TURN
 from cadgen.cam.contact import roll
-from cadgen.car.motion.drive import drive
-from cadgen.car.motion.mechanics import Mechanics
-from cadgen.car.motion.sampled import sampled_lift
+from cadgen.car.running.drive import drive
+from cadgen.car.running.mechanics import Mechanics
+from cadgen.car.running.sampled import sampled_lift
 from cadgen.deviations.deviation import COLUMNS, ECCENTRIC_BORE, PROFILE_OFFSET, TOLERANCES, WOBBLE, tolerance
 from cadgen.errors import DesignError
 from cadgen.inference.monte_carlo.budget import HALF_WIDTHS, by_process, error_budget

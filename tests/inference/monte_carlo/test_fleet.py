@@ -8,10 +8,10 @@ import pytest
 from cadgen.arrays import TURN
 from cadgen.cam.contact import roll
 from cadgen.cam.envelope import actual_profile
-from cadgen.car.motion.drive import Pose, Run, drive
-from cadgen.car.motion.errors import run_error
-from cadgen.car.motion.sampled import sampled_lift
-from cadgen.car.optimize.compensation import compensated_lift
+from cadgen.car.against_play.compensation import compensated_lift
+from cadgen.car.running.drive import Pose, Run, drive
+from cadgen.car.running.errors import run_error
+from cadgen.car.running.sampled import sampled_lift
 from cadgen.deviations.deviation import COLUMNS
 from cadgen.deviations.first_order import steering_derivatives
 from cadgen.errors import DesignError

@@ -11,9 +11,9 @@ import pytest
 from cadgen.arrays import TURN
 from cadgen.aside import in_processes
 from cadgen.cam.contact import roll
-from cadgen.car.motion.drive import drive
-from cadgen.car.motion.errors import run_error
-from cadgen.car.motion.sampled import sampled_lift
+from cadgen.car.running.drive import drive
+from cadgen.car.running.errors import run_error
+from cadgen.car.running.sampled import sampled_lift
 from cadgen.deviations.deviation import COLUMNS
 from cadgen.errors import DesignError
 from cadgen.inference.monte_carlo.cars import nominal_cars

@@ -7,7 +7,7 @@ import pytest
 
 from cadgen.cam.contact import roll
 from cadgen.cam.cutter import largest_cutter
-from cadgen.car.optimize.profiles.table import profile_of
+from cadgen.car.against_play.profile_kinds import profile_of
 from cadgen.curves.contour import circle
 from cadgen.design.machining import Machining
 from cadgen.errors import CheckError, FileError

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from cadgen.car.course.layout import Shape
-from cadgen.car.motion.errors import deflections
+from cadgen.car.running.errors import deflections
 from cadgen.design.load import load_design
 from cadgen.jobs.runs.files import lift_picture
 from cadgen.jobs.runs.simulation import simulate

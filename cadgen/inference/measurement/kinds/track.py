@@ -22,8 +22,8 @@ from numpy.typing import NDArray
 from scipy.stats import chi2
 
 from cadgen.arrays import TURN, Array
-from cadgen.car.motion.drive import MIDPOINT, Running, driven, start_pose
 from cadgen.car.path_motion import PathMotion
+from cadgen.car.running.drive import MIDPOINT, Running, driven, start_pose
 from cadgen.car.steering import wheel_tangent
 from cadgen.deviations import deviation
 from cadgen.deviations.catalogue import TRACK

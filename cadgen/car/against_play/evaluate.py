@@ -1,0 +1,282 @@
+"""Profiles evaluated as they are cut: rolled on their outline, and run with play.
+
+The lift that a profile is cut for may differ from the lift of its outline. The outline, rolled by code that does not
+use the lift that it is cut for, gives the lift that the car gets.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import inf, isnan
+
+import numpy as np
+
+from cadgen.arrays import TURN, Array
+from cadgen.cam.contact import rolling_step
+from cadgen.cam.envelope import ActualProfile
+from cadgen.cam.follower import Contact
+from cadgen.car.against_play.band import BAND_PLAYS, BandResult, over_band
+from cadgen.car.against_play.compensation import LostDip, lost_dips
+from cadgen.car.against_play.play_task import PlayTask, TrainTask
+from cadgen.car.against_play.profile_kinds import CutLift, ProfileKind
+from cadgen.car.path_motion import PathMotion
+from cadgen.car.running.drive import Run
+from cadgen.car.running.errors import Event, RunError, deflection_sum, deflections, run_error
+from cadgen.car.running.play import LEAST_SWING
+from cadgen.car.running.sampled import rolled_lift
+from cadgen.curves.closed import ClosedCurve
+from cadgen.errors import CheckError
+from cadgen.gears.choices import StageOrder
+
+STATIONS = 3600  # at which the rod is rolled; the run then errs by 0.02 mm
+_OUTLINE_STEP = 0.03  # mm; the run then ends within 0.01 mm of where finer steps take it (0.06: 0.06, 0.12: 0.6)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Evaluation:
+    """A profile on a train, with its run and its errors.
+
+    Attributes:
+        profile: profile that was evaluated.
+        train: order of the stages of the train.
+        play: return error of the run, rad.
+        made_for: width of the window by which its lift is dilated, rad; see `CutLift`.
+        lift: lift that the profile is cut for.
+        wanted: outline wanted of the finished disc.
+        cut: curve that is cut; that of `wanted` unless the car's [as_built] requires another.
+        rolled: lift that the follower gets on it, without play.
+        events: events of the lift, with their deflection errors at the band's greatest play, by the paper's equations.
+        run: run with that play, on the rolled profile.
+        error: errors of that run.
+        deviation: errors of the run without play: the path that the profile gives away, or needs play to keep.
+        band: errors at the ends of such runs over the train's band.
+        lift_error: lift with play beyond the lift wanted along the run, shape (n,), mm.
+        least_swing: smallest rise or fall of tan(beta) on `rolled` that counts as an event.
+        lost: dips of the lift wanted that are narrower than the play of a dilated lift.
+        measured: True for the cam that was on the car when it was measured.
+    """
+
+    profile: ProfileKind
+    train: StageOrder
+    play: float
+    made_for: float
+    lift: PathMotion
+    wanted: ActualProfile
+    cut: ClosedCurve
+    rolled: PathMotion
+    events: tuple[Event, ...]
+    run: Run
+    error: RunError
+    deviation: RunError
+    band: BandResult
+    lift_error: Array
+    least_swing: float = LEAST_SWING
+    lost: tuple[LostDip, ...] = ()
+    measured: bool = False
+
+    @property
+    def name(self) -> str:
+        """Names of profile and train."""
+        return f"{self.profile}, {self.train}"
+
+    @property
+    def title(self) -> str:
+        """Name in tables and pictures."""
+        return f"cam as measured ({self.profile})" if self.measured else f"{self.profile} profile"
+
+    @property
+    def worst_lift_error(self) -> float:
+        """Greatest difference of the lift with play from the lift wanted, mm."""
+        return float(np.abs(self.lift_error).max())
+
+    @property
+    def deflection_sum(self) -> float:
+        """Cumulative deflection error of the events, rad."""
+        return deflection_sum(self.events)
+
+
+def evaluate(work: TrainTask, profile: ProfileKind) -> Evaluation:
+    """Make a profile for a train and let the car run on it.
+
+    Args:
+        work: task on a train.
+        profile: any profile that is not the best of others.
+
+    Raises:
+        DesignError: the band of play does not run upwards from 0 or more, or the profile cannot be made.
+    """
+    task = work.task
+    cut_lift = profile.lift(work)
+    wanted = profile.curve(cut_lift.lift, task.follower)
+    cut = task.as_built.precompensated(wanted.curve)
+    contact = task.as_built.roll_new(cut, task.follower, _stations(), _step(cut, task))
+    return _evaluation(work, _Cam(profile, cut_lift, wanted, cut, contact))
+
+
+def evaluate_measured(work: TrainTask, profile: ProfileKind, lift: PathMotion, cut: ClosedCurve) -> Evaluation:
+    """Let the car as built run on the cam that it was measured with.
+
+    Args:
+        work: task on a train.
+        profile: profile of that cam.
+        lift: lift that the cam was made for.
+        cut: curve that was cut, mm.
+
+    Raises:
+        DesignError: the band of play does not run upwards from 0 or more.
+    """
+    task = work.task
+    contact = task.as_built.roll_measured(cut, task.follower, _stations(), _step(cut, task))
+    cam = _Cam(profile, CutLift(lift, work.window), ActualProfile(cut, ()), cut, contact, measured=True)
+    return _evaluation(work, cam)
+
+
+@dataclass(frozen=True)
+class _Cam:
+    """A cam before its run; as in `Evaluation`, with the rod's contact on the finished disc."""
+
+    profile: ProfileKind
+    cut_lift: CutLift
+    wanted: ActualProfile
+    cut: ClosedCurve
+    contact: Contact
+    measured: bool = False
+
+
+def _lost(task: PlayTask, cam: _Cam) -> tuple[LostDip, ...]:
+    if not cam.profile.dilated or cam.measured:
+        return ()
+    return tuple(dip for dip in lost_dips(task.lift, cam.cut_lift.made_for) if dip.whole)
+
+
+def _step(cut: ClosedCurve, task: PlayTask) -> float:
+    return rolling_step(cut, task.follower, _OUTLINE_STEP)
+
+
+def _stations() -> Array:
+    return np.linspace(0.0, TURN, STATIONS, endpoint=False)
+
+
+def _evaluation(work: TrainTask, cam: _Cam) -> Evaluation:
+    task, band, planned = work.task, work.band, work.planned
+    lift, made_for = cam.cut_lift.lift, cam.cut_lift.made_for
+    play = work.run_at(made_for)
+    rolled = rolled_lift(cam.contact, lift, blend_start=task.lift.blend_start)
+    least_swing = max(LEAST_SWING, task.as_built.unevenness(measured=cam.measured) / task.follower.inner)
+    run = task.run(rolled, play, least_swing=least_swing, cut=lift)
+    wanted, got = (task.follower.lift(tangents) for tangents in (planned.tan_beta, run.tan_beta))
+    return Evaluation(
+        profile=cam.profile,
+        train=work.train,
+        play=play,
+        made_for=made_for,
+        lift=lift,
+        wanted=cam.wanted,
+        cut=cam.cut,
+        rolled=rolled,
+        events=deflections(lift, task.follower, task.car, task.length, band.ends[1]),
+        run=run,
+        error=run_error(run, planned),
+        deviation=run_error(task.run(rolled, 0.0, least_swing=least_swing), planned),
+        band=over_band(
+            rolled,
+            task.lift,
+            task.car,
+            task.length,
+            np.linspace(*band.ends, BAND_PLAYS),
+            made_for,
+            least_swing=least_swing,
+            mechanics=task.mechanics.cases if task.mechanics else (),
+            cut=lift,
+        ),
+        lift_error=got - wanted,
+        least_swing=least_swing,
+        lost=_lost(task, cam),
+        measured=cam.measured,
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class FigureLimit:
+    """Greatest value allowed for a figure.
+
+    Attributes:
+        figure: name of the figure.
+        most: greatest value allowed, in `unit`.
+        unit: unit of the figure, for messages.
+    """
+
+    figure: str
+    most: float
+    unit: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class ProfileCandidate:
+    """A profile that may be chosen: its name and its figures, by name, in the limits' units."""
+
+    name: str
+    figures: Mapping[str, float]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Choice:
+    """The profile chosen, and a sentence on each of the candidates."""
+
+    best: ProfileCandidate
+    reasons: tuple[str, ...]
+
+
+def choose(
+    candidates: Sequence[ProfileCandidate], limits: Sequence[FigureLimit], *, objective: str, unit: str
+) -> Choice:
+    """Choose the candidate that keeps every limit and has the least value of a figure.
+
+    Args:
+        candidates: at least one candidate, each with a value for every figure named.
+        limits: limits to be kept; a figure that is not a number keeps no limit.
+        objective: name of the figure that is to be least.
+        unit: its unit, for the reasons.
+
+    Raises:
+        CheckError: no candidate keeps the limits. The message has the limit that binds on the nearest candidate, and
+            by how much it is exceeded.
+    """
+    broken = [
+        [limit for limit in limits if not candidate.figures[limit.figure] <= limit.most] for candidate in candidates
+    ]
+    kept = [candidate for candidate, breaks in zip(candidates, broken, strict=True) if not breaks]
+    if not kept:
+        nearest = min(candidates, key=lambda candidate: max(_excess(candidate, limit) for limit in limits))
+        binding = max(limits, key=lambda limit: _excess(nearest, limit))
+        raise CheckError(
+            f"none of the profiles compared keeps the design's limits: the nearest, {nearest.name}, "
+            f"{_beyond(nearest, binding)}: raise the limit in [optimize], or take a train with less backlash"
+        )
+    best = min(kept, key=lambda candidate: candidate.figures[objective])
+    reasons = []
+    for candidate, breaks in zip(candidates, broken, strict=True):
+        if candidate is best:
+            figure = f"{candidate.figures[objective]:.4g} {unit}"
+            verdict = f"chosen: the least {objective}, {figure}, of {len(kept)} that keep every limit"
+        elif breaks:
+            verdict = "refused: it " + ", and ".join(_beyond(candidate, limit) for limit in breaks)
+        else:
+            verdict = f"not chosen: its {objective} is {candidate.figures[objective]:.4g} {unit}"
+        reasons.append(f"{candidate.name} {verdict}")
+    return Choice(best=best, reasons=tuple(reasons))
+
+
+def _excess(candidate: ProfileCandidate, limit: FigureLimit) -> float:
+    """Excess of a figure over its limit, as a share of the limit; infinite for a figure that is no number."""
+    value = candidate.figures[limit.figure]
+    if isnan(value):
+        return inf
+    return (value - limit.most) / max(abs(limit.most), 1e-300)
+
+
+def _beyond(candidate: ProfileCandidate, limit: FigureLimit) -> str:
+    value = candidate.figures[limit.figure]
+    return (
+        f"has a {limit.figure} of {value:.4g} {limit.unit}, {value - limit.most:.4g} {limit.unit} more than the "
+        f"{limit.most:.4g} allowed"
+    )

@@ -1,0 +1,230 @@
+"""Remedies against play on a car whose rod rubs, and the error that each remedy leaves.
+
+A remedy is judged by the worst end of the run over the plays, frictions and drags of the cars that may be built:
+
+- a profile alone: plain, or compensated by the window that serves the whole band best;
+- a ball bearing as follower, which hardly rubs, with a compensated profile of its own;
+- drag that holds: a brake on the disc whose torque is above all that turns the cam ahead. Then gears and cam never
+  part, play does nothing, and the plain profile is right;
+- a trim: a constant turn of the steering against the rod, set after a trial run so that the end of the run is met as
+  closely as it goes. It holds as long as the next run repeats the first.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from math import radians
+
+import numpy as np
+from scipy.interpolate import PPoly
+
+from cadgen.arrays import TURN, Array
+from cadgen.cam.followers.rod import LeaningRod
+from cadgen.car.against_play.play_task import PlayTask
+from cadgen.car.path_motion import PathMotion
+from cadgen.car.running.drive import Run, drive, turns_of
+from cadgen.car.running.errors import RunError, run_error
+from cadgen.car.running.mechanics import Leads, Mechanics, MechanicsBand
+
+MARGIN = 1.25  # of a drag that is to hold, over the torque that it must hold
+_STEPS = 720  # of a turn; its end errs by 1e-5 mm
+_STATIONS = 7200  # of the turn at which torques are looked at
+_TRIM_STEPS = 4  # of Newton's method: the end moves nearly in proportion to the trim
+_TRIM_PROBE = radians(0.01)
+_FRICTION_STEP = 0.005  # at which the friction is looked for that undoes a trim
+_MOST_FRICTION = 1.0
+_MOST_BEARINGS = 2  # side by side on one rod
+
+
+@dataclass(frozen=True, kw_only=True)
+class Holding:
+    """The drag that keeps a cam on its gears.
+
+    Attributes:
+        torque: greatest torque that turns the cam ahead without any friction, N mm; the drag must be above it.
+        cam_angle: cam angle of that torque, rad.
+        with_friction: greatest torque at the least friction of the band, N mm; not to be relied on, for vibration
+            undoes friction.
+        energy: energy that a drag of `MARGIN` times the torque takes in a turn of the cam, J.
+    """
+
+    torque: float
+    cam_angle: float
+    with_friction: float
+    energy: float
+
+    @property
+    def drag(self) -> float:
+        """Drag to build, N mm: the torque with its margin."""
+        return MARGIN * self.torque
+
+
+def holding(lift: PathMotion, band: MechanicsBand) -> Holding:
+    """The drag that a cam needs to stay on its gears wherever it falls."""
+    theta = np.linspace(0.0, TURN, _STATIONS, endpoint=False)
+    free = band.at(0.0, 0.0).torque(lift, theta)
+    held = band.at(band.friction[0], 0.0).torque(lift, theta)
+    worst = int(np.argmax(free))
+    torque = max(float(free[worst]), 0.0) + 0.0  # no -0
+    return Holding(
+        torque=torque,
+        cam_angle=float(theta[worst]),
+        with_friction=max(float(held.max()), 0.0) + 0.0,
+        energy=MARGIN * torque * TURN * 1e-3,
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class SteeringTrim:
+    """A constant turn of the steering against the rod, set after a trial run.
+
+    Attributes:
+        tan_beta: constant added to the tangent of the steering angle.
+        error: errors of the run with the trim.
+    """
+
+    tan_beta: float
+    error: RunError
+
+
+def trim(task: PlayTask, lift: PathMotion, cut: PathMotion, play: float, mechanics: Mechanics) -> SteeringTrim:
+    """Trim that brings the end of the run nearest to its planned place.
+
+    Args:
+        task: lift wanted, car and follower.
+        lift: lift that the follower gets without play.
+        cut: lift that the cam was cut for.
+        play: return error of the trial run, rad.
+        mechanics: friction and drag of the trial run.
+    """
+    leads = mechanics.leads(cut)
+    planned = _run(task, task.lift, Leads(np.empty((0, 2))), 0.0, 0.0)
+
+    def error(turn: float) -> RunError:
+        return run_error(_run(task, lift, leads, play, turn), planned)
+
+    def end(off: RunError) -> Array:
+        return np.array([off.along[-1], off.across[-1]])
+
+    turn, now = 0.0, error(0.0)
+    for _ in range(_TRIM_STEPS):
+        rate = (end(error(turn + _TRIM_PROBE)) - end(now)) / _TRIM_PROBE
+        step = -float(end(now) @ rate / (rate @ rate))
+        turn += step
+        now = error(turn)
+        if abs(step) < 1e-7:
+            break
+    return SteeringTrim(tan_beta=turn, error=now)
+
+
+def trimmed_end(
+    task: PlayTask, lift: PathMotion, cut: PathMotion, play: float, mechanics: Mechanics, turn: float
+) -> float:
+    """Position error at the end of a run whose steering was trimmed on another run, mm.
+
+    Args:
+        task, lift, cut: same as in `trim`.
+        play: return error of this run, rad.
+        mechanics: friction and drag of this run.
+        turn: the trim, in tan(beta).
+    """
+    planned = _run(task, task.lift, Leads(np.empty((0, 2))), 0.0, 0.0)
+    return run_error(_run(task, lift, mechanics.leads(cut), play, turn), planned).end_distance
+
+
+def friction_to_fail(
+    task: PlayTask, lift: PathMotion, cut: PathMotion, play: float, mechanics: Mechanics, most: float
+) -> tuple[float, float]:
+    """Least and greatest coefficient of friction with which a trimmed car still ends within the error allowed.
+
+    Args:
+        task, lift, cut, play, mechanics: same as in `trim`.
+        most: greatest position error allowed at the end, mm; what the trim itself leaves is added to it.
+    """
+    set_by = trim(task, lift, cut, play, mechanics)
+    allowed = most + set_by.error.end_distance
+    limits = []
+    for way in (-1, 1):
+        friction = mechanics.friction
+        while 0 <= (further := friction + way * _FRICTION_STEP) <= _MOST_FRICTION:
+            changed = replace(mechanics, friction=further)
+            if trimmed_end(task, lift, cut, play, changed, set_by.tan_beta) > allowed:
+                break
+            friction = further
+        limits.append(friction)
+    return limits[0], limits[1]
+
+
+def trims(
+    task: PlayTask, lift: PathMotion, cut: PathMotion, plays: Sequence[float], cases: Sequence[Mechanics]
+) -> tuple[SteeringTrim, ...]:
+    """Trims of cars of all these plays (rad) and frictions, each set after a run of its own."""
+    return tuple(trim(task, lift, cut, play, case) for case in cases for play in plays)
+
+
+def worst_on_way(
+    task: PlayTask, lift: PathMotion, cut: PathMotion, plays: Sequence[float], cases: Sequence[Mechanics]
+) -> float:
+    """Greatest position error anywhere on the run of any car, mm."""
+    planned = _run(task, task.lift, Leads(np.empty((0, 2))), 0.0, 0.0)
+    runs = (_run(task, lift, leads, play, 0.0) for leads in (c.leads(cut) for c in cases) for play in plays)
+    return max(float(run_error(run, planned).distance.max()) for run in runs)
+
+
+def touched_width(lift: PathMotion, follower: LeaningRod) -> float:
+    """Length of the follower, along its axis, that touches the disc somewhere in a turn, mm.
+
+    The contact lies (w - r sin(beta)) / cos(beta) along the axis from the fork axis, on the face that carries.
+    """
+    T = lift.q(np.linspace(0.0, TURN, _STATIONS, endpoint=False))
+    root = np.sqrt(1 + T**2)
+    place = follower.contact_face(T) * root - follower.radius * T
+    return float(np.ptp(np.append(place, [follower.inner, follower.outer])))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Bearing:
+    """A shielded ball bearing of the ISO 15 dimension series: bore, outside diameter and width, mm."""
+
+    bore: float
+    outside: float
+    width: float
+
+
+BEARINGS = tuple(
+    Bearing(bore=bore, outside=outside, width=width)
+    for bore, outside, width in (
+        *((2, 5, 2.3), (2, 6, 3), (3, 7, 3), (3, 8, 4), (3, 10, 4), (4, 9, 4), (4, 11, 4), (4, 13, 5), (5, 11, 5)),
+        *((5, 13, 4), (5, 16, 5), (6, 13, 5), (6, 15, 5), (6, 19, 6), (7, 14, 5), (7, 19, 6), (8, 16, 5), (8, 19, 6)),
+        *((8, 22, 7), (10, 19, 7), (10, 22, 6), (10, 26, 8), (12, 21, 7), (12, 28, 8)),
+    )
+)
+
+
+def bearing_for(lift: PathMotion, follower: LeaningRod) -> tuple[Bearing, int] | None:
+    """The smallest bearing that fits on the rod, and the number needed side by side; None if no bearing fits."""
+    for bearing in sorted(BEARINGS, key=lambda b: b.outside):
+        needed = touched_width(lift, replace(follower, radius=bearing.outside / 2))
+        count = int(np.ceil(needed / bearing.width))
+        if bearing.bore >= 2 * follower.radius and count <= _MOST_BEARINGS:
+            return bearing, count
+    return None
+
+
+def _run(task: PlayTask, lift: PathMotion, leads: Leads, play: float, turn: float) -> Run:
+    moved = _turned(lift, turn) if turn else lift
+    return drive(
+        moved,
+        task.car,
+        task.length,
+        start=task.start,
+        steps=_STEPS * turns_of(task.lift.blend_start),
+        stop=task.lift.blend_start,
+        following=leads.follow(moved, play),
+    )
+
+
+def _turned(lift: PathMotion, turn: float) -> PathMotion:
+    """The lift with a constant added to tan(beta)."""
+    c = lift.q.c.copy()
+    c[-1] += turn
+    return replace(lift, q=PPoly(c, lift.q.x, extrapolate=lift.q.extrapolate))
