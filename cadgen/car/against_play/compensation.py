@@ -133,9 +133,9 @@ def rounded_dilation(lift: PathMotion, play: float, *, fall: float, half_width: 
 
     With peaks and valleys closer together than the return error B, the dilation has parts that do not follow from one
     peak and one valley: dips narrower than B are gone, and plateaus of several peaks join. But its value is always that
-    of the lift at an end of the window or at a peak within it, so it is known exactly at every angle. It is sampled, its
-    plateaus are tilted so that the spring pulls the cam across them, and a mean over a narrow window rounds its kinks;
-    a mean with weights of one sign keeps what falls falling.
+    of the lift at an end of the window or at a peak within it, so it is known exactly at every angle. It is sampled,
+    its plateaus are tilted so that the spring pulls the cam across them, and a mean over a narrow window rounds its
+    kinks; a mean with weights of one sign keeps what falls falling.
 
     Args:
         lift: any closed lift.
