@@ -16,7 +16,6 @@ import numpy as np
 import pytest
 
 from cadgen.arrays import TURN
-from cadgen.aside import in_processes
 from cadgen.cam.contact import roll
 from cadgen.cam.envelope import actual_profile
 from cadgen.car.against_play.compensation import compensated_lift
@@ -28,6 +27,7 @@ from cadgen.deviations.deviation import tolerance
 from cadgen.deviations.first_order import Expansion
 from cadgen.inference.monte_carlo.cars import Cars, nominal_cars
 from cadgen.inference.monte_carlo.random_cars import Tolerances, tolerance_run
+from cadgen.processes import in_processes
 
 SAMPLES = 10_000
 STEPS = 3600

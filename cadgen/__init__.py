@@ -17,8 +17,7 @@ The rooms, in walking order; each imports only those before it.
 | `check`      | figures with limits and verdicts                                              |
 | `reading`    | files that a user names, refused by kind and size                             |
 | `progress`   | the callback by which a job reports its progress                              |
-| `pace`       | how often Python and the C library look after memory                          |
-| `aside`      | a part of a job in a process of its own, beside the rest                      |
+| `processes`  | a part of a job beside the rest, or many items, in other processes            |
 | `curves`     | closed plane curves: arcs, splines, chords and offsets within a tolerance     |
 | `laws`       | motions: what a follower has to do in one turn of a cam                       |
 | `parts`      | features of a part: bore, keyway, hub, web, holes; a body of prisms           |
@@ -75,7 +74,6 @@ _HOMES = {
     "explore": "api.exploration",
     "merge": "api.exploration",
     "verify": "api.files",
-    "write_script": "api.exploration",
 }
 
 # As `typing.TYPE_CHECKING`, without the time that importing it takes.
@@ -88,7 +86,7 @@ if TYPE_CHECKING:
     from cadgen.api.design import Design
     from cadgen.api.drawing import draw
     from cadgen.api.editor import Editor
-    from cadgen.api.exploration import Exploration, explore, merge, write_script
+    from cadgen.api.exploration import Exploration, explore, merge
     from cadgen.api.files import Written, WrittenFile, verify
     from cadgen.api.gear import Gear
     from cadgen.api.gear_train import GearTrain
@@ -134,7 +132,6 @@ __all__ = [
     "explore",
     "merge",
     "verify",
-    "write_script",
 ]
 
 

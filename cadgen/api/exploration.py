@@ -11,10 +11,8 @@ from typing import Any
 
 from cadgen.api.files import Written, folder_of
 from cadgen.api.values import Frozen, frozen, name_or_path, whole
-from cadgen.design.load import packaged_studies
 from cadgen.errors import DesignError, FileError, brief
 from cadgen.progress import Progress, silent
-from cadgen.studies import scripts
 from cadgen.studies.engines import Cluster, Engine, Mapped, Processes, engine_of
 from cadgen.studies.figures.figure import Figure as Figure
 from cadgen.studies.figures.table import register as register_figure
@@ -28,7 +26,7 @@ from cadgen.studies.run import Exploration as Computing
 from cadgen.studies.run import open_journal
 from cadgen.studies.study import Study
 
-__all__ = ["Exploration", "Figure", "explore", "merge", "register_figure", "remove_figure", "write_script"]
+__all__ = ["Exploration", "Figure", "explore", "merge", "register_figure", "remove_figure"]
 
 MOST_PROCESSES, MOST_SHARDS = 1024, 10_000
 _SHARD = re.compile(r"([0-9]{1,5})/([0-9]{1,5})")
@@ -169,41 +167,6 @@ def merge(folders: Iterable[str | PathLike[str]]) -> Exploration:
     if not places:
         raise DesignError("no folder was given: name those of the shards")
     return Exploration(merged(places), (1, 1), places[0])
-
-
-def write_script(
-    study: str | PathLike[str], folder: str | PathLike[str], cluster: str, jobs: int, processes: int = 1
-) -> tuple[Path, str]:
-    """Write a job script that computes a study in shards on a cluster.
-
-    Args:
-        study: path of the study's file.
-        folder: folder for script and results, which all jobs see.
-        cluster: `slurm` or `kubernetes`.
-        jobs: number of jobs.
-        processes: processes of each job.
-
-    Returns:
-        Path of the script, and the command that hands it in.
-
-    Raises:
-        DesignError: the study, or an argument.
-        FileError: the script cannot be written.
-    """
-    read, _ = _read(study)
-    if read.searches:
-        raise DesignError("a search has no shards, and so no script: use --scheduler, or a fixed plan such as sobol")
-    place, kind = folder_of(folder), scripts.kind_of(cluster)
-    each = whole("processes", processes, 1, MOST_PROCESSES)
-    named = Path(study) if str(study) in packaged_studies() else Path(study).absolute()
-    of_all = scripts.Jobs(read.name, named, place.absolute(), whole("jobs", jobs, 1, MOST_SHARDS), each)
-    file = place / f"{read.name}{kind.ending}"
-    try:
-        place.mkdir(parents=True, exist_ok=True)
-        file.write_text(kind.text(of_all), encoding="utf-8", newline="\n")
-    except OSError as error:
-        raise FileError(f"{brief(str(file))} cannot be written ({error.strerror}): choose another folder") from error
-    return file, kind.hand_in(of_all, file)
 
 
 def shard_of(shard: str | tuple[int, int] | None) -> tuple[int, int]:

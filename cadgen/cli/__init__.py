@@ -41,11 +41,8 @@ from typing import NoReturn
 
 import click
 
-from cadgen.pace import keep_pace, look_no_more
-
 # Before numpy is loaded: threads that wait for each other over small matrices cost more than they bring.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-keep_pace()
 
 from cadgen.cli import interrupt, output
 from cadgen.cli.adjust import adjust
@@ -154,7 +151,6 @@ def main() -> NoReturn:
         code = _fail(f"a fault in cadgen, please report it with your design file ({summary})", FILE)
     code = _flushed(code)
     interrupt.ignore()
-    look_no_more()
     sys.exit(code)
 
 

@@ -9,8 +9,6 @@ import click
 from cadgen.cli import interrupt
 from cadgen.cli.options import out_option
 
-_CLUSTERS = ("slurm", "kubernetes")
-
 
 @click.command()
 @click.argument("study", type=click.Path(path_type=Path))
@@ -23,10 +21,6 @@ _CLUSTERS = ("slurm", "kubernetes")
 )
 @click.option("--scheduler", metavar="ADDRESS", help="Have a dask scheduler compute: its address or its file.")
 @click.option("--shard", metavar="K/N", help="Compute the K-th of N parts only, for cadgen merge.")
-@click.option(
-    "--cluster", type=click.Choice(_CLUSTERS), help="Write a script that runs --jobs shards there; compute nothing."
-)
-@click.option("--jobs", type=click.IntRange(1, 10_000), default=None, help="Jobs of --cluster.  [default: 10]")
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of tables.")
 def explore(
     study: Path,
@@ -34,8 +28,6 @@ def explore(
     processes: int,
     scheduler: str | None,
     shard: str | None,
-    cluster: str | None,
-    jobs: int | None,
     as_json: bool,
 ) -> None:
     """Compute thousands of designs: which are the best, and what that depends on.
@@ -48,16 +40,6 @@ def explore(
     from cadgen.cli import show, show_exploration
     from cadgen.cli.verdict import verdict
 
-    if jobs is not None and cluster is None:
-        raise click.UsageError("--jobs is the number of jobs of --cluster: give that too, or leave it out")
-    if cluster is not None:
-        if scheduler is not None or shard is not None:
-            raise click.UsageError("--cluster only writes a script: leave out --scheduler and --shard")
-        file, command = exploration.write_script(study, out, cluster, jobs or 10, processes)
-        show_exploration.script(file, command, as_json=as_json)
-        if not as_json:
-            verdict(True, "a script is written and nothing computed", "read it, and hand it in")
-        return
     interrupt.resumable()
     with show.progress(not as_json) as progress:
         computed = exploration.explore(

@@ -46,26 +46,22 @@ def gears(
 
     Nothing is exported and the exit code is 1 if a check fails, unless --force is given.
     """
+    from cadgen.api.design import Design
+    from cadgen.api.gear_train import NotMadeError
     from cadgen.cli import show
     from cadgen.cli.verdict import command, failed, verdict
-    from cadgen.geometry.solids.beside import kernel_beside
+    from cadgen.output.files.formats import TRAIN_FORMATS, chosen_formats
 
-    # Before the rest is loaded, which takes as long as the kernel.
-    with kernel_beside(wanted=formats is None):
-        from cadgen.api.design import Design
-        from cadgen.api.gear_train import NotMadeError
-        from cadgen.output.files.formats import TRAIN_FORMATS, chosen_formats
-
-        loaded = Design.load(design, overrides, train_only=True)
-        chosen_formats(formats, TRAIN_FORMATS)  # before anything that takes time
-        try:
-            with show.progress(not as_json) as progress:
-                train = loaded.gears(order, progress=progress)
-                written = train.write(out, formats, force=force, progress=progress) if train.passed or force else None
-        except NotMadeError as error:
-            if not as_json:
-                _ranking(error.ranked, error.baseline)
-            raise
+    loaded = Design.load(design, overrides, train_only=True)
+    chosen_formats(formats, TRAIN_FORMATS)  # before anything that takes time
+    try:
+        with show.progress(not as_json) as progress:
+            train = loaded.gears(order, progress=progress)
+            written = train.write(out, formats, force=force, progress=progress) if train.passed or force else None
+    except NotMadeError as error:
+        if not as_json:
+            _ranking(error.ranked, error.baseline)
+        raise
     if as_json:
         show.document(train.facts() if written is None else written.entry)
     else:

@@ -76,9 +76,9 @@ def plan(
     The exit code is 1 if the course cannot be driven, which is said with the reason, or if a check fails.
     """
     from cadgen.api.design import Design
-    from cadgen.aside import in_processes
     from cadgen.cli import show, show_plan
     from cadgen.cli.verdict import command, failed, verdict
+    from cadgen.processes import in_processes
 
     if within_mm is not None and improve is None:
         raise click.UsageError("--within says how far the path of --from may be left: give --from too")

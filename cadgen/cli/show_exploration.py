@@ -52,16 +52,6 @@ def outcome(computed: "Exploration", out: Path) -> tuple[bool, str, str]:
     return True, f"every design has its row; on the front: {count}", best
 
 
-def script(file: Path, command: str, *, as_json: bool) -> None:
-    """Print where a job script is, and the command that hands it in."""
-    if as_json:
-        show.document({"script": str(file), "command": command})
-        return
-    console = Output()
-    console.print(f"{file} is written: read it, and set what your cluster asks for. Then:", soft_wrap=True)
-    console.print(command, soft_wrap=True)
-
-
 def _front(computed: "Exploration") -> None:
     study, front = computed.computed.study, computed.summary.front
     count = "1 design" if len(front) == 1 else f"{len(front)} designs"

@@ -44,20 +44,16 @@ def tolerance(
     Reports where they end, how many pass all gates, and which tolerance matters most. A seed gives the same numbers
     on any number of processes. A profile that fails a check is run all the same, and the check is named.
     """
+    from cadgen.api.design import Design
     from cadgen.cli import show, show_play
     from cadgen.cli.verdict import command, failed, verdict
-    from cadgen.output.report.style import ready_to_draw
 
-    # Before the rest is loaded, which takes as long as what draws.
-    with ready_to_draw("cars", wanted=out is not None):
-        from cadgen.api.design import Design
-
-        loaded = Design.load(design, overrides)
-        with show.progress(not as_json) as progress:
-            run = loaded.tolerance(
-                samples, seed=seed, profile=profile, budget=budget, processes=processes, progress=progress
-            )
-            written = None if out is None else run.write(out, progress=progress)
+    loaded = Design.load(design, overrides)
+    with show.progress(not as_json) as progress:
+        run = loaded.tolerance(
+            samples, seed=seed, profile=profile, budget=budget, processes=processes, progress=progress
+        )
+        written = None if out is None else run.write(out, progress=progress)
     if as_json:
         show.document(run.facts() if written is None else written.entry)
         return

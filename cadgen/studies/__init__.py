@@ -23,5 +23,4 @@
 | `table`     | CSV and Parquet                                                                      |
 | `best`      | the best designs as design files                                                     |
 | `files`     | all files of a study, published                                                      |
-| `scripts`   | job scripts for clusters                                                             |
 """

@@ -5,10 +5,11 @@ import os
 from collections.abc import Callable, Iterable
 from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
 from contextlib import suppress
+from functools import partial
 from typing import Any, Protocol
 
-from cadgen.aside import end_with_parent
 from cadgen.errors import DesignError, FileError, brief
+from cadgen.processes import pool
 
 _UNKNOWN_WORKERS = 64  # reckoned for an executor that does not say how many it has
 AGAIN = "run the same command again, and the study goes on where it was"
@@ -52,9 +53,7 @@ class Processes:
 
     def _made(self) -> ProcessPoolExecutor:
         forked = "fork" in multiprocessing.get_all_start_methods()
-        context = multiprocessing.get_context("fork" if forked else "spawn")
-        begin = (self._inherited if forked else None,)
-        return ProcessPoolExecutor(self.workers, mp_context=context, initializer=_begin, initargs=begin)
+        return pool(self.workers, partial(_close, self._inherited if forked else None))
 
     def submit(self, function: Callable[[Any], Any], batch: Any, /) -> Future:
         """Begin a batch, in new processes if one has died."""
@@ -182,9 +181,7 @@ def mapping(executor: Any) -> Callable[..., Iterable[Any]] | None:
     return lambda function, items: [future.result() for future in [executor.submit(function, each) for each in items]]
 
 
-def _begin(inherited: int | None) -> None:
-    """Prepare a worker process, which ends with its parent process, even if the parent was killed."""
+def _close(inherited: int | None) -> None:
     if inherited is not None:
         with suppress(OSError):
             os.close(inherited)
-    end_with_parent()

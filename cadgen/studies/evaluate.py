@@ -12,11 +12,9 @@ from pathlib import Path
 from time import thread_time
 from typing import Any
 
-from cadgen.aside import alone
 from cadgen.design.load import design_of
 from cadgen.design.schema import Design
 from cadgen.errors import CadgenError, brief
-from cadgen.pace import compute_undisturbed
 from cadgen.studies.figures.evaluated import Evaluated
 from cadgen.studies.figures.figure import Figure
 from cadgen.studies.guard import TooLongError, limit_memory, within
@@ -129,11 +127,9 @@ class Job:
 
     def __call__(self, tasks: Sequence[Task]) -> list[tuple[Row, float]]:
         """Rows of designs, each with its processor time, s."""
-        compute_undisturbed()
         if self.memory_mb is not None:
             limit_memory(self.memory_mb)
-        with alone():
-            return [self._timed(task) for task in tasks]
+        return [self._timed(task) for task in tasks]
 
     def _timed(self, task: Task) -> tuple[Row, float]:
         begun = thread_time()

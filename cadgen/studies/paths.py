@@ -7,13 +7,11 @@ from pathlib import Path
 from time import thread_time
 from typing import Any
 
-from cadgen.aside import alone
 from cadgen.design import cam_model
 from cadgen.design.load import course_of
 from cadgen.errors import CadgenError, brief
 from cadgen.jobs.planning.plan import Wanted, plan_design
 from cadgen.jobs.planning.words import sentences
-from cadgen.pace import compute_undisturbed
 from cadgen.studies.evaluate import override_of
 from cadgen.studies.guard import TooLongError, limit_memory, within
 from cadgen.studies.plans import Values
@@ -78,14 +76,12 @@ class Planner:
 
     def __call__(self, keys: Sequence[str]) -> list[tuple[PlannedText, float]]:
         """Planned paths by their keys, each with its processor time, s."""
-        compute_undisturbed()
         if self.memory_mb is not None:
             limit_memory(self.memory_mb)
         results = []
-        with alone():
-            for key in keys:
-                begun = thread_time()
-                results.append((self.planned(key), thread_time() - begun))
+        for key in keys:
+            begun = thread_time()
+            results.append((self.planned(key), thread_time() - begun))
         return results
 
     def planned(self, key: str) -> PlannedText:

@@ -8,7 +8,7 @@ import click
 import pytest
 
 import cadgen
-from cadgen import Cam, Design, Editor, GearTrain, Report, draw, explore, merge, verify, write_script
+from cadgen import Cam, Design, Editor, GearTrain, Report, draw, explore, merge, verify
 from cadgen.api.calibration import Calibration
 from cadgen.cli import cli
 
@@ -22,7 +22,7 @@ FACE: dict[str, Functions] = {
     "check": (Design.load, Design.cam),
     "draw": (Design.load, Design.cam, Design.gears, draw),
     "edit": (Editor.open, Editor.serve),
-    "explore": (explore, write_script),
+    "explore": (explore,),
     "gears": (Design.load, Design.gears, GearTrain.write),
     "merge": (merge,),
     "new": (Design.new,),

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import cadgen
-from cadgen import Design, Gear, GearPair, Measured, Report, Train, draw, merge, verify, write_script
+from cadgen import Design, Gear, GearPair, Measured, Report, Train, draw, merge, verify
 from cadgen.api.files import Written
 from cadgen.design.file_names import name_fault, usable_name
 from cadgen.design.keys import tables
@@ -84,7 +84,6 @@ REFUSED = {
     "no columns": (lambda car: Measured(None), "columns is None; it must map names with units to values"),
     "shards as a text": (lambda car: merge("folder"), "folders is 'folder'; it must be several"),
     "shards as nothing": (lambda car: merge(None), "folders is None; it must be several"),
-    "processes of a script": (lambda car: write_script("paper_car", "out", "slurm", 2, -1), "processes is -1; it must"),
     # Both gave numbers out of memory that nobody had written.
     "a map of nothing": (lambda car: car.tolerance(10, map=lambda work, numbers: []), "the results of 0 of 10 cars"),
     "a map of too much": (

@@ -44,17 +44,8 @@ def test_wrong_calls_are_one_sentence(study, forks):
     assert said("explore", "none.toml", "--out", "x")[0] == 2
     code, words = said("explore", "orders.toml", "--out", "x", "--shard", "5/3")
     assert (code, "it must be k/n" in words) == (2, True)
-    code, words = said("explore", "orders.toml", "--out", "x", "--jobs", "3")
-    assert (code, "--jobs is the number of jobs of --cluster" in words) == (2, True)
     code, words = said("merge", ".", "--out", "x")
     assert (code, "there is no journal" in words) == (3, True)
-
-
-def test_a_script_is_written_and_its_command_said(study, forks):
-    done = forks.run(MAIN, "explore", "orders.toml", "--out", "c", "--cluster", "slurm", "--jobs", "2", cwd=study)
-    assert done.returncode == 0
-    assert (study / "c" / "orders.slurm").exists()
-    assert "sbatch --wait" in done.stdout
 
 
 @pytest.mark.slow

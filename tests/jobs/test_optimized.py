@@ -1,19 +1,16 @@
 """The profile against play as a user gets it: judged on the files, by code that does not know how it was made."""
 
 import json
-import os
-import sys
 from math import radians
 
 import numpy as np
 import pytest
 
-from cadgen.aside import alone
 from cadgen.cam.checks import STATIONS
 from cadgen.cam.contact import roll
 from cadgen.cam.envelope import actual_profile
 from cadgen.car.against_play.compensation import compensated_lift
-from cadgen.car.against_play.profile_kinds import ACTUAL, COMPENSATED, profile_of
+from cadgen.car.against_play.profile_kinds import ACTUAL, COMPENSATED
 from cadgen.car.running.drive import drive
 from cadgen.car.running.errors import run_error
 from cadgen.car.running.sampled import sampled_lift
@@ -122,20 +119,6 @@ def test_passes_every_check_and_says_why_it_was_chosen(exported, optimized):
     assert entry["play"]["before"]["profile"] == "actual"
     assert entry["play"]["after"]["position_percent_off"] > 99
     assert json.loads((exported[0] / "manifest.json").read_text())["parts"]["carbon_free_car_optimized"] == entry
-
-
-@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere nothing is forked")
-def test_profiles_made_aside_are_those_that_are_made_here(monkeypatch):
-    monkeypatch.setattr(os, "sched_getaffinity", lambda process: {0, 1})
-    beside = plan_cam(load_design("carbon_free_car"), "optimized")
-    with alone():
-        here = plan_cam(load_design("carbon_free_car"), "optimized")
-    for one, other in zip(here.comparison.evaluations, beside.comparison.evaluations, strict=True):
-        assert one.profile is other.profile is profile_of(one.profile.code)
-        assert np.array_equal(one.error.distance, other.error.distance)
-        assert np.array_equal(one.lift_error, other.lift_error)
-        assert np.array_equal(one.cut.outline(0.05).points, other.cut.outline(0.05).points)
-    assert here.checks == beside.checks
 
 
 def test_the_wanted_lift_stays_the_planned_one(optimized, carbon_free_car):

@@ -6,9 +6,8 @@
 | `crossing`    | exact edges where a drilled hole meets a wall                              |
 | `disc_solid`  | the disc of a cam with bore, holes and hub, its rim sharp or broken        |
 | `gear_solids` | gears, the parts of a gear train, and their assembly                       |
-| `beside`      | a process that has loaded the kernel, beside this one                      |
 | `step`        | STEP: reproducible bytes, and what the kernel reads from them              |
 | `step_text`   | rim or tooth curves read from a STEP file's text, without the kernel       |
 
-Importing this package loads nothing; all modules but `beside` and `step_text` load the kernel when they are imported.
+Importing this package loads nothing; all modules but `step_text` load the kernel when they are imported.
 """

@@ -30,7 +30,6 @@ from OCP.TopLoc import TopLoc_Location
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shape, TopoDS_Shell, TopoDS_Solid
 from OCP.XCAFDoc import XCAFDoc_DocumentTool, XCAFDoc_ShapeTool
 
-from cadgen.aside import Aside
 from cadgen.errors import FileError
 from cadgen.gears.layout import TrainLayout, TrainPart
 from cadgen.geometry.solids.crossing import with_exact_crossings
@@ -50,6 +49,7 @@ from cadgen.geometry.solids.kernel import (
 from cadgen.geometry.solids.step import add_part, colour_of, completed, document_bytes, new_document, read_document
 from cadgen.parts.body import Body, Cap, RadialHole, SweptWall, caps_of, walls_of
 from cadgen.parts.loop import Arc, Curve, Involute, Loop, Points, Segment, bezier_poles
+from cadgen.processes import beside
 
 if TYPE_CHECKING:
     from build123d import Compound as Compound
@@ -261,14 +261,13 @@ def read_assembly(path: Path) -> tuple[AssembledPart, ...]:
         XCAFDoc_ShapeTool.GetReferredShape_s(use, label)
         placed.append((label, XCAFDoc_ShapeTool.GetLocation_s(use).Transformation()))
     shapes = [tool.GetShape_s(label) for label, _ in placed]
-    first, second = _halves(shapes)
-    with Aside(partial(_judged, [shapes[number] for number in second])) as beside:
-        here = _judged([shapes[number] for number in first])
-        judged = dict(zip([*first, *second], [*here, *beside.result()], strict=True))
+    judged = [(False, 0.0)] * len(shapes)
+    with beside(partial(_judged, shapes[1::2])) as others:
+        judged[::2] = _judged(shapes[::2])
+        judged[1::2] = others()
     parts = []
-    for number, ((label, move), shape) in enumerate(zip(placed, shapes, strict=True)):
+    for (label, move), shape, (valid, size) in zip(placed, shapes, judged, strict=True):
         bodies = solids(shape)
-        valid, size = judged[number]
         parts.append(
             AssembledPart(
                 name=_named(label),
@@ -280,17 +279,6 @@ def read_assembly(path: Path) -> tuple[AssembledPart, ...]:
             )
         )
     return tuple(parts)
-
-
-def _halves(shapes: Sequence[TopoDS_Shape]) -> tuple[list[int], list[int]]:
-    """Numbers of the shapes in two groups of about as many faces."""
-    counts = [len(faces(shape)) for shape in shapes]
-    first: list[int] = []
-    second: list[int] = []
-    for number in sorted(range(len(shapes)), key=counts.__getitem__, reverse=True):
-        lesser = min(first, second, key=lambda group: sum(counts[other] for other in group))
-        lesser.append(number)
-    return first, second
 
 
 def _judged(shapes: Sequence[TopoDS_Shape]) -> list[tuple[bool, float]]:

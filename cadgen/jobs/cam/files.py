@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from cadgen.aside import Aside
 from cadgen.cam.cutter import largest_cutter
 from cadgen.curves.biarc import arcs
 from cadgen.curves.spline import splines
@@ -21,6 +20,7 @@ from cadgen.output.files.edges import edges_note
 from cadgen.output.files.folder import publishing
 from cadgen.output.files.formats import CAM_FORMATS, Format, chosen_formats, entry_formats, entry_name
 from cadgen.output.files.manifest import Written, file_facts, versions, write_manifest
+from cadgen.processes import beside
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
@@ -90,16 +90,19 @@ def write_cam(
 
 
 def _made(job: Job, progress: Progress) -> dict["_Writer", "list[Result] | CheckError"]:
-    """Results of each writer in turn. STEP is made aside, since the kernel alone takes as long as all other formats."""
+    """Results of each writer in turn; STEP is made beside the other formats.
+
+    `cadgen cam carbon_free_car` takes 4.4 s so, and 5.7 s by one process: 1.3 times as long.
+    """
     wanted = [writer for writer in _WRITERS if set(writer.formats) & set(job.formats)]
     progress(f"writing and reading back {', '.join(writer.label for writer in wanted)}")
     # The kernel gives the volume of a hub, which every format needs.
     apart = wanted[0] is _STEP and len(wanted) > 1 and job.plan.made_blank.hub is None
     if not apart:
         return {writer: _results(job, writer) for writer in wanted}
-    with Aside(partial(_results, job, _STEP)) as step:
+    with beside(partial(_results, job, _STEP)) as step:
         rest = {writer: _results(job, writer) for writer in wanted[1:]}
-        return {_STEP: step.result(), **rest}
+        return {_STEP: step(), **rest}
 
 
 def _results(job: Job, writer: "_Writer") -> "list[Result] | CheckError":

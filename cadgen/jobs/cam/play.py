@@ -1,12 +1,9 @@
 """From a design with play to the profile that is best against it, with the reasons."""
 
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
-from functools import partial
+from collections.abc import Mapping
 from math import degrees
 
 from cadgen.arrays import TURN
-from cadgen.aside import Aside, only_here
 from cadgen.car.against_play.evaluate import Evaluation, evaluate, evaluate_measured
 from cadgen.car.against_play.play_task import PlayTask, TrainTask
 from cadgen.car.against_play.profile_kinds import ACTUAL, ProfileKind, compared
@@ -103,31 +100,15 @@ def _evaluations(
         where = f" before its closing blend at {degrees(blend):.1f}°" if work.task.lift.blended else ""
         reason = f"the lift has no peak and no valley{where}, so play changes nothing: the actual profile is made"
         return (evaluate(work, ACTUAL),), (reason,)
-    kinds = compared()[1:]
-    here, there = kinds[: len(kinds) // 2], kinds[len(kinds) // 2 :]
-    work.prepare()  # once, and not in each process
-    with Aside(partial(_tried, work, there, only_here(progress))) as beside:
-        plain = evaluate(work, ACTUAL)
-        tried = (*_tried(work, here, progress), *beside.result())
-    evaluations, refusals = [plain], dict[str, str]()
-    for kind, found in zip(kinds, tried, strict=True):
-        if isinstance(found, Evaluation):
-            evaluations.append(replace(found, profile=kind))  # that of the table, and no copy from another process
-        else:  # several may be refused for the same reason
-            refusals.setdefault(str(found), f"{kind} refused: {found}")
-    return tuple(evaluations), tuple(refusals.values())
-
-
-def _tried(work: TrainTask, kinds: Sequence[ProfileKind], progress: Progress) -> list[Evaluation | DesignError]:
-    """Evaluation of each profile, or why it cannot be made."""
-    out: list[Evaluation | DesignError] = []
-    for kind in kinds:
+    work.prepare()  # what it refuses, no profile can have
+    evaluations, refusals = [evaluate(work, ACTUAL)], dict[str, str]()
+    for kind in compared()[1:]:
         progress(f"computing the {kind} profile")
         try:
-            out.append(evaluate(work, kind))
-        except DesignError as error:
-            out.append(error)
-    return out
+            evaluations.append(evaluate(work, kind))
+        except DesignError as error:  # several may be refused for the same reason
+            refusals.setdefault(str(error), f"{kind} refused: {error}")
+    return tuple(evaluations), tuple(refusals.values())
 
 
 def _lost_sentences(task: PlayTask, chosen: Evaluation) -> list[str]:

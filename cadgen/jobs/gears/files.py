@@ -11,19 +11,18 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from cadgen.aside import Aside
 from cadgen.errors import DesignError
 from cadgen.gears.layout import TrainLayout, TrainPart
 from cadgen.gears.stage import Wheel
 from cadgen.gears.train import TrainPlay
 from cadgen.geometry.meshes.mesh import Mesh, body_mesh
-from cadgen.geometry.solids.beside import kernel_process
 from cadgen.jobs.gears.facts import parts_facts, plan_facts
 from cadgen.jobs.gears.plan import GearsPlan
 from cadgen.jobs.gears.step_files import Result, require, step_files
 from cadgen.output.files.folder import publishing
 from cadgen.output.files.formats import TRAIN_FORMATS, Format, chosen_formats, entry_formats, entry_name
 from cadgen.output.files.manifest import Written, file_facts, versions, write_manifest
+from cadgen.processes import beside
 from cadgen.progress import Progress, silent
 
 # Greatest number of teeth of a train: the kernel writes and reads each tooth twice, in some 0.05 s of processor time.
@@ -154,17 +153,12 @@ def publish(
 
 
 def _made(makers: Mapping[Format, Maker], wanted: Sequence[Format], staging: Path) -> list[Result]:
-    """Files of every format with their facts; the kernel takes far longer for STEP than all other formats."""
+    """Files of every format with their facts; all but STEP are made beside it, see `step_files`."""
     others = [makers[ending][1] for ending in wanted if ending != Format.STEP]
     if Format.STEP not in wanted:
         return _results(others, staging)
-    make, kernel = partial(makers[Format.STEP][1], staging), kernel_process()
-    if kernel is None:  # a script, which has the kernel loaded for its next gear, too
-        with Aside(partial(_results, others, staging)) as aside:
-            return [*make(), *aside.result()]
-    with kernel.beside(make) as step:
-        rest = _results(others, staging)
-        return [*step(), *rest]
+    with beside(partial(_results, others, staging)) as rest:
+        return [*makers[Format.STEP][1](staging), *rest()]
 
 
 def _results(makers: Iterable[Callable[[Path], Iterable[Result]]], staging: Path) -> list[Result]:

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from cadgen.aside import Aside
 from cadgen.errors import FileError
 from cadgen.gears.layout import TrainLayout
 from cadgen.gears.stage import LEAST_OVERLAP, PLAY_LIMIT_UM, cycle
 from cadgen.geometry.meshes.made_train import meshes, play_error_um, return_error_um
 from cadgen.geometry.meshes.teeth import MeasuredPair, ToothSection
+from cadgen.processes import beside
 
 if TYPE_CHECKING:
     from cadgen.geometry.solids.gear_solids import AssembledPart
@@ -38,6 +38,10 @@ Result = tuple[str, dict[str, Any]]
 def step_files(layout: TrainLayout, stem: str, description: str, passed: bool, staging: Path) -> list[Result]:
     """The assembly through the kernel, each part through its own text, which must be that of the assembly's solid.
 
+    The parts are written and read beside the kernel's reading of the assembly, and half of its solids beside the other
+    half. With these processes and that of the other formats `cadgen gears carbon_free_car` takes 8.6 s, and 12.1 s by
+    one process: 1.4 times as long.
+
     Args:
         layout: train with its parts at their places.
         stem: start of the names of the files.
@@ -53,29 +57,25 @@ def step_files(layout: TrainLayout, stem: str, description: str, passed: bool, s
     assembly = staging / f"{stem}_train.step"
     parts = train_parts(layout, stem, description)
     files = [staging / f"{part.name}.step" for part in parts]
-    with Aside(partial(_write_parts, parts, files)) as beside:
-        assembly.write_bytes(assembly_bytes(parts, layout, assembly.stem, description))
-        beside.result()
-    with Aside(partial(_facts_of_texts, layout, passed, assembly, files)) as texts:
+    assembly.write_bytes(assembly_bytes(parts, layout, assembly.stem, description))
+    with beside(partial(_part_files, parts, layout, passed, assembly, files)) as texts:
         whole = assembly_facts(layout, assembly.name, read_assembly(assembly), parts)
-        in_mesh, *of_parts = texts.result()
+        in_mesh, *of_parts = texts()
     return [
         (assembly.name, {**whole, **in_mesh}),
         *((file.name, facts) for file, facts in zip(files, of_parts, strict=True)),
     ]
 
 
-def _write_parts(parts: Sequence[SolidPart], files: Sequence[Path]) -> None:
+def _part_files(
+    parts: Sequence[SolidPart], layout: TrainLayout, passed: bool, assembly: Path, files: Sequence[Path]
+) -> list[dict[str, Any]]:
+    """Write each part; facts of the assembly and of all parts by their texts, whose solids must be the same."""
     from cadgen.geometry.solids.step import step_bytes
+    from cadgen.geometry.solids.step_text import read_gear, solids_in
 
     for part, file in zip(parts, files, strict=True):
         file.write_bytes(step_bytes(part))
-
-
-def _facts_of_texts(layout: TrainLayout, passed: bool, assembly: Path, files: Sequence[Path]) -> list[dict[str, Any]]:
-    """Facts of the assembly and of each part by the texts of their files, whose solids must be the same."""
-    from cadgen.geometry.solids.step_text import read_gear, solids_in
-
     contents = [read_gear(file, part.gears, part.starts) for file, part in zip(files, layout.parts, strict=True)]
     in_assembly = solids_in(assembly.read_text(encoding="ascii"))
     for file, content, solid in zip(files, contents, in_assembly, strict=True):

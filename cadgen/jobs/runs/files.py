@@ -1,6 +1,5 @@
 """Runs as files: tracks and pictures, published together with their figures."""
 
-from functools import partial
 from math import degrees
 from pathlib import Path
 
@@ -26,7 +25,6 @@ from cadgen.output.files.tracks import write_tracks
 from cadgen.output.report.cars import FleetPicture, draw_budget, draw_fleet
 from cadgen.output.report.errors import draw_events
 from cadgen.output.report.lift import LiftPicture, draw_lift
-from cadgen.output.report.style import drawing
 from cadgen.output.report.tracks import ErrorLine, Field, TrackPanel, draw_run_errors, draw_tracks
 from cadgen.progress import Progress, silent
 
@@ -208,16 +206,14 @@ def write_tolerance(run: ToleranceRun, out: Path, progress: Progress = silent) -
             passed=run.passed,
             shares={sensitivity.name: sensitivity.share for sensitivity in run.sensitivities},
         )
-        with drawing(partial(draw_fleet, picture, staging, stem)) as pictures:
-            facts = {**tolerance_facts(run), "versions": versions()}
-            names = pictures()
+        names = draw_fleet(picture, staging, stem)
         if run.budget is not None:
             bars = {cost.name.replace("_", " "): (cost.before, cost.after) for cost in run.budget.budget.costs}
             title = f"{design.name}, {run.plan.profile} profile"
-            with drawing(partial(draw_budget, title, bars, staging, f"{stem}_budget")) as pictures:
-                names += pictures()
+            names += draw_budget(title, bars, staging, f"{stem}_budget")
         entry = {
-            **facts,
+            **tolerance_facts(run),
+            "versions": versions(),
             "files": {name: file_facts(staging / name) for name in names},
         }
         write_manifest(staging, stem, entry)

@@ -7,7 +7,6 @@ from functools import cached_property, partial
 import numpy as np
 
 from cadgen.arrays import TURN, Array
-from cadgen.aside import in_processes
 from cadgen.car.running.drive import STEPS, turns_of
 from cadgen.design import cam_model, variation
 from cadgen.design.schema import Design
@@ -20,7 +19,7 @@ from cadgen.jobs.cam.plan import CamPlan, comparison_of, plan_cam
 from cadgen.jobs.runs.budget import BudgetSheet, budget_sheet
 from cadgen.jobs.runs.fleet import fleet_of
 from cadgen.jobs.runs.watched import watching
-from cadgen.pace import compute_undisturbed
+from cadgen.processes import in_processes
 from cadgen.progress import Progress, silent
 
 QUANTILES = (0.5, 0.9, 0.95, 0.99)
@@ -207,7 +206,7 @@ def tolerance_of(plan: CamPlan, sample: CarSample, progress: Progress = silent) 
 
 
 def _map(processes: int) -> Map | None:
-    return partial(in_processes, processes, prepare=compute_undisturbed) if processes > 1 else None
+    return partial(in_processes, processes) if processes > 1 else None
 
 
 def watched_fleet(plan: CamPlan) -> Cars:

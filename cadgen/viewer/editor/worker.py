@@ -5,23 +5,19 @@ whatever it does. One that is superseded ends itself at its next step.
 """
 
 import multiprocessing
-import signal
+from concurrent.futures import BrokenExecutor
 from contextlib import suppress
-from multiprocessing.connection import Connection
-from multiprocessing.context import SpawnProcess
+from functools import partial
 from threading import Lock
 from typing import Any
 
-from cadgen.pace import keep_pace
+from cadgen.processes import WorkerProcess, call
 from cadgen.progress import Progress
 from cadgen.viewer.editor.job import Compute, Job, Result, State, fault, refusal
 
 LIMIT_S = 120.0
 _MOST_BYTES = 6 * 2**30  # of address space, where the system can limit it
 _ENDED = 0  # as the newest revision: the worker is to end
-
-# A process that begins anew has no threads and locks of this one, on every system alike.
-_CONTEXT = multiprocessing.get_context("spawn")
 
 
 class SupersededError(Exception):
@@ -46,10 +42,9 @@ class Worker:
             limit_s: longest time of a job, s; the process is ended then.
         """
         self._work, self._limit = work, limit_s
-        self._newest: Any = _CONTEXT.Value("q", 1)
+        self._newest: Any = multiprocessing.get_context("spawn").Value("q", 1)
         self._lock = Lock()
-        self._process: SpawnProcess | None = None
-        self._channel: Connection | None = None
+        self._process: WorkerProcess | None = None
 
     def supersede(self, revision: int) -> None:
         """Let every job of an older revision end."""
@@ -67,22 +62,22 @@ class Worker:
         with self._lock:
             if self._newest.value != job.revision:
                 return Result(State.SUPERSEDED)
-            channel = self._begun()
             try:
-                channel.send(job)
-                if channel.poll(self._limit):
-                    result: Result = channel.recv()
-                    return result
-            except (EOFError, OSError):
-                self._kill()
-                if self._newest.value == _ENDED:
-                    return Result(State.SUPERSEDED)
-                return refusal(State.FAULT, "the computation has ended by itself: take the last change back")
-            self._kill()
-            return refusal(
-                State.FAULT,
-                f"the computation took longer than {self._limit:g} s and was ended: take the last change back",
-            )
+                try:
+                    future = self._begun().submit(call, job)
+                except BrokenExecutor:  # it died between two jobs
+                    self._end()
+                    future = self._begun().submit(call, job)
+                result: Result = future.result(self._limit)
+                return result
+            except TimeoutError:
+                sentence = (
+                    f"the computation took longer than {self._limit:g} s and was ended: take the last change back"
+                )
+            except BrokenExecutor:
+                sentence = "the computation has ended by itself: take the last change back"
+            self._end()
+            return Result(State.SUPERSEDED) if self._newest.value == _ENDED else refusal(State.FAULT, sentence)
 
     def close(self) -> None:
         """End the process, also amid a job."""
@@ -90,53 +85,35 @@ class Worker:
             self._newest.value = _ENDED
         process = self._process
         if process is not None:
-            process.kill()
+            process.end()
         with self._lock:
-            self._kill()
+            self._end()
 
-    def _begun(self) -> Connection:
-        if self._process is None or self._channel is None or not self._process.is_alive():
-            self._kill()
-            ours, theirs = _CONTEXT.Pipe()
-            process = _CONTEXT.Process(target=_serve, args=(theirs, self._newest, self._work), daemon=True)
-            process.start()
-            theirs.close()
-            self._process, self._channel = process, ours
-        return self._channel
+    def _begun(self) -> WorkerProcess:
+        if self._process is None:
+            # A process that begins anew has no threads and locks of this one, on every system alike.
+            self._process = WorkerProcess(_limit_memory, partial(_answer, self._newest, self._work), anew=True)
+        return self._process
 
-    def _kill(self) -> None:
-        if self._channel is not None:
-            self._channel.close()
+    def _end(self) -> None:
         if self._process is not None:
-            self._process.kill()
-            self._process.join()
-        self._process = self._channel = None
+            self._process.end()
+        self._process = None
 
 
-def _serve(channel: Connection, newest: Any, work: Compute) -> None:
-    """Compute job after job, until the other end closes."""
-    for number in (signal.SIGINT, getattr(signal, "SIGHUP", signal.SIGINT)):
-        signal.signal(number, signal.SIG_IGN)  # the terminal's Ctrl-C is for the server, which ends this process
-    keep_pace()
-    _limit_memory()
-    while True:
-        try:
-            job: Job = channel.recv()
-        except (EOFError, OSError):
-            return
+def _answer(newest: Any, work: Compute, job: Job) -> Result:
+    """Result of a job in the process that computes; it ends at its next step once it is superseded."""
 
-        def step(text: str, revision: int = job.revision) -> None:
-            if newest.value != revision:
-                raise SupersededError(text)
+    def step(text: str) -> None:
+        if newest.value != job.revision:
+            raise SupersededError(text)
 
-        try:
-            result = work(job, step)
-        except SupersededError:
-            result = Result(State.SUPERSEDED)
-        except Exception as error:
-            result = fault(error)
-        with suppress(OSError):  # nobody waits any more
-            channel.send(result)
+    try:
+        return work(job, step)
+    except SupersededError:
+        return Result(State.SUPERSEDED)
+    except Exception as error:
+        return fault(error)
 
 
 def _limit_memory() -> None:

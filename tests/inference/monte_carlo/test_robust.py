@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 from cadgen.arrays import TURN
-from cadgen.aside import in_processes
 from cadgen.cam.contact import roll
 from cadgen.car.running.drive import drive
 from cadgen.car.running.errors import run_error
@@ -25,6 +24,7 @@ from cadgen.inference.monte_carlo.random_cars import (
     sensitivities,
     tolerance_run,
 )
+from cadgen.processes import in_processes
 
 NAMES = list(COLUMNS)
 PLAY = np.radians(0.8)
