@@ -32,6 +32,7 @@ def pool(
     function: Callable[..., Any] | None = None,
     *,
     anew: bool = False,
+    closed: int | None = None,
 ) -> ProcessPoolExecutor:
     """Pool of processes that end with this one.
 
@@ -41,10 +42,13 @@ def pool(
         function: function that `call` calls there; it goes to each process once. Where processes are not forked it must
             be such as can be pickled, as `prepare` must.
         anew: whether the processes begin anew even where they could be forks, which have this one's threads and locks.
+        closed: descriptor of a file that forks must not hold open, for its lock would live as long as they do.
     """
     forked = not anew and "fork" in multiprocessing.get_all_start_methods()
     context = multiprocessing.get_context("fork" if forked else "spawn")
-    return ProcessPoolExecutor(count, mp_context=context, initializer=_begin, initargs=(prepare, function))
+    return ProcessPoolExecutor(
+        count, mp_context=context, initializer=_begin, initargs=(prepare, function, closed if forked else None)
+    )
 
 
 _function: Callable[..., Any] | None = None  # of this process, if it is one of a pool
@@ -56,8 +60,11 @@ def call(*arguments: Any) -> Any:
     return _function(*arguments)
 
 
-def _begin(prepare: Callable[[], object], function: Callable[..., Any] | None) -> None:
+def _begin(prepare: Callable[[], object], function: Callable[..., Any] | None, closed: int | None) -> None:
     global _function
+    if closed is not None:
+        with suppress(OSError):
+            os.close(closed)
     parent = multiprocessing.parent_process()
     if parent is not None:
         threading.Thread(target=_end_with, args=(parent.sentinel,), daemon=True).start()

@@ -166,7 +166,7 @@ OTHER_WORDS = {
     "cadgen.viewer.editor.guard": {"none"},
     "cadgen.viewer.editor.controls": {"finish", "start"},
     "cadgen.viewer.editor.course_items": {"field", "walls", "zones"},
-    "cadgen.studies.engines": {"fork"},
+    "cadgen.processes": {"fork"},
     "cadgen.studies.faults": {"missing"},
     "cadgen.studies.journal": {"path"},
     "cadgen.output.files.dxf": {"TEXT"},

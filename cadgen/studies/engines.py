@@ -1,11 +1,7 @@
 """Where designs are computed: processes of this machine, or anything that has `submit` or `map`."""
 
-import multiprocessing
-import os
 from collections.abc import Callable, Iterable
 from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
-from contextlib import suppress
-from functools import partial
 from typing import Any, Protocol
 
 from cadgen.errors import DesignError, FileError, brief
@@ -52,8 +48,7 @@ class Processes:
         self._pool = self._made()
 
     def _made(self) -> ProcessPoolExecutor:
-        forked = "fork" in multiprocessing.get_all_start_methods()
-        return pool(self.workers, partial(_close, self._inherited if forked else None))
+        return pool(self.workers, closed=self._inherited)
 
     def submit(self, function: Callable[[Any], Any], batch: Any, /) -> Future:
         """Begin a batch, in new processes if one has died."""
@@ -179,9 +174,3 @@ def mapping(executor: Any) -> Callable[..., Iterable[Any]] | None:
     if not callable(getattr(executor, "submit", None)):
         return None
     return lambda function, items: [future.result() for future in [executor.submit(function, each) for each in items]]
-
-
-def _close(inherited: int | None) -> None:
-    if inherited is not None:
-        with suppress(OSError):
-            os.close(inherited)
