@@ -44,7 +44,7 @@ class Car:
 
 
 def wheel_tangent(tan_beta: Array, car: Car) -> Array:
-    """Tangent of the front wheel's angle from T, that of the rod: tan(atan(g T) + beta_0), by the addition theorem.
+    """Tangent of the front wheel's angle, tan(atan(g T) + beta_0), from the rod's T by the addition theorem.
 
     Args:
         tan_beta: tangents of the rod's steering angle, shape (n,).

@@ -48,7 +48,7 @@ _PLURALS = {"a number": "numbers", "a whole number": "whole numbers", "text": "t
 
 @dataclass(frozen=True)
 class Key:
-    """One key of a design file.
+    """Key of a design file.
 
     Attributes:
         name: dotted name, from the top.
@@ -271,7 +271,7 @@ def _choices(annotation: Any) -> str:
 
 
 def _choices_inside(annotation: Any) -> str:
-    """The same for the items of a list."""
+    """Words of an enumeration that the items of a list must be."""
     if get_origin(annotation) is tuple:
         return _choices(get_args(annotation)[0])
     return next((choices for arm in get_args(annotation) if (choices := _choices_inside(arm))), "")

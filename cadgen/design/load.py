@@ -58,7 +58,7 @@ def load_design(source: str | Path | None = None, overrides: Sequence[str] = ())
 
 
 def load_train(source: str | Path | None = None, overrides: Sequence[str] = ()) -> TrainDesign:
-    """The same for a gear train, for which [train] alone is enough; a path without points is given some."""
+    """Read the gear train of a design, for which [train] alone is enough; a path without points is given some."""
     return train_of(*read_design(source), overrides)
 
 
@@ -134,7 +134,7 @@ def _draw(values: dict[str, Any]) -> bool:
 
 
 def train_of(text: str, file: Path, overrides: Sequence[str] = ()) -> TrainDesign:
-    """The same for a gear train, for which [train] alone is enough."""
+    """Gear train of a design from its text, for which [train] alone is enough."""
     return TrainDesign(**_checked(TrainFile, _parsed(text, file), file.name, overrides), overrides=tuple(overrides))
 
 
@@ -241,7 +241,7 @@ def _syntax(problem: str, file: str, text: str) -> str:
 
 
 def _report(error: ValidationError, source: str, applied: Sequence[tuple[Place, str]], named: NamedKinds) -> str:
-    """One line for each error, after the file or the override that it comes from."""
+    """Lines on the errors, each after the file or the override that it comes from."""
     sentences, more = explain(error, MAX_ERRORS_SHOWN, named)
     lines = [f"{_blame(place, source, applied)}: {sentence}" for place, sentence in sentences]
     return "\n".join([*lines, *([f"and {more} more like these"] if more else [])])

@@ -423,7 +423,7 @@ class Design(DesignFile, TrainDesign):
     """A whole design: path, car, cam and follower are there."""
 
     def as_designed(self) -> "Design":
-        """The same without what is known of the car as it was built."""
+        """Design without what is known of the car as it was built."""
         return self.model_copy(update={"as_built": None})
 
     def as_cut(self) -> "Design":

@@ -24,7 +24,7 @@ from cadgen.gears.stage_kinds import SPUR, StageKind, codes, kind_of
 
 
 class GearKeys(DesignSection):
-    """One gear of a stage. Tolerances given here stand in for those of the standards."""
+    """Gear of a stage. Tolerances given here stand in for those of the standards."""
 
     teeth: int = Field(ge=4, le=1000, description="z")
     profile_shift: float = Field(default=0.0, ge=-2, le=2, description="x, in modules")
@@ -44,7 +44,7 @@ class GearKeys(DesignSection):
 
 
 class StageSection(DesignSection):
-    """One stage, the first one next to the drive. One table [[train.stages]] for each."""
+    """Stage of the train, the first one next to the drive. One table [[train.stages]] for each."""
 
     kind: Annotated[str | None, OneOf(lambda: (SPUR, *codes()))] = Field(
         default=None, description="which kind of stage; left out, a pair of spur gears"
@@ -69,7 +69,7 @@ class StageSection(DesignSection):
 
 
 class SpurStage(StageSection):
-    """One stage, the first one next to the drive. One table [[train.stages]] for each."""
+    """Stage of the train, the first one next to the drive. One table [[train.stages]] for each."""
 
     centre_distance_mm: float = Field(gt=0, le=2000, description="a")
     f_a_um: float | None = Field(

@@ -1,4 +1,4 @@
-"""One profile for a band of return errors: the play it is best cut for, and a bound for profiles of its kind.
+"""Profiles for a band of return errors: the play that one is best cut for, and a bound for profiles of its kind.
 
 A car's play is known only to lie in a band. The compensated profile errs by nearly as much for each degree that the
 real play differs from its own, to either side; cut for the right play in between, its worst error over the band is
@@ -233,16 +233,18 @@ def over_band(
 def fixed_profile_bound(lift: PathMotion, car: Car, length: float, band: tuple[float, float]) -> EndBound:
     """A lower bound, to first order in the band's width, on the worst end of run of one profile for all plays.
 
-    It holds for profiles whose lift rises and falls where the wanted one does and which reach its peaks, its valleys
-    and its values where the run starts and stops, and for no others: a flatter profile depends less on play, and so
-    does one for another path. Dips narrower than the greatest play count as filled, since no profile gives them back.
+    It holds for profiles whose lift rises and falls where the wanted one does, and which reach its peaks, its valleys
+    and its values where the run starts and stops. A flatter profile depends less on play, and so does one for another
+    path. Dips narrower than the greatest play count as filled, since no profile gives them back.
+
     Let f be the turning rate that the profile gives over a fall. With play B the car meets f(phi + B) there; the rises
-    it meets unchanged. So between the plays at the band's ends, D apart, the turning differs by f(phi + D) - f(phi),
-    whose integral over fall k is D M_k, M_k the rise of the turning rate from peak to valley, whatever f does in
-    between: at one end of the band the heading is off by at least half of D sum(M_k).
-    A change of heading at a place Q moves the end E of the run about Q, so the ends of the two runs differ by
-    D sum(M_k (E - Q_k)), turned by 90 degrees, with each Q_k a mean of places on fall k that the profile may choose.
-    For every direction u this is at least D sum(M_k min over the fall of u.(E - Q)); half the greatest of these
+    it meets unchanged. So between the plays at the band's ends, D apart, the turning differs by f(phi + D) - f(phi).
+    The integral of that over fall k is D M_k, with M_k the rise of the turning rate from peak to valley. So at one end
+    of the band the heading is off by at least half of D sum(M_k), whatever f does in between.
+
+    A change of heading at a place Q moves the end E of the run about Q. So the ends of the two runs differ by
+    D sum(M_k (E - Q_k)), turned by 90 degrees; each Q_k is a mean of places on fall k that the profile may choose.
+    For every direction u this is at least D sum(M_k min over the fall of u.(E - Q)). Half the greatest of these
     bounds the worse end.
 
     A staircase of many small falls, each followed by a rise, would hold the cam against the gears and escape this;

@@ -1,10 +1,12 @@
 """The profile that takes play out: the dilation of the wanted lift by a window as wide as the return error.
 
-With play B the cam leads by B wherever the lift falls (see `cadgen.car.running.play`). So a cam whose rises are those
-of the wanted lift and whose falls are the wanted ones turned ahead by B,
-    s_c(theta) = max of s over [theta - B, theta],
-gives the wanted lift back, but for a sliver of height about s'' B^2 / 8 in each valley, where the cam must stand
-still for B whatever its shape (the morphological closing of s). The dilation has two places that a spring and a
+With play B the cam leads by B wherever the lift falls (see `cadgen.car.running.play`). So the wanted lift is
+given back by a cam whose rises are those of the wanted lift and whose falls are the wanted ones turned ahead by B:
+
+    s_c(theta) = max of s over [theta - B, theta].
+
+A sliver of height about s'' B^2 / 8 is lost in each valley, where the cam must stand still for B whatever its shape
+(the morphological closing of s). The dilation has two places that a spring and a
 cutter cannot take as they are:
 
 - At each peak p it is level from p to p + B, and nothing would pull the cam across: the rod would stay on the

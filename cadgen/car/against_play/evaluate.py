@@ -142,12 +142,6 @@ class _Cam:
     measured: bool = False
 
 
-def _lost(task: PlayTask, cam: _Cam) -> tuple[LostDip, ...]:
-    if not cam.profile.dilated or cam.measured:
-        return ()
-    return tuple(dip for dip in lost_dips(task.lift, cam.cut_lift.made_for) if dip.whole)
-
-
 def _step(cut: ClosedCurve, task: PlayTask) -> float:
     return rolling_step(cut, task.follower, _OUTLINE_STEP)
 
@@ -164,6 +158,7 @@ def _evaluation(work: TrainTask, cam: _Cam) -> Evaluation:
     least_swing = max(LEAST_SWING, task.as_built.unevenness(measured=cam.measured) / task.follower.inner)
     run = task.run(rolled, play, least_swing=least_swing, cut=lift)
     wanted, got = (task.follower.lift(tangents) for tangents in (planned.tan_beta, run.tan_beta))
+    dips = lost_dips(task.lift, made_for) if cam.profile.dilated and not cam.measured else ()
     return Evaluation(
         profile=cam.profile,
         train=work.train,
@@ -190,7 +185,7 @@ def _evaluation(work: TrainTask, cam: _Cam) -> Evaluation:
         ),
         lift_error=got - wanted,
         least_swing=least_swing,
-        lost=_lost(task, cam),
+        lost=tuple(dip for dip in dips if dip.whole),
         measured=cam.measured,
     )
 

@@ -140,7 +140,7 @@ class Laps:
         return lines
 
     def facts(self, running: Running | None, **evaluations: Evaluation) -> dict[str, Any]:
-        """The same as plain values.
+        """Drift as plain values.
 
         Args:
             running: as in `sentences`; None where nothing is known of the play.

@@ -80,7 +80,7 @@ class PlayTask:
     mechanics: MechanicsBand | None = None
 
     def planned(self) -> Run:
-        """The planned run: that of the lift wanted, without play."""
+        """Planned run, which is that of the lift wanted without play."""
         return self.run(self.lift, 0.0)
 
     def run(
@@ -185,7 +185,7 @@ class TrainTask:
 
     @cached_property
     def planned(self) -> Run:
-        """The planned run: that of the lift wanted, without play."""
+        """Planned run, which is that of the lift wanted without play."""
         return self.task.planned()
 
     def prepare(self) -> None:

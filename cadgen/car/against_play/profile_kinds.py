@@ -180,7 +180,7 @@ def register(profile: ProfileKind) -> None:
 
 
 def codes(*, for_play: bool = False) -> tuple[str, ...]:
-    """Codes of all profiles, or only of those that act against play."""
+    """Codes of the profiles; on request only of those that act against play."""
     return tuple(profile.code for profile in _PROFILES.values() if profile.for_play or not for_play)
 
 

@@ -211,7 +211,11 @@ def bearing_for(lift: PathMotion, follower: LeaningRod) -> tuple[Bearing, int] |
 
 
 def _run(task: PlayTask, lift: PathMotion, leads: Leads, play: float, turn: float) -> Run:
-    moved = _turned(lift, turn) if turn else lift
+    moved = lift
+    if turn:  # a constant added to tan(beta)
+        c = lift.q.c.copy()
+        c[-1] += turn
+        moved = replace(lift, q=PPoly(c, lift.q.x, extrapolate=lift.q.extrapolate))
     return drive(
         moved,
         task.car,
@@ -221,10 +225,3 @@ def _run(task: PlayTask, lift: PathMotion, leads: Leads, play: float, turn: floa
         stop=task.lift.blend_start,
         following=leads.follow(moved, play),
     )
-
-
-def _turned(lift: PathMotion, turn: float) -> PathMotion:
-    """The lift with a constant added to tan(beta)."""
-    c = lift.q.c.copy()
-    c[-1] += turn
-    return replace(lift, q=PPoly(c, lift.q.x, extrapolate=lift.q.extrapolate))

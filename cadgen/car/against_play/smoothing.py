@@ -1,9 +1,11 @@
 """The paper's smoothed profile: peak and valley values brought down around the events (sec. 4.1.2, fig. 14).
 
 The paper shows the lift before and after but gives no rule. Here every peak of a right turn and every valley of a
-left turn is compressed: with u the way from a knee to the extreme value T_e, as a share,
-    T -> knee + (T_e - knee) g(u),  g'(u) = 1 - (1 - nu) (3 u^2 - 2 u^3),
-so the lift below the knee stays, the joint has a continuous second derivative, the map is monotone and the events
+left turn is compressed. Let u be the way from a knee to the extreme value T_e, as a share. Then
+
+    T -> knee + (T_e - knee) g(u),  g'(u) = 1 - (1 - nu) (3 u^2 - 2 u^3).
+
+So the lift below the knee stays, the joint has a continuous second derivative, the map is monotone, and the events
 stay where they are. The knee lies at (1 - depth) T_e, or at the neighbouring event where that is higher; one depth
 serves all events. A valley within a right turn, or a peak within a left one, is left alone.
 

@@ -5,7 +5,6 @@ from dataclasses import dataclass, replace
 from math import degrees
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
 from cadgen.car.course.approach import Approach, approach, approach_to_edge
@@ -61,7 +60,9 @@ def passages(poses: Poses, car: Car, gates: Sequence[Gate]) -> tuple[Passage, ..
 def _passage(poses: Poses, track: Complex, gate: Gate, since: float) -> tuple[Passage, float]:
     """Best passage from a place on, and the earliest place at which the gate is passed; `since` if it is not."""
     place, margin, off = (_through_segment if len(gate.place.points) > 1 else _through_disc)(track, gate)
-    headed = _headed(poses, gate, place)
+    headed = np.ones(len(place), dtype=bool)
+    if gate.heading is not None:
+        headed = np.abs(turned_by(poses.at(place).heading, gate.heading)) <= gate.heading_tolerance
     later = place >= since
     fault = ""
     allowed = headed & later
@@ -107,12 +108,6 @@ def _through_segment(track: Complex, gate: Gate) -> tuple[Array, Array, Array]:
     beyond = np.abs(there - np.clip(along, 0.0, length))
     margin = np.where(crosses, np.where(inside >= 0, inside, -beyond), -np.maximum(beyond, np.finfo(float).tiny))
     return np.asarray(np.arange(len(share)) + share), np.asarray(margin), np.abs(there - length / 2)
-
-
-def _headed(poses: Poses, gate: Gate, place: Array) -> NDArray[np.bool_]:
-    if gate.heading is None:
-        return np.ones(len(place), dtype=bool)
-    return np.asarray(np.abs(turned_by(poses.at(place).heading, gate.heading)) <= gate.heading_tolerance)
 
 
 def turned_by(heading: Array, wanted: float) -> Array:

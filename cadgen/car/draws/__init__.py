@@ -1,4 +1,4 @@
-"""One cam for every draw: settings of the car for each spacing of a course that is drawn on site.
+"""Settings of a car with a single cam for each spacing of a course that is drawn on site.
 
 A path scaled by a factor needs its steering divided by that and its distance multiplied. The disc moved along its shaft
 changes the lever, and with it the steering; the drive wheel or the ratio changes the distance. Both together are exact

@@ -102,7 +102,7 @@ def _product(choice: tuple[float, float]) -> float:
 
 @dataclass(frozen=True, kw_only=True)
 class SettingRanges:
-    """All that can be set; disc and head as changes from the design, the start from that of the scaled path.
+    """Ranges of all settings; disc and head as changes from the design, the start from that of the scaled path.
 
     Attributes:
         disc: place of the disc on its shaft, positive away from the fork axis, mm.
@@ -199,7 +199,7 @@ class CarSetting:
 
     @property
     def values(self) -> Array:
-        """The same as a vector, shape (6,)."""
+        """Vector of the settings, shape (6,)."""
         return np.array([self.disc, self.head, self.travel, self.x, self.y, self.heading])
 
 

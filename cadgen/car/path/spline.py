@@ -112,8 +112,8 @@ def control_path(points: ArrayLike) -> PlannedPath:
     """Return the B-spline of degree 5 by its control points, over the knots of `path_knots`.
 
     It starts on the first point towards the second and ends on the last, coming from the one before. Its third
-    derivative is continuous, so the curvature of the path and the slope of its curvature are, and its curvature
-    lies close to what the points' polygon shows (de Boor, A Practical Guide to Splines, ch. IX-XI).
+    derivative is continuous, and so are the curvature of the path and its slope. The curvature lies close to what the
+    points' polygon shows (de Boor, A Practical Guide to Splines, ch. IX-XI).
 
     Args:
         points: control points in driving order, shape (n, 2), mm, n >= 6.

@@ -87,17 +87,14 @@ def _barriers(course: Course, body: CarBody, grown: float) -> tuple[Barrier, ...
     if course.edge is not None:
         corners = _corners(course.edge)
         # Inside a convex field the corners of the car are all that can be outside.
-        points = np.zeros((0, 2)) if _convex(corners) else _points(course.edge)
+        along = np.roll(corners, -1, axis=0) - corners
+        after = np.roll(along, -1, axis=0)
+        turns = along[:, 0] * after[:, 1] - along[:, 1] * after[:, 0]
+        convex = (turns >= 0).all() or (turns <= 0).all()
+        points = np.zeros((0, 2)) if convex else _points(course.edge)
         margin = course.margin * grown
         barriers.append(Barrier("course.field", points, corners, inside=True, reach=0.0, margin=margin, grown=grown))
     return tuple(barriers)
-
-
-def _convex(corners: Array) -> bool:
-    along = np.roll(corners, -1, axis=0) - corners
-    after = np.roll(along, -1, axis=0)
-    turns = along[:, 0] * after[:, 1] - along[:, 1] * after[:, 0]
-    return bool((turns >= 0).all() or (turns <= 0).all())
 
 
 def _corners(shape: Shape) -> Array:

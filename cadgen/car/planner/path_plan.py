@@ -131,8 +131,9 @@ def _searched(task: PathTask, begin: Array | None, report: Callable[[str], None]
     else:
         points, basis = _from_track(task.corridor, vehicle)
         begins = [points]
-    if task.corridor is not None:
-        start, finish = _ends_of(basis, begins[0])
+    if task.corridor is not None:  # the ends stay as they are
+        place, ahead = basis.at(np.array([0.0, basis.stop])).jets(begins[0])[:2]
+        start, finish = (End(place[k], float(np.arctan2(ahead[k, 1], ahead[k, 0]))) for k in (0, 1))
     search, plans = _search(task, basis, start, finish), []
     words = None if report is None else (lambda cost: report(f"end of the run {cost:.0f} mm"))
     for points in begins:
@@ -174,13 +175,6 @@ def _from_track(track: Array, vehicle: Vehicle) -> tuple[Array, Basis]:
     length = float(np.linalg.norm(np.diff(planned, axis=0), axis=1).sum())
     basis = _basis(length / _SPAN, vehicle)
     return fitted_to(basis, planned), basis
-
-
-def _ends_of(basis: Basis, points: Array) -> tuple[End, End]:
-    """Start and finish of a path as they are."""
-    place, ahead = basis.at(np.array([0.0, basis.stop])).jets(points)[:2]
-    start, finish = (End(place[k], float(np.arctan2(ahead[k, 1], ahead[k, 0]))) for k in (0, 1))
-    return start, finish
 
 
 def _course_constraints(task: PathTask, basis: Basis, start: End, finish: End) -> Callable[[Array], list[Constraint]]:
@@ -234,12 +228,9 @@ def reasons(plan: PathPlan) -> tuple[Reason, ...]:
     candidates = [reason for limit in tried if (reason := _loosened(plan, limit)) is not None]
     enough = [reason for reason in candidates if reason.enough]
     if not enough:  # then the limit that is beyond reach by most; a turn that is too tight brings others with it
-        return tuple(sorted(candidates, key=lambda reason: (not _tight(reason), -reason.effort)))
+        tight = {each for each in candidates if each.limit.kind == LimitKind.TURN and each.amount > _TIGHT}
+        return tuple(sorted(candidates, key=lambda reason: (reason not in tight, -reason.effort)))
     return tuple(sorted(enough, key=lambda reason: reason.effort))
-
-
-def _tight(reason: Reason) -> bool:
-    return reason.limit.kind == LimitKind.TURN and reason.amount > _TIGHT
 
 
 def _loosened(plan: PathPlan, limit: PathLimit) -> Reason | None:

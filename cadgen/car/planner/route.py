@@ -36,7 +36,7 @@ _LESS = 1e-6  # mm
 
 
 def in_order(course: Course) -> Course:
-    """The course with its gates in the order in which they are to be passed; those that have an order keep it."""
+    """Course with its gates in the order in which to pass them; gates that have an order keep it."""
     free = [gate for gate in course.gates if gate.free]
     if not free:
         return course
@@ -395,7 +395,7 @@ def smooth_path(
 
 
 def _settled(basis: Basis, route: Array, weight: Array, ends: tuple[End, End]) -> tuple[Array, float]:
-    """Control points of a path whose parameter follows its length, and its length by that of the route."""
+    """Control points of a path whose parameter follows its length, and the ratio of its length to the route's."""
     legs = np.linalg.norm(np.diff(route, axis=0), axis=1)
     u = np.append(0.0, np.cumsum(legs)) / legs.sum() * basis.stop
     length = float(legs.sum())

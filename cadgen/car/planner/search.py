@@ -167,7 +167,7 @@ class SearchedPath:
 
     @property
     def violated(self) -> dict[PathLimit, float]:
-        """Most by which each limit is violated, of those that are."""
+        """Greatest violation of each limit that is violated."""
         worst: dict[PathLimit, float] = {}
         for each in self.constraints:
             if each.worst > 0:

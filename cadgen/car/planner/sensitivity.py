@@ -177,7 +177,7 @@ class PlayCost:
         return np.concatenate([columns[1:], columns[:-1]], axis=1), np.concatenate([slopes[1:], -slopes[:-1]], axis=1)
 
     def directions(self) -> Array:
-        """Unit vectors about that of the error, shape (k, 2)."""
+        """Unit vectors about the direction of the error, shape (k, 2)."""
         middle = np.arctan2(self.error[1], self.error[0])
         angle = middle + np.linspace(-_WIDEST, _WIDEST, _DIRECTIONS)
         return np.stack([np.cos(angle), np.sin(angle)], axis=1)

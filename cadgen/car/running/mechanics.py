@@ -2,20 +2,22 @@
 
 On a fall the rod turns the cam ahead, and friction at the contact and drag hold it. The rod touches the edge of a
 face, at w from the fork axis, and the fork turns with the cam. The normal n at the contact P is square to the rod, and
-along it disc and rod move alike; alpha, its angle in the plane of the face, is the pressure angle. With T = tan(beta),
-s = w T, s' = w dT/dtheta, d = a + s, k = sqrt(1 + T^2 cos^2(alpha)) and the rod's radius r,
+along it disc and rod move alike; alpha, its angle in the plane of the face, is the pressure angle. Let T = tan(beta),
+s = w T, s' = w dT/dtheta, d = a + s, k = sqrt(1 + T^2 cos^2(alpha)), and r the rod's radius.
+
     P is at x = d - r (1 + T^2) cos(alpha) / k and y = r sin(alpha) / k from the camshaft,
     tan(alpha) = -s' (1 - r T cos(alpha) / (k w)) / (d - r T^2 cos(alpha) / k),
     v = the disc's velocity at P less the rod's, per radian of the cam.
+
 With friction mu against v, the rod, pressed by the force F along the lift, is in balance if the normal force is
     N = F / (n . u + mu v . u / |v|),  u = the rod's velocity at P per mm of lift,
 and the torque of F that friction does not take turns the cam ahead: M = -F s' - mu N |v|. For a rod that does not lean
 this is M = N (d sin(alpha) - mu (d cos(alpha) - r)) with N = F / (cos(alpha) + mu sin(alpha)).
 
-Leaning makes N greater by 1 / cos(beta), and by w / (w - r sin(beta)), since the contact's normal meets the rod's axis
-nearer to the fork in a right turn and farther off in a left one: 4 % at 11 degrees to the right, nothing to the left.
-On the paper's car that moves the end of the run by up to 9 mm at friction up to 0.15, 28 mm at 0.2, and 2 mm from 0.3
-on, where the cam leads in left turns alone.
+Leaning makes N greater by 1 / cos(beta), and by w / (w - r sin(beta)): the contact's normal meets the rod's axis nearer
+to the fork in a right turn and farther off in a left one. This is 4 % at 11 degrees to the right, and nothing to the
+left. On the paper's car it moves the end of the run by up to 9 mm at friction up to 0.15, and by 28 mm at 0.2. From 0.3
+on, where the cam leads in left turns alone, it is 2 mm.
 
 The cam leads where M is greater than the drag; friction is that of sliding, for when a fall begins the gears already
 slide the disc under the rod. See `cadgen.car.running.play` for what the cam does with it. Inertia is left aside: at 8
@@ -159,10 +161,10 @@ class Mechanics:
         return self.drag - self.torque(lift, theta)
 
     def leads(self, lift: PathMotion, least_swing: float = LEAST_SWING) -> "Leads":
-        """Stretches on which the cam leads its gears if their play allows: parts of falls where M is above the drag.
+        """Lead intervals of the cam if its play allows: parts of falls where M is above the drag.
 
-        If a brake acts on the shaft and the cam has play on it (`behind`), the cam leads the shaft wherever friction
-        lets it, and takes the shaft along where M is above the drag too.
+        A brake may act on the shaft on which the cam has play (`behind`). Then the cam leads the shaft wherever
+        friction lets it, and takes the shaft along where M is above the drag too.
 
         Args:
             lift: lift that the cam was cut for. The slope of a rolled or meshed outline is too rough for this, and
@@ -170,12 +172,12 @@ class Mechanics:
             least_swing: rises and falls of tan(beta) smaller than this are passed over.
         """
         pairs = falls(lift, least_swing)
-        stretches = self._stretches(lift, pairs, self.drag, least_swing)
+        intervals = self._lead_intervals(lift, pairs, self.drag, least_swing)
         if self.behind == 0 or self.drag == 0:
-            return Leads(stretches)
-        return Leads(self._stretches(lift, pairs, 0.0, least_swing), stretches, self.behind)
+            return Leads(intervals)
+        return Leads(self._lead_intervals(lift, pairs, 0.0, least_swing), intervals, self.behind)
 
-    def _stretches(self, lift: PathMotion, pairs: Array, drag: float, least_swing: float) -> Array:
+    def _lead_intervals(self, lift: PathMotion, pairs: Array, drag: float, least_swing: float) -> Array:
         if self.friction == 0 and drag == 0:
             return pairs
 
@@ -198,9 +200,9 @@ class Mechanics:
         place = fine[rows, cell] + (fine[rows, cell + 1] - fine[rows, cell]) * share
         # Next to a peak or valley no change may show: the stretch then reaches up to it.
         place = np.where(changed.any(axis=1), place, np.where(ahead[flips], fine[:, -1], fine[:, 0]))
-        stretches = place.reshape(-1, 2)
-        fallen = lift.q(stretches[:, 0]) - lift.q(stretches[:, 1])
-        return _in_order(stretches[fallen >= least_swing])
+        intervals = place.reshape(-1, 2)
+        fallen = lift.q(intervals[:, 0]) - lift.q(intervals[:, 1])
+        return _in_order(intervals[fallen >= least_swing])
 
 
 @dataclass(frozen=True)
@@ -208,13 +210,13 @@ class Leads:
     """Stretches on which a cam leads its shaft or gears, for any play.
 
     Attributes:
-        stretches: cam angles at which each begins, in [0, 2 pi), and ends, perhaps beyond 2 pi; shape (k, 2), rad, in
+        intervals: cam angles at which each begins, in [0, 2 pi), and ends, perhaps beyond 2 pi; shape (k, 2), rad, in
             order. Without friction and drag, the falls of the lift.
         braked: the same for a shaft that is braked, on which the cam has play; None if the disc is braked.
         behind: play of the cam on that shaft, rad.
     """
 
-    stretches: Array
+    intervals: Array
     braked: Array | None = None
     behind: float = 0.0
 
@@ -229,10 +231,10 @@ class Leads:
             DesignError: the play is negative or no number.
         """
         if self.braked is None:
-            return follow(lift, play, leads=self.stretches)
+            return follow(lift, play, leads=self.intervals)
         joint = min(self.behind, play)
         shaft = follow(lift, play - joint, leads=self._taken(self.braked, joint))
-        return follow(lift, joint, leads=self.stretches, shaft=shaft)
+        return follow(lift, joint, leads=self.intervals, shaft=shaft)
 
     def _taken(self, braked: Array, joint: float) -> Array:
         """Shaft angles between which the cam, ahead by the play of its joint, drives the shaft, shape (m, 2), rad.
@@ -241,7 +243,7 @@ class Leads:
         and where it then stops beyond one, not at all.
         """
         middle = braked.mean(axis=1)
-        begins = middle - np.min((middle[:, None] - self.stretches[:, 0]) % TURN, axis=1, initial=TURN)
+        begins = middle - np.min((middle[:, None] - self.intervals[:, 0]) % TURN, axis=1, initial=TURN)
         taken = np.stack([np.maximum(braked[:, 0] - joint, begins), braked[:, 1] - joint], axis=1)
         return _in_order(taken[taken[:, 0] < taken[:, 1]])
 
@@ -264,7 +266,7 @@ class MechanicsBand:
     behind: float = 0.0
 
     def at(self, friction: float, drag: float) -> Mechanics:
-        """One car of the band, with a friction coefficient and a drag in N mm.
+        """Car of the band with a friction coefficient and a drag in N mm.
 
         Args:
             friction: coefficient of friction, a number.
@@ -316,7 +318,7 @@ def _stations(pairs: Array) -> tuple[Array, NDArray[np.intp]]:
     return theta, first
 
 
-def _in_order(stretches: Array) -> Array:
+def _in_order(intervals: Array) -> Array:
     """Stretches moved by whole turns so that each begins in [0, 2 pi), in order of that; shape (k, 2), rad."""
-    moved = stretches - TURN * np.floor(stretches[:, :1] / TURN)
+    moved = intervals - TURN * np.floor(intervals[:, :1] / TURN)
     return np.asarray(moved[np.argsort(moved[:, 0])])

@@ -63,7 +63,7 @@ class Forces:
             Cam angles between which it does, shape (k, 2) each, rad, begins in [0, 2 pi) and in order: the first draw
             to their ends, the second to their begins.
         """
-        ahead, mirrored = self.leads(friction).stretches, self.leads(friction, back=True).stretches
+        ahead, mirrored = self.leads(friction).intervals, self.leads(friction, back=True).intervals
         begin = (-mirrored[:, 1]) % TURN
         back = np.stack([begin, begin + mirrored[:, 1] - mirrored[:, 0]], axis=1)
         return ahead, back[np.argsort(back[:, 0])]

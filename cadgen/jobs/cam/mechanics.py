@@ -127,7 +127,7 @@ def border_sentences(design: Design, task: PlayTask, chosen: Evaluation, band: P
             "the ends after that trim, the figures in the table are before it."
         )
     weak, strong = known.at(known.friction[0], known.drag[0]), known.at(known.friction[1], known.drag[1])
-    held = [not len(case.leads(chosen.lift).stretches) for case in (weak, strong)]
+    held = [not len(case.leads(chosen.lift).intervals) for case in (weak, strong)]
     if held == [False, True]:
         lines.append(
             "Warning: the cam leads its gears at the least friction and drag and is held at the greatest, which is the "

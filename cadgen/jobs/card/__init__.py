@@ -1,4 +1,4 @@
-"""One cam for every draw of spacings: what to set for each, as a card and a table.
+"""Settings of a single cam for every draw of spacings: what to set for each, as a card and a table.
 
 | module  | what it does                                                          |
 |---------|-----------------------------------------------------------------------|

@@ -1,4 +1,4 @@
-"""One cam for every draw: the cam with its checks, and for each spacing the best setting, driven and checked."""
+"""Plan of a card: the cam with its checks, and for each spacing the best setting, driven and checked."""
 
 from dataclasses import dataclass
 
@@ -13,7 +13,7 @@ from cadgen.progress import Progress, silent
 
 @dataclass(frozen=True)
 class Card:
-    """One cam with the settings for every spacing that can be drawn.
+    """Cam with the settings for every spacing that can be drawn.
 
     Attributes:
         cam: the cam, with its checks at the stated spacing.

@@ -121,7 +121,7 @@ def test_any_lift_step_by_step():
         joint = int(rng.integers(1, room + 1))
         for behind in (0, joint) if cam.drag else (0,):
             braked = replace(cam, behind=behind * STEP)
-            off, leads = difference(lift, braked, cells, room), len(braked.leads(lift).stretches)
+            off, leads = difference(lift, braked, cells, room), len(braked.leads(lift).intervals)
             cases.append((off, leads, bool(behind)))
             print(
                 f"{number}: {cam.rod_force:.1f} N, mu {cam.friction:.2f}, drag {cam.drag:.1f}, "
@@ -236,7 +236,7 @@ def test_places_in_the_limit_of_small_inertia(carbon_free_car, paper_cells):
     limit = 2 * found[:, 3] - found[:, 2]
     for (friction, _), row, end in zip(PLACES, found, limit, strict=True):
         leads = Mechanics(follower=carbon_free_car.follower, friction=friction).leads(carbon_free_car.lift)
-        place = np.degrees(leads.stretches[0, 0])
+        place = np.degrees(leads.intervals[0, 0])
         print(f"mu {friction}: {row.round(3)} at 0.26 / 8^k, limit {end:.3f}, cadgen {place:.3f} degrees")
         assert abs(end - place) < 0.05
         assert abs(row[3] - place) < 0.3
@@ -319,7 +319,7 @@ def test_without_friction_and_drag_it_is_the_play_operator(carbon_free_car, appe
     for built in (carbon_free_car, appendix_car):
         for behind in (0.0, 0.005):
             leads = Mechanics(follower=built.follower, behind=behind).leads(built.lift)
-            np.testing.assert_array_equal(leads.stretches, falls(built.lift))
+            np.testing.assert_array_equal(leads.intervals, falls(built.lift))
             mine, plain = leads.follow(built.lift, 0.0129), follow(built.lift, 0.0129)
             np.testing.assert_array_equal(mine.cam_angle(motor), plain.cam_angle(motor))
             np.testing.assert_array_equal(mine.joints(0.0, TURN), plain.joints(0.0, TURN))
@@ -331,8 +331,8 @@ def test_drag_above_the_greatest_torque_holds(carbon_free_car, friction):
     theta = np.linspace(0.0, TURN, 72001)
     greatest = Mechanics(follower=built.follower, friction=friction).torque(built.lift, theta).max()
     held = Mechanics(follower=built.follower, friction=friction, drag=float(greatest) + 1e-4)
-    assert not len(held.leads(built.lift).stretches)
-    assert len(replace(held, drag=float(greatest) - 1e-2).leads(built.lift).stretches) == 1
+    assert not len(held.leads(built.lift).intervals)
+    assert len(replace(held, drag=float(greatest) - 1e-2).leads(built.lift).intervals) == 1
     plain = drive(built.lift, built.car, built.track.length)
     run = drive(built.lift, built.car, built.track.length, following=held.leads(built.lift).follow(built.lift, 0.02))
     np.testing.assert_array_equal(run.cam_angle, plain.motor)

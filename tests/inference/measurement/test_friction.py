@@ -97,8 +97,8 @@ def test_friction_that_holds_everywhere(world, carbon_free_car, forces):
     friction, angle = holding_friction(carbon_free_car.lift, carbon_free_car.follower)
     assert friction == pytest.approx(world.holds.max(), abs=0.01)
     assert np.degrees(angle) == pytest.approx(np.argmax(world.holds) * STEP_DEG, abs=1.0)
-    assert len(forces.leads(friction - 0.01).stretches)
-    assert not len(forces.leads(friction + 0.01).stretches)
+    assert len(forces.leads(friction - 0.01).intervals)
+    assert not len(forces.leads(friction + 0.01).intervals)
 
 
 def _judgement(*claimed):
