@@ -14,7 +14,6 @@
 | `gears`    | pairs and trains of gears by their numbers                                 |
 | `gear_train` | the gear train of a design                                               |
 | `calibration` | a judgement of measured data, and the design built from it              |
-| `advice`   | what to measure next; runs predicted with what was found                   |
 | `adjustment` | settings after trial runs                                                |
 | `planning`   | a planned path, or why there is none                                    |
 | `card`     | settings for every spacing that can be drawn                               |

@@ -1,92 +1,76 @@
 """Results of judging measured data: what `Design.calibrate` and `Design.calibrate_each` give."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
 from os import PathLike
-from typing import TYPE_CHECKING, Any, Generic, Protocol, Self, TypeVar
+from typing import Generic, TypeVar
 
 from cadgen.api.files import Written, folder_of, written
+from cadgen.api.loaded import LoadedDesign
 from cadgen.api.measured import Data, sources_of
+from cadgen.jobs.calibration.advice import Advice as Advice
+from cadgen.jobs.calibration.advice import Predictions as Predictions
+from cadgen.jobs.calibration.as_built_file import as_built_text
+from cadgen.jobs.calibration.calibration import CalibrationPlan
+from cadgen.jobs.calibration.calibration_report import report, summary
+from cadgen.jobs.calibration.files import document, documents, write_calibration, write_each
+from cadgen.jobs.calibration.new_cam import Built
+from cadgen.output.report.terminal import Block, plain
 from cadgen.progress import Progress, silent
-
-if TYPE_CHECKING:
-    from cadgen.api.advice import Advice, Predictions
-    from cadgen.jobs.calibration import places
-    from cadgen.jobs.calibration import plan as calibrations
-    from cadgen.output.report.terminal import Block
 
 _REPORT_WIDTH = 110
 
 
-class _Written(Protocol):
-    """A design as a result needs it: its text, and a way to make another one of a text."""
-
-    @property
-    def text(self) -> str:
-        """Of the design file."""
-
-    @classmethod
-    def from_toml(cls, text: str, name: str) -> Self:
-        """The design of a text and a name."""
+D = TypeVar("D", bound=LoadedDesign)
 
 
-D = TypeVar("D", bound=_Written)
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class Calibration(Generic[D]):
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class Calibration(CalibrationPlan, Generic[D]):
     """Result of `Design.calibrate`: the effects found in measured data of one car, and the design built from them.
 
     Attributes:
-        computed: the whole result, for figures that are not named here.
         design: that was measured against.
     """
 
-    computed: "calibrations.Calibration"
     design: D
 
+    @classmethod
+    def of(cls, plan: CalibrationPlan, design: D) -> "Calibration[D]":
+        """Calibration with its design.
+
+        Args:
+            plan: what was computed.
+            design: design that was measured against.
+        """
+        return cls(design=design, **{item.name: getattr(plan, item.name) for item in fields(plan)})
+
     def __repr__(self) -> str:
-        return f"<Calibration of {self.computed.design.name}: {self.verdicts}>"
+        return f"<Calibration of {self.against.name}: {self.verdicts}>"
 
     @property
-    def verdicts(self) -> dict[str, str]:
-        """Kind of data -> class of the verdict on it, such as `traced` or `ambiguous`."""
-        return {source.kind.code: self.computed.verdict(source.kind) for source in self.computed.sources}
+    def computed(self) -> CalibrationPlan:
+        """The whole result, for figures that are not named here: this object itself."""
+        return self
 
     @property
-    def unclear(self) -> dict[str, str]:
-        """The verdicts that leave something unexplained or undecided, by the kind of data."""
-        from cadgen.inference.measurement.diagnosis import SOUND
-
-        return {kind: verdict for kind, verdict in self.verdicts.items() if verdict not in SOUND}
-
-    @property
-    def effects(self) -> "tuple[places.Built, ...]":
+    def effects(self) -> tuple[Built, ...]:
         """Everything that goes into the design as built, with its place there.
 
         `claim.sure` is false where the name is not sure, but what it does to the run together with the others is.
         `claim.finding.effect` is its name, `claim.finding.values` its numbers with standard deviations, in the unit
         that each name ends in.
         """
-        return self.computed.built
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        """Sentences on data that do not fit, but were accepted."""
-        return self.computed.warnings
+        return self.built
 
     @cached_property
     def as_built(self) -> D:
         """The design with what was measured in its [as_built]; the design as it was, if nothing was found."""
-        from cadgen.jobs.calibration.as_built_file import as_built_text
-
-        if not self.computed.built:
+        if not self.built:
             return self.design
-        text = as_built_text(self.computed, self.design.text)
-        return type(self.design).from_toml(text, f"{self.computed.design.name}_as_built")
+        return type(self.design).from_toml(as_built_text(self, self.design.text), f"{self.against.name}_as_built")
 
-    def next_measurement(self, *, progress: Progress = silent) -> "Advice":
+    def next_measurement(self, *, progress: Progress = silent) -> Advice:
         """Rank what could be measured next by where the run is then expected to end on a new cam.
 
         Args:
@@ -95,12 +79,9 @@ class Calibration(Generic[D]):
         Raises:
             FileError: the data contradict each other.
         """
-        from cadgen.api.advice import Advice
-        from cadgen.jobs.calibration.advice import after
+        return Advice.after(self, self.design.complete(), progress)
 
-        return Advice(after(self.computed, progress), measured=True)
-
-    def predict(self, data: Data | Iterable[Data], *, progress: Progress = silent) -> "Predictions":
+    def predict(self, data: Data | Iterable[Data], *, progress: Progress = silent) -> Predictions:
         """Predict measured data that were not used, with what was found.
 
         Args:
@@ -110,29 +91,19 @@ class Calibration(Generic[D]):
         Raises:
             FileError: data cannot be read, were used, or cannot be predicted by what was.
         """
-        from cadgen.api.advice import Predictions
-        from cadgen.jobs.calibration.prediction import predicted
-
-        unseen = sources_of(data, each=True, progress=progress)
-        return Predictions(predicted(self.computed, unseen, progress))
+        return Predictions.of(self, sources_of(data, each=True, progress=progress), progress)
 
     @property
-    def report(self) -> "list[Block]":
+    def report(self) -> list[Block]:
         """Everything in paragraphs and tables; `str` of the result gives them as text."""
-        from cadgen.jobs.calibration.words import report
-
-        return report(self.computed)
+        return report(self)
 
     def __str__(self) -> str:
-        from cadgen.output.report.terminal import plain
-
         return plain(self.report, _REPORT_WIDTH)
 
-    def facts(self) -> dict[str, Any]:
+    def facts(self) -> dict[str, object]:
         """Everything as plain values, as in the JSON file."""
-        from cadgen.jobs.calibration.files import document
-
-        return document(self.computed)
+        return document(self)
 
     def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
         """Write the report, pictures, JSON and the design as built, all together or none.
@@ -144,9 +115,7 @@ class Calibration(Generic[D]):
         Raises:
             FileError: a file cannot be written, or the design as built, read back, is not what was meant.
         """
-        from cadgen.jobs.calibration.files import write_calibration
-
-        return written(folder, lambda place: write_calibration(self.computed, self.design.text, place, progress))
+        return written(folder, lambda place: write_calibration(self, self.design.text, place, progress))
 
 
 @dataclass(frozen=True)
@@ -165,22 +134,18 @@ class Calibrations(Generic[D]):
         return {
             source.path.name: verdict
             for calibration in self.each
-            for source in calibration.computed.sources
+            for source in calibration.sources
             for verdict in calibration.unclear.values()
         }
 
     @property
-    def report(self) -> "list[Block]":
+    def report(self) -> list[Block]:
         """One table with a row for each."""
-        from cadgen.jobs.calibration.words import summary
+        return summary(self.each)
 
-        return summary([calibration.computed for calibration in self.each])
-
-    def facts(self) -> dict[str, Any]:
+    def facts(self) -> dict[str, object]:
         """Everything as plain values, as in the JSON file."""
-        from cadgen.jobs.calibration.files import documents
-
-        return documents([calibration.computed for calibration in self.each])
+        return documents(self.each)
 
     def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
         """Write the table and JSON; errors as in `Calibration.write`.
@@ -189,9 +154,7 @@ class Calibrations(Generic[D]):
             folder: where to; it is made if need be.
             progress: function that is called with a few words on each step.
         """
-        from cadgen.jobs.calibration.files import write_each
-
         place = folder_of(folder)
         progress("writing")
-        written = write_each([calibration.computed for calibration in self.each], place)
+        written = write_each(self.each, place)
         return Written.of(place, written.part, written.entry)

@@ -14,8 +14,7 @@ from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
     from cadgen.api.adjustment import Adjustment
-    from cadgen.api.advice import Advice
-    from cadgen.api.calibration import Calibration, Calibrations
+    from cadgen.api.calibration import Advice, Calibration, Calibrations
     from cadgen.api.cam import Cam
     from cadgen.api.card import Card
     from cadgen.api.gear_train import GearTrain
@@ -180,11 +179,11 @@ class Design(LoadedDesign):
             FileError: data cannot be read, or cannot be judged together.
         """
         from cadgen.api.calibration import Calibration
-        from cadgen.jobs.calibration.plan import calibrate
+        from cadgen.jobs.calibration.calibration import calibrate
 
         error, design = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm"), self.complete()
         computed = calibrate(design, profile, sources_of(data, progress=progress), error, progress)
-        return Calibration(computed, Design(design, self.text, self.file))
+        return Calibration.of(computed, Design(design, self.text, self.file))
 
     def next_measurement(
         self, *, profile: str = "actual", form_error_um: float | None = None, progress: Progress = silent
@@ -193,11 +192,10 @@ class Design(LoadedDesign):
 
         Arguments and errors as in `calibrate`.
         """
-        from cadgen.api.advice import Advice
-        from cadgen.jobs.calibration.advice import before
+        from cadgen.jobs.calibration.advice import Advice
 
         error = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm")
-        return Advice(before(self.complete(), profile, error, progress), measured=False)
+        return Advice.first(self.complete(), profile, error, progress)
 
     def calibrate_each(
         self,
@@ -209,11 +207,11 @@ class Design(LoadedDesign):
     ) -> "Calibrations[Design]":
         """Judge measured data one by one, as if each came from another car; arguments and errors as in `calibrate`."""
         from cadgen.api.calibration import Calibration, Calibrations
-        from cadgen.jobs.calibration.plan import calibrate_each
+        from cadgen.jobs.calibration.calibration import calibrate_each
 
         error, design = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm"), self.complete()
         computed = calibrate_each(design, profile, sources_of(data, each=True, progress=progress), error, progress)
-        return Calibrations(tuple(Calibration(result, Design(design, self.text, self.file)) for result in computed))
+        return Calibrations(tuple(Calibration.of(result, Design(design, self.text, self.file)) for result in computed))
 
     def adjust(
         self,

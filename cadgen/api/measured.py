@@ -12,7 +12,7 @@ from cadgen.progress import Progress, silent
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from cadgen.jobs.calibration.plan import Source
+    from cadgen.jobs.calibration.sources import Source
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -53,7 +53,7 @@ def sources_of(data: Data | Iterable[Data], *, each: bool = False, progress: Pro
         DesignError: the data are none of these.
         FileError: data cannot be read, stand twice, or are more than can be judged.
     """
-    from cadgen.jobs.calibration.plan import gathered
+    from cadgen.jobs.calibration.sources import gathered
 
     sources = (_source(item, number, progress) for number, item in enumerate(_several(data), 1))
     return gathered(sources, each=each)
@@ -72,14 +72,14 @@ def _several(data: Data | Iterable[Data]) -> list[Data]:
 
 
 def _measured(data: Measured) -> "Source":
-    from cadgen.jobs.calibration.tables import source_of
+    from cadgen.jobs.calibration.sources import source_of
 
     remarks = (data.remarks,) if isinstance(data.remarks, str) else data.remarks
     return source_of(data.columns, remarks, str(data.name))
 
 
 def _source(data: Data, number: int, progress: Progress) -> "Source":
-    from cadgen.jobs.calibration.plan import read
+    from cadgen.jobs.calibration.sources import read
 
     if isinstance(data, (str, PathLike)):
         return read([Path(data)], progress, each=True)[0]

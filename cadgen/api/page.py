@@ -15,7 +15,7 @@ from cadgen.progress import Progress, silent
 from cadgen.viewer.page.page_plan import plan_page
 
 if TYPE_CHECKING:
-    from cadgen.jobs.calibration.plan import Source
+    from cadgen.jobs.calibration.sources import Source
     from cadgen.viewer.page.page_plan import PagePlan
 
 SAMPLES = 10_000

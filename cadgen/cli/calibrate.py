@@ -9,8 +9,7 @@ from cadgen.car.against_play.profile_kinds import ACTUAL
 from cadgen.cli.options import Number, car_profile_option, design_and_files, out_option, overrides_option
 
 if TYPE_CHECKING:
-    from cadgen.api.advice import Advice, Predictions
-    from cadgen.api.calibration import Calibration
+    from cadgen.api.calibration import Advice, Calibration, Predictions
     from cadgen.api.design import Design
     from cadgen.progress import Progress
 

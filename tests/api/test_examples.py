@@ -157,7 +157,7 @@ def test_a_calibration_gives_the_design_as_built(ran):
     assert calibration.verdicts == {"track": "traced"}
     assert {effect.effect for effect in built.values.as_built.effects} == {"steering zero", "backlash"}
     assert Design.from_toml(built.text, "again").values.as_built == built.values.as_built
-    assert built.values.as_designed().values() == calibration.computed.design.values()
+    assert built.values.as_designed().values() == calibration.computed.against.values
     assert "steering zero" in str(calibration)
     assert made["cam"].design.as_built is not None
 

@@ -25,7 +25,7 @@ from cadgen.cam.place import cam_place
 from cadgen.car.path_motion import PathMotion
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
-from cadgen.jobs.calibration.plan import nominal_of
+from cadgen.jobs.calibration.calibration import nominal_of
 from cadgen.jobs.cam.cures import find_cures
 from cadgen.jobs.cam.files import write_cam
 from cadgen.jobs.cam.plan import plan_cam

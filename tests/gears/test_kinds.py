@@ -18,7 +18,7 @@ from cadgen.gears import stage_kinds
 from cadgen.gears.spur import SpurPair
 from cadgen.gears.stage import PLAY_LIMIT_UM
 from cadgen.geometry.solids.step_text import read_gear
-from cadgen.jobs.calibration import plan as calibration
+from cadgen.jobs.calibration import calibration
 from cadgen.jobs.gears.facts import plan_facts
 from cadgen.jobs.gears.files import write_gears
 from cadgen.jobs.gears.plan import plan_gears

@@ -13,12 +13,13 @@ from cadgen.figures import Sheet
 from cadgen.inference.measurement import kinds
 from cadgen.inference.measurement.claims import Claim
 from cadgen.inference.measurement.findings import Finding, Value
-from cadgen.jobs.calibration import plan
+from cadgen.jobs.calibration import sources
 from cadgen.jobs.calibration.as_built_file import as_built_text
+from cadgen.jobs.calibration.calibration import calibrate
+from cadgen.jobs.calibration.calibration_report import sentence, shown, sizes
 from cadgen.jobs.calibration.files import write_calibration
-from cadgen.jobs.calibration.places import Built, agreed_places
-from cadgen.jobs.calibration.plan import calibrate, read, stated_form_error
-from cadgen.jobs.calibration.words import sentence, shown, sizes
+from cadgen.jobs.calibration.new_cam import Built, agreed_places
+from cadgen.jobs.calibration.sources import read, stated_form_error
 from cadgen.jobs.cam.as_built import assumed_play
 from cadgen.jobs.runs.simulation import simulate
 from cadgen.output.report.terminal import Heading, plain
@@ -184,7 +185,7 @@ def test_files_are_refused_before_more_are_read_than_can_be_judged(monkeypatch):
         FileError, match=r"the 2 files up to track_b.csv have \d+ rows of track data, more than the 1000"
     ):
         read(names)
-    monkeypatch.setattr(plan, "MOST_READ", 100)
+    monkeypatch.setattr(sources, "MOST_READ", 100)
     with pytest.raises(FileError, match=r"the 1 files up to track_a.csv .* 100 that can be judged in one command"):
         read(names, each=True)
 

@@ -10,11 +10,12 @@ from cadgen.design.load import load_design
 from cadgen.deviations.deviation import Place
 from cadgen.inference.expectation.outlook import Outlook
 from cadgen.inference.measurement.verdict import Verdict
-from cadgen.jobs.calibration import plan
 from cadgen.jobs.calibration.as_built_file import as_built_text
+from cadgen.jobs.calibration.calibration import calibrate
+from cadgen.jobs.calibration.calibration_report import report
 from cadgen.jobs.calibration.files import document
-from cadgen.jobs.calibration.joint_effect import BETTER, with_joint_effect
-from cadgen.jobs.calibration.words import report
+from cadgen.jobs.calibration.new_cam import BETTER, with_joint_effect
+from cadgen.jobs.calibration.sources import Source
 from tests.studies.circles import draw, go_round
 
 SEED, NUMBER = 607, 203  # of the study of whole circles: play, gain and zero, with a stylus that was not compensated
@@ -26,10 +27,10 @@ def told():
     drawn, rng = draw(SEED, NUMBER), np.random.default_rng([SEED, NUMBER, 1])
     more = drawn.world.profile(drawn.car, rng)
     records = [drawn.world.track(drawn.car, rng), more]
-    return plan.calibrate(
+    return calibrate(
         load_design(),
         "actual",
-        [plan.Source(Path(f"{r.kind.code}.csv"), r, f"{k:064x}") for k, r in enumerate(records)],
+        [Source(Path(f"{r.kind.code}.csv"), r, f"{k:064x}") for k, r in enumerate(records)],
     )
 
 

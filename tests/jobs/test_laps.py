@@ -21,7 +21,7 @@ from cadgen.deviations.deviation import COLUMNS
 from cadgen.errors import DesignError
 from cadgen.inference.monte_carlo.cars import run_cars
 from cadgen.jobs.adjustment.plan import Wanted, adjust
-from cadgen.jobs.calibration.plan import calibrate
+from cadgen.jobs.calibration.calibration import calibrate
 from cadgen.jobs.cam.plan import CamPlan, plan_cam
 from cadgen.jobs.planning.task import Tightening, task_of
 from cadgen.jobs.runs.fleet import fleet_of

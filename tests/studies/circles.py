@@ -133,8 +133,9 @@ def go_round(seed: int, number: int) -> Outcome:
     """Measure a car, calibrate it, plan its cam, and run it again."""
     from cadgen.design.load import load_design, packaged_designs
     from cadgen.errors import CadgenError
-    from cadgen.jobs.calibration import plan
     from cadgen.jobs.calibration.as_built_file import as_built_text
+    from cadgen.jobs.calibration.calibration import calibrate
+    from cadgen.jobs.calibration.sources import Source
     from cadgen.jobs.cam.plan import plan_cam
     from tests.inference.measurement.synthetic import Car as Bed
 
@@ -142,8 +143,8 @@ def go_round(seed: int, number: int) -> Outcome:
     world, car, built = drawn.world, drawn.car, drawn.world.built
     more = {"lift": world.dial, "transmission": world.train, "profile": world.profile}[drawn.second](car, rng)
     records = [world.track(car, rng), more]
-    sources = [plan.Source(Path(f"{r.kind.code}.csv"), r, f"{number:064x}") for r in records]
-    told = plan.calibrate(load_design(), "actual", sources)
+    sources = [Source(Path(f"{r.kind.code}.csv"), r, f"{number:064x}") for r in records]
+    told = calibrate(load_design(), "actual", sources)
     claimed = ", ".join(sorted(b.claim.finding.effect for b in told.built if b.place != "noted" and not b.claim.absent))
     outlook, after, no_cam = told.outlook, drawn.before, ""
     form, stop = drawn_form(rng), built.lift.blend_start

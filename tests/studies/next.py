@@ -79,7 +79,7 @@ class Outcome:
 @cache
 def _ground():
     from cadgen.design.load import load_design
-    from cadgen.jobs.calibration.plan import nominal_of
+    from cadgen.jobs.calibration.calibration import nominal_of
     from tests.conftest import build
     from tests.inference.measurement import synthetic as syn
 
@@ -98,23 +98,24 @@ def _readings(world: World, car: Car, what: str, noise: float, rng: np.random.Ge
     return world.track(car, rng, noise_mm=noise)
 
 
-def _now(calibration: Any) -> float:
+def _now(calibration: Any, design: Any) -> float:
     """Mean distance of the end of the run on a new cam, mm; of one proposal only, for the others take time."""
     from cadgen.inference.expectation import next_measurement
-    from cadgen.jobs.calibration.advice import after
+    from cadgen.jobs.calibration.advice import Advice
 
     def few(nominal: Any, known: Any, measured: Any) -> Any:
         every = proposals(nominal, known, measured)
         return every[:1] if known else every  # all of them say which kinds of data there are
 
     with patch.object(next_measurement, "proposals", few):
-        return float(after(calibration).now.mean)
+        return float(Advice.after(calibration, design).computed.now.mean)
 
 
 def measured(seed: int, number: int) -> Outcome:
     """Calibrate a car, rank what may be measured, and measure it."""
-    from cadgen.jobs.calibration import plan
-    from cadgen.jobs.calibration.advice import after
+    from cadgen.jobs.calibration.advice import Advice
+    from cadgen.jobs.calibration.calibration import calibrate
+    from cadgen.jobs.calibration.sources import Source
 
     rng = np.random.default_rng([seed, number])
     built, bed, design, nominal = _ground()
@@ -125,11 +126,11 @@ def measured(seed: int, number: int) -> Outcome:
     begun = world.track(car, rng, runs=2, noise_mm=noise) if first == "track" else _readings(world, car, first, 0, rng)
 
     def told(*records):
-        sources = [plan.Source(Path(f"{k}.csv"), r, f"{number}{k}") for k, r in enumerate(records)]
-        return plan.calibrate(design, "actual", sources, nominal=nominal)
+        sources = [Source(Path(f"{k}.csv"), r, f"{number}{k}") for k, r in enumerate(records)]
+        return calibrate(design, "actual", sources, nominal=nominal)
 
     one = told(begun)
-    ranking = after(one)
+    ranking = Advice.after(one, design).computed
     expected, found = {}, {}
     for entry in ranking.ranked:
         what = next((name for words, name in MEASURED.items() if entry.words.startswith(words)), None)
@@ -138,7 +139,7 @@ def measured(seed: int, number: int) -> Outcome:
         expected[what] = entry.end.mean
         made = [np.random.default_rng([seed, number, len(what), time]) for time in range(TIMES)]
         more = [_readings(world, car, what, noise, one) for one in made]
-        found[what] = float(np.median([_now(told(begun, one)) for one in more]))
+        found[what] = float(np.median([_now(told(begun, one), design) for one in more]))
     effects = ", ".join(k for k, v in vars(car).items() if v != getattr(Car(), k))
     return Outcome(number, first, effects, one.diagnoses[0].verdict, ranking.now.mean, expected, found)
 

@@ -1,11 +1,12 @@
-"""The next measurement on a car of a design, before or after a calibration, in words too."""
+"""Advice after a calibration: what to measure next, and runs that were not used, predicted with what was found."""
 
-from dataclasses import replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from math import degrees, radians
-from typing import Any
 
 import numpy as np
 
+from cadgen.arrays import Array
 from cadgen.car.running.friction import USUAL
 from cadgen.design import variation
 from cadgen.design.schema import Design
@@ -15,65 +16,257 @@ from cadgen.errors import FileError
 from cadgen.figures import Sheet
 from cadgen.inference.expectation.linear import PriorKnowledge
 from cadgen.inference.expectation.next_measurement import EndRange, Expected, Next, next_measurement
-from cadgen.inference.measurement.findings import EvidenceDiagnosis
-from cadgen.inference.measurement.nominal import MACHINED_UM, Nominal
-from cadgen.inference.measurement.record import Method, join
-from cadgen.jobs.calibration.plan import INCLINOMETER_DEG, Calibration, nominal_of
-from cadgen.output.report.terminal import Block, Heading
+from cadgen.inference.expectation.predict import Prediction, predict, predict_tricycle
+from cadgen.inference.measurement.findings import EvidenceDiagnosis, PathDiagnosis
+from cadgen.inference.measurement.nominal import MACHINED_UM, LoggedCar, Nominal
+from cadgen.inference.measurement.record import Method, Record, join, refuse_wrong_units
+from cadgen.jobs.calibration.calibration import INCLINOMETER_DEG, CalibrationPlan, nominal_of, wheelbase_of
+from cadgen.jobs.calibration.calibration_report import SIGNS
+from cadgen.jobs.calibration.sources import Source
+from cadgen.messages import Message, joined
+from cadgen.output.report.terminal import Block, Heading, plain
 from cadgen.progress import Progress, silent
 
 # A measurement that brings the run nearer by less than this is not worth making.
 WORTH = 0.05
 _SHOWN_RIVALS = 3
+_REPORT_WIDTH = 110
 
 
-def before(design: Design, profile: str, form_error_um: float | None = None, progress: Progress = silent) -> Next:
-    """The first measurement on a car of which only the design is known.
+@dataclass(frozen=True, eq=False, repr=False)
+class Advice:
+    """Measurements that could be made, ranked by where the run is then expected to end on a new cam.
 
-    Args:
-        design: a loaded design.
-        profile: of the cam on the car.
-        form_error_um: stated form error of the disc, rms; that of a machined one if left out.
-        progress: function that is called with a few words on each step.
-
-    Raises:
-        DesignError: see `plan.nominal_of`.
+    Attributes:
+        computed: the whole ranking.
+        measured: whether something was measured already.
     """
-    nominal = nominal_of(design, profile, progress)
-    floor = MACHINED_UM if form_error_um is None else form_error_um
-    progress("weighing what may be measured")
-    return next_measurement(replace(nominal, form_error=floor * 1e-3), [], [], _prior(design, nominal, None))
+
+    computed: Next
+    measured: bool
+
+    @classmethod
+    def first(
+        cls, design: Design, profile: str, form_error_um: float | None = None, progress: Progress = silent
+    ) -> "Advice":
+        """Rank the first measurement on a car of which only the design is known.
+
+        Args:
+            design: a loaded design.
+            profile: profile of the cam on the car.
+            form_error_um: stated form error of the disc, rms; that of a machined one if left out.
+            progress: function that is called with a few words on each step.
+
+        Raises:
+            DesignError: see `calibration.nominal_of`.
+        """
+        nominal = nominal_of(design, profile, progress)
+        floor = MACHINED_UM if form_error_um is None else form_error_um
+        progress("weighing what may be measured")
+        ranking = next_measurement(replace(nominal, form_error=floor * 1e-3), [], [], _prior(design, nominal, None))
+        return cls(ranking, measured=False)
+
+    @classmethod
+    def after(cls, calibration: CalibrationPlan, design: Design, progress: Progress = silent) -> "Advice":
+        """Rank the next measurement on a car that was calibrated.
+
+        Args:
+            calibration: what was found so far.
+            design: the loaded design that it was measured against.
+            progress: function that is called with a few words on each step.
+
+        Raises:
+            DesignError: see `calibration.nominal_of`.
+            FileError: the records contradict each other, or are of another car than the cam steers.
+        """
+        c = calibration
+        diagnoses = [d for d in c.diagnoses if isinstance(d, EvidenceDiagnosis)]
+        if not diagnoses and c.zones is None:
+            raise FileError(
+                "what to measure next is reckoned for the car that the cam steers, and only logged runs of another one "
+                "were given: drive that one on a path of another shape, and give --predict what you left out"
+            )
+        if any(d.contradicted for d in diagnoses):
+            raise FileError(
+                "what to measure next cannot be said while the records contradict each other: leave out those that are "
+                "not of this car in this state"
+            )
+        nominal = c.nominal or replace(nominal_of(design, c.profile, progress), form_error=c.form_error_um * 1e-3)
+        records = [join([s.record for s in c.files(d.kind)]) for d in diagnoses]
+        progress("weighing what may be measured")
+        return cls(next_measurement(nominal, records, diagnoses, _prior(design, nominal, c)), measured=True)
+
+    def __repr__(self) -> str:
+        return f"<Advice: {self.ranked[0].words}>"
+
+    @property
+    def ranked(self) -> tuple[Expected, ...]:
+        """Measurements, best first: `words`, `runs`, `end` (its `mean`, `least` and `most`, mm), `names_sure`."""
+        return self.computed.ranked
+
+    @property
+    def report(self) -> list[Block]:
+        """Ranking in paragraphs and a table; `str` of the advice gives them as text."""
+        n, first = self.computed, self.ranked[0]
+        blocks: list[Block] = [
+            Heading(Message("what to measure next")),
+            Message(
+                "A new cam made for {what} is expected to end the run {mean} mm off ({least} to {most} mm in 90 %), "
+                "with what no record shows yet as [tolerances] allow, or as is usual. With one measurement more:",
+                what=Message("what is found so far") if self.measured else Message("the design alone"),
+                mean=_mm(n.now.mean),
+                least=_mm(n.now.least),
+                most=_mm(n.now.most),
+            ),
+            Sheet(
+                "next",
+                "",
+                (Message("measure"), Message("mm off"), "95 %", Message("nearer")),
+                tuple((e.words, _mm(e.end.mean), _mm(e.end.most), f"{max(n.shrinks(e), 0.0):.0%}") for e in n.ranked),
+            ),
+        ]
+        if n.shrinks(first) < WORTH:
+            blocks.append(
+                Message(
+                    "None of these brings the run nearer by {worth:.0%}: what is known is enough for the cam.",
+                    worth=WORTH,
+                )
+            )
+        if first.part is not None:
+            begin, end, alone = first.part
+            blocks.append(
+                Message(
+                    "Of the first, cam angles from {begin:.0f} to {end:.0f}° say most: measured there alone, {alone} "
+                    "mm are left.",
+                    begin=degrees(begin),
+                    end=degrees(end) % 360,
+                    alone=_mm(alone.mean),
+                )
+            )
+        if n.rivals:
+            several = (joined(names, " and ") or Message("no effect") for names in n.rivals[:_SHOWN_RIVALS])
+            blocks.append(
+                Message(
+                    "Not ruled out at present: {several}. After the first measurement the names are sure with a chance "
+                    "of {chance:.0%}.",
+                    several=joined(several, "; "),
+                    chance=first.names_sure,
+                )
+            )
+        return blocks
+
+    def __str__(self) -> str:
+        return plain(self.report, _REPORT_WIDTH)
+
+    def facts(self) -> dict[str, object]:
+        """Ranking as plain values."""
+        n = self.computed
+        ranked: list[dict[str, object]] = [
+            {
+                "measure": str(e.words),
+                "kind": e.kind and e.kind.code,
+                "runs": e.runs,
+                **_range(e.end),
+                "nearer_by": n.shrinks(e),
+                "names_sure": e.names_sure,
+                "part_of_turn": e.part
+                and {"from_deg": degrees(e.part[0]), "to_deg": degrees(e.part[1]), **_range(e.part[2])},
+            }
+            for e in n.ranked
+        ]
+        return {"now": _range(n.now), "rivals": [list(names) for names in n.rivals], "ranked": ranked}
 
 
-def after(calibration: Calibration, progress: Progress = silent) -> Next:
-    """The next measurement on a car that was calibrated.
+@dataclass(frozen=True, eq=False, repr=False)
+class Predictions:
+    """Measured data that a calibration did not use, predicted with what it found.
 
-    Raises:
-        DesignError: see `plan.nominal_of`.
-        FileError: the records contradict each other.
+    Attributes:
+        each: one for each of the data: root mean squares of each run `before` and `after`, in `unit`, and the same with
+            the start `as_logged`.
     """
-    c = calibration
-    told = [d for d in c.diagnoses if isinstance(d, EvidenceDiagnosis)]
-    if not told and c.zones is None:
-        raise FileError(
-            "what to measure next is reckoned for the car that the cam steers, and only logged runs of another one "
-            "were given: drive that one on a path of another shape, and give --predict what you left out"
-        )
-    if any(d.contradicted for d in told):
-        raise FileError(
-            "what to measure next cannot be said while the records contradict each other: leave out those that are "
-            "not of this car in this state"
-        )
-    nominal = c.nominal or replace(nominal_of(c.design, c.profile, progress), form_error=c.form_error_um * 1e-3)
-    records = []
-    for diagnosis in told:
-        sources = [s.record for s in c.sources if s.kind is diagnosis.kind and s.kind.method is Method.EVIDENCE]
-        records.append(join(sources))
-    progress("weighing what may be measured")
-    return next_measurement(nominal, records, told, _prior(c.design, nominal, c))
+
+    each: tuple[Prediction, ...]
+
+    @classmethod
+    def of(cls, calibration: CalibrationPlan, unseen: Sequence[Source], progress: Progress = silent) -> "Predictions":
+        """Predict measured data that were not used.
+
+        Args:
+            calibration: what was found in others.
+            unseen: data from `sources.read`.
+            progress: function that is called with a few words on each step.
+
+        Raises:
+            FileError: data were used, have no model, are of another car than those used, or have other units.
+        """
+        known = {source.sha256: source for source in calibration.sources}
+        by_method = {Method.EVIDENCE: _by_evidence, Method.RUNS_LEFT_OUT: _by_paths}
+        out = []
+        for source in unseen:
+            if twin := known.get(source.sha256):
+                raise FileError(
+                    "{file} holds the same data as {twin}, which was used: predict others",
+                    file=source.path,
+                    twin=twin.path,
+                )
+            progress(f"predicting {source.record.source}")
+            if source.kind.method not in by_method:
+                raise FileError("{file}: mean turns over zones are not predicted: give runs", file=source.record.source)
+            out.append(by_method[source.kind.method](calibration, source.record))
+        return cls(tuple(out))
+
+    def __repr__(self) -> str:
+        return f"<Predictions of {', '.join(p.source for p in self.each)}>"
+
+    @property
+    def report(self) -> list[Block]:
+        """Residuals before and after in a table, and which effects predict; `str` gives them as text."""
+        blocks: list[Block] = [Heading(Message("predicted, not used"))]
+        rows = []
+        for p in self.each:
+            logged = ("-", "-") if p.as_logged is None else tuple(map(_figure, p.as_logged))
+            rows.append((p.source, f"{len(p.before)}", SIGNS[p.unit], _figure(p.before), _figure(p.after), *logged))
+        head = ("file", "runs", "rms in", "before", "after", "start as logged, before", "after")
+        blocks.append(Sheet("predicted", "", tuple(map(Message, head)), tuple(rows)))
+        for effects in dict.fromkeys(p.effects for p in self.each):
+            blocks.append(
+                Message(
+                    "Predicted with {effects}; nothing but the datum of each run is fitted.",
+                    effects=joined(effects) or Message("no effect"),
+                )
+            )
+        if any(p.as_logged is not None and p.kind.method is Method.RUNS_LEFT_OUT for p in self.each):
+            blocks.append(
+                Message(
+                    "A logged car is predicted with all effects at once, each held to a size that is usual, whatever "
+                    "is named."
+                )
+            )
+        return blocks
+
+    def __str__(self) -> str:
+        return plain(self.report, _REPORT_WIDTH)
+
+    def facts(self) -> list[dict[str, object]]:
+        """Predictions as plain values: means over runs, and each run."""
+        return [
+            {
+                "file": p.source,
+                "kind": p.kind.code,
+                "unit": p.unit,
+                "effects": list(p.effects),
+                "before": float(np.mean(p.before)),
+                "after": float(np.mean(p.after)),
+                "start_as_logged": p.as_logged
+                and {"before": float(np.mean(p.as_logged[0])), "after": float(np.mean(p.as_logged[1]))},
+                "runs": [{"before": b, "after": a} for b, a in zip(p.before.tolist(), p.after.tolist(), strict=True)],
+            }
+            for p in self.each
+        ]
 
 
-def _prior(design: Design, nominal: Nominal, calibration: Calibration | None) -> PriorKnowledge:
+def _prior(design: Design, nominal: Nominal, calibration: CalibrationPlan | None) -> PriorKnowledge:
     """Knowledge without a measurement: [tolerances], the play of the train, and what was measured apart."""
     bare = design.as_designed()
     forces = variation.mechanics(bare, nominal.follower, nominal.lift)
@@ -96,67 +289,45 @@ def _prior(design: Design, nominal: Nominal, calibration: Calibration | None) ->
     return PriorKnowledge(spread=spread, play=play, friction=float(np.mean(friction)), assumed=assumed)
 
 
-def words(n: Next, *, measured: bool) -> list[Block]:
-    """A ranking in paragraphs and a table."""
-    what = "what is found so far" if measured else "the design alone"
-    first = n.ranked[0]
-    blocks: list[Block] = [
-        Heading("what to measure next"),
-        f"A new cam made for {what} is expected to end the run {_mm(n.now.mean)} mm off ({_mm(n.now.least)} to "
-        f"{_mm(n.now.most)} mm in 90 %), with what no record shows yet as [tolerances] allow, or as is usual. With one "
-        "measurement more:",
-        Sheet(
-            "next",
-            "",
-            ("measure", "mm off", "95 %", "nearer"),
-            tuple((e.words, _mm(e.end.mean), _mm(e.end.most), f"{max(n.shrinks(e), 0.0):.0%}") for e in n.ranked),
-        ),
-    ]
-    if n.shrinks(first) < WORTH:
-        blocks.append(f"None of these brings the run nearer by {WORTH:.0%}: what is known is enough for the cam.")
-    if first.part is not None:
-        begin, end, alone = first.part
-        blocks.append(
-            f"Of the first, cam angles from {degrees(begin):.0f} to {degrees(end) % 360:.0f}° say most: measured there "
-            f"alone, {_mm(alone.mean)} mm are left."
-        )
-    if n.rivals:
-        several = "; ".join(" and ".join(names) or "no effect" for names in n.rivals[:_SHOWN_RIVALS])
-        blocks.append(
-            f"Not ruled out at present: {several}. After the first measurement the names are sure with a chance of "
-            f"{first.names_sure:.0%}."
-        )
-    return blocks
-
-
-def facts(n: Next) -> dict[str, Any]:
-    """The same as plain values."""
-    return {
-        "now": _range(n.now),
-        "rivals": [list(names) for names in n.rivals],
-        "ranked": [_expected(n, e) for e in n.ranked],
-    }
-
-
-def _expected(n: Next, e: Expected) -> dict[str, Any]:
-    part = None
-    if e.part is not None:
-        begin, end, alone = e.part
-        part = {"from_deg": degrees(begin), "to_deg": degrees(end), **_range(alone)}
-    return {
-        "measure": e.words,
-        "kind": e.kind and e.kind.code,
-        "runs": e.runs,
-        **_range(e.end),
-        "nearer_by": n.shrinks(e),
-        "names_sure": e.names_sure,
-        "part_of_turn": part,
-    }
-
-
-def _range(r: EndRange) -> dict[str, Any]:
+def _range(r: EndRange) -> dict[str, object]:
     return {"mean_mm": r.mean, "range_90_percent_mm": [r.least, r.most]}
 
 
 def _mm(size: float) -> str:
     return f"{size:.0f}" if size >= 10 else f"{size:.1f}"
+
+
+def _by_evidence(calibration: CalibrationPlan, record: Record) -> Prediction:
+    told = [d for d in calibration.diagnoses if isinstance(d, EvidenceDiagnosis)]
+    if not told or calibration.nominal is None:
+        raise FileError(
+            "{file}: data of kind {kind} are not predicted by logged runs or zones: calibrate with lifts, profiles, "
+            "transmissions or tracks of the car",
+            file=record.source,
+            kind=record.kind.code,
+        )
+    if any(d.contradicted for d in told):
+        raise FileError(
+            "{file}: nothing is predicted while the files that were used contradict each other: leave out those that "
+            "are not of this car in this state",
+            file=record.source,
+        )
+    refuse_wrong_units(record, calibration.nominal)
+    records = [join([s.record for s in calibration.files(d.kind)]) for d in told]
+    return predict(calibration.nominal, records, told, record)
+
+
+def _by_paths(calibration: CalibrationPlan, record: Record) -> Prediction:
+    diagnosis = next((d for d in calibration.diagnoses if isinstance(d, PathDiagnosis)), None)
+    if diagnosis is None:
+        raise FileError(
+            "{file}: logged runs are predicted by logged runs: calibrate with some of the same car", file=record.source
+        )
+    records = [s.record for s in calibration.files(diagnosis.kind)]
+    wheelbase, _ = wheelbase_of(calibration.against.wheelbase, [*records, record])
+    refuse_wrong_units(record, LoggedCar(wheelbase))
+    return predict_tricycle(join(records), diagnosis, wheelbase, record)
+
+
+def _figure(values: Array) -> str:
+    return f"{float(np.mean(values)):.4g}"

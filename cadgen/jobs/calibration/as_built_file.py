@@ -8,14 +8,14 @@ from cadgen.design.override import override
 from cadgen.deviations.deviation import Place
 from cadgen.inference.expectation.outlook import Outlook
 from cadgen.inference.measurement.findings import Value
-from cadgen.jobs.calibration.places import agreed_places
-from cadgen.jobs.calibration.plan import Calibration
-from cadgen.jobs.calibration.words import sentence, shown
+from cadgen.jobs.calibration.calibration import CalibrationPlan
+from cadgen.jobs.calibration.calibration_report import sentence, shown
+from cadgen.jobs.calibration.new_cam import agreed_places
 
 _TABLE = "as_built"
 
 
-def as_built_text(calibration: Calibration, design_text: str) -> str:
+def as_built_text(calibration: CalibrationPlan, design_text: str) -> str:
     """The design's own text with the overrides and the effects; an earlier [as_built] is replaced.
 
     Args:
@@ -25,20 +25,20 @@ def as_built_text(calibration: Calibration, design_text: str) -> str:
     import tomlkit
 
     values: Any = tomlkit.parse(design_text)
-    for text in calibration.design.overrides:
+    for text in calibration.against.overrides:
         override(values, text)
     values.pop(_TABLE, None)
     if "name" not in values:
         # A design without a name has that of its file, and this one is called otherwise.
         named = tomlkit.document()
-        named.add("name", calibration.design.name)
+        named.add("name", calibration.against.name)
         design_text = f"{named.as_string()}{values.as_string()}"
     else:
         design_text = values.as_string()
     return f"{design_text.rstrip()}\n\n{_table(calibration)}"
 
 
-def _table(calibration: Calibration) -> str:
+def _table(calibration: CalibrationPlan) -> str:
     lines = [
         f"[{_TABLE}]",
         "# Written by cadgen calibrate: what this car was measured to be. Every command takes it into account.",
@@ -60,11 +60,9 @@ def _table(calibration: Calibration) -> str:
             f'sha256 = "{source.sha256}"',
             f'verdict = "{calibration.verdict(source.kind)}"',
         ]
-    earlier = calibration.design.as_built
-    for known in earlier.effects if earlier else ():
-        if known.place in (Place.CAR, Place.PROCESS):
-            values = [_inline(value.name, repr(value.value), value.sigma) for value in known.values]
-            lines += _effect("cut_for", known.effect, known.kind, known.place, values)
+    for known in calibration.against.cut_for:
+        values = [_inline(value.name, repr(value.value), value.sigma) for value in known.values]
+        lines += _effect("cut_for", known.effect, known.kind, known.place, values)
     for built in calibration.built:
         finding = built.claim.finding
         values = [*map(_value, finding.values), *(_inline(name, repr(number)) for name, number in finding.indices)]

@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from math import isfinite
 from pathlib import Path
-from typing import Any
 
 from cadgen.design.load import load_design
 from cadgen.deviations import deviation
@@ -14,10 +13,10 @@ from cadgen.inference.expectation.outlook import Outlook
 from cadgen.inference.measurement.claims import Shared
 from cadgen.inference.measurement.findings import Diagnosis, EvidenceDiagnosis, Finding, PathCandidate, PathDiagnosis
 from cadgen.jobs.calibration.as_built_file import as_built_text
-from cadgen.jobs.calibration.places import Built
-from cadgen.jobs.calibration.plan import Calibration, Source
-from cadgen.jobs.calibration.words import report, summary
-from cadgen.jobs.calibration.zone_means import ZoneMeans
+from cadgen.jobs.calibration.calibration import CalibrationPlan, ZoneMeans
+from cadgen.jobs.calibration.calibration_report import report, summary
+from cadgen.jobs.calibration.new_cam import Built
+from cadgen.jobs.calibration.sources import Source
 from cadgen.output.files.folder import publishing
 from cadgen.output.files.manifest import Written, file_facts, versions, write_manifest
 from cadgen.output.report.calibration import draw_record
@@ -29,15 +28,15 @@ _TEXT_WIDTH = 110
 _EACH_WIDTH = 160
 
 
-def document(calibration: Calibration) -> dict[str, Any]:
+def document(calibration: CalibrationPlan) -> dict[str, object]:
     """Facts of a calibration, as plain values; docs/measurement.md explains the keys."""
     c = calibration
     return {
         "format": FORMAT,
-        "design": c.design.name,
-        "source": c.design.source,
-        "overrides": list(c.design.overrides),
-        "design_sha256": c.design.content_hash,
+        "design": c.against.name,
+        "source": c.against.source,
+        "overrides": list(c.against.overrides),
+        "design_sha256": c.against.sha256,
         "profile": c.profile,
         "form_error_um": c.form_error_um,
         "form_error_from": c.form_error_from,
@@ -54,7 +53,7 @@ def document(calibration: Calibration) -> dict[str, Any]:
     }
 
 
-def _outlook(o: Outlook) -> dict[str, Any]:
+def _outlook(o: Outlook) -> dict[str, object]:
     return {
         "old_mm": o.old,
         "new_mm": o.new,
@@ -64,7 +63,7 @@ def _outlook(o: Outlook) -> dict[str, Any]:
     }
 
 
-def _file(source: Source) -> dict[str, Any]:
+def _file(source: Source) -> dict[str, object]:
     return {
         "file": source.path.name,
         "kind": source.kind.code,
@@ -74,12 +73,14 @@ def _file(source: Source) -> dict[str, Any]:
     }
 
 
-def documents(each: Sequence[Calibration]) -> dict[str, Any]:
+def documents(each: Sequence[CalibrationPlan]) -> dict[str, object]:
     """The same for files judged alone."""
     return {"format": FORMAT, "each": [document(c) for c in each]}
 
 
-def write_calibration(calibration: Calibration, design_text: str, out: Path, progress: Progress = silent) -> Written:
+def write_calibration(
+    calibration: CalibrationPlan, design_text: str, out: Path, progress: Progress = silent
+) -> Written:
     """Write, read back and publish everything together.
 
     Args:
@@ -92,33 +93,33 @@ def write_calibration(calibration: Calibration, design_text: str, out: Path, pro
         FileError: a file cannot be written, or the as-built design, read back, is not what was meant.
     """
     c = calibration
-    stem = f"{c.design.name}_calibration"
+    stem = f"{c.against.name}_calibration"
     with publishing(out) as staging:
         names = _documents(staging, stem, document(c), plain(report(c), _TEXT_WIDTH))
         progress("drawing")
         for diagnosis in c.diagnoses:
             names += draw_record(diagnosis, c.track_length, staging, f"{stem}_{diagnosis.kind.stem}")
         if c.built:
-            names.append(f"{c.design.name}_as_built.toml")
+            names.append(f"{c.against.name}_as_built.toml")
             (staging / names[-1]).write_text(as_built_text(c, design_text), encoding="utf-8", newline="")
             _read_back(c, staging / names[-1])
         return _published(staging, out, stem, document(c), names)
 
 
-def write_each(each: Sequence[Calibration], out: Path) -> Written:
+def write_each(each: Sequence[CalibrationPlan], out: Path) -> Written:
     """Write the verdicts on files judged alone, and publish them together.
 
     Raises:
         FileError: a file cannot be written.
     """
-    stem = f"{each[0].design.name}_each"
+    stem = f"{each[0].against.name}_each"
     facts = documents(each)
     with publishing(out) as staging:
         names = _documents(staging, stem, facts, plain(summary(each), _EACH_WIDTH))
         return _published(staging, out, stem, facts, names)
 
 
-def _documents(staging: Path, stem: str, facts: dict[str, Any], text: str) -> list[str]:
+def _documents(staging: Path, stem: str, facts: dict[str, object], text: str) -> list[str]:
     names = [f"{stem}.json", f"{stem}.txt"]
     content = json.dumps(facts, indent=2, allow_nan=False, ensure_ascii=False) + "\n"
     for name, written in zip(names, (content, text), strict=True):
@@ -126,18 +127,18 @@ def _documents(staging: Path, stem: str, facts: dict[str, Any], text: str) -> li
     return names
 
 
-def _published(staging: Path, out: Path, stem: str, facts: dict[str, Any], names: list[str]) -> Written:
+def _published(staging: Path, out: Path, stem: str, facts: dict[str, object], names: list[str]) -> Written:
     entry = {**facts, "files_written": names, "files": {name: file_facts(staging / name) for name in names}}
     write_manifest(staging, stem, entry)
     return Written(stem, entry)
 
 
-def _read_back(c: Calibration, file: Path) -> None:
+def _read_back(c: CalibrationPlan, file: Path) -> None:
     """The as-built design must be the design with its overrides and nothing else but [as_built]."""
     again = load_design(file)
     meant = [(built.claim.finding.effect, built.claim.kind.code, built.place) for built in c.built]
     as_built = again.as_built
-    same = again.as_designed().values() == c.design.as_designed().values()
+    same = again.as_designed().values() == c.against.values
     if as_built is None or not same or [(e.effect, e.kind, e.place) for e in as_built.effects] != meant:
         raise FileError(f"{file.name}, read back, is not the design with what was measured: report this design")
     for built, effect in zip(c.built, as_built.effects, strict=True):
@@ -148,9 +149,9 @@ def _read_back(c: Calibration, file: Path) -> None:
                 raise FileError(f"{file.name}, read back, has another {value.name}: report this design")
 
 
-def _record(diagnosis: Diagnosis) -> dict[str, Any]:
+def _record(diagnosis: Diagnosis) -> dict[str, object]:
     j = diagnosis.judgement
-    facts: dict[str, Any] = {
+    facts: dict[str, object] = {
         "kind": diagnosis.kind.code,
         "source": diagnosis.source,
         "verdict": diagnosis.verdict,
@@ -166,7 +167,7 @@ def _record(diagnosis: Diagnosis) -> dict[str, Any]:
     return {**facts, **by_method(diagnosis, effects)}
 
 
-def _by_evidence(diagnosis: Diagnosis, effects: list[dict[str, Any]]) -> dict[str, Any]:
+def _by_evidence(diagnosis: Diagnosis, effects: list[dict[str, object]]) -> dict[str, object]:
     assert isinstance(diagnosis, EvidenceDiagnosis)
     r, p, left = diagnosis.residual, diagnosis.per_run, diagnosis.residual.left_out
     play, friction = (diagnosis.unnamed.get(q) for q in (deviation.RETURN_ERROR, deviation.SLIDING_FRICTION))
@@ -202,7 +203,7 @@ def _by_evidence(diagnosis: Diagnosis, effects: list[dict[str, Any]]) -> dict[st
     }
 
 
-def _by_paths(diagnosis: Diagnosis, effects: list[dict[str, Any]]) -> dict[str, Any]:
+def _by_paths(diagnosis: Diagnosis, effects: list[dict[str, object]]) -> dict[str, object]:
     """The same keys; what path errors do not have is null."""
     assert isinstance(diagnosis, PathDiagnosis)
     r, p = diagnosis.residual, diagnosis.per_run
@@ -230,7 +231,7 @@ def _by_paths(diagnosis: Diagnosis, effects: list[dict[str, Any]]) -> dict[str, 
     }
 
 
-def _path_candidate(candidate: PathCandidate) -> dict[str, Any]:
+def _path_candidate(candidate: PathCandidate) -> dict[str, object]:
     return {
         "effects": list(candidate.effects),
         "left_out_mm": _plain(candidate.score),
@@ -239,7 +240,7 @@ def _path_candidate(candidate: PathCandidate) -> dict[str, Any]:
     }
 
 
-def _shared(shared: Shared) -> dict[str, Any]:
+def _shared(shared: Shared) -> dict[str, object]:
     return {
         "thing": shared.deviation.name,
         "values": [asdict(value) for value in shared.values],
@@ -249,7 +250,7 @@ def _shared(shared: Shared) -> dict[str, Any]:
     }
 
 
-def _zones(means: ZoneMeans) -> dict[str, Any]:
+def _zones(means: ZoneMeans) -> dict[str, object]:
     z = means.zones
     return {
         "source": means.source,
@@ -268,7 +269,7 @@ def _zones(means: ZoneMeans) -> dict[str, Any]:
     }
 
 
-def _built(built: Built) -> dict[str, Any]:
+def _built(built: Built) -> dict[str, object]:
     return {
         "source": built.claim.source,
         "kind": built.claim.kind.code,
@@ -279,8 +280,8 @@ def _built(built: Built) -> dict[str, Any]:
     }
 
 
-def _finding(finding: Finding, claimed: bool | None = None) -> dict[str, Any]:
-    facts: dict[str, Any] = (
+def _finding(finding: Finding, claimed: bool | None = None) -> dict[str, object]:
+    facts: dict[str, object] = (
         {"effect": finding.effect} if claimed is None else {"effect": finding.effect, "claimed": claimed}
     )
     values = [{"name": v.name, "value": v.value, "sigma": _plain(v.sigma), "unit": v.unit} for v in finding.values]

@@ -1,6 +1,13 @@
-"""Expected run of the car on a new cam that compensates the effects a calibration claims."""
+"""Claims at their places in the as-built design, and the new cam that is made for them.
 
-from collections.abc import Sequence
+Where several subsets explain the measured runs as well, only what stands in all of them is claimed, and a cam made for
+that alone misses what the others do. Each whole subset tells where the run ends, whichever is true. So the cam is made
+for the one with which the run is expected to end nearest, over all that may be true: effects that are not sure by name
+are taken out all the same, since their joint effect is known.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -9,13 +16,74 @@ from cadgen.design import variation
 from cadgen.design.schema import Design
 from cadgen.deviations import deviation
 from cadgen.deviations.deviation import Place
-from cadgen.deviations.effect import UNITS
+from cadgen.deviations.effect import UNITS, Effect
 from cadgen.deviations.track import RETURN_ERROR
 from cadgen.inference.expectation.outlook import Name, Outlook, outlook
-from cadgen.inference.measurement.claims import Claim
-from cadgen.inference.measurement.findings import Diagnosis, EvidenceDiagnosis
-from cadgen.inference.measurement.kinds import TRACK
+from cadgen.inference.measurement.claims import Claim, at_work
+from cadgen.inference.measurement.findings import Diagnosis, EvidenceDiagnosis, Finding, Likely, Value
+from cadgen.inference.measurement.hypothesis import on_bound
+from cadgen.inference.measurement.kinds import TRACK, kind_of
 from cadgen.inference.measurement.nominal import Nominal
+from cadgen.inference.measurement.verdict import Verdict
+
+
+@dataclass(frozen=True, slots=True)
+class Built:
+    """A claim with its place in the as-built design.
+
+    Attributes:
+        claim: with the mean of all that agree, if it stands for several.
+        place: what becomes of it.
+        instead: the claim that stands for the same thing in its stead.
+        mean_of: sources of the records whose mean it has; empty if it has its own values.
+    """
+
+    claim: Claim
+    place: Place
+    instead: Claim | None = None
+    mean_of: tuple[str, ...] = ()
+
+    @property
+    def waits(self) -> bool:
+        """Whether a new cam takes it out only if the user agrees."""
+        if self.place != Place.NOTED or self.instead or _instruments(self.claim):
+            return False
+        finding = self.claim.finding
+        repeats = all(number == round(number) for _, number in finding.indices)  # with every turn of the cam
+        return repeats and Place.CAR in self.claim.kind.named(finding.effect, dict(finding.indices)).places
+
+
+def placed(claims: Sequence[Claim]) -> tuple[Built, ...]:
+    """Everything claimed, each physical quantity at work once."""
+    built = []
+    for claim in claims:
+        alike = [other for other in claims if other.deviation == claim.deviation]
+        best, taken = at_work(alike)
+        if best is not claim:
+            built.append(Built(claim, Place.NOTED, best))
+            continue
+        built.append(
+            Built(taken, _place(taken, alike), mean_of=() if taken is best else tuple(c.source for c in alike))
+        )
+    return tuple(built)
+
+
+def _place(claim: Claim, alike: Sequence[Claim]) -> Place:
+    """Default place of a claim: none for an effect that may be the instrument's in all kinds of data that show it."""
+    if all(_instruments(other) for other in alike):
+        return Place.NOTED
+    return claim.kind.named(claim.finding.effect, dict(claim.finding.indices)).places[0]
+
+
+def agreed_places(built: Sequence[Built]) -> list[Place]:
+    """Places of effects once the user agrees to all that a cam can take out."""
+    return [Place.CAR if each.waits else each.place for each in built]
+
+
+def _instruments(claim: Claim) -> bool:
+    """Whether data cannot tell a claim from an effect of their instrument."""
+    twins = (claim.kind.catalogue.named(name) for name in claim.finding.twins)
+    return any(twin is not None and twin.instrument for twin in twins)
 
 
 def expected_of(
@@ -45,3 +113,92 @@ def expected_of(
         # Where nothing is known of the play, a new cam is made for the tabled one.
         taken[TRACK.code, RETURN_ERROR.name] = np.array([assumed])
     return outlook(told, nominal, taken, frozenset(gone))
+
+
+_UNSURE = (Verdict.AMBIGUOUS, Verdict.PARTIAL)
+# A whole subset is taken if it leaves less than this share of what the claims alone leave.
+BETTER = 0.8
+
+
+def with_joint_effect(
+    diagnoses: Sequence[Diagnosis],
+    claims: Sequence[Claim],
+    expected: Callable[[Sequence[Claim]], Outlook | None],
+) -> tuple[tuple[Claim, ...], Outlook | None]:
+    """The claims, with what is not sure by name where that brings the run nearer; and what is then expected.
+
+    Args:
+        diagnoses: what the records show.
+        claims: of their verdicts.
+        expected: what a new cam is expected to do that is made for some claims; None if it would be the old one.
+    """
+    best = tuple(claims)
+    outlook = expected(best)
+    # A cam for the claims that would not be cut has nothing to be kept for.
+    share = BETTER if outlook is None or outlook.sound else 1.0
+    for some in _whole(diagnoses, best):
+        other = expected(some)
+        if other is None or not other.sound:
+            continue
+        if other.new < share * (other.old if outlook is None else outlook.new):
+            best, outlook, share = some, other, 1.0
+    return best, outlook
+
+
+def _whole(diagnoses: Sequence[Diagnosis], claims: Sequence[Claim]) -> Iterator[tuple[Claim, ...]]:
+    """The claims with each whole subset that may be true, where sure names alone do not explain the runs of a track.
+
+    A form without a name stays: no cam is made for it.
+    """
+    told = [d for d in diagnoses if isinstance(d, EvidenceDiagnosis)]
+    track = next((d for d in told if d.kind is TRACK), None)
+    if track is None or track.contradicted or track.verdict not in _UNSURE or track.runs < 2:
+        return
+    sources = {d.kind.code: d.source for d in told}
+    sure = {(c.kind.code, c.finding.effect): c for c in claims if c.kind.code in sources and not c.absent}
+    # What was judged apart, and that there is none of something, is sure as well.
+    apart = [c for c in claims if (c.kind.code, c.finding.effect) not in sure]
+    for likely in track.likely:
+        inside = {name for name, _, _ in likely.effects}
+        found = not any(_stuck(effect, values) for _, effect, values in likely.effects)
+        if not (found and sure.keys() < inside):
+            continue
+        whole = list(_claims(likely, sources, sure))
+        unsure = {claim.deviation for claim in whole if not claim.sure}
+        # A name that is left out of a subset must do nothing to the run.
+        kept = {(claim.kind.code, claim.finding.effect) for claim in whole}
+        moves = [TRACK.code in kinds for kinds in likely.shown]
+        every = zip(likely.effects, moves, strict=True)
+        lost = any(runs and not effect.shape and name not in kept for (name, effect, _), runs in every)
+        if unsure and not lost and not unsure & {claim.deviation for claim in apart}:
+            yield (*whole, *apart)
+
+
+def _claims(likely: Likely, sources: Mapping[str, str], sure: Mapping[tuple[str, str], Claim]) -> Iterator[Claim]:
+    """A subset as claims: the sure ones with its values, and of the others what is not cut into a part.
+
+    What is not sure may be the instrument's.
+    """
+    sigma, first = np.sqrt(np.diag(likely.covariance)), 0
+    for (kind, name), effect, values in likely.effects:
+        last = first + len(values)
+        finding = Finding(name, _values(effect, values, sigma[first:last]), effect.twins, (), effect.indices)
+        first = last
+        if effect.shape:
+            continue
+        if known := sure.get((kind, name)):
+            yield replace(known, finding=finding)
+        elif kind_of(kind).named(name, dict(effect.indices)).places[0] in (Place.CAR, Place.PART):
+            yield Claim(sources[kind], kind_of(kind), finding, sure=False)
+
+
+def _stuck(effect: Effect, values: Array) -> bool:
+    """Whether a number could go no further: then it is none that was found."""
+    return bool(on_bound(values, np.array(effect.bounds)).any())
+
+
+def _values(effect: Effect, values: Array, sigma: Array) -> tuple[Value, ...]:
+    return tuple(
+        Value(p.name, float(v / p.scale), float(s / p.scale), p.unit)
+        for p, v, s in zip(effect.parameters, values, sigma, strict=True)
+    )

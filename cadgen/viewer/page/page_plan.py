@@ -21,7 +21,8 @@ from cadgen.jobs.runs.tolerance import CarSample, ToleranceRun, tolerance_of
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
-    from cadgen.jobs.calibration.plan import Calibration, Source
+    from cadgen.jobs.calibration.calibration import CalibrationPlan
+    from cadgen.jobs.calibration.sources import Source
 
 
 class Scope(StrEnum):
@@ -81,7 +82,7 @@ class PagePlan:
     simulation: Simulation | None
     remedies: tuple[Remedy, ...]
     tolerance: ToleranceRun | None
-    calibration: "Calibration | None"
+    calibration: "CalibrationPlan | None"
     refusals: tuple[Refusal, ...]
     scope: Scope = Scope.REPORT
 
@@ -147,7 +148,7 @@ def plan_page(
             refusals.append(Refusal(Topic.TOLERANCE, str(error)))
     calibration = None
     if sources:
-        from cadgen.jobs.calibration.plan import calibrate
+        from cadgen.jobs.calibration.calibration import calibrate
 
         known = default_profile(design).code if profile is None else profile
         try:

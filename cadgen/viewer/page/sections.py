@@ -26,7 +26,7 @@ from cadgen.viewer.page.page_plan import PagePlan
 from cadgen.viewer.page.sentences import generated
 
 if TYPE_CHECKING:
-    from cadgen.jobs.calibration.plan import Calibration
+    from cadgen.jobs.calibration.calibration import CalibrationPlan
 
 _PLACES = {
     Place.CAR: Message("the car"),
@@ -500,8 +500,8 @@ def calibration_section(plan: PagePlan, reason: str) -> Section:
     )
 
 
-def _measured(calibration: "Calibration") -> Section:
-    from cadgen.jobs.calibration.words import report
+def _measured(calibration: "CalibrationPlan") -> Section:
+    from cadgen.jobs.calibration.calibration_report import report
     from cadgen.output.report.terminal import Heading
 
     lead: list[str] = []

@@ -10,7 +10,10 @@ from cadgen.design.load import load_design
 from cadgen.deviations import catalogue
 from cadgen.inference.expectation.linear import Rows
 from cadgen.inference.measurement.kinds import LIFT, PROFILE, TRACK, TRANSMISSION
-from cadgen.jobs.calibration import advice, plan
+from cadgen.jobs.calibration import advice
+from cadgen.jobs.calibration.advice import Advice
+from cadgen.jobs.calibration.calibration import calibrate, nominal_of
+from cadgen.jobs.calibration.sources import Source
 from tests.inference.measurement.synthetic import Car as Bed
 from tests.studies.circles_truth import Car, World, drawn_form
 
@@ -42,7 +45,7 @@ def design():
 
 @pytest.mark.slow
 def test_of_a_car_of_which_nothing_is_known_the_run_itself_says_most(design):
-    told = advice.before(design, "actual")
+    told = Advice.first(design, "actual").computed
     first, by = told.ranked[0], {entry.words: entry for entry in told.ranked}
     print(told.now, *(f"{e.end.mean:.0f} {e.words}" for e in told.ranked), sep="\n")
     assert first.kind is TRACK
@@ -63,22 +66,23 @@ def test_what_has_no_name_is_asked_of_the_kind_of_data_that_shows_it(design, car
     """A track of a car whose disc has a dent of 0.3 mm."""
     world = World(carbon_free_car, Bed(carbon_free_car), drawn_form(np.random.default_rng(1)))
     record = world.track(Car(dent=(0.3, np.radians(130.0))), np.random.default_rng(2))
-    sources = [plan.Source(Path("track.csv"), record, "0")]
-    told = plan.calibrate(design, "actual", sources)
+    sources = [Source(Path("track.csv"), record, "0")]
+    told = calibrate(design, "actual", sources)
     assert told.diagnoses[0].verdict in ("partial", "untraced shape", "unexplained")
-    ranking = advice.after(told)
+    found = Advice.after(told, design)
+    ranking = found.computed
     print(ranking.now, *(f"{e.end.mean:.0f} {e.words}" for e in ranking.ranked), sep="\n")
     assert ranking.ranked[0].kind in (LIFT, PROFILE)
     assert ranking.shrinks(ranking.ranked[0]) > 0.5
     more = next(e for e in ranking.ranked if e.kind is TRACK)
     assert ranking.shrinks(more) < 0.1
-    words = " ".join(map(str, advice.words(ranking, measured=True)))
+    words = " ".join(map(str, found.report))
     assert "cam angles from" in words
-    assert advice.facts(ranking)["ranked"][0]["kind"] == ranking.ranked[0].kind.code
+    assert found.facts()["ranked"][0]["kind"] == ranking.ranked[0].kind.code
 
 
 def test_tolerances_of_the_design_come_before_what_is_usual(design):
-    nominal = plan.nominal_of(design, "actual")
+    nominal = nominal_of(design, "actual")
     prior = advice._prior(design, nominal, None)
     assert prior.spread["steering_zero_deg"] == pytest.approx(np.radians(0.02))
     least, most = variation.play_bands(design)["as-given"].ends

@@ -5,18 +5,19 @@ import pytest
 
 from cadgen.design.load import load_design
 from cadgen.errors import FileError
+from cadgen.inference.expectation.predict import Prediction
 from cadgen.inference.measurement.record import join
 from cadgen.inference.records.load import load
-from cadgen.jobs.calibration import plan, prediction
-from cadgen.jobs.calibration.plan import Source
+from cadgen.jobs.calibration.advice import Predictions
+from cadgen.jobs.calibration.calibration import calibrate
+from cadgen.jobs.calibration.sources import Source, read
 
 
 @pytest.fixture(scope="module")
 def told(measured):
     """The tricycle by its circles, and by its squares."""
     return {
-        name: plan.calibrate(load_design(), "actual", plan.read([measured / f"{name}.csv"]))
-        for name in ("circles", "squares")
+        name: calibrate(load_design(), "actual", read([measured / f"{name}.csv"])) for name in ("circles", "squares")
     }
 
 
@@ -24,7 +25,7 @@ def told(measured):
 @pytest.mark.long
 @pytest.mark.parametrize(("fitted", "unseen", "bar"), [("squares", "circles", 60), ("circles", "squares", 95)])
 def test_the_manoeuvres_of_the_tricycle_predict_each_other(told, measured, fitted, unseen, bar):
-    (found,) = prediction.predicted(told[fitted], plan.read([measured / f"{unseen}.csv"]))
+    (found,) = Predictions.of(told[fitted], read([measured / f"{unseen}.csv"])).each
     before, after = (float(np.mean(x)) for x in found.as_logged)
     print(
         f"{unseen} by {fitted}: {before:.0f} mm before, {after:.1f} mm after, start as logged; "
@@ -51,17 +52,17 @@ def test_runs_of_a_track_are_predicted_to_the_noise(measured):
     whole = load(measured / "track_b.csv")
     parts = [whole.only(np.array(runs)) for runs in ([0, 1], [2, 3])]
     sources = [Source(measured / f"{k}.csv", part, str(k)) for k, part in enumerate(parts)]
-    told = plan.calibrate(load_design(), "actual", sources[:1])
-    (found,) = prediction.predicted(told, sources[1:])
+    told = calibrate(load_design(), "actual", sources[:1])
+    (found,) = Predictions.of(told, sources[1:]).each
     print(found)
     assert set(found.effects) == {"wheel radius", "backlash"}
     assert found.before.min() > 100
     assert found.after.max() < 3.3  # 3 mm of noise
     assert found.as_logged[1].mean() < 40  # the start was set to 3 mm and 0.15 degrees
     with pytest.raises(FileError, match="which was used"):
-        prediction.predicted(told, sources[:1])
+        Predictions.of(told, sources[:1])
     with pytest.raises(FileError, match="logged runs are predicted by logged runs"):
-        prediction.predicted(told, plan.read([measured / "circles.csv"]))
+        Predictions.of(told, read([measured / "circles.csv"]))
     assert join(parts).runs == 4
 
 
@@ -70,8 +71,8 @@ def test_the_table_has_a_row_for_each_file():
         code, method = "track", None
 
     runs = np.array([1.0, 3.0])
-    one = prediction.Prediction("a.csv", Kind(), "mm", ("backlash",), 10 * runs, runs, None)
-    _, table, words = prediction.words([one])
+    one = Prediction("a.csv", Kind(), "mm", ("backlash",), 10 * runs, runs, None)
+    _, table, words = Predictions((one,)).report
     assert table.rows == (("a.csv", "2", "mm", "20", "2", "-", "-"),)
     assert words.startswith("Predicted with backlash")
-    assert prediction.facts([one])[0]["runs"][1] == {"before": 30.0, "after": 3.0}
+    assert Predictions((one,)).facts()[0]["runs"][1] == {"before": 30.0, "after": 3.0}

@@ -8,8 +8,9 @@ import pytest
 from cadgen.design.load import load_design
 from cadgen.inference.measurement.diagnosis import calibrate
 from cadgen.inference.records.load import load
-from cadgen.jobs.calibration import plan
-from cadgen.jobs.calibration.words import report
+from cadgen.jobs.calibration.calibration import calibrate as calibrate_files
+from cadgen.jobs.calibration.calibration_report import report
+from cadgen.jobs.calibration.sources import Source, read
 from tests.inference.measurement.synthetic import Car as Bed
 from tests.studies.circles_truth import Car, World, drawn_form
 
@@ -76,7 +77,7 @@ def built(synthetic_car, nominal):
     """Result of the command for one file: its diagnosis, and effects with their places in the as-built design."""
 
     def of(name):
-        told = plan.calibrate(load_design(), "actual", plan.read([LOOP / name]), nominal=nominal)
+        told = calibrate_files(load_design(), "actual", read([LOOP / name]), nominal=nominal)
         return told.diagnoses[0], [(b.claim.finding.effect, b.place) for b in told.built]
 
     return of
@@ -108,7 +109,7 @@ def joint(nominal):
     """Result of the command for several files of one car, and their joint findings by name."""
 
     def of(*names):
-        told = plan.calibrate(load_design(), "actual", plan.read([LOOP / name for name in names]), nominal=nominal)
+        told = calibrate_files(load_design(), "actual", read([LOOP / name for name in names]), nominal=nominal)
         return told, {f.effect: [v.value for v in f.values] for d in told.diagnoses for f in d.findings}
 
     return of
@@ -159,8 +160,8 @@ def test_play_that_cannot_be_claimed_and_does_not_show_is_none_for_the_next_cam(
     world = World(carbon_free_car, Bed(carbon_free_car), drawn_form(np.random.default_rng(4)))
     car, rng = Car(bore=(-0.0034, 0.0438), bends=0.0053), np.random.default_rng(5)
     records = [world.track(car, rng), world.profile(car, rng)]
-    sources = [plan.Source(Path(f"{r.kind.code}.csv"), r, r.kind.code) for r in records]
-    told = plan.calibrate(load_design(), "actual", sources)
+    sources = [Source(Path(f"{r.kind.code}.csv"), r, r.kind.code) for r in records]
+    told = calibrate_files(load_design(), "actual", sources)
     absent = [b.claim.finding.effect for b in told.built if b.claim.absent]
     assert "backlash" in absent
     assert told.outlook.new < 0.25 * told.outlook.old

@@ -21,8 +21,9 @@ from cadgen.inference.measurement.model import Discrepancy, elapsed, fourier, pe
 from cadgen.inference.measurement.record import Column, Datum, Kind, Span
 from cadgen.inference.measurement.shapes import shapes
 from cadgen.inference.records.load import load
-from cadgen.jobs.calibration import plan
+from cadgen.jobs.calibration.calibration import calibrate as calibrate_files
 from cadgen.jobs.calibration.files import write_calibration
+from cadgen.jobs.calibration.sources import read
 from tests.inference.measurement import synthetic as syn
 from tests.inference.measurement import synthetic_drive as drive
 
@@ -111,7 +112,7 @@ def fork_file(synthetic_car, tmp_path_factory):
 @pytest.mark.slow
 def test_a_made_up_kind_is_read_judged_and_written(fork, fork_file, nominal, tmp_path):
     design = load_design()
-    calibration = plan.calibrate(design, "actual", plan.read([fork_file]), nominal=nominal)
+    calibration = calibrate_files(design, "actual", read([fork_file]), nominal=nominal)
     (diagnosis,) = calibration.diagnoses
     assert (diagnosis.kind, diagnosis.verdict, diagnosis.judgement.claimed) == (FORK, "traced", (PROTRACTOR.name,))
     (value,) = diagnosis.findings[0].values

@@ -1,10 +1,10 @@
-"""From measured files to what the design lacks: one verdict for each kind of data, and what they say together."""
+"""Calibration of a car: measured files -> one verdict for each kind of data, and what they say together."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import degrees, pi, radians
-from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -14,26 +14,25 @@ from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.mechanics import Mechanics, holding_friction
 from cadgen.car.running.sampled import rolled_lift
 from cadgen.design import cam_model, gear_model, variation
+from cadgen.design.as_built import EffectSection
 from cadgen.design.schema import Design
 from cadgen.deviations import deviation
 from cadgen.deviations.deviation import Place
-from cadgen.errors import FileError, brief
-from cadgen.gears.choices import Order
+from cadgen.errors import FileError
+from cadgen.gears.choices import Order, StageOrder
 from cadgen.gears.spur import spur_pairs
 from cadgen.gears.synthesis import arrange
 from cadgen.inference.expectation.outlook import Outlook
 from cadgen.inference.measurement.claims import Claim, Shared, claims, no_friction, no_play, shared
 from cadgen.inference.measurement.diagnosis import SOUND, calibrate_tricycle
 from cadgen.inference.measurement.diagnosis import calibrate as judge
-from cadgen.inference.measurement.findings import Diagnosis, EvidenceDiagnosis
-from cadgen.inference.measurement.nominal import MACHINED_UM, PRINTED_UM, Nominal
-from cadgen.inference.measurement.record import Kind, Method, Record, join, printed, said
-from cadgen.inference.measurement.verdict import Verdict
-from cadgen.inference.records.load import digest, load
-from cadgen.jobs.calibration.joint_effect import with_joint_effect
-from cadgen.jobs.calibration.new_cam import expected_of
-from cadgen.jobs.calibration.places import Built, agreed_places, placed
-from cadgen.jobs.calibration.zone_means import ZoneMeans, zone_means
+from cadgen.inference.measurement.findings import Diagnosis, EvidenceDiagnosis, Finding
+from cadgen.inference.measurement.kinds.zones import Shortfall, Zones, judged, return_error, shortfall
+from cadgen.inference.measurement.nominal import Nominal
+from cadgen.inference.measurement.record import Kind, Method, Record, join, said
+from cadgen.inference.measurement.verdict import Judgement, Verdict
+from cadgen.jobs.calibration.new_cam import Built, agreed_places, expected_of, placed, with_joint_effect
+from cadgen.jobs.calibration.sources import Source, stated_form_error
 from cadgen.jobs.cam.plan import plan_cam
 from cadgen.progress import Progress, silent
 
@@ -43,31 +42,74 @@ _LAPS = (
     "calibrate the car on a design with an open path, and give a measured return error as play.measured_deg",
 )
 _STATIONS = 3600  # at which any other is rolled
-# Rows that are read for one command which judges every file alone: their records have some 200 MB.
-MOST_READ = 2_000_000
 INCLINOMETER_DEG = 0.01  # standard deviation of play.measured_deg
 
 
-@dataclass(frozen=True)
-class Source:
-    """A measured file: its record and the hash of its bytes."""
+@dataclass(frozen=True, kw_only=True)
+class MeasuredDesign:
+    """Facts of the design that a car was measured against, as it was loaded.
 
-    path: Path
-    record: Record
+    Attributes:
+        name, source, overrides, sha256: which design it is.
+        values: its values without [as_built].
+        cut_for: effects of [as_built] that the measured cam was made for.
+        wheelbase: of its car, mm.
+        drag: greatest drag of its [mechanics], N mm.
+    """
+
+    name: str
+    source: str
+    overrides: tuple[str, ...]
     sha256: str
+    values: Mapping[str, Any]
+    cut_for: tuple[EffectSection, ...]
+    wheelbase: float
+    drag: float
 
-    @property
-    def kind(self) -> Kind:
-        """Of data."""
-        return self.record.kind
+    @classmethod
+    def of(cls, design: Design) -> "MeasuredDesign":
+        """Take them of a loaded design."""
+        earlier = design.as_built.effects if design.as_built else ()
+        return cls(
+            name=design.name,
+            source=design.source,
+            overrides=tuple(design.overrides),
+            sha256=design.content_hash,
+            values=design.as_designed().values(),
+            cut_for=tuple(known for known in earlier if known.place in (Place.CAR, Place.PROCESS)),
+            wheelbase=design.car.wheelbase_mm,
+            drag=design.mechanics.drag_Nmm[1] if design.mechanics else 0.0,
+        )
 
 
 @dataclass(frozen=True, kw_only=True)
-class Calibration:
-    """Calibration of a car by measured files.
+class ZoneMeans:
+    """Return error by mean turns over zones, with its verdict.
 
     Attributes:
-        design, profile: that they were measured against.
+        source, kind: source and kind of the record.
+        judgement, finding: verdict, and return error.
+        zones: return error and turns, degrees.
+        tabled: greatest return errors of the design's train by the order of its stages, deg; empty if it has none.
+        shortfall: causes that would explain the smooth zone's turn; None without speed and time, or without a train.
+    """
+
+    source: str
+    kind: Kind
+    judgement: Judgement
+    finding: Finding
+    zones: Zones
+    tabled: dict[StageOrder, float]
+    shortfall: Shortfall | None
+
+
+@dataclass(frozen=True, kw_only=True)
+class CalibrationPlan:
+    """Calibration of a car by measured files: everything that its report and its files say.
+
+    Attributes:
+        against: design that they were measured against.
+        profile: profile of the cam that was measured, or on the car.
         form_error_um: stated, and `form_error_from`: by whom.
         wheelbase: of logged tracks, mm, and whether a file said it; None without such a track.
         track_length: of the design's track, mm; None if only logged tracks and zones were given.
@@ -84,7 +126,7 @@ class Calibration:
             show a car without play.
     """
 
-    design: Design
+    against: MeasuredDesign
     profile: str
     form_error_um: float
     form_error_from: str
@@ -114,53 +156,21 @@ class Calibration:
         """The files of a kind, in the order given."""
         return tuple(source for source in self.sources if source.kind is kind)
 
+    @property
+    def verdicts(self) -> dict[str, str]:
+        """Kind of data -> class of the verdict on it, such as `traced` or `ambiguous`."""
+        return {source.kind.code: self.verdict(source.kind) for source in self.sources}
+
+    @property
+    def unclear(self) -> dict[str, str]:
+        """Verdicts that leave something unexplained or undecided, by the kind of data."""
+        return {kind: verdict for kind, verdict in self.verdicts.items() if verdict not in SOUND}
+
     def verdict(self, kind: Kind) -> Verdict:
-        """On the files of a kind."""
+        """Verdict on the files of a kind."""
         if self.zones is not None and kind is self.zones.kind:
             return self.zones.judgement.verdict
         return next(diagnosis.verdict for diagnosis in self.diagnoses if diagnosis.kind is kind)
-
-
-def read(paths: Sequence[Path], progress: Progress = silent, *, each: bool = False) -> tuple[Source, ...]:
-    """Read measured files.
-
-    Args:
-        paths: of the files.
-        progress: function that is called with a few words on each step.
-        each: every file will be judged alone; if not, those of one kind must not have more rows than can be judged
-            together.
-
-    Raises:
-        FileError: one is no measured data, the same data are given twice, or there are more than can be judged.
-    """
-    return gathered(_loaded(paths, progress), each=each)
-
-
-def _loaded(paths: Iterable[Path], progress: Progress) -> Iterator[Source]:
-    for path in paths:
-        progress(f"reading {brief(path.name)}")
-        yield Source(path, load(path), digest(path))
-
-
-def gathered(sources: Iterable[Source], *, each: bool = False) -> tuple[Source, ...]:
-    """Measured data as they come; arguments and errors as of `read`."""
-    known: dict[str, Source] = {}
-    rows: dict[Kind | None, int] = {}
-    for source in sources:
-        record = source.record
-        if twin := known.get(source.sha256):
-            raise FileError(f"{source.path} holds the same data as {twin.path}: give each file once")
-        known[source.sha256] = source
-        kind = None if each else record.kind
-        rows[kind] = rows.get(kind, 0) + len(record.run)
-        # Before the next is read: a hundred long files take minutes.
-        if rows[kind] > (most := MOST_READ if kind is None else kind.most_rows):
-            data, at_once = (f" of {kind.code} data", "together") if kind else ("", "in one command")
-            raise FileError(
-                f"the {len(known)} files up to {record.source} have {rows[kind]} rows{data}, more than the {most} "
-                f"that can be judged {at_once}: give fewer files, or keep fewer rows of each"
-            )
-    return tuple(known.values())
 
 
 def calibrate(
@@ -170,7 +180,7 @@ def calibrate(
     form_error_um: float | None = None,
     progress: Progress = silent,
     nominal: Nominal | None = None,
-) -> Calibration:
+) -> CalibrationPlan:
     """Judge measured files of one car against its design.
 
     Args:
@@ -204,14 +214,14 @@ def calibrate(
         holds = holding_friction(known.cut or known.lift, known.follower)
     wheelbase = None
     if logged := records[Method.RUNS_LEFT_OUT]:
-        wheelbase = wheelbase_of(design, logged)
+        wheelbase = wheelbase_of(design.car.wheelbase_mm, logged)
         diagnosis = calibrate_tricycle(logged, wheelbase[0], progress)
         diagnoses[diagnosis.kind] = diagnosis
     found = _claims(design, diagnoses.values(), zones)
     if not any(c.absent and c.deviation == deviation.RETURN_ERROR and c.kind.rod_on for c in found):
         holds = None
-    calibration = Calibration(
-        design=design,
+    calibration = CalibrationPlan(
+        against=MeasuredDesign.of(design),
         profile=profile,
         form_error_um=floor,
         form_error_from=stated,
@@ -248,7 +258,7 @@ def calibrate_each(
     sources: Sequence[Source],
     form_error_um: float | None = None,
     progress: Progress = silent,
-) -> tuple[Calibration, ...]:
+) -> tuple[CalibrationPlan, ...]:
     """Judge every file alone, as if each were of a car of its own. Arguments and errors as in `calibrate`."""
     nominal = nominal_of(design, profile, progress)
     return tuple(calibrate(design, profile, [source], form_error_um, progress, nominal) for source in sources)
@@ -325,28 +335,19 @@ def _claims(design: Design, diagnoses: Iterable[Diagnosis], zones: ZoneMeans | N
     return [claim for claim in found if claim is not None]
 
 
-def stated_form_error(sources: Sequence[Source], given: float | None) -> tuple[float, str]:
-    """Form error to expect on the disc, um rms, and its source.
+def wheelbase_of(designed: float, records: Sequence[Record]) -> tuple[float, bool]:
+    """Wheelbase of the logged car, mm, and whether it is from a file.
 
     Args:
-        sources: measured files.
-        given: form error that the caller gives, um rms; None if none.
+        designed: wheelbase of the design, mm, which holds where no file says it.
+        records: records of the logged car.
     """
-    if given is not None:
-        return given, "given"
-    if by := next((s for s in sources if printed(s.record)), None):
-        return PRINTED_UM, f"{by.record.source} says printed"
-    return MACHINED_UM, "machined: no file says printed"
-
-
-def wheelbase_of(design: Design, records: Sequence[Record]) -> tuple[float, bool]:
-    """Wheelbase of the logged car, mm, and whether it is from a file."""
     stated = {float(match[0]) for record in records if (match := said(record, r"wheelbase ([0-9.]*[0-9]) mm"))}
     if len(stated) > 1:
         raise FileError(
             f"{' and '.join(r.source for r in records)} say different wheelbases, {sorted(stated)} mm: judge them apart"
         )
-    return (stated.pop(), True) if stated else (design.car.wheelbase_mm, False)
+    return (stated.pop(), True) if stated else (designed, False)
 
 
 def _refuse_known(design: Design, sources: Sequence[Source]) -> None:
@@ -376,3 +377,33 @@ def _warnings(design: Design, profile: str, sources: Sequence[Source]) -> list[s
         if made and made[0] != profile:
             found.append(f"{source.record.source} says {made[0]} profile, but it was judged against {profile}")
     return found
+
+
+def zone_means(design: Design, record: Record, ratios: tuple[float, ...]) -> ZoneMeans:
+    """Judge mean turns over zones.
+
+    Args:
+        design: design with the train, for its return errors.
+        record: record of zones.
+        ratios: ratios of the train's stages; empty if there is none.
+
+    Raises:
+        FileError: a zone that is unknown or missing.
+    """
+    tabled = {order: degrees(play.return_error_max) for order, play in variation.train_plays(design).items()}
+    zones = return_error(record, tuple(tabled.values()))
+    judgement, finding = judged(record, zones)
+    speed, time = said(record, r"([0-9.]*[0-9]) rpm"), said(record, r"([0-9.]*[0-9]) s a trial")
+    ratio = float(np.prod(ratios))
+    why = None
+    if speed and time and design.train is not None:
+        why = shortfall(zones, rpm=float(speed[0]), seconds=float(time[0]), ratio=ratio)
+    return ZoneMeans(
+        source=record.source,
+        kind=record.kind,
+        judgement=judgement,
+        finding=finding,
+        zones=zones,
+        tabled=tabled,
+        shortfall=why,
+    )

@@ -1,4 +1,4 @@
-"""A calibration in words and tables: what the terminal shows and the text file holds."""
+"""Report of a calibration in paragraphs and tables: what the terminal shows and the text file holds."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -26,9 +26,9 @@ from cadgen.inference.measurement.findings import (
     Value,
 )
 from cadgen.inference.measurement.verdict import Verdict
-from cadgen.jobs.calibration.places import Built
-from cadgen.jobs.calibration.plan import Calibration, Source
-from cadgen.jobs.calibration.zone_means import ZoneMeans
+from cadgen.jobs.calibration.calibration import CalibrationPlan, ZoneMeans
+from cadgen.jobs.calibration.new_cam import Built
+from cadgen.jobs.calibration.sources import Source
 from cadgen.output.report.terminal import Block, Heading
 
 SIGNS = {"um": "µm", "deg": "°", "%": "%", "mm": "mm", "s": "s", "": ""}
@@ -43,13 +43,13 @@ _CLAIMED = "what is claimed"
 _TOGETHER = "what is claimed, and for effects that are not sure by name but that the run shows together,"
 
 
-def report(calibration: Calibration) -> list[Block]:
+def report(calibration: CalibrationPlan) -> list[Block]:
     """Report of a calibration, in paragraphs and tables."""
     c = calibration
     floor = f"; form error of the disc {c.form_error_um:g} µm rms ({c.form_error_from})" if c.track_length else ""
     every = all(built.claim.sure for built in c.built)
     blocks: list[Block] = [expected(c.outlook, _CLAIMED if every else _TOGETHER)] if c.outlook else []
-    blocks.append(f"{c.design.name}, {c.profile} profile{floor}.")
+    blocks.append(f"{c.against.name}, {c.profile} profile{floor}.")
     if c.wheelbase is not None:
         by = "a file says so" if c.wheelbase[1] else "the design's, since no file says it"
         blocks.append(
@@ -89,7 +89,7 @@ def _length(size: float) -> str:
     return f"{size:.0f}" if size >= 10 else f"{size:.1f}"
 
 
-def summary(each: Sequence[Calibration]) -> list[Block]:
+def summary(each: Sequence[CalibrationPlan]) -> list[Block]:
     """A row for each file judged alone, and the effects with their sizes."""
     rows, effects = [], []
     for c in each:
@@ -278,7 +278,7 @@ def _shortfall(means: ZoneMeans) -> list[Block]:
     ]
 
 
-def _together(c: Calibration) -> list[Block]:
+def _together(c: CalibrationPlan) -> list[Block]:
     if not c.shared:
         return []
     blocks: list[Block] = [Heading("together")]
@@ -297,13 +297,13 @@ def _together(c: Calibration) -> list[Block]:
     return blocks
 
 
-def _built(c: Calibration) -> list[Block]:
+def _built(c: CalibrationPlan) -> list[Block]:
     if not c.built:
         return [Heading("as built"), "Nothing is claimed, so there is no as-built design."]
     return [Heading("as built"), *map(sentence, c.built), *_waiting(c), *_held(c)]
 
 
-def _waiting(c: Calibration) -> list[Block]:
+def _waiting(c: CalibrationPlan) -> list[Block]:
     """Sentence on what is expected once the user agrees to all that a new cam can take out."""
     if (o := c.outlook_agreed) is None:
         return []
@@ -314,12 +314,12 @@ def _waiting(c: Calibration) -> list[Block]:
     ]
 
 
-def _held(c: Calibration) -> list[Block]:
+def _held(c: CalibrationPlan) -> list[Block]:
     """That a car without play may be held by friction or drag."""
     if c.holds is None:
         return []
     friction, angle = c.holds
-    most = c.design.mechanics.drag_Nmm[1] if c.design.mechanics else 0.0
+    most = c.against.drag
     drag = f"the drag of up to {most:g} N·mm that the design has" if most else "drag"
     return [
         f"No play shows on this track, though the design allows some. Either the gears have none, or the cam is held: "
