@@ -1,16 +1,81 @@
-"""Kinds of one sort by their codes: those of the package, and those that are registered from outside."""
+"""Kinds of one sort by their codes: those of the package, those registered in Python, and those of installed plug-ins.
 
+A plug-in is a distribution with entry points in a group, such as `cadgen.followers`; each names a kind or a tuple of
+kinds. They are looked for when a code is asked for that the package does not have, or when all codes are listed, so
+that a design of the package's own kinds does not wait for them. A plug-in that cannot be loaded, or whose kinds cannot
+be told from others, is passed over with one warning. Every process looks for itself.
+
+| group              | object of an entry point                                                                   |
+|--------------------|--------------------------------------------------------------------------------------------|
+| `cadgen.followers` | `cadgen.cam.followers.kind.FollowerKind`                                                   |
+| `cadgen.laws`      | `cadgen.laws.law.Law`                                                                      |
+| `cadgen.stages`    | `cadgen.gears.stage_kinds.StageKind`                                                       |
+| `cadgen.formats`   | a format of files                                                                          |
+| `cadgen.data`      | `cadgen.inference.measurement.record.Kind`, a kind of measured data with its model         |
+| `cadgen.effects`   | `cadgen.deviations.catalogue.EffectOf`, an effect on data of a kind that there is          |
+"""
+
+import logging
 import re
-from collections.abc import Iterable
-from typing import Generic, Protocol, TypeVar
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any, Generic, Protocol, TypeVar
 
-from cadgen.errors import DesignError
+from cadgen.errors import DesignError, brief
 
+_log = logging.getLogger(__name__)
 # A unit at the end is written as it is, such as _J.
 _CODE = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*(_[A-Z][a-z]*)?")
+# Distribution and version of each object that a plug-in has brought, and of those that were used in this process.
+_brought: dict[int, tuple[str, str]] = {}
+_used: dict[str, str] = {}
 
 
-class Kind(Protocol):
+def load_plugins(group: str, register: Callable[[Any], object]) -> None:
+    """Register what the installed plug-ins bring in a group; a faulty one gives a warning.
+
+    Args:
+        group: group of entry points, such as `cadgen.followers`.
+        register: function that adds one object; it raises an error that says what is wrong with it.
+    """
+    from importlib.metadata import entry_points  # a twentieth of a second that most commands save
+
+    for point in sorted(entry_points(group=group), key=lambda point: point.name):
+        name, version = (point.dist.name, point.dist.version) if point.dist else ("an unknown distribution", "")
+        try:
+            brought = point.load()
+            for each in brought if isinstance(brought, tuple) else (brought,):
+                register(each)
+                _brought[id(each)] = name, version
+        except (Exception, SystemExit) as error:
+            _log.warning(
+                "the plug-in %s of %s %s (entry points %s) cannot be used (%s): correct it, or uninstall %s",
+                point.name,
+                name,
+                version,
+                group,
+                brief(str(error) or type(error).__name__),
+                name,
+            )
+
+
+def used(kind: Any) -> Any:
+    """The same object, noted as used if a plug-in has brought it.
+
+    Args:
+        kind: any object of a table.
+    """
+    if id(kind) in _brought:
+        name, version = _brought[id(kind)]
+        _used[name] = version
+    return kind
+
+
+def used_plugins() -> Mapping[str, str]:
+    """Version of each plug-in whose kinds this process has used, by the name of its distribution."""
+    return dict(sorted(_used.items()))
+
+
+class RegisteredKind(Protocol):
     """An object with a code by which a design names it."""
 
     @property
@@ -18,7 +83,7 @@ class Kind(Protocol):
         """Small letters, digits and single underscores."""
 
 
-K = TypeVar("K", bound=Kind)
+K = TypeVar("K", bound=RegisteredKind)
 
 
 class Registry(Generic[K]):
@@ -28,10 +93,19 @@ class Registry(Generic[K]):
         noun: name of the sort in messages, such as `follower`.
         kinds: kinds of the package.
         reserved: codes that no kind may take.
+        group: group of the entry points of plug-ins; empty if they bring no such kinds.
+        sort: class of the kinds, which those of plug-ins must have.
     """
 
-    def __init__(self, noun: str, kinds: Iterable[K], reserved: Iterable[str] = ()) -> None:
-        self._noun, self._reserved = noun, tuple(reserved)
+    def __init__(
+        self,
+        noun: str,
+        kinds: Iterable[K],
+        reserved: Iterable[str] = (),
+        group: str = "",
+        sort: type[Any] = object,
+    ) -> None:
+        self._noun, self._reserved, self._group, self._sort = noun, tuple(reserved), group, sort
         self._kinds: dict[str, K] = {}
         for kind in kinds:
             self.register(kind)
@@ -43,10 +117,13 @@ class Registry(Generic[K]):
             DesignError: the code is taken, or cannot be the value of a key.
         """
         if kind.code in (*self._reserved, *self._kinds):
-            raise DesignError(f'there is a {self._noun} "{kind.code}" already: choose another code')
+            taken = 'there is a {noun} "{code}" already: choose another code'
+            raise DesignError(taken, noun=self._noun, code=kind.code)
         if not _CODE.fullmatch(kind.code):
             raise DesignError(
-                f'"{kind.code}" cannot be the code of a {self._noun}: take small letters, digits and single _'
+                '"{code}" cannot be the code of a {noun}: take small letters, digits and single _',
+                code=kind.code,
+                noun=self._noun,
             )
         self._kinds[kind.code] = kind
 
@@ -54,8 +131,15 @@ class Registry(Generic[K]):
         """Take a registered kind out again."""
         del self._kinds[kind.code]
 
+    def has(self, code: str) -> bool:
+        """Whether there is a kind with a code; plug-ins are looked for if the package has none."""
+        if code not in self._kinds and code not in self._reserved:
+            self._look_for_plugins()
+        return code in self._kinds
+
     def codes(self) -> tuple[str, ...]:
         """Codes of all kinds."""
+        self._look_for_plugins()
         return tuple(self._kinds)
 
     def kind_of(self, code: str) -> K:
@@ -64,6 +148,24 @@ class Registry(Generic[K]):
         Raises:
             DesignError: no kind has that code.
         """
-        if code not in self._kinds:
-            raise DesignError(f'there is no {self._noun} "{code}": choose one of {", ".join(self._kinds)}')
-        return self._kinds[code]
+        if not self.has(code):
+            raise DesignError(
+                'there is no {noun} "{code}": choose one of {codes}',
+                noun=self._noun,
+                code=code,
+                codes=", ".join(self._kinds),
+            )
+        kind: K = used(self._kinds[code])
+        return kind
+
+    def _look_for_plugins(self) -> None:
+        group, self._group = self._group, ""  # once, and not again while one is loaded
+        if group:
+            load_plugins(group, self._register_plugin)
+
+    def _register_plugin(self, kind: Any) -> None:
+        if not isinstance(kind, self._sort):
+            raise DesignError(
+                "it brings {found}, and should bring {sort}", found=type(kind).__name__, sort=self._sort.__name__
+            )
+        self.register(kind)

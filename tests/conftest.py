@@ -24,6 +24,8 @@ from cadgen.car.path.spline import plan_path
 from cadgen.car.path.track import Track, offset_track
 from cadgen.car.path_motion import PathMotion, path_motion
 from cadgen.car.steering import Car, steering_jets
+from cadgen.inference.measurement import kinds
+from cadgen.inference.measurement.record import Kind
 from tests.forks import Forks
 
 # A submission is judged on the same random examples every time; at the desk each run tries others. No test has a
@@ -42,6 +44,7 @@ _MINIMAL: Tables = {
 }
 
 DESIGNS = Path(__file__).parent.parent / "designs"
+TRICYCLE = Path(__file__).parent.parent / "docs" / "examples" / "cadgen-tricycle"
 
 
 @dataclass(frozen=True)
@@ -123,3 +126,20 @@ def written(tmp_path: Path) -> Callable[[str | bytes | Tables], Path]:
 def measured() -> Path:
     """Where the measured files lie."""
     return Path(__file__).parent / "data" / "measured"
+
+
+@pytest.fixture(scope="module")
+def tricycle(monkeypatch_module: pytest.MonkeyPatch) -> Iterator[Kind]:
+    """The kind of data of the example package, registered while a module of tests runs."""
+    monkeypatch_module.syspath_prepend(str(TRICYCLE / "src"))
+    from cadgen_tricycle import STEERED_TRACK
+
+    kinds.register(STEERED_TRACK)
+    yield STEERED_TRACK
+    kinds.remove(STEERED_TRACK)
+
+
+@pytest.fixture(scope="module")
+def monkeypatch_module() -> Iterator[pytest.MonkeyPatch]:
+    with pytest.MonkeyPatch.context() as patch:
+        yield patch

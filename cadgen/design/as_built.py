@@ -22,7 +22,13 @@ def _codes() -> tuple[str, ...]:
     return codes()
 
 
-Kind = Annotated[str, OneOf(_codes)]
+def _has(code: str) -> bool:
+    from cadgen.inference.measurement.kinds import has
+
+    return has(code)
+
+
+Kind = Annotated[str, OneOf(_codes, _has)]
 
 _ROUNDING = 1e-9  # of a parameter's range, by which a written value may pass its bound
 

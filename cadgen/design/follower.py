@@ -7,14 +7,14 @@ from pydantic import Field
 
 from cadgen.cam.followers.kind import FollowerKind
 from cadgen.cam.followers.rod_kind import ROD
-from cadgen.cam.followers.table import codes, kind_of
+from cadgen.cam.followers.table import codes, has, kind_of
 from cadgen.design.section import ByKind, DesignSection, OneOf, keys_in, section_with
 
 
 class Follower(DesignSection):
     """Follower that rides on the disc."""
 
-    kind: Annotated[str | None, OneOf(codes)] = Field(
+    kind: Annotated[str | None, OneOf(codes, has)] = Field(
         default=None, description="which follower; left out, the leaning rod"
     )
 
@@ -35,4 +35,4 @@ def section_of(kind: FollowerKind) -> type[Follower]:
     return section_with(Follower, kind.meaning, kind.keys)
 
 
-FOLLOWER = ByKind("kind", ROD.code, codes, kind_of, section_of)
+FOLLOWER = ByKind("kind", ROD.code, has, kind_of, section_of)

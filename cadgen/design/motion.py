@@ -8,7 +8,7 @@ from pydantic import Field, model_validator
 
 from cadgen.cam.followers.kind import FollowerKind
 from cadgen.design.section import WORD, DesignSection, OneOf, listed
-from cadgen.laws.table import codes, law_of
+from cadgen.laws.table import codes, has, law_of
 from cadgen.laws.unit import MM, Unit
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ class MotionSegment(DesignSection):
         default=None, ge=-180, le=180, description="of a swinging follower, how far it leads from the swing before"
     )
     in_deg: float | None = Field(default=None, gt=0, le=360, description="cam angle that a rise or return takes")
-    law: Annotated[str | None, OneOf(codes)] = Field(default=None, description="law of a rise or return")
+    law: Annotated[str | None, OneOf(codes, has)] = Field(default=None, description="law of a rise or return")
     dwell_deg: float | None = Field(
         default=None, gt=0, le=360, description="cam angle of a dwell, which has no other key"
     )

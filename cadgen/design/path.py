@@ -5,7 +5,7 @@ from typing import Annotated, Any
 
 from pydantic import Field, model_validator
 
-from cadgen.car.path.path_kinds import QUINTIC, PathKind, codes, kind_of
+from cadgen.car.path.path_kinds import QUINTIC, PathKind, codes, has, kind_of
 from cadgen.design.section import ByKind, DesignSection, OneOf, keys_in, listed, section_with
 
 MOST_LAPS = 100
@@ -97,4 +97,4 @@ def path_section(kind: PathKind) -> type[PathSection]:
     return section_with(PathSection, PathSection.__doc__ or "", kind.keys)
 
 
-PATH = ByKind("spline", QUINTIC.code, codes, kind_of, path_section)
+PATH = ByKind("spline", QUINTIC.code, has, kind_of, path_section)

@@ -60,6 +60,7 @@ class OneOf:
     """Text that must be one of the codes of registered objects, asked for when a design is read."""
 
     codes: Callable[[], Sequence[str]]
+    has: Callable[[str], bool] | None = None  # which need not list all codes
 
     @property
     def allowed(self) -> str:
@@ -70,7 +71,7 @@ class OneOf:
         return core_schema.no_info_after_validator_function(self._checked, handler(source))
 
     def _checked(self, code: str) -> str:
-        if code not in self.codes():
+        if not (code in self.codes() if self.has is None else self.has(code)):
             raise ValueError(f"{HERE} is {json.dumps(code[:80])}; it must be {self.allowed}")
         return code
 
@@ -149,21 +150,21 @@ class ByKind(Generic[K, S]):
     Attributes:
         key: key that names the kind.
         usual: code of the kind where none is named.
-        codes: codes that there are.
+        has: whether there is a kind with a code.
         kind_of: kind of one of these codes.
         section: section with the keys of a kind.
     """
 
     key: str
     usual: str
-    codes: Callable[[], Sequence[str]]
+    has: Callable[[str], bool]
     kind_of: Callable[[str], K]
     section: Callable[[K], type[S]]
 
     def kind(self, table: object) -> K:
         """Kind that raw values of the section name; the usual one where they name none that there is."""
         code = table.get(self.key) if isinstance(table, dict) else getattr(table, self.key, None)
-        return self.kind_of(code if isinstance(code, str) and code in self.codes() else self.usual)
+        return self.kind_of(code if isinstance(code, str) and self.has(code) else self.usual)
 
     def check(self, table: object, otherwise: Callable[[object], R]) -> S | R:
         """Check raw values by the keys of their kind.
@@ -178,7 +179,7 @@ class ByKind(Generic[K, S]):
         if not isinstance(table, dict):
             return otherwise(table)
         code = table.get(self.key)
-        if code is not None and code not in self.codes():
+        if code is not None and not (isinstance(code, str) and self.has(code)):
             return otherwise({self.key: code})
         if code == self.usual:  # named or not, a design says the same
             table = {name: value for name, value in table.items() if name != self.key}

@@ -20,7 +20,7 @@ from cadgen.design.section import (
     section_with,
 )
 from cadgen.gears.choices import Thinning
-from cadgen.gears.stage_kinds import SPUR, StageKind, codes, kind_of
+from cadgen.gears.stage_kinds import SPUR, StageKind, codes, has, kind_of
 
 
 class GearKeys(DesignSection):
@@ -46,7 +46,7 @@ class GearKeys(DesignSection):
 class StageSection(DesignSection):
     """Stage of the train, the first one next to the drive. One table [[train.stages]] for each."""
 
-    kind: Annotated[str | None, OneOf(lambda: (SPUR, *codes()))] = Field(
+    kind: Annotated[str | None, OneOf(lambda: (SPUR, *codes()), lambda code: code == SPUR or has(code))] = Field(
         default=None, description="which kind of stage; left out, a pair of spur gears"
     )
     bearing_span_mm: float | None = Field(default=None, gt=0, le=5000, description="l; left out, that of the train")
@@ -86,7 +86,11 @@ def stage_section(kind: StageKind | None) -> type[StageSection]:
 
 
 STAGE = ByKind[StageKind | None, StageSection](
-    "kind", SPUR, lambda: (SPUR, *codes()), lambda code: None if code == SPUR else kind_of(code), stage_section
+    "kind",
+    SPUR,
+    lambda code: code == SPUR or has(code),
+    lambda code: None if code == SPUR else kind_of(code),
+    stage_section,
 )
 
 

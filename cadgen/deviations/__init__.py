@@ -10,7 +10,6 @@
 | `instrument`   | effects of instruments, each like an effect of the part or the car                   |
 | `transmission` | effects of the train between motor and camshaft, and of its encoders                 |
 | `track`        | effects of the car that a cam steers                                                 |
-| `tricycle`     | effects of a car whose front wheel is logged                                         |
 | `catalogue`    | effects that are looked for in each kind of data, by their names in design files     |
 | `first_order`  | change of the steering with deviations of disc, rod and frame, to first order        |
 | `as_built`     | the car with its effects: what becomes of a disc, and what to cut for it             |

@@ -1,4 +1,5 @@
-"""The effects that are looked for in each kind of data: a new effect is a file and a line here, or is registered.
+"""The effects that are looked for in each kind of data: a new effect is a file and a line here, is registered,
+or comes from a plug-in.
 
 A name is unique in its catalogue; it is what verdicts claim and as-built designs write.
 """
@@ -14,7 +15,7 @@ from cadgen.deviations.instrument import LIFT_INSTRUMENT, PROFILE_INSTRUMENT
 from cadgen.deviations.lift import LIFT_EFFECTS
 from cadgen.deviations.track import TRACK_EFFECTS
 from cadgen.deviations.transmission import RETURN_ERROR, TRAIN_EFFECTS, runout, tooth_mesh
-from cadgen.deviations.tricycle import TRICYCLE_EFFECTS
+from cadgen.registry import load_plugins, used
 
 
 @dataclass(frozen=True)
@@ -47,13 +48,14 @@ class Catalogue:
 
     @property
     def effects(self) -> tuple[Effect, ...]:
-        """Those that are no members of a family, in the order in which they are tried."""
-        return tuple(self._effects)
+        """Effects that are no members of a family, in the order in which they are tried."""
+        _look_for_plugins()
+        return tuple(map(used, self._effects))
 
     @property
     def entries(self) -> tuple[Effect, ...]:
-        """These, and the examples of the families."""
-        return (*self._effects, *(example for family in self.families for example in family.examples))
+        """Effects, and the examples of the families."""
+        return (*self.effects, *(example for family in self.families for example in family.examples))
 
     def register(self, effect: Effect) -> None:
         """Add an effect, which is then looked for, claimed, written and read back like any other.
@@ -61,7 +63,7 @@ class Catalogue:
         Raises:
             ValueError: an effect of that name exists.
         """
-        if self.named(effect.name) is not None:
+        if self._named(effect.name, {}) is not None:
             raise ValueError(f'there is an effect "{effect.name}" already: give another name')
         self._effects.append(effect)
 
@@ -77,11 +79,48 @@ class Catalogue:
             indices: numbers that belong to the name (`Effect.indices`): `nose_number` of a worn nose, counted from 1
                 by polar angle; the first if left out.
         """
+        known = self._named(name, indices or {})
+        if known is None:
+            _look_for_plugins()
+            known = self._named(name, indices or {})
+        effect: Effect | None = used(known)
+        return effect
+
+    def _named(self, name: str, indices: Mapping[str, float]) -> Effect | None:
         for effect in self._effects:
             if effect.name == name:
                 return effect
         matched = ((family, family.pattern.fullmatch(name)) for family in self.families)
-        return next((family.member(match, indices or {}) for family, match in matched if match), None)
+        return next((family.member(match, indices) for family, match in matched if match), None)
+
+
+@dataclass(frozen=True)
+class EffectOf:
+    """Effect that a plug-in brings for data of a kind of the package, by an entry point in `cadgen.effects`.
+
+    Attributes:
+        catalogue: one of the catalogues below, such as `TRACK`.
+        effect: effect that is then looked for in such data.
+    """
+
+    catalogue: Catalogue
+    effect: Effect
+
+
+_looked_for: set[str] = set()  # groups whose plug-ins are in the catalogues
+
+
+def _look_for_plugins() -> None:
+    group = "cadgen.effects"
+    if group not in _looked_for:
+        _looked_for.add(group)
+        load_plugins(group, _register_plugin)
+
+
+def _register_plugin(brought: object) -> None:
+    if not isinstance(brought, EffectOf):
+        raise TypeError(f"it brings {type(brought).__name__}, and should bring EffectOf")
+    brought.catalogue.register(brought.effect)
 
 
 def _nose(match: re.Match[str], indices: Mapping[str, float]) -> Effect:
@@ -113,7 +152,6 @@ LIFT = Catalogue(*LIFT_EFFECTS, *LIFT_INSTRUMENT, families=(_NOSES,))
 PROFILE = Catalogue(*PROFILE_EFFECTS, *PROFILE_INSTRUMENT, families=(_NOSES, _UNDULATIONS))
 TRANSMISSION = Catalogue(*TRAIN_EFFECTS, families=(_RUNOUTS, _MESHES))
 TRACK = Catalogue(*TRACK_EFFECTS)
-STEERED_TRACK = Catalogue(*TRICYCLE_EFFECTS)
 ZONES = Catalogue(RETURN_ERROR)
 
 

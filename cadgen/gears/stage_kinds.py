@@ -38,5 +38,5 @@ class StageKind:
 
 
 SPUR = "spur"
-_KINDS: Registry[StageKind] = Registry("kind of stage", (), reserved=(SPUR,))
-register, remove, codes, kind_of = _KINDS.register, _KINDS.remove, _KINDS.codes, _KINDS.kind_of
+_KINDS: Registry[StageKind] = Registry("kind of stage", (), (SPUR,), "cadgen.stages", StageKind)
+register, remove, codes, kind_of, has = _KINDS.register, _KINDS.remove, _KINDS.codes, _KINDS.kind_of, _KINDS.has

@@ -1,8 +1,10 @@
-"""Every motion law by its code. A new one is a file in this folder and a name below, or is registered."""
+"""Every motion law by its code. A new one is a file in this folder and a name below, is registered in Python,
+or comes from a plug-in (`cadgen.registry`)."""
 
 from cadgen.laws.cycloidal import CYCLOIDAL
+from cadgen.laws.law import Law
 from cadgen.laws.polynomial_3_4_5 import POLYNOMIAL_3_4_5
 from cadgen.registry import Registry
 
-_LAWS = Registry("motion law", (POLYNOMIAL_3_4_5, CYCLOIDAL))
-register, remove, codes, law_of = _LAWS.register, _LAWS.remove, _LAWS.codes, _LAWS.kind_of
+_LAWS = Registry("motion law", (POLYNOMIAL_3_4_5, CYCLOIDAL), group="cadgen.laws", sort=Law)
+register, remove, codes, law_of, has = _LAWS.register, _LAWS.remove, _LAWS.codes, _LAWS.kind_of, _LAWS.has

@@ -1,7 +1,9 @@
-"""Every kind of follower by its code. A new one is a file in this folder and a name below, or is registered."""
+"""Every kind of follower by its code. A new one is a file in this folder and a name below, is registered in
+Python, or comes from a plug-in (`cadgen.registry`)."""
 
+from cadgen.cam.followers.kind import FollowerKind
 from cadgen.cam.followers.rod_kind import ROD
 from cadgen.registry import Registry
 
-_KINDS = Registry("follower", (ROD,))
-register, remove, codes, kind_of = _KINDS.register, _KINDS.remove, _KINDS.codes, _KINDS.kind_of
+_KINDS = Registry("follower", (ROD,), group="cadgen.followers", sort=FollowerKind)
+register, remove, codes, kind_of, has = _KINDS.register, _KINDS.remove, _KINDS.codes, _KINDS.kind_of, _KINDS.has

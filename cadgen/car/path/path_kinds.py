@@ -149,4 +149,4 @@ B_SPLINE = PathKind(
 )
 
 _KINDS = Registry("path", (QUINTIC, CUBIC, B_SPLINE))
-register, remove, codes, kind_of = _KINDS.register, _KINDS.remove, _KINDS.codes, _KINDS.kind_of
+register, remove, codes, kind_of, has = _KINDS.register, _KINDS.remove, _KINDS.codes, _KINDS.kind_of, _KINDS.has

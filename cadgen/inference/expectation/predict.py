@@ -72,7 +72,7 @@ def predict(
     )
 
 
-def predict_tricycle(record: Record, told: PathDiagnosis, wheelbase: float, unseen: Record) -> Prediction:
+def predict_logged(record: Record, told: PathDiagnosis, wheelbase: float, unseen: Record) -> Prediction:
     """Predict logged runs with all effects at usual sizes, fitted to other logged runs.
 
     Args:

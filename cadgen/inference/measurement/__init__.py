@@ -7,7 +7,6 @@
 | `nominal`      | the design that data are measured against, and the forces on its cam                           |
 | `shapes`       | forms without a name that compete with the catalogue                                           |
 | `kinds`        | the kinds of data with their models, one file each, and their table                            |
-| `models`       | the model of a tricycle                                                                        |
 | `evidence`     | likelihood of a residual with noise, datum and form error accounted for                        |
 | `joint`        | records of one car as one: shared effects, one evidence                                        |
 | `hypothesis`   | a subset of effects, fitted exactly and scored                                                 |
@@ -17,7 +16,7 @@
 | `findings`     | effects with their numbers; a diagnosis by evidence, and one by runs left out                  |
 | `claims`       | what is claimed, each deviation at work once, where data that are judged apart show it too     |
 | `leave_out`    | subsets by their path error on runs left out, where errors accumulate                          |
-| `steered`      | the diagnosis that follows from it                                                             |
+| `steered`      | the diagnosis of logged runs that follows from it                                              |
 | `diagnosis`    | the entry: records of one car, judged together, with the test on runs left out                 |
 | `reference`    | the catalogues as a page of documentation                                                      |
 """

@@ -392,8 +392,8 @@ def _contradicted(diagnosis: EvidenceDiagnosis) -> EvidenceDiagnosis:
     return replace(diagnosis, judgement=judgement, contradicted=True)
 
 
-def calibrate_tricycle(records: Sequence[Record], wheelbase: float, progress: Progress = silent) -> PathDiagnosis:
-    """Diagnose runs of a tricycle whose steering was logged.
+def calibrate_logged(records: Sequence[Record], wheelbase: float, progress: Progress = silent) -> PathDiagnosis:
+    """Diagnose logged runs of a vehicle by a kind of data that is judged on runs left out.
 
     Args:
         records: records of runs.

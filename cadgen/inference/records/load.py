@@ -23,7 +23,7 @@ from cadgen.arrays import Array
 from cadgen.car.running.drive import Pose
 from cadgen.errors import FileError, brief, escaped
 from cadgen.inference.adjustment import Settings, Trial
-from cadgen.inference.measurement.kinds import kinds
+from cadgen.inference.measurement.kinds import kind_with, kinds
 from cadgen.inference.measurement.kinds.track import KIND as TRACK
 from cadgen.inference.measurement.record import (
     Column,
@@ -65,7 +65,7 @@ def load_text(text: str, name: str, known: Sequence[Kind] | None = None) -> Reco
     if top is None:
         raise FileError(f"{name}: no table in it; the first line must name the columns, such as run,cam_angle_deg")
     header = _cells(top[1], top[0], name)
-    kind = _kind(header, name, kinds() if known is None else known)
+    kind = _kind(header, name, known)
     # Counted before any is kept: of the shortest lines a file has millions.
     refuse_many(kind, sum(1 for line in lines if line.strip() and not line.startswith("#")) - 1, name)
     numbers, rows = [], []
@@ -150,7 +150,7 @@ def _cells(line: str, number: int, name: str) -> list[str]:
         raise FileError(f"{name}, line {number}: {error}; correct the line") from None
 
 
-def _kind(header: list[str], name: str, known: Sequence[Kind]) -> Kind:
+def _kind(header: list[str], name: str, known: Sequence[Kind] | None) -> Kind:
     """The kind of data whose columns are those of the header."""
     if len(set(header)) < len(header):
         twice = next(c for c in header if header.count(c) > 1)
@@ -158,8 +158,10 @@ def _kind(header: list[str], name: str, known: Sequence[Kind]) -> Kind:
     if len(header) == 1 and (mark := next((m for m in ";\t" if m in header[0]), None)):
         marks = "semicolons" if mark == ";" else "tabs"
         raise FileError(f"{name}: its columns are set apart by {marks}; save it with commas, and with decimal points")
-    if exact := [kind for kind in known if set(header) == set(kind.header)]:
-        return exact[0]
+    exact = kind_with(header) if known is None else next((k for k in known if set(header) == set(k.header)), None)
+    if exact is not None:
+        return exact
+    known = kinds() if known is None else known
     near = max(known, key=lambda kind: (len(_names(kind) & set(header)), -len(kind.columns)))
     parts = {
         "lacks": [c for c in near.header if c not in header],

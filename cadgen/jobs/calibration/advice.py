@@ -16,7 +16,7 @@ from cadgen.errors import FileError
 from cadgen.figures import Sheet
 from cadgen.inference.expectation.linear import PriorKnowledge
 from cadgen.inference.expectation.next_measurement import EndRange, Expected, Next, next_measurement
-from cadgen.inference.expectation.predict import Prediction, predict, predict_tricycle
+from cadgen.inference.expectation.predict import Prediction, predict, predict_logged
 from cadgen.inference.measurement.findings import EvidenceDiagnosis, PathDiagnosis
 from cadgen.inference.measurement.nominal import MACHINED_UM, LoggedCar, Nominal
 from cadgen.inference.measurement.record import Method, Record, join, refuse_wrong_units
@@ -326,7 +326,7 @@ def _by_paths(calibration: CalibrationPlan, record: Record) -> Prediction:
     records = [s.record for s in calibration.files(diagnosis.kind)]
     wheelbase, _ = wheelbase_of(calibration.against.wheelbase, [*records, record])
     refuse_wrong_units(record, LoggedCar(wheelbase))
-    return predict_tricycle(join(records), diagnosis, wheelbase, record)
+    return predict_logged(join(records), diagnosis, wheelbase, record)
 
 
 def _figure(values: Array) -> str:

@@ -24,7 +24,7 @@ from cadgen.gears.spur import spur_pairs
 from cadgen.gears.synthesis import arrange
 from cadgen.inference.expectation.outlook import Outlook
 from cadgen.inference.measurement.claims import Claim, Shared, claims, no_friction, no_play, shared
-from cadgen.inference.measurement.diagnosis import SOUND, calibrate_tricycle
+from cadgen.inference.measurement.diagnosis import SOUND, calibrate_logged
 from cadgen.inference.measurement.diagnosis import calibrate as judge
 from cadgen.inference.measurement.findings import Diagnosis, EvidenceDiagnosis, Finding
 from cadgen.inference.measurement.kinds.zones import Shortfall, Zones, judged, return_error, shortfall
@@ -215,7 +215,7 @@ def calibrate(
     wheelbase = None
     if logged := records[Method.RUNS_LEFT_OUT]:
         wheelbase = wheelbase_of(design.car.wheelbase_mm, logged)
-        diagnosis = calibrate_tricycle(logged, wheelbase[0], progress)
+        diagnosis = calibrate_logged(logged, wheelbase[0], progress)
         diagnoses[diagnosis.kind] = diagnosis
     found = _claims(design, diagnoses.values(), zones)
     if not any(c.absent and c.deviation == deviation.RETURN_ERROR and c.kind.rod_on for c in found):

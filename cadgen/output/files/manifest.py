@@ -10,6 +10,7 @@ from typing import Any
 
 from cadgen.errors import brief
 from cadgen.reading import read_regular
+from cadgen.registry import used_plugins
 from cadgen.version import __version__
 
 NAME = "manifest.json"
@@ -71,8 +72,11 @@ def write_manifest(staging: Path, part: str, entry: dict[str, Any]) -> None:
     Args:
         staging: folder with the files.
         part: name of the part, the key of its entry.
-        entry: facts of the part; `entry["files"]` maps the name of every staged file to facts with a `sha256`.
+        entry: facts of the part; `entry["files"]` maps the name of every staged file to facts with a `sha256`. It
+            gets a key `plugins` with their versions if kinds of plug-ins were used.
     """
+    if plugins := used_plugins():
+        entry["plugins"] = dict(plugins)
     (staging / NAME).write_text(manifest_text({part: entry}), encoding="utf-8")
 
 

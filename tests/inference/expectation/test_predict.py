@@ -12,6 +12,8 @@ from cadgen.jobs.calibration.advice import Predictions
 from cadgen.jobs.calibration.calibration import calibrate
 from cadgen.jobs.calibration.sources import Source, read
 
+pytestmark = pytest.mark.usefixtures("tricycle")
+
 
 @pytest.fixture(scope="module")
 def told(measured):

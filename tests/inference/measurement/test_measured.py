@@ -8,9 +8,10 @@ real.
 import numpy as np
 import pytest
 
-from cadgen.inference.measurement.diagnosis import calibrate_tricycle
+from cadgen.inference.measurement.diagnosis import calibrate_logged
 from cadgen.inference.records.load import load
 
+pytestmark = pytest.mark.usefixtures("tricycle")
 PINNED = {
     "lift_a": ("traced", ("eccentric bore",)),
     "lift_b": ("combination", ("lost motion by friction", "phase")),
@@ -47,7 +48,7 @@ def test_blind_files(name, blind):
 def test_few_logged_runs_name_nothing(measured):
     circles = load(measured / "circles.csv")
     for runs, words in ((1, "one run only"), (2, "2 runs only")):
-        told = calibrate_tricycle([circles.only(np.arange(runs))], 150.0)
+        told = calibrate_logged([circles.only(np.arange(runs))], 150.0)
         assert (told.verdict, told.judgement.claimed) == ("ambiguous", ())
         assert told.judgement.limits[0].startswith(words)
         assert told.residual.held_out >= told.residual.after
@@ -57,7 +58,7 @@ def test_few_logged_runs_name_nothing(measured):
 @pytest.mark.long
 def test_tricycle_is_traced_on_runs_left_out(measured):
     some = [load(measured / f"{name}.csv").only(np.arange(4)) for name in ("circles", "squares")]
-    told = calibrate_tricycle(some, 150.0)
+    told = calibrate_logged(some, 150.0)
     assert told.judgement.claimed == ("steering zero", "wheel radius", "wheelbase")
     values = {v.name: v for f in told.findings for v in f.values}
     assert values["wheelbase_percent"].value == pytest.approx(4.4, abs=3 * values["wheelbase_percent"].sigma)

@@ -5,14 +5,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cadgen.inference.measurement.diagnosis import calibrate_tricycle
-from cadgen.inference.measurement.kinds import STEERED_TRACK
+from cadgen.inference.measurement import kinds
+from cadgen.inference.measurement.diagnosis import calibrate_logged
 from cadgen.inference.measurement.leave_out import LEAST_RUNS
 from cadgen.inference.measurement.record import Record
 from cadgen.inference.measurement.verdict import SIGMAS, Judgement, sigmas_of, unclaimed, within_error
 from cadgen.inference.records.load import load
 
 WHEELBASE = 150.0
+pytestmark = pytest.mark.usefixtures("tricycle")
 
 
 def log(*, logged: float, true: float, seed: int, runs: int = 4, rows: int = 40, noise: float = 3.0) -> Record:
@@ -23,7 +24,7 @@ def log(*, logged: float, true: float, seed: int, runs: int = 4, rows: int = 40,
     place = np.concatenate([[0.0], np.cumsum(travel * np.cos(angle) * np.exp(1j * heading))[:-1]])
     several = np.tile(place, runs) + rng.normal(0, noise, runs * rows) + 1j * rng.normal(0, noise, runs * rows)
     return Record(
-        kind=STEERED_TRACK,
+        kind=kinds.kind_of("steered track"),
         columns={
             "t_s": np.tile(0.05 * np.arange(rows), runs),
             "distance_mm": np.tile(travel * np.arange(rows), runs),
@@ -40,7 +41,7 @@ def log(*, logged: float, true: float, seed: int, runs: int = 4, rows: int = 40,
 
 @pytest.mark.slow
 def test_a_log_without_any_error_is_traced_to_nothing():
-    told = calibrate_tricycle([log(logged=0.0, true=0.0, seed=1, rows=24, noise=0.0)], WHEELBASE)
+    told = calibrate_logged([log(logged=0.0, true=0.0, seed=1, rows=24, noise=0.0)], WHEELBASE)
     assert (told.verdict, told.judgement.claimed) == ("none", ())
 
 
@@ -51,7 +52,7 @@ def test_constant_steering_claims_no_number_within_its_error(measured):
     circles = load(measured / "circles.csv").only(np.arange(LEAST_RUNS))
     some = {name: values[::10] for name, values in circles.columns.items()}
     held = replace(circles, columns={**some, "steering_deg": np.ones(len(circles.run[::10]))}, run=circles.run[::10])
-    told = calibrate_tricycle([held], WHEELBASE)
+    told = calibrate_logged([held], WHEELBASE)
     unsure = [finding.effect for finding in told.findings if finding.within_error]
     assert "steering zero" in unsure
     assert not set(unsure) & set(told.judgement.claimed)
@@ -86,7 +87,7 @@ def test_of_few_runs_more_standard_deviations_are_asked_for():
 # of runs left out agreed because all of them were held there.
 @pytest.mark.slow
 def test_numbers_on_their_bounds_are_not_claimed():
-    told = calibrate_tricycle([log(logged=0.0, true=0.0, seed=2, rows=12)], WHEELBASE)
+    told = calibrate_logged([log(logged=0.0, true=0.0, seed=2, rows=12)], WHEELBASE)
     assert (told.verdict, told.judgement.claimed) == ("ambiguous", ())
     assert "steering_zero_deg of steering zero is on the bound of what can be" in " ".join(told.judgement.limits)
 

@@ -9,6 +9,8 @@ from cadgen.errors import FileError
 from cadgen.inference.measurement.record import instrument, join, printed
 from cadgen.inference.records.load import MOST_BYTES, digest, load
 
+pytestmark = pytest.mark.usefixtures("tricycle")
+
 LIFT = "run,direction,cam_angle_deg,lift_mm\n" + "".join(f"1,forward,{k}.0,{0.01 * k:.3f}\n" for k in range(30))
 
 

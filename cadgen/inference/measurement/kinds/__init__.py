@@ -1,6 +1,7 @@
-"""The kinds of measured data: a new one is a file here and a line in the table, or is registered.
+"""The kinds of measured data: a new one is a file here and a line in the table, is registered, or is a plug-in's.
 
 A kind brings its columns, its catalogue of effects, and its forward model (`Kind.model`), which stands in its file.
+A vehicle without a cam is such a kind, too: see the package `cadgen-tricycle` in `docs/examples`.
 
 | module          | what is measured                                                               |
 |-----------------|--------------------------------------------------------------------------------|
@@ -8,18 +9,21 @@ A kind brings its columns, its catalogue of effects, and its forward model (`Kin
 | `profile`       | the outline on a measuring machine                                             |
 | `transmission`  | angles at both ends of the train                                               |
 | `track`         | where the drive wheel is, by the motor's turns                                 |
-| `steered_track` | where a tricycle is, with its steering logged                                  |
 | `zones`         | mean turns of the cam over starts and stops                                    |
 """
 
+from collections.abc import Collection
+
 from cadgen.errors import DesignError
-from cadgen.inference.measurement.kinds import lift, profile, steered_track, track, transmission, zones
+from cadgen.inference.measurement.kinds import lift, profile, track, transmission, zones
 from cadgen.inference.measurement.record import Kind
+from cadgen.registry import load_plugins, used
 
-LIFT, PROFILE, TRANSMISSION, TRACK = lift.KIND, profile.KIND, transmission.KIND, track.KIND
-STEERED_TRACK, ZONES = steered_track.KIND, zones.KIND
+LIFT, PROFILE, TRANSMISSION, TRACK, ZONES = lift.KIND, profile.KIND, transmission.KIND, track.KIND, zones.KIND
 
+_GROUP = "cadgen.data"
 _kinds: dict[str, Kind] = {}
+_looked_for: set[str] = set()  # groups whose plug-ins are in the table
 
 
 def register(kind: Kind) -> None:
@@ -40,25 +44,57 @@ def remove(kind: Kind) -> None:
 
 
 def kinds() -> tuple[Kind, ...]:
-    """Every kind, in the order of the table."""
+    """Every kind, in the order of the table, those of plug-ins last."""
+    _look_for_plugins()
     return tuple(_kinds.values())
 
 
 def codes() -> tuple[str, ...]:
-    """Their codes, as files write them."""
-    return tuple(_kinds)
+    """Codes of all kinds, as files write them."""
+    return tuple(kind.code for kind in kinds())
+
+
+def has(code: str) -> bool:
+    """Whether there is a kind with a code; plug-ins are looked for if the package has none."""
+    if code not in _kinds:
+        _look_for_plugins()
+    return code in _kinds
 
 
 def kind_of(code: str) -> Kind:
-    """The kind of a code.
+    """Kind with a code.
 
     Raises:
         DesignError: there is none.
     """
-    if code not in _kinds:
+    if not has(code):
         raise DesignError(f'there is no kind of data "{code}": write {" or ".join(_kinds)}')
-    return _kinds[code]
+    kind: Kind = used(_kinds[code])
+    return kind
 
 
-for kind in (LIFT, PROFILE, TRANSMISSION, TRACK, STEERED_TRACK, ZONES):
+def kind_with(columns: Collection[str]) -> Kind | None:
+    """Kind whose files have exactly these columns; plug-ins are looked for if the package has none."""
+    for _ in range(2):
+        for kind in _kinds.values():
+            if set(kind.header) == set(columns):
+                found: Kind = used(kind)
+                return found
+        _look_for_plugins()
+    return None
+
+
+def _look_for_plugins() -> None:
+    if _GROUP not in _looked_for:
+        _looked_for.add(_GROUP)
+        load_plugins(_GROUP, _register_plugin)
+
+
+def _register_plugin(kind: object) -> None:
+    if not isinstance(kind, Kind):
+        raise TypeError(f"it brings {type(kind).__name__}, and should bring a kind of measured data")
+    register(kind)
+
+
+for kind in (LIFT, PROFILE, TRANSMISSION, TRACK, ZONES):
     register(kind)

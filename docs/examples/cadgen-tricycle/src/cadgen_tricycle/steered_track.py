@@ -1,19 +1,23 @@
-"""A tricycle by its own log: steering and travel of the front wheel -> heading -> place of the rear axle's centre.
+"""Steered track: a front-driven tricycle by its own log, from steering and travel to the place of the rear axle.
 
 With front wheel travel d and steering angle delta, d(heading) = sin(delta) / L d(travel) and
 d(place) = cos(delta) (cos heading, sin heading) d(travel); a right turn has delta < 0 here, as it was logged.
 """
 
+from collections.abc import Iterable
+
 import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.deviations.catalogue import STEERED_TRACK
+from cadgen.deviations.catalogue import Catalogue
 from cadgen.deviations.effect import Active, Effect, through
-from cadgen.deviations.tricycle import DELAY, MARKER, STEERING, TRAVEL, WHEELBASE, Log
 from cadgen.inference.measurement.model import Discrepancy, elapsed, unknown
-from cadgen.inference.measurement.record import Record
+from cadgen.inference.measurement.nominal import LoggedCar
+from cadgen.inference.measurement.record import Abscissa, Column, Datum, Kind, Method, Record, Span
+from cadgen_tricycle.effects import DELAY, EFFECTS, MARKER, STEERING, TRAVEL, WHEELBASE, Log
 
+CATALOGUE = Catalogue(*EFFECTS)
 # Every so many rows enter the fit: 20 rows a second say no more than two of a path that bends over seconds.
 THINNED = 10
 
@@ -60,7 +64,7 @@ class TricycleModel:
             time=time[self._rows],
             steering=steering[self._rows],
         )
-        self.catalogue: tuple[Effect, ...] = STEERED_TRACK.effects
+        self.catalogue: tuple[Effect, ...] = CATALOGUE.effects
         self.shapes: tuple[Effect, ...] = ()
         self.datum: tuple[Effect, ...] = ()
         self.floor = 0.0
@@ -117,3 +121,45 @@ def _towards(heading: Array) -> NDArray[np.complex128]:
     unit = np.empty(heading.shape, dtype=complex)
     unit.real, unit.imag = np.cos(heading), np.sin(heading)
     return unit
+
+
+def _spans(record: Record, logged: LoggedCar) -> Iterable[Span]:
+    """A log against itself: travel with path, steering with turning."""
+    run = record.run
+    inside = run[1:] == run[:-1]
+    travel, angle = np.diff(record["distance_mm"])[inside], np.radians(record["steering_deg"][1:])[inside]
+    x, y = (np.diff(record[name])[inside] for name in ("x_mm", "y_mm"))
+    # The rear axle goes cos(steering) as far as the wheel in front.
+    yield Span("x_mm, y_mm", float(np.abs(x + 1j * y).sum()), float(np.abs(np.cos(angle) * travel).sum()), "mm")
+    turned = np.abs(np.diff(np.unwrap(np.radians(record["heading_deg"])))[inside])
+    steered = float(np.abs(np.sin(angle) * travel).sum()) / logged.wheelbase
+    yield Span("steering_deg", steered, float(turned.sum()), "deg")
+
+
+def _model(record: Record, logged: LoggedCar) -> TricycleModel:
+    return TricycleModel(record, logged.wheelbase)
+
+
+STEERED_TRACK = Kind(
+    code="steered track",
+    title="Steered track",
+    columns=(
+        Column(name="t_s", lower=0.0, upper=1e6),
+        Column(name="distance_mm", lower=-1e7, upper=1e7, least_span=50.0),
+        Column(name="steering_deg", lower=-180.0, upper=180.0),
+        Column(name="x_mm", lower=-1e6, upper=1e6),
+        Column(name="y_mm", lower=-1e6, upper=1e6),
+        Column(name="heading_deg", lower=-1e5, upper=1e5),
+    ),
+    readings=("x_mm", "y_mm"),
+    catalogue=CATALOGUE,
+    method=Method.RUNS_LEFT_OUT,
+    datum=Datum(words="the start pose of each run"),
+    model=_model,
+    spans=_spans,
+    most_rows=200_000,  # logs are thinned
+    nearness=5,
+    of_design=False,
+    abscissa=Abscissa.SHARE,
+    plan_view=True,
+)

@@ -53,7 +53,7 @@ def _mm(name: str, meaning: str) -> Parameter:
 
 ON_THE_SPOT = "turn on the spot with the wheel at 90 degrees: there the rate of turning is the wheelbase's alone"
 
-TRICYCLE_EFFECTS = (
+EFFECTS = (
     Effect(
         name="steering zero",
         stage=STEERING,
