@@ -3,27 +3,19 @@
 import json
 from math import degrees
 from pathlib import Path
-from typing import Any
 
 from cadgen.errors import FileError
 from cadgen.inference.adjustment import Forecast, Settings
-from cadgen.jobs.adjustment.plan import Adjustment
+from cadgen.jobs.adjustment.plan import AdjustmentPlan
 from cadgen.output.files.folder import publishing
 from cadgen.output.files.manifest import Written, file_facts, versions, write_manifest
 from cadgen.progress import Progress, silent
-from cadgen.version import __version__
 
 
-def adjustment_facts(adjustment: Adjustment) -> dict[str, Any]:
-    """The result in the units of its names."""
-    design = adjustment.plan.design
+def adjustment_facts(adjustment: AdjustmentPlan) -> dict[str, object]:
+    """Result in the units of the keys' names."""
     return {
-        "design": design.name,
-        "design_sha256": design.content_hash,
-        "overrides": list(design.overrides),
-        "drive_wheel": adjustment.plan.wheel.facts(),
-        "cadgen": __version__,
-        "profile": adjustment.plan.profile.code,
+        **adjustment.described,
         "trial_runs": len(adjustment.trials),
         "points": [len(trial.points) for trial in adjustment.trials],
         "measured_point": adjustment.wanted.point.value,
@@ -40,8 +32,8 @@ def adjustment_facts(adjustment: Adjustment) -> dict[str, Any]:
             "after": _expected(adjustment.after),
         },
         "chance_to_be_worse": adjustment.worse,
-        "said": adjustment.sentences(),
-        "steps": adjustment.steps(),
+        "said": list(adjustment.sentences),
+        "steps": list(adjustment.steps),
         "line": adjustment.line,
     }
 
@@ -65,13 +57,13 @@ def _expected(errors: Forecast) -> dict[str, float]:
     }
 
 
-def write_adjustment(adjustment: Adjustment, out: Path, progress: Progress = silent) -> Written:
+def write_adjustment(adjustment: AdjustmentPlan, out: Path, progress: Progress = silent) -> Written:
     """Publish the result as JSON, and the table of the next trial run with its settings and no rows yet.
 
     Raises:
         FileError: a file cannot be written, or read back is not what was written.
     """
-    stem = f"{adjustment.plan.design.name}_{adjustment.plan.profile.code}_adjustment".replace("+", "_")
+    stem = adjustment.stem
     facts = adjustment_facts(adjustment)
     progress("writing")
     with publishing(out) as staging:

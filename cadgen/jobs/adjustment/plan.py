@@ -1,6 +1,6 @@
-"""From trial runs of a car to what a hand sets: cars that explain them, the best settings, what to expect."""
+"""Adjustment by trial runs: cars that explain them, the best settings by hand, and what to expect then."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from math import ceil, degrees, radians, sqrt
@@ -40,7 +40,9 @@ from cadgen.inference.monte_carlo.cars import Cars
 from cadgen.inference.records.load import read_trials, settings_line, trials_of
 from cadgen.jobs.cam.plan import CamPlan, comparison_of, plan_cam
 from cadgen.jobs.runs.fleet import fleet_of
+from cadgen.messages import Message
 from cadgen.progress import Progress, silent
+from cadgen.version import __version__
 
 WIDER = 2.0  # cars may be off by so many times their tolerances
 PLAYS, FRICTION_STEP = 7, 0.03  # of the grid on which cars are looked for
@@ -63,7 +65,7 @@ class Point(Enum):
     PATH = "path"
 
     def lever(self, design: Design) -> complex:
-        """Its place in the car's frame from the drive wheel, ahead + i left, mm."""
+        """Place of the point in the car's frame from the drive wheel, ahead + i left, mm."""
         car = design.car
         return {
             Point.DRIVE_WHEEL: 0j,
@@ -104,21 +106,26 @@ class Wanted:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Adjustment:
+class AdjustmentPlan:
     """Settings by hand after trial runs.
 
     Attributes:
         plan: plan of the cam on the car.
+        described: design, drive wheel and profile as plain values.
+        stem: name of the files.
         wanted: how the runs were measured, and what may be set.
         trials: in the order of driving.
         posterior: cars that explain them.
-        settings: for the next run.
+        settings: for the next run, as changes of the design, mm and rad.
         designed: errors to expect as the car is designed.
-        before: errors to expect with the settings of the last trial run.
-        after: errors to expect with the new settings.
+        before: position errors to expect with the settings of the last trial run, mm.
+        after: position errors to expect with the new settings, mm.
+        allowed: position error at the end that the next run may have, mm: half the narrowest gate, or 60 without gates.
     """
 
     plan: CamPlan
+    described: Mapping[str, object]
+    stem: str
     wanted: Wanted
     trials: tuple[Trial, ...]
     posterior: Posterior
@@ -126,17 +133,11 @@ class Adjustment:
     designed: Forecast
     before: Forecast
     after: Forecast
-
-    @property
-    def allowed(self) -> float:
-        """Position error at the end that the next run may have, mm: half the narrowest gate, or 60 without gates."""
-        course, width = self.plan.course, self.plan.design.tolerances.gate_width_mm
-        reaches = [gate.place.reach for gate in course.course.gates if gate.place.reach] if course else []
-        return min(reaches, default=WORTH if width is None else width / 2)
+    allowed: float
 
     @property
     def explained(self) -> bool:
-        """Whether cars within twice the tolerances explain the trial runs."""
+        """Whether cars within twice the tolerances explain the trial runs; if not, set nothing by this."""
         return self.posterior.residual <= MOST_RESIDUAL
 
     @property
@@ -149,77 +150,104 @@ class Adjustment:
         """Divisions by which the head is turned from where it stood; positive makes the base radius larger."""
         return round((self.settings.head - self.trials[-1].settings.head) / self.wanted.division)
 
-    def sentences(self) -> list[str]:
-        """The result in words, the most important first."""
+    @property
+    def sentences(self) -> tuple[Message, ...]:
+        """Result in words, the most important first."""
         said = []
         if not self.explained:
             said.append(
-                f"not explained: the points lie {self.posterior.residual:.1f} times their noise off the track of every "
-                f"car within {WIDER:g} times the tolerances, so set nothing by this yet: look for a wrong unit, point "
-                "or start, or for what no tolerance holds; measure lift or transmission and run cadgen calibrate"
+                Message(
+                    "not explained: the points lie {residual:.1f} times their noise off the track of every car within "
+                    "{wider:g} times the tolerances, so set nothing by this yet: look for a wrong unit, point or "
+                    "start, or for what no tolerance holds; measure lift or transmission and run cadgen calibrate",
+                    residual=self.posterior.residual,
+                    wider=WIDER,
+                )
             )
         said.append(
-            f"end of the run: {_range(self.before)} with the settings of the last trial run, {_range(self.after)} with "
-            f"the new ones; chance to end further off than before {100 * self.worse:.0f} %"
+            Message(
+                "end of the run: {before} with the settings of the last trial run, {after} with the new ones; chance "
+                "to end further off than before {worse:.0f} %",
+                before=_range(self.before),
+                after=_range(self.after),
+                worse=100 * self.worse,
+            )
         )
         if self.after.end_quantile(0.95) > self.allowed:
             said.append(
-                f"a new cam is worth it: more than one run in twenty ends beyond the {self.allowed:g} mm allowed, "
-                "whatever is set; measure the car and run cadgen calibrate"
+                Message(
+                    "a new cam is worth it: more than one run in twenty ends beyond the {allowed:g} mm allowed, "
+                    "whatever is set; measure the car and run cadgen calibrate",
+                    allowed=self.allowed,
+                )
             )
         elif self.after.way.mean() > self.allowed:
             said.append(
-                f"on its way the car is up to {self.after.way.mean():.0f} mm off, more than the {self.allowed:g} mm "
-                "allowed: where that matters a new cam is worth it; measure the car and run cadgen calibrate"
+                Message(
+                    "on its way the car is up to {way:.0f} mm off, more than the {allowed:g} mm allowed: where that "
+                    "matters a new cam is worth it; measure the car and run cadgen calibrate",
+                    way=self.after.way.mean(),
+                    allowed=self.allowed,
+                )
             )
-        return said
+        return tuple(said)
 
-    def steps(self) -> list[str]:
-        """Settings, one sentence a knob."""
-        last, new = self.trials[-1].settings, self.settings
-        steps = []
-        if Knob.HEAD in self.wanted.knobs:
-            way = "larger" if self.divisions > 0 else "smaller"
+    @property
+    def steps(self) -> tuple[Message, ...]:
+        """Settings, a sentence for each knob."""
+        last, new, steps = self.trials[-1].settings, self.settings, []
+        if Knob.HEAD in self.wanted.knobs and self.divisions:
             steps.append(
-                f"micrometer head: base radius {way} by {abs(self.divisions)} × {self.wanted.division * 1e3:g} µm (in "
-                f"all {new.head * 1e3:+.0f} µm)"
-                if self.divisions
-                else f"micrometer head: leave it (in all {new.head * 1e3:+.0f} µm)"
+                Message(
+                    "micrometer head: base radius {way} by {count} × {division:g} µm (in all {all:+.0f} µm)",
+                    way=Message("larger") if self.divisions > 0 else Message("smaller"),
+                    count=abs(self.divisions),
+                    division=self.wanted.division * 1e3,
+                    all=new.head * 1e3,
+                )
             )
+        elif Knob.HEAD in self.wanted.knobs:
+            steps.append(Message("micrometer head: leave it (in all {all:+.0f} µm)", all=new.head * 1e3))
         if Knob.KEY in self.wanted.knobs:
-            steps.append(
-                f"cam on its shaft: {_turn(new.key - last.key, 'ahead', 'back')} (in all {degrees(new.key):+.2f}°)"
-            )
+            way = _turn(new.key - last.key, "ahead", "back")
+            steps.append(Message("cam on its shaft: {way} (in all {all:+.2f}°)", way=way, all=degrees(new.key)))
         if Knob.START in self.wanted.knobs:
             steps.append(
-                f"start, from where it is planned: {_shift(new.start_x, 'ahead', 'back')}, "
-                f"{_shift(new.start_y, 'to the left', 'to the right')}, heading "
-                f"{_turn(new.start_heading, 'to the left', 'to the right')}"
+                Message(
+                    "start, from where it is planned: {along}, {across}, heading {heading}",
+                    along=_shift(new.start_x, "ahead", "back"),
+                    across=_shift(new.start_y, "to the left", "to the right"),
+                    heading=_turn(new.start_heading, "to the left", "to the right"),
+                )
             )
-        return steps
+        return tuple(steps)
 
     @property
     def line(self) -> str:
-        """The comment line that the file of the next trial run begins with."""
+        """Comment line with these settings, with which the file of the next trial run begins."""
         return f"# {settings_line(self.settings)}"
 
 
-def _range(errors: Forecast) -> str:
-    low, high = errors.end_quantile(0.05), errors.end_quantile(0.95)
-    return f"{errors.end.mean():.0f} mm expected ({low:.0f} to {high:.0f} in nine runs of ten)"
+def _range(errors: Forecast) -> Message:
+    return Message(
+        "{mean:.0f} mm expected ({low:.0f} to {high:.0f} in nine runs of ten)",
+        mean=errors.end.mean(),
+        low=errors.end_quantile(0.05),
+        high=errors.end_quantile(0.95),
+    )
 
 
-def _turn(angle: float, positive: str, negative: str) -> str:
-    return f"{abs(degrees(angle)):.2f}° {positive if angle >= 0 else negative}"
+def _turn(angle: float, positive: str, negative: str) -> Message:
+    return Message("{size:.2f}° {way}", size=abs(degrees(angle)), way=Message(positive if angle >= 0 else negative))
 
 
-def _shift(length: float, positive: str, negative: str) -> str:
-    return f"{abs(length):.0f} mm {positive if length >= 0 else negative}"
+def _shift(length: float, positive: str, negative: str) -> Message:
+    return Message("{size:.0f} mm {way}", size=abs(length), way=Message(positive if length >= 0 else negative))
 
 
 def adjust(
     design: Design, files: Sequence[Path], profile: str, wanted: Wanted, progress: Progress = silent
-) -> Adjustment:
+) -> AdjustmentPlan:
     """Settings for the next run from trial runs of one car.
 
     Args:
@@ -247,12 +275,20 @@ class Bench:
 
     Attributes:
         plan: plan of the cam on it.
+        described: design, drive wheel and profile as plain values.
+        stem: name of the files.
+        lever: place of the measured point in the car's frame from the drive wheel, ahead + i left, mm.
+        allowed: position error at the end that a run may have, mm.
         wanted: how runs are measured, and what may be set.
         prior: what the car may differ by.
         fine, coarse: the nominal car at stations close together, for points, and further apart, for errors.
     """
 
     plan: CamPlan
+    described: Mapping[str, object]
+    stem: str
+    lever: complex
+    allowed: float
     wanted: Wanted
     prior: CarPrior
     fine: Cars
@@ -260,7 +296,7 @@ class Bench:
 
     @classmethod
     def of(cls, plan: CamPlan, wanted: Wanted) -> "Bench":
-        """Of a cam planned with play.
+        """Make a car ready whose cam was planned with play.
 
         Deviations lie evenly within twice their tolerances. Friction is that of [mechanics], or anything from none to
         that of a greased rod: the nominal car stands in the middle of the bands.
@@ -287,18 +323,32 @@ class Bench:
         fine, coarse = (
             fleet_of(plan, list(range(0, STEPS + 1, apart)), mechanics, play, grid=_GRID) for apart in (FINE, COARSE)
         )
+        design, course = plan.design, plan.course
+        width = design.tolerances.gate_width_mm
+        reaches = [gate.place.reach for gate in course.course.gates if gate.place.reach] if course else []
         return cls(
             plan=plan,
+            described={
+                "design": design.name,
+                "design_sha256": design.content_hash,
+                "overrides": list(design.overrides),
+                "drive_wheel": plan.wheel.facts(),
+                "cadgen": __version__,
+                "profile": plan.profile.code,
+            },
+            stem=f"{design.name}_{plan.profile.code}_adjustment".replace("+", "_"),
+            lever=wanted.point.lever(design),
+            allowed=min(reaches, default=WORTH if width is None else width / 2),
             wanted=wanted,
             prior=CarPrior(sigma=ordered, grid=grid, noise=noise),
             fine=fine,
             coarse=coarse,
         )
 
-    def adjustment(self, trials: tuple[Trial, ...]) -> Adjustment:
-        """Settings for the next run after these."""
+    def adjustment(self, trials: tuple[Trial, ...]) -> AdjustmentPlan:
+        """Find settings for the next run after trial runs."""
         wanted, noise, last = self.wanted, self.prior.noise, trials[-1].settings
-        posterior = explain(self.fine, wanted.point.lever(self.plan.design), self.prior, trials)
+        posterior = explain(self.fine, self.lever, self.prior, trials)
         cars = posterior.draw(np.random.default_rng(SEED), CARS)
         free = [each for knob in wanted.knobs for each in knob.deviations]
         settings = best_settings(
@@ -313,8 +363,10 @@ class Bench:
             forecast(self.coarse, cars, chosen, noise, np.random.default_rng(SEED))
             for chosen in (Settings(), last, settings)
         )
-        return Adjustment(
+        return AdjustmentPlan(
             plan=self.plan,
+            described=self.described,
+            stem=self.stem,
             wanted=wanted,
             trials=trials,
             posterior=posterior,
@@ -322,6 +374,7 @@ class Bench:
             designed=designed,
             before=before,
             after=after,
+            allowed=self.allowed,
         )
 
 

@@ -38,7 +38,7 @@ def test_points_of_no_car_are_not_explained(field):
     points = np.conj(track[10::10])
     adjustment = field.bench.adjustment((Trial(points=points),))
     assert not adjustment.explained
-    assert adjustment.sentences()[0].startswith("not explained: the points lie")
+    assert adjustment.sentences[0].startswith("not explained: the points lie")
 
 
 @pytest.mark.slow
