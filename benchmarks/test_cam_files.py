@@ -18,7 +18,8 @@ from cadgen.geometry.meshes.mesh import cam_mesh
 from cadgen.geometry.solids.disc_solid import cam_part
 from cadgen.geometry.solids.step import read_step, step_bytes
 from cadgen.jobs.cam.plan import CamPlan, plan_cam
-from cadgen.output.files.mesh import read_3mf, read_stl, stl_bytes, threemf_bytes
+from cadgen.output.files.stl import read_stl, stl_bytes
+from cadgen.output.files.threemf import read_3mf, threemf_bytes
 
 CHORD = 0.005  # mm
 STEP = 0.05  # mm between the points that the rod is rolled on

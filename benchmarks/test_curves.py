@@ -21,7 +21,8 @@ from cadgen.design.schema import Machining
 from cadgen.output.files.dxf import read_dxf, write_dxf
 from cadgen.output.files.gcode import cutter_path, write_gcode
 from cadgen.output.files.gcode_reader import read_gcode
-from cadgen.output.files.points import contact_outline, read_csv, read_xyz, write_csv, write_xyz
+from cadgen.output.files.tables import contact_outline, read_csv, write_csv
+from cadgen.output.files.xyz import read_xyz, write_xyz
 from tests.conftest import build
 
 ROUNDS = 7

@@ -68,8 +68,8 @@ _HOMES = {
     "ToleranceRun": "api.runs",
     "Train": "api.gears",
     "Web": "parts.features",
-    "Written": "api.files",
-    "WrittenFile": "api.files",
+    "Written": "output.files.publisher",
+    "WrittenFile": "output.files.publisher",
     "draw": "api.drawing",
     "explore": "api.exploration",
     "merge": "api.exploration",
@@ -87,7 +87,7 @@ if TYPE_CHECKING:
     from cadgen.api.drawing import draw
     from cadgen.api.editor import Editor
     from cadgen.api.exploration import Exploration, explore, merge
-    from cadgen.api.files import Written, WrittenFile, verify
+    from cadgen.api.files import verify
     from cadgen.api.gear import Gear
     from cadgen.api.gear_train import GearTrain
     from cadgen.api.gears import GearPair, Train
@@ -96,6 +96,7 @@ if TYPE_CHECKING:
     from cadgen.api.planning import Plan
     from cadgen.api.runs import Comparison, Simulation, ToleranceRun
     from cadgen.errors import CadgenError, CheckError, DesignError, FileError
+    from cadgen.output.files.publisher import Written, WrittenFile
     from cadgen.parts.features import Hub, Keyway, Lightening, SetScrew, Web
 
 __all__ = [

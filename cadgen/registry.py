@@ -10,7 +10,7 @@ be told from others, is passed over with one warning. Every process looks for it
 | `cadgen.followers` | `cadgen.cam.followers.kind.FollowerKind`                                                   |
 | `cadgen.laws`      | `cadgen.laws.law.Law`                                                                      |
 | `cadgen.stages`    | `cadgen.gears.stage_kinds.StageKind`                                                       |
-| `cadgen.formats`   | a format of files                                                                          |
+| `cadgen.formats`   | `cadgen.output.files.formats.Format`, which writes and reads back cams, gears or trains    |
 | `cadgen.data`      | `cadgen.inference.measurement.record.Kind`, a kind of measured data with its model         |
 | `cadgen.effects`   | `cadgen.deviations.catalogue.EffectOf`, an effect on data of a kind that there is          |
 """
@@ -23,8 +23,8 @@ from typing import Any, Generic, Protocol, TypeVar
 from cadgen.errors import DesignError, brief
 
 _log = logging.getLogger(__name__)
-# A unit at the end is written as it is, such as _J.
-_CODE = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*(_[A-Z][a-z]*)?")
+# One letter at least, as in 3mf. A unit at the end is written as it is, such as _J.
+_CODE = re.compile(r"[0-9]?[a-z][a-z0-9]*(_[a-z0-9]+)*(_[A-Z][a-z]*)?")
 # Distribution and version of each object that a plug-in has brought, and of those that were used in this process.
 _brought: dict[int, tuple[str, str]] = {}
 _used: dict[str, str] = {}

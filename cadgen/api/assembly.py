@@ -112,5 +112,4 @@ class Assembly(ABC):
         place = folder_of(folder)
         if not (self.passed or force):
             raise CheckError(refusal(self.failed))
-        written = write_train(self.computed, self.facts(), place, progress, formats)
-        return Written.of(place, written.part, written.entry)
+        return write_train(self.computed, self.facts(), place, progress, formats)

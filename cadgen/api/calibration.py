@@ -156,5 +156,4 @@ class Calibrations(Generic[D]):
         """
         place = folder_of(folder)
         progress("writing")
-        written = write_each(self.each, place)
-        return Written.of(place, written.part, written.entry)
+        return write_each(self.each, place)

@@ -326,5 +326,4 @@ class Cam:
         place = folder_of(folder)
         if not (self.passed or force):
             raise CheckError(refusal(self.failed))
-        written = write_cam(self.computed, place, progress, formats, cures=self.find_cures(progress))
-        return Written.of(place, written.part, written.entry)
+        return write_cam(self.computed, place, progress, formats, cures=self.find_cures(progress))

@@ -65,5 +65,4 @@ def draw(
         cam=None if cam is None else cam.computed,
         train=None if train is None else train.plan,
     )
-    written = write_drawings(parts, place, progress)
-    return Written.of(place, written.part, written.entry)
+    return write_drawings(parts, place, progress)

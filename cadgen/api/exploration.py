@@ -10,8 +10,9 @@ from pathlib import Path
 from typing import Any
 
 from cadgen.api.files import Written, folder_of
-from cadgen.api.values import Frozen, frozen, name_or_path, whole
+from cadgen.api.values import name_or_path, whole
 from cadgen.errors import DesignError, FileError, brief
+from cadgen.output.files.publisher import Frozen, frozen
 from cadgen.progress import Progress, silent
 from cadgen.studies.engines import Cluster, Engine, Mapped, Processes, engine_of
 from cadgen.studies.figures.figure import Figure as Figure
@@ -97,8 +98,7 @@ class Exploration:
             FileError: a file cannot be written, or it is a shard.
         """
         place = self.folder if folder is None else folder_of(folder)
-        written = write_summary(self.summary, place, progress)
-        return Written.of(place, written.part, written.entry)
+        return write_summary(self.summary, place, progress)
 
 
 def explore(

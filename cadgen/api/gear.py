@@ -7,19 +7,22 @@ from math import radians
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
-from cadgen.api.files import Written, written
-from cadgen.api.values import Frozen, feature, optional, real, whole, word
+from cadgen.api.files import folder_of
+from cadgen.api.values import feature, optional, real, whole, word
 from cadgen.arrays import TURN
 from cadgen.design.file_names import name_fault
+from cadgen.design.gear_model import usual_chord
 from cadgen.errors import DesignError, brief
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm, tooth_of
+from cadgen.output.files.publisher import Frozen, Written
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import Hub, Keyway, Lightening, Web
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
     from cadgen.geometry.solids.kernel import Solid
+    from cadgen.output.files.exports import GearExport
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -177,9 +180,7 @@ class Gear:
         Raises:
             FileError: the CAD kernel cannot drill the set screw.
         """
-        from cadgen.jobs.gears.numbers import solid_of
-
-        return solid_of(self.form, self.part, self.name).build123d()
+        return self._export.solid().build123d()
 
     def write(
         self,
@@ -199,9 +200,15 @@ class Gear:
             DesignError: a format is unknown.
             FileError: a file cannot be written, or holds something else when it is read back.
         """
-        from cadgen.jobs.gears.numbers import write_gear
+        from cadgen.jobs.gears.files import write_gear
 
-        return written(folder, lambda place: write_gear(self.form, self.part, self.name, place, progress, formats))
+        return write_gear(self._export, self.facts(), folder_of(folder), progress, formats)
+
+    @property
+    def _export(self) -> "GearExport":
+        from cadgen.output.files.exports import GearExport
+
+        return GearExport(name=self.name, form=self.form, part=self.part, chord=usual_chord(self.part.gears))
 
 
 def _require_features(keyway: Keyway | None, hub: Hub | None, web: Web | None, lightening: Lightening | None) -> None:

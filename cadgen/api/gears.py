@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 from cadgen.api.assembly import Assembly
 from cadgen.api.gear import Gear, require_name
 from cadgen.api.values import optional, real, several, word
+from cadgen.design.gear_model import usual_chord
 from cadgen.design.train import MOST_STAGES
 from cadgen.errors import DesignError, brief
 from cadgen.gears import pair as numbers
@@ -181,11 +182,21 @@ class GearPair(Assembly):
             FileError: the CAD kernel cannot drill the set screw.
         """
         from cadgen.geometry.solids.gear_solids import mesh_compound
-        from cadgen.jobs.gears.numbers import part_of, solid_of
+        from cadgen.jobs.gears.numbers import part_of
+        from cadgen.output.files.exports import GearExport
 
-        driver, driven = self.cut.wheels
-        pinion = solid_of(driver, part_of(driver, self.pinion.blank), f"{self.name}_pinion", 1)
-        wheel = solid_of(driven, part_of(driven, self.wheel.blank), f"{self.name}_wheel", 2)
+        pinion, wheel = (
+            GearExport(
+                name=f"{self.name}_{role}",
+                form=form,
+                part=(part := part_of(form, gear.blank)),
+                chord=usual_chord(part.gears),
+                shaft=shaft,
+            ).solid()
+            for shaft, (role, gear, form) in enumerate(
+                zip(("pinion", "wheel"), (self.pinion, self.wheel), self.cut.wheels, strict=True), 1
+            )
+        )
         height = (self.pinion.width - self.wheel.width) / 2
         return mesh_compound((pinion, wheel), ((0.0, 0.0, 0.0), (self.axes_apart, height, self.wheel_angle)), self.name)
 

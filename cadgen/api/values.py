@@ -1,11 +1,11 @@
 """Checks of a caller's numbers and words; each refusal is a sentence with the name and what is allowed."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from math import inf, isfinite, nan
 from numbers import Integral, Real
 from os import PathLike
 from pathlib import Path
-from typing import Any, NoReturn, TypeVar
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -208,32 +208,6 @@ def name_or_path(name: str, value: str | PathLike[str] | None) -> str | Path | N
         return value if value is None or isinstance(value, str) else Path(value)
     except TypeError:
         raise DesignError(f"{name} is {_shown(value)}; it must be the name of a design or the path of a file") from None
-
-
-class Frozen(dict[str, Any]):
-    """A mapping that nobody can change, which has a hash and can be copied, pickled and written as JSON."""
-
-    def __hash__(self) -> int:  # type: ignore[override]
-        return hash(frozenset(self.items()))
-
-    def __reduce__(self) -> tuple[type["Frozen"], tuple[dict[str, Any]]]:
-        return Frozen, (dict(self),)
-
-    def _refuse(self, *_: Any, **__: Any) -> NoReturn:
-        raise TypeError("this mapping cannot be changed: make a dict of it first")
-
-    __setitem__ = __delitem__ = __ior__ = update = setdefault = pop = popitem = clear = _refuse
-
-
-def frozen(value: Any) -> Any:
-    """Freeze a value: its mappings become `Frozen` and its lists tuples, all the way down.
-
-    Args:
-        value: plain values, such as the content of a JSON file.
-    """
-    if isinstance(value, Mapping):
-        return Frozen({key: frozen(inside) for key, inside in value.items()})
-    return tuple(map(frozen, value)) if isinstance(value, list | tuple) else value
 
 
 def _range(least: float, most: float) -> str:

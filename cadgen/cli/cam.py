@@ -30,10 +30,10 @@ def cam(
     from cadgen.api.design import Design
     from cadgen.cli import show, show_play
     from cadgen.cli.verdict import command, failed, verdict
-    from cadgen.output.files.formats import CAM_FORMATS, chosen_formats
+    from cadgen.output.files.formats import CAM
 
     loaded = Design.load(design, overrides)
-    chosen_formats(formats, CAM_FORMATS)  # before anything that takes time
+    CAM.chosen(formats)  # before anything that takes time
     with show.progress(not as_json) as progress:
         plan = loaded.cam(profile, progress=progress)
         cures = plan.find_cures(progress)

@@ -50,10 +50,10 @@ def gears(
     from cadgen.api.gear_train import NotMadeError
     from cadgen.cli import show
     from cadgen.cli.verdict import command, failed, verdict
-    from cadgen.output.files.formats import TRAIN_FORMATS, chosen_formats
+    from cadgen.output.files.formats import TRAIN
 
     loaded = Design.load(design, overrides, train_only=True)
-    chosen_formats(formats, TRAIN_FORMATS)  # before anything that takes time
+    TRAIN.chosen(formats)  # before anything that takes time
     try:
         with show.progress(not as_json) as progress:
             train = loaded.gears(order, progress=progress)

@@ -39,7 +39,7 @@ def verify(folder: Path, restore: bool, as_json: bool) -> None:
 def _report(folder: Path, state: "FolderState") -> None:
     from cadgen.cli.show import Output, plain_table
     from cadgen.cli.verdict import verdict
-    from cadgen.output.files.verify import State
+    from cadgen.output.files.folder import State
 
     console = Output()
     table = plain_table(escaped(str(folder)))

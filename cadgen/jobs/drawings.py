@@ -24,11 +24,13 @@ from cadgen.inference.measurement.record import Direction
 from cadgen.jobs.cam.plan import CamPlan
 from cadgen.jobs.gears.facts import parts_facts
 from cadgen.jobs.gears.plan import GearsPlan
+from cadgen.messages import Message
 from cadgen.output.drawing.cam_sheet import EVERY, CamPart, cam_drawing
 from cadgen.output.drawing.gear_sheets import Axis, GearPart, gear_drawing, gear_rows, plate_drawing
 from cadgen.output.drawing.sheet import DrawingSheet, Title, scale_text
-from cadgen.output.files.folder import publishing
-from cadgen.output.files.manifest import NAME, Written, file_facts, sound_parts, versions, write_manifest
+from cadgen.output.files.dxf import write_outline
+from cadgen.output.files.manifest import NAME, sound_parts
+from cadgen.output.files.publisher import Artifact, Written, publish, require, text_file
 from cadgen.progress import Progress, silent
 
 _HASH = 12  # letters of a design's hash in a title block
@@ -296,32 +298,26 @@ def write_drawings(parts: Parts, out: Path, progress: Progress = silent) -> Writ
         FileError: a file cannot be written, or holds something else when it is read back.
     """
     folder = Folder.at(out)
-    files: dict[str, dict[str, Any]] = {}
     omitted: dict[str, str] = {}
-    with publishing(out) as staging:
+
+    def files(staging: Path) -> Iterator[Artifact]:
         for stem, sheet in _sheets(parts, folder):
             progress(f"drawing {stem}")
-            for name, facts in write_sheet(staging, stem, sheet, omitted):
-                files[name] = {**file_facts(staging / name), **facts}
+            yield from write_sheet(staging, stem, sheet, omitted)
         if parts.train is not None:
             for part in parts.train.layout.parts:
-                for name, facts in _write_outlines(staging, f"{parts.train.stem}_{part.name}", part):
-                    files[name] = {**file_facts(staging / name), **facts}
+                yield from _write_outlines(staging, f"{parts.train.stem}_{part.name}", part)
         if parts.cam is not None:
-            name = f"{stem_of(parts.cam)}_inspection.csv"
-            (staging / name).write_text(inspection_csv(parts.cam), encoding="ascii", newline="\n")
-            files[name] = file_facts(staging / name)
-        entry = {
-            "design": parts.name,
-            "design_sha256": parts.design_hash,
-            "date": folder.date,
-            "versions": versions(),
-            **({"omitted": omitted} if omitted else {}),
-            **({"not_stated": open_} if (open_ := _open(parts)) else {}),
-            "files": files,
-        }
-        write_manifest(staging, parts.stem, entry)
-    return Written(parts.stem, entry)
+            yield text_file(staging / f"{stem_of(parts.cam)}_inspection.csv", inspection_csv(parts.cam))
+
+    further = {"omitted": omitted, "not_stated": _open(parts)}
+    return publish(
+        parts.stem,
+        out,
+        files,
+        {"design": parts.name, "design_sha256": parts.design_hash, "date": folder.date},
+        lambda _: {key: value for key, value in further.items() if value},
+    )
 
 
 def _open(parts: Parts) -> dict[str, str]:
@@ -337,9 +333,7 @@ def _sheets(parts: Parts, folder: Folder) -> Iterator[tuple[str, DrawingSheet]]:
         yield from sheets_of(parts.train, folder)
 
 
-def write_sheet(
-    staging: Path, stem: str, sheet: DrawingSheet, omitted: dict[str, str]
-) -> Iterator[tuple[str, dict[str, Any]]]:
+def write_sheet(staging: Path, stem: str, sheet: DrawingSheet, omitted: dict[str, str]) -> Iterator[Artifact]:
     """Write a sheet and read it back; a page without a font for its letters is left out, with the reason."""
     from cadgen.output.drawing.sheet_files import NoFontError, dxf_bytes, pdf_bytes, read_dimensions
 
@@ -348,9 +342,9 @@ def write_sheet(
     (staging / name).write_bytes(dxf_bytes(sheet))
     again, drawn = read_dimensions(staging / name), sheet.dimensions
     off = [abs(again.get(key, inf) - length) for key, length in drawn.items()]
-    if again.keys() != drawn.keys() or max(off, default=0.0) > DIMENSION_LIMIT:
-        raise FileError(f"{name}, read back, has other dimensions: report this design")
-    yield name, {**look, "dimensions_mm": {key: round(length, 6) for key, length in sorted(drawn.items())}}
+    same = again.keys() == drawn.keys() and max(off, default=0.0) <= DIMENSION_LIMIT
+    require(same, name, Message("has other dimensions"))
+    yield Artifact(name, {**look, "dimensions_mm": {key: round(length, 6) for key, length in sorted(drawn.items())}})
     name = f"{stem}_drawing.pdf"
     try:
         page = pdf_bytes(sheet)
@@ -360,15 +354,13 @@ def write_sheet(
     (staging / name).write_bytes(page)
     if page.count(b"/Type /Page ") + page.count(b"/Type /Page\n") != 1:
         raise FileError(f"{name} is not one page: report this design")
-    yield name, look
+    yield Artifact(name, look)
 
 
-def _write_outlines(staging: Path, stem: str, part: TrainPart) -> Iterator[tuple[str, dict[str, Any]]]:
+def _write_outlines(staging: Path, stem: str, part: TrainPart) -> Iterator[Artifact]:
     """DXF of the teeth of each gear of a part with its bore, for a laser or a wire."""
-    from cadgen.output.files.gear_outline import write_outline
-
     bore = part.blank.bore() if part.blank.bore_diameter else None
     for number, gear in enumerate(part.gears, 1):
         which = f"_{number}" if len(part.gears) > 1 else ""
         name = f"{stem}{which}_outline.dxf"
-        yield name, {"outline_error_um": write_outline(staging / name, gear.outline, bore) * 1e3}
+        yield Artifact(name, {"outline_error_um": write_outline(staging / name, gear.outline, bore) * 1e3})

@@ -1,12 +1,12 @@
 """Results of a study as files: table, front, pictures and best designs, published together."""
 
 from collections import Counter
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from cadgen.output.files.folder import publishing
-from cadgen.output.files.manifest import Written, file_facts, versions, write_manifest
+from cadgen.output.files.publisher import Artifact, Written, publish
 from cadgen.output.report.exploration import ExplorationPicture, draw_exploration
 from cadgen.progress import Progress, silent
 from cadgen.studies.best import write_best
@@ -88,26 +88,25 @@ def write_summary(summary: Summary, out: Path, progress: Progress = silent) -> W
     """
     results = summary.results
     study, stem = results.study, results.study.name
-    with publishing(out) as staging:
+    omitted: dict[str, str] = {}
+
+    def files(folder: Path) -> Iterator[Artifact]:
+        table, parquet, front = (f"{stem}{end}" for end in (".csv", ".parquet", "_front.csv"))
         progress("writing the table")
-        names = [f"{stem}.csv", f"{stem}.parquet", f"{stem}_front.csv"]
-        write_csv(staging / names[0], study, results.rows())
-        omitted = {}
-        if not write_parquet(staging / names[1], study, results.rows()):
-            omitted = {names.pop(1): _NO_PYARROW}
-        write_csv(staging / f"{stem}_front.csv", study, summary.front)
+        write_csv(folder / table, study, results.rows())
+        yield Artifact(table)
+        if write_parquet(folder / parquet, study, results.rows()):
+            yield Artifact(parquet)
+        else:
+            omitted[parquet] = _NO_PYARROW
+        write_csv(folder / front, study, summary.front)
+        yield Artifact(front)
         progress("drawing")
-        names += draw_exploration(_picture(summary), staging, stem)
+        yield from map(Artifact, draw_exploration(_picture(summary), folder, stem))
         progress("writing the best designs")
-        names += write_best(results, summary.front[: study.file.best], staging)
-        entry = {
-            **summary.facts(),
-            "omitted": omitted,
-            "versions": versions(),
-            "files": {name: file_facts(staging / name) for name in names},
-        }
-        write_manifest(staging, stem, entry)
-    return Written(stem, entry)
+        yield from map(Artifact, write_best(results, summary.front[: study.file.best], folder))
+
+    return publish(stem, out, files, summary.facts(), lambda _: {"omitted": omitted})
 
 
 def _picture(summary: Summary) -> ExplorationPicture:

@@ -41,6 +41,7 @@ CALLED = {
     "course": "source",
 }
 BY_METHODS = {
+    "lang": "messages.choose",
     "as_json": "facts",
     "out": "write",
     "each": "calibrate_each",

@@ -16,7 +16,7 @@ from cadgen.cli import cli, show
 from cadgen.cli.output import sentence
 from cadgen.errors import MOST_REPEATED, brief
 from cadgen.jobs.cam.cures import Cure, Cures
-from cadgen.output.files.manifest import Written
+from cadgen.output.files.publisher import Written
 from tests.cli.conftest import one_sentence
 from tests.cli.test_commands import SQUARE_TURN
 

@@ -8,7 +8,7 @@ import xml.etree.ElementTree as ET
 import numpy as np
 import pytest
 
-from cadgen.output.files.tracks import read_tracks
+from cadgen.output.files.tables import read_tracks
 from tests.cli.conftest import one_sentence
 from tests.cli.test_commands import SQUARE_TURN
 

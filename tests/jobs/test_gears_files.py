@@ -16,9 +16,11 @@ from cadgen.gears.tooth import GearForm
 from cadgen.gears.wheel_body import gear_body
 from cadgen.geometry.meshes.mesh import body_mesh
 from cadgen.geometry.meshes.teeth import ToothSection, section_of
-from cadgen.jobs.gears.files import _stl_facts, _tables, table_of
+from cadgen.jobs.gears.files import table_of, train_export
 from cadgen.jobs.gears.plan import plan_gears
-from cadgen.jobs.gears.step_files import assembly_facts, play_facts, step_files
+from cadgen.output.files.step import assembly_facts, play_facts, train_step
+from cadgen.output.files.stl import part_facts
+from cadgen.output.files.tables import train_table
 
 
 @pytest.fixture(scope="module")
@@ -40,10 +42,9 @@ def assembled(plan, **wrong):
 
 
 def test_another_process_can_make_the_step_files(plan):
-    job = partial(step_files, plan.layout, plan.stem, plan.description, plan.passed)
-    sent = pickle.loads(pickle.dumps(job))
-    assert sent.func is step_files
-    assert [part.name for part in sent.args[0].parts] == [part.name for part in plan.layout.parts]
+    sent = pickle.loads(pickle.dumps(partial(train_step, train_export(plan))))
+    assert sent.func is train_step
+    assert [part.name for part in sent.args[0].layout.parts] == [part.name for part in plan.layout.parts]
 
 
 def test_an_assembly_as_meant_is_taken(plan):
@@ -102,26 +103,26 @@ def test_sections_whose_play_is_right_only_at_the_line_of_centres_are_refused(pl
 def test_a_mesh_of_another_volume_or_in_pieces_is_refused(plan):
     part = plan.layout.parts[0]
     mesh = body_mesh(part.body, 1e-3)
-    assert _stl_facts("x.stl", mesh, part, 1e-3)["watertight"]
+    assert part_facts("x.stl", mesh, part, 1e-3)["watertight"]
     with pytest.raises(FileError, match="misses the exact volume"):
-        _stl_facts("x.stl", mesh._replace(vertices=mesh.vertices * 1.01), part, 1e-3)
+        part_facts("x.stl", mesh._replace(vertices=mesh.vertices * 1.01), part, 1e-3)
     twice = mesh._replace(
         vertices=np.concatenate([mesh.vertices, mesh.vertices + 50.0]),
         triangles=np.concatenate([mesh.triangles, mesh.triangles + len(mesh.vertices)]),
     )
     with pytest.raises(FileError, match="is not one body"):
-        _stl_facts("x.stl", twice, part, 1e-3)
+        part_facts("x.stl", twice, part, 1e-3)
 
 
 def test_the_table_of_parts_has_the_limits_of_every_tooth_and_is_read_back(plan, tmp_path, monkeypatch):
     for row in table_of(plan):
         assert row["E_sni_um"] < row["E_sn_um"] < row["E_sns_um"] < 0
-    list(_tables(plan, tmp_path))
+    list(train_table(train_export(plan), tmp_path))
     assert "E_sns_um,E_sni_um" in (tmp_path / f"{plan.stem}_parts.csv").read_text()
     read = Path.read_text
     monkeypatch.setattr(Path, "read_text", lambda self, **kwargs: read(self, **kwargs).replace("150", "151"))
     with pytest.raises(FileError, match=r"_parts\.csv, read back, has other values"):
-        list(_tables(plan, tmp_path))
+        list(train_table(train_export(plan), tmp_path))
 
 
 @pytest.mark.parametrize("module", [0.2, 0.3, 1.0, 5.0])

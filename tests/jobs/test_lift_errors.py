@@ -15,8 +15,10 @@ from cadgen.jobs.cam.files import write_cam
 from cadgen.jobs.cam.plan import plan_cam
 from cadgen.output.files.dxf import read_dxf
 from cadgen.output.files.gcode_reader import read_gcode
-from cadgen.output.files.mesh import read_3mf, read_stl
-from cadgen.output.files.points import contact_outline, read_csv, read_xyz
+from cadgen.output.files.stl import read_stl
+from cadgen.output.files.tables import contact_outline, read_csv
+from cadgen.output.files.threemf import read_3mf
+from cadgen.output.files.xyz import read_xyz
 
 Array = NDArray[np.float64]
 

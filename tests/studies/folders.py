@@ -326,7 +326,6 @@ def _load(*, commands: bool) -> None:
     """Import what the runs need once, so that they only fork."""
     import cadgen.cli.show
     import cadgen.output.files.folder
-    import cadgen.output.files.verify
 
     if commands:
         os.environ["OPENBLAS_NUM_THREADS"] = "1"

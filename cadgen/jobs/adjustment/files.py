@@ -1,14 +1,13 @@
 """An adjustment as plain values, and as a JSON file beside an empty table for the next trial run."""
 
 import json
+from collections.abc import Iterator
 from math import degrees
 from pathlib import Path
 
-from cadgen.errors import FileError
 from cadgen.inference.adjustment import Forecast, Settings
 from cadgen.jobs.adjustment.plan import AdjustmentPlan
-from cadgen.output.files.folder import publishing
-from cadgen.output.files.manifest import Written, file_facts, versions, write_manifest
+from cadgen.output.files.publisher import Artifact, Written, publish, text_file
 from cadgen.progress import Progress, silent
 
 
@@ -66,13 +65,10 @@ def write_adjustment(adjustment: AdjustmentPlan, out: Path, progress: Progress =
     stem = adjustment.stem
     facts = adjustment_facts(adjustment)
     progress("writing")
-    with publishing(out) as staging:
-        document, table = staging / f"{stem}.json", staging / f"{stem}_next_run.csv"
-        document.write_text(json.dumps(facts, indent=2, ensure_ascii=False, allow_nan=False) + "\n", encoding="utf-8")
-        table.write_text(f"{adjustment.line}\nrun,x_mm,y_mm\n", encoding="utf-8")
-        if json.loads(document.read_text(encoding="utf-8")) != facts:
-            raise FileError(f"{document.name}: read back it is not what was written; try again or choose another disk")
-        names = [document.name, table.name]
-        entry = {**facts, "versions": versions(), "files": {name: file_facts(staging / name) for name in names}}
-        write_manifest(staging, stem, entry)
-    return Written(stem, entry)
+
+    def files(folder: Path) -> Iterator[Artifact]:
+        document = json.dumps(facts, indent=2, ensure_ascii=False, allow_nan=False)
+        yield text_file(folder / f"{stem}.json", f"{document}\n")
+        yield text_file(folder / f"{stem}_next_run.csv", f"{adjustment.line}\nrun,x_mm,y_mm\n")
+
+    return publish(stem, out, files, facts)

@@ -1,7 +1,7 @@
 """Files of a calibration: JSON, the report in words, pictures, and the as-built design."""
 
 import json
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict
 from math import isfinite
 from pathlib import Path
@@ -17,8 +17,8 @@ from cadgen.jobs.calibration.calibration import CalibrationPlan, ZoneMeans
 from cadgen.jobs.calibration.calibration_report import report, summary
 from cadgen.jobs.calibration.new_cam import Built
 from cadgen.jobs.calibration.sources import Source
-from cadgen.output.files.folder import publishing
-from cadgen.output.files.manifest import Written, file_facts, versions, write_manifest
+from cadgen.output.files.manifest import versions
+from cadgen.output.files.publisher import Artifact, Written, publish, text_file
 from cadgen.output.report.calibration import draw_record
 from cadgen.output.report.terminal import plain
 from cadgen.progress import Progress, silent
@@ -94,16 +94,19 @@ def write_calibration(
     """
     c = calibration
     stem = f"{c.against.name}_calibration"
-    with publishing(out) as staging:
-        names = _documents(staging, stem, document(c), plain(report(c), _TEXT_WIDTH))
+    facts = document(c)
+
+    def files(folder: Path) -> Iterator[Artifact]:
+        yield from _documents(folder, stem, facts, plain(report(c), _TEXT_WIDTH))
         progress("drawing")
         for diagnosis in c.diagnoses:
-            names += draw_record(diagnosis, c.track_length, staging, f"{stem}_{diagnosis.kind.stem}")
+            yield from map(Artifact, draw_record(diagnosis, c.track_length, folder, f"{stem}_{diagnosis.kind.stem}"))
         if c.built:
-            names.append(f"{c.against.name}_as_built.toml")
-            (staging / names[-1]).write_text(as_built_text(c, design_text), encoding="utf-8", newline="")
-            _read_back(c, staging / names[-1])
-        return _published(staging, out, stem, document(c), names)
+            file = folder / f"{c.against.name}_as_built.toml"
+            yield text_file(file, as_built_text(c, design_text))
+            _read_back(c, file)
+
+    return publish(stem, out, files, facts, lambda made: {"files_written": list(made)})
 
 
 def write_each(each: Sequence[CalibrationPlan], out: Path) -> Written:
@@ -114,23 +117,20 @@ def write_each(each: Sequence[CalibrationPlan], out: Path) -> Written:
     """
     stem = f"{each[0].against.name}_each"
     facts = documents(each)
-    with publishing(out) as staging:
-        names = _documents(staging, stem, facts, plain(summary(each), _EACH_WIDTH))
-        return _published(staging, out, stem, facts, names)
+    text = plain(summary(each), _EACH_WIDTH)
+    return publish(
+        stem,
+        out,
+        lambda folder: _documents(folder, stem, facts, text),
+        facts,
+        lambda made: {"files_written": list(made)},
+    )
 
 
-def _documents(staging: Path, stem: str, facts: dict[str, object], text: str) -> list[str]:
-    names = [f"{stem}.json", f"{stem}.txt"]
-    content = json.dumps(facts, indent=2, allow_nan=False, ensure_ascii=False) + "\n"
-    for name, written in zip(names, (content, text), strict=True):
-        (staging / name).write_text(written, encoding="utf-8", newline="")
-    return names
-
-
-def _published(staging: Path, out: Path, stem: str, facts: dict[str, object], names: list[str]) -> Written:
-    entry = {**facts, "files_written": names, "files": {name: file_facts(staging / name) for name in names}}
-    write_manifest(staging, stem, entry)
-    return Written(stem, entry)
+def _documents(folder: Path, stem: str, facts: dict[str, object], text: str) -> Iterator[Artifact]:
+    content = json.dumps(facts, indent=2, allow_nan=False, ensure_ascii=False)
+    yield text_file(folder / f"{stem}.json", f"{content}\n")
+    yield text_file(folder / f"{stem}.txt", text)
 
 
 def _read_back(c: CalibrationPlan, file: Path) -> None:

@@ -15,6 +15,5 @@
 | `course`    | the planned run and those with play, held against the course              |
 | `course_checks` | the checks of both                                                    |
 | `manifest`  | plan, cures and remedies as plain values                                  |
-| `job`       | what the writers of the files share, computed once                        |
 | `files`     | a checked cam -> every file, read back, rolled, published, on record      |
 """

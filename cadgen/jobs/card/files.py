@@ -1,14 +1,13 @@
 """A card of settings as sentences, as plain values, and as files: a table and a page to print."""
 
-import csv
+from collections.abc import Iterator
 from math import degrees
 from pathlib import Path
 from typing import Any
 
-from cadgen.errors import CheckError, FileError
+from cadgen.errors import CheckError
 from cadgen.jobs.card.plan import Card
-from cadgen.output.files.folder import publishing
-from cadgen.output.files.manifest import Written, file_facts, versions, write_manifest
+from cadgen.output.files.publisher import Artifact, Written, publish, text_file
 from cadgen.output.report import settings
 from cadgen.output.report.card import printed_card
 from cadgen.progress import Progress, silent
@@ -70,14 +69,9 @@ def write_card(card: Card, out: Path, progress: Progress = silent) -> Written:
     title = f"{card.design.name}: settings for the spacing that is drawn"
     html = printed_card(title, known["said"], columns, rows, legend)
     progress("writing")
-    with publishing(out) as staging:
-        table, page = staging / f"{stem}.csv", staging / f"{stem}.html"
-        table.write_text(settings.csv_text(rows), encoding="utf-8", newline="")
-        page.write_text(html, encoding="utf-8", newline="")
-        with table.open(encoding="utf-8", newline="") as stream:
-            again = [float(row["wheel_radius_mm"]) for row in csv.DictReader(stream)]
-        if again != [row["wheel_radius_mm"] for row in rows] or page.read_text(encoding="utf-8") != html:
-            raise FileError(f"{stem}: read back it is not what was written; try again or choose another disk")
-        entry = {**known, "versions": versions(), "files": {file.name: file_facts(file) for file in (table, page)}}
-        write_manifest(staging, stem, entry)
-    return Written(stem, entry)
+
+    def files(folder: Path) -> Iterator[Artifact]:
+        yield text_file(folder / f"{stem}.csv", settings.csv_text(rows))
+        yield text_file(folder / f"{stem}.html", html)
+
+    return publish(stem, out, files, known)

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property, partial
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from functools import cached_property
+from typing import Any
 
 from cadgen.check import Check
 from cadgen.design.gear_model import usual_chord
-from cadgen.errors import FileError
 from cadgen.gears.inspection import inspection_of
 from cadgen.gears.layout import TrainLayout, TrainPart
 from cadgen.gears.spur import form_facts
@@ -20,17 +18,7 @@ from cadgen.gears.train import Train, TrainPlay, train_play
 from cadgen.gears.wheel_body import gear_body
 from cadgen.geometry.meshes.made_train import MadeTrain, make_train
 from cadgen.jobs.gears.facts import checks_facts, parts_facts, return_error, stages_facts
-from cadgen.jobs.gears.files import Maker, publish, write_stl
-from cadgen.jobs.gears.step_files import VOLUME_LIMIT, Result, tooth_errors
-from cadgen.output.files.formats import GEAR_FORMATS, Format, chosen_formats
-from cadgen.output.files.manifest import Written
 from cadgen.parts.blank import Blank
-from cadgen.progress import Progress, silent
-
-if TYPE_CHECKING:
-    from cadgen.geometry.solids.kernel import SolidPart
-
-_FRAME = "mm; the gear's axis is z, a tooth stands on x, and its lower face lies at z = 0"
 
 
 @dataclass(frozen=True)
@@ -139,45 +127,6 @@ def part_of(form: GearForm, blank: Blank) -> TrainPart:
     )
 
 
-def solid_of(form: GearForm, part: TrainPart, name: str, shaft: int = 1) -> SolidPart:
-    """A gear's part as a solid; `shaft` decides its colour."""
-    from cadgen.geometry.solids.gear_solids import body_solid, colour_of_shaft
-    from cadgen.geometry.solids.kernel import SolidPart
-
-    description = f"spur gear of {form.teeth} teeth, module {form.normal_module:g} mm"
-    return SolidPart(solid=body_solid(part.body), name=name, description=description, colour=colour_of_shaft(shaft))
-
-
-def write_gear(
-    form: GearForm,
-    part: TrainPart,
-    name: str,
-    out: Path,
-    progress: Progress = silent,
-    formats: str | Iterable[str] | None = None,
-) -> Written:
-    """Write, read back, judge and publish the files of one gear.
-
-    Args:
-        form: numbers of its teeth.
-        part: gear as a part, from `part_of`.
-        name: name of the gear; the names of its files begin with it.
-        out: folder for the files; it is made if need be. Nothing appears in it unless everything succeeded.
-        progress: function that is called with a few words on each step.
-        formats: some of `GEAR_FORMATS`; all of them if left out.
-
-    Raises:
-        DesignError: a format is unknown.
-        FileError: a file cannot be written, or holds something else when it is read back.
-    """
-    makers: dict[Format, Maker] = {
-        Format.STEP: ("STEP", partial(_step_file, form, part, name)),
-        Format.STL: ("STL", partial(_stl_file, part, name)),
-    }
-    wanted = chosen_formats(formats, GEAR_FORMATS)
-    return publish(f"{name}_gear", gear_facts(form, part, name), _FRAME, makers, wanted, out, progress)
-
-
 def gear_facts(form: GearForm, part: TrainPart, name: str) -> dict[str, Any]:
     """Gear as plain values, with what the shop measures on it as it is cut."""
     deviation = form.tooth_thickness_deviation
@@ -193,25 +142,3 @@ def gear_facts(form: GearForm, part: TrainPart, name: str) -> dict[str, Any]:
         "over_pins_mm": sizes.pins.over_pins.upper if sizes.pins else None,
         "volume_mm3": part.volume,
     }
-
-
-def _step_file(form: GearForm, part: TrainPart, name: str, staging: Path) -> list[Result]:
-    """Write a STEP file; require one valid solid with name and exact volume by the kernel, tooth curves by its text."""
-    from cadgen.geometry.solids.step import read_part, step_bytes
-    from cadgen.geometry.solids.step_text import read_gear
-
-    file = staging / f"{name}.step"
-    solid = solid_of(form, part, name)
-    file.write_bytes(step_bytes(solid))
-    again = read_part(file)
-    if not again.valid or again.bodies != 1 or again.name != name or again.description != solid.description:
-        raise FileError(f"{file.name}, read back, is not one valid solid with its name: report this gear")
-    error = abs(again.volume / part.volume - 1)
-    if not error <= VOLUME_LIMIT:
-        raise FileError(f"{file.name}, read back, misses the exact volume by {error:.1e}: report this gear")
-    errors = tooth_errors(file.name, read_gear(file, part.gears, part.starts))
-    return [(file.name, {**errors, "volume_mm3": again.volume, "volume_error_relative": error})]
-
-
-def _stl_file(part: TrainPart, name: str, staging: Path) -> Iterator[Result]:
-    yield write_stl(part, staging, name, usual_chord(part.gears))

@@ -1,13 +1,13 @@
 """The files of a plan, published: the design with its path."""
 
+from collections.abc import Iterator
 from pathlib import Path
 
 from cadgen.design.load import design_of
 from cadgen.errors import FileError
 from cadgen.jobs.planning.plan import PlannedPath
 from cadgen.jobs.planning.words import facts
-from cadgen.output.files.folder import publishing
-from cadgen.output.files.manifest import Written, file_facts, versions, write_manifest
+from cadgen.output.files.publisher import Artifact, Written, publish, text_file
 from cadgen.progress import Progress, silent
 
 
@@ -24,12 +24,14 @@ def write_plan(planned: PlannedPath, out: Path, progress: Progress = silent) -> 
     """
     stem = f"{planned.design.name}_planned"
     progress("writing")
-    with publishing(out) as staging:
-        file = staging / f"{stem}.toml"
-        file.write_text(planned.text, encoding="utf-8", newline="")
+
+    def files(folder: Path) -> Iterator[Artifact]:
+        file = folder / f"{stem}.toml"
+        yield text_file(file, planned.text)
         again = design_of(file.read_text(encoding="utf-8"), file)
         if planned.cam is None or again.content_hash != planned.cam.design.content_hash:
-            raise FileError(f"{file.name}: read back it is not what was written; try again or choose another disk")
-        entry = {**facts(planned), "versions": versions(), "files": {file.name: file_facts(file)}}
-        write_manifest(staging, stem, entry)
-    return Written(stem, entry)
+            raise FileError(
+                "{file}: read back it is not what was written; try again or choose another disk", file=file.name
+            )
+
+    return publish(stem, out, files, facts(planned))

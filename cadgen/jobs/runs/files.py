@@ -1,5 +1,6 @@
 """Runs as files: tracks and pictures, published together with their figures."""
 
+from collections.abc import Iterator
 from math import degrees
 from pathlib import Path
 
@@ -19,9 +20,8 @@ from cadgen.jobs.cam.plan import CamPlan, comparison_of
 from cadgen.jobs.runs.manifest import simulation_facts, tolerance_facts
 from cadgen.jobs.runs.simulation import Simulation
 from cadgen.jobs.runs.tolerance import ToleranceRun
-from cadgen.output.files.folder import publishing
-from cadgen.output.files.manifest import Written, file_facts, versions, write_manifest
-from cadgen.output.files.tracks import write_tracks
+from cadgen.output.files.publisher import Artifact, Written, publish
+from cadgen.output.files.tables import write_tracks
 from cadgen.output.report.cars import FleetPicture, draw_budget, draw_fleet
 from cadgen.output.report.errors import draw_events
 from cadgen.output.report.lift import LiftPicture, draw_lift
@@ -40,44 +40,32 @@ def write_simulation(simulation: Simulation, out: Path, progress: Progress = sil
     runs = {"planned": simulation.planned, "before": simulation.before, "after": simulation.after}
     named = design.name if design.as_built is None else f"{design.name}, as built"
     title = f"{named}, return error {degrees(simulation.play):.3f}°"
-    with publishing(out) as staging:
-        names = [f"{stem}_tracks.csv"]
+    both = (("before", comparison.before), ("after", comparison.chosen))
+    panels = [
+        TrackPanel(title="planned", run=simulation.planned),
+        *(
+            TrackPanel(
+                title=f"{when}: {evaluation.title}, with play", run=runs[when], ends=_ends(comparison, evaluation)
+            )
+            for when, evaluation in both
+        ),
+    ]
+
+    def files(folder: Path) -> Iterator[Artifact]:
         progress("writing and reading back the tracks")
-        write_tracks(staging / names[0], runs)
+        write_tracks(folder / f"{stem}_tracks.csv", runs)
+        yield Artifact(f"{stem}_tracks.csv")
         progress("drawing")
-        names += draw_lift(lift_picture(simulation), staging, f"{stem}_lift")
-        names += draw_tracks(
-            [
-                TrackPanel(title="planned", run=simulation.planned),
-                *(
-                    TrackPanel(
-                        title=f"{when}: {evaluation.title}, with play",
-                        run=runs[when],
-                        ends=_ends(comparison, evaluation),
-                    )
-                    for when, evaluation in (("before", comparison.before), ("after", comparison.chosen))
-                ),
-            ],
-            simulation.planned,
-            _field(design),
-            staging,
-            f"{stem}_tracks",
-        )
+        yield from map(Artifact, draw_lift(lift_picture(simulation), folder, f"{stem}_lift"))
+        field = _field(design)
+        yield from map(Artifact, draw_tracks(panels, simulation.planned, field, folder, f"{stem}_tracks"))
         lines = [
             ErrorLine(label=f"{when}: {evaluation.title}", at_play=error, at_ends=_at_ends(simulation, evaluation))
-            for when, evaluation, error in (
-                ("before", comparison.before, simulation.before_error),
-                ("after", comparison.chosen, simulation.after_error),
-            )
+            for (when, evaluation), error in zip(both, (simulation.before_error, simulation.after_error), strict=True)
         ]
-        names += draw_run_errors(title, lines, comparison.task.length, staging, f"{stem}_errors")
-        entry = {
-            **simulation_facts(simulation),
-            "versions": versions(),
-            "files": {name: file_facts(staging / name) for name in names},
-        }
-        write_manifest(staging, stem, entry)
-    return Written(stem, entry)
+        yield from map(Artifact, draw_run_errors(title, lines, comparison.task.length, folder, f"{stem}_errors"))
+
+    return publish(stem, out, files, simulation_facts(simulation))
 
 
 def write_comparison(plan: CamPlan, out: Path, progress: Progress = silent, *, cures: Cures | None = None) -> Written:
@@ -94,29 +82,29 @@ def write_comparison(plan: CamPlan, out: Path, progress: Progress = silent, *, c
     """
     comparison = comparison_of(plan)
     stem = f"{plan.design.name}_methods"
-    with publishing(out) as staging:
+    bars = {
+        f"{_name(evaluation)}, {evaluation.train}": evaluation.events
+        for evaluation in comparison.evaluations
+        if not evaluation.profile.dilated and evaluation.events
+    }
+    panels = [
+        TrackPanel(
+            title=f"{_name(evaluation)}, {evaluation.train}",
+            run=evaluation.run,
+            ends=_ends(comparison, evaluation),
+        )
+        for evaluation in comparison.evaluations
+    ]
+
+    def files(folder: Path) -> Iterator[Artifact]:
         progress("drawing")
-        bars = {
-            f"{_name(evaluation)}, {evaluation.train}": evaluation.events
-            for evaluation in comparison.evaluations
-            if not evaluation.profile.dilated and evaluation.events
-        }
-        names = draw_events(f"{plan.design.name}: deflection error by event", bars, staging, f"{stem}_events")
-        planned = comparison.task.planned()
-        panels = [
-            TrackPanel(
-                title=f"{_name(evaluation)}, {evaluation.train}",
-                run=evaluation.run,
-                ends=_ends(comparison, evaluation),
-            )
-            for evaluation in comparison.evaluations
-        ]
-        names += draw_tracks(panels, planned, _field(plan.design), staging, f"{stem}_tracks")
-        names += draw_tracks(_alone(comparison), planned, _field(plan.design), staging, f"{stem}_tracks_by_event")
-        facts = cam_facts(plan, find_cures(plan, progress) if cures is None else cures)
-        entry = {**facts, "versions": versions(), "files": {name: file_facts(staging / name) for name in names}}
-        write_manifest(staging, stem, entry)
-    return Written(stem, entry)
+        title = f"{plan.design.name}: deflection error by event"
+        yield from map(Artifact, draw_events(title, bars, folder, f"{stem}_events"))
+        planned, field = comparison.task.planned(), _field(plan.design)
+        yield from map(Artifact, draw_tracks(panels, planned, field, folder, f"{stem}_tracks"))
+        yield from map(Artifact, draw_tracks(_alone(comparison), planned, field, folder, f"{stem}_tracks_by_event"))
+
+    return publish(stem, out, files, cam_facts(plan, find_cures(plan, progress) if cures is None else cures))
 
 
 def _alone(comparison: PlayComparison) -> list[TrackPanel]:
@@ -197,24 +185,20 @@ def write_tolerance(run: ToleranceRun, out: Path, progress: Progress = silent) -
     design = run.plan.design
     stem = f"{design.name}_{run.plan.profile}_tolerance"
     progress("drawing")
-    with publishing(out) as staging:
-        picture = FleetPicture(
-            title=f"{design.name}, {run.plan.profile} profile, {run.samples} cars",
-            along=run.ends.along,
-            across=run.ends.across,
-            gate_width=run.gate_width,
-            passed=run.passed,
-            shares={sensitivity.name: sensitivity.share for sensitivity in run.sensitivities},
-        )
-        names = draw_fleet(picture, staging, stem)
+    picture = FleetPicture(
+        title=f"{design.name}, {run.plan.profile} profile, {run.samples} cars",
+        along=run.ends.along,
+        across=run.ends.across,
+        gate_width=run.gate_width,
+        passed=run.passed,
+        shares={sensitivity.name: sensitivity.share for sensitivity in run.sensitivities},
+    )
+
+    def files(folder: Path) -> Iterator[Artifact]:
+        yield from map(Artifact, draw_fleet(picture, folder, stem))
         if run.budget is not None:
             bars = {cost.name.replace("_", " "): (cost.before, cost.after) for cost in run.budget.budget.costs}
             title = f"{design.name}, {run.plan.profile} profile"
-            names += draw_budget(title, bars, staging, f"{stem}_budget")
-        entry = {
-            **tolerance_facts(run),
-            "versions": versions(),
-            "files": {name: file_facts(staging / name) for name in names},
-        }
-        write_manifest(staging, stem, entry)
-    return Written(stem, entry)
+            yield from map(Artifact, draw_budget(title, bars, folder, f"{stem}_budget"))
+
+    return publish(stem, out, files, tolerance_facts(run))

@@ -1,27 +1,25 @@
-"""Files for a shop: one module per format, each with its own reader, so that every file can be proved.
+"""Files for a shop: a format is one module and one line in the table of `formats`, for cams and gears alike.
 
-| module         | what it does                                                                |
-|----------------|-----------------------------------------------------------------------------|
-| `mesh`         | STL and 3MF                                                                 |
-| `dxf`          | the outline as arcs or as splines, for laser, wire EDM and CAD                |
-| `gear_outline` | the teeth of a gear as splines in DXF                                        |
-| `programs`     | every program for a mill that a disc needs                                  |
-| `gcode`        | the program that mills the outline                                          |
-| `gcode_tabs`   | tabs that hold the disc until it is clamped                                 |
-| `drilling`     | the programs that drill the holes                                           |
-| `program_time` | time that these programs take at their feeds                                |
-| `gcode_words`  | words and comments of programs                                              |
-| `gcode_machine`| an interpreter of programs                                                  |
-| `gcode_reader` | the outline and the tabs that a program leaves                              |
-| `drill_reader` | the holes that a program leaves                                             |
-| `points`       | the cloud of points for CAD curve import, and the table by cam angle          |
-| `edges`        | note on broken edges, for files of the outline alone                         |
-| `tracks`       | the three wheels' tracks as a table                                         |
-| `formats`      | choice among a job's files, by their endings                                |
-| `folder`       | files appear all together and complete, or not at all                         |
+| module         | what it holds                                                                |
+|----------------|------------------------------------------------------------------------------|
+| `formats`      | the table of formats, and the choice among them                              |
+| `exports`      | cams, gears and trains that are to be written, with the proof of their files |
+| `step`         | STEP                                                                         |
+| `stl`          | STL                                                                          |
+| `threemf`      | 3MF                                                                          |
+| `dxf`          | outlines as arcs or as splines, for laser, wire EDM and CAD                  |
+| `nc`           | programs for a mill, and the time that they take                             |
+| `gcode`        | the program that mills an outline, over its tabs                             |
+| `drilling`     | the programs that drill holes                                                |
+| `gcode_machine`| an interpreter of programs                                                   |
+| `gcode_reader` | the outline, the tabs and the holes that programs leave                      |
+| `xyz`          | clouds of points for a curve of a CAD system                                 |
+| `tables`       | CSV: contacts of a cam, parts of a train, tracks of a car                    |
+| `publisher`    | the files of a job published with their entry in the manifest                |
+| `folder`       | files appear all together or not at all; a folder against its manifest       |
 | `lock`         | one run at a time moves files into a folder                                  |
-| `verify`       | comparison of a folder with its manifest                                    |
-| `manifest`     | `manifest.json`: hashes, versions, checks, measured errors                    |
+| `manifest`     | `manifest.json`: hashes, versions, checks, measured errors                   |
 
-STEP is written and read in `cadgen.geometry.solids`, since that needs the CAD kernel.
+Each format has a reader of its own that shares no code with the writer, so that every file can be proved. The CAD
+kernel, which writes and reads STEP, is in `cadgen.geometry.solids`.
 """

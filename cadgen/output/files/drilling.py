@@ -7,7 +7,7 @@ from pathlib import Path
 
 from cadgen.car.running.friction import DiscMaterial
 from cadgen.design.machining import Drilling, Machining
-from cadgen.output.files.gcode_words import SETTINGS, comments, words
+from cadgen.output.files.gcode import SETTINGS, comments, words
 from cadgen.parts.blank import Blank
 from cadgen.parts.face import Face
 from cadgen.parts.features import DFlat

@@ -1,30 +1,80 @@
-"""DXF (R2000, mm) for laser, wire EDM and CAD: the profile as arcs or as splines, the bore, the holes, a note.
+"""DXF (R2000, mm) for laser, wire EDM and CAD: an outline as arcs or as splines, the bore, the holes, a note.
 
 `ezdxf` writes. The reader takes the file's tags itself: it must not share code with the writer, and the one
 other reader at hand, trimesh's, drops the layer of a polyline with arcs.
 """
+
+from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-import ezdxf
 import numpy as np
-from ezdxf.layouts import Modelspace
 from scipy.interpolate import BSpline
+from scipy.spatial import cKDTree
 
+from cadgen.arrays import Array
+from cadgen.curves.biarc import arcs
 from cadgen.curves.closed import Outline
 from cadgen.curves.contour import Contour, circle
-from cadgen.curves.spline import SplineArc
+from cadgen.curves.spline import SplineArc, splines
 from cadgen.errors import FileError
+from cadgen.messages import Message
+from cadgen.output.files.publisher import Artifact, require
+from cadgen.parts.loop import Loop, bezier_poles
 
+if TYPE_CHECKING:
+    from ezdxf.layouts import Modelspace
+
+    from cadgen.output.files.exports import CamExport
+
+# Greatest error of the lift due to a file, µm.
+LIFT_LIMIT_UM = 1.0
+# Greatest distance of a cam's cubic splines from the profile, mm: a tenth of the error allowed to the lift.
+_SPLINE_TOLERANCE = 1e-4
+# Greatest distance of a gear's splines from the exact teeth, mm, and of what is read back.
+OUTLINE_TOLERANCE, OUTLINE_LIMIT = 1e-5, 2e-5
+_STEP = 0.05  # mm between points of a gear's outline that is read back
+_AREA_LIMIT = 1e-3  # of chords as long as the step, relative
+_NODES = np.linspace(0.0, 1.0, 4001)  # of each curve of a tooth, for comparison
 PROFILE, BORE, HOLES, NOTES = "CAM_PROFILE", "BORE", "HOLES", "NOTES"
 _COLORS = {PROFILE: 7, BORE: 1, HOLES: 5}  # AutoCAD colour index: black or white, red, blue
 _NOTE_COLOR, _NOTE_HEIGHT = 3, 2.0  # green; mm, of the letters, and between them and the outline
 _MM = 4  # $INSUNITS
 _GAP_MM = 1e-9  # between the end of a spline and the begin of the next, which are written alike
+
+
+def cam_dxf(cam: CamExport, folder: Path) -> Iterator[Artifact]:
+    """Outline of a cam as arcs and as splines, with bore, holes and a note on its edges."""
+    tolerance = cam.export.arc_tolerance_um * 1e-3
+    chain, cubic = arcs(cam.curve, tolerance), splines(cam.curve, _SPLINE_TOLERANCE, 3)
+    note = edges_note(cam.blank.edge_break)
+    for suffix, profile, facts in (
+        ("arcs", chain, {"arcs": len(chain.bulges), "arc_tolerance_um": tolerance * 1e3}),
+        ("spline", cubic, {"splines": len(cubic)}),
+    ):
+        name = f"{cam.stem}_{suffix}.dxf"
+        write_dxf(folder / name, profile, cam.blank.bore(), cam.blank.holes(), note)
+        drawing = read_dxf(folder / name, cam.step)
+        require(drawing.note == note, name, Message("has lost its note on the edges"))
+        whole = len(drawing.bore) == 1 and len(drawing.holes) == len(cam.blank.holes())
+        require(whole, name, Message("has lost the bore or a hole"))
+        yield cam.judged(name, drawing.profile, LIFT_LIMIT_UM, facts)
+
+
+def edges_note(edge_break: float) -> str:
+    """Note for the shop on the edges, broken by `edge_break` mm, for files of the outline alone; empty where sharp.
+
+    Args:
+        edge_break: leg of the chamfer on both edges, mm.
+    """
+    if edge_break == 0:
+        return ""
+    return f"afterwards break both edges of the outline by {edge_break:g} mm at 45 degrees: the rod rides between them"
 
 
 def write_dxf(
@@ -39,6 +89,8 @@ def write_dxf(
         holes: lightening holes, mm.
         note: line of text under the outline, on a layer of its own that is not plotted; none if empty.
     """
+    import ezdxf
+
     with fixed_dates():
         drawing = ezdxf.new("R2000", units=_MM)
         for name, color in _COLORS.items():
@@ -78,6 +130,8 @@ def _add(space: Modelspace, contour: Contour, layer: str) -> None:
 @contextmanager
 def fixed_dates() -> Iterator[None]:
     """Let ezdxf write the same dates and identifiers every time."""
+    import ezdxf
+
     before = ezdxf.options.write_fixed_meta_data_for_testing
     ezdxf.options.write_fixed_meta_data_for_testing = True
     try:
@@ -189,3 +243,51 @@ def _along(splines: list[BSpline], step: float, path: Path) -> Outline:
         points.append(spline(np.linspace(spline.t[0], spline.t[-1], max(5, int(length / step) + 2))))
     owner = np.repeat(np.arange(len(points)), [len(part) for part in points])
     return Outline(np.concatenate(points), owner)
+
+
+def write_outline(path: Path, outline: Loop, bore: Contour | None) -> float:
+    """Write the outline of a gear with its bore, and return its greatest distance from the exact teeth, read back, mm.
+
+    Raises:
+        FileError: the file holds something else when it is read back.
+    """
+    write_dxf(path, _teeth(outline), bore, ())
+    drawing = read_dxf(path, _STEP)
+    error = _distance(drawing.profile.points, outline)
+    # Points on the teeth may leave out a tooth; the area does not.
+    x, y = drawing.profile.points.T
+    area = float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y)) / 2
+    if abs(area / outline.area - 1) > _AREA_LIMIT:
+        raise FileError(f"{path.name}, read back, does not enclose the teeth: report this design")
+    if error > OUTLINE_LIMIT or len(drawing.bore) != (bore is not None):
+        raise FileError(f"{path.name}, read back, is {error * 1e3:.2g} µm off the exact teeth: report this design")
+    return error
+
+
+def _teeth(outline: Loop) -> list[SplineArc]:
+    """A wheel's outline as Bézier curves end to end."""
+    poles = [bezier_poles(curve, OUTLINE_TOLERANCE) for curve in outline.curves]
+    turned = [turn * points for turn in outline.turns for points in poles]
+    return [
+        SplineArc(
+            degree=len(points) - 1,
+            knots=np.repeat([0.0, 1.0], len(points)),
+            control_points=np.stack([points.real, points.imag], axis=1),
+        )
+        for points in turned
+    ]
+
+
+def _distance(points: Array, outline: Loop) -> float:
+    """Greatest distance of points from a wheel's exact outline, mm, from a dense polygon of one pitch."""
+    pitch = 2 * np.pi / outline.repeats
+    exact = np.concatenate([curve.point(_NODES) for curve in outline.curves])
+    exact = np.concatenate([exact * np.exp(1j * pitch * turn) for turn in (-1, 0, 1)])
+    tangent = np.concatenate([curve.tangent(_NODES) for curve in outline.curves])
+    tangent = np.concatenate([tangent * np.exp(1j * pitch * turn) for turn in (-1, 0, 1)])
+    seen = points[:, 0] + 1j * points[:, 1]
+    middle = float(np.angle(exact[len(exact) // 2]))
+    folded = seen * np.exp(-1j * pitch * np.rint((np.angle(seen) - middle) / pitch))
+    _, nearest = cKDTree(np.stack([exact.real, exact.imag], axis=1)).query(np.stack([folded.real, folded.imag], axis=1))
+    across = ((folded - exact[nearest]) * np.conj(tangent[nearest])).imag
+    return float(np.abs(across).max())

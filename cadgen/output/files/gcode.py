@@ -1,27 +1,81 @@
-"""The milling program (G-code) of a profile: G2 and G3 arcs along the cutter's centre."""
+"""The milling program (G-code) of a profile: G2 and G3 arcs along the cutter's centre, over tabs that hold the disc."""
 
+import re
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
 from math import ceil, degrees
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import brentq
 
+from cadgen.arrays import Array
 from cadgen.cam.cutter import CutterLimit
 from cadgen.car.running.friction import DiscMaterial
 from cadgen.curves.biarc import arcs
 from cadgen.curves.closed import ClosedCurve, left_normal, polar_angle
 from cadgen.curves.contour import Contour
 from cadgen.curves.derived import parallel
-from cadgen.design.machining import Machining
-from cadgen.errors import CheckError
-from cadgen.output.files.gcode_tabs import Slot, slot_with_tabs, tabs_note
-from cadgen.output.files.gcode_words import DECIMALS, SETTINGS, Hub, comments, words
+from cadgen.design.machining import Machining, Tabs
+from cadgen.errors import CheckError, DesignError
 
+DECIMALS = 4  # of a coordinate: hobby controllers read as many, and rounding is 0.05 um at most
+SETTINGS = "G21 G90 G17 G40 G94 G91.1"  # mm, absolute, plane XY, no compensation, mm/min, centres relative
 # An arc that bulges less than the rounding is a line; so none is left whose rounded ends coincide, which a
 # controller would take for a full circle.
 _STRAIGHT = 10.0**-DECIMALS / 2
 # The search for the farthest point: samples of a piece, then of two spans, in rounds down to about 1e-5 mm.
 _COARSE, _FINE, _ROUNDS = 1025, 33, 4
+
+
+def words(**values: float) -> str:
+    """Address words with the coordinate's decimals; + 0.0 turns a negative zero positive.
+
+    Args:
+        values: coordinates by their letters, mm.
+    """
+    return " ".join(f"{letter}{round(float(value), DECIMALS) + 0.0:.{DECIMALS}f}" for letter, value in values.items())
+
+
+def plain(text: str) -> str:
+    """Text as it may stand in a comment."""
+    return re.sub(r"[^ -~]|[()]", "_", text)
+
+
+def comments(sentences: list[str]) -> list[str]:
+    """Each sentence as a comment."""
+    return [f"({plain(sentence)})" for sentence in sentences]
+
+
+@dataclass(frozen=True)
+class RaisedHub:
+    """A hub that stands on the face that is worked on, about the origin.
+
+    Attributes:
+        radius: radius of the hub, mm.
+        height: height above the face, mm.
+    """
+
+    radius: float
+    height: float
+
+
+@dataclass(frozen=True, eq=False)
+class Slot:
+    """The cutter's path round a disc, cut into sides at the ends of its tabs.
+
+    Attributes:
+        centre: path of the cutter's centre, clockwise, mm.
+        lifted: whether the cutter passes over a tab on a side, shape (n,).
+        tabs: sides along which each tab is taken off, with as much of the slot before and after it as the cutter is led
+            in and out elsewhere.
+    """
+
+    centre: Contour
+    lifted: NDArray[np.bool_]
+    tabs: tuple[range, ...] = ()
 
 
 def cutter_path(curve: ClosedCurve, cutter_radius: float, limit: CutterLimit, tolerance: float) -> Contour:
@@ -57,7 +111,7 @@ def write_gcode(
     *,
     name: str,
     material: DiscMaterial | None = None,
-    hub: Hub | None = None,
+    hub: RaisedHub | None = None,
     drilled: Sequence[str] = (),
     notes: Sequence[str] = (),
 ) -> None:
@@ -130,7 +184,7 @@ def _head(
     passes: int,
     name: str,
     material: DiscMaterial | None,
-    hub: Hub | None,
+    hub: RaisedHub | None,
     drilled: Sequence[str],
     notes: Sequence[str],
 ) -> list[str]:
@@ -254,3 +308,66 @@ def _farthest(curve: ClosedCurve) -> tuple[int, float]:
         top = int(np.argmax(np.linalg.norm(piece.jet(t).point, axis=1)))
         t = np.linspace(t[max(top - 1, 0)], t[min(top + 1, len(t) - 1)], _FINE)
     return number, float(t[_FINE // 2])
+
+
+def slot_with_tabs(centre: Contour, machining: Machining) -> Slot:
+    """The path with its tabs in equal steps, the first half a step from where the cutter is led in.
+
+    A tab is narrowest in the middle of the slot, where the cutter's places before and after it are its width and a
+    diameter apart.
+
+    Raises:
+        DesignError: the tabs have no room between each other or beside the leads.
+    """
+    tabs = machining.tabs
+    if tabs is None:
+        return Slot(centre, np.zeros(len(centre.bulges), dtype=bool))
+    ends = np.append(0.0, np.cumsum(centre.lengths))
+    step, apart = ends[-1] / tabs.count, tabs.width_mm + machining.cutter_diameter_mm
+    room = 2 * apart + 4 * machining.lead_radius_mm
+    if step < room:
+        raise DesignError(
+            f"machining.tabs.count is {tabs.count}; tabs {tabs.width_mm:g} mm wide, with the cutter and its leads, "
+            f"need {room:.1f} mm each of the {ends[-1]:.0f} mm round the disc: lower machining.tabs.count or width_mm"
+        )
+    spans = [_span(centre, ends, (number + 0.5) * step, apart) for number in range(tabs.count)]
+    return _split(centre, ends, np.array(spans), machining.lead_radius_mm)
+
+
+def tabs_note(tabs: Tabs) -> str:
+    """Tabs in words."""
+    return f"{tabs.count} tabs {tabs.width_mm:g} mm wide and {tabs.height_mm:g} mm high"
+
+
+def _span(centre: Contour, ends: Array, middle: float, apart: float) -> tuple[float, float]:
+    """Lengths along the path, evenly to either side of `middle`, at which it is `apart` from itself, mm."""
+
+    def between(half: float) -> float:
+        points = [_point(centre, ends, middle + side * half) for side in (-1, 1)]
+        return float(np.linalg.norm(points[1] - points[0])) - apart
+
+    half = float(brentq(between, apart / 4, min(apart, 0.49 * ends[-1]), xtol=1e-9))
+    return middle - half, middle + half
+
+
+def _point(centre: Contour, ends: Array, at: float) -> Array:
+    side = int(np.clip(np.searchsorted(ends, at, "right") - 1, 0, len(centre.bulges) - 1))
+    point: Array = centre.side(side, np.array([(at - ends[side]) / (ends[side + 1] - ends[side])]))[0]
+    return point
+
+
+def _split(centre: Contour, ends: Array, spans: Array, lead: float) -> Slot:
+    """The path with corners added at both ends of every span, and a lead (mm) before and after it."""
+    led = spans + np.array([-lead, lead])
+    corners = np.sort(np.concatenate([spans, led], axis=None))
+    vertices, bulges, middles = [], [], []
+    for number, (start, stop) in enumerate(pairwise(ends)):
+        within = corners[(corners > start) & (corners < stop)]
+        shares = (np.concatenate([[start], within, [stop]]) - start) / (stop - start)
+        vertices.append(centre.side(number, shares[:-1]))
+        bulges.append(np.tan(centre.sweeps[number] * np.diff(shares) / 4))
+        middles.append(start + (shares[:-1] + shares[1:]) / 2 * (stop - start))
+    middle = np.concatenate(middles)
+    lifted = np.any((middle[:, None] > spans[:, 0]) & (middle[:, None] < spans[:, 1]), axis=1)
+    tabs = tuple(range(*np.searchsorted(middle, ends_of_tab)) for ends_of_tab in led)
+    return Slot(Contour(np.concatenate(vertices), np.concatenate(bulges)), lifted, tabs)

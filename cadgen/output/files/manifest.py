@@ -4,7 +4,6 @@ import hashlib
 import json
 import stat
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -27,19 +26,6 @@ _LIBRARIES = (
     "scipy",
     "trimesh",
 )
-
-
-@dataclass(frozen=True)
-class Written:
-    """The files of one part or run and their entry in the manifest.
-
-    Attributes:
-        part: name of the entry.
-        entry: content of the entry; `entry["files"]` maps names to facts.
-    """
-
-    part: str
-    entry: dict[str, Any]
 
 
 def file_hash(file: Path) -> str:

@@ -1,6 +1,6 @@
 """Time that the programs for the mill move at a feed: cuts, leads, plunges, tabs and drills, by their own moves."""
 
-from cadgen.output.files.program_time import drilling_minutes, milling_minutes
+from cadgen.output.files.nc import drilling_minutes, milling_minutes
 from cadgen.studies.figures.evaluated import Evaluated
 from cadgen.studies.figures.figure import Figure
 

@@ -9,8 +9,7 @@ from cadgen.jobs.cam.manifest import cam_facts, design_facts, remedy_facts
 from cadgen.jobs.gears.facts import plan_facts
 from cadgen.jobs.runs.manifest import simulation_facts, tolerance_facts
 from cadgen.messages import Message
-from cadgen.output.files.folder import publishing
-from cadgen.output.files.manifest import Written, file_facts, versions, write_manifest
+from cadgen.output.files.publisher import Written, publish, text_file
 from cadgen.progress import Progress, silent
 from cadgen.version import __version__
 from cadgen.viewer.page.charts import charts_of
@@ -149,10 +148,6 @@ def write_page(plan: PagePlan, out: Path, progress: Progress = silent) -> Writte
         FileError: the file cannot be written.
     """
     stem = f"{plan.design.name}_report"
-    with publishing(out) as staging:
-        progress("writing the page")
-        name = f"{stem}.html"
-        (staging / name).write_text(html_of(page_of(plan)), encoding="utf-8", newline="")
-        entry = {**page_facts(plan), "versions": versions(), "files": {name: file_facts(staging / name)}}
-        write_manifest(staging, stem, entry)
-    return Written(stem, entry)
+    progress("writing the page")
+    html = html_of(page_of(plan))
+    return publish(stem, out, lambda folder: [text_file(folder / f"{stem}.html", html)], page_facts(plan))

@@ -245,7 +245,7 @@ def test_a_title_in_chinese_is_drawn_with_a_font_of_the_system(tmp_path, monkeyp
 
     chinese, omitted = sheet(title="无碳小车", finish="Ra 1.6，去毛刺"), {}
     monkeypatch.setattr(sheet_files, "_far_eastern_files", lambda: ())
-    assert [name for name, _ in write_sheet(tmp_path, "n", chinese, omitted)] == ["n_drawing.dxf"]
+    assert [file.name for file in write_sheet(tmp_path, "n", chinese, omitted)] == ["n_drawing.dxf"]
     assert "no font of this system has" in omitted["PDF"]
     texts = {text.dxf.text: text.dxf.style for text in ezdxf.readfile(tmp_path / "n_drawing.dxf").query("TEXT")}
     assert texts["无碳小车"] == texts["Ra 1.6，去毛刺"] == "CADGEN_CJK"

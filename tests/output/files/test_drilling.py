@@ -9,8 +9,8 @@ import pytest
 from cadgen.design.load import load_design
 from cadgen.design.machining import Drilling, Machining
 from cadgen.errors import DesignError, FileError
-from cadgen.output.files.drill_reader import read_drilling
 from cadgen.output.files.drilling import drills_of, write_drilling
+from cadgen.output.files.gcode_reader import read_drilling
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import DFlat, Hub, Lightening, Mark
 

@@ -12,10 +12,9 @@ import pytest
 
 from cadgen.errors import FileError
 from cadgen.output.files import lock
-from cadgen.output.files.folder import abandon, left_by_killed, publishing
+from cadgen.output.files.folder import abandon, folder_state, left_by_killed, publishing
 from cadgen.output.files.lock import held, locked
 from cadgen.output.files.manifest import file_facts, write_manifest
-from cadgen.output.files.verify import verify
 from tests.forks import MAIN
 
 SIGNALS = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]
@@ -46,7 +45,7 @@ def put(folder, part, **files):
 
 
 def states(folder):
-    return {file.name: file.state for file in verify(folder).files}
+    return {file.name: file.state for file in folder_state(folder).files}
 
 
 def listed(folder):

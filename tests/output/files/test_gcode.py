@@ -11,9 +11,8 @@ from cadgen.car.against_play.profile_kinds import profile_of
 from cadgen.curves.contour import circle
 from cadgen.design.machining import Machining
 from cadgen.errors import CheckError, FileError
-from cadgen.output.files.gcode import cutter_path, write_gcode
+from cadgen.output.files.gcode import RaisedHub, cutter_path, write_gcode
 from cadgen.output.files.gcode_reader import read_gcode
-from cadgen.output.files.gcode_words import Hub
 from tests.curves.shapes import limacon
 
 THICKNESS = 3.0
@@ -59,7 +58,7 @@ def test_convex_corners_are_read_as_sharp_as_they_are_cut(appendix_car, tmp_path
 
 def test_rapid_moves_pass_above_a_hub(tmp_path):
     centre = cutter_path(circle((0.0, 0.0), 30.0).curve(), 2.0, largest_cutter(circle((0.0, 0.0), 30.0).curve()), 2e-4)
-    write_gcode(tmp_path / "hub.nc", centre, MACHINING, THICKNESS, name="hub", hub=Hub(10.0, 8.0))
+    write_gcode(tmp_path / "hub.nc", centre, MACHINING, THICKNESS, name="hub", hub=RaisedHub(10.0, 8.0))
     heights = [float(z) for z in re.findall(r"G0 Z([\d.]+)", (tmp_path / "hub.nc").read_text())]
     assert set(heights) == {13.0, 1.0, 0.175}  # above the hub, and down to the work beside it
     read_gcode(tmp_path / "hub.nc", MACHINING, THICKNESS, hub_height=8.0)

@@ -21,7 +21,8 @@ from cadgen.curves.contour import Contour, circle
 from cadgen.errors import DesignError, FileError
 from cadgen.geometry.meshes.content import MeshContent, inspect
 from cadgen.geometry.meshes.mesh import Mesh, cam_mesh
-from cadgen.output.files.mesh import read_3mf, read_stl, stl_bytes, threemf_bytes
+from cadgen.output.files.stl import read_stl, stl_bytes
+from cadgen.output.files.threemf import read_3mf, threemf_bytes
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, SetScrew
 
@@ -188,7 +189,8 @@ def test_bytes_depend_on_the_part_alone(carbon_free_car):
 import sys
 from cadgen.parts.blank import Blank
 from cadgen.curves.contour import circle
-from cadgen.output.files.mesh import stl_bytes, threemf_bytes
+from cadgen.output.files.stl import stl_bytes
+from cadgen.output.files.threemf import threemf_bytes
 from cadgen.geometry.meshes.mesh import cam_mesh
 mesh = cam_mesh(circle((2.0, 0.0), 30.0).curve(), Blank(bore_diameter=8.0), 3.0, 0.005)
 sys.stdout.buffer.write(stl_bytes(mesh, "disc") + threemf_bytes(mesh, "disc", "test"))
@@ -250,7 +252,8 @@ from cadgen.parts.blank import Blank
 from cadgen.curves.contour import circle
 from cadgen.errors import FileError
 from cadgen.output.files.folder import publishing
-from cadgen.output.files.mesh import stl_bytes, threemf_bytes
+from cadgen.output.files.stl import stl_bytes
+from cadgen.output.files.threemf import threemf_bytes
 from cadgen.geometry.meshes.mesh import cam_mesh
 from cadgen.geometry.solids.disc_solid import cam_part
 from cadgen.geometry.solids.step import step_bytes

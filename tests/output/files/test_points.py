@@ -10,7 +10,8 @@ from cadgen.cam.followers.rod import LeaningRod
 from cadgen.curves.closed import ClosedCurve, PieceSpan
 from cadgen.curves.contour import Contour, circle
 from cadgen.errors import FileError
-from cadgen.output.files.points import COLUMNS, contact_outline, contact_rows, read_csv, read_xyz, write_csv, write_xyz
+from cadgen.output.files.tables import COLUMNS, contact_outline, contact_rows, read_csv, write_csv
+from cadgen.output.files.xyz import read_xyz, write_xyz
 
 TURN = 2 * np.pi
 

@@ -1,37 +1,41 @@
-"""Point clouds: xyz for a CAD system's curve through points, and a table of the contact as CSV."""
+"""CSV tables: contacts of a follower on a cam, parts of a gear train, tracks of a car's wheels."""
+
+from __future__ import annotations
 
 import csv
-from collections.abc import Iterable
+import io
+from collections.abc import Iterator, Mapping
 from dataclasses import fields, replace
-from math import ceil
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll, roll_curve
 from cadgen.cam.follower import Contact, Follower
+from cadgen.car.running.drive import Run
 from cadgen.curves.closed import ClosedCurve, Outline, cross, left_normal
 from cadgen.curves.polygon import polyline
 from cadgen.errors import FileError
+from cadgen.messages import Message
+from cadgen.output.files.publisher import Artifact, require
 
-# A smooth spline through even points bulges beside a corner by up to a twelfth of the corner's angle times their
-# distance, and beside a jump of curvature by a share of its size times their distance squared. Closer points on
-# either side, at these shares of the distance, bring that down, and stay far enough apart (2 um at 3600 points) for
-# every CAD system.
-_BESIDE_JOINTS = np.array([1 / 64, 1 / 16, 1 / 4])
-_SAME_CURVATURE = 1e-6  # mm^-1; a smaller jump moves no spline
-# mm; closer points than this are one in a cloud: six decimals, half a nanometre of rounding, would tilt a spline
-# between them by more than a milliradian, and it would bulge by 0.02 um over the next distance.
-_LEAST_DISTANCE = 5e-4
-_TABLE = 2049  # samples of a piece from which its length is summed
+if TYPE_CHECKING:
+    from cadgen.output.files.exports import CamExport, TrainExport
+
+# Greatest error of the lift due to a table of contacts, µm.
+LIFT_LIMIT_UM = 0.5
 _STRAIGHT = 1e-6  # mm^-1; a curvature below this (a radius of a kilometre) is written as a straight line
 _ALONG = np.linspace(0.0, 1.0, 5)  # shares of the polar angle between two rows at which their chord is tried
-_COLUMNS = tuple(field.name for field in fields(Contact))
+_CONTACT = tuple(field.name for field in fields(Contact))
 _JUMP = 1e-9  # rad; where the contact moves within less cam angle than this it jumps along the rod's section
 _ROUNDS = 40  # halvings of a row's step of 6 degrees (60 rows) until it is a jump
+_WHEELS = ("drive", "front", "idle")
+_DECIMALS = 4  # of tracks: 0.1 µm of place and 1e-4 degrees
+# Half of the last decimal, and the rounding of a sum.
+_READ_TOLERANCE = 0.51 * 10.0**-_DECIMALS
 
 COLUMNS = (
     "cam_angle_deg",
@@ -49,60 +53,36 @@ COLUMNS = (
 )
 
 
-def write_xyz(path: Path, curve: ClosedCurve, count: int) -> None:
-    """Write a closed cloud: "x y z" in mm on each line, z = 0, no header, the first point again last.
-
-    The points are evenly spaced along each smooth piece. Where direction or curvature jumps between two pieces,
-    the joint is one of them, and three more stand close by on either side of it. Points closer together than half a
-    micrometre are one, that of a joint if one is among them.
-
-    Args:
-        path: file to write.
-        curve: profile, mm.
-        count: approximate number of points.
-    """
-    tables = [_arc_length(curve, number) for number in range(len(curve.pieces))]
-    even = sum(float(arc[-1]) for _, arc in tables) / count
-    jumps = _jumps(curve)
-    points = []
-    for number, (piece, (t, arc)) in enumerate(zip(curve.pieces, tables, strict=True)):
-        places, step = np.linspace(0.0, arc[-1], max(2, round(arc[-1] / even)) + 1, retstep=True)
-        if jumps[number]:
-            places = np.append(places, step * _BESIDE_JOINTS)
-        if jumps[(number + 1) % len(curve.pieces)]:
-            places = np.append(places, arc[-1] - step * _BESIDE_JOINTS)
-        points.append(piece.jet(np.interp(np.sort(places)[:-1], arc, t)).point)
-    apart = _apart(points)
-    closed = np.concatenate([apart, apart[:1]])
-    _write(path, (f"{x:.6f} {y:.6f} 0.000000" for x, y in (closed + 0.0).tolist()))
+def cam_table(cam: CamExport, folder: Path) -> Iterator[Artifact]:
+    """Table of a cam by its cam angle; straight lines from contact to contact must keep the outline, and the lift."""
+    name = f"{cam.stem}.csv"
+    contact = contact_rows(cam.curve, cam.follower, cam.export.point_count, cam.rim_share * LIFT_LIMIT_UM * 1e-3)
+    write_csv(folder / name, cam.curve, cam.follower, contact)
+    table = read_csv(folder / name)
+    column = float(np.abs(table["lift_mm"] - contact.lift).max() * 1e3)
+    outline = contact_outline(table, cam.step)
+    yield cam.judged(name, outline, LIFT_LIMIT_UM, {"rows": len(contact.lift)}, off=column)
 
 
-def read_xyz(path: Path, step: float = 0.05) -> Outline:
-    """Read a cloud as a CAD system does: a closed cubic spline through the points, by their chord lengths.
+def train_table(train: TrainExport, folder: Path) -> Iterator[Artifact]:
+    """Table of the parts of a train, one row per gear."""
+    name = f"{train.stem}_parts.csv"
+    text = io.StringIO(newline="")
+    writer = csv.DictWriter(text, list(dict.fromkeys(key for row in train.table for key in row)), lineterminator="\n")
+    rows = [{key: _cell(value) for key, value in row.items()} for row in train.table]
+    writer.writeheader()
+    writer.writerows(rows)
+    (folder / name).write_text(text.getvalue(), encoding="ascii", newline="\n")
+    again = list(csv.DictReader((folder / name).read_text(encoding="ascii").splitlines()))
+    same = len(again) == len(rows) and all(row.items() <= read.items() for read, row in zip(again, rows, strict=True))
+    require(same, name, Message("has other values"))
+    yield Artifact(name, {"rows": len(rows)})
 
-    Args:
-        path: file to read.
-        step: greatest distance between the points of the result, mm.
 
-    Raises:
-        FileError: the file is not a closed cloud of points in the plane z = 0.
-    """
-    try:
-        cloud = np.loadtxt(path, ndmin=2)
-    except ValueError as error:
-        raise FileError(f"{path.name} is not a table of numbers: write it again") from error
-    if cloud.shape[0] < 4 or cloud.shape[1] != 3 or np.any(cloud[:, 2] != 0) or np.any(cloud[0] != cloud[-1]):
-        raise FileError(f"{path.name} is not a closed cloud of points in the plane z = 0: write it again")
-    points = cloud[:, :2]
-    chords = np.linalg.norm(np.diff(points, axis=0), axis=1)
-    if not chords.all():
-        raise FileError(f"{path.name} has two equal neighbours: write it again with fewer points")
-    s = np.concatenate([[0.0], np.cumsum(chords)])
-    spline = CubicSpline(s, points, bc_type="periodic")
-    # From point to point, so that a corner among them is not passed over.
-    within = max(5, ceil(chords.max() / step) + 1)
-    dense = spline(s[:-1, None] + chords[:, None] * np.linspace(0.0, 1.0, within))
-    return Outline(dense.reshape(-1, 2), np.repeat(np.arange(len(chords)), within))
+def _cell(value: object) -> str:
+    if value is None:
+        return ""
+    return f"{value:.4f}" if isinstance(value, float) else str(value)
 
 
 def contact_rows(curve: ClosedCurve, follower: Follower, count: int, tolerance: float) -> Contact:
@@ -132,7 +112,7 @@ def contact_rows(curve: ClosedCurve, follower: Follower, count: int, tolerance: 
         between = roll(outline, follower, (theta[wide] + theta[wide + 1]) / 2)
         along = _on_section(curve, follower, before, (place[wide] + place[wide + 1]) / 2)
         jump = theta[wide + 1] - theta[wide] < _JUMP
-        columns = (np.where(jump, getattr(along, name), getattr(between, name)) for name in _COLUMNS)
+        columns = (np.where(jump, getattr(along, name), getattr(between, name)) for name in _CONTACT)
         rows = _inserted(rows, Contact(*columns), wide)
         place = _places(rows, follower)
         stray = np.insert(stray, wide + 1, 0.0)
@@ -170,11 +150,11 @@ def _on_section(curve: ClosedCurve, follower: Follower, before: Contact, place: 
 
 
 def _chosen(rows: Contact, which: NDArray[np.intp]) -> Contact:
-    return Contact(*(getattr(rows, name)[which] for name in _COLUMNS))
+    return Contact(*(getattr(rows, name)[which] for name in _CONTACT))
 
 
 def _inserted(rows: Contact, more: Contact, after: NDArray[np.intp]) -> Contact:
-    return Contact(*(np.insert(getattr(rows, name), after + 1, getattr(more, name)) for name in _COLUMNS))
+    return Contact(*(np.insert(getattr(rows, name), after + 1, getattr(more, name)) for name in _CONTACT))
 
 
 def _needed(rows: Contact, place: Array, curve: ClosedCurve, count: int, tolerance: float) -> Contact:
@@ -225,7 +205,7 @@ def write_csv(path: Path, curve: ClosedCurve, follower: Follower, contact: Conta
         ",".join([f"{x:.6f}" if x == x else "" for x in row]) + f",{face}"
         for row, face in zip((numbers.round(6) + 0.0).tolist(), faces, strict=True)
     )
-    _write(path, (",".join(COLUMNS), *rows))
+    path.write_text("\n".join([",".join(COLUMNS), *rows]) + "\n", encoding="ascii", newline="\n")
 
 
 def read_csv(path: Path) -> dict[str, Array]:
@@ -262,39 +242,41 @@ def contact_outline(table: dict[str, Array], step: float) -> Outline:
     return polyline(points[np.any(points != np.roll(points, 1, axis=0), axis=1)], step)
 
 
-def _jumps(curve: ClosedCurve) -> list[bool]:
-    """Whether direction or curvature jumps at the start of each piece."""
-    corners = {corner.after for corner in curve.corners()}
-    ends = [piece.jet(np.array([piece.start, piece.stop])).curvature for piece in curve.pieces]
-    return [
-        number in corners or abs(first - ends[number - 1][1]) > _SAME_CURVATURE
-        for number, (first, _) in enumerate(ends)
-    ]
+def track_table(runs: Mapping[str, Run]) -> dict[str, Array]:
+    """Columns by name, in degrees and mm: `motor_deg`, then for each run cam angle, steering, heading and wheels.
+
+    Args:
+        runs: runs by name, all at the same motor positions.
+    """
+    table = {"motor_deg": np.degrees(next(iter(runs.values())).motor)}
+    for name, run in runs.items():
+        table[f"{name}_cam_angle_deg"] = np.degrees(run.cam_angle)
+        table[f"{name}_steering_deg"] = np.degrees(np.arctan(run.tan_beta))
+        table[f"{name}_heading_deg"] = np.degrees(run.heading)
+        for wheel in _WHEELS:
+            for axis, values in zip("xy", getattr(run, f"{wheel}_wheel").T, strict=True):
+                table[f"{name}_{wheel}_{axis}_mm"] = values
+    return table
 
 
-def _arc_length(curve: ClosedCurve, number: int) -> tuple[Array, Array]:
-    """Parameters of a piece, and the arc length up to each, mm."""
-    piece = curve.pieces[number]
-    t = np.linspace(piece.start, piece.stop, _TABLE)
-    chords = np.linalg.norm(np.diff(piece.jet(t).point, axis=0), axis=1)
-    return t, np.concatenate([[0.0], np.cumsum(chords)])
+def write_tracks(file: Path, runs: Mapping[str, Run]) -> None:
+    """Write the table as CSV, and read it back.
+
+    Raises:
+        FileError: the file, read back, holds other values.
+    """
+    table = track_table(runs)
+    rows = np.column_stack(list(table.values()))
+    np.savetxt(file, rows, fmt=f"%.{_DECIMALS}f", delimiter=",", header=",".join(table), comments="", encoding="utf-8")
+    again = read_tracks(file)
+    if list(again) != list(table) or not all(
+        np.allclose(again[name], values, rtol=0, atol=_READ_TOLERANCE) for name, values in table.items()
+    ):
+        raise FileError(f"{file.name}, read back, is not the tracks that were meant: report this design")
 
 
-def _apart(pieces: list[Array]) -> Array:
-    """The points of all pieces, closed, without those that stand too close to others; a piece begins with its joint."""
-    points, joint = np.concatenate(pieces), np.zeros(sum(len(piece) for piece in pieces), dtype=bool)
-    joint[np.cumsum([0] + [len(piece) for piece in pieces[:-1]])] = True
-    kept: list[int] = []
-    for number, point in enumerate(points):
-        near = bool(kept) and float(np.hypot(*(point - points[kept[-1]]))) < _LEAST_DISTANCE
-        if near and joint[number] and not joint[kept[-1]]:
-            kept[-1] = number
-        elif not near:
-            kept.append(number)
-    while len(kept) > 1 and float(np.hypot(*(points[kept[-1]] - points[kept[0]]))) < _LEAST_DISTANCE:
-        kept.pop()
-    return np.asarray(points[kept])
-
-
-def _write(path: Path, lines: Iterable[str]) -> None:
-    path.write_text("\n".join(lines) + "\n", encoding="ascii", newline="\n")
+def read_tracks(file: Path) -> dict[str, Array]:
+    """Columns of a table of tracks by name, degrees and mm."""
+    with file.open(encoding="utf-8") as text:
+        names = text.readline().strip().split(",")
+        return dict(zip(names, np.loadtxt(text, delimiter=",", ndmin=2).T, strict=True))

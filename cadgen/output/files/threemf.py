@@ -1,59 +1,46 @@
-"""Meshes as STL and 3MF files.
+"""3MF files (mm) of cams: written by lib3mf, and read here without it."""
 
-Each file is written by a library and read again without it: STL is written by trimesh and 3MF by lib3mf, and
-both are read here from their bytes. lib3mf could read STL, but welds vertices on a grid of 1 um and so would
-hide a flaw; trimesh could read 3MF, but only with two more libraries installed.
-"""
+from __future__ import annotations
 
 import io
 import uuid
 import zipfile
 import zlib
+from collections.abc import Iterator
 from hashlib import sha256
 from pathlib import Path
+from typing import TYPE_CHECKING
 from xml.etree import ElementTree
 
-import lib3mf
 import numpy as np
-import trimesh
-from trimesh.exchange.stl import export_stl
 
 from cadgen.errors import FileError
 from cadgen.geometry.meshes.mesh import Mesh
+from cadgen.messages import Message
+from cadgen.output.files.publisher import Artifact, read_file, require
+from cadgen.output.files.stl import judged_mesh
 
-_STL_HEADER = 80
-_STL_RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+if TYPE_CHECKING:
+    from cadgen.output.files.exports import CamExport
+
 _MODEL = "3D/3dmodel.model"
 _DATE = (1980, 1, 1, 0, 0, 0)  # the first that a ZIP file can have; equal parts give equal bytes
 _CORE = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
 
 
-def stl_bytes(mesh: Mesh, name: str) -> bytes:
-    """Return a binary STL file; STL has no unit, so the header says mm."""
-    data = export_stl(trimesh.Trimesh(mesh.vertices, mesh.triangles, process=False))
-    # Not "solid": readers take a file that begins so for text.
-    header = f"cadgen: {name}; mm".encode("ascii", "replace")[:_STL_HEADER].ljust(_STL_HEADER)
-    return bytes(header + data[_STL_HEADER:])
-
-
-def read_stl(path: Path) -> Mesh:
-    """Read a binary STL file and join the vertices that are equal bit for bit.
-
-    Raises:
-        FileError: the file cannot be read or is cut off.
-    """
-    data = _read(path)
-    count = int.from_bytes(data[_STL_HEADER : _STL_HEADER + 4], "little")
-    body = data[_STL_HEADER + 4 :]
-    if count == 0 or len(body) != count * _STL_RECORD.itemsize:
-        raise FileError(f"{path.name} is not a whole binary STL file: export it again")
-    corners = np.frombuffer(body, _STL_RECORD)["corners"].reshape(-1, 3)
-    vertices, index = np.unique(corners, axis=0, return_inverse=True)
-    return Mesh(vertices.astype(float), index.reshape(-1, 3))
+def cam_3mf(cam: CamExport, folder: Path) -> Iterator[Artifact]:
+    """3MF file of a cam, which must be one watertight body with its name."""
+    name = f"{cam.stem}.3mf"
+    (folder / name).write_bytes(threemf_bytes(cam.mesh, cam.stem, cam.description))
+    again, title = read_3mf(folder / name)
+    require(title == cam.stem, name, Message("has lost its name"))
+    yield judged_mesh(cam, name, again)
 
 
 def threemf_bytes(mesh: Mesh, name: str, description: str) -> bytes:
     """Return a 3MF file in mm; its identifiers come from the content, so equal parts give equal bytes."""
+    import lib3mf
+
     vertices, triangles = mesh.vertices.astype(np.float32), mesh.triangles.astype(np.uint32)
     content = sha256(vertices.tobytes() + triangles.tobytes() + f"{name}\0{description}".encode()).hexdigest()
     wrapper = lib3mf.get_wrapper()
@@ -92,7 +79,7 @@ def read_3mf(path: Path) -> tuple[Mesh, str]:
         FileError: the file cannot be read, is not in millimetres or does not hold exactly one body.
     """
     try:
-        with zipfile.ZipFile(io.BytesIO(_read(path))) as package:
+        with zipfile.ZipFile(io.BytesIO(read_file(path))) as package:
             model = ElementTree.fromstring(package.read(_MODEL))
         bodies = list(model.iter(f"{_CORE}object"))
         vertices = [[float(v.attrib[k]) for k in ("x", "y", "z")] for v in model.iter(f"{_CORE}vertex")]
@@ -105,10 +92,3 @@ def read_3mf(path: Path) -> tuple[Mesh, str]:
     if not whole or unit != "millimeter" or len(bodies) != 1:
         raise FileError(f"{path.name} holds {len(bodies)} bodies in {unit}, not a whole one in millimeter")
     return mesh, bodies[0].get("name", "")
-
-
-def _read(path: Path) -> bytes:
-    try:
-        return path.read_bytes()
-    except OSError as error:
-        raise FileError(f"cannot read {path.name}: {error.strerror}") from error

@@ -1,0 +1,218 @@
+"""Publisher of every job: files are written and read back in a staging folder, then moved into place with a manifest.
+
+A job says how its files are made and which facts belong to them. The rest is the same for all jobs: staging, hashes,
+versions, the manifest's entry, and what the caller gets to see of it.
+"""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, NoReturn, overload
+
+from cadgen.errors import FileError
+from cadgen.output.files.folder import publishing
+from cadgen.output.files.manifest import file_facts, versions, write_manifest
+
+
+@dataclass(frozen=True)
+class Artifact:
+    """File that was written into the staging folder and proved by reading it back.
+
+    Attributes:
+        name: name of the file.
+        facts: what was read back, for the manifest.
+    """
+
+    name: str
+    facts: Mapping[str, Any] = field(default_factory=dict)
+
+
+def publish(
+    part: str,
+    out: Path,
+    make: Callable[[Path], Iterable[Artifact]],
+    facts: Mapping[str, Any],
+    outcome: Callable[[Mapping[str, Any]], Mapping[str, Any]] = lambda files: {},
+) -> "Written":
+    """Make the files of a job, and publish them together with their entry in the manifest, all or none.
+
+    Args:
+        part: name of the entry.
+        out: folder for the files; it is made if need be.
+        make: function that writes the files into a staging folder, reads them back and gives them one by one.
+        facts: facts on the part, as plain values.
+        outcome: function of the facts on each file, by name, that gives further facts once all files are made.
+
+    Raises:
+        FileError: a file cannot be written, or read back is not what was written.
+    """
+    with publishing(out) as staging:
+        files = {each.name: {**file_facts(staging / each.name), **each.facts} for each in make(staging)}
+        entry = {**facts, "versions": versions(), **outcome(files), "files": files}
+        write_manifest(staging, part, entry)
+    return Written.of(out, part, entry)
+
+
+def text_file(file: Path, text: str, **facts: Any) -> Artifact:
+    """Write a text in UTF-8, and require that it is read back as it was written.
+
+    Args:
+        file: file in the staging folder.
+        text: content of the file.
+        facts: facts on the file for the manifest.
+
+    Raises:
+        FileError: it is not what was written.
+    """
+    file.write_text(text, encoding="utf-8", newline="")
+    if file.read_bytes() != text.encode("utf-8"):
+        raise FileError(
+            "{file}: read back it is not what was written; try again or choose another disk", file=file.name
+        )
+    return Artifact(file.name, facts)
+
+
+def read_file(file: Path) -> bytes:
+    """Content of a file that was written.
+
+    Raises:
+        FileError: it cannot be read.
+    """
+    try:
+        return file.read_bytes()
+    except OSError as error:
+        raise FileError("cannot read {file}: {reason}", file=file.name, reason=error.strerror) from error
+
+
+def require(holds: bool, file: str, fault: str) -> None:
+    """Require something of a file that was read back.
+
+    Args:
+        holds: whether it is so.
+        file: name of the file.
+        fault: what is wrong otherwise, after the file's name.
+
+    Raises:
+        FileError: it is not so.
+    """
+    if not holds:
+        raise FileError("{file}, read back, {fault}: report this design", file=file, fault=fault)
+
+
+class Frozen(dict[str, Any]):
+    """A mapping that nobody can change, which has a hash and can be copied, pickled and written as JSON."""
+
+    def __hash__(self) -> int:  # type: ignore[override]
+        return hash(frozenset(self.items()))
+
+    def __reduce__(self) -> tuple[type["Frozen"], tuple[dict[str, Any]]]:
+        return Frozen, (dict(self),)
+
+    def _refuse(self, *_: Any, **__: Any) -> NoReturn:
+        raise TypeError("this mapping cannot be changed: make a dict of it first")
+
+    __setitem__ = __delitem__ = __ior__ = update = setdefault = pop = popitem = clear = _refuse
+
+
+def frozen(value: Any) -> Any:
+    """Freeze a value: its mappings become `Frozen` and its lists tuples, all the way down.
+
+    Args:
+        value: plain values, such as the content of a JSON file.
+    """
+    if isinstance(value, Mapping):
+        return Frozen({key: frozen(inside) for key, inside in value.items()})
+    return tuple(map(frozen, value)) if isinstance(value, list | tuple) else value
+
+
+@dataclass(frozen=True, kw_only=True)
+class WrittenFile:
+    """A file that was written and proved by reading it back.
+
+    Attributes:
+        path: path of the file.
+        bytes: size of the file, bytes.
+        sha256: SHA-256 of its bytes, hexadecimal.
+        lift_error_um: error of the follower's lift on the file read back, µm; None for a file that is no profile.
+        lift_limit_um: greatest error allowed, µm.
+        facts: facts on the file in the manifest.
+    """
+
+    path: Path
+    bytes: int
+    sha256: str
+    lift_error_um: float | None
+    lift_limit_um: float | None
+    facts: Mapping[str, Any]
+
+    @property
+    def name(self) -> str:
+        """Name of the file without the folder."""
+        return self.path.name
+
+
+@dataclass(frozen=True, repr=False)
+class Written(Sequence[WrittenFile]):
+    """The files that one job has written: a sequence of `WrittenFile`.
+
+    Attributes:
+        folder: folder of the files, with `manifest.json` beside them.
+        part: name of their entry in the manifest.
+        entry: content of that entry, as plain values that cannot be changed.
+        files: files in the order written.
+    """
+
+    folder: Path
+    part: str
+    entry: Mapping[str, Any]
+    files: tuple[WrittenFile, ...]
+
+    @classmethod
+    def of(cls, folder: Path, part: str, entry: Mapping[str, Any]) -> "Written":
+        """The files of a manifest's entry.
+
+        Args:
+            folder: folder of the files.
+            part: name of the entry.
+            entry: content of the entry.
+        """
+        fixed = frozen(entry)
+        files = tuple(
+            WrittenFile(
+                path=folder / name,
+                bytes=facts["bytes"],
+                sha256=facts["sha256"],
+                lift_error_um=facts.get("lift_error_um"),
+                lift_limit_um=facts.get("lift_limit_um"),
+                facts=facts,
+            )
+            for name, facts in fixed["files"].items()
+        )
+        return cls(folder, part, fixed, files)
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Sentences on the gain that files give away."""
+        return tuple(self.entry.get("warnings", ()))
+
+    @property
+    def omitted(self) -> Mapping[str, str]:
+        """Reasons, by format, why files could not be made of a part that was written although a check failed."""
+        return Frozen(self.entry.get("omitted", {}))
+
+    def __repr__(self) -> str:
+        names = ", ".join(file.name for file in self.files)
+        return f"<Written to {self.folder}: {names}>"
+
+    def __len__(self) -> int:
+        return len(self.files)
+
+    def __iter__(self) -> Iterator[WrittenFile]:
+        return iter(self.files)
+
+    @overload
+    def __getitem__(self, index: int) -> WrittenFile: ...
+    @overload
+    def __getitem__(self, index: slice) -> tuple[WrittenFile, ...]: ...
+    def __getitem__(self, index: int | slice) -> WrittenFile | tuple[WrittenFile, ...]:
+        return self.files[index]

@@ -1,0 +1,133 @@
+"""STL files (binary, mm) of cams, gears and parts of trains.
+
+They are written by trimesh, and read here from their bytes: lib3mf could read them, too, but welds vertices on a grid
+of 1 µm and so would hide a flaw.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from cadgen.errors import FileError
+from cadgen.gears.layout import TrainPart
+from cadgen.geometry.meshes.mesh import Mesh
+from cadgen.messages import Message
+from cadgen.output.files.publisher import Artifact, read_file, require
+
+if TYPE_CHECKING:
+    from cadgen.output.files.exports import CamExport, GearExport, TrainExport
+
+_HEADER = 80
+_RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+
+
+def cam_stl(cam: CamExport, folder: Path) -> Iterator[Artifact]:
+    """STL file of a cam, which must be one watertight body."""
+    name = f"{cam.stem}.stl"
+    (folder / name).write_bytes(stl_bytes(cam.mesh, cam.stem))
+    yield judged_mesh(cam, name, read_stl(folder / name))
+
+
+def judged_mesh(cam: CamExport, name: str, again: Mesh) -> Artifact:
+    """File of a cam's mesh, which must be one watertight body of the exact volume within chord times wall area.
+
+    Args:
+        cam: cam that was written.
+        name: name of the file.
+        again: mesh read back from it.
+
+    Raises:
+        FileError: it is something else, or moves the rod by more than the chords.
+    """
+    from cadgen.geometry.meshes.content import inspect
+
+    content = inspect(again, cam.step, cam.land)
+    require(content.watertight and content.bodies == 1, name, Message("is not one watertight body"))
+    error = abs(content.volume - cam.volume)
+    allowed = cam.chord * content.wall_area
+    require(error <= allowed, name, Message("misses the exact volume by {error:.3g} mm3", error=error))
+    facts = {
+        "triangles": len(again.triangles),
+        "watertight": True,
+        "volume_mm3": content.volume,
+        "volume_error_relative": error / cam.volume,
+    }
+    return cam.judged(name, content.rim, cam.chord * 1e3, facts)
+
+
+def gear_stl(gear: GearExport, folder: Path) -> Iterator[Artifact]:
+    """STL file of a gear."""
+    yield _part_stl(gear.part, folder, gear.name, gear.chord)
+
+
+def train_stl(train: TrainExport, folder: Path) -> Iterator[Artifact]:
+    """STL file of each part of a train, in its own frame."""
+    for part, chord in zip(train.layout.parts, train.chords, strict=True):
+        yield _part_stl(part, folder, f"{train.stem}_{part.name}", chord)
+
+
+def _part_stl(part: TrainPart, folder: Path, stem: str, chord: float) -> Artifact:
+    from cadgen.geometry.meshes.mesh import body_mesh
+
+    name = f"{stem}.stl"
+    (folder / name).write_bytes(stl_bytes(body_mesh(part.body, chord), stem))
+    return Artifact(name, part_facts(name, read_stl(folder / name), part, chord))
+
+
+def part_facts(name: str, again: Mesh, part: TrainPart, chord: float) -> dict[str, Any]:
+    """Require of a mesh read back that it is closed, one body, and of the exact volume within chord times wall area.
+
+    Args:
+        name: name of the file.
+        again: mesh read back from it.
+        part: part of a train, or a gear.
+        chord: greatest chord error, mm.
+
+    Raises:
+        FileError: it is something else.
+    """
+    solid = again.solid()
+    require(len(solid.decompose()) == 1, name, Message("is not one body"))
+    corners = again.vertices[again.triangles]
+    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    area = np.linalg.norm(across, axis=1) / 2
+    walls = float(area[np.abs(across[:, 2]) < area].sum())
+    error = abs(solid.volume() - part.volume)
+    require(error <= chord * walls, name, Message("misses the exact volume by {error:.3g} mm³", error=error))
+    return {
+        "triangles": len(again.triangles),
+        "watertight": True,
+        "chord_um": chord * 1e3,
+        "volume_error_relative": error / part.volume,
+    }
+
+
+def stl_bytes(mesh: Mesh, name: str) -> bytes:
+    """Return a binary STL file; STL has no unit, so the header says mm."""
+    import trimesh
+    from trimesh.exchange.stl import export_stl
+
+    data = export_stl(trimesh.Trimesh(mesh.vertices, mesh.triangles, process=False))
+    # Not "solid": readers take a file that begins so for text.
+    header = f"cadgen: {name}; mm".encode("ascii", "replace")[:_HEADER].ljust(_HEADER)
+    return bytes(header + data[_HEADER:])
+
+
+def read_stl(path: Path) -> Mesh:
+    """Read a binary STL file and join the vertices that are equal bit for bit.
+
+    Raises:
+        FileError: the file cannot be read or is cut off.
+    """
+    data = read_file(path)
+    count = int.from_bytes(data[_HEADER : _HEADER + 4], "little")
+    body = data[_HEADER + 4 :]
+    if count == 0 or len(body) != count * _RECORD.itemsize:
+        raise FileError(f"{path.name} is not a whole binary STL file: export it again")
+    corners = np.frombuffer(body, _RECORD)["corners"].reshape(-1, 3)
+    vertices, index = np.unique(corners, axis=0, return_inverse=True)
+    return Mesh(vertices.astype(float), index.reshape(-1, 3))
