@@ -94,11 +94,11 @@ def test_a_terminal_that_knows_only_ascii(tmp_path, quick):
 def files_table(capsys, monkeypatch, columns, omitted=()):
     monkeypatch.setenv("COLUMNS", str(columns))
     entries = {
-        f"{LONG}_actual{end}": {"bytes": 41_700, "lift_error_um": 0.3, "lift_limit_um": 1.0}
+        f"{LONG}_actual{end}": {"bytes": 41_700, "sha256": "", "lift_error_um": 0.3, "lift_limit_um": 1.0}
         for end in (".step", "_arcs.dxf", "_spline.dxf")
     }
     entry = {"files": entries, "omitted": dict(omitted)}
-    show.files(Written(f"{LONG}_actual", entry), Path("exports"))
+    show.files(Written.of(Path("exports"), f"{LONG}_actual", entry), Path("exports"))
     return capsys.readouterr().out
 
 
