@@ -411,7 +411,7 @@ def test_meshes_of_too_many_corners_are_refused_by_their_key():
 
 
 def test_more_teeth_than_step_takes_are_refused_before_a_file_is_made(paper, tmp_path, monkeypatch):
-    monkeypatch.setattr(files, "MOST_STEP_TEETH", 499)
+    monkeypatch.setattr("cadgen.output.files.step.MOST_TEETH", 499)
     with pytest.raises(
         DesignError, match=r"^the gears of train.stages have 500 teeth together, .* or write the formats"
     ):
