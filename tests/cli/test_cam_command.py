@@ -182,17 +182,18 @@ def test_a_full_disk_leaves_the_folder_as_it_was(cadgen, tmp_path, limit):
 @pytest.mark.slow
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_an_interrupted_run_leaves_nothing(cadgen, tmp_path, number):
-    """The signal comes when STEP, STL and 3MF stand in the staging folder and DXF is about to be written."""
+    """The signal comes when STL and 3MF stand in the staging folder and DXF is about to be written."""
     script = (
         "import os, signal\n"
         f"signal.signal({int(number)}, signal.SIG_DFL)\n"  # jobs in a background may ignore it
         "from cadgen.cli import main\n"
-        "from cadgen.jobs.cam import files\n"
-        "assert len(files._WRITERS) == 5\n"
-        "dxf, make = 2, files.replace\n"
-        "assert files._WRITERS[dxf].label == 'DXF'\n"
-        f"killed = make(files._WRITERS[dxf], make=lambda job: os.kill(os.getpid(), {int(number)}) or iter(()))\n"
-        "files._WRITERS = (*files._WRITERS[:dxf], killed, *files._WRITERS[dxf + 1 :])\n"
+        "from dataclasses import replace\n"
+        "from cadgen.output.files.formats import FORMATS\n"
+        "dxf, here = FORMATS.kind_of('dxf'), os.getpid()\n"
+        "def kill(cam, folder):\n"  # beside the process that makes STEP
+        f"    os.kill(here, {int(number)})\n"
+        "    yield from ()\n"
+        "FORMATS._kinds['dxf'] = replace(dxf, cam=kill)\n"
         "main()\n"
     )
     result = cadgen("cam", "--profile", "actual", "--out", "out", code=130, script=script)

@@ -16,7 +16,6 @@ from cadgen.design import cam_model, variation
 from cadgen.design.load import load_design, packaged_designs
 from cadgen.errors import DesignError
 from cadgen.jobs.calibration.calibration import nominal_of
-from cadgen.jobs.cam import files
 from cadgen.jobs.cam.as_built import as_built_sentences, outlook_checks, outlook_sentence
 from cadgen.jobs.cam.files import write_cam
 from cadgen.jobs.cam.manifest import as_built_facts
@@ -84,16 +83,13 @@ def end_of_run(outline: Outline, wheels: Wheels, car: Any, stop: float) -> compl
 
 
 @pytest.mark.slow
-def test_the_new_cam_takes_the_end_error_off(built, carbon_free_car, tmp_path, monkeypatch):
+def test_the_new_cam_takes_the_end_error_off(built, carbon_free_car, tmp_path):
     """Cut for a car of undeclared effects as they were traced; the file, driven by arcs, ends within 5 % of before."""
-    monkeypatch.setattr(
-        files, "_WRITERS", [each for each in files._WRITERS if each.label == "DXF"]
-    )  # those that are driven
     design = built(*TRACK)
     plan = plan_cam(design, "optimized")
     assert plan.passed
     out = tmp_path / "out"
-    entry = write_cam(plan, out).entry
+    entry = write_cam(plan, out, formats="dxf").entry
     stop = plan.comparison.task.lift.blend_start
     wheels = Wheels(zero=np.radians(ZERO), radius=1 + RADIUS / 100, play=np.radians(PLAY))
     goal = complex(*carbon_free_car.track.position(carbon_free_car.track.length * (1 - 12 / 360)))

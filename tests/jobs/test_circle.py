@@ -6,7 +6,8 @@ from click.testing import CliRunner
 
 from cadgen.cli import cli
 from cadgen.jobs.calibration import files as calibration_files
-from cadgen.jobs.cam import files as cam_files
+from cadgen.output.files import formats
+from cadgen.registry import Registry
 from tests.jobs import circle
 
 
@@ -19,7 +20,7 @@ def cadgen(*arguments: str) -> None:
 def only_what_the_circle_reads(monkeypatch):
     """Pictures and the other formats, which take long, have tests of their own."""
     monkeypatch.setattr(calibration_files, "draw_record", lambda *content: [])
-    monkeypatch.setattr(cam_files, "_WRITERS", [each for each in cam_files._WRITERS if each.label == "DXF"])
+    monkeypatch.setattr(formats, "FORMATS", Registry("format", [formats.FORMATS.kind_of("dxf")]))
 
 
 @pytest.mark.slow
