@@ -62,7 +62,7 @@ class Table:
 
     values: np.ndarray[Any, np.dtype[np.float64]]
 
-    def tan_beta(self, angle: Any) -> Any:
+    def q(self, angle: Any) -> Any:
         return np.interp(np.asarray(angle), np.arange(COUNT) * TURN / COUNT, self.values, period=TURN)
 
 
