@@ -167,7 +167,7 @@ OTHER_WORDS = {
     "cadgen.viewer.editor.controls": {"finish", "start"},
     "cadgen.viewer.editor.course_items": {"field", "walls", "zones"},
     "cadgen.processes": {"fork"},
-    "cadgen.studies.faults": {"missing"},
+    "cadgen.studies.study_file": {"missing"},
     "cadgen.studies.journal": {"path"},
     "cadgen.output.files.dxf": {"TEXT"},
     "cadgen.cli.draw": {"cam"},  # the value of --only

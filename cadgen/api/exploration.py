@@ -15,17 +15,15 @@ from cadgen.errors import DesignError, FileError, brief
 from cadgen.output.files.publisher import Frozen, frozen
 from cadgen.progress import Progress, silent
 from cadgen.studies.engines import Cluster, Engine, Mapped, Processes, engine_of
-from cadgen.studies.figures.figure import Figure as Figure
-from cadgen.studies.figures.table import register as register_figure
-from cadgen.studies.figures.table import remove as remove_figure
-from cadgen.studies.files import Summary, write_summary
 from cadgen.studies.journal import Journal
-from cadgen.studies.merge import merged
-from cadgen.studies.read import read_study
-from cadgen.studies.results import Results
-from cadgen.studies.run import Exploration as Computing
-from cadgen.studies.run import open_journal
+from cadgen.studies.results import Results, merged
 from cadgen.studies.study import Study
+from cadgen.studies.study_figures import StudyFigure as Figure
+from cadgen.studies.study_figures import register as register_figure
+from cadgen.studies.study_figures import remove as remove_figure
+from cadgen.studies.study_file import read_study
+from cadgen.studies.study_files import Summary, write_summary
+from cadgen.studies.study_run import StudyRun, open_journal
 
 __all__ = ["Exploration", "Figure", "explore", "merge", "register_figure", "remove_figure"]
 
@@ -140,7 +138,7 @@ def explore(
     try:
         engine = _engine(executor, scheduler, whole("processes", processes, 1, MOST_PROCESSES), journal)
         try:
-            results = Computing(read, journal, engine, progress).run()
+            results = StudyRun(read, journal, engine, progress).run()
         finally:
             engine.close()
         journal.free()

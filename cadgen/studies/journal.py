@@ -20,8 +20,8 @@ from numpy.typing import NDArray
 
 from cadgen.errors import FileError, brief
 from cadgen.output.files.lock import lock_now, unlock
-from cadgen.studies.evaluate import Row
-from cadgen.studies.paths import PlannedText
+from cadgen.studies.design_row import Row
+from cadgen.studies.planned_paths import PlannedText
 
 FORMAT = 1
 ENDING = ".journal"

@@ -1,17 +1,21 @@
 """All rows of a study in the order of their numbers, from one journal or those of its shards, one at a time."""
 
+import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cadgen.errors import FileError
-from cadgen.studies.evaluate import Row
-from cadgen.studies.journal import Journal
-from cadgen.studies.paths import PlannedText
+from cadgen.errors import FileError, brief
+from cadgen.studies.design_row import Row
+from cadgen.studies.journal import ENDING, Journal
+from cadgen.studies.planned_paths import PlannedText
 from cadgen.studies.study import Study
+from cadgen.studies.study_file import study_of
+from cadgen.version import __version__
 
 
 @dataclass(frozen=True)
@@ -79,3 +83,75 @@ def head(study: Study) -> list[str]:
 def cells(row: Row) -> Sequence[object]:
     """A row as a table has it."""
     return [row.number, *row.values, row.state, *row.figures, " ".join(row.failed), row.sentence]
+
+
+_OTHER_FILES = 64  # that a process holds open besides the journals
+
+
+def merged(folders: Sequence[Path]) -> Results:
+    """Results of the shards' journals in some folders.
+
+    Args:
+        folders: folders with journals, or journals.
+
+    Raises:
+        FileError: no journal, journals of several studies or versions, or designs without a result.
+    """
+    files = list(dict.fromkeys(file for folder in folders for file in _journals(folder)))
+    if not files:
+        raise FileError("there is no journal of cadgen explore in these folders: name those of the shards")
+    _allow_open(len(files))
+    journals = tuple(Journal.read(file) for file in files)
+    first = journals[0].header
+    for journal in journals:
+        if journal.header.version != __version__:
+            raise FileError(
+                f"{brief(str(journal.file))} was written by cadgen {journal.header.version}, and this is "
+                f"{__version__}: merge with that version"
+            )
+        if journal.header.fingerprint != first.fingerprint:
+            raise FileError(
+                f"{brief(str(journal.file))} is of another study than {brief(str(journals[0].file))}: name the "
+                "folders, or the journals, of one study"
+            )
+    study = study_of(first.study, first.text, first.source, first.name)
+    count = sum(journal.count for journal in journals) if study.searches else study.count
+    results = Results(study, journals, count)
+    missing = list(results.missing)
+    if missing:
+        raise FileError(
+            f"{len(missing)} of {count} designs have no result yet, the first is number {missing[0]}: run the "
+            f"shards on that are not done ({_shards(journals, missing[0])})"
+        )
+    return results
+
+
+def _shards(journals: Sequence[Journal], number: int) -> str:
+    parts = journals[0].header.shard[1]
+    return f"--shard {number % parts + 1}/{parts}" if parts > 1 else "cadgen explore"
+
+
+def _journals(folder: Path) -> list[Path]:
+    return sorted(folder.glob(f"*{ENDING}")) if folder.is_dir() else [folder]
+
+
+def _allow_open(count: int) -> None:
+    """Have this process allowed to hold so many journals open at once: many systems begin with 1024 files.
+
+    Raises:
+        FileError: this computer does not allow so many.
+    """
+    if sys.platform == "win32":
+        return
+    import resource
+
+    usual, most = resource.getrlimit(resource.RLIMIT_NOFILE)
+    needed = count + _OTHER_FILES
+    if usual == resource.RLIM_INFINITY or needed <= usual:
+        return
+    if most != resource.RLIM_INFINITY and needed > most:
+        raise FileError(
+            f"these are {count} journals, and this computer lets a program open {most} files at once: raise that limit "
+            "(ulimit -n), or take fewer shards"
+        )
+    resource.setrlimit(resource.RLIMIT_NOFILE, (needed, most))

@@ -14,22 +14,21 @@ from cadgen.car.planner import RESERVE, SEEDS, WITHIN_MM
 from cadgen.check import CheckCode
 from cadgen.design.section import HERE, DesignSection, OneOf, listed
 from cadgen.errors import DesignError, brief
-from cadgen.studies import plans, search
-from cadgen.studies.figures import table
-from cadgen.studies.figures.figure import Figure
-from cadgen.studies.variation import REPLAN, ROUNDING, Variation
+from cadgen.studies import sampling, study_figures
+from cadgen.studies.sampling import REPLAN, ROUNDING, Variation
+from cadgen.studies.study_figures import StudyFigure
 
 MOST_DESIGNS = 1_000_000
 _MOST_VALUES = 1000  # of a key, each of which is tried in the base design before anything is computed
 ALL = "all"
 Codes = Annotated[tuple[str, ...], Strict(False)]
 ANY = "any"
-FigureCode = Annotated[str, OneOf(table.codes)]
+FigureCode = Annotated[str, OneOf(study_figures.codes, study_figures.has)]
 
 
 def plan_kinds() -> tuple[str, ...]:
     """Codes of the plans by which designs are chosen."""
-    return (*plans.codes(), search.CODE)
+    return (*sampling.codes(), sampling.SEARCH)
 
 
 class PlanKeys(DesignSection):
@@ -41,12 +40,12 @@ class PlanKeys(DesignSection):
 
     @model_validator(mode="after")
     def _counted(self) -> "PlanKeys":
-        factorial = self.kind == plans.FACTORIAL
+        factorial = self.kind == sampling.FACTORIAL
         if factorial and self.designs is not None:
             raise ValueError("plan.designs is given, but a full factorial has as many as its values make: remove it")
         if not factorial and self.designs is None:
             raise ValueError(f"plan.designs is missing: say how many designs {self.kind} is to choose")
-        if self.kind == search.CODE and (self.designs or 0) < self.population:
+        if self.kind == sampling.SEARCH and (self.designs or 0) < self.population:
             raise ValueError(
                 f"plan.designs is {self.designs}, fewer than the {self.population} of one generation: raise it, or "
                 "lower plan.population"
@@ -278,13 +277,13 @@ class Study:
     variations: tuple[Variation, ...]
 
     @cached_property
-    def figures(self) -> tuple[Figure, ...]:
+    def figures(self) -> tuple[StudyFigure, ...]:
         """Objectives, then the other figures that are recorded or limited, each once."""
         named = (*self.file.objectives, *self.file.record, *(limit.figure for limit in self.file.limits))
-        return tuple(table.kind_of(code) for code in dict.fromkeys(named))
+        return tuple(study_figures.kind_of(code) for code in dict.fromkeys(named))
 
     @property
-    def objectives(self) -> tuple[Figure, ...]:
+    def objectives(self) -> tuple[StudyFigure, ...]:
         """Figures that are aimed at."""
         return self.figures[: len(self.file.objectives)]
 
@@ -302,7 +301,7 @@ class Study:
         """
         if self.searches:
             return self.generations * self.file.plan.population
-        count = plans.count(self.file.plan.kind, self.variations, self.file.plan.designs)
+        count = sampling.count(self.file.plan.kind, self.variations, self.file.plan.designs)
         if count > MOST_DESIGNS:
             many = str(count) if count < 10**15 else "more than 10^15"
             raise DesignError(f"the plan has {many} designs; it can have at most {MOST_DESIGNS}: use larger steps")
@@ -311,7 +310,7 @@ class Study:
     @property
     def searches(self) -> bool:
         """Whether later designs depend on the results of earlier ones."""
-        return self.file.plan.kind == search.CODE
+        return self.file.plan.kind == sampling.SEARCH
 
     @property
     def generations(self) -> int:

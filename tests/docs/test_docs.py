@@ -14,7 +14,7 @@ import tomli_w
 import cadgen
 from cadgen.cli import cli
 from cadgen.design.load import load_design, load_train
-from cadgen.studies.read import read_study
+from cadgen.studies.study_file import read_study
 from tests.docs.blocks import DOCS, INSTALL, ROOT, STUDIES, Block, Workshop, blocks, pages, same
 from tests.forks import MAIN
 

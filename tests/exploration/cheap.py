@@ -18,7 +18,7 @@ from time import perf_counter, thread_time
 import numpy as np
 
 from cadgen.api.exploration import Exploration, Figure, explore, register_figure, remove_figure
-from cadgen.studies.figures.evaluated import Evaluated
+from cadgen.studies.study_figures import Evaluated
 
 A, B = "cam.base_radius_mm", "car.wheelbase_mm"
 MILLISECOND = 1e-3

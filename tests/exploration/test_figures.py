@@ -13,9 +13,7 @@ from cadgen.car.against_play.band import fixed_profile_bound
 from cadgen.design import cam_model
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
-from cadgen.studies.figures.evaluated import Evaluated
-from cadgen.studies.figures.figure import Figure
-from cadgen.studies.figures.table import codes, kind_of, register, remove
+from cadgen.studies.study_figures import Evaluated, StudyFigure, codes, kind_of, register, remove
 
 OVERRIDES = (
     "blank.material=aluminium",
@@ -83,7 +81,7 @@ def test_the_drift_is_above_the_bound_of_all_profiles():
 
 
 def test_a_figure_from_outside():
-    figure = Figure(code="cube_mm3", meaning="", of=lambda evaluated: 1.0)
+    figure = StudyFigure(code="cube_mm3", meaning="", of=lambda evaluated: 1.0)
     register(figure)
     try:
         assert "cube_mm3" in codes()

@@ -7,13 +7,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from cadgen.studies.effects import effects
-from cadgen.studies.evaluate import Row
-from cadgen.studies.figures.figure import Figure
-from cadgen.studies.front import front, ranked
+from cadgen.studies.design_row import Row
+from cadgen.studies.front import effects, front, ranked
+from cadgen.studies.study_figures import StudyFigure
 
-LESS = Figure(code="less_mm", meaning="", of=lambda evaluated: 0.0)
-MORE = Figure(code="more_mm", meaning="", of=lambda evaluated: 0.0, more=True)
+LESS = StudyFigure(code="less_mm", meaning="", of=lambda evaluated: 0.0)
+MORE = StudyFigure(code="more_mm", meaning="", of=lambda evaluated: 0.0, more=True)
 
 
 def rows_of(points: list[tuple[float, ...]]) -> list[Row]:
@@ -38,7 +37,7 @@ def test_designs_outside_a_limit_are_not_on_the_front():
 
 
 def test_differences_below_the_resolution_make_no_design_better():
-    coarse = Figure(code="coarse_mm", meaning="", of=lambda evaluated: 0.0, resolution=0.1)
+    coarse = StudyFigure(code="coarse_mm", meaning="", of=lambda evaluated: 0.0, resolution=0.1)
     best = front(rows_of([(1.04, 3.0), (1.01, 3.0), (1.0, 2.0), (0.99, 2.5)]), (coarse, LESS))
     assert [row.number for row in best] == [2]
 

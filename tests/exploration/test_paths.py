@@ -6,10 +6,10 @@ from cadgen.api.design import Design
 from cadgen.api.exploration import explore
 from cadgen.design.load import packaged_studies
 from cadgen.errors import DesignError
-from cadgen.studies.figures.table import kind_of
-from cadgen.studies.paths import Planner, path_key
-from cadgen.studies.plans import plan
-from cadgen.studies.read import read_study
+from cadgen.studies.planned_paths import Planner, path_key
+from cadgen.studies.sampling import plan
+from cadgen.studies.study_figures import kind_of
+from cadgen.studies.study_file import read_study
 from tests.exploration.test_figures import evaluated_of
 
 STUDY = """
@@ -69,7 +69,7 @@ def test_room_for_the_scatter_of_the_cars_is_planned_as_the_study_says(tmp_path,
         asked.append((wanted.reserve, wanted.within))
         raise DesignError("no more than that is asked here")
 
-    monkeypatch.setattr("cadgen.studies.paths.plan_design", refused)
+    monkeypatch.setattr("cadgen.studies.planned_paths.plan_design", refused)
     file = tmp_path / "study.toml"
     for given, key in (("", "{}"), ("reserve = 2.0", "{}"), ("reserve = 2.0", '{"replan.reserve": 1.0}')):
         file.write_text(STUDY.replace("[replan]", f"[replan]\n{given}"))

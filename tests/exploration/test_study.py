@@ -9,10 +9,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from cadgen.errors import DesignError, FileError
-from cadgen.studies import plans
-from cadgen.studies.read import read_study
-from cadgen.studies.run import open_journal
-from cadgen.studies.variation import Variation
+from cadgen.studies import sampling
+from cadgen.studies.sampling import Variation
+from cadgen.studies.study_file import read_study
+from cadgen.studies.study_run import open_journal
 
 TEXT = """
 objectives = ["worst_end_mm", "disc_diameter_mm"]
@@ -146,7 +146,7 @@ def test_journals_of_others_are_refused(tmp_path, monkeypatch):
     with pytest.raises(FileError, match=r"is of shard 1/1: name it study\.journal again"):
         open_journal(*read_study(tmp_path / "study.toml"), tmp_path, (1, 2))
     (tmp_path / "study.1of2.journal").rename(tmp_path / "study.journal")
-    monkeypatch.setattr("cadgen.studies.run.__version__", "99.0")
+    monkeypatch.setattr("cadgen.studies.study_run.__version__", "99.0")
     with pytest.raises(FileError, match=r"was begun by cadgen .*, and this is 99\.0: end it with that version"):
         opened(TEXT)
     (tmp_path / "study.journal").write_text("something else, and longer than a header would ever be\n" * 200)
@@ -162,8 +162,8 @@ WHOLE = Variation("d", least=10, most=14, whole=True)
 
 def test_a_full_factorial_has_every_combination_once():
     kinds = (CHOICE, STEPS, WHOLE)
-    count = plans.count("full_factorial", kinds, None)
-    plan = plans.plan("full_factorial", kinds, count, 1)
+    count = sampling.count("full_factorial", kinds, None)
+    plan = sampling.plan("full_factorial", kinds, count, 1)
     assert count == 3 * 5 * 5
     assert len({plan(number) for number in range(count)}) == count
     assert {plan(number)[1] for number in range(count)} == {1.0, 1.5, 2.0, 2.5, 3.0}
@@ -173,7 +173,7 @@ def test_a_full_factorial_has_every_combination_once():
 @pytest.mark.parametrize("kind", ["sobol", "latin_hypercube"])
 def test_a_plan_by_chance_spreads_evenly_and_repeats_by_its_seed(kind):
     kinds = (CHOICE, RANGE, WHOLE)
-    plan, again, other = (plans.plan(kind, kinds, 60, seed) for seed in (1, 1, 2))
+    plan, again, other = (sampling.plan(kind, kinds, 60, seed) for seed in (1, 1, 2))
     rows = [plan(number) for number in range(60)]
     assert rows == [again(number) for number in range(60)] != [other(number) for number in range(60)]
     assert all(1 <= row[1] <= 3 and isinstance(row[2], int) for row in rows)

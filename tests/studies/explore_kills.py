@@ -23,7 +23,7 @@ from unittest.mock import patch
 
 from cadgen import __version__
 from cadgen.api.exploration import explore
-from cadgen.studies import files
+from cadgen.studies import study_files
 from tests.exploration import cheap
 from tests.studies.command import PAGES, options, tell
 
@@ -118,7 +118,7 @@ def case(number: int, seed: int, study: Path, known: dict[str, str], seconds: fl
 
 def run(cases: int, seed: int) -> list[Outcome]:
     """All cases."""
-    no_pictures = patch.object(files, "draw_exploration", lambda *content: [])
+    no_pictures = patch.object(study_files, "draw_exploration", lambda *content: [])
     with tempfile.TemporaryDirectory() as folder, cheap.registered(), no_pictures:
         study, out = Path(folder, "cheap.toml"), Path(folder, "known")
         study.write_text(cheap.study_text(DESIGNS, record=RECORD))

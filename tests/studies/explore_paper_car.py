@@ -10,12 +10,11 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from cadgen import __version__
-from cadgen.studies.effects import effects
-from cadgen.studies.evaluate import Row
-from cadgen.studies.front import front, ranked
+from cadgen.studies.design_row import Row
+from cadgen.studies.front import effects, front, ranked
 from cadgen.studies.journal import Journal
-from cadgen.studies.read import study_of
 from cadgen.studies.study import Study
+from cadgen.studies.study_file import study_of
 from tests.studies.command import PAGES, tell
 
 HAND_MADE_MM = 306.1  # worst end of the packaged car with its optimized cam, `cadgen optimize`

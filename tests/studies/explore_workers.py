@@ -21,15 +21,15 @@ from time import process_time
 
 from cadgen import __version__
 from cadgen.api.exploration import explore
-from cadgen.studies import work
+from cadgen.studies import engines
+from cadgen.studies.engines import Sizes
 from cadgen.studies.journal import Journal
-from cadgen.studies.work import Sizes
 from tests.exploration import cheap
 from tests.studies.command import PAGES, tell
 
 BAR = 0.9
 MESSAGE_S = 1e-3
-AHEAD = 2  # batches for each worker that are handed out; as `cadgen.studies.work` does
+AHEAD = 2  # batches for each worker that are handed out; as `cadgen.studies.engines` does
 # Processor time of 16 designs of the packaged study `paper_car`, s.
 RECORDED = Path(__file__).parents[1] / "data" / "explore_seconds.txt"
 
@@ -110,7 +110,7 @@ def scheduler_cost(tasks: int = 1000) -> float:
 
 def main_cost(designs: int = 400) -> float:
     """Processor time of the main process for a batch of one design, s, its place in the journal among it."""
-    work._MOST_IN_BATCH = 1
+    engines._MOST_IN_BATCH = 1
     spent = []
     with tempfile.TemporaryDirectory() as folder, cheap.registered():
         file = Path(folder, "cheap.toml")

@@ -1,12 +1,20 @@
 """One design of a study -> one row: cheap figures and their limits first, then checks and exact figures.
 
-Nothing that goes wrong with a design leaves this module as an error: it becomes the row's sentence.
+The process that computes a design keeps its limits of time and memory. Nothing that goes wrong with a design leaves
+this module as an error: it becomes the row's sentence.
 """
 
 import json
-from collections.abc import Sequence
+import multiprocessing
+import os
+import signal
+import sys
+import threading
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import cache
 from math import isfinite
 from pathlib import Path
 from time import thread_time
@@ -15,15 +23,70 @@ from typing import Any
 from cadgen.design.load import design_of
 from cadgen.design.schema import Design
 from cadgen.errors import CadgenError, brief
-from cadgen.studies.figures.evaluated import Evaluated
-from cadgen.studies.figures.figure import Figure
-from cadgen.studies.guard import TooLongError, limit_memory, within
-from cadgen.studies.plans import Values
+from cadgen.studies.sampling import REPLAN, Values, Variation
 from cadgen.studies.study import ALL, LimitKeys, Study
-from cadgen.studies.variation import REPLAN, Variation
+from cadgen.studies.study_figures import Evaluated, StudyFigure
+
+_HARD = 2.0  # times the limit, of processor time: then the process ends, whatever library it is in
 
 
-class State(StrEnum):
+class TooLongError(BaseException):
+    """The computation took longer than it may; no `Exception`, so that nothing below handles it."""
+
+
+@contextmanager
+def within(seconds: float) -> Iterator[None]:
+    """Raise `TooLongError` where the block takes longer; in a thread, as on some clusters, nothing is limited.
+
+    A library that does not return to Python is ended with its process after twice the processor time.
+
+    Args:
+        seconds: time that the block may take.
+    """
+    if not hasattr(signal, "setitimer") or threading.current_thread() is not threading.main_thread():
+        yield
+        return
+
+    def late(number: int, frame: object) -> None:
+        raise TooLongError(f"it took longer than {seconds:g} s (each.seconds)")
+
+    before = signal.signal(signal.SIGALRM, late)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
+    if _is_worker():
+        signal.setitimer(signal.ITIMER_PROF, _HARD * seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
+        signal.setitimer(signal.ITIMER_PROF, 0.0)
+        signal.signal(signal.SIGALRM, before)
+
+
+@cache
+def limit_memory(more_mb: float) -> None:
+    """Let a worker process take so much more memory than it has at first; beyond, Python raises `MemoryError`.
+
+    Only on Linux, where the size of a process can be read.
+
+    Args:
+        more_mb: megabytes of 1e6 bytes.
+    """
+    if sys.platform != "linux" or not _is_worker():
+        return
+    import resource
+
+    with open("/proc/self/statm", encoding="ascii") as stream:
+        pages = int(stream.read().split()[0])
+    hard = resource.getrlimit(resource.RLIMIT_AS)[1]
+    most = pages * os.sysconf("SC_PAGE_SIZE") + int(more_mb * 1e6)
+    resource.setrlimit(resource.RLIMIT_AS, (most if hard == resource.RLIM_INFINITY else min(most, hard), hard))
+
+
+def _is_worker() -> bool:
+    return multiprocessing.parent_process() is not None
+
+
+class DesignState(StrEnum):
     """State of a design in a study.
 
     Within all limits and checks; not; outside a limit on a cheap figure, so that no more was computed; the values make
@@ -55,7 +118,7 @@ class Row:
 
     number: int
     values: Values
-    state: State
+    state: DesignState
     figures: tuple[float | None, ...]
     failed: tuple[str, ...] = ()
     sentence: str = ""
@@ -69,7 +132,7 @@ class Row:
     def of(cls, content: Sequence[Any]) -> "Row":
         """The row of parsed JSON."""
         number, values, state, figures, failed, sentence = content
-        return cls(number, tuple(values), State(state), tuple(figures), tuple(failed), sentence)
+        return cls(number, tuple(values), DesignState(state), tuple(figures), tuple(failed), sentence)
 
 
 @dataclass(frozen=True)
@@ -90,7 +153,7 @@ class Task:
 
 
 @dataclass(frozen=True)
-class Job:
+class DesignJob:
     """All that a process needs to compute designs of a study."""
 
     text: str
@@ -98,7 +161,7 @@ class Job:
     overrides: tuple[str, ...]
     variations: tuple[Variation, ...]
     profile: str | None
-    figures: tuple[Figure, ...]
+    figures: tuple[StudyFigure, ...]
     limits: tuple[LimitKeys, ...]
     checks: tuple[str, ...]
     cars: int
@@ -107,7 +170,7 @@ class Job:
     memory_mb: float | None
 
     @classmethod
-    def of(cls, study: Study) -> "Job":
+    def of(cls, study: Study) -> "DesignJob":
         """The job of a study."""
         file = study.file
         return cls(
@@ -147,13 +210,13 @@ class Job:
                 state = self._judge(task, known, failed)
             sentence = ""
         except CadgenError as error:
-            state, sentence = State.REFUSED, str(error)
+            state, sentence = DesignState.REFUSED, str(error)
         except TooLongError as error:
-            state, sentence = State.CRASHED, str(error)
+            state, sentence = DesignState.CRASHED, str(error)
         except MemoryError:
-            state, sentence = State.CRASHED, "it ran out of memory (each.memory_mb)"
+            state, sentence = DesignState.CRASHED, "it ran out of memory (each.memory_mb)"
         except Exception as error:
-            state, sentence = State.CRASHED, f"a fault in cadgen ({type(error).__name__}: {error})"
+            state, sentence = DesignState.CRASHED, f"a fault in cadgen ({type(error).__name__}: {error})"
         figures = tuple(known.get(figure.code) for figure in self.figures)
         return Row(task.number, task.values, state, figures, tuple(failed), brief(sentence, _LONGEST))
 
@@ -170,20 +233,20 @@ class Job:
         varied = tuple(override_of(key, value) for key, value in changed if not key.startswith(apart))
         return varied if planned else (*self.overrides, *varied)
 
-    def _judge(self, task: Task, known: dict[str, float], failed: list[str]) -> State:
+    def _judge(self, task: Task, known: dict[str, float], failed: list[str]) -> DesignState:
         values = {each.key: value for each, value in zip(self.variations, task.values, strict=True)}
         evaluated = Evaluated(values, lambda: self.design(task), self.profile, self.cars, self.seed)
         self._measure(evaluated, [figure for figure in self.figures if figure.cheap], known, failed)
         if failed:
-            return State.SCREENED
+            return DesignState.SCREENED
         if self.checks:
             codes = [check.code.value for check in evaluated.plan.failed]
             failed += dict.fromkeys(code for code in codes if ALL in self.checks or code in self.checks)
         self._measure(evaluated, [figure for figure in self.figures if not figure.cheap], known, failed)
-        return State.OUTSIDE if failed else State.KEPT
+        return DesignState.OUTSIDE if failed else DesignState.KEPT
 
     def _measure(
-        self, evaluated: Evaluated, figures: Sequence[Figure], known: dict[str, float], failed: list[str]
+        self, evaluated: Evaluated, figures: Sequence[StudyFigure], known: dict[str, float], failed: list[str]
     ) -> None:
         for figure in figures:
             value = float(figure.of(evaluated))

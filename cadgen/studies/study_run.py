@@ -8,17 +8,15 @@ from time import monotonic
 import numpy as np
 
 from cadgen.progress import Progress, silent
-from cadgen.studies import plans
-from cadgen.studies.engines import Engine, Mapped
-from cadgen.studies.evaluate import Job, Row, State, Task
+from cadgen.studies import sampling
+from cadgen.studies.design_row import DesignJob, DesignState, Row, Task
+from cadgen.studies.engines import Engine, Mapped, work
 from cadgen.studies.front import objectives_of
 from cadgen.studies.journal import Header, Journal, journal_name
-from cadgen.studies.paths import PlannedText, Planner, path_key
-from cadgen.studies.plans import Values
+from cadgen.studies.planned_paths import PlannedText, Planner, path_key
 from cadgen.studies.results import Results
-from cadgen.studies.search import Search
+from cadgen.studies.sampling import FrontSearch, Values
 from cadgen.studies.study import Study
-from cadgen.studies.work import work
 from cadgen.version import __version__
 
 # How far a design without figures is from its limits; one that is only outside them is nearer.
@@ -40,7 +38,7 @@ def open_journal(study: Study, text: str, folder: Path, shard: tuple[int, int] =
 
 
 @dataclass
-class Exploration:
+class StudyRun:
     """A study under way.
 
     Attributes:
@@ -71,7 +69,7 @@ class Exploration:
 
     def _fixed(self) -> int:
         study, (part, parts) = self.study, self.journal.header.shard
-        values = plans.plan(study.file.plan.kind, study.variations, study.count, study.file.seed)
+        values = sampling.plan(study.file.plan.kind, study.variations, study.count, study.file.seed)
         self._total = len(range(part - 1, study.count, parts))
         self._compute(range(part - 1, study.count, parts), values)
         return study.count
@@ -79,11 +77,13 @@ class Exploration:
     def _search(self) -> int:
         """Generation by generation; values that came before are not computed again."""
         study, plan, journal = self.study, self.study.file.plan, self.journal
-        search = Search(len(study.keys), len(study.objectives), plan.population, study.generations, study.file.seed)
+        search = FrontSearch(
+            len(study.keys), len(study.objectives), plan.population, study.generations, study.file.seed
+        )
         known: dict[str, int] = {}
         count, self._total = 0, study.count
         for _ in range(study.generations):
-            values = [plans.values_at(study.variations, place) for place in search.ask().tolist()]
+            values = [sampling.values_at(study.variations, place) for place in search.ask().tolist()]
             numbers = range(count, count + len(values))
             first = [known.setdefault(repr(each), number) for number, each in zip(numbers, values, strict=True)]
             new = dict(zip(numbers, values, strict=True))
@@ -98,7 +98,7 @@ class Exploration:
 
     def _violation(self, row: Row) -> float:
         """How far a design is from keeping its limits: the sum of all excesses, and 1 for each check that fails."""
-        if row.state in (State.REFUSED, State.CRASHED):
+        if row.state in (DesignState.REFUSED, DesignState.CRASHED):
             return _NO_DESIGN
         known = dict(zip((figure.code for figure in self.study.figures), row.figures, strict=True))
         excesses = {code: 0.0 for code in row.failed if code in known}
@@ -107,7 +107,7 @@ class Exploration:
             if limit.figure in excesses and value is not None:
                 excesses[limit.figure] += limit.excess(value)
         checks = len(row.failed) - len(excesses)
-        return sum(excesses.values()) + checks + (_SCREENED if row.state == State.SCREENED else 0.0)
+        return sum(excesses.values()) + checks + (_SCREENED if row.state == DesignState.SCREENED else 0.0)
 
     def _compute(self, numbers: Sequence[int], values: Callable[[int], Values]) -> None:
         left = [number for number in numbers if number not in self.journal]
@@ -119,7 +119,7 @@ class Exploration:
             work(self.engine, planner, keys, len(keys), self._take_paths, planner.given_up)
         tasks: Iterator[Task] = (self._task(number, values(number)) for number in left)
         self._say()
-        work(self.engine, Job.of(self.study), tasks, len(left), self._take_rows, self._given_up)
+        work(self.engine, DesignJob.of(self.study), tasks, len(left), self._take_rows, self._given_up)
 
     def _task(self, number: int, values: Values) -> Task:
         key = path_key(self.study, values)
@@ -136,12 +136,12 @@ class Exploration:
     def _take_rows(self, results: Sequence[tuple[Row, float]]) -> None:
         self.journal.add_rows(results)
         self._done += len(results)
-        self._without += sum(row.state in (State.REFUSED, State.CRASHED) for row, _ in results)
+        self._without += sum(row.state in (DesignState.REFUSED, DesignState.CRASHED) for row, _ in results)
         self._say()
 
     def _given_up(self, task: Task) -> Row:
         nothing = (None,) * len(self.study.figures)
-        return Row(task.number, task.values, State.CRASHED, nothing, sentence=_GIVEN_UP)
+        return Row(task.number, task.values, DesignState.CRASHED, nothing, sentence=_GIVEN_UP)
 
     def _say(self) -> None:
         words = f"{self.journal.count} of {self._total} designs"

@@ -12,11 +12,9 @@ from cadgen.design.load import course_of
 from cadgen.errors import CadgenError, brief
 from cadgen.jobs.planning.plan import Wanted, plan_design
 from cadgen.jobs.planning.words import sentences
-from cadgen.studies.evaluate import override_of
-from cadgen.studies.guard import TooLongError, limit_memory, within
-from cadgen.studies.plans import Values
+from cadgen.studies.design_row import TooLongError, limit_memory, override_of, within
+from cadgen.studies.sampling import REPLAN, Values
 from cadgen.studies.study import ANY, Study
-from cadgen.studies.variation import REPLAN
 
 _WITH_A_PATH = ("path.", "course.", REPLAN)
 

@@ -1,0 +1,245 @@
+"""Figures of a design that a study may aim at or limit. A new one is an entry here, or is registered from outside."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from math import degrees
+from typing import Any
+
+import numpy as np
+
+from cadgen.arrays import TURN
+from cadgen.car.against_play.band import PlayBand
+from cadgen.car.against_play.remedies import holding
+from cadgen.car.path.track import Track
+from cadgen.car.path_motion import PathMotion
+from cadgen.car.running.drive import drive, turns_of
+from cadgen.car.running.friction import DiscMaterial
+from cadgen.car.steering import track_curvature, travel_ratio
+from cadgen.design import cam_model, variation
+from cadgen.design.schema import Design
+from cadgen.errors import DesignError
+from cadgen.jobs.cam.comparison import known_trains
+from cadgen.jobs.cam.plan import CamPlan, comparison_of, plan_cam
+from cadgen.jobs.runs.tolerance import CarSample, ToleranceRun, tolerance_of
+from cadgen.output.files.nc import drilling_minutes, milling_minutes
+from cadgen.registry import Registry
+
+
+class Evaluated:
+    """A design of a study.
+
+    Args:
+        values: value of each varied key.
+        read: function that reads the design, checked.
+        profile: profile of the cam; that of `cadgen cam` if None.
+        cars: number of random cars.
+        seed: seed of the random cars, the same for all designs, so that they differ by design alone.
+    """
+
+    def __init__(
+        self, values: Mapping[str, Any], read: Callable[[], Design], profile: str | None, cars: int, seed: int
+    ) -> None:
+        self.values, self._read, self._profile, self._cars, self._seed = values, read, profile, cars, seed
+
+    @cached_property
+    def design(self) -> Design:
+        """The design, checked by its schema."""
+        return self._read()
+
+    @cached_property
+    def track(self) -> Track:
+        """Track of the drive wheel."""
+        return cam_model.track(self.design)
+
+    @cached_property
+    def lift(self) -> PathMotion:
+        """Planned lift."""
+        return cam_model.lift(self.design, self.track)
+
+    @cached_property
+    def band(self) -> PlayBand:
+        """Return error of the train that the design is made for."""
+        return known_trains(self.design)[self.design.optimize.order]
+
+    @cached_property
+    def plan(self) -> CamPlan:
+        """Cam with all its checks, compared under play."""
+        return plan_cam(self.design, self._profile, with_play=bool(variation.play_bands(self.design)))
+
+    @cached_property
+    def tolerance(self) -> ToleranceRun:
+        """Random cars with that cam."""
+        return tolerance_of(self.plan, CarSample(samples=self._cars, seed=self._seed))
+
+
+@dataclass(frozen=True, kw_only=True)
+class StudyFigure:
+    """A figure of a design.
+
+    Attributes:
+        code: name in studies and tables, with its unit at the end.
+        meaning: a phrase.
+        of: function that computes it, a finite number; a function of a module, so that other processes find it.
+        more: whether a greater figure is better.
+        resolution: differences below it are those of rounding and search, and make no design better.
+        cheap: whether it takes milliseconds; a limit on it then screens, and nothing else of the design is computed.
+    """
+
+    code: str
+    meaning: str
+    of: Callable[[Evaluated], float]
+    more: bool = False
+    resolution: float = 0.0
+    cheap: bool = False
+
+    def aim(self, value: float) -> float:
+        """A value in the figure's own unit, rounded to its resolution, with the sign by which less is better.
+
+        Args:
+            value: value of the figure, a number in its own unit.
+        """
+        seen = round(value / self.resolution) * self.resolution if self.resolution else value
+        return -seen if self.more else seen
+
+
+# Greatest distance between the points of an outline whose diameter is taken, mm: the radius then errs by 1e-5 mm.
+_STEP = 0.1
+_DRIFT_STEPS = 720  # of a turn: the drift errs by some 0.01 %
+# g/cm3: handbooks' tables, such as those that The Engineering ToolBox collects; PLA by makers of filament.
+DENSITY: dict[DiscMaterial, float] = {
+    DiscMaterial.ALUMINIUM: 2.70,
+    DiscMaterial.STEEL: 7.85,
+    DiscMaterial.BRASS: 8.50,
+    DiscMaterial.ACRYLIC: 1.18,
+    DiscMaterial.PLA: 1.24,
+    DiscMaterial.POM: 1.41,
+}
+
+
+def _mass(evaluated: Evaluated) -> float:
+    """Area less bore and holes, times thickness and density."""
+    plan = evaluated.plan
+    material = plan.design.blank.material
+    if material is None:
+        raise DesignError("the mass of the disc needs its material: add blank.material, such as aluminium")
+    inner, outer = plan.design.cam.faces_mm
+    return plan.blank.disc_volume(plan.area, outer - inner) * DENSITY[material] * 1e-3
+
+
+def _energy(evaluated: Evaluated) -> float:
+    comparison = comparison_of(evaluated.plan)
+    if comparison.task.mechanics is None:
+        raise DesignError("the energy that holds the cam needs the rod's force: add [mechanics] with rod_force_N")
+    return holding(comparison.chosen.lift, comparison.task.mechanics).energy
+
+
+def _minutes(evaluated: Evaluated) -> float:
+    """Cuts, leads, plunges, tabs and drills, by their own moves."""
+    plan = evaluated.plan
+    machining, (inner, outer), material = plan.design.machining, plan.design.cam.faces_mm, plan.design.blank.material
+    milled = milling_minutes(plan.curve.length(), machining, outer - inner, material)
+    return milled + drilling_minutes(plan.made_blank, machining, outer - inner, material)
+
+
+def _drift(evaluated: Evaluated) -> float:
+    """End of the run by play, to first order: closed, and so cheap enough to screen thousands of designs.
+
+    A cam that is cut for the middle of the band errs by half of the band's width d at either end. On a fall the car
+    then meets its turning rate f(theta + d) for f(theta). So a piece of the fall turns it by d df more, about the place
+    Q where that happens, and moves the end E of the run by d df J (E - Q), J a quarter turn:
+
+        drift = d | sum over all falls of df J (E - Q) |.
+
+    The exact chain adds what is of higher order, what smoothing gains, and the jumps. On the paper's car this gives
+    within 1 % of the exact chain's worst end.
+    """
+    design, lift = evaluated.design, evaluated.lift
+    car, length = cam_model.car(design), cam_model.travel(design, evaluated.track)
+    run = drive(lift, car, length, steps=_DRIFT_STEPS * turns_of(lift.blend_start))
+    turning = length / TURN * track_curvature(run.tan_beta, car) * travel_ratio(run.tan_beta, car)
+    place = run.drive_wheel @ np.array([1.0, 1j])
+    lever = place[-1] - (place[1:] + place[:-1]) / 2
+    falling = np.diff(run.tan_beta) < 0
+    low, high = evaluated.band.ends
+    return (high - low) / 2 * float(abs(np.sum(np.diff(turning)[falling] * lever[falling])))
+
+
+def _worst_end(evaluated: Evaluated) -> float:
+    return comparison_of(evaluated.plan).chosen.band.worst_distance
+
+
+def _worst_heading(evaluated: Evaluated) -> float:
+    return degrees(comparison_of(evaluated.plan).chosen.band.worst_heading)
+
+
+def _passed(evaluated: Evaluated) -> float:
+    return 100 * evaluated.tolerance.passed
+
+
+def _diameter(evaluated: Evaluated) -> float:
+    return 2 * float(np.linalg.norm(evaluated.plan.curve.outline(_STEP).points, axis=1).max())
+
+
+def _return_error(evaluated: Evaluated) -> float:
+    return degrees(evaluated.band.ends[1])
+
+
+_FIGURES = Registry(
+    "figure",
+    (
+        StudyFigure(
+            code="worst_end_mm",
+            meaning="worst position error at the end over the band of play",
+            of=_worst_end,
+            resolution=0.1,
+        ),
+        StudyFigure(
+            code="worst_end_heading_deg",
+            meaning="worst heading error at the end over the band of play",
+            of=_worst_heading,
+            resolution=1e-3,
+        ),
+        StudyFigure(code="passed_percent", meaning="share of random cars that keep the course", of=_passed, more=True),
+        StudyFigure(
+            code="disc_diameter_mm",
+            meaning="diameter of the circle about the camshaft that holds the disc",
+            of=_diameter,
+            resolution=0.01,
+        ),
+        StudyFigure(code="disc_mass_g", meaning="mass of the disc without its hub", of=_mass, resolution=0.01),
+        StudyFigure(
+            code="holding_energy_J",
+            meaning="energy in a turn of the cam that the drag takes which holds it",
+            of=_energy,
+            resolution=1e-4,
+        ),
+        StudyFigure(
+            code="return_error_deg",
+            meaning="greatest return error at the camshaft",
+            of=_return_error,
+            resolution=1e-4,
+            cheap=True,
+        ),
+        StudyFigure(
+            code="cutting_time_min",
+            meaning="time that the programs for the mill move at a feed",
+            of=_minutes,
+            resolution=0.01,
+        ),
+        StudyFigure(
+            code="drift_mm",
+            meaning="end of the run by half of the band of play, to first order",
+            of=_drift,
+            resolution=0.1,
+            cheap=True,
+        ),
+    ),
+)
+register, remove, codes, kind_of, has = (
+    _FIGURES.register,
+    _FIGURES.remove,
+    _FIGURES.codes,
+    _FIGURES.kind_of,
+    _FIGURES.has,
+)
