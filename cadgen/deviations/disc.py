@@ -88,21 +88,8 @@ def eccentric(points: Array, p: Array) -> Array:
     return np.asarray(points - p)
 
 
-def _eccentric(disc: Disc, p: Array, at: object) -> Disc:
-    return replace(disc, points=eccentric(disc.points, p))
-
-
-def _offset(disc: Disc, p: Array, at: object) -> Disc:
-    return disc.moved(np.full(len(disc.angle), p[0]))
-
-
 def _scale(disc: Disc, p: Array, at: object) -> Disc:
     return replace(disc, points=disc.points * (1 + p))
-
-
-def _reversal(disc: Disc, p: Array, at: object) -> Disc:
-    """The cutter runs counterclockwise; an axis with lost motion lags half of it behind its own direction."""
-    return replace(disc, points=disc.points - np.sign(_travel(disc)) * p / 2)
 
 
 def lost_motion(disc: Disc, p: Array, at: object) -> Disc:
@@ -148,11 +135,6 @@ def ramped_reversal(disc: Disc, p: Array, at: Array) -> Disc:
     return replace(disc, points=disc.points - share * (15 - 10 * share**2 + 3 * share**4) / 8 * p / 2)
 
 
-def _sheared(disc: Disc, p: Array, at: object) -> Disc:
-    """A machine whose axes enclose 90 degrees plus p goes to x - p y where it is sent to x."""
-    return replace(disc, points=disc.points - p[0] * disc.points[:, ::-1] * np.array([1.0, 0.0]))
-
-
 def _travel(disc: Disc) -> Array:
     """Direction in which the cutter runs, shape (n, 2)."""
     return np.stack([-disc.normal[:, 1], disc.normal[:, 0]], axis=1)
@@ -165,7 +147,7 @@ ECCENTRIC_BORE = Effect(
         _um("eccentric_x_um", "+: the shaft's axis lies towards +x of the outline", 10.0),
         _um("eccentric_y_um", "+: towards +y", 10.0),
     ),
-    act=_eccentric,
+    act=lambda disc, p, at: replace(disc, points=eccentric(disc.points, p)),
     deviation=deviation.ECCENTRIC_BORE,
     places=(Place.PART, Place.PROCESS, Place.CAR),
     confused_with="a wobbling camshaft, or run-out of the shaft, in lift data",
@@ -175,7 +157,7 @@ CUTTER_COMPENSATION = Effect(
     name="cutter compensation",
     stage=DISC,
     parameters=(_um("cutter_offset_um", "+: too much stands all round, along the normal", 10.0),),
-    act=_offset,
+    act=lambda disc, p, at: disc.moved(np.full(len(disc.angle), p[0])),
     deviation=deviation.PROFILE_OFFSET,
     places=(Place.PROCESS, Place.PART),
     confused_with="uniform scale (they differ only where the outline is not a circle)",
@@ -215,7 +197,8 @@ AXIS_REVERSAL = Effect(
         ),
         _um("reversal_y_um", "+: the y axis likewise", 3.0, -200.0, 200.0),
     ),
-    act=_reversal,
+    # The cutter runs counterclockwise; an axis with lost motion lags half of it behind its own direction.
+    act=lambda disc, p, at: replace(disc, points=disc.points - np.sign(_travel(disc)) * p / 2),
     deviation=deviation.AXIS_REVERSAL,
     places=(Place.PROCESS, Place.PART),
     confused_with="an eccentric bore if only one half was measured",
@@ -227,17 +210,10 @@ OUT_OF_SQUARE = Effect(
     name="axes out of square",
     stage=DISC,
     parameters=(
-        Parameter(
-            name="square_deg",
-            unit="deg",
-            lower=-1.0,
-            upper=1.0,
-            step=0.01,
-            usual=0.01,
-            meaning="+: the axes of the machine that cut it enclose more than 90°",
-        ),
+        Parameter.of("square_deg", 1.0, 0.01, 0.01, "+: the axes of the machine that cut it enclose more than 90°"),
     ),
-    act=_sheared,
+    # A machine whose axes enclose 90 degrees plus p goes to x - p y where it is sent to x.
+    act=lambda disc, p, at: replace(disc, points=disc.points - p[0] * disc.points[:, ::-1] * np.array([1.0, 0.0])),
     places=(Place.PROCESS, Place.PART),
     confused_with="lobing of order two",
     separated_by="measure the diagonals of a square that the same machine cut",
@@ -315,14 +291,13 @@ def worn_nose(number: int, width_deg: float) -> Effect:
         stage=DISC,
         parameters=(
             _um("worn_depth_um", "material that is gone at the middle", None, 0.0, 300.0),
-            Parameter(
-                name="worn_width_deg",
-                unit="deg",
-                lower=1.5,
-                upper=10.0,
-                step=0.2,
-                start=width_deg,
+            Parameter.of(
+                "worn_width_deg",
+                10.0,
+                0.2,
                 meaning="standard deviation of the dent, in polar angle",
+                lower=1.5,
+                start=width_deg,
             ),
         ),
         act=act,

@@ -81,6 +81,40 @@ class Parameter:
     meaning: str = ""
     stepwise: bool = False
 
+    @classmethod
+    def of(
+        cls,
+        name: str,
+        upper: float,
+        step: float,
+        usual: float | None = None,
+        meaning: str = "",
+        *,
+        lower: float | None = None,
+        start: float = 0.0,
+    ) -> "Parameter":
+        """Number whose unit stands at the end of its name, of either sign if no lower bound is given.
+
+        Args:
+            name: name with the unit in it.
+            upper, lower: bounds, in the unit of the name.
+            step: small but visible value, in the unit of the name.
+            usual: standard deviation from car to car, in the unit of the name.
+            meaning: meaning of a positive value.
+            start: value at which a search begins, in the unit of the name.
+        """
+        ending = name.removesuffix("_per_run").rpartition("_")[2]
+        return cls(
+            name=name,
+            unit="%" if ending == "percent" else ending,
+            lower=-upper if lower is None else lower,
+            upper=upper,
+            step=step,
+            usual=usual,
+            start=start,
+            meaning=meaning,
+        )
+
     @property
     def scale(self) -> float:
         """Internal value (mm, rad, 1) of one unit."""

@@ -15,7 +15,7 @@ from cadgen.arrays import Array
 from cadgen.deviations.deviation import Place
 from cadgen.deviations.disc import ANISOTROPIC_SCALE, CUTTER_COMPENSATION, OUT_OF_SQUARE, UNIFORM_SCALE
 from cadgen.deviations.effect import Effect, Group, Parameter, Stage
-from cadgen.deviations.lift import ANGLE, PHASE, RETURN_ERROR, Readings
+from cadgen.deviations.lift import ANGLE, PHASE, RETURN_ERROR
 
 _MACHINE_SCALES = Group("scale of the machine")
 
@@ -26,15 +26,6 @@ _TURN_IT = "measure again with the part turned by 90 degrees on the machine: wha
 
 def _scaled(points: Array, p: Array, at: object) -> Array:
     return np.asarray(points / (1 + p))
-
-
-def _squared(points: Array, p: Array, at: object) -> Array:
-    """A machine whose axes enclose 90 degrees plus p reads x + p y where x is."""
-    return np.stack([points[:, 0] - p[0] * points[:, 1], points[:, 1]], axis=1)
-
-
-def _turned_once(angle: Array, p: Array, at: Readings) -> Array:
-    return np.asarray(angle + p[0] * np.cos(at.place) + p[1] * np.sin(at.place))
 
 
 STYLUS_RADIUS = replace(
@@ -91,7 +82,8 @@ SQUARENESS = Effect(
             meaning="+: its axes enclose more than 90°",
         ),
     ),
-    act=_squared,
+    # A machine whose axes enclose 90 degrees plus p reads x + p y where x is.
+    act=lambda points, p, at: np.stack([points[:, 0] - p[0] * points[:, 1], points[:, 1]], axis=1),
     looks_like=OUT_OF_SQUARE,
     confused_with="a part cut by a machine whose axes are out of square",
     separated_by=_TURN_IT,
@@ -99,17 +91,7 @@ SQUARENESS = Effect(
 DIVIDER_ZERO = replace(
     PHASE,
     name="zero of the divider",
-    parameters=(
-        Parameter(
-            name="divider_deg",
-            unit="deg",
-            lower=-5.0,
-            upper=5.0,
-            step=0.05,
-            usual=0.2,
-            meaning="+: it stands ahead of its mark",
-        ),
-    ),
+    parameters=(Parameter.of("divider_deg", 5.0, 0.05, 0.2, "+: it stands ahead of its mark"),),
     deviation=None,
     places=_NOTED,
     looks_like=PHASE,
@@ -119,18 +101,10 @@ INDEX_ERROR = Effect(
     name="index error",
     stage=ANGLE,
     parameters=tuple(
-        Parameter(
-            name=f"index_{part}_deg",
-            unit="deg",
-            lower=-2.0,
-            upper=2.0,
-            step=0.02,
-            usual=0.02,
-            meaning=f"+: ahead at {at}",
-        )
+        Parameter.of(f"index_{part}_deg", 2.0, 0.02, 0.02, f"+: ahead at {at}")
         for part, at in (("cos", "0°"), ("sin", "90°"))
     ),
-    act=_turned_once,
+    act=lambda angle, p, at: np.asarray(angle + p[0] * np.cos(at.place) + p[1] * np.sin(at.place)),
     confused_with="an eccentric bore",
     separated_by="turn the divider by half a turn on the shaft and measure again",
 )

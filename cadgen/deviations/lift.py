@@ -49,61 +49,17 @@ def _um(name: str, meaning: str, usual: float, limit: float, lower: float | None
     return Parameter(name=name, unit="um", lower=low, upper=limit, step=limit / 50, usual=usual, meaning=meaning)
 
 
-def _phase(angle: Array, p: Array, at: Readings) -> Array:
-    return np.asarray(angle + p[0])
-
-
-def _held_by_friction(angle: Array, p: Array, at: Readings) -> Array:
-    """The cam lags half the return error behind the divider, whichever way it turns."""
-    return np.asarray(angle - at.direction * p[0] / 2)
-
-
-def _held_by_spring(angle: Array, p: Array, at: Readings) -> Array:
-    """The spring turns the cam downhill as far as the play allows (half of it either side of the middle)."""
-    return np.asarray(angle - at.slope * p[0] / 2)
-
-
-def _rod(setting: Seat, p: Array, at: Readings) -> Seat:
-    return replace(setting, follower=replace(setting.follower, radius=setting.follower.radius + p[0]))
-
-
 def _axial(setting: Seat, p: Array, at: Readings) -> Seat:
     moved = replace(setting.follower, inner=setting.follower.inner + p[0], outer=setting.follower.outer + p[0])
     return replace(setting, follower=moved)
-
-
-def _wobble(setting: Seat, p: Array, at: Readings) -> Seat:
-    return replace(setting, wobble=(float(p[0]), float(p[1])))
-
-
-def _gain(reading: Array, p: Array, at: Readings) -> Array:
-    return np.asarray(reading * (1 + p[0]))
-
-
-def _tilt(reading: Array, p: Array, at: Readings) -> Array:
-    """A spindle tilted by alpha in the plane of the swing meets the rod where x = t cos a, w = w0 + t sin a."""
-    return np.asarray(reading / (np.cos(p[0]) - np.sin(p[0]) * at.steering))
-
-
-def _friction(reading: Array, p: Array, at: Readings) -> Array:
-    """Coulomb friction bends the lever by a constant amount against the rod's motion."""
-    return np.asarray(reading - p[0] * at.slope * at.direction)
-
-
-def _hysteresis(reading: Array, p: Array, at: Readings) -> Array:
-    """The dial itself lags by a constant amount, whichever flank the rod is on: half of it either way."""
-    return np.asarray(reading - at.direction * p[0] / 2)
-
-
-def _drift(reading: Array, p: Array, at: Readings) -> Array:
-    return np.asarray(reading + p[0] * at.elapsed)
 
 
 RETURN_ERROR = Effect(
     name="backlash",
     stage=ANGLE,
     parameters=(return_error("whole play at the camshaft; the cam lags by half of it either way", 5.0, 0.05),),
-    act=_held_by_friction,
+    # The cam lags half the return error behind the divider, whichever way it turns.
+    act=lambda angle, p, at: np.asarray(angle - at.direction * p[0] / 2),
     deviation=deviation.RETURN_ERROR,
     places=(Place.CAR,),
     group=Group("backlash"),
@@ -113,18 +69,8 @@ RETURN_ERROR = Effect(
 PHASE = Effect(
     name="phase",
     stage=ANGLE,
-    parameters=(
-        Parameter(
-            name="phase_deg",
-            unit="deg",
-            lower=-5.0,
-            upper=5.0,
-            step=0.05,
-            usual=0.2,
-            meaning="+: the cam stands ahead, in its sense of turning",
-        ),
-    ),
-    act=_phase,
+    parameters=(Parameter.of("phase_deg", 5.0, 0.05, 0.2, "+: the cam stands ahead, in its sense of turning"),),
+    act=lambda angle, p, at: np.asarray(angle + p[0]),
     deviation=deviation.CAM_PHASE,
     places=(Place.CAR,),
     confused_with="backlash held by the spring",
@@ -157,7 +103,9 @@ LIFT_EFFECTS = (
         name="rod radius",
         stage=FOLLOWER,
         parameters=(_um("rod_radius_um", "+: the rod is too thick", 5.0, 1500.0),),
-        act=_rod,
+        act=lambda setting, p, at: replace(
+            setting, follower=replace(setting.follower, radius=setting.follower.radius + p[0])
+        ),
         deviation=deviation.ROD_RADIUS,
         places=(Place.CAR,),
         twins=("cutter compensation",),
@@ -167,18 +115,8 @@ LIFT_EFFECTS = (
     Effect(
         name="lever gain",
         stage=READING,
-        parameters=(
-            Parameter(
-                name="gain_percent",
-                unit="%",
-                lower=-5.0,
-                upper=5.0,
-                step=0.1,
-                usual=0.3,
-                meaning="+: the dial shows too much",
-            ),
-        ),
-        act=_gain,
+        parameters=(Parameter.of("gain_percent", 5.0, 0.1, 0.3, "+: the dial shows too much"),),
+        act=lambda reading, p, at: np.asarray(reading * (1 + p[0])),
         twins=("cosine error of the indicator",),
         confused_with="axial offset of the disc, cosine error of the indicator",
         separated_by="check the dial with gauge blocks; measure the distance from the fork axis to the disc",
@@ -200,7 +138,7 @@ LIFT_EFFECTS = (
             _um("wobble_cos_um", "+: at 0° of cam angle the face stands further from the fork axis", 30.0, 4000.0),
             _um("wobble_sin_um", "+: at 90° of cam angle", 30.0, 4000.0),
         ),
-        act=_wobble,
+        act=lambda setting, p, at: replace(setting, wobble=(float(p[0]), float(p[1]))),
         confused_with="an eccentric bore, lever gain",
         separated_by="put the dial on the face of the disc and turn the camshaft",
     ),
@@ -208,7 +146,8 @@ LIFT_EFFECTS = (
         name="lost motion by friction",
         stage=READING,
         parameters=(_um("lost_motion_um", "by which the dial lags behind the rod, either way", 3.0, 300.0, 0.0),),
-        act=_friction,
+        # Coulomb friction bends the lever by a constant amount against the rod's motion.
+        act=lambda reading, p, at: np.asarray(reading - p[0] * at.slope * at.direction),
         confused_with="backlash",
         separated_by="tap the lever before each reading: friction lets go, backlash stays",
     ),
@@ -220,13 +159,15 @@ LIFT_EFFECTS = (
         parameters=(
             return_error("whole play at the camshaft; the spring turns the cam downhill by half of it", 5.0, 0.05),
         ),
-        act=_held_by_spring,
+        # The spring turns the cam downhill as far as the play allows (half of it either side of the middle).
+        act=lambda angle, p, at: np.asarray(angle - at.slope * p[0] / 2),
     ),
     Effect(
         name="hysteresis of the dial",
         stage=READING,
         parameters=(_um("hysteresis_um", "+: it reads less by half of it going forward, more in reverse", 2.0, 300.0),),
-        act=_hysteresis,
+        # The dial itself lags by a constant amount, whichever flank the rod is on: half of it either way.
+        act=lambda reading, p, at: np.asarray(reading - at.direction * p[0] / 2),
         confused_with="drift, as each run goes forward first and then back",
         separated_by="move the dial up to a gauge block and down to it, and read both",
     ),
@@ -234,7 +175,7 @@ LIFT_EFFECTS = (
         name="drift",
         stage=READING,
         parameters=(_um("drift_um_per_run", "+: the reading grows from a run's first row to its last", 3.0, 200.0),),
-        act=_drift,
+        act=lambda reading, p, at: np.asarray(reading + p[0] * at.elapsed),
         confused_with="runs that disagree",
         separated_by="let the dial and the car warm up, and read the zero again at the end of each run",
     ),
@@ -242,17 +183,16 @@ LIFT_EFFECTS = (
         name="tilted indicator",
         stage=READING,
         parameters=(
-            Parameter(
-                name="indicator_tilt_deg",
-                unit="deg",
-                lower=-20.0,
-                upper=20.0,
-                step=0.5,
-                usual=0.5,
-                meaning="+: its tip points away from the fork axis, so that it reads more on a lifted rod",
+            Parameter.of(
+                "indicator_tilt_deg",
+                20.0,
+                0.5,
+                0.5,
+                "+: its tip points away from the fork axis, so that it reads more on a lifted rod",
             ),
         ),
-        act=_tilt,
+        # A spindle tilted by alpha in the plane of the swing meets the rod where x = t cos a, w = w0 + t sin a.
+        act=lambda reading, p, at: np.asarray(reading / (np.cos(p[0]) - np.sin(p[0]) * at.steering)),
         twins=("a dial whose scale is not even",),
         confused_with="axial offset of the disc, wear",
         separated_by="set the spindle square to the rod with a precision square and measure again",

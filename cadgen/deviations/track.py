@@ -25,18 +25,6 @@ RUNNING = Stage[Running]("running")
 STEERING = Stage[Array]("steering")
 
 
-def _length(run: Running, p: Array, at: object) -> Running:
-    return replace(run, length=run.length * (1 + p[0]))
-
-
-def _offset(run: Running, p: Array, at: object) -> Running:
-    return replace(run, car=replace(run.car, drive_wheel_offset=run.car.drive_wheel_offset + p[0]))
-
-
-def _slip(run: Running, p: Array, at: object) -> Running:
-    return replace(run, car=replace(run.car, slip=float(p[0])))
-
-
 def _play(run: Running, p: Array, at: object) -> Running:
     return replace(run, play=float(p[0]))
 
@@ -47,18 +35,6 @@ def _friction(run: Running, p: Array, at: object) -> Running:
 
 def _rubbing(run: Running, p: Array, at: object) -> Running:
     return _friction(_play(run, p[:1], at), p[1:], at)
-
-
-def _phase(run: Running, p: Array, at: object) -> Running:
-    return replace(run, phase=run.phase + float(p[0]))
-
-
-def _zero(run: Running, p: Array, at: object) -> Running:
-    return replace(run, car=replace(run.car, steering_zero=run.car.steering_zero + float(p[0])))
-
-
-def _gain(run: Running, p: Array, at: object) -> Running:
-    return replace(run, car=replace(run.car, steering_gain=run.car.steering_gain * (1 + float(p[0]))))
 
 
 RETURN_ERROR = Effect(
@@ -99,17 +75,9 @@ TRACK_EFFECTS = (
         name="steering zero",
         stage=RUNNING,
         parameters=(
-            Parameter(
-                name="steering_zero_deg",
-                unit="deg",
-                lower=-5.0,
-                upper=5.0,
-                step=0.005,
-                usual=0.05,
-                meaning="+: the wheel points right where the rod is straight",
-            ),
+            Parameter.of("steering_zero_deg", 5.0, 0.005, 0.05, "+: the wheel points right where the rod is straight"),
         ),
-        act=_zero,
+        act=lambda run, p, at: replace(run, car=replace(run.car, steering_zero=run.car.steering_zero + float(p[0]))),
         deviation=deviation.STEERING_ZERO,
         places=(Place.CAR,),
         twins=("yaw of the axle",),
@@ -120,17 +88,11 @@ TRACK_EFFECTS = (
         name="lever gain",
         stage=RUNNING,
         parameters=(
-            Parameter(
-                name="gain_percent",
-                unit="%",
-                lower=-20.0,
-                upper=20.0,
-                step=0.05,
-                usual=0.3,
-                meaning="+: the wheel turns more than the rod, in its tangent",
-            ),
+            Parameter.of("gain_percent", 20.0, 0.05, 0.3, "+: the wheel turns more than the rod, in its tangent"),
         ),
-        act=_gain,
+        act=lambda run, p, at: replace(
+            run, car=replace(run.car, steering_gain=run.car.steering_gain * (1 + float(p[0])))
+        ),
         deviation=deviation.WHEELBASE,
         places=(Place.CAR,),
         twins=("wheelbase",),
@@ -141,17 +103,9 @@ TRACK_EFFECTS = (
         name="wheel radius",
         stage=RUNNING,
         parameters=(
-            Parameter(
-                name="wheel_radius_percent",
-                unit="%",
-                lower=-10.0,
-                upper=10.0,
-                step=0.02,
-                usual=0.2,
-                meaning="+: the car goes too far for a turn of the cam",
-            ),
+            Parameter.of("wheel_radius_percent", 10.0, 0.02, 0.2, "+: the car goes too far for a turn of the cam"),
         ),
-        act=_length,
+        act=lambda run, p, at: replace(run, length=run.length * (1 + p[0])),
         deviation=deviation.WHEEL_RADIUS,
         places=(Place.CAR,),
         twins=("ratio of cam and wheel",),
@@ -162,17 +116,11 @@ TRACK_EFFECTS = (
         name="driven wheel's offset",
         stage=RUNNING,
         parameters=(
-            Parameter(
-                name="drive_wheel_offset_mm",
-                unit="mm",
-                lower=-30.0,
-                upper=30.0,
-                step=0.1,
-                usual=0.3,
-                meaning="+: the driven wheel stands further left of the fork axis",
+            Parameter.of(
+                "drive_wheel_offset_mm", 30.0, 0.1, 0.3, "+: the driven wheel stands further left of the fork axis"
             ),
         ),
-        act=_offset,
+        act=lambda run, p, at: replace(run, car=replace(run.car, drive_wheel_offset=run.car.drive_wheel_offset + p[0])),
         deviation=deviation.DRIVE_WHEEL_OFFSET,
         places=(Place.CAR,),
         confused_with="lever gain where the turns all go one way",
@@ -182,17 +130,9 @@ TRACK_EFFECTS = (
         name="slip with curvature",
         stage=RUNNING,
         parameters=(
-            Parameter(
-                name="slip_percent",
-                unit="%",
-                lower=-20.0,
-                upper=50.0,
-                step=0.2,
-                usual=1.0,
-                meaning="+: travel lost, for each unit of |tan(beta)|",
-            ),
+            Parameter.of("slip_percent", 50.0, 0.2, 1.0, "+: travel lost, for each unit of |tan(beta)|", lower=-20.0),
         ),
-        act=_slip,
+        act=lambda run, p, at: replace(run, car=replace(run.car, slip=float(p[0]))),
         places=(Place.CAR,),
         confused_with="wheel radius",
         separated_by="run a long straight and a tight circle, each by the turns of the wheel",
@@ -200,18 +140,8 @@ TRACK_EFFECTS = (
     Effect(
         name="cam phase",
         stage=RUNNING,
-        parameters=(
-            Parameter(
-                name="phase_deg",
-                unit="deg",
-                lower=-10.0,
-                upper=10.0,
-                step=0.02,
-                usual=0.2,
-                meaning="+: the cam stands ahead, in its sense of turning",
-            ),
-        ),
-        act=_phase,
+        parameters=(Parameter.of("phase_deg", 10.0, 0.02, 0.2, "+: the cam stands ahead, in its sense of turning"),),
+        act=lambda run, p, at: replace(run, phase=run.phase + float(p[0])),
         deviation=deviation.CAM_PHASE,
         places=(Place.CAR,),
         confused_with="backlash",
@@ -238,7 +168,7 @@ def steering_bump(centre_deg: float, width_deg: float) -> Effect:
     return Effect(
         name=f"steering off near {centre_deg:.0f} deg over {width_deg:.0f} deg",
         stage=STEERING,
-        parameters=(Parameter(name="steering_bump_percent", unit="%", lower=-20.0, upper=20.0, step=0.02),),
+        parameters=(Parameter.of("steering_bump_percent", 20.0, 0.02),),
         act=act,
         shape=True,
         numerous=True,
@@ -248,7 +178,7 @@ def steering_bump(centre_deg: float, width_deg: float) -> Effect:
 
 def _form(name: str, act: Callable[[Array, Array, Array], Array], unit: str, limit: float) -> Effect:
     """A form without a name that runs through the whole turn."""
-    number = Parameter(name=f"{name.split()[-1]}_{_ENDS[unit]}", unit=unit, lower=-limit, upper=limit, step=limit / 1e3)
+    number = Parameter.of(f"{name.split()[-1]}_{_ENDS[unit]}", limit, limit / 1e3)
     return Effect(
         name=name,
         stage=STEERING,
@@ -269,16 +199,12 @@ SMOOTH_FORMS = (
 )
 
 
-def _worn(run: Running, p: Array, at: object) -> Running:
-    return replace(run, wear=run.wear + float(p[0]))
-
-
 WHEEL_THAT_SHRINKS = replace(
     SMOOTH_FORMS[0],
     name="travel that fades",
     stage=RUNNING,
-    parameters=(Parameter(name="fades_percent", unit="%", lower=-20.0, upper=20.0, step=0.05),),
-    act=_worn,
+    parameters=(Parameter.of("fades_percent", 20.0, 0.05),),
+    act=lambda run, p, at: replace(run, wear=run.wear + float(p[0])),
 )
 
 

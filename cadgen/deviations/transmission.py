@@ -68,14 +68,6 @@ def _rubbing(play: Play, p: Array, at: Turned) -> Play:
     return _friction(_play(play, p[:1], at), p[1:], at)
 
 
-def _rate(angle: Array, p: Array, at: Turned) -> Array:
-    return np.asarray(angle * (1 + p[0]))
-
-
-def _wind_up(angle: Array, p: Array, at: Turned) -> Array:
-    return np.asarray(angle - p[0] * at.torque)
-
-
 def _periodic(order: float) -> Callable[[Array, Array, Turned], Array]:
     def act(angle: Array, p: Array, at: Turned) -> Array:
         return np.asarray(angle + p[0] * np.cos(order * at.turned) + p[1] * np.sin(order * at.turned))
@@ -110,18 +102,8 @@ SLIDING_FRICTION = Effect(
 RATE = Effect(
     name="rate",
     stage=RATIO,
-    parameters=(
-        Parameter(
-            name="rate_percent",
-            unit="%",
-            lower=-20.0,
-            upper=20.0,
-            step=0.05,
-            usual=0.01,
-            meaning="+: the camshaft turns too far for the motor",
-        ),
-    ),
-    act=_rate,
+    parameters=(Parameter.of("rate_percent", 20.0, 0.05, 0.01, "+: the camshaft turns too far for the motor"),),
+    act=lambda angle, p, at: np.asarray(angle * (1 + p[0])),
     twins=("wrong gear ratio", "scale of an encoder"),
     confused_with="a gear with one tooth more or less, an encoder with another count",
     separated_by="count the teeth; turn the motor by hand once past a mark and read its encoder",
@@ -130,7 +112,7 @@ WIND_UP = Effect(
     name="wind-up",
     stage=MESH,
     parameters=(_deg("wind_up_deg", "+: the camshaft lags where the lift rises most steeply", 5.0, 0.03),),
-    act=_wind_up,
+    act=lambda angle, p, at: np.asarray(angle - p[0] * at.torque),
     places=(Place.NOTED, Place.CAR),
     confused_with="runout of the camshaft",
     separated_by="lift the rod off the cam and measure again",
