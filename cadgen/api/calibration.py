@@ -140,7 +140,7 @@ class Calibrations(Generic[D]):
 
     @property
     def report(self) -> list[Block]:
-        """One table with a row for each."""
+        """Table with a row for each."""
         return summary(self.each)
 
     def facts(self) -> dict[str, object]:

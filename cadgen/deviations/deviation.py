@@ -67,7 +67,7 @@ _ENDINGS = {"mm": "mm", "rad": "deg", "N": "N", "K": "K"}
 
 @dataclass(frozen=True)
 class Deviation:
-    """One way in which a car may differ from its design; two of one name are the same.
+    """Way in which a car may differ from its design; two of one name are the same.
 
     Attributes:
         name: name in words, unique.

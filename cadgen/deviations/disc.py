@@ -93,7 +93,7 @@ def _scale(disc: Disc, p: Array, at: object) -> Disc:
 
 
 def lost_motion(disc: Disc, p: Array, at: object) -> Disc:
-    """The same as the machine does it: a turned axis stands until its command has gone back by all of the lost motion.
+    """Reversal as the machine makes it: a turned axis stands until its command has gone back by all the lost motion.
 
     p holds the lost motions of the x and the y axis, mm. Beside the quadrants this is `_reversal`, which jumps there
     and is what a record is compared with.
@@ -119,7 +119,7 @@ def _dragged(asked: Array, width: float) -> Array:
 
 
 def ramped_reversal(disc: Disc, p: Array, at: Array) -> Disc:
-    """The same with ramps instead of the jumps where an axis turns round: what an outline can have of it.
+    """Reversal with ramps instead of jumps where an axis turns round, as far as an outline can have it.
 
     Over s to either side of a quadrant the direction turns by s times the curvature, and a ramp of height p has the
     curvature 1.44 p / s^2 at its foot; s is such that this is that of the least hollow.

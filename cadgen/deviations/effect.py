@@ -57,7 +57,7 @@ class Stage(Generic[State]):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Parameter:
-    """One number of an effect.
+    """Number of an effect, with its bounds.
 
     Attributes:
         name: name with the unit in it, as in a design file (`eccentric_x_um`).
@@ -135,7 +135,7 @@ class Group:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Effect:
-    """One entry of the catalogue, or (with `shape`) an anonymous form that competes with the entries.
+    """Entry of a catalogue, or (with `shape`) an anonymous form that competes with the entries.
 
     Attributes:
         name: name of the effect in claims.

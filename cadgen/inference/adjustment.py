@@ -3,9 +3,11 @@
 A trial run is fitted with everything that the tolerances let vary. At each pair of play and friction of a grid the
 car's track is linear in all other deviations to a good part of what the tolerances allow: with another play or friction
 the car jumps elsewhere. So the most probable deviations follow from Gauss-Newton steps, and the weight of the pair from
-Laplace's approximation of the evidence,
-    ln p = -(|r|^2 / sigma^2 + |m|^2) / 2 - ln det(1 + J^T J / sigma^2) / 2,
-with r the residuals, m the deviations in units of their prior standard deviations and J the derivatives by m
+Laplace's approximation of the evidence:
+
+    ln p = -(|r|^2 / sigma^2 + |m|^2) / 2 - ln det(1 + J^T J / sigma^2) / 2
+
+Here r are the residuals, m the deviations in units of their prior standard deviations, and J the derivatives by m
 (MacKay, Information Theory, Inference, and Learning Algorithms, 2003, chapters 27 and 28).
 
 The settings are those with the least expected error over the cars that explain the trial runs.
@@ -304,7 +306,7 @@ def explain(nominal: Cars, lever: complex, prior: CarPrior, trials: Sequence[Tri
 
 @dataclass(frozen=True)
 class _Fit:
-    """One trial run against the nominal car; `columns` are the values of the car, its head and its start."""
+    """Trial run against the nominal car; `columns` are the values of the car, its head and its start."""
 
     nominal: Cars
     lever: complex
@@ -391,7 +393,7 @@ class _System:
         return np.asarray(-(squares + np.linalg.slogdet(self.information)[1]) / 2)
 
     def evidence_after(self, step: Array, value: Array) -> Array:
-        """The same at values a step further on, as the linear system foresees it."""
+        """Evidence at values a step further on, as the linear system foresees it."""
         moved = self.residual + np.einsum("cqp,cp->cq", self.derivative, step)
         return replace(self, residual=moved).evidence(value)
 

@@ -106,7 +106,7 @@ class Linear:
 
     @cached_property
     def effects(self) -> tuple[Effect, ...]:
-        """Those that are weighed: all that combine freely, and what is likely beside them."""
+        """Effects that are weighed: all that combine freely, and what is likely beside them."""
         wanted = {e.key for _, active in self.likely for e, _ in active}
         every = (*self.merged.catalogue, *self.merged.shapes)
         return tuple(e for e in every if e.key in wanted or not (e.numerous or e.shape))
@@ -129,7 +129,7 @@ class Linear:
 
     @cached_property
     def scale(self) -> Array:
-        """One standard deviation of each direction, internal units, shape (p,)."""
+        """Standard deviation of each direction, internal units, shape (p,)."""
         return np.array([self.spread.get(q.name, 0.0) or q.spread for e in self.effects for q in e.parameters])
 
     @property
@@ -279,7 +279,7 @@ class Linear:
         return out
 
     def noise_of(self, kind: Kind, model: Model) -> Noise:
-        """Of a record to be made: that of the records so far, or the instrument's usual one."""
+        """Noise of a record to be made, by the records so far or by the usual instrument."""
         rows = len(model.rows.run)
         if kind in self.kinds[: self.measured]:
             known = self.noises[self.kinds.index(kind)]
@@ -414,9 +414,9 @@ class Knowledge:
     def _unseen(self, best: Active, means: Mapping[Deviation | None, float]) -> list[Effect]:
         """Effects beside the best subset that a car may have all the same.
 
-        Every car has a little of all that lies about 0. Play and friction are there or not: where they are not in a
-        likely subset, and the rows leave p x - i x^2 / 2 of their number x in standard deviations of what cars differ
-        by, about m, being there changes the evidence by exp(((p + m)^2 / (1 + i) - m^2) / 2) / sqrt(1 + i).
+        Every car has a little of all that lies about 0. Play and friction are there or not. Take a number x of them,
+        in standard deviations of what cars differ by, about m, of which the rows leave p x - i x^2 / 2. Where no likely
+        subset has it, its presence changes the evidence by exp(((p + m)^2 / (1 + i) - m^2) / 2) / sqrt(1 + i).
 
         Args:
             best: effects of the best subset.

@@ -1,12 +1,14 @@
 """The loop closed on paper: where the car as built ends, on the old cam and on a new one made for what is claimed.
 
 A new cam takes out what is claimed and left to it, at the values found; everything else stays, and so does the error
-of the values. To first order that error moves the end on the new cam as it does on the old one. So with P the end of
-the run on the cam that was measured, p what the car has, and c what the new cam is made for,
-    old error = P(p) - P(0),    new error = P(p without what goes with the old disc) - P(c),
-each plus what the records show beside all effects, and the new one plus what the form error of the new disc, another
-one than the old disc's, makes of it. p is drawn from the likely subsets, claimed or not, by their
-weights, and within each from its normal distribution about the values found.
+of the values. To first order that error moves the end on the new cam as it does on the old one. With P the end of the
+run on the cam that was measured, p what the car has, and c what the new cam is made for:
+
+    old error = P(p) - P(0),    new error = P(p without what goes with the old disc) - P(c).
+
+To each comes what the records show beside all effects, and to the new one what the form error of the new disc makes of
+it, another one than the old disc's. p is drawn from the likely subsets, claimed or not, by their weights, and within
+each from its normal distribution about the values found.
 """
 
 from collections.abc import Mapping
@@ -185,7 +187,7 @@ def _in_track(model: TrackModel, effect: Effect, kind: str) -> Effect | None:
 
 
 def _of_name(model: TrackModel, name: Name) -> Effect | None:
-    """The same for what only data that were judged apart show, such as the play of zones."""
+    """Effect in the track of what only data that were judged apart show, such as the play of zones."""
     from cadgen.inference.measurement.kinds import kind_of
 
     effect = kind_of(name[0]).catalogue.named(name[1])

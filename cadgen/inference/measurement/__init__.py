@@ -15,8 +15,7 @@
 | `reservations` | what speaks against a verdict, and what these data cannot tell apart                           |
 | `findings`     | effects with their numbers; a diagnosis by evidence, and one by runs left out                  |
 | `claims`       | what is claimed, each deviation at work once, where data that are judged apart show it too     |
-| `leave_out`    | subsets by their path error on runs left out, where errors accumulate                          |
-| `steered`      | the diagnosis of logged runs that follows from it                                              |
+| `runs_left_out` | diagnosis of logged runs by their path error on runs left out, where errors accumulate        |
 | `diagnosis`    | the entry: records of one car, judged together, with the test on runs left out                 |
 | `reference`    | the catalogues as a page of documentation                                                      |
 """

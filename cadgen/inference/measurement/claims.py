@@ -106,7 +106,7 @@ def _absent(source: str, kind: Kind, fitted: Finding, most: float) -> Claim | No
 
 
 def at_work(found: Sequence[Claim]) -> tuple[Claim, Claim]:
-    """Of the claims of one quantity that which stands for all, as it was found and as it is taken.
+    """Claim that stands for all claims of one deviation, as it was found and as it is taken.
 
     Where they agree it is the most accurate one, with the mean of all; where they do not, the one whose kind of data
     is nearest to what the car drives with, as it was found.

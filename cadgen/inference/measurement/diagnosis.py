@@ -38,8 +38,8 @@ from cadgen.inference.measurement.reservations import (
     with_friction_judged,
     with_known_play,
 )
+from cadgen.inference.measurement.runs_left_out import diagnose_logged
 from cadgen.inference.measurement.search import find
-from cadgen.inference.measurement.steered import diagnose_steered
 from cadgen.inference.measurement.verdict import Judgement, Verdict, judge
 from cadgen.progress import Progress, silent
 
@@ -407,4 +407,4 @@ def calibrate_logged(records: Sequence[Record], wheelbase: float, progress: Prog
     refuse_wrong_units(record, logged)
     model = record.kind.model
     assert model is not None
-    return diagnose_steered(record, lambda part: model(part, logged), progress)
+    return diagnose_logged(record, lambda part: model(part, logged), progress)

@@ -1,14 +1,18 @@
 """How well a set of columns explains a residual, with the form error and the noise taken into account.
 
 The measured residual is y = X p + D d + F b + e: effects, datum freedoms, what repeats without a name, and noise.
-What repeats is the form error, and a discrepancy that each kind of record has of its own (`models.base.Discrepancy`),
-such as the floor under a track, whose amplitudes have a stated spread. The form error has a variance spectrum by order,
-    S_k = s^2 c / (1 + (k / k0)^2)^q,   sum of S_k = s^2,
-whose size s is held to the stated floor, and whose knee k0 and steepness q are unknown: every hypothesis may choose
-among the spectra of a grid. With F and D integrated out (D with the spread that is known of it, or a flat prior),
-    -2 log L = r' C^-1 r + log det C,   C = noise + F S F',
-all from the products of columns by Woodbury's identity, so a whole catalogue costs one Cholesky factor of the size
-of F for each spectrum (Rasmussen and Williams, Gaussian Processes for Machine Learning, sec. 2.7 and A.3).
+What repeats is the form error, and a discrepancy that each kind of record has of its own (`model.Discrepancy`), such as
+the floor under a track, whose amplitudes have a stated spread. The form error has a variance spectrum by order:
+
+    S_k = s^2 c / (1 + (k / k0)^2)^q,   sum of S_k = s^2
+
+Its size s is held to the stated floor. Its knee k0 and steepness q are unknown: every hypothesis may choose among the
+spectra of a grid. With F and D integrated out (D with the spread that is known of it, or a flat prior):
+
+    -2 log L = r' C^-1 r + log det C,   C = noise + F S F'
+
+All follows from the products of columns by Woodbury's identity. So a whole catalogue costs one Cholesky factor of the
+size of F for each spectrum (Rasmussen and Williams, Gaussian Processes for Machine Learning, sec. 2.7 and A.3).
 
 The noise is what does not repeat between runs.
 """
@@ -134,8 +138,10 @@ BEYOND_FLOOR = (2.5, 6.0, 15.0, 40.0)
 
 @dataclass(frozen=True)
 class Spectrum:
-    """One member of the grid: size as a multiple of the floor, knee and steepness; and the discrepancy's size as a
-    multiple of what it may be, where the record's kind has one."""
+    """Spectrum of the form error: size as a multiple of the floor, knee and steepness.
+
+    `beside` is the discrepancy's size as a multiple of what it may be, where the record's kind has one.
+    """
 
     size: float
     knee: float

@@ -18,7 +18,7 @@ from cadgen.inference.measurement.verdict import SIGMAS, Judgement, Verdict, wit
 
 @dataclass(frozen=True, slots=True)
 class Value:
-    """One fitted number in the unit its name ends in, with its standard deviation."""
+    """Fitted number in the unit its name ends in, with its standard deviation."""
 
     name: str
     value: float
@@ -28,7 +28,7 @@ class Value:
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """An effect with its numbers, what it cannot be told from, and its `indices` (see `Effect.indices`).
+    """Effect with its numbers, its twins, and its `indices` (see `Effect.indices`).
 
     `sigmas` is how many standard deviations from nothing its numbers must be to be sure: see `verdict.sigmas_of`.
     """
@@ -66,7 +66,7 @@ class Candidate:
 
 @dataclass(frozen=True, slots=True)
 class PathCandidate(Candidate):
-    """The same by runs left out, with the path error of each run when left out, mm."""
+    """Candidate by runs left out, with the path error of each run when left out, mm."""
 
     held_out: tuple[float, ...] = ()
 
@@ -122,7 +122,7 @@ class PathError:
 
 @dataclass(frozen=True, slots=True)
 class PathErrors:
-    """The same of each run, shape (runs,), and `as_logged` before the start pose is registered."""
+    """Path errors of each run, shape (runs,), and `as_logged` before the start pose is registered."""
 
     before: Array
     after: Array

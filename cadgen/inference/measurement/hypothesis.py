@@ -136,7 +136,7 @@ class Hypothesis:
 
     @property
     def loose_score(self) -> float:
-        """The same with a form error of any size: how well the effects do beside an unknown smooth shape."""
+        """Score with a form error of any size: how well the effects do beside an unknown smooth shape."""
         return float(self.misfit[self.beyond]) + self.penalty
 
     @property
@@ -151,7 +151,7 @@ class Hypothesis:
 
     @property
     def reach(self) -> frozenset[str]:
-        """Its key and that of every effect it becomes for some values: subsets within it are nested in it."""
+        """Keys of the subset and of every effect it becomes for some values: subsets within them are nested in it."""
         return self.key | {effect.includes.key for effect in self.effects if effect.includes}
 
     @property
@@ -165,7 +165,7 @@ class Hypothesis:
         return self.claims | {effect.includes.name for effect in self.effects if effect.includes}
 
     def at(self, joint: Joint, *, loose: bool) -> "Hypothesis":
-        """The same with the spectrum that keeps the floor, or with the one that exceeds it."""
+        """Subset with its best spectrum within the floor, or beyond it."""
         return replace(self, spectrum=joint.grid[self.beyond if loose else self.within])
 
     def datum(self) -> list[tuple[Effect, Array, Array]]:
@@ -319,10 +319,10 @@ class _Problem:
 
 
 def sized(joint: Joint, found: Hypothesis) -> Hypothesis:
-    """The same with the covariance over all spectra of what repeats, each by its chance.
+    """Subset with the covariance over all spectra of what repeats, each by its chance.
 
-    The spectrum of greatest likelihood at the fitted values is one that leaves to the effects what they take from it,
-    as an eccentricity does from the first harmonic, and so says that they are known too well. Each has the chance of
+    The spectrum of greatest likelihood at the fitted values leaves to the effects what they take from it, as an
+    eccentricity does from the first harmonic. So it says that they are known too well. Each has the chance of
     its restricted likelihood instead, with the values integrated out (Patterson and Thompson 1971), and its own values.
     """
     if not found.active:

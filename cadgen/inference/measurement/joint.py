@@ -27,7 +27,7 @@ Names = dict[str, Effect]
 
 @dataclass(frozen=True)
 class Merged:
-    """One catalogue for several records.
+    """Catalogue that several records share.
 
     Attributes:
         catalogue, shapes, datum: the effects, each once.
@@ -114,7 +114,7 @@ _ROUNDING = 1e-9  # of a column's square, that keeps what is left of a datum's t
 
 @dataclass(frozen=True)
 class Part:
-    """One record as it is judged.
+    """Record as it is judged.
 
     Attributes:
         record: measured data of one kind.
@@ -138,7 +138,7 @@ class Part:
 
     @property
     def kind(self) -> Kind:
-        """Of data."""
+        """Kind of measured data."""
         return self.record.kind
 
     def own(self, active: Active) -> list[tuple[Effect, Array]]:
@@ -357,13 +357,13 @@ class Joint:
     def _here(
         self, part: Part, effects: tuple[Effect, ...], widths: NDArray[np.intp]
     ) -> tuple[tuple[Effect, ...], NDArray[np.intp]]:
-        """Those of some effects that are searched for in a part, as they are there, and their columns among all."""
+        """Effects that are searched for in a part, as they are there, and their columns among all."""
         here = [i for i, e in enumerate(effects) if e.key in part.names and self._searched(part, e)]
         columns = [np.arange(widths[i], widths[i + 1]) for i in here]
         return tuple(part.names[effects[i].key] for i in here), np.concatenate([*columns, np.empty(0, dtype=np.intp)])
 
     def without(self, part: Part, runs: NDArray[np.intp], spectrum: Spectrum) -> tuple["Joint", list[Part]]:
-        """The same with some runs of a part left out, and each of them; noises as they are, one spectrum."""
+        """Records with some runs of a part left out, and each of these; noises as they are, one spectrum."""
         others = np.setdiff1d(np.arange(part.record.runs), runs)
         train, *tests = (_only(part, kept, spectrum) for kept in (others, *runs[:, None]))
         parts = [

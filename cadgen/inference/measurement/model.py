@@ -329,7 +329,7 @@ class Model(Protocol):
 
     @property
     def spread(self) -> Array:
-        """Standard deviation of each of these beforehand, shape (d,); infinite where nothing is known of it."""
+        """Standard deviation of each datum freedom beforehand, shape (d,); infinite where nothing is known."""
 
     @property
     def discrepancy(self) -> Discrepancy:
@@ -400,7 +400,7 @@ def highest_order(angle: Array, run: NDArray[np.intp]) -> int:
 
 
 def per_run(run: NDArray[np.intp]) -> Array:
-    """One column for each run: its own zero, shape (n, runs)."""
+    """Columns of each run's own zero, shape (n, runs)."""
     return np.asarray((run[:, None] == np.arange(run.max() + 1)).astype(float))
 
 

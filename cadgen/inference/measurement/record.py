@@ -207,7 +207,7 @@ class Kind:
 
 @dataclass(frozen=True, kw_only=True)
 class Record:
-    """One file, or several of one kind.
+    """Measured data of one kind, from one file or several.
 
     Attributes:
         kind: by its columns.
@@ -359,7 +359,7 @@ def said(record: Record, pattern: str) -> tuple[str, ...]:
 
 
 def said_of_runs(record: Record, pattern: str) -> list[tuple[str, ...]]:
-    """The same in the comment lines of each run's own file."""
+    """Groups of a pattern's first match in the comment lines of each run's own file."""
     return [_first(remarks, pattern) for remarks in record.of_runs or (record.remarks,) * record.runs]
 
 

@@ -68,7 +68,7 @@ def resolved(record: Record, noise: Noise) -> Noise:
 
 
 def unfit(model: Model, evidence: Evidence, noise: Noise, best: Hypothesis, residual: Array) -> float:
-    """The chance that noise and form error alone leave so much that repeats, by F-test; 1 if it cannot be told.
+    """Chance that noise and form error alone leave so much that repeats, by F-test; 1 if it is not known.
 
     r' C^-1 r is chi-square with as many degrees of freedom as rows less parameters. Those from which the noise was told
     are left out: they are as large as the noise by definition.
@@ -101,7 +101,7 @@ def doubted(
     after: Array,
     chance: float = 1.0,
 ) -> Judgement:
-    """A judgement less what the data cannot bear, with what they cannot show said.
+    """Judgement without the claims that the data do not support, with its limits stated.
 
     Args:
         judgement: judgement by the evidence alone.
@@ -218,7 +218,7 @@ def with_known_play(joint: Joint, best: Hypothesis, known: tuple[float, float] |
 
 
 def with_friction_judged(judgement: Judgement, best: Hypothesis, *, play_known: bool) -> Judgement:
-    """A judgement that says so where play and friction are not told apart, and claims no friction without play.
+    """Judgement that states where play and friction look alike, and claims no friction without play.
 
     Args:
         judgement: on the best subset.

@@ -33,7 +33,7 @@ class Columns:
 
 
 def tangents(joint: Joint, effects: tuple[Effect, ...], best: Hypothesis) -> Columns:
-    """Responses of effects about the best subset, in their order; those that do nothing there are left out."""
+    """Responses of effects about the best subset, in their order, without effects that do nothing there."""
     values = joint.slopes(effects, best.active)
     ends = np.cumsum([0, *(len(e.parameters) for e in effects)])
     # A second parameter that does nothing yet (a width at no depth) has no column of its own.
@@ -410,7 +410,7 @@ def _rate_beside(this: Round, base: Rated, many: Numerous, search: Search) -> It
 
 
 def _solve(gram: Array, right: Array, base: Array, size: Array | None = None) -> tuple[Array, Array, NDArray[np.bool_]]:
-    """Least misfit over spectra, estimate there, and whether the columns can be told apart; one row a subset.
+    """Least misfit over spectra, estimate there, and whether the columns differ enough; one row a subset.
 
     Columns are measured against `size`, which they had before others were taken out; left out, against their own.
     """

@@ -151,7 +151,7 @@ class CamTorques:
 
 
 def _sides(lift: PathMotion, angle: Array) -> Array:
-    """Both sides of the places at which the rod goes over to the other face, where the torque leaps; rad."""
+    """Cam angles on both sides of each change of face, where the torque leaps, rad."""
     left = np.flatnonzero((lift.q(angle[1:]) >= 0) != (lift.q(angle[:-1]) >= 0))
     low, high = angle[left], angle[left + 1]
     above = lift.q(low) >= 0

@@ -23,7 +23,7 @@ class CourseItem(Protocol):
 
     @property
     def key(self) -> str:
-        """Its key in the design file."""
+        """Key of the item in the design file."""
 
     @property
     def station(self) -> int:

@@ -218,8 +218,8 @@ def tolerance_run(
 ) -> CarEnds:
     """Run random cars within the tolerances.
 
-    Every chunk of cars draws from its own child of the seed where it is run, so a seed gives the same cars whatever
-    the map, and a longer run begins with the cars of a shorter one, but for its last chunk.
+    Every chunk of cars draws from its own child of the seed where it is run. So a seed gives the same cars whatever the
+    map, and a longer run begins with the cars of a shorter one, but for its last chunk.
 
     Args:
         cars: nominal car.

@@ -1,9 +1,11 @@
 """Tracks of many cars without play, each a small change of the nominal one.
 
 At the cam angle phi a car's heading is the nominal one, which is integrated on a fine grid, plus a small change d that
-bends little. So over a cell of several steps of that grid, with m its middle and z_0 the nominal track,
-    z(phi) - z(phi_k) = r exp(i d_m) (z_0(phi) - z_0(phi_k) + i d' M),   d = d_m + d' (phi - phi_m),
-where r is the car's pace by the nominal one and M the first moment of dz_0 about the middle. A cell costs a car no more
+bends little. Over a cell of several steps of that grid, with m its middle and z_0 the nominal track:
+
+    z(phi) - z(phi_k) = r exp(i d_m) (z_0(phi) - z_0(phi_k) + i d' M),   d = d_m + d' (phi - phi_m)
+
+Here r is the car's pace by the nominal one and M the first moment of dz_0 about the middle. A cell costs a car no more
 than a step would.
 """
 
@@ -283,8 +285,8 @@ def _raise(tangent: Array, near: NDArray[np.intp], more: Array, width: int) -> N
 def _rolling(steered: Steered, runout: Array, nominal: _Nominal, cells: int) -> Array:
     """Travel of an eccentric drive wheel for that of a round one, mean over each cell, shape (m, k).
 
-    By the cam's angle: while the cam leads it is ahead of the motor's, which makes more of the wheel's effect than
-    there is (some 0.4 mm for 0.05 mm on the paper's car, where there is 0.1).
+    It goes by the cam's angle. While the cam leads, that is ahead of the motor's, which makes more of the wheel's effect
+    than there is: some 0.4 mm for 0.05 mm on the paper's car, where there is 0.1.
     """
     width = nominal.width * nominal.step
     turns = _wheel_turns(steered)

@@ -315,7 +315,7 @@ def _waiting(c: CalibrationPlan) -> list[Block]:
 
 
 def _held(c: CalibrationPlan) -> list[Block]:
-    """That a car without play may be held by friction or drag."""
+    """Sentence that a car without play may be held by friction or drag."""
     if c.holds is None:
         return []
     friction, angle = c.holds

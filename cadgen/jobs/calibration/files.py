@@ -74,7 +74,7 @@ def _file(source: Source) -> dict[str, object]:
 
 
 def documents(each: Sequence[CalibrationPlan]) -> dict[str, object]:
-    """The same for files judged alone."""
+    """Facts of calibrations whose files were judged alone."""
     return {"format": FORMAT, "each": [document(c) for c in each]}
 
 
@@ -204,7 +204,7 @@ def _by_evidence(diagnosis: Diagnosis, effects: list[dict[str, object]]) -> dict
 
 
 def _by_paths(diagnosis: Diagnosis, effects: list[dict[str, object]]) -> dict[str, object]:
-    """The same keys; what path errors do not have is null."""
+    """Facts by path errors, under the same keys; what path errors do not have is null."""
     assert isinstance(diagnosis, PathDiagnosis)
     r, p = diagnosis.residual, diagnosis.per_run
     return {

@@ -30,7 +30,7 @@ class Source:
 
     @property
     def kind(self) -> Kind:
-        """Of data."""
+        """Kind of measured data."""
         return self.record.kind
 
 

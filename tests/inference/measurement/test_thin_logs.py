@@ -7,8 +7,8 @@ import pytest
 
 from cadgen.inference.measurement import kinds
 from cadgen.inference.measurement.diagnosis import calibrate_logged
-from cadgen.inference.measurement.leave_out import LEAST_RUNS
 from cadgen.inference.measurement.record import Record
+from cadgen.inference.measurement.runs_left_out import LEAST_RUNS
 from cadgen.inference.measurement.verdict import SIGMAS, Judgement, sigmas_of, unclaimed, within_error
 from cadgen.inference.records.load import load
 

@@ -126,7 +126,7 @@ class ProfileModel:
         return self._known.of(key_of(before), looked)
 
     def tangent(self, effect: Effect, number: int, active: Active) -> Array | None:
-        """Of an effect on the disc: by how much it moves the outline along its normal at each row, for one unit."""
+        """Motion of the outline along its normal at each row, for one unit of an effect on the disc."""
         if effect.stage is not DISC:
             return None
         middle = np.asarray(next((v for e, v in active if e.key == effect.key), effect.start), dtype=float)
@@ -161,7 +161,7 @@ class ProfileModel:
         return np.append(where, where[0] + TURN), np.append(reach, reach[0]), np.append(slant, slant[0])
 
     def _distance(self, around: tuple[Array, Array, Array], angle: Array, radius: Array) -> Array:
-        """Of points at polar angles and radii from a disc, along its normal."""
+        """Distance of points at polar angles and radii from a disc, along its normal."""
         where, reach, slant = around
         at = where[0] + (angle - where[0]) % TURN
         return np.asarray((radius - np.interp(at, where, reach)) * np.interp(at, where, slant))
@@ -190,7 +190,7 @@ def _spans(record: Record, nominal: Nominal) -> Iterable[Span]:
 def _clocking(
     model: ProfileModel, residual: Array, sigma: Array, active: Active, datum: list[tuple[Effect, Array, Array]]
 ) -> tuple[Array, Array]:
-    """Of each run: what it was turned back by, what all runs share, and what its tangents show beside."""
+    """Clocking of each run: its own, what all runs share, and what its tangents show beside."""
     ((_, common, unsure),) = datum
     white = slopes(model, model.datum, active) * per_run(model.rows.run) / sigma[:, None]
     left = -np.linalg.lstsq(white, residual / sigma, rcond=None)[0]

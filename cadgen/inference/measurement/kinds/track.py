@@ -52,7 +52,7 @@ class StartSpread:
 
     @property
     def spread(self) -> Array:
-        """Of x, y and heading, shape (3,)."""
+        """Standard deviations of x, y and heading, shape (3,)."""
         return np.array([self.place, self.place, self.heading])
 
     def __str__(self) -> str:
@@ -302,7 +302,7 @@ class TrackModel:
         return self._starts.residual(self.place(active))
 
     def as_logged(self, active: Active) -> Array:
-        """The same, started as by design, mm."""
+        """Measured less expected coordinates of a car started as by design, mm."""
         place = self.place(active)
         return np.asarray(self.measured - np.where(self._axis == 0, place.real, place.imag))
 
@@ -315,7 +315,7 @@ class TrackModel:
         return complex(self.at(active, np.array([self._lift.blend_start]))[0])
 
     def at(self, active: Active, motor: Array) -> NDArray[np.complex128]:
-        """The same at any motor positions, rad.
+        """Place of the car at any motor positions, started as by design, x + iy, mm.
 
         Args:
             active: effects that are active, with their values.

@@ -5,6 +5,8 @@ runs are. Each subset of up to three effects is fitted to all runs but one, for 
 error of the run left out, its start pose registered. The smallest subset within one standard error (over runs, paired)
 or a few per cent of the best is told; others as small, and as good as that one, are its rivals (Breiman and others
 1984, sec. 3.4.3).
+
+The verdict names effects that take away a part of the path error on runs left out.
 """
 
 from collections.abc import Callable
@@ -16,9 +18,11 @@ from scipy.optimize import least_squares
 
 from cadgen.arrays import Array
 from cadgen.deviations.effect import Active, Effect
+from cadgen.inference.measurement.findings import Finding, PathCandidate, PathDiagnosis, PathError, PathErrors, Value
 from cadgen.inference.measurement.model import Model, slopes
 from cadgen.inference.measurement.record import Record
-from cadgen.inference.measurement.verdict import sigmas_of
+from cadgen.inference.measurement.verdict import Judgement, Verdict, sigmas_of, unclaimed, within_words
+from cadgen.progress import Progress, silent
 
 LARGEST_SUBSET = 3
 LEAST_RUNS = 4
@@ -31,7 +35,7 @@ AT_BOUND = 1e-3
 
 
 @dataclass(frozen=True)
-class Trial:
+class LeftOutFit:
     """A subset and its path error on runs left out.
 
     Attributes:
@@ -70,9 +74,9 @@ class LeftOut:
     """
 
     before: Array
-    chosen: Trial
-    rivals: tuple[Trial, ...]
-    trials: tuple[Trial, ...]
+    chosen: LeftOutFit
+    rivals: tuple[LeftOutFit, ...]
+    trials: tuple[LeftOutFit, ...]
 
 
 def leave_runs_out(record: Record, build: Callable[[Record], Model]) -> LeftOut:
@@ -84,13 +88,13 @@ def leave_runs_out(record: Record, build: Callable[[Record], Model]) -> LeftOut:
 
     Fewer than `LEAST_RUNS` runs say nothing sure; with one run, that run is judged as it was fitted.
     """
-    runs = [_Run.of(build(record.only(np.array([k])))) for k in range(record.runs)]
+    runs = [_LoggedRun.of(build(record.only(np.array([k])))) for k in range(record.runs)]
     catalogue = runs[0].model.catalogue
     before = np.array([run.error([]) for run in runs])
     sigmas = sigmas_of(len(runs) - 1, len(catalogue))
     subsets = [subset for size in range(1, LARGEST_SUBSET + 1) for subset in combinations(catalogue, size)]
     trials = [_trial(runs, subset, sigmas) for subset in subsets]
-    trials.append(Trial((), np.empty(0), np.empty(0), sigmas, (), before, before))
+    trials.append(LeftOutFit((), np.empty(0), np.empty(0), sigmas, (), before, before))
     trials.sort(key=lambda t: t.error)
     best = trials[0]
     close = [t for t in trials if _as_good(t, best)]
@@ -99,12 +103,12 @@ def leave_runs_out(record: Record, build: Callable[[Record], Model]) -> LeftOut:
     return LeftOut(before, chosen, tuple(rivals), tuple(trials))
 
 
-def _as_good(trial: Trial, best: Trial) -> bool:
+def _as_good(trial: LeftOutFit, best: LeftOutFit) -> bool:
     """Whether a subset predicts as well as another one, by the standard error or but for a few per cent."""
     return _excess(trial, best) <= STANDARD_ERRORS or trial.error <= best.error * (1 + SAME)
 
 
-def _excess(trial: Trial, best: Trial) -> float:
+def _excess(trial: LeftOutFit, best: LeftOutFit) -> float:
     """How much worse than the best, in standard errors of the paired difference over runs."""
     difference = trial.held_out - best.held_out
     if len(difference) < 2:
@@ -114,14 +118,14 @@ def _excess(trial: Trial, best: Trial) -> float:
 
 
 @dataclass(frozen=True)
-class _Run:
-    """One run: its model, and a basis of its start pose's columns."""
+class _LoggedRun:
+    """Run with its model and a basis of its start pose's columns."""
 
     model: Model
     pose: Array
 
     @classmethod
-    def of(cls, model: Model) -> "_Run":
+    def of(cls, model: Model) -> "_LoggedRun":
         return cls(model, np.linalg.qr(model.offsets)[0])
 
     def registered(self, columns: Array) -> Array:
@@ -139,7 +143,7 @@ class _Run:
         return float(np.sqrt(2 * np.mean(self.residual(active) ** 2)))
 
 
-def _trial(runs: list[_Run], effects: tuple[Effect, ...], sigmas: float) -> Trial:
+def _trial(runs: list[_LoggedRun], effects: tuple[Effect, ...], sigmas: float) -> LeftOutFit:
     cuts = np.cumsum([len(e.parameters) for e in effects])[:-1]
     bounds = np.concatenate([e.bounds for e in effects], axis=1)
 
@@ -152,7 +156,7 @@ def _trial(runs: list[_Run], effects: tuple[Effect, ...], sigmas: float) -> Tria
     def tangents(values: Array) -> Array:
         return np.concatenate([run.tangents(effects, active(values)) for run in runs])
 
-    # Not by `settled`: in logs that say little, where the fit stops along a valley decides what is said.
+    # Not by `hypothesis.least_squares`: in logs that say little, the place in a valley where a fit stops decides.
     x = least_squares(
         off,
         np.concatenate([e.start for e in effects]),
@@ -175,7 +179,7 @@ def _trial(runs: list[_Run], effects: tuple[Effect, ...], sigmas: float) -> Tria
     spread = left - np.mean(left, axis=0)
     reach = AT_BOUND * (bounds[1] - bounds[0])
     stuck = (x < bounds[0] + reach) | (x > bounds[1] - reach)
-    return Trial(
+    return LeftOutFit(
         effects=effects,
         values=x,
         sigma=np.sqrt((len(runs) - 1) / len(runs) * np.sum(spread**2, axis=0)),
@@ -186,3 +190,120 @@ def _trial(runs: list[_Run], effects: tuple[Effect, ...], sigmas: float) -> Tria
         ),
         fitted=np.array([run.error(active(x)) for run in runs]),
     )
+
+
+# Effects must take away this share of the path error on runs left out to be named.
+LEAST_GAIN = 0.1
+
+
+def diagnose_logged(record: Record, build: Callable[[Record], Model], progress: Progress = silent) -> PathDiagnosis:
+    """Trace the path error of logged runs to effects; of fewer than `LEAST_RUNS` runs nothing is claimed."""
+    progress(f"{record.source}: leaving runs out")
+    model = build(record)
+    left_out = leave_runs_out(record, build)
+    chosen = left_out.chosen
+    findings = _findings(chosen)
+    active = _active(chosen)
+    as_logged = model.residual([])
+    return PathDiagnosis(
+        source=record.source,
+        kind=record.kind,
+        unit=model.unit,
+        judgement=_judgement(left_out),
+        findings=findings,
+        candidates=tuple(
+            PathCandidate(tuple(e.name for e in t.effects), t.error, _findings(t), tuple(t.held_out.tolist()))
+            for t in left_out.trials
+        ),
+        residual=PathError(float(left_out.before.mean()), float(chosen.fitted.mean()), chosen.error),
+        per_run=PathErrors(
+            left_out.before,
+            chosen.fitted,
+            chosen.held_out,
+            np.array([np.sqrt(2 * np.mean(as_logged[model.rows.run == run] ** 2)) for run in range(record.runs)]),
+        ),
+        place=model.rows.place,
+        run=model.rows.run.astype(float),
+        before=_registered(model, []),
+        after=_registered(model, active),
+        active=active,
+        measured=model.measured,
+    )
+
+
+def _active(trial: LeftOutFit) -> Active:
+    cuts = np.cumsum([len(e.parameters) for e in trial.effects])[:-1]
+    return list(zip(trial.effects, np.split(trial.values, cuts), strict=True)) if trial.effects else []
+
+
+def _findings(trial: LeftOutFit) -> tuple[Finding, ...]:
+    sigmas = np.split(trial.sigma, np.cumsum([len(e.parameters) for e in trial.effects])[:-1])
+    return tuple(
+        Finding(
+            effect.name,
+            tuple(
+                Value(p.name, float(v / p.scale), float(s / p.scale), p.unit)
+                for p, v, s in zip(effect.parameters, value, sigma, strict=True)
+            ),
+            effect.twins,
+            tuple(p.name for p in effect.parameters if p.name in trial.at_bound),
+            sigmas=trial.sigmas,
+        )
+        for (effect, value), sigma in zip(_active(trial), sigmas, strict=False)
+    )
+
+
+def _registered(model: Model, active: Active) -> Array:
+    """The residual less the start pose of each run."""
+    residual = model.residual(active)
+    return np.asarray(residual - model.offsets @ np.linalg.lstsq(model.offsets, residual, rcond=None)[0])
+
+
+def _judgement(left_out: LeftOut) -> Judgement:
+    chosen, rivals, runs = left_out.chosen, left_out.rivals, len(left_out.before)
+    before = float(left_out.before.mean())
+    gained = 1 - chosen.error / before if before > 0 else 0.0
+    names = tuple(e.name for e in chosen.effects)
+    common = set(names).intersection(*({e.name for e in t.effects} for t in rivals))
+    verdict: Verdict
+    if not names or gained < LEAST_GAIN:
+        verdict, common, sentence = Verdict.NONE, set(), "No effect lowers the path error on runs left out."
+    elif runs < LEAST_RUNS:
+        verdict, common = Verdict.AMBIGUOUS, set()
+        sentence = f"Consistent with {_names(chosen)}, but too few runs to tell it from chance."
+    elif rivals:
+        verdict = Verdict.AMBIGUOUS
+        sentence = f"Consistent with {_names(chosen)}; or {'; or '.join(_names(t) for t in rivals)}."
+    else:
+        verdict = Verdict.TRACED if len(names) == 1 else Verdict.COMBINATION
+        sentence = (
+            f"Traced to {_names(chosen)}: the path error on runs left out falls from "
+            f"{before:.0f} to {chosen.error:.0f} mm."
+        )
+    likely = [chosen, *rivals] if verdict != Verdict.NONE else []
+    limits: tuple[str, ...] = ()
+    if runs < LEAST_RUNS:
+        given = "one run" if runs == 1 else f"{runs} runs"
+        limits = (f"{given} only: give at least {LEAST_RUNS}, to judge on runs left out",)
+    separate = {e.name: e.separated_by for t in likely for e in t.effects}
+    judgement = Judgement(
+        verdict=verdict,
+        sentence=sentence,
+        claimed=tuple(sorted(common)),
+        reported=tuple(sorted({e.name for t in likely for e in t.effects})),
+        rivals=tuple(tuple(e.name for e in t.effects) for t in rivals),
+        separate=tuple(f"{name}: {how}" for name, how in separate.items()),
+        limits=limits,
+    )
+    findings = _findings(chosen)
+    for finding in findings:
+        if finding.at_bound:
+            verb = "is" if len(finding.at_bound) == 1 else "are"
+            why = f"{' and '.join(finding.at_bound)} of {finding.effect} {verb} on the bound of what can be"
+            judgement = unclaimed(judgement, [finding.effect], why)
+    unsure = [finding.effect for finding in findings if finding.within_error]
+    return unclaimed(judgement, unsure, f"{within_words(chosen.sigmas)}, which {runs} runs cannot tell from chance")
+
+
+def _names(trial: LeftOutFit) -> str:
+    return " and ".join(e.name for e in trial.effects)
