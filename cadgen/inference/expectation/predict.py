@@ -2,7 +2,8 @@
 
 The effects found are put into the forward model of the unseen record, as they are; nothing but the datum of each run is
 fitted to it. The names of a car with logged steering are often not sure while their joint effect on its path is. So
-there all effects are at work at once, each held to a usual size: the most probable numbers given the fitted runs. Path errors are no draws of a noise; a run counts as a few numbers that err by what the best subset left.
+there all effects are at work at once, each held to a usual size: the most probable numbers given the fitted runs. Path
+errors are no draws of a noise; a run counts as a few numbers that err by what the best subset left.
 """
 
 from collections.abc import Sequence

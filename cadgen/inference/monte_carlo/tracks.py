@@ -285,8 +285,8 @@ def _raise(tangent: Array, near: NDArray[np.intp], more: Array, width: int) -> N
 def _rolling(steered: Steered, runout: Array, nominal: _Nominal, cells: int) -> Array:
     """Travel of an eccentric drive wheel for that of a round one, mean over each cell, shape (m, k).
 
-    It goes by the cam's angle. While the cam leads, that is ahead of the motor's, which makes more of the wheel's effect
-    than there is: some 0.4 mm for 0.05 mm on the paper's car, where there is 0.1.
+    It goes by the cam's angle. While the cam leads, that is ahead of the motor's, which makes more of the wheel's
+    effect than there is: some 0.4 mm for 0.05 mm on the paper's car, where there is 0.1.
     """
     width = nominal.width * nominal.step
     turns = _wheel_turns(steered)
