@@ -13,17 +13,18 @@ from cadgen.api.files import Written, folder_of, refusal
 from cadgen.api.values import numbers, whole
 from cadgen.arrays import TURN, Array
 from cadgen.car.against_play.laps import Laps
+from cadgen.car.path_motion import PathMotion
 from cadgen.check import Check
 from cadgen.design.schema import Design as DesignValues
+from cadgen.design.schema import MotionDesign
 from cadgen.errors import CheckError
-from cadgen.jobs.cam.as_built import as_built_sentences, assumed_play, outlook_sentence
+from cadgen.jobs.cam.as_built import outlook_sentence
 from cadgen.jobs.cam.comparison import PAPER_PERCENT as PAPER_PERCENT
 from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.jobs.cam.cures import Cures as Cures
 from cadgen.jobs.cam.cures import find_cures
 from cadgen.jobs.cam.manifest import cam_facts
-from cadgen.jobs.cam.plan import CamPlan
-from cadgen.jobs.cam.wheel import field_notice, sense_notice
+from cadgen.jobs.cam.plan import CamPlan, CarUse, SegmentUse
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
@@ -52,7 +53,7 @@ class Lift:
     computed: CamPlan
 
     def __repr__(self) -> str:
-        return f"<Lift of {self.computed.design.name}, {len(self.peaks)} peaks and {len(self.valleys)} valleys>"
+        return f"<Lift of {self.computed.origin.name}, {len(self.peaks)} peaks and {len(self.valleys)} valleys>"
 
     def __call__(self, cam_angle: ArrayLike) -> Array:
         """Lift at cam angles.
@@ -67,11 +68,11 @@ class Lift:
             DesignError: an angle is not a finite number.
         """
         angle = numbers("cam_angle", cam_angle, "rad") % TURN
-        return np.asarray(self.computed.rod.lift(self.computed.lift.q(angle)))
+        return np.asarray(self.computed.rod.lift(self.computed.motion.q(angle)))
 
     @cached_property
     def _extrema(self) -> tuple[Array, Array]:
-        return self.computed.lift.extrema()
+        return self.computed.motion.extrema()
 
     @property
     def peaks(self) -> Array:
@@ -86,7 +87,8 @@ class Lift:
     @property
     def blend_start(self) -> float:
         """Cam angle from which the closing blend, and not the path, steers, rad; a whole turn on a closed path."""
-        return min(self.computed.lift.blend_start, TURN)
+        motion = self.computed.motion
+        return min(motion.blend_start, TURN) if isinstance(motion, PathMotion) else TURN
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -133,7 +135,7 @@ class Profile:
         return self.name
 
     def __repr__(self) -> str:
-        return f"<Profile {self.name} of {self.computed.design.name}, {self.length:.1f} mm long>"
+        return f"<Profile {self.name} of {self.computed.origin.name}, {self.length:.1f} mm long>"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -157,12 +159,14 @@ class Cam:
 
     def __repr__(self) -> str:
         verdict = "passed" if self.passed else f"failed: {', '.join(check.name for check in self.failed)}"
-        return f"<Cam of {self.design.name}, {self.profile} profile, {verdict}>"
+        return f"<Cam of {self.computed.origin.name}, {self.profile} profile, {verdict}>"
 
     @property
-    def design(self) -> DesignValues:
+    def design(self) -> "DesignValues | MotionDesign":
         """Values of the design that it was planned from."""
-        return self.computed.design
+        use = self.computed.application
+        assert isinstance(use, CarUse | SegmentUse)
+        return use.design
 
     @property
     def checks(self) -> tuple[Check, ...]:
@@ -200,8 +204,7 @@ class Cam:
     @property
     def thickness(self) -> float:
         """Thickness of the disc, mm."""
-        inner, outer = self.design.cam.faces_mm
-        return outer - inner
+        return self.computed.thickness
 
     @property
     def comparison(self) -> PlayComparison | None:
@@ -238,26 +241,18 @@ class Cam:
     @property
     def wheel(self) -> str:
         """Radius of the drive wheel that the cam is for, and what the closing blend does to the path, in words."""
-        return self.computed.wheel.sentence()
+        return self.computed.wheel.sentence() if isinstance(self.computed.application, CarUse) else ""
 
     @property
     def expected(self) -> str:
         """Expected run of the car on a cam of an as-built design, in a sentence; empty if nothing was measured."""
-        return outlook_sentence(self.computed.design)
+        use = self.computed.application
+        return outlook_sentence(use.design) if isinstance(use, CarUse) else ""
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Sentences on what was assumed of the car, and what was measured."""
-        design, comparison, laps = self.computed.design, self.computed.comparison, self.computed.laps
-        said = (*field_notice(design), *sense_notice(design))
-        if comparison is None:
-            return (*said, *as_built_sentences(design, self.computed.lift.blend_start))
-        return (
-            *said,
-            *assumed_play(design),
-            *as_built_sentences(design, comparison.task.lift.blend_start),
-            *(laps.sentences(comparison.run, comparison.before, comparison.chosen) if laps else ()),
-        )
+        """Sentences on what was assumed, such as of the car, and what was measured."""
+        return self.computed.application.notes(self.computed)
 
     def facts(self) -> dict[str, Any]:
         """All facts on the cam as plain values, as in the manifest and with `--json`."""
@@ -275,7 +270,7 @@ class Cam:
         extrema = np.concatenate([self.lift.peaks, self.lift.valleys])
         return cam_figure(
             CamPicture(
-                title=f"{self.design.name}, {self.profile} profile",
+                title=f"{self.computed.origin.name}, {self.profile} profile",
                 outline=self.profile.points(),
                 openings=[contour.polygon(_CHORD) for contour in self.computed.blank.inner_contours()],
                 cam_angle=angle,

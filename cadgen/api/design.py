@@ -9,6 +9,7 @@ from cadgen.api.loaded import LoadedDesign
 from cadgen.api.measured import Data, sources_of
 from cadgen.api.values import instance, optional, whole, word
 from cadgen.design import load
+from cadgen.design.schema import MotionDesign
 from cadgen.gears.choices import Order
 from cadgen.progress import Progress, silent
 
@@ -56,8 +57,10 @@ class Design(LoadedDesign):
             CheckError: no profile keeps the limits of [optimize].
         """
         from cadgen.api.cam import Cam
-        from cadgen.jobs.cam.plan import plan_cam
+        from cadgen.jobs.cam.plan import plan_cam, plan_motion_cam
 
+        if isinstance(self.values, MotionDesign):
+            return Cam(plan_motion_cam(self.values, profile, progress))
         return Cam(plan_cam(self.complete(), profile, progress))
 
     def gears(self, order: str = "as-given", *, progress: Progress = silent) -> "GearTrain":

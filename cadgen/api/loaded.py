@@ -11,7 +11,7 @@ from cadgen.api.overrides import overrides_of
 from cadgen.api.values import name_or_path, paths, plain_text, real
 from cadgen.design import load
 from cadgen.design.schema import Design as DesignValues
-from cadgen.design.schema import TrainDesign
+from cadgen.design.schema import MotionDesign, TrainDesign
 from cadgen.errors import DesignError, brief
 
 
@@ -100,7 +100,7 @@ class LoadedDesign:
 
     @classmethod
     def _checked(cls, text: str, file: Path, overrides: tuple[str, ...], train_only: bool) -> Self:
-        return cls((load.train_of if train_only else load.design_of)(text, file, overrides), text, file)
+        return cls((load.train_of if train_only else load.complete_of)(text, file, overrides), text, file)
 
     def with_(self, changes: Mapping[str, Any] | Iterable[str]) -> Self:
         """The design with some keys changed, by the same rules as `--set` on the command line.
@@ -113,7 +113,7 @@ class LoadedDesign:
             DesignError: a key is unknown, or the result is no design; in the words of the command line.
         """
         overrides = (*self.values.overrides, *overrides_of(changes))
-        return self._checked(self.text, self.file, overrides, not isinstance(self.values, DesignValues))
+        return self._checked(self.text, self.file, overrides, not isinstance(self.values, DesignValues | MotionDesign))
 
     def __repr__(self) -> str:
         changed = f", changed by {brief(' '.join(self.values.overrides), 80)}" if self.values.overrides else ""

@@ -20,7 +20,7 @@ from cadgen.car.path_motion import PathMotion, lap_motion, path_motion
 from cadgen.car.steering import Car, by_rim, rim_travel, steering_jets
 from cadgen.design import blank as keys
 from cadgen.design import gear_model
-from cadgen.design.schema import Design
+from cadgen.design.schema import Design, MotionDesign
 from cadgen.deviations.as_built import AS_DESIGNED, AsBuilt, Placed
 from cadgen.deviations.deviation import Place
 from cadgen.errors import DesignError
@@ -243,13 +243,13 @@ def lift(design: Design, driven: Track | None = None) -> PathMotion:
     return path_motion(rim, by_rim(jets, its_car), travel(design, road), blend=blend)
 
 
-def blank(design: Design) -> Blank:
+def blank(design: Design | MotionDesign) -> Blank:
     """Features of the disc besides its profile.
 
     A key, and a set screw beside it, stand where they take out the phase that the cam has on the car as built.
     """
     given = design.blank
-    back = as_built(design).phase if has_key(design) else 0.0
+    back = as_built(design).phase if isinstance(design, Design) and has_key(design) else 0.0
     return Blank(
         bore_diameter=given.bore_diameter_mm,
         key=_key(given, back),
@@ -269,7 +269,7 @@ def has_key(design: Design) -> bool:
     return design.blank.keyway is not None or design.blank.d_flat is not None
 
 
-def check_limits(design: Design) -> CheckLimits:
+def check_limits(design: Design | MotionDesign) -> CheckLimits:
     """Limits of the checks, mm and rad."""
     return CheckLimits(
         pressure_angle=PRESSURE_ANGLE_LIMITS[design.checks.pressure_angle_limit],
@@ -277,7 +277,7 @@ def check_limits(design: Design) -> CheckLimits:
         min_convex_radius=design.checks.min_convex_radius_mm,
         cutter_radius=design.machining.cutter_diameter_mm / 2,
         wall=design.checks.min_wall_mm,
-        motion_key=f"path.{fields(design.path.keys)[0].name}",
+        motion_key=f"path.{fields(design.path.keys)[0].name}" if isinstance(design, Design) else "motion.segments",
     )
 
 

@@ -17,8 +17,8 @@ from cadgen.design.load import load_design, packaged_designs
 from cadgen.errors import DesignError
 from cadgen.jobs.calibration.calibration import nominal_of
 from cadgen.jobs.cam.as_built import as_built_sentences, outlook_checks, outlook_sentence
+from cadgen.jobs.cam.car_facts import as_built_facts
 from cadgen.jobs.cam.files import write_cam
-from cadgen.jobs.cam.manifest import as_built_facts
 from cadgen.jobs.cam.plan import plan_cam
 from cadgen.jobs.runs.simulation import simulate
 from cadgen.jobs.runs.tolerance import CarSample, run_tolerance

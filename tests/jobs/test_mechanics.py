@@ -9,7 +9,7 @@ from cadgen.car.against_play.profile_kinds import ACTUAL, COMPENSATED
 from cadgen.design import cam_model, variation
 from cadgen.design.load import load_design
 from cadgen.errors import CheckError, DesignError
-from cadgen.jobs.cam.manifest import comparison_facts, remedy_facts
+from cadgen.jobs.cam.car_facts import comparison_facts, remedy_facts
 from cadgen.jobs.cam.plan import plan_cam
 from cadgen.jobs.cam.remedies import remedies
 

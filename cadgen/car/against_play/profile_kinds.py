@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from cadgen.cam.follower import Follower
     from cadgen.car.against_play.play_task import TrainTask
     from cadgen.car.path_motion import PathMotion
+    from cadgen.laws.motion import Motion
 
 
 @dataclass(frozen=True)
@@ -39,7 +40,7 @@ def wanted_lift(work: TrainTask) -> CutLift:
     return CutLift(work.task.lift, work.window)
 
 
-def envelope(lift: PathMotion, follower: Follower) -> ActualProfile:
+def envelope(lift: Motion, follower: Follower) -> ActualProfile:
     """The exact envelope of the follower.
 
     Raises:
@@ -74,7 +75,7 @@ class ProfileKind:
     for_play: bool = False
     best_of: bool = False
     lift: Callable[[TrainTask], CutLift] = wanted_lift
-    curve: Callable[[PathMotion, Follower], ActualProfile] = envelope
+    curve: Callable[[Motion, Follower], ActualProfile] = envelope
     dilated: bool = False
     by_axis: bool = False
     gives_lift: bool = True
@@ -84,7 +85,7 @@ class ProfileKind:
         return self.code
 
 
-def _axis_curve(lift: PathMotion, follower: Follower) -> ActualProfile:
+def _axis_curve(lift: Motion, follower: Follower) -> ActualProfile:
     from cadgen.cam.envelope import ActualProfile
 
     pitch = follower.pitch_curve(lift)
@@ -96,7 +97,7 @@ def _axis_curve(lift: PathMotion, follower: Follower) -> ActualProfile:
     return ActualProfile(pitch, ())
 
 
-def _published_curve(lift: PathMotion, follower: Follower) -> ActualProfile:
+def _published_curve(lift: Motion, follower: Follower) -> ActualProfile:
     from cadgen.cam.envelope import ActualProfile
     from cadgen.cam.followers.rod import rod_of
     from cadgen.cam.followers.rod_profiles import published_profile

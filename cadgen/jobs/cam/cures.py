@@ -6,19 +6,15 @@ from math import ceil, floor, log10
 
 from cadgen.cam.checks import LOST_LIFT
 from cadgen.cam.cure import undercut_cures
-from cadgen.car.path.path_kinds import CUBIC
 from cadgen.check import Check, failing
-from cadgen.design.load import with_overrides
 from cadgen.design.section import listed
 from cadgen.errors import CadgenError
-from cadgen.jobs.cam.plan import CamPlan, replanned_checks
+from cadgen.jobs.cam.plan import CamPlan
 from cadgen.progress import Progress, silent
 
 # Each cure is proved by planning the cam again, some thirty times in all. With more kinks than this, which each take a
 # hundredth of a second a plan, no cures are sought.
 MOST_KINKS_CURED = 300
-# Lengthening the closing blend is tried by these factors, and limits are rounded up to a tenth of a micrometre.
-_BLEND_FACTORS = (1.5, 2.0, 3.0, 5.0, 8.0)
 
 
 @dataclass(frozen=True)
@@ -79,7 +75,7 @@ def find_cures(plan: CamPlan, progress: Progress = silent) -> Cures:
         plan: computed cam.
         progress: function that is called with a few words on each step.
     """
-    cures = Cures(plan.lost, (), len(plan.lift.kinks))
+    cures = Cures(plan.lost, (), len(plan.motion.kinks))
     if not cures.lost or not cures.sought:
         return cures
     progress("looking for a change that cures lost lift")
@@ -87,29 +83,23 @@ def find_cures(plan: CamPlan, progress: Progress = silent) -> Cures:
 
 
 def _tried(plan: CamPlan) -> Iterator[Cure]:
-    """Try one key at a time: the spline, the blend, the rod, the base circle, and at last the limit itself."""
-    design = plan.design
-    if design.path.spline == CUBIC.code:
-        yield from _proved(plan, 'path.spline="quintic"', "cubic")
-    now = design.cam.blend_deg
-    in_blend = any(trim.after >= plan.lift.blend_start for trim in plan.trims)
-    for factor in _BLEND_FACTORS if in_blend else ():
-        if proved := _proved(plan, f"cam.blend_deg={now * factor:g}", f"{now:g}"):
-            yield from proved
-            break
-    for change in undercut_cures(plan.lift, plan.rod, design.checks.lost_lift_limit_um * 1e-3):
+    """Try one key at a time: those of the application, those of the follower, and at last the limit itself."""
+    for changes in plan.application.changes(plan):
+        yield from next(filter(None, (_proved(plan, override, now) for override, now in changes)), [])
+    limit = plan.limits.lost_lift
+    for change in undercut_cures(plan.motion, plan.rod, limit):
         # Three digits, rounded to the safe side.
         unit = 10.0 ** (floor(log10(change.value)) - 2)
         safe = (ceil if change.value > change.now else floor)(change.value / unit) * unit
         yield from _proved(plan, f"{change.parameter}={safe:.4g}", f"{change.now:g}")
-    allowed = ceil(max(check.value for check in plan.lost) * 10) / 10
-    yield from _proved(plan, f"checks.lost_lift_limit_um={allowed:g}", f"{design.checks.lost_lift_limit_um:g}")
+    allowed = ceil(max(check.value for check in plan.lost) * 10) / 10  # rounded up to a tenth of a micrometre
+    yield from _proved(plan, f"checks.lost_lift_limit_um={allowed:g}", f"{limit * 1e3:g}")
 
 
 def _proved(plan: CamPlan, override: str, now: str) -> list[Cure]:
     """The change, if the design stays valid and no more lift than allowed is lost with it; else nothing."""
     try:
-        failed = failing(replanned_checks(plan, with_overrides(plan.design, [override])))
+        failed = failing(plan.application.replanned(plan, override))
     except CadgenError:
         return []
     return [] if any(check.code in LOST_LIFT for check in failed) else [Cure(override, now, failed)]

@@ -5,7 +5,8 @@ from pathlib import Path
 from typing import Any
 
 from cadgen.figures import Cell, State, number
-from cadgen.jobs.cam.manifest import cam_facts, design_facts, remedy_facts
+from cadgen.jobs.cam.car_facts import remedy_facts
+from cadgen.jobs.cam.manifest import cam_facts, design_facts
 from cadgen.jobs.gears.facts import plan_facts
 from cadgen.jobs.runs.manifest import simulation_facts, tolerance_facts
 from cadgen.messages import Message
