@@ -1,9 +1,10 @@
-"""The cam: from the steering wanted to a profile that a follower can ride on, and the proof that it does.
+"""The cam: from the motion wanted to a profile that a follower can ride on, and the proof that it does.
 
 | module       | what it does                                                                    |
 |--------------|---------------------------------------------------------------------------------|
 | `follower`   | the interface of every follower: branches of its envelope, contact, checks          |
 | `followers`  | the kinds of follower; the leaning rod is one                                   |
+| `round_follower` | followers with a circle: their envelope in closed form                      |
 | `envelope`   | the actual profile: exact envelope of a follower over its planes, trimmed        |
 | `contact`    | a follower rolled on any outline: the lift it gives (shares no code with those)  |
 | `limits`     | what the checks allow; textbook limits of the pressure angle, by name            |

@@ -22,7 +22,7 @@ from cadgen.laws.motion import Motion
 from cadgen.parts.blank import Blank
 
 STATIONS = 3600  # one per 0.1 degree of cam angle
-# Where the exact envelope is not trimmed, the rod must neither be pushed out (the wanted place would cut into the
+# Where the exact envelope is not trimmed, the follower must neither be pushed out (the wanted place would cut into the
 # disc) nor fall short (there would be a gap); this is ten times what rolling errs.
 CONTACT_LIMIT_UM = 0.2
 # Relative to the curve's own largest value; the second derivative carries rounding of some 1e-8 where nodes are
@@ -84,7 +84,7 @@ def check_cam(
         limits=limits,
     )
     rows = (
-        *_pressure(motion, contact, limits),
+        *_pressure(motion, follower, contact, limits),
         *_curvature(motion, follower, curve, driven, max(limits.min_convex_radius, blank.edge_break), limits),
         *_undercut(motion, follower, driven, limits),
         *_contact(follower, contact, np.where(motion.idle(theta), 0.0, contact.lift - wanted), trimmed),
@@ -120,7 +120,7 @@ def riding_checks(
         blank=blank,
         limits=limits,
     )
-    return (*_pressure(motion, contact, limits), *follower.checks(cam))
+    return (*_pressure(motion, follower, contact, limits), *follower.checks(cam))
 
 
 def _trimmed(motion: Motion, theta: Array, trims: tuple[Trim, ...]) -> NDArray[np.bool_]:
@@ -131,7 +131,7 @@ def _trimmed(motion: Motion, theta: Array, trims: tuple[Trim, ...]) -> NDArray[n
     return trimmed
 
 
-def _pressure(motion: Motion, contact: Contact, limits: CheckLimits) -> list[Check]:
+def _pressure(motion: Motion, follower: Follower, contact: Contact, limits: CheckLimits) -> list[Check]:
     rising, driven = motion.q(contact.cam_angle, nu=1) >= 0, ~motion.idle(contact.cam_angle)
     angle = np.degrees(np.abs(contact.pressure_angle))
     checks = []
@@ -150,7 +150,7 @@ def _pressure(motion: Motion, contact: Contact, limits: CheckLimits) -> list[Che
                 float(np.degrees(limit)),
                 Bound.MAX,
                 cam_place(contact.cam_angle[worst]),
-                f"{motion.softer(float(contact.cam_angle[worst]), limits.motion_key)}, raise cam.base_radius_mm, "
+                f"{motion.softer(float(contact.cam_angle[worst]), limits.motion_key)}, raise {follower.base_key}, "
                 f"or choose another checks.pressure_angle_limit (now {limits.pressure_angle.source})",
             )
         )

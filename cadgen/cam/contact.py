@@ -1,7 +1,7 @@
-"""Roll a follower on an outline: the steering, and so the lift, that a disc really gives.
+"""Roll a follower on an outline: the motion, and so the lift, that a disc really gives.
 
 This shares nothing with the envelope. At cam angle theta a point of the disc lies x ahead of the camshaft and y
-across. The follower, pressed on the disc by its spring, clears the point from some tan(beta) on (`Follower.least`),
+across. The follower, pressed on the disc by its spring, clears the point from some q on (`Follower.least`),
 and rests on the point, of the outlines in all planes that carry it, that asks for the greatest.
 """
 
@@ -31,6 +31,9 @@ _MOST_POINTS = 1_500_000
 _MOST_UNDER = 10_000
 # Stations handled at once, so that a table of candidates stays within the processor's cache; fewer if it is wide.
 _BLOCK = 512
+_POINT_STEPS = (
+    40  # each brings the place of a point beside the ray nearer by its slope, below 1 where it can be followed
+)
 _TABLE = 100_000
 # Every so many points one stands for those about it, and what is under the follower is narrowed down by these first.
 _STRIDE = 8
@@ -136,8 +139,7 @@ class Ring:
             place = np.degrees(angle[int(np.argmin(np.diff(angle)))]) % 360
             raise DesignError(
                 f"the outline is not a closed curve run once round the camshaft: it overhangs near polar angle "
-                f"{place:.1f} degrees, where the {follower.noun} cannot follow it; raise cam.base_radius_mm, widen the "
-                f"turn there, or raise cam.blend_deg if the closing blend steers there"
+                f"{place:.1f} degrees, where the {follower.noun} cannot follow it; {follower.flatter}"
             )
         radius = np.linalg.norm(outline.points, axis=1)
         reach = np.arcsin(min(1.0, follower.reach / radius.min())) if follower.radius > 0 else 0.0
@@ -182,15 +184,20 @@ class Ring:
         return np.where(theta < self.angle[0] + self.window, theta + TURN, theta)
 
     def _point(self, theta: Array) -> Array:
-        """As `_rest`, for a point that moves along the ray."""
+        """Same as `_rest`, for a point that moves along the ray, or beside it."""
         theta, follower = self._within(theta), self.follower
-        u = np.interp(theta, self.angle, self.radius) - follower.base_radius
-        q, carrying, margin = follower.of_lift(u)
+        place, ahead = theta, np.interp(theta, self.angle, self.radius)
+        if follower.offset:
+            # The point stands at the polar angle at which the outline is as far from the ray as it is.
+            for _ in range(_POINT_STEPS):
+                place = theta + np.arcsin(np.clip(follower.offset / np.interp(place, self.angle, self.radius), -1, 1))
+            ahead = np.interp(place, self.angle, self.radius) * np.cos(place - theta)
+        q, carrying, margin = follower.of_lift(ahead - follower.base_radius)
         step = 1e-4  # rad; well above rounding, well below any feature
-        ahead, behind = (np.interp(theta + side, self.angle, self.radius) for side in (step, -step))
-        slope = (ahead - behind) / (2 * step)
-        angle = np.arctan2(slope, u + follower.base_radius)
-        return np.stack([q, carrying, np.zeros_like(u), angle, margin])
+        before, after = (np.interp(place + side, self.angle, self.radius) for side in (-step, step))
+        size = ahead if not follower.offset else np.interp(place, self.angle, self.radius)
+        angle = np.arctan2((after - before) / (2 * step), size) - (place - theta)
+        return np.stack([q, carrying, np.full_like(theta, follower.offset), angle, margin])
 
     def _rest(self, theta: Array) -> Array:
         """tan(beta), carrying face, contact's y, pressure angle and margin at each cam angle, shape (5, n)."""

@@ -43,12 +43,12 @@ class Change:
 
 
 def worst_loss(motion: Motion, follower: Follower) -> float:
-    """Greatest lift that the exact envelope for this rod cannot give where the path steers, mm."""
+    """Greatest lift that the exact envelope for a follower cannot give where its motion counts, mm."""
     try:
         profile = actual_profile(motion, follower)
         if not profile.trims:
             return 0.0
-        # The corners that the rod rests on are exact at any step.
+        # The corners that the follower rests on are exact at any step.
         outline = profile.curve.outline(rolling_step(profile.curve, follower))
         losses = lost_lift(motion, follower, profile.trims, outline)
     except DesignError:

@@ -10,8 +10,9 @@ from cadgen.cam.contact import Ring
 from cadgen.cam.follower import Contact, Follower
 from cadgen.curves.closed import Outline
 
-# The contact runs along a hollow that is hardly wider than the rod within little angle. Stations are put in so that it
-# moves by no more than this from one to the next, mm, but not more than so many between two: a corner takes no travel.
+# The contact runs along a hollow that is hardly wider than the follower within little angle. Stations are put in so
+# that it moves by no more than this from one to the next, mm, but not more than so many between two: a corner takes no
+# travel.
 _TRAVEL = 0.06
 _MOST_BETWEEN = 16
 # The greatest differences at stations are closed in on: this many of them, by so many stations each, in as many rounds.

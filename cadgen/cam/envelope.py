@@ -231,7 +231,7 @@ def _overhang(motion: Motion, follower: Follower, after: Branch, enter: float) -
     return DesignError(
         f"the cam's flank at cam angle {np.degrees(theta):.1f} degrees would be steeper than radial, with a pressure "
         f"angle beyond 90 degrees, so the {follower.noun} cannot follow it: {motion.softer(theta)} or raise "
-        f"cam.base_radius_mm"
+        f"{follower.base_key}"
     )
 
 

@@ -1,8 +1,8 @@
 """Interface of every follower of a disc cam, of any shape and motion.
 
 The follower is let down on the disc by its spring. At cam angle theta a point of the disc lies x ahead of the camshaft,
-along the ray of that angle, and y across it. The follower moves by tan(beta), the steering that it gives: the greater
-that is, the further out it stands.
+along the ray of that angle, and y across it. The follower moves by q, in its own coordinate: the greater that is, the
+further out it stands.
 
 Two derivations that share nothing meet in it. `piece` and `section` are its envelope in closed form, of which
 `cadgen.cam.envelope` makes the profile; `least` is the place at which it clears a point, by which `cadgen.cam.contact`
@@ -24,6 +24,7 @@ from cadgen.cam.limits import CheckLimits
 from cadgen.check import Check
 from cadgen.curves.closed import ClosedCurve, Jet, cross
 from cadgen.laws.motion import Motion
+from cadgen.laws.unit import MM, Unit
 from cadgen.parts.blank import Blank
 
 
@@ -106,7 +107,7 @@ class Section(Branch):
 
 
 def span_jets(motion: Motion, theta: Array, start: float, stop: float) -> tuple[Array, Array, Array]:
-    """tan(beta) and two derivatives inside [start, stop], one-sided at the ends (a kink may stand there).
+    """Motion and two derivatives inside [start, stop], one-sided at the ends (a kink may stand there).
 
     Args:
         motion: motion wanted.
@@ -136,15 +137,14 @@ class Contact:
 
     Attributes:
         cam_angle: cam angle, rad.
-        q: tangent of the steering angle that results.
+        q: motion that results, in the unit of the follower.
         lift: lift s, mm.
         face: lateral distance of the plane that carries the follower, mm.
         margin: lift by which that plane lifts the follower further than the other one alone would, mm; where it is no
             more than `ROLLING_TOLERANCE` either may be the one that carries. Infinite if there is no other.
         across: coordinate y of the contact point, mm, ahead in the sense of growing polar angle.
         pressure_angle: angle between the force on the follower and the velocity of its reference point, rad; positive
-            where the outline rises under it. The rod's axis moves horizontally and the force is square to it, so
-            sin(pressure angle) = across / r; for a point on its own curve tan = (dR/dphi) / R.
+            where the outline rises under it.
     """
 
     cam_angle: Array
@@ -163,8 +163,8 @@ class Contact:
 class TrimKind(StrEnum):
     """Kind of a trim.
 
-    Both faces' envelopes meet; a kink, or a convex radius smaller than the rod's, lies between; or two distant parts
-    cut each other off.
+    Both faces' envelopes meet; a kink, or a convex radius smaller than the follower's, lies between; or two distant
+    parts cut each other off.
     """
 
     FACE_CHANGE = "face change"
@@ -197,7 +197,7 @@ class Loss:
         trim: place where the envelope was trimmed.
         lift: lift lost at the worst cam angle, mm.
         cam_angle: worst cam angle, rad.
-        driven: whether the path steers there, and not the closing blend.
+        driven: whether the motion counts there (see `Motion.idle`).
     """
 
     trim: Trim
@@ -261,50 +261,60 @@ class Remedy:
 class Follower(ABC):
     """A curve that rides on the disc; a kind is a frozen dataclass with the properties and methods below.
 
+    A follower in one plane whose motion is its lift, such as a slide, has `planes`, `lift` and `of_lift` already.
+
     Attributes:
         noun: name of the follower in messages.
+        base_key: key of the design file that makes the cam larger.
         milder: advice where the follower is too large for the cam, in words.
-        base_radius: distance of its reference point from the camshaft at steering angle 0, mm.
+        flatter: advice where an outline overhangs, in words.
+        unit: unit of its motion q: lift in mm, swing in rad, or the tangent of a car's steering angle.
+        base_radius: distance of its reference point from the camshaft along the ray where q is 0, mm.
+        offset: distance of the reference point from the ray, mm, positive in the sense of growing polar angle.
         radius: least radius of curvature of the curve that touches the disc, mm; infinite for a straight one. Zero
-            stands for a point that moves along the ray.
+            stands for a point that moves along the ray, or beside it by the offset.
     """
 
     noun: str = "follower"
+    base_key: str = "cam.base_radius_mm"
     milder: str = "raise cam.base_radius_mm"
+    flatter: str = "make the cam larger, or the motion milder there"
+    unit: Unit = MM
     base_radius: float
+    offset: float = 0.0
     radius: float
 
     @property
-    @abstractmethod
     def planes(self) -> tuple[float, ...]:
-        """Lateral distances from the fork axis of the planes in which the disc carries it, mm, ascending."""
+        """Distances from the reference of the follower's faces of the planes that carry it, mm, ascending."""
+        return (0.0,)
 
     @property
     @abstractmethod
     def reach(self) -> float:
         """How far across the ray the points lie, at most, that may carry it, mm."""
 
-    @abstractmethod
     def lift(self, q: Array) -> Array:
         """Lift s of its reference point, mm.
 
         Args:
-            q: tangents of the rod's steering angle, shape (n,).
+            q: motion, in its unit, shape (n,).
         """
+        return np.asarray(q)
 
-    @abstractmethod
     def of_lift(self, lift: Array) -> tuple[Array, Array, Array]:
-        """tan(beta) by lift, mm, with the plane that then carries it, mm, and the margin of `Contact`, mm.
+        """Motion q by lift, mm, with the plane that then carries it, mm, and the margin of `Contact`, mm.
 
         Args:
             lift: lifts, mm, shape (n,).
         """
+        return lift, np.full_like(lift, self.planes[0]), np.full_like(lift, np.inf)
 
     # The envelope.
 
     @abstractmethod
     def refuse(self, motion: Motion) -> None:
-        """Refuse a lift with which nothing is left of the disc.
+        """Refuse a motion with which nothing is left of the disc.
 
         Raises:
             DesignError: it is so.
@@ -316,7 +326,7 @@ class Follower(ABC):
 
         Args:
             motion: motion wanted.
-            face: distance of the plane from the fork axis, mm.
+            face: distance of the plane that carries it, as in `planes`, mm.
             start: cam angle at which it begins, rad.
             stop: cam angle at which it ends, rad.
         """
@@ -341,7 +351,7 @@ class Follower(ABC):
 
     @abstractmethod
     def least(self, x: Array, y: Array) -> tuple[Array, ...]:
-        """The least tan(beta) at which it clears points, in each plane; minus infinity for those beside it.
+        """The least q at which it clears points, in each plane; minus infinity for those beside it.
 
         Args:
             x: coordinates along the ray from the camshaft, mm, shape (n,).
@@ -363,7 +373,7 @@ class Follower(ABC):
         """Pressure angle, rad, where it touches the disc at y across, mm.
 
         Args:
-            q: tangents of the rod's steering angle, shape (n,).
+            q: motion, in its unit, shape (n,).
             across: distances of the contact from the ray's middle, mm, shape (n,).
         """
 
@@ -372,8 +382,8 @@ class Follower(ABC):
         """How far ahead of the camshaft its reference point stands in a plane, mm.
 
         Args:
-            q: tangents of the rod's steering angle, shape (n,).
-            face: distance of the plane from the fork axis, mm.
+            q: motion, in its unit, shape (n,).
+            face: distance of the plane that carries it, as in `planes`, mm.
         """
 
     @abstractmethod
@@ -381,17 +391,17 @@ class Follower(ABC):
         """How far ahead of the camshaft it touches the disc at y across, mm.
 
         Args:
-            q: tangents of the rod's steering angle, shape (n,).
-            face: distance of the plane from the fork axis, mm.
+            q: motion, in its unit, shape (n,).
+            face: distance of the plane that carries it, as in `planes`, mm.
             across: distances of the contact from the ray's middle, mm, shape (n,).
         """
 
     def margin(self, apart: Array, face: Array) -> Array:
-        """Lift, mm, that belongs to a difference of tan(beta) between two planes; infinite if there is but one.
+        """Lift, mm, that belongs to a difference of q between two planes; infinite if there is but one.
 
         Args:
-            apart: differences of tan(beta) between two planes, shape (n,).
-            face: distance of the plane from the fork axis, mm.
+            apart: differences of q between two planes, shape (n,).
+            face: distance of the plane that carries it, as in `planes`, mm.
         """
         return np.full_like(apart, np.inf)
 

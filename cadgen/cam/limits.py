@@ -22,7 +22,7 @@ class PressureAngleLimit:
 
     Attributes:
         rise: limit while the cam drives the follower outwards (the working stroke), rad.
-        fall: limit while the spring drives the rod back (the return stroke), rad.
+        fall: limit while the spring drives the follower back (the return stroke), rad.
         source: who recommends it, and for which follower.
     """
 

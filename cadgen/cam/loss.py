@@ -1,4 +1,4 @@
-"""Loss by trimming the envelope: lift that no disc can give, where the path steers and in the closing blend."""
+"""Loss by trimming the envelope: lift that no disc can give, where the motion counts and where it does not."""
 
 from math import inf
 
@@ -14,7 +14,7 @@ from cadgen.laws.motion import Motion
 def lost_lift(motion: Motion, follower: Follower, trims: tuple[Trim, ...], outline: Outline) -> list[Loss]:
     """The greatest lift missing between the two cam angles of each trim, by rolling the follower there.
 
-    A trim that reaches from the path into the closing blend counts in each of the two.
+    A trim that reaches into an idle part of the turn counts in each of the two.
 
     Args:
         motion: motion wanted.

@@ -1,6 +1,6 @@
 """Which branch of the envelope is the lowest at each polar angle, with rounding kept out of the answer.
 
-Branches that coincide over a stretch, as those of both faces do where the steering is straight, take turns at being
+Branches that coincide over a stretch, as those of two planes may where the motion is level, take turns at being
 the lowest by rounding. A branch is therefore left only where another one is lower by more than `SAME`, and then at
 the last place before that where the two cross.
 """

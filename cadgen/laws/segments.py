@@ -133,7 +133,10 @@ class SegmentMotion(Motion):
             jumps = np.flatnonzero(np.abs(after - before) > _JUMP * np.maximum(scale, scale[0]))
             if jumps.size:
                 order = int(jumps[0])
-                found.append(Seam(segment.start, order, float(before[order]), float(after[order])))
+                sides = np.where(
+                    np.abs([before, after])[:, order] > _JUMP * scale[order], [before[order], after[order]], 0.0
+                )
+                found.append(Seam(segment.start, order, *sides.tolist()))
         return tuple(found)
 
     def softer(self, cam_angle: float, key: str = "") -> str:
@@ -145,3 +148,11 @@ class SegmentMotion(Motion):
         """
         number = next((n for n, s in enumerate(self.segments, 1) if cam_angle % TURN <= s.stop), len(self.segments))
         return f"give the segment there more of the turn (motion.segments.{number}.in_deg)"
+
+    def extrema(self) -> tuple[Array, Array]:
+        """Cam angles of the peaks and of the valleys, rad, in order: of a dwell its beginning."""
+        moves = [segment for segment in self.segments if segment.after != segment.before]
+        turns = [(one, two) for one, two in zip(moves, moves[1:] + moves[:1], strict=True)]
+        rises = [(one.stop % TURN, one.after > one.before, two.after > two.before) for one, two in turns]
+        peaks = sorted(angle for angle, up, again in rises if up and not again)
+        return np.array(peaks), np.array(sorted(angle for angle, up, again in rises if again and not up))

@@ -22,6 +22,7 @@ from cadgen.cam.followers import table
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
 from cadgen.cam.loss import lost_lift
 from cadgen.cam.place import cam_place
+from cadgen.cam.round_follower import Arc
 from cadgen.car.path_motion import PathMotion
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
@@ -30,21 +31,17 @@ from cadgen.jobs.cam.cures import find_cures
 from cadgen.jobs.cam.files import write_cam
 from cadgen.jobs.cam.plan import plan_cam
 from cadgen.parts.blank import Blank
-from tests.docs.blocks import DOCS, blocks
+from tests.cam.sliding_roller import SLIDING_ROLLER, SlidingRoller
 
 TURN = 2 * np.pi
-(SHOWN,) = [block.text for block in blocks(DOCS / "how-to/followers.md") if block.language == "python"]
-MADE_UP: dict = {}
-exec(SHOWN.partition("# The line that registers it")[0], MADE_UP)
-Roller, ROLLER = MADE_UP["Roller"], MADE_UP["ROLLER"]
 KEYS = ["follower={kind = 'sliding_roller', radius_mm = 8.0, arm_mm = 25.0}"]
 
 
 @pytest.fixture
 def registered():
-    table.register(ROLLER)
-    yield ROLLER
-    table.remove(ROLLER)
+    table.register(SLIDING_ROLLER)
+    yield SLIDING_ROLLER
+    table.remove(SLIDING_ROLLER)
 
 
 def motion(*spans):
@@ -72,7 +69,7 @@ def test_a_worked_example_of_3_4_5():
     rise, fall = [0, 0, 0, 100, -150, 60], [10, 0, 0, -100, 150, -60]
     s = motion((90, rise), (45, [10.0]), (180, fall), (45, [0.0]))
     lift = PathMotion(s, np.array([]), TURN)
-    roller = Roller(base_radius=76.2, radius=12.5, arm=1.0)
+    roller = SlidingRoller(base_radius=76.2, radius=12.5, arm=1.0)
     profile = actual_profile(lift, roller)
     assert not profile.trims
     checks = check_cam(lift, roller, profile.curve, profile.trims, Blank(bore_diameter=8.0), limits())
@@ -87,7 +84,7 @@ def test_a_worked_example_of_3_4_5():
 
 
 def test_the_profile_is_that_of_the_textbooks(carbon_free_car):
-    lift, roller = carbon_free_car.lift, Roller(base_radius=70.0, radius=8.0, arm=25.0)
+    lift, roller = carbon_free_car.lift, SlidingRoller(base_radius=70.0, radius=8.0, arm=25.0)
     profile = actual_profile(lift, roller)
     assert profile.trims == ()
     theta = np.linspace(0.0, TURN, 2000, endpoint=False)
@@ -107,7 +104,7 @@ def test_the_profile_is_that_of_the_textbooks(carbon_free_car):
 
 def test_corners_of_the_lift_lose_what_geometry_says(appendix_car):
     """At a convex corner of angle delta the centre stays r (1 / cos(delta / 2) - 1) away, along the normal."""
-    lift, roller = appendix_car.lift, Roller(base_radius=70.0, radius=0.2, arm=26.0)
+    lift, roller = appendix_car.lift, SlidingRoller(base_radius=70.0, radius=0.2, arm=26.0)
     profile = actual_profile(lift, roller)
     losses = lost_lift(lift, roller, profile.trims, profile.curve.outline(0.002))
     corners = [corner for corner in roller.pitch_curve(lift).corners(0.05) if corner.turn > 0]
@@ -124,27 +121,27 @@ def test_corners_of_the_lift_lose_what_geometry_says(appendix_car):
 
 def test_hollow_corners_cost_nothing(appendix_car):
     """There the roller's own arc is the profile, and the roller reaches what is wanted."""
-    lift, roller = appendix_car.lift, Roller(base_radius=70.0, radius=2.0, arm=26.0)
+    lift, roller = appendix_car.lift, SlidingRoller(base_radius=70.0, radius=2.0, arm=26.0)
     slope = lift.q(lift.kinks + 1e-6, nu=1) - lift.q(lift.kinks - 1e-6, nu=1)
     hollow = lift.kinks[slope > 1e-3]
     assert hollow.size > 2
     profile = actual_profile(lift, roller)
-    arcs = [piece for piece in profile.curve.pieces if isinstance(piece, MADE_UP["Circle"])]
+    arcs = [piece for piece in profile.curve.pieces if isinstance(piece, Arc)]
     assert len(arcs) == hollow.size
     rolled, _ = roll_curve(profile.curve, roller, hollow)
     assert np.abs(rolled.lift - roller.lift(lift.q(hollow))).max() < 2e-5
 
 
 def test_a_roller_too_large_is_refused(carbon_free_car):
-    with pytest.raises(DesignError, match=r"the roller leaves nothing of the disc: lower follower.radius_mm or raise"):
-        actual_profile(carbon_free_car.lift, Roller(base_radius=70.0, radius=69.0, arm=25.0))
+    with pytest.raises(DesignError, match=r"so nothing is left of the disc: lower follower.radius_mm or raise"):
+        actual_profile(carbon_free_car.lift, SlidingRoller(base_radius=70.0, radius=69.0, arm=25.0))
 
 
 @pytest.mark.slow
 def test_a_design_names_it_and_gets_its_files(registered, tmp_path):
     design = load_design("carbon_free_car", KEYS)
     plan = plan_cam(design, "actual")
-    assert isinstance(plan.follower, Roller)
+    assert isinstance(plan.follower, SlidingRoller)
     assert plan.passed
     assert plan.edges is None
     written = write_cam(plan, tmp_path, formats=["dxf", "csv"], cures=find_cures(plan))
@@ -161,7 +158,7 @@ def test_a_design_names_it_and_gets_its_files(registered, tmp_path):
 
 @pytest.mark.slow
 def test_its_cures_are_its_own(appendix_car):
-    lift, roller = appendix_car.lift, Roller(base_radius=70.0, radius=2.0, arm=26.0)
+    lift, roller = appendix_car.lift, SlidingRoller(base_radius=70.0, radius=2.0, arm=26.0)
     now = worst_loss(lift, roller)
     changes = {change.parameter: change for change in undercut_cures(lift, roller, now / 2)}
     assert set(changes) == {"follower.radius_mm", "cam.base_radius_mm"}
@@ -230,4 +227,4 @@ def test_a_kind_that_is_not_registered_is_refused():
 @pytest.mark.parametrize("code", ["rod", "Two words", ""])
 def test_a_code_is_unique_and_plain(code):
     with pytest.raises(DesignError, match="follower"):
-        table.register(replace(ROLLER, code=code))
+        table.register(replace(SLIDING_ROLLER, code=code))

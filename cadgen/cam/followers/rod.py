@@ -22,6 +22,7 @@ from cadgen.check import Check
 from cadgen.curves.closed import ClosedCurve
 from cadgen.errors import DesignError
 from cadgen.laws.motion import Motion
+from cadgen.laws.unit import TAN
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -29,6 +30,8 @@ class LeaningRod(RodGeometry, Follower):
     """The rod on the two planes of a disc, as a follower; its attributes are those of `RodGeometry`."""
 
     noun = "rod"
+    unit = TAN
+    flatter = "raise cam.base_radius_mm, widen the turn there, or raise cam.blend_deg if the closing blend steers there"
     milder = "lower follower.radius_mm or raise cam.base_radius_mm"
 
     @property

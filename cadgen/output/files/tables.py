@@ -19,6 +19,7 @@ from cadgen.car.running.drive import Run
 from cadgen.curves.closed import ClosedCurve, Outline, cross, left_normal
 from cadgen.curves.polygon import polyline
 from cadgen.errors import FileError
+from cadgen.laws.unit import MM, RAD, TAN, Unit
 from cadgen.messages import Message
 from cadgen.output.files.publisher import Artifact, require
 
@@ -44,13 +45,21 @@ COLUMNS = (
     "polar_angle_deg",
     "polar_radius_mm",
     "lift_mm",
-    "steering_deg",
     "normal_x",
     "normal_y",
     "pressure_angle_deg",
     "radius_of_curvature_mm",
     "face",
 )
+# Column of the motion, where it is not the lift itself, and its place.
+_MOTION = {TAN: "steering_deg", RAD: "swing_deg"}
+_MOTION_AT = COLUMNS.index("lift_mm") + 1
+
+
+def columns(unit: Unit) -> tuple[str, ...]:
+    """Columns of the table of a follower whose motion has a unit."""
+    named = (_MOTION[unit],) if unit in _MOTION else ()
+    return (*COLUMNS[:_MOTION_AT], *named, *COLUMNS[_MOTION_AT:])
 
 
 def cam_table(cam: CamExport, folder: Path) -> Iterator[Artifact]:
@@ -180,7 +189,7 @@ def write_csv(path: Path, curve: ClosedCurve, follower: Follower, contact: Conta
         follower: follower on the profile.
         contact: contacts of the follower rolled on the profile.
     """
-    T, y = contact.q, contact.across
+    y = contact.across
     jet, _ = curve.at_angle(contact.cam_angle + np.arctan2(y, _ahead(contact, follower)))
     normal = -left_normal(jet.velocity)
     polar = np.degrees(np.arctan2(jet.point[:, 1], jet.point[:, 0])) % 360
@@ -193,18 +202,23 @@ def write_csv(path: Path, curve: ClosedCurve, follower: Follower, contact: Conta
             polar,
             np.linalg.norm(jet.point, axis=1),
             contact.lift,
-            np.degrees(np.arctan(T)),
+            *(
+                [np.degrees(np.arctan(contact.q) if follower.unit == TAN else contact.q)]
+                if follower.unit in _MOTION
+                else []
+            ),
             normal,
             np.degrees(contact.pressure_angle),
             radius,
         ]
     )
     first, *others = follower.planes
-    faces = np.where(contact.face == first, "inner", "outer").tolist() if others else ["whole"] * len(T)
+    faces = np.where(contact.face == first, "inner", "outer").tolist() if others else ["whole"] * len(y)
     rows = (
         ",".join([f"{x:.6f}" if x == x else "" for x in row]) + f",{face}"
         for row, face in zip((numbers.round(6) + 0.0).tolist(), faces, strict=True)
     )
+    _write(path, (",".join(columns(follower.unit)), *rows))
     path.write_text("\n".join([",".join(COLUMNS), *rows]) + "\n", encoding="ascii", newline="\n")
 
 
@@ -221,11 +235,11 @@ def read_csv(path: Path) -> dict[str, Array]:
         header, *rows = csv.reader(text.splitlines())
         if not text.endswith("\n"):
             raise ValueError("cut short")
-        if tuple(header) != COLUMNS:
+        if tuple(header) not in [columns(unit) for unit in (MM, RAD, TAN)]:
             raise FileError(f"{path.name} has columns {', '.join(header)}: write it again")
         values = {"": "nan", "inner": "0", "outer": "1", "whole": "2"}
         table = np.array([[float(values.get(text, text)) for text in row] for row in rows])
-        return dict(zip(COLUMNS, table.T, strict=True))
+        return dict(zip(header, table.T, strict=True))
     except (ValueError, UnicodeDecodeError, csv.Error) as error:
         raise FileError(f"{path.name} is not a complete table of contacts: write it again") from error
 

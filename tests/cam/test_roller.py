@@ -1,0 +1,240 @@
+"""The roller of the how-to, offset and moved by [motion]: textbooks, rolling, and every command."""
+
+import json
+import re
+from math import radians
+
+import numpy as np
+import pytest
+
+from cadgen import Design, Report, draw
+from cadgen.arrays import TURN
+from cadgen.cam.contact import roll, roll_curve
+from cadgen.cam.envelope import actual_profile
+from cadgen.cam.followers import table
+from cadgen.design.load import complete_of, design_of
+from cadgen.errors import CadgenError, DesignError
+from cadgen.laws.segments import Segment, SegmentMotion
+from cadgen.laws.table import law_of
+from cadgen.laws.unit import MM
+from tests.docs.blocks import DOCS, blocks
+
+(SHOWN,) = [block.text for block in blocks(DOCS / "how-to/followers.md") if block.language == "python"]
+FILE, _, USE = SHOWN.partition("# The line that registers it")
+MADE_UP: dict = {}
+exec(FILE, MADE_UP)
+Roller, ROLLER = MADE_UP["Roller"], MADE_UP["ROLLER"]
+TEXT = USE.partition('"""')[2].partition('"""')[0]
+STEP = radians(1.0)
+
+
+def motion(*spans):
+    """Motion of spans: angle in degrees, height at the end in mm, and law; None for a dwell."""
+    segments, at, height = [], 0.0, 0.0
+    for angle, after, law in spans:
+        stop = at + angle
+        segments.append(Segment(radians(at), radians(stop), height, after, law and law_of(law)))
+        at, height = stop, after
+    return SegmentMotion.of(segments, MM)
+
+
+FEEDER = motion((80, 14.0, "polynomial_3_4_5"), (50, 14.0, None), (110, 0.0, "cycloidal"), (120, 0.0, None))
+
+
+@pytest.fixture
+def registered():
+    table.register(ROLLER)
+    yield ROLLER
+    table.remove(ROLLER)
+
+
+def test_the_file_is_short():
+    lines = FILE.splitlines()
+    print(len(lines), "lines")
+    assert len(lines) <= 80
+
+
+@pytest.mark.parametrize("offset", [0.0, 8.0, -8.0])
+def test_envelope_and_rolling_agree_with_the_textbook(offset):
+    """The centre stands at y0 + s ahead and e across; tan(alpha) = (s' - e) / (y0 + s)."""
+    roller = Roller(base=32.0, radius=9.0, offset=offset)
+    profile = actual_profile(FEEDER, roller)
+    assert profile.trims == ()
+    theta = np.linspace(0.0, TURN, 1440, endpoint=False)
+    s, slope, y0 = FEEDER.q(theta), FEEDER.q(theta, nu=1), np.sqrt(41.0**2 - offset**2)
+    alpha = np.arctan2(slope - offset, y0 + s)
+    contact, _ = roll_curve(profile.curve, roller, theta)
+    print(f"rolled {np.abs(contact.lift - s).max() * 1e3:.5f} um off")
+    assert np.abs(contact.lift - s).max() < 2e-5
+    assert np.abs(contact.pressure_angle - alpha).max() < 3e-4
+    point = ((y0 + s + 1j * offset) - 9.0 * np.exp(-1j * alpha)) * np.exp(1j * theta)
+    jet, _ = profile.curve.at_angle(np.angle(point))
+    assert np.abs(jet.point @ [1, 1j] - point).max() < 1e-9
+    # The path of the centre, followed by a point beside the ray.
+    pitch = roller.pitch_curve(FEEDER)
+    axis = roll(pitch.outline(0.005), roller.point(), theta)
+    assert np.abs(axis.lift - s).max() < 2e-5
+    assert np.abs(axis.pressure_angle - alpha).max() < 2e-3
+
+
+def test_brute_force_cuts_no_more_than_the_envelope():
+    """Rays cut by the roller at 20 000 cam angles, without a derivative: the least of a - sqrt(r^2 - c^2)."""
+    roller = Roller(base=32.0, radius=9.0, offset=8.0)
+    curve = actual_profile(FEEDER, roller).curve
+    theta = np.linspace(0.0, TURN, 20_000, endpoint=False)
+    z = (np.sqrt(41.0**2 - 64.0) + FEEDER.q(theta) + 8.0j) * np.exp(1j * theta)
+    phi = np.linspace(0.0, TURN, 97, endpoint=False)
+    w = z[:, None] * np.exp(-1j * phi)
+    inside = np.abs(w.imag) < 9.0
+    near = np.where(inside & (w.real > 0), w.real - np.sqrt(np.where(inside, 81.0 - w.imag**2, 0.0)), np.inf)
+    assert np.abs(near.min(axis=0) - curve.radius(phi)).max() < 1e-5
+
+
+@pytest.mark.parametrize("code", ["polynomial_3_4_5", "cycloidal"])
+def test_a_law_goes_from_rest_to_rest_by_its_own_derivatives(code):
+    u = np.linspace(0.0, 1.0, 2001)
+    s, v, a = law_of(code).jet(u).T
+    np.testing.assert_allclose([s[0], s[-1], v[0], v[-1], a[0], a[-1]], [0, 1, 0, 0, 0, 0], atol=1e-12)
+    np.testing.assert_allclose(np.gradient(s, u)[1:-1], v[1:-1], atol=5e-6)
+    np.testing.assert_allclose(np.gradient(v, u)[1:-1], a[1:-1], atol=5e-5)
+    greatest = {"polynomial_3_4_5": (15 / 8, 10 / np.sqrt(3)), "cycloidal": (2.0, TURN)}[code]
+    np.testing.assert_allclose([v.max(), a.max()], greatest, rtol=1e-6)
+
+
+def test_quintic_pieces_follow_a_law():
+    """A cycloid of 110 degrees by 64 pieces: within 1e-9 of the rise, its second derivative within 1e-5."""
+    u = np.linspace(0.0, 1.0, 4001)[1:-1]
+    theta, width = radians(130) + u * radians(110), radians(110)
+    exact = 14.0 * (np.array([1.0, 0, 0]) - law_of("cycloidal").jet(u)) / width ** np.arange(3)
+    for order, within in ((0, 1e-8), (1, 1e-6), (2, 1e-4)):
+        assert np.abs(FEEDER.q(theta, nu=order) - exact[:, order]).max() < within
+
+
+def test_peaks_and_valleys_are_where_dwells_begin():
+    peaks, valleys = FEEDER.extrema()
+    np.testing.assert_allclose(np.degrees(peaks), [80.0])
+    np.testing.assert_allclose(np.degrees(valleys), [240.0])
+
+
+def loaded(changes=()):
+    from pathlib import Path
+
+    return complete_of(TEXT, Path("feeder.toml"), changes)
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (
+            "motion.segments.2.dwell_deg=40",
+            "take 350 degrees; they must take 360: change in_deg or dwell_deg of one by +10",
+        ),
+        ("motion.segments.3.to_mm=1", "the motion jumps at 0 degrees of cam angle from 1 to 0"),
+        (
+            "motion.segments.1.law=square",
+            'motion.segments.1.law is "square"; it must be "polynomial_3_4_5" or "cycloidal"',
+        ),
+        ("motion.segments.2.in_deg=3", "a dwell has no other key"),
+        ("motion.segments.1.in_deg=", "it needs dwell_deg alone, or in_deg, law and one of to_mm"),
+        ("motion.segments.1={to_deg=3, in_deg=80, law='cycloidal'}", "motion.segments.1.to_deg is not of a follower"),
+        ("motion.turns=", "motion.turns is missing"),
+        ("follower={radius_mm=3}", 'follower.kind is "rod", which follows the steering of a car'),
+        ("cam.base_radius_mm=70", "cam.base_radius_mm is not a key: did you mean cam.base_circle_radius_mm?"),
+        ("follower.offset_mm=50", "follower.offset_mm is 50; it must be less than 41 mm"),
+    ],
+)
+def test_bad_motions_are_refused(registered, change, words):
+    with pytest.raises(DesignError, match=re.escape(words)):
+        loaded([change])
+
+
+def test_a_design_has_a_motion_or_a_car(registered):
+    text = TEXT + "\n[car]\nwheelbase_mm = 100\n"
+    from pathlib import Path
+
+    with pytest.raises(DesignError, match=r"has \[motion\], .* and \[car\], which only a design with"):
+        complete_of(text, Path("both.toml"))
+    with pytest.raises(DesignError, match=r"follower.kind is \"roller\", which moves by its lift"):
+        Design.load("carbon_free_car").with_({"follower": {"kind": "roller", "radius_mm": 9.0}})
+    with pytest.raises(DesignError, match=r"worked out for a car, but the design has \[motion\]"):
+        design_of(TEXT, Path("feeder.toml"))
+
+
+def test_a_jump_of_velocity_is_refused_and_one_of_acceleration_named():
+    from cadgen.laws.law import Law
+
+    line = Law(code="line", meaning="", jet=lambda u: np.stack([u, 1 + 0 * u, 0 * u], axis=1), pieces=1)
+    sine = Law(
+        code="sine",
+        meaning="",
+        jet=lambda u: np.stack(
+            [(1 - np.cos(np.pi * u)) / 2, np.pi / 2 * np.sin(np.pi * u), np.pi**2 / 2 * np.cos(np.pi * u)], axis=1
+        ),
+    )
+
+    def made(law):
+        return SegmentMotion.of([Segment(0.0, np.pi, 0.0, 5.0, law), Segment(np.pi, TURN, 5.0, 0.0, sine)], MM)
+
+    with pytest.raises(DesignError, match=r"the velocity jumps at 0 degrees of cam angle from 0 to 1\.59155"):
+        made(line)
+    dwelling = [
+        Segment(0.0, np.pi, 0.0, 5.0, sine),
+        Segment(np.pi, 4.0, 5.0, 5.0, None),
+        Segment(4.0, TURN, 5.0, 0.0, sine),
+    ]
+    seams = SegmentMotion.of(dwelling, MM).seams
+    assert [seam.order for seam in seams] == [2, 2, 2]
+    # On either side of a seam the motion has its own second derivative.
+    curve = SegmentMotion.of(dwelling, MM).q
+    assert curve(np.pi - 1e-9, nu=2) == pytest.approx(-2.5, rel=1e-3)
+    assert curve(np.pi + 1e-9, nu=2) == pytest.approx(0.0, abs=1e-6)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("turns", ["clockwise", "counterclockwise"])
+def test_it_goes_through_every_command(registered, tmp_path, turns):
+    design = Design.from_toml(TEXT).with_({"motion.turns": turns, "blank.edge_break_mm": 0.3})
+    cam = design.cam()
+    assert cam.passed, [check.name for check in cam.failed]
+    assert "car" not in " ".join(cam.notes)
+    written = cam.write(tmp_path)
+    assert {name.rpartition(".")[2] for name in written.entry["files"]} == {
+        "step",
+        "stl",
+        "3mf",
+        "dxf",
+        "nc",
+        "xyz",
+        "csv",
+    }
+    assert all(file.lift_error_um <= file.lift_limit_um for file in written.files)
+    header, first = (tmp_path / "feeder_actual.csv").read_text().splitlines()[:2]
+    assert "steering" not in header
+    assert len(header.split(",")) == len(first.split(","))
+    assert "rod" not in json.dumps({k: v for k, v in written.entry.items() if k != "checks"}, default=str)
+    drawn = draw(tmp_path, cam=cam)
+    assert {"feeder_actual_drawing.dxf"} <= set(drawn.entry["files"])
+    report = Report.of(design, samples=10)
+    assert report.passed
+    page = report.write(tmp_path)
+    html = (tmp_path / page.files[0].name).read_text()
+    assert "pressure angle" in html
+    assert design.cam(profile="theoretical").passed
+
+
+@pytest.mark.parametrize("job", ["simulate", "tolerance", "card"])
+def test_jobs_of_a_car_say_so(registered, job):
+    with pytest.raises(CadgenError, match=r"\[motion\]"):
+        getattr(Design.from_toml(TEXT), job)()
+
+
+def test_undercut_is_cured_by_its_own_keys(registered):
+    design = Design.from_toml(TEXT).with_(
+        {"cam.base_circle_radius_mm": 12.0, "checks.pressure_angle_limit": "chinese_texts"}
+    )
+    cam = design.cam()
+    assert "lost lift, undercut" in {check.name for check in cam.failed}
+    overrides = [cure.override for cure in cam.cures.proved]
+    print(overrides)
+    assert any(text.startswith("cam.base_circle_radius_mm=") for text in overrides)
+    assert "cam.base_radius_mm" not in " ".join(check.advice for check in cam.checks)
