@@ -44,6 +44,7 @@ def draw(
     """
     from cadgen.api.cam import Cam
     from cadgen.api.gear_train import GearTrain
+    from cadgen.jobs.cam.plan import Origin
     from cadgen.jobs.drawings import Parts, write_drawings
 
     place = folder_of(folder)
@@ -51,17 +52,18 @@ def draw(
         instance("cam", cam, Cam)
     if train is not None:
         instance("train", train, GearTrain)
-    designs = [part.computed.design for part in (cam, train) if part is not None]
-    if not designs:
+    origins = [cam.computed.origin] if cam is not None else []
+    origins += [Origin.of(train.plan.design)] if train is not None else []
+    if not origins:
         raise DesignError("there is nothing to draw: give cam, train, or both")
-    if len({design.content_hash for design in designs}) > 1:
+    if len({origin.content_hash for origin in origins}) > 1:
         raise DesignError("cam and train are of two designs: take both from the same Design")
     failed = [check for part in (cam, train) if part is not None for check in part.checks if not check.passed]
     if failed and not force:
         raise CheckError(refusal(failed))
     parts = Parts(
-        name=designs[0].name,
-        design_hash=designs[0].content_hash,
+        name=origins[0].name,
+        design_hash=origins[0].content_hash,
         cam=None if cam is None else cam.computed,
         train=None if train is None else train.plan,
     )

@@ -14,14 +14,12 @@ from typing import Any
 import numpy as np
 
 from cadgen.arrays import TURN
-from cadgen.car.course.layout import Side
 from cadgen.curves.biarc import arcs
 from cadgen.design.machining import DrawingText
-from cadgen.design.schema import Design, TrainDesign
 from cadgen.errors import FileError
 from cadgen.gears.layout import TrainPart
 from cadgen.inference.measurement.record import Direction
-from cadgen.jobs.cam.plan import CamPlan
+from cadgen.jobs.cam.plan import CamPlan, Origin
 from cadgen.jobs.gears.facts import parts_facts
 from cadgen.jobs.gears.plan import GearsPlan
 from cadgen.messages import Message
@@ -87,36 +85,45 @@ class Folder:
         return tuple((name, listed[name]) for name in named if name in listed)
 
 
-def title_of(design: TrainDesign, part: str, material: str, number: str, folder: Folder) -> Title:
-    """Title block of a part's sheet."""
-    text = design.drawing or DrawingText()
+def title_of(origin: Origin, text: DrawingText | None, part: str, material: str, number: str, folder: Folder) -> Title:
+    """Title block of a part's sheet.
+
+    Args:
+        origin: design of the part.
+        text: texts of the design's title blocks.
+        part: name of the part.
+        material: material of the part; empty where the design does not say.
+        number: stem of the names of its files.
+        folder: folder with the files.
+    """
+    text = text or DrawingText()
     return Title(
         part=part,
-        title=text.title or design.name,
+        title=text.title or origin.name,
         material=material,
         finish=text.finish or "",
         quantity=text.quantity,
         date=folder.date,
-        design=f"{design.name} {design.content_hash[:_HASH]}",
+        design=f"{origin.name} {origin.content_hash[:_HASH]}",
         number=number,
     )
 
 
-def not_stated(design: TrainDesign, *, cam: bool) -> dict[str, str]:
+def not_stated(text: DrawingText | None, cam: CamPlan | None) -> dict[str, str]:
     """Facts that the sheets leave open, each with the key of the design that states it.
 
     Args:
-        design: design that is drawn.
-        cam: whether its cam is drawn, and not its train alone.
+        text: texts of the design's title blocks.
+        cam: cam that is drawn; None for the train alone.
     """
     keys: dict[str, tuple[str, object]] = {}
-    if cam and isinstance(design, Design):
+    if cam is not None:
         keys = {
-            "material": ("blank.material", design.blank.material),
-            "fit of the bore": ("blank.bore_fit", design.blank.bore_fit),
-            "tolerance of the outline": ("tolerances.profile_offset_mm", design.tolerances.profile_offset_mm),
+            "material": ("blank.material", cam.making.material),
+            "fit of the bore": ("blank.bore_fit", cam.making.bore_fit),
+            **cam.application.open_keys(),
         }
-    keys["finish"] = ("drawing.finish", design.drawing and design.drawing.finish)
+    keys["finish"] = ("drawing.finish", text and text.finish)
     return {name: key for name, (key, value) in keys.items() if not value}
 
 
@@ -132,20 +139,13 @@ _RUNS = 3  # of the inspection, which tells noise from what repeats
 _STEP = 5  # degrees between its readings
 
 
-def stem_of(plan: CamPlan) -> str:
-    """Stem of the names of the cam's files."""
-    return f"{plan.design.name}_{plan.profile}"
-
-
 def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
     """Sheet of a cam; it names the files of the folder that hold the same cam."""
-    design, stem = plan.design, stem_of(plan)
+    making, use = plan.making, plan.application
     angles = np.radians(np.arange(0.0, 360.0, EVERY))
     dense = np.linspace(0.0, TURN, _DENSE, endpoint=False)
     radii = plan.curve.radius(dense)
     most, least = int(radii.argmax()), int(radii.argmin())
-    inner, outer = design.cam.faces_mm
-    offset = design.tolerances.profile_offset_mm
     part = CamPart(
         profile=arcs(plan.curve, _ARCS_WITHIN),
         angles=angles,
@@ -153,26 +153,16 @@ def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
         greatest=(float(radii[most]), float(dense[most])),
         least=(float(radii[least]), float(dense[least])),
         blank=plan.made_blank,
-        thickness=outer - inner,
-        bore_fit=bore_class(design.blank.bore_fit),
-        profile_tolerance=offset or None,
-        face="inner face" if design.cam.side == Side.RIGHT else "outer face",
-        files=folder.files(stem, design.content_hash, _CAM_ENDINGS),
-        notes=tuple(_notes(plan)),
+        thickness=plan.thickness,
+        bore_fit=bore_class(making.bore_fit),
+        profile_tolerance=use.profile_tolerance or None,
+        follower=plan.follower.noun,
+        face=f"{plan.seen} face",
+        files=folder.files(plan.stem, plan.origin.content_hash, _CAM_ENDINGS),
+        notes=(*use.drawing_notes(plan), *([plan.profile.note] if plan.profile.note else [])),
     )
-    name = f"steering cam, {plan.profile} profile"
-    return cam_drawing(part, title_of(design, name, design.blank.material or "", stem, folder))
-
-
-def _notes(plan: CamPlan) -> Iterator[str]:
-    tolerances = plan.design.tolerances
-    if tolerances.inner_face_mm or tolerances.outer_face_mm:
-        yield (
-            f"Faces: inner ± {tolerances.inner_face_mm:g}, outer ± {tolerances.outer_face_mm:g} mm from the fork axis, "
-            "as the cars are reckoned."
-        )
-    if plan.profile.note:
-        yield plan.profile.note
+    name = f"{use.noun}, {plan.profile} profile"
+    return cam_drawing(part, title_of(plan.origin, making.title, name, making.material or "", plan.stem, folder))
 
 
 def inspection_csv(plan: CamPlan) -> str:
@@ -181,7 +171,7 @@ def inspection_csv(plan: CamPlan) -> str:
     A form that is not filled in is refused by `calibrate`, which names the first open row.
     """
     lines = [
-        f"# design: {plan.design.name}",
+        f"# design: {plan.origin.name}",
         f"# profile: {plan.profile}; give calibrate --profile {plan.profile}",
         "# a dial on the lever at the disc's inner face: write each reading into lift_mm",
         "run,direction,cam_angle_deg,lift_mm",
@@ -220,7 +210,8 @@ def sheets_of(plan: GearsPlan, folder: Folder) -> Iterator[tuple[str, DrawingShe
             files=folder.files(stem, design.content_hash, _PART_ENDINGS),
             notes=(f"Shaft {part.shaft} of the train, counted from the drive.",),
         )
-        yield stem, gear_drawing(sheet, title_of(design, f"{part.name}: {name}", "", stem, folder))
+        title = title_of(Origin.of(design), design.drawing, f"{part.name}: {name}", "", stem, folder)
+        yield stem, gear_drawing(sheet, title)
     axes = tuple(
         Axis(
             shaft=part.shaft,
@@ -232,7 +223,7 @@ def sheets_of(plan: GearsPlan, folder: Folder) -> Iterator[tuple[str, DrawingShe
         for part in layout.parts
     )
     stem = f"{plan.stem}_plate"
-    title = title_of(design, "plate for the axes", "", stem, folder)
+    title = title_of(Origin.of(design), design.drawing, "plate for the axes", "", stem, folder)
     pair = replace(title, quantity=2 * title.quantity)
     yield stem, plate_drawing(axes, tuple(_plate_notes(plan)), pair)
 
@@ -307,8 +298,8 @@ def write_drawings(parts: Parts, out: Path, progress: Progress = silent) -> Writ
         if parts.train is not None:
             for part in parts.train.layout.parts:
                 yield from _write_outlines(staging, f"{parts.train.stem}_{part.name}", part)
-        if parts.cam is not None:
-            yield text_file(staging / f"{stem_of(parts.cam)}_inspection.csv", inspection_csv(parts.cam))
+        if parts.cam is not None and parts.cam.application.measured_again:
+            yield text_file(staging / f"{parts.cam.stem}_inspection.csv", inspection_csv(parts.cam))
 
     further = {"omitted": omitted, "not_stated": _open(parts)}
     return publish(
@@ -321,14 +312,15 @@ def write_drawings(parts: Parts, out: Path, progress: Progress = silent) -> Writ
 
 
 def _open(parts: Parts) -> dict[str, str]:
-    if parts.cam is not None:
-        return not_stated(parts.cam.design, cam=True)
-    return {} if parts.train is None else not_stated(parts.train.design, cam=False)
+    if parts.cam is None and parts.train is None:
+        return {}
+    text = parts.cam.making.title if parts.cam is not None else parts.train.design.drawing if parts.train else None
+    return not_stated(text, parts.cam)
 
 
 def _sheets(parts: Parts, folder: Folder) -> Iterator[tuple[str, DrawingSheet]]:
     if parts.cam is not None:
-        yield stem_of(parts.cam), sheet_of(parts.cam, folder)
+        yield parts.cam.stem, sheet_of(parts.cam, folder)
     if parts.train is not None:
         yield from sheets_of(parts.train, folder)
 

@@ -28,7 +28,7 @@ def test_every_file_has_them(plan, tmp_path):
     assert entry["carrying_planes_mm"] == pytest.approx([23.7, 26.3])
     volumes = [facts["volume_mm3"] for facts in entry["files"].values() if "volume_mm3" in facts]
     assert len(volumes) == 3
-    note = edges_note(0.2)
+    note = edges_note(0.2, "rod")
     assert "break both edges of the outline by 0.2 mm" in note
     for suffix in (".nc", "_arcs.dxf", "_spline.dxf"):
         assert note in (tmp_path / f"carbon_free_car_actual{suffix}").read_text(encoding="cp1252")

@@ -30,7 +30,7 @@ from cadgen.curves.closed import ClosedCurve, Outline
 from cadgen.curves.derived import turned
 from cadgen.design import cam_model, variation
 from cadgen.design.load import with_overrides
-from cadgen.design.machining import Machining
+from cadgen.design.machining import DrawingText, Machining
 from cadgen.design.motion import Turns, motion_of
 from cadgen.design.schema import Design, Export, MotionDesign, TrainDesign
 from cadgen.design.section import listed
@@ -86,12 +86,14 @@ class Making:
     Attributes:
         material: material of the disc; None where the design does not say.
         bore_fit: fit of the bore, such as H7/g6; None where the design does not say.
+        title: texts of the title block of its sheet; None where the design does not say.
         machining: cutter, speeds, tabs and drilling.
         export: how finely files follow the outline.
     """
 
     material: DiscMaterial | None
     bore_fit: str | None
+    title: DrawingText | None
     machining: Machining
     export: Export
 
@@ -101,6 +103,7 @@ class Making:
         return cls(
             material=design.blank.material,
             bore_fit=design.blank.bore_fit,
+            title=design.drawing,
             machining=design.machining,
             export=design.export,
         )
@@ -111,9 +114,20 @@ class Application:
 
     Attributes:
         noun: name of the cam in titles and descriptions.
+        measured_again: whether measured data of it are judged by `cadgen calibrate`, for which its sheet has a form.
     """
 
     noun = "cam"
+    measured_again = False
+
+    @property
+    def profile_tolerance(self) -> float | None:
+        """Tolerance of the outline along its normal, mm; None where nothing is said of it."""
+        return None
+
+    def open_keys(self) -> dict[str, tuple[str, object]]:
+        """Facts of the application that a sheet needs, each with its key and its value."""
+        return {}
 
     def figures(self, cam: "CamPlan") -> tuple[Check, ...]:
         """Figures without a verdict that are shown beside the checks."""
@@ -285,6 +299,16 @@ class CarUse(Application):
     laps: Laps | None = None
 
     noun = "steering cam"
+    measured_again = True
+
+    @property
+    def profile_tolerance(self) -> float | None:
+        """Tolerance of the outline along its normal, mm."""
+        return self.design.tolerances.profile_offset_mm
+
+    def open_keys(self) -> dict[str, tuple[str, object]]:
+        """Tolerance of the outline."""
+        return {"tolerance of the outline": ("tolerances.profile_offset_mm", self.profile_tolerance)}
 
     def wanted(self, cam: "CamPlan") -> PathMotion:
         """Motion that the path asks for; the cam's own may be another, against play."""

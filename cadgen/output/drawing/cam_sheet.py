@@ -62,6 +62,7 @@ class CamPart:
         thickness: between the faces, mm.
         bore_fit: tolerance class of the bore, such as `H7`; empty if none is given.
         profile_tolerance: half width of the zone of the outline, mm; None if none is given.
+        follower: name of the follower.
         face: words for the face that is seen.
         files: name and hash of each file that holds the outline.
         notes: further sentences.
@@ -76,6 +77,7 @@ class CamPart:
     thickness: float
     bore_fit: str
     profile_tolerance: float | None
+    follower: str
     face: str
     files: tuple[tuple[str, str], ...]
     notes: tuple[str, ...]
@@ -334,9 +336,10 @@ def _notes(cam: CamPart) -> tuple[str, ...]:
     if not cam.bore_fit:
         notes.append("Fit of the bore: not stated; choose it with the shaft.")
     if cam.blank.edge_break:
-        notes.append(f"Both edges of the outline broken {cam.blank.edge_break:g} × 45°; the rod rides between them.")
+        leg = cam.blank.edge_break
+        notes.append(f"Both edges of the outline broken {leg:g} × 45°; the {cam.follower} rides between them.")
     else:
-        notes.append("Edges of the outline sharp, burrs off with a stone: a broken edge moves the rod.")
+        notes.append(f"Edges of the outline sharp, burrs off with a stone: a broken edge moves the {cam.follower}.")
     if cam.blank.mark:
         mark, held = cam.blank.mark, cam.blank.key
         side = "left" if sin(mark.angle - (held.angle if held else 0.0)) > 0 else "right"

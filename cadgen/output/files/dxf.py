@@ -52,7 +52,7 @@ def cam_dxf(cam: CamExport, folder: Path) -> Iterator[Artifact]:
     """Outline of a cam as arcs and as splines, with bore, holes and a note on its edges."""
     tolerance = cam.export.arc_tolerance_um * 1e-3
     chain, cubic = arcs(cam.curve, tolerance), splines(cam.curve, _SPLINE_TOLERANCE, 3)
-    note = edges_note(cam.blank.edge_break)
+    note = edges_note(cam.blank.edge_break, cam.follower.noun)
     for suffix, profile, facts in (
         ("arcs", chain, {"arcs": len(chain.bulges), "arc_tolerance_um": tolerance * 1e3}),
         ("spline", cubic, {"splines": len(cubic)}),
@@ -66,15 +66,19 @@ def cam_dxf(cam: CamExport, folder: Path) -> Iterator[Artifact]:
         yield cam.judged(name, drawing.profile, LIFT_LIMIT_UM, facts)
 
 
-def edges_note(edge_break: float) -> str:
+def edges_note(edge_break: float, follower: str) -> str:
     """Note for the shop on the edges, broken by `edge_break` mm, for files of the outline alone; empty where sharp.
 
     Args:
         edge_break: leg of the chamfer on both edges, mm.
+        follower: name of the follower, which rides between the edges.
     """
     if edge_break == 0:
         return ""
-    return f"afterwards break both edges of the outline by {edge_break:g} mm at 45 degrees: the rod rides between them"
+    return (
+        f"afterwards break both edges of the outline by {edge_break:g} mm at 45 degrees: "
+        f"the {follower} rides between them"
+    )
 
 
 def write_dxf(

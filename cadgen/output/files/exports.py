@@ -150,9 +150,10 @@ class CamExport:
         in_use = self.in_use(outline, contact, limit)
         if not error <= limit:
             raise FileError(
-                "{file}, read back, moves the rod by {error:.2f} µm, more than the {limit:g} µm allowed: use finer "
-                "tolerances in the design's [export]",
+                "{file}, read back, moves the {follower} by {error:.2f} µm, more than the {limit:g} µm allowed: use "
+                "finer tolerances in the design's [export]",
                 file=name,
+                follower=self.follower.noun,
                 error=error,
                 limit=limit,
             )

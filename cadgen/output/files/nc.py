@@ -30,7 +30,7 @@ LIFT_LIMIT_UM = 1.0
 
 def cam_programs(cam: CamExport, folder: Path) -> Iterator[Artifact]:
     """Programs of a cam; the outline that the cutter leaves is judged."""
-    edges = edges_note(cam.blank.edge_break)
+    edges = edges_note(cam.blank.edge_break, cam.follower.noun)
     disc = Disc(
         name=cam.stem,
         curve=cam.curve,

@@ -218,8 +218,7 @@ def write_csv(path: Path, curve: ClosedCurve, follower: Follower, contact: Conta
         ",".join([f"{x:.6f}" if x == x else "" for x in row]) + f",{face}"
         for row, face in zip((numbers.round(6) + 0.0).tolist(), faces, strict=True)
     )
-    _write(path, (",".join(columns(follower.unit)), *rows))
-    path.write_text("\n".join([",".join(COLUMNS), *rows]) + "\n", encoding="ascii", newline="\n")
+    path.write_text("\n".join([",".join(columns(follower.unit)), *rows]) + "\n", encoding="ascii", newline="\n")
 
 
 def read_csv(path: Path) -> dict[str, Array]:

@@ -10,7 +10,8 @@ from cadgen.cam.followers.rod import LeaningRod
 from cadgen.curves.closed import ClosedCurve, PieceSpan
 from cadgen.curves.contour import Contour, circle
 from cadgen.errors import FileError
-from cadgen.output.files.tables import COLUMNS, contact_outline, contact_rows, read_csv, write_csv
+from cadgen.laws.unit import TAN
+from cadgen.output.files.tables import columns, contact_outline, contact_rows, read_csv, write_csv
 from cadgen.output.files.xyz import read_xyz, write_xyz
 
 TURN = 2 * np.pi
@@ -82,7 +83,7 @@ def test_the_table_of_an_eccentric_circle(eccentric, tmp_path):
     contact = roll(curve.outline(0.02), follower, angle)
     write_csv(path, curve, follower, contact)
     table = read_csv(path)
-    assert tuple(table) == COLUMNS
+    assert tuple(table) == columns(TAN)
     assert table["cam_angle_deg"] == pytest.approx(np.arange(360), abs=1e-6)
     out = np.stack([table["x_mm"] - 6.0, table["y_mm"]], axis=1) / 40.0
     assert np.linalg.norm(out, axis=1) == pytest.approx(1.0, abs=1e-7)
