@@ -10,9 +10,10 @@ from cadgen.api.files import Written, written
 from cadgen.api.measured import Data, sources_of
 from cadgen.api.values import instance, whole
 from cadgen.check import Check, failing
-from cadgen.errors import FileError
+from cadgen.design.schema import MotionDesign
+from cadgen.errors import DesignError, FileError
 from cadgen.progress import Progress, silent
-from cadgen.viewer.page.page_plan import plan_page
+from cadgen.viewer.page.page_plan import plan_motion_page, plan_page
 
 if TYPE_CHECKING:
     from cadgen.jobs.calibration.sources import Source
@@ -64,6 +65,11 @@ class Report:
         Raises:
             DesignError: as `Design.cam`.
         """
+        values = instance("design", design, Design).values
+        if isinstance(values, MotionDesign):
+            if data is not None:
+                raise DesignError("measured data are judged for a car, and the design has [motion]: leave them out")
+            return cls(plan_motion_page(values, profile, progress))
         sources: tuple[Source, ...] = ()
         unread = ""
         try:
@@ -84,7 +90,7 @@ class Report:
 
     def __repr__(self) -> str:
         verdict = "passed" if self.passed else f"failed: {', '.join(check.name for check in self.failed)}"
-        return f"<Report on {self.computed.design.name}, {verdict}>"
+        return f"<Report on {self.computed.cam.origin.name}, {verdict}>"
 
     @property
     def checks(self) -> tuple[Check, ...]:

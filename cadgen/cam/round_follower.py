@@ -59,7 +59,14 @@ class RoundFollower(Follower):
             )
 
     def piece(self, motion: Motion, face: float, start: float, stop: float) -> "Rim":
-        """The envelope of the circle between two cam angles, rad."""
+        """The envelope of the circle between two cam angles, rad.
+
+        Args:
+            motion: motion wanted.
+            face: the follower's plane, as in `planes`, mm.
+            start: cam angle at which it begins, rad.
+            stop: cam angle at which it ends, rad.
+        """
         return Rim(motion=motion, face=face, start=start, stop=stop, follower=self)
 
     def section(self, before: Swept, after: Swept) -> Branch | None:
@@ -86,11 +93,22 @@ class RoundFollower(Follower):
         return ClosedCurve(tuple(Centre(motion=motion, face=0.0, start=a, stop=b, follower=self) for a, b in spans))
 
     def distance(self, q: Array, face: Array) -> Array:
-        """How far ahead of the camshaft the centre stands, mm."""
+        """How far ahead of the camshaft the centre stands, mm.
+
+        Args:
+            q: motion, in its unit, shape (n,).
+            face: the follower's plane, as in `planes`, mm.
+        """
         return np.asarray(self.at(q).real)
 
     def ahead(self, q: Array, face: Array, across: Array) -> Array:
-        """How far ahead of the camshaft the circle touches the disc at y across, mm."""
+        """How far ahead of the camshaft the circle touches the disc at y across, mm.
+
+        Args:
+            q: motion, in its unit, shape (n,).
+            face: the follower's plane, as in `planes`, mm.
+            across: distances of the contact from the ray, mm, shape (n,).
+        """
         z = self.at(q)
         return np.asarray(z.real - np.sqrt(np.maximum(self.radius**2 - (across - z.imag) ** 2, 0.0)))
 
@@ -137,7 +155,8 @@ class Rim(Centre):
             t: cam angles, rad, shape (n,).
         """
         path = Centre(motion=self.motion, face=self.face, start=self.start, stop=self.stop, follower=self.follower)
-        return OffsetPiece(path, -self.follower.radius).jet(t)
+        with np.errstate(divide="ignore"):  # at a cusp the curvature is infinite
+            return OffsetPiece(path, -self.follower.radius).jet(t)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -146,7 +146,9 @@ class SegmentMotion(Motion):
             cam_angle: cam angle, rad.
             key: key that shapes the motion; the segment is named in its place.
         """
-        number = next((n for n, s in enumerate(self.segments, 1) if cam_angle % TURN <= s.stop), len(self.segments))
+        at = next((n for n, s in enumerate(self.segments) if cam_angle % TURN <= s.stop), len(self.segments) - 1)
+        # A dwell is no cause: the segment before it is.
+        number = next((n for n in range(at, -1, -1) if self.segments[n].law is not None), at) + 1
         return f"give the segment there more of the turn (motion.segments.{number}.in_deg)"
 
     def extrema(self) -> tuple[Array, Array]:

@@ -229,9 +229,9 @@ def test_jobs_of_a_car_say_so(registered, job):
 
 
 def test_undercut_is_cured_by_its_own_keys(registered):
-    design = Design.from_toml(TEXT).with_(
-        {"cam.base_circle_radius_mm": 12.0, "checks.pressure_angle_limit": "chinese_texts"}
-    )
+    steep = {"1.in_deg": 30.0, "2.dwell_deg": 5.0, "3.in_deg": 40.0, "4.dwell_deg": 285.0}
+    changes = {f"motion.segments.{key}": value for key, value in steep.items()}
+    design = Design.from_toml(TEXT).with_({**changes, "follower.radius_mm": 20.0, "follower.offset_mm": 0.0})
     cam = design.cam()
     assert "lost lift, undercut" in {check.name for check in cam.failed}
     overrides = [cure.override for cure in cam.cures.proved]

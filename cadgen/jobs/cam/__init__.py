@@ -14,6 +14,7 @@
 | `wheel`     | the drive wheel that a cam is for, and the closing blend on the path      |
 | `course`    | the planned run and those with play, held against the course              |
 | `course_checks` | the checks of both                                                    |
+| `car_facts` | play, friction and the car as built as plain values                       |
 | `manifest`  | plan, cures and remedies as plain values                                  |
 | `files`     | a checked cam -> every file, read back, rolled, published, on record      |
 """

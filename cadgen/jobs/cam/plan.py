@@ -110,7 +110,7 @@ class Making:
 
 
 class Application:
-    """What a cam is for. This base class is a cam of which nothing else is known; a car is `CarUse`.
+    """Use of a cam. This base class is a cam of which nothing else is known; a car is `CarUse`.
 
     Attributes:
         noun: name of the cam in titles and descriptions.
@@ -165,7 +165,7 @@ class Application:
         raise NotImplementedError
 
     def of_file(self, cam: "CamPlan", outline: Outline, contact: Contact, limit: float) -> dict[str, Any]:
-        """What the cam of a file does in its application, as plain values.
+        """Behaviour of a file's cam in its application, as plain values.
 
         Args:
             cam: cam that the file is of.
@@ -399,7 +399,14 @@ class CarUse(Application):
         )
 
     def of_file(self, cam: "CamPlan", outline: Outline, contact: Contact, limit: float) -> dict[str, Any]:
-        """End of the run with play on the cam of a file."""
+        """End of the run with play on the cam of a file.
+
+        Args:
+            cam: cam that the file is of.
+            outline: outline read back from the file, mm.
+            contact: contact of the follower with it.
+            limit: greatest error of the lift allowed to the file, mm.
+        """
         comparison = self.comparison
         if comparison is None:
             return {}

@@ -9,8 +9,8 @@ from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll_curve
 from cadgen.cam.follower import Contact
 from cadgen.car.against_play.evaluate import Evaluation
+from cadgen.car.path_motion import PathMotion
 from cadgen.curves.closed import ClosedCurve
-from cadgen.design import cam_model
 from cadgen.jobs.cam.plan import CamPlan
 from cadgen.jobs.runs.simulation import Simulation
 from cadgen.messages import Message
@@ -55,7 +55,7 @@ def _lift(plan: CamPlan, theta: Array, contact: Contact) -> Chart:
 
 
 def _pressure(plan: CamPlan, theta: Array, contact: Contact) -> Chart:
-    limits = cam_model.check_limits(plan.design).pressure_angle
+    limits = plan.limits.pressure_angle
     values = np.degrees(contact.pressure_angle)
     return Chart(
         "pressure",
@@ -133,10 +133,10 @@ def _torque(plan: CamPlan, theta: Array) -> Chart | None:
 
 
 def _marks(plan: CamPlan) -> list[Mark]:
-    peaks, valleys = plan.lift.extrema()
+    peaks, valleys = plan.motion.extrema()
     marks = [Mark(MarkKind.PEAK, float(angle)) for angle in peaks] + [
         Mark(MarkKind.VALLEY, float(angle)) for angle in valleys
     ]
-    if plan.lift.blended:
-        marks.append(Mark(MarkKind.BLEND, plan.lift.blend_start))
+    if isinstance(plan.motion, PathMotion) and plan.motion.blended:
+        marks.append(Mark(MarkKind.BLEND, plan.motion.blend_start))
     return sorted(marks, key=lambda mark: mark.angle)

@@ -41,6 +41,7 @@ def both(text: str) -> list[str]:
 
 def _scene(scene: Scene, block: Block) -> dict[str, Any]:
     rod, car = scene.follower, scene.car
+    assert car is not None
     return {
         "base": scene.base,
         "rod": None

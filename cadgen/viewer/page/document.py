@@ -280,7 +280,7 @@ class Scene:
         stop: motor position at which runs are judged, rad.
         goings: runs of the car.
         floor: course on the floor.
-        car: the car.
+        car: the car; None of a cam without one, whose page stands still.
         shafts: shafts, the camshaft first.
         parts: parts in 3D.
         wheel: index of the shaft, place along it and radius of the drive wheel, mm; None if it is not known.
@@ -294,7 +294,7 @@ class Scene:
     stop: float
     goings: tuple[Going, ...]
     floor: tuple[FloorShape, ...]
-    car: CarShape
+    car: CarShape | None
     shafts: tuple[Shaft, ...]
     parts: tuple[Part, ...]
     wheel: tuple[int, float, float] | None = None

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from importlib.resources import files
 
+import numpy as np
 from jinja2 import Environment, FunctionLoader, StrictUndefined
 from markupsafe import Markup, escape
 
@@ -18,7 +19,7 @@ from cadgen.figures import Sheet
 from cadgen.messages import CHINESE, Message, shown
 from cadgen.version import __version__
 from cadgen.viewer.page.data import data_of
-from cadgen.viewer.page.document import FloorShape, Page
+from cadgen.viewer.page.document import Chart, FloorShape, Page
 from cadgen.viewer.page.plan_views import cam_view, coordinate, course_view
 
 _FOLDER = files("cadgen.viewer.page")
@@ -32,6 +33,8 @@ EDITING_NEEDS_SCRIPTS = Message("Editing needs scripts: allow them for this addr
 
 def html_of(page: Page) -> str:
     """The whole page of a report."""
+    if page.scene.car is None:
+        return shell(page.name, pieces_of(page), car=False)
     document, block = data_of(page)
     data = Markup(
         f'<script type="application/json" id="data">{document}</script>'
@@ -42,8 +45,10 @@ def html_of(page: Page) -> str:
 
 def pieces_of(page: Page) -> dict[str, Markup]:
     """Everything on the page that depends on its content, by the id of the element that it fills."""
+    charts = "charts" if page.scene.car is not None else "plots"
     return {
-        **{code: _piece(code, page) for code in ("verdict", "links", "top", "notes", "charts", "tables", "origin")},
+        **{code: _piece(code, page) for code in ("verdict", "links", "top", "notes", "tables", "origin")},
+        "charts": _piece(charts, page),
         "cam-box": _piece("cam", cam_view(page.scene)),
         "course-box": _piece("course", course_view(page.scene.floor, page.scene.goings, page.scene.car)),
         "legend": _piece("legend", page.scene.goings),
@@ -65,7 +70,7 @@ def table_html(sheet: Sheet) -> Markup:
     return _piece("table", sheet)
 
 
-def shell(name: str, pieces: Mapping[str, str], data: str = "", *, edited: bool = False) -> str:
+def shell(name: str, pieces: Mapping[str, str], data: str = "", *, edited: bool = False, car: bool = True) -> str:
     """The page around its content.
 
     Args:
@@ -73,6 +78,7 @@ def shell(name: str, pieces: Mapping[str, str], data: str = "", *, edited: bool 
         pieces: content by the id of the element that it fills; what is missing stays empty.
         data: HTML with the data of the script.
         edited: whether the design can be edited: the page then has a second script, which asks its own server.
+        car: whether the cam steers a car, which the page's script moves.
     """
     codes = ("verdict", "links", "top", "cam-box", "course-box", "legend", "notes", "charts", "tables", "origin")
     return (
@@ -83,6 +89,7 @@ def shell(name: str, pieces: Mapping[str, str], data: str = "", *, edited: bool 
             pieces={code: pieces.get(code, "") for code in codes},
             data=data,
             edited=edited,
+            car=car,
             policy=policy(edited=edited),
             styles=[Markup(_static(f"{file}.css")) for file in _FILES[edited]],
             scripts=[Markup(_static(f"{file}.js")) for file in _FILES[edited]],
@@ -126,7 +133,7 @@ def _hash(content: str) -> str:
 @cache
 def _templates() -> Environment:
     made = Environment(loader=FunctionLoader(_source), autoescape=True, undefined=StrictUndefined)
-    made.globals.update(_=Message, said=_said, zh=_zh, labels=_labels, n=coordinate, points=_points)
+    made.globals.update(_=Message, said=_said, zh=_zh, labels=_labels, n=coordinate, points=_points, plotted=_plotted)
     return made
 
 
@@ -154,6 +161,18 @@ def _zh(text: str) -> Markup:
 def _labels(text: str) -> Markup:
     """Attributes of an element's label in both languages."""
     return Markup(' aria-label="{}" data-label-zh="{}"').format(text, shown(text, CHINESE))
+
+
+def _plotted(chart: Chart) -> tuple[tuple[str, ...], tuple[str, str, str]]:
+    """Curves of a chart as points of SVG in a frame of 360 by 120, and the place of 0 with least and greatest value."""
+    values = [curve.values for curve in chart.curves]
+    low = min(0.0, *(float(np.nanmin(one)) for one in values))
+    high = max(0.0, *(float(np.nanmax(one)) for one in values))
+    scale = 120 / ((high - low) or 1.0)
+    lines = tuple(
+        _points(zip(np.degrees(chart.angle).tolist(), ((high - one) * scale).tolist(), strict=True)) for one in values
+    )
+    return lines, (coordinate(high * scale), f"{low:.4g}", f"{high:.4g}")
 
 
 def _points(points: Iterable[Iterable[float]]) -> str:

@@ -9,11 +9,11 @@ from cadgen.cam.followers.rod import LeaningRod
 from cadgen.car.against_play.profile_kinds import ACTUAL
 from cadgen.check import Check
 from cadgen.design import cam_model, variation
-from cadgen.design.schema import Design, TrainDesign
+from cadgen.design.schema import Design, MotionDesign, TrainDesign
 from cadgen.errors import CheckError, DesignError, FileError
 from cadgen.gears.choices import Order
 from cadgen.jobs.cam.cures import Cures, find_cures
-from cadgen.jobs.cam.plan import CamPlan, default_profile, plan_cam
+from cadgen.jobs.cam.plan import CamPlan, CarUse, default_profile, plan_cam, plan_motion_cam
 from cadgen.jobs.cam.remedies import Remedy, remedies
 from cadgen.jobs.gears.plan import GearsPlan, plan_gears
 from cadgen.jobs.runs.simulation import Simulation, simulated
@@ -88,8 +88,13 @@ class PagePlan:
 
     @property
     def design(self) -> Design:
-        """Design of the report."""
+        """Design of the car of the report."""
         return self.cam.design
+
+    @property
+    def of_car(self) -> bool:
+        """Whether the cam steers a car."""
+        return isinstance(self.cam.application, CarUse)
 
     @property
     def checks(self) -> tuple[Check, ...]:
@@ -160,6 +165,23 @@ def plan_page(
     return PagePlan(cam, find_cures(cam, progress), gears, simulation, further, run, calibration, tuple(refusals))
 
 
+def plan_motion_page(design: MotionDesign, profile: str | None = None, progress: Progress = silent) -> PagePlan:
+    """Compute what a report of a cam by its motion shows.
+
+    Args:
+        design: loaded design with [motion].
+        profile: code of a profile; the actual one if left out.
+        progress: function that is called with a few words on each step.
+
+    Raises:
+        DesignError: no cam can be computed.
+    """
+    refusals: list[Refusal] = []
+    cam = plan_motion_cam(design, profile, progress)
+    gears = _gears(design, plan_gears, refusals, progress)
+    return PagePlan(cam, find_cures(cam, progress), gears, None, (), None, None, tuple(refusals))
+
+
 def plan_edited(design: Design, make_gears: MakeGears, progress: Progress = silent) -> PagePlan:
     """Compute what is shown of a design while it is edited: what `cadgen check` computes, the gears and two runs.
 
@@ -198,7 +220,7 @@ def _cam(design: Design, make: Callable[[], CamPlan], refusals: list[Refusal], p
         return plan_cam(design, ACTUAL.code, progress)
 
 
-def _gears(design: Design, make: MakeGears, refusals: list[Refusal], progress: Progress) -> GearsPlan | None:
+def _gears(design: TrainDesign, make: MakeGears, refusals: list[Refusal], progress: Progress) -> GearsPlan | None:
     """The train, or a refusal if it cannot be made; None without one."""
     if design.train is None:
         return None

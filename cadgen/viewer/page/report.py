@@ -6,7 +6,7 @@ from typing import Any
 
 from cadgen.figures import Cell, State, number
 from cadgen.jobs.cam.car_facts import remedy_facts
-from cadgen.jobs.cam.manifest import cam_facts, design_facts
+from cadgen.jobs.cam.manifest import cam_facts, origin_facts
 from cadgen.jobs.gears.facts import plan_facts
 from cadgen.jobs.runs.manifest import simulation_facts, tolerance_facts
 from cadgen.messages import Message
@@ -18,7 +18,7 @@ from cadgen.viewer.page.check_words import check_name
 from cadgen.viewer.page.document import Failure, Page, Section
 from cadgen.viewer.page.html import html_of
 from cadgen.viewer.page.page_plan import PagePlan, Scope, Topic
-from cadgen.viewer.page.scene import scene_of
+from cadgen.viewer.page.scene import scene_of, still_scene
 from cadgen.viewer.page.sections import (
     calibration_section,
     checks_section,
@@ -32,12 +32,16 @@ from cadgen.viewer.page.sentences import generated
 
 def page_of(plan: PagePlan) -> Page:
     """The page of a plan."""
-    scene, notes = scene_of(plan.cam, plan.gears)
-    charted = charts_of(plan.cam, plan.simulation)
-    design = plan.design
-    missing = () if design.train is not None else (Message("The design has no gear train: the cam is shown alone."),)
+    charted, origin = charts_of(plan.cam, plan.simulation), plan.cam.origin
+    if plan.of_car:
+        scene, notes = scene_of(plan.cam, plan.gears)
+        missing = plan.design.train is None
+        alone = Message("The design has no gear train: the cam is shown alone.")
+        notes = (*([alone] if missing else []), generated(plan.cam.wheel.sentence()), *notes)
+    else:
+        scene, notes = still_scene(plan.cam), plan.cam.application.notes(plan.cam)
     return Page(
-        name=design.name,
+        name=origin.name,
         subtitle=plan.cam.profile.code,
         passed=plan.passed,
         failures=_failures(plan),
@@ -46,16 +50,18 @@ def page_of(plan: PagePlan) -> Page:
         charts=charted.charts,
         marks=charted.marks,
         sections=() if plan.scope == Scope.PREVIEW else _sections(plan),
-        notes=(*missing, generated(plan.cam.wheel.sentence()), *notes),
+        notes=notes,
         origin=(
-            (Message("file of the design"), design.source),
-            (Message("hash"), design.content_hash),
+            (Message("file of the design"), origin.source),
+            (Message("hash"), origin.content_hash),
             (Message("made with"), f"cadgen {__version__}"),
         ),
     )
 
 
 def _sections(plan: PagePlan) -> tuple[Section, ...]:
+    if not plan.of_car:
+        return checks_section(plan), inspection_section(plan), parts_section(plan)
     reasons = {refusal.part: refusal.reason for refusal in plan.refusals}
     without = Message("Without play there are no runs to vary: add [train] or [play] to the design.")
     if plan.scope == Scope.EDITED:
@@ -107,6 +113,8 @@ def _summary(plan: PagePlan) -> tuple[tuple[str, Cell], ...]:
         rows.append((Message("cars that pass"), number(100 * plan.tolerance.passed, "%", digits=2)))
     if plan.gears is not None:
         rows.append((Message("ratio of the train"), Cell(str(plan.gears.play.train.ratio))))
+    if not plan.of_car:
+        return tuple(rows)
     rows.append((Message("travel in a turn of the cam"), number(plan.cam.wheel.turn, "mm", digits=0)))
     if plan.cam.wheel.radius is not None:
         rows.append((Message("drive wheel radius"), number(plan.cam.wheel.radius, "mm")))
@@ -116,7 +124,7 @@ def _summary(plan: PagePlan) -> tuple[tuple[str, Cell], ...]:
 def page_facts(plan: PagePlan) -> dict[str, Any]:
     """Every figure of the page as plain values, as the other commands give them."""
     return {
-        **design_facts(plan.design),
+        **origin_facts(plan.cam.origin),
         "profile": plan.cam.profile.code,
         "passed": plan.passed,
         "refused": [{"part": refusal.part, "reason": refusal.reason} for refusal in plan.refusals],
@@ -148,7 +156,7 @@ def write_page(plan: PagePlan, out: Path, progress: Progress = silent) -> Writte
     Raises:
         FileError: the file cannot be written.
     """
-    stem = f"{plan.design.name}_report"
+    stem = f"{plan.cam.origin.name}_report"
     progress("writing the page")
     html = html_of(page_of(plan))
     return publish(stem, out, lambda folder: [text_file(folder / f"{stem}.html", html)], page_facts(plan))

@@ -114,6 +114,24 @@ def scene_of(plan: CamPlan, gears: GearsPlan | None) -> tuple[Scene, tuple[str, 
     return scene, (*bodies.notes, *noted)
 
 
+def still_scene(plan: CamPlan) -> Scene:
+    """A cam without a car: the disc and its lift."""
+    q = plan.motion.q(np.linspace(0.0, TURN, LIFTS + 1) % TURN)
+    return Scene(
+        outline=plan.curve.outline(_OUTLINE).points,
+        openings=tuple(contour.polygon(_HOLE_CHORD) for contour in plan.made_blank.inner_contours()),
+        follower=None,
+        base=float(plan.rod.base_radius),
+        lift=Lift(lift=np.asarray(plan.rod.lift(q)), tan_beta=np.asarray(q)),
+        stop=TURN,
+        goings=(),
+        floor=(),
+        car=None,
+        shafts=(),
+        parts=(),
+    )
+
+
 def _rod(plan: CamPlan, bodies: Bodies) -> RodShape | None:
     rod, (inner, outer) = plan.rod, plan.design.cam.faces_mm
     if not isinstance(rod, LeaningRod):

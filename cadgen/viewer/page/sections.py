@@ -19,6 +19,7 @@ from cadgen.jobs.runs.budget import shown_value
 from cadgen.jobs.runs.simulation import Simulation
 from cadgen.jobs.runs.tolerance import Spread, ToleranceRun
 from cadgen.messages import Message
+from cadgen.parts.features import Keyway
 from cadgen.viewer.page.charts import name_before
 from cadgen.viewer.page.check_words import check_name, place_words
 from cadgen.viewer.page.document import Section
@@ -280,20 +281,16 @@ def inspection_section(plan: PagePlan) -> Section:
 
 
 def _cam_sizes(plan: CamPlan) -> Sheet:
-    inner, outer = plan.design.cam.faces_mm
     blank = plan.made_blank
     radius = np.hypot(*plan.curve.outline(0.1).points.T)
     rows: list[tuple[str, float]] = [
         (Message("greatest radius of the disc"), float(radius.max())),
         (Message("least radius of the disc"), float(radius.min())),
-        (Message("thickness"), outer - inner),
+        (Message("thickness"), plan.thickness),
         (Message("bore diameter"), blank.bore_diameter),
     ]
-    if plan.design.blank.keyway is not None:
-        rows += [
-            (Message("keyway width"), plan.design.blank.keyway.width_mm),
-            (Message("keyway depth"), plan.design.blank.keyway.depth_mm),
-        ]
+    if isinstance(blank.key, Keyway):
+        rows += [(Message("keyway width"), blank.key.width), (Message("keyway depth"), blank.key.depth)]
     if blank.edge_break:
         rows.append((Message("broken edges, leg of the chamfer"), blank.edge_break))
     return Sheet(
@@ -306,7 +303,7 @@ def _cam_sizes(plan: CamPlan) -> Sheet:
 
 def _lift_table(plan: CamPlan) -> Sheet:
     """Lift each ten degrees, by which a dial gauge on the follower proves the disc."""
-    rolled = plan.lift if plan.comparison is None else plan.comparison.chosen.rolled
+    rolled = plan.motion if plan.comparison is None else plan.comparison.chosen.rolled
     angles = np.arange(0, 360, _STEP_DEG)
     lift = plan.rod.lift(rolled.q(np.radians(angles)))
     half = len(angles) // 2
@@ -365,18 +362,17 @@ def _gear_sizes(parts: list[dict[str, Any]]) -> Sheet | None:
 
 def parts_section(plan: PagePlan) -> Section:
     """Parts list."""
-    design, cam = plan.design, plan.cam
-    inner, outer = design.cam.faces_mm
+    cam = plan.cam
     rows: list[tuple[Cell | str, ...]] = [
         (
             Message("cam"),
-            design.blank.material or "–",
+            cam.making.material or "–",
             number(1, digits=0),
             number(None),
             number(None),
             number(cam.made_blank.bore_diameter, "mm"),
-            number(outer - inner, "mm"),
-            number(cam.made_blank.disc_volume(cam.area, outer - inner) * 1e-3, "cm³")
+            number(cam.thickness, "mm"),
+            number(cam.made_blank.disc_volume(cam.area, cam.thickness) * 1e-3, "cm³")
             if cam.made_blank.hub is None
             else number(None),
         )
