@@ -19,6 +19,7 @@ FILES = (".csv", ".dxf", ".md", ".nc", ".png", ".py", ".step", ".stl", ".toml", 
 OTHERS = {
     "path.simplify_threshold": "a setting of matplotlib",
     "cam.failed": "an attribute of the Python face",
+    "follower.offset_mm": "a key of the roller that a page builds",
     "motion.drive.driven": "a function",
     "motion.kinks": "an attribute of a motion",
     "motion.stations": "an attribute of a motion",
