@@ -147,7 +147,7 @@ def test_a_design_names_it_and_gets_its_files(registered, tmp_path):
     written = write_cam(plan, tmp_path, formats=["dxf", "csv"], cures=find_cures(plan))
     assert {path.suffix for path in tmp_path.iterdir()} >= {".dxf", ".csv"}
     facts = written.entry
-    assert facts["carrying_planes_mm"] == [25.0]
+    assert list(facts["carrying_planes_mm"]) == [25.0]
     assert {check["name"] for check in facts["checks"]} >= {"roller pushed out", "roller falls short"}
     assert all(file["lift_error_um"] <= file["lift_limit_um"] for file in facts["files"].values())
     rows = (tmp_path / "carbon_free_car_actual.csv").read_text().splitlines()
