@@ -1,19 +1,16 @@
 """The cam: from the motion wanted to a profile that a follower can ride on, and the proof that it does.
 
-| module       | what it does                                                                    |
-|--------------|---------------------------------------------------------------------------------|
-| `follower`   | the interface of every follower: branches of its envelope, contact, checks          |
-| `followers`  | the kinds of follower; the leaning rod is one                                   |
-| `round_follower` | followers with a circle: their envelope in closed form                      |
-| `envelope`   | the actual profile: exact envelope of a follower over its planes, trimmed        |
-| `contact`    | a follower rolled on any outline: the lift it gives (shares no code with those)  |
-| `limits`     | what the checks allow; textbook limits of the pressure angle, by name            |
-| `cutter`     | which cutter reaches every concave part                                         |
-| `checks`     | every figure with its limit, place and verdict                                  |
-| `clearance`  | of these the ones on room: walls, concave parts                                 |
-| `place`      | where on a cam something is, in words                                           |
-| `lowest`     | which branch of the envelope is the lowest, with rounding kept out              |
-| `loss`       | lift that is missing where the envelope is trimmed                              |
-| `difference` | how far two outlines lift the follower apart                                    |
-| `cure`       | the smallest single change that brings lost lift within its limit               |
+| module           | what it does                                                                    |
+|------------------|---------------------------------------------------------------------------------|
+| `follower`       | the interface of every follower: branches of its envelope, contact, checks      |
+| `followers`      | the kinds of follower; the leaning rod is one                                   |
+| `round_follower` | followers with a circle: their envelope in closed form                          |
+| `envelope`       | the actual profile: exact envelope of a follower over its planes, trimmed       |
+| `lowest`         | which branch of the envelope is the lowest, with rounding kept out              |
+| `contact`        | a follower rolled on any outline: the lift it gives (shares no code with those) |
+| `difference`     | how far two outlines lift the follower apart                                    |
+| `limits`         | what the checks allow; textbook limits of the pressure angle, by name           |
+| `cutter`         | which cutter reaches every concave part                                         |
+| `loss`           | lift that is missing where the envelope is trimmed, and the change that cures it |
+| `checks`         | every figure with its limit, place and verdict                                  |
 """

@@ -10,16 +10,75 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.clearance import cutter_room, thinnest_wall
 from cadgen.cam.contact import roll_curve
+from cadgen.cam.cutter import largest_cutter
 from cadgen.cam.follower import Contact, Follower, Loss, RolledCam, Trim, TrimKind
 from cadgen.cam.limits import CheckLimits
 from cadgen.cam.loss import lost_lift
-from cadgen.cam.place import cam_place, polar_place
 from cadgen.check import Bound, Check, CheckCode
-from cadgen.curves.closed import ClosedCurve
+from cadgen.curves.closed import ClosedCurve, Outline
 from cadgen.laws.motion import Motion
 from cadgen.parts.blank import Blank
+
+
+def cam_place(theta: float) -> str:
+    """A cam angle theta, rad, in words.
+
+    Args:
+        theta: cam angle, rad.
+    """
+    return f"cam angle {np.degrees(theta):.2f}°"
+
+
+def polar_place(point: Array) -> str:
+    """The direction of a point from the camshaft in words.
+
+    Args:
+        point: point, shape (2,), mm.
+    """
+    return f"polar angle {np.degrees(np.arctan2(point[1], point[0])) % 360:.2f}°"
+
+
+def thinnest_wall(blank: Blank, outline: Outline, limit: float) -> Check:
+    """The thinnest wall between the profile and the holes, or between two holes, against its limit, mm.
+
+    Args:
+        blank: blank of the disc.
+        outline: points of the disc's outline.
+        limit: least wall allowed, mm.
+    """
+    wall = min(blank.walls(outline), key=lambda wall: wall.thickness)
+    return Check(
+        CheckCode.THINNEST_WALL,
+        "thinnest wall",
+        wall.thickness,
+        "mm",
+        limit,
+        Bound.MIN,
+        f"{wall.between}, {polar_place(wall.place)}",
+        "make the hole smaller or move it (the design's [blank]), or lower checks.min_wall_mm",
+    )
+
+
+def cutter_room(curve: ClosedCurve, cutter_radius: float) -> Check:
+    """Diameter of the largest cutter that can mill the whole profile, mm; the limit is the design's own cutter.
+
+    Args:
+        curve: profile, mm.
+        cutter_radius: radius of the cutter, mm.
+    """
+    cutter = largest_cutter(curve)
+    return Check(
+        CheckCode.CUTTER_RADIUS,
+        "largest cutter radius",
+        cutter.radius,
+        "mm",
+        cutter_radius,
+        Bound.MIN,
+        "no concave part" if cutter.point is None else f"{polar_place(cutter.point)} ({cutter.kind})",
+        "choose a smaller machining.cutter_diameter_mm",
+    )
+
 
 STATIONS = 3600  # one per 0.1 degree of cam angle
 # Where the exact envelope is not trimmed, the follower must neither be pushed out (the wanted place would cut into the

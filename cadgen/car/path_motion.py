@@ -9,9 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.checks import seam_check
+from cadgen.cam.checks import cam_place, seam_check
 from cadgen.cam.follower import RolledCam
-from cadgen.cam.place import cam_place
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.curves.piecewise import quintic_hermite
 from cadgen.errors import DesignError

@@ -1,6 +1,6 @@
 """Change of the steering with small deviations of disc, rod and frame, to first order.
 
-As `cadgen.cam.followers.rod_first_order` has it:
+As `cadgen.cam.followers.rod` has it:
 
 - a **larger disc**, along its normal, lifts the rod as a thicker rod would, but for 1 / cos(beta);
 - an **eccentric bore** displaces every point alike, in a direction that turns with the cam;
@@ -22,8 +22,7 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import Array
 from cadgen.cam.follower import Contact
-from cadgen.cam.followers.rod import LeaningRod
-from cadgen.cam.followers.rod_first_order import FirstOrder
+from cadgen.cam.followers.rod import FirstOrder, LeaningRod
 from cadgen.car.running.friction import DiscMaterial
 from cadgen.deviations.deviation import (
     BASE_RADIUS,

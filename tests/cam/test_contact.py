@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from cadgen.cam.contact import roll, roll_curve
-from cadgen.cam.followers.rod import LeaningRod
-from cadgen.cam.followers.rod_profiles import theoretical_profile
+from cadgen.cam.followers.rod import LeaningRod, theoretical_profile
 from cadgen.curves.closed import ClosedCurve, Jet, Outline
 from cadgen.errors import DesignError
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from cadgen.cam import cure
+from cadgen.cam import loss as cure
 
 
 @pytest.mark.parametrize("limit", [5e-324, 1e-30])

@@ -9,7 +9,7 @@ import pytest
 from cadgen.cam.checks import check_cam
 from cadgen.cam.contact import roll
 from cadgen.cam.envelope import actual_profile
-from cadgen.cam.followers.rod_checks import CHAMFER_LEAN
+from cadgen.cam.followers.rod import CHAMFER_LEAN
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
 from cadgen.curves.closed import left_normal
 from cadgen.deviations.as_built import AS_DESIGNED, edges_check

@@ -8,8 +8,7 @@ from scipy.interpolate import PPoly
 
 from cadgen.cam.contact import roll
 from cadgen.cam.envelope import actual_profile
-from cadgen.cam.followers.rod import LeaningRod
-from cadgen.cam.followers.rod_profiles import published_profile, theoretical_profile
+from cadgen.cam.followers.rod import LeaningRod, published_profile, theoretical_profile
 from cadgen.car.path_motion import PathMotion
 from cadgen.errors import DesignError
 

@@ -14,14 +14,12 @@ import pytest
 from scipy.interpolate import PPoly
 
 from cadgen import Design
-from cadgen.cam.checks import check_cam
+from cadgen.cam.checks import cam_place, check_cam
 from cadgen.cam.contact import roll, roll_curve
-from cadgen.cam.cure import undercut_cures, worst_loss
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.followers import table
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
-from cadgen.cam.loss import lost_lift
-from cadgen.cam.place import cam_place
+from cadgen.cam.loss import lost_lift, undercut_cures, worst_loss
 from cadgen.cam.round_follower import Arc
 from cadgen.car.path_motion import PathMotion
 from cadgen.design.load import load_design

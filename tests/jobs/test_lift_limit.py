@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from cadgen.car.against_play.evaluate import FigureLimit
-from cadgen.jobs.cam.checking import ProfileChecks, _lift_check
-from cadgen.jobs.cam.choosing import LIFT_ERROR, _lifted
+from cadgen.jobs.cam.comparison import LIFT_ERROR, ProfileChecks, _lift_check, _lifted
 
 LIMITS = (
     FigureLimit(figure="position error on the run", most=5.0, unit="mm"),

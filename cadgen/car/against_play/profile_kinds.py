@@ -99,8 +99,7 @@ def _axis_curve(lift: Motion, follower: Follower) -> ActualProfile:
 
 def _published_curve(lift: Motion, follower: Follower) -> ActualProfile:
     from cadgen.cam.envelope import ActualProfile
-    from cadgen.cam.followers.rod import rod_of
-    from cadgen.cam.followers.rod_profiles import published_profile
+    from cadgen.cam.followers.rod import published_profile, rod_of
 
     rod = rod_of(follower, "the formula of the paper", "take --profile actual")
     return ActualProfile(published_profile(lift, rod), ())

@@ -3,7 +3,7 @@
 `Model` is the interface of every kind of data to the search. Kinds that show the lift share `Rolled`, the rod rolled on
 the changed disc. A fit needs the lift of every value that it comes by, and how the lift answers each value there. The
 first is rolled; the second follows from the contacts of that roll, for to first order the rod stays on the same points
-of the disc (`cadgen.cam.followers.rod_first_order`).
+of the disc (`cadgen.cam.followers.rod`).
 """
 
 from collections.abc import Callable, Hashable, Sequence
@@ -18,8 +18,7 @@ from scipy.interpolate import CubicSpline, PPoly
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll
 from cadgen.cam.follower import Contact
-from cadgen.cam.followers.rod import LeaningRod
-from cadgen.cam.followers.rod_first_order import FirstOrder
+from cadgen.cam.followers.rod import FirstOrder, LeaningRod
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.sampled import sampled_lift
 from cadgen.curves.closed import Outline

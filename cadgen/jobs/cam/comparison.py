@@ -1,26 +1,43 @@
-"""A profile against play beside the plain profile: runs and errors of both, and the gain."""
+"""Profiles against play, compared, checked and chosen by the limits of [optimize], with the reasons."""
 
-from dataclasses import dataclass
-from math import degrees, radians
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from math import degrees, inf, radians
 
+import numpy as np
+
+from cadgen.arrays import TURN
+from cadgen.cam.checks import check_cam
 from cadgen.cam.follower import Follower
 from cadgen.cam.followers.rod import rod_of
-from cadgen.car.against_play.band import EndBound, PlayBand
-from cadgen.car.against_play.evaluate import Evaluation
-from cadgen.car.against_play.play_task import PlayTask
-from cadgen.car.against_play.profile_kinds import ProfileKind
+from cadgen.car.against_play.band import EndBound, PlayBand, over_band
+from cadgen.car.against_play.evaluate import (
+    Evaluation,
+    FigureLimit,
+    ProfileCandidate,
+    choose,
+    evaluate,
+    evaluate_measured,
+)
+from cadgen.car.against_play.play_task import PlayTask, TrainTask
+from cadgen.car.against_play.profile_kinds import ACTUAL, ProfileKind, compared
+from cadgen.car.against_play.remedies import trims
 from cadgen.car.path.track import Track
-from cadgen.car.path_motion import PathMotion
+from cadgen.car.path_motion import PathMotion, blend_checks
 from cadgen.car.running.drive import Run, start_pose
 from cadgen.car.running.errors import run_error
-from cadgen.car.running.play import LEAST_SWING, Following
+from cadgen.car.running.play import LEAST_SWING, Following, falls
+from cadgen.check import Bound, Check, CheckCode, failing
 from cadgen.curves.closed import ClosedCurve
 from cadgen.design import cam_model, variation
+from cadgen.design.play import Hardware
 from cadgen.design.schema import Design
-from cadgen.errors import DesignError
+from cadgen.errors import CheckError, DesignError
 from cadgen.figures import Figure, Figures
 from cadgen.gears.choices import StageOrder
+from cadgen.jobs.cam.mechanics import border_sentences, joint_sentences, mechanics_checks, rubbing_sentence
 from cadgen.messages import Message
+from cadgen.progress import Progress, silent
 
 PAPER_PERCENT = 45.31  # reduction of the sum of deflection errors by the paper's two methods together
 # An error before that is no greater than this is within the error of rolling: no share of it can be taken off; mm, rad.
@@ -200,3 +217,324 @@ def known_trains(design: Design) -> dict[StageOrder, PlayBand]:
             "measured_deg or least_deg and greatest_deg; --profile actual makes the cam without"
         )
     return bands
+
+
+@dataclass(frozen=True)
+class ProfileChecks:
+    """Checks of the profiles of one design; they take time, so they are computed once for a profile on a train.
+
+    Attributes:
+        design: loaded design.
+        task: lift wanted, car and follower of the design.
+    """
+
+    design: Design
+    task: PlayTask
+    _computed: dict[str, tuple[Check, ...]] = field(default_factory=dict, repr=False)
+    _allowed: list[float] = field(default_factory=list, repr=False)
+
+    def allow_lift_error(self, most: float) -> None:
+        """Let profiles miss the lift with play by so much, instead of by what the design says.
+
+        Args:
+            most: greatest lift error, um.
+        """
+        self._allowed[:] = [most]
+        self._computed.clear()
+
+    def of(self, evaluation: Evaluation) -> tuple[Check, ...]:
+        """Every check of a profile."""
+        if evaluation.name not in self._computed:
+            self._computed[evaluation.name] = self._compute(evaluation)
+        return self._computed[evaluation.name]
+
+    def _compute(self, evaluation: Evaluation) -> tuple[Check, ...]:
+        design, wanted = self.design, evaluation.wanted
+        rod, blank, limits = cam_model.follower(design), cam_model.blank(design), cam_model.check_limits(design)
+        return (
+            *check_cam(
+                evaluation.lift,
+                rod,
+                wanted.curve,
+                wanted.trims,
+                blank,
+                limits,
+                cut=evaluation.cut,
+                application=blend_checks,
+            ),
+            _lift_check(evaluation, (*self._allowed, design.optimize.max_lift_error_um)[0]),
+            *mechanics_checks(design, rod, evaluation.lift, self.task.mechanics),
+        )
+
+
+def _lift_check(evaluation: Evaluation, most: float | None) -> Check:
+    """Check of the lift that the follower gets with play against the lift wanted; `most` in um, None for any."""
+    where = float(evaluation.run.motor[np.argmax(np.abs(evaluation.lift_error))])
+    return Check(
+        CheckCode.LIFT_ERROR_WITH_PLAY,
+        "lift error with play",
+        evaluation.worst_lift_error * 1e3,
+        "µm",
+        inf if most is None else most,
+        Bound.MAX,
+        f"motor {degrees(where):.2f}° (play {degrees(evaluation.play):.3f}°)",
+        "the profile leaves the planned path: use --profile compensated, or raise optimize.max_lift_error_um",
+    )
+
+
+LIFT_ERROR = "lift error with play"
+
+
+@dataclass(frozen=True)
+class Best:
+    """Profile chosen on a train, and a sentence on each profile compared."""
+
+    evaluation: Evaluation
+    reasons: tuple[str, ...]
+
+
+def best_of(
+    evaluations: Sequence[Evaluation], band: PlayBand, checks: ProfileChecks, old: Evaluation | None = None
+) -> Best:
+    """Best profile that keeps the limits and passes its checks; profiles are checked in order of merit.
+
+    Args:
+        evaluations: profiles evaluated on one train, at least one.
+        band: return error of that train, rad.
+        checks: checks of the design's profiles.
+        old: cam that the car has, on the same train: where that misses the lift by more than is allowed, no new one is
+            refused for missing it by less. None without.
+
+    Returns:
+        If no profile passes its checks, the best without them, so that its own checks show what fails.
+
+    Raises:
+        CheckError: no profile keeps the limits of [optimize].
+    """
+    allowed, deciding = _limits(checks.design, band), _deciding(band)
+    missed: tuple[str, ...] = ()
+    if old is not None:
+        allowed, missed = _lifted(allowed, old, evaluations)
+        for limit in allowed if missed else ():
+            if limit.figure == LIFT_ERROR:
+                checks.allow_lift_error(limit.most)
+    remaining = {str(evaluation.profile): evaluation for evaluation in evaluations}
+    candidates = {
+        name: ProfileCandidate(name=name, figures=_figures(checks, evaluation, band))
+        for name, evaluation in remaining.items()
+    }
+    first = remaining[choose(list(candidates.values()), allowed, objective=deciding, unit="mm").best.name]
+    refused: list[str] = []
+    while remaining:
+        try:
+            choice = choose([candidates[name] for name in remaining], allowed, objective=deciding, unit="mm")
+        except CheckError as error:  # those left were never allowed
+            refused.append(f"of the others, {error}")
+            break
+        best = remaining.pop(choice.best.name)
+        failed = [check.name for check in failing(checks.of(best))]
+        if not failed:
+            return Best(best, (*refused, *choice.reasons, *missed))
+        refused.append(f"{best.profile} refused: it fails {', '.join(failed)}")
+    return Best(first, (*refused, *missed))
+
+
+def _deciding(band: PlayBand) -> str:
+    """Name of the figure that decides the choice: with a measured play other cars do not matter."""
+    return "worst end position error" if band.measured is None else "position error at the end with the measured play"
+
+
+def _heading(band: PlayBand) -> str:
+    return _deciding(band).replace("position", "heading")
+
+
+def _limits(design: Design, band: PlayBand) -> tuple[FigureLimit, ...]:
+    """Limits of [optimize]."""
+    keys = design.optimize
+    limits = (
+        (_deciding(band), keys.max_end_position_mm, "mm"),
+        (_heading(band), keys.max_end_heading_deg, "degrees"),
+        ("position error on the run", keys.max_run_position_mm, "mm"),
+        (LIFT_ERROR, keys.max_lift_error_um, "µm"),
+    )
+    return tuple(FigureLimit(figure=name, most=most, unit=unit) for name, most, unit in limits if most is not None)
+
+
+def _lifted(
+    limits: tuple[FigureLimit, ...], old: Evaluation, evaluations: Sequence[Evaluation]
+) -> tuple[tuple[FigureLimit, ...], tuple[str, ...]]:
+    """Limits with that of the lift error raised to the old cam's, if no profile keeps it; and that in words."""
+    least, had = (1e3 * error for error in (min(e.worst_lift_error for e in evaluations), old.worst_lift_error))
+    raised = [limit for limit in limits if limit.figure == LIFT_ERROR and limit.most < least < had]
+    if not raised:
+        return limits, ()
+    words = (
+        f"no profile keeps the lift error with play within the {raised[0].most:g} µm of optimize.max_lift_error_um: "
+        f"{least:.0f} µm at least, but the cam that was measured has {had:.0f} µm on this car"
+    )
+    return tuple(replace(limit, most=had) if limit in raised else limit for limit in limits), (words,)
+
+
+def _figures(checks: ProfileChecks, evaluation: Evaluation, band: PlayBand) -> dict[str, float]:
+    """Errors of a profile by the names of their limits in [optimize]; after the trim, if the design allows a trim."""
+    task, hardware = checks.task, checks.design.optimize.hardware or ()
+    heading, distance = evaluation.band.worst_heading, evaluation.band.worst_distance
+    if band.measured is not None and task.mechanics is None:
+        heading, distance = abs(evaluation.error.end_heading), evaluation.error.end_distance
+    elif band.measured is not None and task.mechanics is not None:
+        at_play = over_band(
+            evaluation.rolled,
+            task.lift,
+            task.car,
+            task.length,
+            np.array([band.measured]),
+            least_swing=evaluation.least_swing,
+            mechanics=task.mechanics.cases,
+            cut=evaluation.lift,
+        )
+        heading, distance = at_play.worst_heading, at_play.worst_distance
+    if task.mechanics and Hardware.TRIM in hardware:
+        plays = band.ends if band.measured is None else (band.measured,)
+        trimmed = [trim.error for trim in trims(task, evaluation.rolled, evaluation.lift, plays, task.mechanics.cases)]
+        heading = max(abs(error.end_heading) for error in trimmed)
+        distance = max(error.end_distance for error in trimmed)
+    return {
+        _deciding(band): distance,
+        _heading(band): degrees(heading),
+        "position error on the run": float(evaluation.error.distance.max()),
+        LIFT_ERROR: evaluation.worst_lift_error * 1e3,
+    }
+
+
+_LEAST_MISSED = 1e-4  # mm of lift; less is below what can be cut
+
+
+def against_play(
+    profile: ProfileKind,
+    checks: ProfileChecks,
+    *,
+    all_trains: bool = False,
+    measured: MeasuredCam | None = None,
+    progress: Progress = silent,
+) -> PlayComparison:
+    """Compare a profile, or the best of all that keep the design's limits and the cam's checks, with the plain one.
+
+    If no profile passes the checks, the best is chosen without them, so that its own checks show what fails. Limits and
+    choice go by the worst end over the band, or, if the play was measured, by the end with that play.
+
+    Args:
+        profile: the actual profile or one for play.
+        checks: checks of the design's profiles.
+        all_trains: whether the profiles are compared on the trains that the design does not use, too.
+        measured: cam to compare with on a car as built; the actual profile if left out.
+        progress: function that is called with a few words before each profile.
+
+    Raises:
+        DesignError: the design has no play.
+        CheckError: no profile keeps the limits of [optimize]; the message adds another order of the stages that would.
+    """
+    design, task = checks.design, checks.task
+    works = {name: TrainTask(task, name, band) for name, band in known_trains(design).items()}
+    order, first = design.optimize.order, next(iter(works))
+    work = works[order]
+    old = None if measured is None else evaluate_measured(work, measured.profile, measured.lift, measured.curve)
+    compared_on: dict[StageOrder, tuple[Evaluation, ...]] = {}
+    reasons: list[str] = []
+    for name, on_train in works.items():
+        if name == order or all_trains:
+            compared_on[name], refusals = _evaluations(on_train, profile, progress)
+            reasons += refusals
+        elif name == first and measured is None:
+            compared_on[name] = (evaluate(on_train, ACTUAL),)
+    chosen = compared_on[order][-1]
+    if profile.best_of:
+        progress("choosing the profile")
+        try:
+            best = best_of(compared_on[order], work.band, checks, old)
+        except CheckError as error:
+            others = {name: other_work for name, other_work in works.items() if name != order}
+            raise CheckError(f"{error}{_other_order(others, profile, checks)}{_with_friction(design, task)}") from error
+        chosen = best.evaluation
+        reasons += best.reasons
+    reasons += _lost_sentences(task, chosen)
+    reasons += joint_sentences(design)
+    reasons += border_sentences(design, task, chosen, work.band)
+    evaluations = tuple(evaluation for several in compared_on.values() for evaluation in several)
+    before = evaluations[0]
+    if old is not None:
+        before = old
+        evaluations = (before, *evaluations)
+    return PlayComparison(
+        task=task,
+        band=work.band,
+        before=before,
+        chosen=chosen,
+        evaluations=evaluations,
+        reasons=tuple(reasons),
+        bound=work.bound(),
+        rubbing="" if task.mechanics else rubbing_sentence(task, work.band, chosen, before),
+    )
+
+
+def _evaluations(
+    work: TrainTask, profile: ProfileKind, progress: Progress
+) -> tuple[tuple[Evaluation, ...], tuple[str, ...]]:
+    """Evaluations of the actual and another profile, or of all that can be made; and why others cannot, in words."""
+    if not profile.best_of:
+        return tuple(evaluate(work, kind) for kind in ((ACTUAL,) if profile is ACTUAL else (ACTUAL, profile))), ()
+    blend = work.task.lift.blend_start
+    if not (falls(work.task.lift) % TURN < blend).any():
+        where = f" before its closing blend at {degrees(blend):.1f}°" if work.task.lift.blended else ""
+        reason = f"the lift has no peak and no valley{where}, so play changes nothing: the actual profile is made"
+        return (evaluate(work, ACTUAL),), (reason,)
+    work.prepare()  # what it refuses, no profile can have
+    evaluations, refusals = [evaluate(work, ACTUAL)], dict[str, str]()
+    for kind in compared()[1:]:
+        progress(f"computing the {kind} profile")
+        try:
+            evaluations.append(evaluate(work, kind))
+        except DesignError as error:  # several may be refused for the same reason
+            refusals.setdefault(str(error), f"{kind} refused: {error}")
+    return tuple(evaluations), tuple(refusals.values())
+
+
+def _lost_sentences(task: PlayTask, chosen: Evaluation) -> list[str]:
+    """Lift that a profile cannot give back because events are closer together than the play, in words."""
+    if not chosen.lost:
+        return []
+    worst = max(chosen.lost, key=lambda dip: dip.tan_beta)
+    missed = worst.tan_beta * task.follower.outer
+    if missed < _LEAST_MISSED:
+        return []
+    verb = "is" if len(chosen.lost) == 1 else "are"
+    return [
+        f"{len(chosen.lost)} of the lift's dips {verb} narrower than the return error of "
+        f"{degrees(chosen.made_for):.3f}° and cannot be driven: the rod misses at most {missed:.3g} mm of "
+        f"lift there, at cam angle {degrees(worst.cam_angle):.2f}°"
+    ]
+
+
+def _with_friction(design: Design, task: PlayTask) -> str:
+    """Advice where friction keeps every profile from its limit; empty if it does not apply."""
+    known = task.mechanics
+    if known is None or known.friction[1] == 0 or Hardware.DRAG in (design.optimize.hardware or ()):
+        return ""
+    return (
+        "; with friction no profile gives the lift wanted on each fall, but a brake on the disc does: --set "
+        "'optimize.hardware=[\"drag\"]', or remove optimize.max_lift_error_um to see what else helps in cadgen optimize"
+    )
+
+
+def _other_order(works: Mapping[StageOrder, TrainTask], profile: ProfileKind, checks: ProfileChecks) -> str:
+    """Advice on another order of the train's stages that keeps the limits and the checks; empty if there is none."""
+    for name, work in works.items():
+        try:
+            best = best_of(_evaluations(work, profile, silent)[0], work.band, checks).evaluation
+        except (DesignError, CheckError):
+            continue
+        if not failing(checks.of(best)):
+            return (
+                f", or set the stages in the order {name}, with which {best.profile} keeps them all: "
+                f"--set optimize.order={name}"
+            )
+    return ""

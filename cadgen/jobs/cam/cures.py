@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from math import ceil, floor, log10
 
 from cadgen.cam.checks import LOST_LIFT
-from cadgen.cam.cure import undercut_cures
+from cadgen.cam.loss import undercut_cures
 from cadgen.check import Check, failing
 from cadgen.design.section import listed
 from cadgen.errors import CadgenError

@@ -38,12 +38,9 @@ from cadgen.deviations.as_built import edges_check
 from cadgen.errors import DesignError
 from cadgen.jobs.cam.as_built import as_built_sentences, assumed_play, outlook_checks
 from cadgen.jobs.cam.car_facts import as_built_facts, comparison_facts
-from cadgen.jobs.cam.checking import ProfileChecks
-from cadgen.jobs.cam.comparison import MeasuredCam, PlayComparison, known_trains, task_of
-from cadgen.jobs.cam.course import OnCourse, on_course
-from cadgen.jobs.cam.course_checks import course_checks
+from cadgen.jobs.cam.comparison import MeasuredCam, PlayComparison, ProfileChecks, against_play, known_trains, task_of
+from cadgen.jobs.cam.course import OnCourse, course_checks, on_course
 from cadgen.jobs.cam.mechanics import mechanics_checks
-from cadgen.jobs.cam.play import against_play
 from cadgen.jobs.cam.wheel import DriveWheel, drive_wheel, field_notice, sense_notice
 from cadgen.laws.motion import Motion
 from cadgen.laws.segments import Seam, SegmentMotion
