@@ -34,7 +34,7 @@ class Adjustment(AdjustmentPlan):
     @cached_property
     def cam(self) -> Cam:
         """The cam on the car."""
-        return Cam(self.plan)
+        return Cam.of(self.plan)
 
     def facts(self) -> dict[str, object]:
         """Result as plain values, as in the manifest and with `--json`."""

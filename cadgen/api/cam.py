@@ -1,7 +1,7 @@
 """A cam that has been computed and checked: its figures, its solid, its files."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
 from os import PathLike
 from typing import TYPE_CHECKING, Any
@@ -12,19 +12,14 @@ from numpy.typing import ArrayLike
 from cadgen.api.files import Written, folder_of, refusal
 from cadgen.api.values import numbers, whole
 from cadgen.arrays import TURN, Array
-from cadgen.car.against_play.laps import Laps
 from cadgen.car.path_motion import PathMotion
-from cadgen.check import Check
-from cadgen.design.schema import Design as DesignValues
-from cadgen.design.schema import MotionDesign
 from cadgen.errors import CheckError
 from cadgen.jobs.cam.as_built import outlook_sentence
 from cadgen.jobs.cam.comparison import PAPER_PERCENT as PAPER_PERCENT
-from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.jobs.cam.cures import Cures as Cures
 from cadgen.jobs.cam.cures import find_cures
 from cadgen.jobs.cam.manifest import cam_facts
-from cadgen.jobs.cam.plan import CamPlan, CarUse, SegmentUse
+from cadgen.jobs.cam.plan import CamPlan, CarUse
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
@@ -104,7 +99,7 @@ class Profile:
     @property
     def name(self) -> str:
         """Code of the profile, such as `optimized`."""
-        return self.computed.profile.code
+        return self.computed.kind.code
 
     @property
     def area(self) -> float:
@@ -138,12 +133,11 @@ class Profile:
         return f"<Profile {self.name} of {self.computed.origin.name}, {self.length:.1f} mm long>"
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class Cam:
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class Cam(CamPlan):
     """A cam that has been computed and checked, but not yet made: what `Design.cam` gives.
 
-    Attributes:
-        computed: numeric plan, with all other figures; mm and rad.
+    It is the numeric plan itself, with all its figures in mm and rad.
 
     Example:
         >>> from cadgen import Design
@@ -155,66 +149,38 @@ class Cam:
         >>> files = cam.write("exports", formats=["step", "dxf"])  # doctest: +SKIP
     """
 
-    computed: CamPlan
+    @classmethod
+    def of(cls, plan: CamPlan) -> "Cam":
+        """A plan with its verbs.
+
+        Args:
+            plan: computed cam.
+        """
+        return plan if isinstance(plan, cls) else cls(**{item.name: getattr(plan, item.name) for item in fields(plan)})
 
     def __repr__(self) -> str:
         verdict = "passed" if self.passed else f"failed: {', '.join(check.name for check in self.failed)}"
-        return f"<Cam of {self.computed.origin.name}, {self.profile} profile, {verdict}>"
+        return f"<Cam of {self.origin.name}, {self.profile} profile, {verdict}>"
 
     @property
-    def design(self) -> "DesignValues | MotionDesign":
-        """Values of the design that it was planned from."""
-        use = self.computed.application
-        assert isinstance(use, CarUse | SegmentUse)
-        return use.design
-
-    @property
-    def checks(self) -> tuple[Check, ...]:
-        """Every figure that is judged, with unit, limit, place, verdict and advice."""
-        return self.computed.checks
-
-    @property
-    def edges(self) -> Check | None:
-        """Cost at the finish of edges broken more than designed, mm: a figure without a limit.
-
-        None for a follower other than the leaning rod, which alone rides on an edge.
-        """
-        return self.computed.edges
-
-    @property
-    def passed(self) -> bool:
-        """Whether every check keeps its limit."""
-        return self.computed.passed
-
-    @property
-    def failed(self) -> tuple[Check, ...]:
-        """Checks that do not keep their limit."""
-        return self.computed.failed
+    def computed(self) -> CamPlan:
+        """The whole plan, for figures that are not named here: this object itself."""
+        return self
 
     @cached_property
     def lift(self) -> Lift:
         """Lift over the turn: a function of the cam angle (rad) in mm."""
-        return Lift(self.computed)
+        return Lift(self)
 
     @cached_property
     def profile(self) -> Profile:
         """Curve that is cut, with its name and its points (mm)."""
-        return Profile(self.computed)
-
-    @property
-    def thickness(self) -> float:
-        """Thickness of the disc, mm."""
-        return self.computed.thickness
-
-    @property
-    def comparison(self) -> PlayComparison | None:
-        """Comparison of the profile with others under play; None if the profile is not for play."""
-        return self.computed.comparison
+        return Profile(self)
 
     @cached_property
     def cures(self) -> Cures:
         """Changes of one key that bring lost lift within its limit, each proved by planning the cam again."""
-        return find_cures(self.computed)
+        return find_cures(self)
 
     def find_cures(self, progress: Progress = silent) -> Cures:
         """Look for `cures` now, if lift is lost; it takes many plans.
@@ -223,40 +189,28 @@ class Cam:
             progress: function that is called with a few words on each step.
         """
         if "cures" not in self.__dict__:
-            self.__dict__["cures"] = find_cures(self.computed, progress)
+            self.__dict__["cures"] = find_cures(self, progress)
         return self.cures
-
-    @property
-    def laps(self) -> Laps | None:
-        """Laps of a closed path: how many a turn and a run have, and the drift of any run; None of an open path.
-
-        Example:
-            >>> from cadgen import Design
-            >>> cam = Design.load("figure_eight").cam(profile="actual")
-            >>> cam.laps.in_run, round(cam.laps.length)
-            (10, 3863)
-        """
-        return self.computed.laps
 
     @property
     def wheel(self) -> str:
         """Radius of the drive wheel that the cam is for, and what the closing blend does to the path, in words."""
-        return self.computed.wheel.sentence() if isinstance(self.computed.application, CarUse) else ""
+        return self.drive_wheel.sentence() if isinstance(self.application, CarUse) else ""
 
     @property
     def expected(self) -> str:
         """Expected run of the car on a cam of an as-built design, in a sentence; empty if nothing was measured."""
-        use = self.computed.application
+        use = self.application
         return outlook_sentence(use.design) if isinstance(use, CarUse) else ""
 
     @property
     def notes(self) -> tuple[str, ...]:
         """Sentences on what was assumed, such as of the car, and what was measured."""
-        return self.computed.application.notes(self.computed)
+        return self.application.notes(self)
 
     def facts(self) -> dict[str, Any]:
         """All facts on the cam as plain values, as in the manifest and with `--json`."""
-        return cam_facts(self.computed, self.cures)
+        return cam_facts(self, self.cures)
 
     def plot(self) -> "Figure":
         """Draw outline and lift.
@@ -270,9 +224,9 @@ class Cam:
         extrema = np.concatenate([self.lift.peaks, self.lift.valleys])
         return cam_figure(
             CamPicture(
-                title=f"{self.computed.origin.name}, {self.profile} profile",
+                title=f"{self.origin.name}, {self.profile} profile",
                 outline=self.profile.points(),
-                openings=[contour.polygon(_CHORD) for contour in self.computed.blank.inner_contours()],
+                openings=[contour.polygon(_CHORD) for contour in self.blank.inner_contours()],
                 cam_angle=angle,
                 lift=self.lift(angle),
                 extrema=(extrema, self.lift(extrema)),
@@ -290,7 +244,7 @@ class Cam:
         """
         from cadgen.jobs.cam.files import cam_solid
 
-        return cam_solid(self.computed).build123d()
+        return cam_solid(self).build123d()
 
     def write(
         self,
@@ -321,4 +275,4 @@ class Cam:
         place = folder_of(folder)
         if not (self.passed or force):
             raise CheckError(refusal(self.failed))
-        return write_cam(self.computed, place, progress, formats, cures=self.find_cures(progress))
+        return write_cam(self, place, progress, formats, cures=self.find_cures(progress))

@@ -45,7 +45,7 @@ class Card:
     @property
     def cam(self) -> Cam:
         """The cam, with its checks at the spacing that the course is stated at."""
-        return Cam(self.computed.cam)
+        return Cam.of(self.computed.cam)
 
     @property
     def legend(self) -> list[str]:

@@ -60,8 +60,8 @@ class Design(LoadedDesign):
         from cadgen.jobs.cam.plan import plan_cam, plan_motion_cam
 
         if isinstance(self.values, MotionDesign):
-            return Cam(plan_motion_cam(self.values, profile, progress))
-        return Cam(plan_cam(self.complete(), profile, progress))
+            return Cam.of(plan_motion_cam(self.values, profile, progress))
+        return Cam.of(plan_cam(self.complete(), profile, progress))
 
     def gears(self, order: str = "as-given", *, progress: Progress = silent) -> "GearTrain":
         """Compute the gear train, lay it out, and measure its teeth in mesh; nothing is written.
@@ -118,7 +118,7 @@ class Design(LoadedDesign):
         design = self.complete()
         plan = plan_cam(design, "optimized", progress, all_trains=True)
         known = comparison_of(plan)
-        return runs.Comparison(cam.Cam(plan), remedies(design, known, progress) if known.task.mechanics else ())
+        return runs.Comparison(cam.Cam.of(plan), remedies(design, known, progress) if known.task.mechanics else ())
 
     def tolerance(
         self,

@@ -51,7 +51,7 @@ class Plan(Generic[D]):
     @cached_property
     def cam(self) -> Cam | None:
         """The cam for the path, with all its checks; None if there is no path."""
-        return None if self.computed.cam is None else Cam(self.computed.cam)
+        return None if self.computed.cam is None else Cam.of(self.computed.cam)
 
     @cached_property
     def design(self) -> D:

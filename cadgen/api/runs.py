@@ -59,7 +59,7 @@ class Simulation:
     @cached_property
     def cam(self) -> Cam:
         """The cam of the run after."""
-        return Cam(self.computed.plan)
+        return Cam.of(self.computed.plan)
 
     @property
     def play(self) -> float:
@@ -177,7 +177,7 @@ class ToleranceRun:
     @cached_property
     def cam(self) -> Cam:
         """The cam that all cars have."""
-        return Cam(self.computed.plan)
+        return Cam.of(self.computed.plan)
 
     @property
     def passed(self) -> float:
@@ -202,7 +202,7 @@ class ToleranceRun:
     @property
     def notes(self) -> tuple[str, ...]:
         """Sentences on what was assumed of the car, and what was measured."""
-        return _notes(self.computed.plan.design, self.computed.plan.lift.blend_start)
+        return _notes(self.computed.plan.design, self.computed.plan.steering.blend_start)
 
     def facts(self) -> dict[str, Any]:
         """The run as plain values, as in the manifest and with `--json`."""

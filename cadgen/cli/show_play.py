@@ -221,7 +221,7 @@ def fleet(run: "ToleranceRun") -> None:
     for text in run.notes:
         console.print(text)
     console.print(
-        f"{design.name}, {result.plan.profile} profile: {result.samples} cars, seed {result.seed}, "
+        f"{design.name}, {result.plan.kind} profile: {result.samples} cars, seed {result.seed}, "
         f"{design.tolerances.law} law",
         style="bold",
     )

@@ -159,9 +159,9 @@ def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
         follower=plan.follower.noun,
         face=f"{plan.seen} face",
         files=folder.files(plan.stem, plan.origin.content_hash, _CAM_ENDINGS),
-        notes=(*use.drawing_notes(plan), *([plan.profile.note] if plan.profile.note else [])),
+        notes=(*use.drawing_notes(plan), *([plan.kind.note] if plan.kind.note else [])),
     )
-    name = f"{use.noun}, {plan.profile} profile"
+    name = f"{use.noun}, {plan.kind} profile"
     return cam_drawing(part, title_of(plan.origin, making.title, name, making.material or "", plan.stem, folder))
 
 
@@ -172,7 +172,7 @@ def inspection_csv(plan: CamPlan) -> str:
     """
     lines = [
         f"# design: {plan.origin.name}",
-        f"# profile: {plan.profile}; give calibrate --profile {plan.profile}",
+        f"# profile: {plan.kind}; give calibrate --profile {plan.kind}",
         "# a dial on the lever at the disc's inner face: write each reading into lift_mm",
         "run,direction,cam_angle_deg,lift_mm",
     ]

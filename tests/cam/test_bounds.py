@@ -80,11 +80,11 @@ def test_a_rod_too_thin_is_refused_by_its_key():
 def test_cures_are_not_sought_at_very_many_kinks(monkeypatch):
     plan = plan_cam(load_design("appendix_car"), "actual")
     assert plan.lost
-    monkeypatch.setattr(cures_module, "MOST_KINKS_CURED", len(plan.lift.kinks) - 1)
+    monkeypatch.setattr(cures_module, "MOST_KINKS_CURED", len(plan.steering.kinks) - 1)
     cures = find_cures(plan)
     assert cures.proved == ()
     (said,) = cures.sentences()
-    assert f"the lift has {len(plan.lift.kinks)} kinks" in said
+    assert f"the lift has {len(plan.steering.kinks)} kinks" in said
     assert 'set path.spline = "quintic"' in said
 
 

@@ -192,7 +192,7 @@ def test_a_slipping_car_with_another_lever(built, carbon_free_car):
     goal = complex(*carbon_free_car.track.position(plan.path_end))
     wheels = Wheels(slip=0.06, gain=0.97, offset=3.0)
     before, after = (
-        abs(end_of_run(curve.outline(0.05), wheels, carbon_free_car, plan.lift.blend_start) - goal)
+        abs(end_of_run(curve.outline(0.05), wheels, carbon_free_car, plan.steering.blend_start) - goal)
         for curve in (carbon_free_car.actual.curve, plan.curve)
     )
     print(f"before {before:.1f} mm, after {after:.2f} mm")
@@ -238,8 +238,8 @@ def test_the_key_takes_the_phase_out(built):
     assert np.degrees(cam_model.blank(design).key.angle) == pytest.approx(28.5)
     assert np.degrees(cam_model.blank(design.as_designed()).key.angle) == pytest.approx(30.0)
     plan = plan_cam(design, "actual")
-    assert as_built_facts(plan.design, plan.lift.blend_start)["key_turned_deg"] == pytest.approx(-1.5)
-    (line,) = (text for text in as_built_sentences(design, plan.lift.blend_start) if "key" in text)
+    assert as_built_facts(plan.design, plan.steering.blend_start)["key_turned_deg"] == pytest.approx(-1.5)
+    (line,) = (text for text in as_built_sentences(design, plan.steering.blend_start) if "key" in text)
     assert line == "The key of the new cam is turned by -1.500°, which takes out the cam's phase."
 
 

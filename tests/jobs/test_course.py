@@ -104,21 +104,21 @@ def test_with_a_wheel_the_run_is_judged_to_the_finish():
     design = load_design(None, ["car.drive_wheel_radius_mm=70", "course.finish={at_mm=[6703.79, 7200], radius_mm=5}"])
     plan = plan_cam(design, "actual")
     assert plan.passed
-    assert plan.wheel.blend is None
-    assert plan.lift.blend_start == pytest.approx(plan.track.length / (70.0 * 45.0))
-    assert plan.course.stop == plan.lift.blend_start
-    assert plan.wheel.sentence().startswith("Drive wheel: radius 70.000 mm, the car goes 19792 mm in a turn")
+    assert plan.drive_wheel.blend is None
+    assert plan.steering.blend_start == pytest.approx(plan.track.length / (70.0 * 45.0))
+    assert plan.course.stop == plan.steering.blend_start
+    assert plan.drive_wheel.sentence().startswith("Drive wheel: radius 70.000 mm, the car goes 19792 mm in a turn")
     assert of(plan.checks, CheckCode.COURSE_FINISH).value == pytest.approx(1.5, abs=0.01)
     # The lift at the finish is that of the path's end: nothing of it is left to the blend.
     bare = plan_cam(load_design(None, ["car.drive_wheel_radius_mm=70", "course="]), "actual")
     end = cam_model.cam_angle(design, plan.track, np.array([plan.track.length]))[0]
     print(f"finish at {degrees(end):.2f} degrees")
-    assert end == pytest.approx(plan.lift.blend_start)
-    assert bare.lift.blend_start == plan.lift.blend_start
+    assert end == pytest.approx(plan.steering.blend_start)
+    assert bare.steering.blend_start == plan.steering.blend_start
 
 
 def test_without_a_radius_the_wheel_is_that_of_the_whole_turn(plan):
-    wheel = plan.wheel
+    wheel = plan.drive_wheel
     assert wheel.radius == pytest.approx(plan.track.length / (2 * np.pi * 45.0))
     assert wheel.sentence().startswith("Drive wheel: radius 63.683 mm")
     assert wheel.blend.stretch == pytest.approx(plan.track.length * 12 / 360)
@@ -145,7 +145,7 @@ def test_a_mirrored_car_has_the_same_cam_on_its_other_side():
     )
     a, b = plan_cam(plain, "compensated"), plan_cam(mirrored, "compensated")
     angle = np.linspace(0, 2 * np.pi, 1000)
-    np.testing.assert_allclose(a.lift.q(angle), b.lift.q(angle), atol=1e-12)
+    np.testing.assert_allclose(a.steering.q(angle), b.steering.q(angle), atol=1e-12)
     for wheel in ("drive_wheel", "front_wheel", "idle_wheel"):
         runs = [getattr(each.comparison.chosen.run, wheel) for each in (a, b)]
         np.testing.assert_allclose(runs[0] * [1, -1], runs[1], atol=1e-6)

@@ -124,7 +124,7 @@ def test_passes_every_check_and_says_why_it_was_chosen(exported, optimized):
 def test_the_wanted_lift_stays_the_planned_one(optimized, carbon_free_car):
     """The cam's own lift is another: it agrees with its checks, and not with the planned one."""
     theta = np.linspace(0.0, 2 * np.pi, 500)
-    wanted, cut = optimized.comparison.task.lift, optimized.lift
+    wanted, cut = optimized.comparison.task.lift, optimized.steering
     np.testing.assert_array_equal(wanted.q(theta), carbon_free_car.lift.q(theta))
     assert np.abs(cut.q(theta) - wanted.q(theta)).max() > 0.01
 
@@ -201,7 +201,7 @@ def test_a_design_without_play_has_the_actual_profile_and_says_what_the_others_n
     assert default_profile(load_design("carbon_free_car")).code == "optimized"
     with pytest.raises(DesignError, match=r"says nothing of the gears' play.*add \[train\].*or \[play\]"):
         plan_cam(bare, "optimized")
-    assert plan_cam(bare).profile is ACTUAL
+    assert plan_cam(bare).kind is ACTUAL
 
 
 @pytest.mark.parametrize("play_deg", [0.5, 0.738, 0.9])

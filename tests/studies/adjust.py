@@ -56,10 +56,10 @@ class Field:
         self.comparison = comparison_of(plan)
         task = self.comparison.task
         self.plan, self.rod, self.division = plan, task.follower, division
-        self.world = World(SimpleNamespace(lift=plan.lift, follower=task.follower, car=task.car, track=plan.track))
+        self.world = World(SimpleNamespace(lift=plan.steering, follower=task.follower, car=task.car, track=plan.track))
         self.outline = plan.curve.outline(0.05)
         self.bench = Bench.of(plan, Wanted(division=division))
-        self.end = np.degrees(plan.lift.blend_start)
+        self.end = np.degrees(plan.steering.blend_start)
         planned = task.planned()
         self.start, self.heading = complex(*planned.drive_wheel[0]), float(planned.heading[0])
         self.finish = self.local(complex(*planned.drive_wheel[-1]))

@@ -264,7 +264,7 @@ def adjust(
     cam_model.refuse_laps(design, "an adjustment by trial runs", "adjust the car on a design with an open path")
     records = read_trials(files)
     plan = plan_cam(design, profile, progress, with_play=True)
-    trials = trials_of(records, start_pose(plan.track), plan.lift.blend_start)
+    trials = trials_of(records, start_pose(plan.track), plan.steering.blend_start)
     progress("explaining the trial runs")
     return Bench.of(plan, wanted).adjustment(trials)
 
@@ -332,11 +332,11 @@ class Bench:
                 "design": design.name,
                 "design_sha256": design.content_hash,
                 "overrides": list(design.overrides),
-                "drive_wheel": plan.wheel.facts(),
+                "drive_wheel": plan.drive_wheel.facts(),
                 "cadgen": __version__,
-                "profile": plan.profile.code,
+                "profile": plan.kind.code,
             },
-            stem=f"{design.name}_{plan.profile.code}_adjustment".replace("+", "_"),
+            stem=f"{design.name}_{plan.kind.code}_adjustment".replace("+", "_"),
             lever=wanted.point.lever(design),
             allowed=min(reaches, default=WORTH if width is None else width / 2),
             wanted=wanted,

@@ -274,13 +274,13 @@ def nominal_of(design: Design, profile: str, progress: Progress = silent) -> Nom
     bare = design.as_designed()
     rod = cam_model.rod(bare, "a calibration")
     plan = plan_cam(design, profile, progress)
-    follower = rod.point() if plan.profile.by_axis else rod
-    lift = cut = plan.lift
-    if design.as_built is not None or not plan.profile.gives_lift:
+    follower = rod.point() if plan.kind.by_axis else rod
+    lift = cut = plan.steering
+    if design.as_built is not None or not plan.kind.gives_lift:
         # What is cut gives the rod of the designed car another lift than the planned one.
         angle = np.linspace(0.0, 2 * pi, _STATIONS, endpoint=False)
         lift = rolled_lift(roll_curve(plan.on_shaft, follower, angle)[0], lift, blend_start=lift.blend_start)
-        cut = cut if plan.profile.gives_lift else lift
+        cut = cut if plan.kind.gives_lift else lift
     ratios, teeth = _train(design)
     return Nominal(
         lift=lift,

@@ -88,7 +88,7 @@ def frame(plan: CamPlan) -> str:
 
 def cam_export(plan: CamPlan) -> CamExport:
     """Cam as the writers of all formats take it."""
-    profile, making, use = plan.profile, plan.making, plan.application
+    profile, making, use = plan.kind, plan.making, plan.application
     return CamExport(
         stem=plan.stem,
         description=f"{use.noun}, {profile} profile, design {plan.origin.content_hash[:12]}",

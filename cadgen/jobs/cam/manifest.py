@@ -28,7 +28,7 @@ def cam_facts(plan: CamPlan, cures: Cures) -> dict[str, Any]:
     """Facts on a cam before its files."""
     return {
         **origin_facts(plan.origin),
-        "profile": plan.profile.code,
+        "profile": plan.kind.code,
         "passed": plan.passed,
         "checks": [_check_facts(check) for check in plan.figures],
         "cures": [

@@ -206,7 +206,7 @@ class SegmentUse(Application):
 
     def replanned(self, cam: "CamPlan", override: str) -> tuple[Check, ...]:
         """Checks of the same cam with a change of its design."""
-        return plan_motion_cam(with_overrides(self.design, [override]), cam.profile.code).checks
+        return plan_motion_cam(with_overrides(self.design, [override]), cam.kind.code).checks
 
     def facts(self, cam: "CamPlan") -> dict[str, Any]:
         """Sense, speed, and greatest velocity and acceleration of the follower."""
@@ -336,14 +336,14 @@ class CarUse(Application):
         if self.design.path.spline == CUBIC.code:
             yield [('path.spline="quintic"', "cubic")]
         now = self.design.cam.blend_deg
-        if any(trim.after >= cam.lift.blend_start for trim in cam.trims):
+        if any(trim.after >= cam.steering.blend_start for trim in cam.trims):
             yield [(f"cam.blend_deg={now * factor:g}", f"{now:g}") for factor in _BLEND_FACTORS]
 
     def replanned(self, cam: "CamPlan", override: str) -> tuple[Check, ...]:
         """Checks of the cam's profile for a changed design; against play the method already chosen is kept."""
         design = with_overrides(self.design, [override])
         if self.comparison is None:
-            return _plan(design, cam.profile, silent).checks
+            return _plan(design, cam.kind, silent).checks
         chosen, track = self.comparison.chosen, cam_model.track(design)
         task = task_of(design, track, cam_model.lift(design, track), cam_model.follower(design))
         work = TrainTask(task, chosen.train, known_trains(design)[chosen.train])
@@ -351,7 +351,7 @@ class CarUse(Application):
 
     def facts(self, cam: "CamPlan") -> dict[str, Any]:
         """Wheel, track, blend or laps, comparison under play, and the car as built."""
-        comparison, laps, start = self.comparison, self.laps, cam.lift.blend_start
+        comparison, laps, start = self.comparison, self.laps, cam.steering.blend_start
         turn: dict[str, Any] = {
             "blend": {
                 "from_cam_angle_deg": degrees(start),
@@ -363,7 +363,7 @@ class CarUse(Application):
             runs = {} if comparison is None else {"before": comparison.before, "after": comparison.chosen}
             turn = {"laps": laps.facts(None if comparison is None else comparison.run, **runs)}
         return {
-            "drive_wheel": cam.wheel.facts(),
+            "drive_wheel": cam.drive_wheel.facts(),
             "track_length_mm": self.track.length,
             **turn,
             "play": None if comparison is None else comparison_facts(comparison),
@@ -443,7 +443,7 @@ class CamPlan:
 
     Attributes:
         origin: design that the cam was planned from.
-        profile: profile of the cam; as text, its code.
+        kind: kind of the profile; as text, its code.
         motion: motion that the profile is cut for: the planned one, or one that gives the planned one with play.
         rod: follower of the design, as built.
         curve: curve that is cut: the profile, or on a car as built the curve that becomes the profile on its shaft, mm.
@@ -459,7 +459,7 @@ class CamPlan:
     """
 
     origin: Origin
-    profile: ProfileKind
+    kind: ProfileKind
     motion: Motion
     rod: Follower
     curve: ClosedCurve
@@ -491,7 +491,7 @@ class CamPlan:
     @property
     def stem(self) -> str:
         """Stem of the names of the cam's files."""
-        return f"{self.origin.name}_{self.profile}"
+        return f"{self.origin.name}_{self.kind}"
 
     @property
     def thickness(self) -> float:
@@ -524,7 +524,7 @@ class CamPlan:
     @property
     def follower(self) -> Follower:
         """Follower that rolls on this profile: that of the design, or its reference point."""
-        return _rolling(self.profile, self.rod)
+        return _rolling(self.kind, self.rod)
 
     @cached_property
     def on_shaft(self) -> ClosedCurve:
@@ -550,7 +550,7 @@ class CamPlan:
         raise DesignError("{name} is a cam by its [motion]: there is no car that it steers", name=self.origin.name)
 
     @property
-    def lift(self) -> PathMotion:
+    def steering(self) -> PathMotion:
         """Steering that the profile of a car's cam is cut for."""
         assert isinstance(self.motion, PathMotion)
         return self.motion
@@ -581,7 +581,7 @@ class CamPlan:
         return self.application.laps if isinstance(self.application, CarUse) else None
 
     @cached_property
-    def wheel(self) -> DriveWheel:
+    def drive_wheel(self) -> DriveWheel:
         """Drive wheel that the car's cam is for."""
         return self.car.wheel(self)
 
@@ -654,7 +654,7 @@ def plan_motion_cam(design: MotionDesign, profile: str | None = None, progress: 
     checks = check_cam(motion, _rolling(kind, follower), wanted.curve, wanted.trims, blank, limits)
     return CamPlan(
         origin=Origin.of(design),
-        profile=kind,
+        kind=kind,
         motion=motion,
         rod=follower,
         curve=wanted.curve,
@@ -682,7 +682,7 @@ def _of_car(
     design = use.design
     return CamPlan(
         origin=Origin.of(design),
-        profile=profile,
+        kind=profile,
         motion=motion,
         rod=rod,
         curve=curve,
@@ -758,7 +758,7 @@ def _measured_cam(design: Design) -> MeasuredCam | None:
     profile, then = profile_of(design.as_built.profile), design.as_cut().model_copy(update={"course": None})
     planned = _plan_against_play if profile.for_play else _plan
     plan = planned(then, profile, silent)
-    return MeasuredCam(profile=profile, lift=plan.lift, curve=plan.on_shaft)
+    return MeasuredCam(profile=profile, lift=plan.steering, curve=plan.on_shaft)
 
 
 def comparison_of(plan: CamPlan) -> PlayComparison:
@@ -769,7 +769,7 @@ def comparison_of(plan: CamPlan) -> PlayComparison:
     """
     if plan.comparison is None:
         choices = listed(codes(for_play=True), "or")
-        raise DesignError(f'the profile "{plan.profile}" does nothing about play: choose {choices}')
+        raise DesignError(f'the profile "{plan.kind}" does nothing about play: choose {choices}')
     return plan.comparison
 
 

@@ -92,7 +92,7 @@ class Maker:
     @property
     def _wanted(self) -> PathMotion:
         """Lift wanted, without play."""
-        return self.cam.lift if self.cam.comparison is None else self.cam.comparison.task.lift
+        return self.cam.steering if self.cam.comparison is None else self.cam.comparison.task.lift
 
     @cached_property
     def _rod(self) -> LeaningRod:
@@ -147,7 +147,7 @@ class Maker:
         with_play = None
         if self.cam.comparison is not None:
             contact = self._contact(self.cam.curve, rod)
-            lift = rolled_lift(contact, self.cam.lift, blend_start=self._wanted.blend_start)
+            lift = rolled_lift(contact, self.cam.steering, blend_start=self._wanted.blend_start)
             comparison = _moved(self.cam.comparison, lift, start, length)
             with_play = self._end_with_play(comparison, spacing)
             if self._course.judged == Judged.PLAY:

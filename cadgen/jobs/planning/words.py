@@ -38,7 +38,7 @@ def sentences(planned: PlannedPath) -> list[str]:
             f"the plan is for a drive wheel of {radius:.2f} mm radius: the whole path before the closing blend"
         )
     if cam.laps is not None:
-        said = [cam.wheel.sentence()]
+        said = [cam.drive_wheel.sentence()]
         if cam.comparison is not None:
             said += cam.laps.sentences(cam.comparison.run, cam.comparison.before, cam.comparison.chosen)
         lines += [sentence.removesuffix(".") for sentence in said]
@@ -54,7 +54,7 @@ def _kept(cars: Cars) -> str:
     after, (key, share), first = cars.after, cars.binding, cars.after.sensitivities[0]
     said = (
         f"{100 * after.passed:.1f} % of {after.samples} cars within the tolerances keep the course with the "
-        f"{after.plan.profile.code} profile"
+        f"{after.plan.kind.code} profile"
     )
     if cars.before is not None:
         said += f", where {100 * cars.before.passed:.1f} % do on the path before"
@@ -92,7 +92,7 @@ def _cars_facts(cars: Cars | None) -> dict[str, Any] | None:
     known = None if before is None else before.plan.comparison
     return {
         "cars": cars.after.samples,
-        "profile": cars.after.plan.profile.code,
+        "profile": cars.after.plan.kind.code,
         "seed": cars.after.seed,
         "kept": cars.after.passed,
         "kept_before": None if before is None else before.passed,

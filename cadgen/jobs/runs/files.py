@@ -36,7 +36,7 @@ def write_simulation(simulation: Simulation, out: Path, progress: Progress = sil
         FileError: a file cannot be written, or holds something else when it is read back.
     """
     comparison, design = simulation.comparison, simulation.plan.design
-    stem = f"{design.name}_{simulation.plan.profile}_simulation"
+    stem = f"{design.name}_{simulation.plan.kind}_simulation"
     runs = {"planned": simulation.planned, "before": simulation.before, "after": simulation.after}
     named = design.name if design.as_built is None else f"{design.name}, as built"
     title = f"{named}, return error {degrees(simulation.play):.3f}°"
@@ -183,10 +183,10 @@ def write_tolerance(run: ToleranceRun, out: Path, progress: Progress = silent) -
         FileError: a file cannot be written.
     """
     design = run.plan.design
-    stem = f"{design.name}_{run.plan.profile}_tolerance"
+    stem = f"{design.name}_{run.plan.kind}_tolerance"
     progress("drawing")
     picture = FleetPicture(
-        title=f"{design.name}, {run.plan.profile} profile, {run.samples} cars",
+        title=f"{design.name}, {run.plan.kind} profile, {run.samples} cars",
         along=run.ends.along,
         across=run.ends.across,
         gate_width=run.gate_width,
@@ -198,7 +198,7 @@ def write_tolerance(run: ToleranceRun, out: Path, progress: Progress = silent) -
         yield from map(Artifact, draw_fleet(picture, folder, stem))
         if run.budget is not None:
             bars = {cost.name.replace("_", " "): (cost.before, cost.after) for cost in run.budget.budget.costs}
-            title = f"{design.name}, {run.plan.profile} profile"
+            title = f"{design.name}, {run.plan.kind} profile"
             yield from map(Artifact, draw_budget(title, bars, folder, f"{stem}_budget"))
 
     return publish(stem, out, files, tolerance_facts(run))

@@ -33,7 +33,7 @@ def fleet_of(
         task.follower,
         task.car,
         task.length,
-        plan.lift,
+        plan.steering,
         task.planned(),
         wheel_radius=variation.wheel_radius(plan.design, task.length),
         play=play,

@@ -21,8 +21,8 @@ def simulation_facts(simulation: Simulation) -> dict[str, Any]:
     runs = {"before": simulation.before, "after": simulation.after}
     return {
         **design_facts(plan.design),
-        "drive_wheel": plan.wheel.facts(),
-        "profile": plan.profile.code,
+        "drive_wheel": plan.drive_wheel.facts(),
+        "profile": plan.kind.code,
         "passed": plan.passed,
         "failed_checks": [check.name for check in plan.failed],
         "method": comparison.chosen.profile.code,
@@ -51,13 +51,13 @@ def tolerance_facts(run: ToleranceRun) -> dict[str, Any]:
     position, heading = run.end_position, run.end_heading_deg
     return {
         **design_facts(design),
-        "drive_wheel": plan.wheel.facts(),
+        "drive_wheel": plan.drive_wheel.facts(),
         "cadgen": __version__,
-        "profile": plan.profile.code,
+        "profile": plan.kind.code,
         "friction_note": comparison_of(plan).rubbing,
         "passed": plan.passed,
         "failed_checks": [check.name for check in plan.failed],
-        "as_built": as_built_facts(design, plan.lift.blend_start),
+        "as_built": as_built_facts(design, plan.steering.blend_start),
         "samples": run.samples,
         "seed": run.seed,
         "law": design.tolerances.law,

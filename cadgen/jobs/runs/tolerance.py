@@ -227,7 +227,7 @@ def _gates(plan: CamPlan) -> list[int]:
 
     On a closed path the car passes its waypoints, and its start, on every lap.
     """
-    stop = plan.lift.blend_start
+    stop = plan.steering.blend_start
     last = STEPS * turns_of(stop)
     if plan.course is not None and plan.course.course.gates:
         return [last]

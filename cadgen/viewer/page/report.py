@@ -37,12 +37,12 @@ def page_of(plan: PagePlan) -> Page:
         scene, notes = scene_of(plan.cam, plan.gears)
         missing = plan.design.train is None
         alone = Message("The design has no gear train: the cam is shown alone.")
-        notes = (*([alone] if missing else []), generated(plan.cam.wheel.sentence()), *notes)
+        notes = (*([alone] if missing else []), generated(plan.cam.drive_wheel.sentence()), *notes)
     else:
         scene, notes = still_scene(plan.cam), plan.cam.application.notes(plan.cam)
     return Page(
         name=origin.name,
-        subtitle=plan.cam.profile.code,
+        subtitle=plan.cam.kind.code,
         passed=plan.passed,
         failures=_failures(plan),
         summary=_summary(plan),
@@ -115,9 +115,9 @@ def _summary(plan: PagePlan) -> tuple[tuple[str, Cell], ...]:
         rows.append((Message("ratio of the train"), Cell(str(plan.gears.play.train.ratio))))
     if not plan.of_car:
         return tuple(rows)
-    rows.append((Message("travel in a turn of the cam"), number(plan.cam.wheel.turn, "mm", digits=0)))
-    if plan.cam.wheel.radius is not None:
-        rows.append((Message("drive wheel radius"), number(plan.cam.wheel.radius, "mm")))
+    rows.append((Message("travel in a turn of the cam"), number(plan.cam.drive_wheel.turn, "mm", digits=0)))
+    if plan.cam.drive_wheel.radius is not None:
+        rows.append((Message("drive wheel radius"), number(plan.cam.drive_wheel.radius, "mm")))
     return tuple(rows)
 
 
@@ -125,7 +125,7 @@ def page_facts(plan: PagePlan) -> dict[str, Any]:
     """Every figure of the page as plain values, as the other commands give them."""
     return {
         **origin_facts(plan.cam.origin),
-        "profile": plan.cam.profile.code,
+        "profile": plan.cam.kind.code,
         "passed": plan.passed,
         "refused": [{"part": refusal.part, "reason": refusal.reason} for refusal in plan.refusals],
         "cam": cam_facts(plan.cam, plan.cures),

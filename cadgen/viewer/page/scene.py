@@ -74,7 +74,7 @@ class Bodies:
 
 def rolled_lift_of(plan: CamPlan) -> PathMotion:
     """Lift that the follower gets on the cam that is made."""
-    return plan.lift if plan.comparison is None else plan.comparison.chosen.rolled
+    return plan.steering if plan.comparison is None else plan.comparison.chosen.rolled
 
 
 def scene_of(plan: CamPlan, gears: GearsPlan | None) -> tuple[Scene, tuple[str, ...]]:
@@ -93,7 +93,7 @@ def scene_of(plan: CamPlan, gears: GearsPlan | None) -> tuple[Scene, tuple[str, 
         follower=_rod(plan, bodies),
         base=float(plan.rod.base_radius),
         lift=Lift(lift=np.asarray(plan.rod.lift(tan_beta)), tan_beta=np.asarray(tan_beta)),
-        stop=plan.lift.blend_start if plan.comparison is None else plan.comparison.task.lift.blend_start,
+        stop=plan.steering.blend_start if plan.comparison is None else plan.comparison.task.lift.blend_start,
         goings=tuple(_goings(plan)),
         floor=floor_of(plan.design),
         car=_car(plan),
@@ -163,7 +163,7 @@ def _goings(plan: CamPlan) -> Iterator[Going]:
 def _going(plan: CamPlan, code: str, label: str, following: Following, play: float) -> Going:
     """A run at even motor positions, and to either side of each place where the cam jumps, stops or goes on."""
     design, track = plan.design, plan.track
-    stop = TURN if design.car.drive_wheel_radius_mm is None else plan.lift.blend_start
+    stop = TURN if design.car.drive_wheel_radius_mm is None else plan.steering.blend_start
     run = drive(
         following.lift,
         cam_model.car(design),
@@ -193,7 +193,7 @@ def _car(plan: CamPlan) -> CarShape:
         idle=seen(place_of(CarPoint.IDLE_WHEEL, car)),
         middle=seen(place_of(CarPoint.MIDDLE, car)),
         corners=tuple(seen(corner) for corner in body.corners),
-        wheel=plan.wheel.radius,
+        wheel=plan.drive_wheel.radius,
         steering=1 if car.steering_gain > 0 else -1,
     )
 
@@ -243,9 +243,9 @@ def bodies_of(plan: CamPlan, gears: GearsPlan | None, cam_radius: float) -> Bodi
         for number, turning in enumerate(reversed(train.parts)):
             # The drive's shaft goes on to its wheel.
             last = turning is train.parts[0]
-            shafts.append(_shaft(turning, reach if last and plan.wheel.radius else None, drawn=number > 0))
-        if plan.wheel.radius:
-            wheel = (len(train.parts), reach, plan.wheel.radius)
+            shafts.append(_shaft(turning, reach if last and plan.drive_wheel.radius else None, drawn=number > 0))
+        if plan.drive_wheel.radius:
+            wheel = (len(train.parts), reach, plan.drive_wheel.radius)
         notes += _notes(plan, train, cam_radius)
     return Bodies(tuple(shafts), tuple(parts), wheel, fork, side, tuple(notes))
 
@@ -341,7 +341,7 @@ def _notes(plan: CamPlan, train: TurningTrain, cam_radius: float) -> list[str]:
             )
         )
     room = hypot(drive.axis.real, drive.axis.imag) - drive.part.blank.bore_diameter / 2 - cam_radius
-    if room < 0 and plan.wheel.radius:
+    if room < 0 and plan.drive_wheel.radius:
         notes.append(
             Message(
                 "As laid out, the shaft of the drive wheel runs through the circle that the cam sweeps, {depth:.1f} mm "

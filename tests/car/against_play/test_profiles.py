@@ -45,11 +45,11 @@ def registered(monkeypatch):
 @pytest.mark.slow
 def test_a_profile_from_outside_is_planned_by_its_code(registered):
     plan = plan_cam(load_design("carbon_free_car"), "ground")
-    assert plan.profile is registered[0]
+    assert plan.kind is registered[0]
     angle = np.linspace(0.0, 2 * np.pi, 720, endpoint=False)
     thicker = replace(plan.follower, radius=plan.follower.radius + GROUND)
     lift = roll_curve(plan.curve, thicker, angle)[0].lift
-    assert np.abs(lift - plan.follower.lift(plan.lift.q(angle))).max() < 1e-4
+    assert np.abs(lift - plan.follower.lift(plan.steering.q(angle))).max() < 1e-4
     assert "rod-falls-short" in [check.code for check in plan.failed]
     facts = cam_facts(plan, find_cures(plan))
     assert facts["profile"] == "ground"
