@@ -13,13 +13,15 @@ from cadgen.api.files import Written, folder_of, refusal
 from cadgen.api.values import numbers, whole
 from cadgen.arrays import TURN, Array
 from cadgen.car.path_motion import PathMotion
+from cadgen.design.schema import Design as DesignValues
+from cadgen.design.schema import MotionDesign
 from cadgen.errors import CheckError
 from cadgen.jobs.cam.as_built import outlook_sentence
 from cadgen.jobs.cam.comparison import PAPER_PERCENT as PAPER_PERCENT
 from cadgen.jobs.cam.cures import Cures as Cures
 from cadgen.jobs.cam.cures import find_cures
 from cadgen.jobs.cam.manifest import cam_facts
-from cadgen.jobs.cam.plan import CamPlan, CarUse
+from cadgen.jobs.cam.plan import CamPlan, CarUse, SegmentUse
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
@@ -166,6 +168,13 @@ class Cam(CamPlan):
     def computed(self) -> CamPlan:
         """The whole plan, for figures that are not named here: this object itself."""
         return self
+
+    @property
+    def design(self) -> "DesignValues | MotionDesign":
+        """Values of the design that it was planned from."""
+        use = self.application
+        assert isinstance(use, CarUse | SegmentUse)
+        return use.design
 
     @cached_property
     def lift(self) -> Lift:

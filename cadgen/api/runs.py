@@ -99,7 +99,7 @@ class Simulation:
     @property
     def notes(self) -> tuple[str, ...]:
         """Sentences on what was assumed of the car, and what was measured."""
-        return _notes(self.computed.plan.design, float(self.planned.motor[-1]))
+        return _notes(self.computed.plan.car.design, float(self.planned.motor[-1]))
 
     def facts(self) -> dict[str, Any]:
         """The runs as plain values, as in the manifest and with `--json`."""
@@ -202,7 +202,7 @@ class ToleranceRun:
     @property
     def notes(self) -> tuple[str, ...]:
         """Sentences on what was assumed of the car, and what was measured."""
-        return _notes(self.computed.plan.design, self.computed.plan.steering.blend_start)
+        return _notes(self.computed.plan.car.design, self.computed.plan.steering.blend_start)
 
     def facts(self) -> dict[str, Any]:
         """The run as plain values, as in the manifest and with `--json`."""

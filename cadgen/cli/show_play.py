@@ -217,7 +217,7 @@ def fleet(run: "ToleranceRun") -> None:
     console = Output()
     result = run.computed
     friction(run.cam)
-    design = result.plan.design
+    design = result.plan.car.design
     for text in run.notes:
         console.print(text)
     console.print(

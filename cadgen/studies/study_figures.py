@@ -120,10 +120,10 @@ DENSITY: dict[DiscMaterial, float] = {
 def _mass(evaluated: Evaluated) -> float:
     """Area less bore and holes, times thickness and density."""
     plan = evaluated.plan
-    material = plan.design.blank.material
+    material = plan.making.material
     if material is None:
         raise DesignError("the mass of the disc needs its material: add blank.material, such as aluminium")
-    inner, outer = plan.design.cam.faces_mm
+    inner, outer = plan.faces
     return plan.blank.disc_volume(plan.area, outer - inner) * DENSITY[material] * 1e-3
 
 
@@ -137,7 +137,7 @@ def _energy(evaluated: Evaluated) -> float:
 def _minutes(evaluated: Evaluated) -> float:
     """Cuts, leads, plunges, tabs and drills, by their own moves."""
     plan = evaluated.plan
-    machining, (inner, outer), material = plan.design.machining, plan.design.cam.faces_mm, plan.design.blank.material
+    machining, (inner, outer), material = plan.car.design.machining, plan.faces, plan.making.material
     milled = milling_minutes(plan.curve.length(), machining, outer - inner, material)
     return milled + drilling_minutes(plan.made_blank, machining, outer - inner, material)
 

@@ -97,7 +97,7 @@ def test_the_new_cam_takes_the_end_error_off(built, carbon_free_car, tmp_path):
     print(f"before {before:.1f} mm, as reckoned {plan.comparison.before.error.end_distance:.1f} mm")
     assert plan.comparison.before.error.end_distance == pytest.approx(before, rel=0.01)
     for suffix in ("arcs", "spline"):
-        name = f"{plan.design.name}_optimized_{suffix}.dxf"
+        name = f"{plan.car.design.name}_optimized_{suffix}.dxf"
         outline = read_dxf(out / name, 0.05).profile
         after = abs(end_of_run(outline, wheels, carbon_free_car, stop) - goal)
         print(f"{name}: {after:.2f} mm, {100 * (1 - after / before):.2f} % off")
@@ -238,7 +238,7 @@ def test_the_key_takes_the_phase_out(built):
     assert np.degrees(cam_model.blank(design).key.angle) == pytest.approx(28.5)
     assert np.degrees(cam_model.blank(design.as_designed()).key.angle) == pytest.approx(30.0)
     plan = plan_cam(design, "actual")
-    assert as_built_facts(plan.design, plan.steering.blend_start)["key_turned_deg"] == pytest.approx(-1.5)
+    assert as_built_facts(plan.car.design, plan.steering.blend_start)["key_turned_deg"] == pytest.approx(-1.5)
     (line,) = (text for text in as_built_sentences(design, plan.steering.blend_start) if "key" in text)
     assert line == "The key of the new cam is turned by -1.500°, which takes out the cam's phase."
 

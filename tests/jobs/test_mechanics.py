@@ -122,7 +122,7 @@ def test_with_a_measured_play_the_friction_is_not_known_either(rubbing):
 def test_a_remedy_that_cannot_be_built_is_no_number():
     small = ["cam.base_radius_mm=17", "blank.lightening=", "blank.keyway=", "blank.bore_diameter_mm=2"]
     plan = plan_cam(load_design("carbon_free_car", [*FRICTION, *small]), "optimized", all_trains=True)
-    facts = [remedy_facts(remedy) for remedy in remedies(plan.design, plan.comparison)]
+    facts = [remedy_facts(remedy) for remedy in remedies(plan.car.design, plan.comparison)]
     json.dumps(facts, allow_nan=False)
     (bearing,) = (fact for fact in facts if fact["remedy"].startswith("ball bearing"))
     assert bearing["worst_end_position_mm"] is None

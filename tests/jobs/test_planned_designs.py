@@ -74,7 +74,7 @@ def test_they_keep_their_margin_by_a_sweep_of_its_own(name):
 
 @pytest.mark.slow
 def test_they_pass_every_check_with_every_play_of_the_band(plan):
-    band, name = plan.comparison.chosen.band, plan.design.name
+    band, name = plan.comparison.chosen.band, plan.car.design.name
     print(f"{name}: {band.worst_distance:.1f} mm, {degrees(band.worst_heading):.2f} deg")
     assert plan.passed, [check.name for check in plan.failed]
     distance, heading = WORST[name]
@@ -86,5 +86,5 @@ def test_they_pass_every_check_with_every_play_of_the_band(plan):
         assert drift.end[0] < 0.05
         assert degrees(abs(drift.end[1])) < 0.01
     else:
-        x, y = plan.track.planned(plan.track.length) - plan.design.course.finish.at_mm
-        assert hypot(x, y) < plan.design.course.finish.radius_mm
+        x, y = plan.track.planned(plan.track.length) - plan.car.design.course.finish.at_mm
+        assert hypot(x, y) < plan.car.design.course.finish.radius_mm

@@ -163,7 +163,7 @@ def go_round(seed: int, number: int) -> Outcome:
             disc = SimpleNamespace(outline=lambda step: outline)
             bed = Bed(SimpleNamespace(actual=SimpleNamespace(curve=disc), follower=built.follower))
             goal = complex(*built.track.position(built.track.length * stop / TURN))
-            stop = cam.comparison.task.lift.blend_start if cam.comparison else cam.lift.blend_start
+            stop = cam.comparison.task.lift.blend_start if cam.comparison else cam.steering.blend_start
             after = abs(_end(World(built, bed, form), drawn.on_new, stop) - goal)
     return Outcome(
         number=number,

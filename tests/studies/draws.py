@@ -173,7 +173,7 @@ def judges(name, spacings=None):
     def path(angle):
         return cam.track.planned(angle / TURN * turn) @ [1, 1j]
 
-    rows = [{**row, "finish_rad": cam.lift.blend_start} for row in card.settings]
+    rows = [{**row, "finish_rad": cam.steering.blend_start} for row in card.settings]
     return card, [Judge(values, points, path, row) for row in rows]
 
 

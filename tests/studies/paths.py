@@ -195,7 +195,7 @@ def verdict(case: Case, number: int, *, write: bool = False) -> str:
 
 def _fit(plan: CamPlan, folder: Path) -> None:
     """The curve as arcs, as splines and as a cloud that can be read again."""
-    export = plan.design.export
+    export = plan.car.design.export
     arcs(plan.curve, export.arc_tolerance_um * 1e-3)
     splines(plan.curve, 1e-5, 5)
     write_xyz(folder / "cloud.xyz", plan.curve, export.point_count)

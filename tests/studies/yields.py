@@ -26,7 +26,7 @@ FEW = 1000  # cars that are held against each gate alone
 def each_alone(run: ToleranceRun, seed: int) -> dict[str, float]:
     """Share of the cars that keep each gate alone, and the edge."""
     fleet, plan = watched_fleet(run.plan), run.plan
-    tolerances = variation.tolerances(plan.design, comparison_of(plan).task.mechanics)
+    tolerances = variation.tolerances(plan.car.design, comparison_of(plan).task.mechanics)
     margins = margins_of_cars(fleet, tolerances, FEW, seed=seed).margins
     return {
         watch.key.removeprefix("course."): float(np.mean(each >= 0))

@@ -323,7 +323,7 @@ class Bench:
         fine, coarse = (
             fleet_of(plan, list(range(0, STEPS + 1, apart)), mechanics, play, grid=_GRID) for apart in (FINE, COARSE)
         )
-        design, course = plan.design, plan.course
+        design, course = plan.car.design, plan.course
         width = design.tolerances.gate_width_mm
         reaches = [gate.place.reach for gate in course.course.gates if gate.place.reach] if course else []
         return cls(
@@ -381,7 +381,7 @@ class Bench:
 def _spreads(plan: CamPlan) -> dict[Deviation, float]:
     """Standard deviations of what the car may differ by, but for play, friction and the start."""
     sigma = dict(_LEAST)
-    for name, width in variation.half_widths(plan.design, comparison_of(plan).task.mechanics).items():
+    for name, width in variation.half_widths(plan.car.design, comparison_of(plan).task.mechanics).items():
         # Deviations of the start are in each run's own settings and noise.
         if name not in (*STARTS, SLIDING_FRICTION):
             # A value that is anywhere within the zone, or one direction of such a size.

@@ -4,7 +4,6 @@ from math import degrees, isfinite
 from typing import Any
 
 from cadgen.check import Check
-from cadgen.design.schema import TrainDesign
 from cadgen.jobs.cam.cures import Cures
 from cadgen.jobs.cam.plan import CamPlan, Origin
 
@@ -17,11 +16,6 @@ def origin_facts(origin: Origin) -> dict[str, Any]:
         "overrides": list(origin.overrides),
         "design_sha256": origin.content_hash,
     }
-
-
-def design_facts(design: TrainDesign) -> dict[str, Any]:
-    """Name, source, overrides and hash of a design."""
-    return origin_facts(Origin.of(design))
 
 
 def cam_facts(plan: CamPlan, cures: Cures) -> dict[str, Any]:

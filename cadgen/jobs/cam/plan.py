@@ -556,11 +556,6 @@ class CamPlan:
         return self.motion
 
     @property
-    def design(self) -> Design:
-        """Design of the car."""
-        return self.car.design
-
-    @property
     def track(self) -> Track:
         """Track of the car's drive wheel."""
         return self.car.track

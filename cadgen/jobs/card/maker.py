@@ -80,7 +80,7 @@ class Maker:
 
     @property
     def _design(self) -> Design:
-        return self.cam.design
+        return self.cam.car.design
 
     @cached_property
     def _course(self) -> Course:

@@ -28,7 +28,7 @@ class Card:
     @property
     def design(self) -> Design:
         """Design of the cam."""
-        return self.cam.design
+        return self.cam.car.design
 
     @property
     def passed(self) -> bool:

@@ -98,7 +98,7 @@ def tried(cam: CamPlan, factor: float) -> Tried | None:
     fleet = watched_fleet(cam)
     if not fleet.items:
         return None
-    seen = margins_of_cars(fleet, variation.tolerances(cam.design, cam.comparison.task.mechanics), _FEW, seed=_SEED)
+    seen = margins_of_cars(fleet, variation.tolerances(cam.car.design, cam.comparison.task.mechanics), _FEW, seed=_SEED)
     alone: dict[str, float] = {}
     scatter: dict[str, float] = {}
     margins = seen.margins

@@ -234,7 +234,7 @@ def _settings(task: PathTask, cam: CamPlan, progress: Progress) -> tuple[DrawnSp
     """Settings at the ends of what is drawn and between, if a spacing is drawn."""
     if task.draw is None:
         return ()
-    draw_model.refuse_range(cam.design, task.draw, cam.track, cam_model.rod(cam.design, "a card of settings"))
+    draw_model.refuse_range(cam.car.design, task.draw, cam.track, cam_model.rod(cam.car.design, "a card of settings"))
     low, high = task.draw.spacings[0], task.draw.spacings[-1]
     few = replace(task.draw, spacings=tuple(np.linspace(low, high, _SPACINGS).tolist()))
     return card_of(cam, few, progress, tries=1).drawn

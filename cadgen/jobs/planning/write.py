@@ -29,7 +29,7 @@ def write_plan(planned: PlannedPath, out: Path, progress: Progress = silent) -> 
         file = folder / f"{stem}.toml"
         yield text_file(file, planned.text)
         again = design_of(file.read_text(encoding="utf-8"), file)
-        if planned.cam is None or again.content_hash != planned.cam.design.content_hash:
+        if planned.cam is None or again.content_hash != planned.cam.origin.content_hash:
             raise FileError(
                 "{file}: read back it is not what was written; try again or choose another disk", file=file.name
             )

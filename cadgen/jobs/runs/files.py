@@ -35,7 +35,7 @@ def write_simulation(simulation: Simulation, out: Path, progress: Progress = sil
     Raises:
         FileError: a file cannot be written, or holds something else when it is read back.
     """
-    comparison, design = simulation.comparison, simulation.plan.design
+    comparison, design = simulation.comparison, simulation.plan.car.design
     stem = f"{design.name}_{simulation.plan.kind}_simulation"
     runs = {"planned": simulation.planned, "before": simulation.before, "after": simulation.after}
     named = design.name if design.as_built is None else f"{design.name}, as built"
@@ -81,7 +81,7 @@ def write_comparison(plan: CamPlan, out: Path, progress: Progress = silent, *, c
         FileError: a file cannot be written.
     """
     comparison = comparison_of(plan)
-    stem = f"{plan.design.name}_methods"
+    stem = f"{plan.origin.name}_methods"
     bars = {
         f"{_name(evaluation)}, {evaluation.train}": evaluation.events
         for evaluation in comparison.evaluations
@@ -98,9 +98,9 @@ def write_comparison(plan: CamPlan, out: Path, progress: Progress = silent, *, c
 
     def files(folder: Path) -> Iterator[Artifact]:
         progress("drawing")
-        title = f"{plan.design.name}: deflection error by event"
+        title = f"{plan.origin.name}: deflection error by event"
         yield from map(Artifact, draw_events(title, bars, folder, f"{stem}_events"))
-        planned, field = comparison.task.planned(), _field(plan.design)
+        planned, field = comparison.task.planned(), _field(plan.car.design)
         yield from map(Artifact, draw_tracks(panels, planned, field, folder, f"{stem}_tracks"))
         yield from map(Artifact, draw_tracks(_alone(comparison), planned, field, folder, f"{stem}_tracks_by_event"))
 
@@ -128,7 +128,7 @@ def lift_picture(simulation: Simulation) -> LiftPicture:
     waits = [event for event in simulation.events if event.kind == EventKind.REVERSE]
     comparison = simulation.comparison
     return LiftPicture(
-        title=simulation.plan.design.name + ("" if simulation.plan.design.as_built is None else ", as built"),
+        title=simulation.plan.origin.name + ("" if simulation.plan.car.design.as_built is None else ", as built"),
         follower=comparison.task.follower,
         wanted=comparison.task.lift,
         before=comparison.following(comparison.before, simulation.play),
@@ -182,7 +182,7 @@ def write_tolerance(run: ToleranceRun, out: Path, progress: Progress = silent) -
     Raises:
         FileError: a file cannot be written.
     """
-    design = run.plan.design
+    design = run.plan.car.design
     stem = f"{design.name}_{run.plan.kind}_tolerance"
     progress("drawing")
     picture = FleetPicture(

@@ -35,9 +35,9 @@ def fleet_of(
         task.length,
         plan.steering,
         task.planned(),
-        wheel_radius=variation.wheel_radius(plan.design, task.length),
+        wheel_radius=variation.wheel_radius(plan.car.design, task.length),
         play=play,
         stations=stations,
         mechanics=mechanics,
-        expansion=variation.expansion(plan.design),
+        expansion=variation.expansion(plan.car.design),
     )

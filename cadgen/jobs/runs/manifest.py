@@ -7,7 +7,7 @@ from cadgen.car.running.errors import deflection_sum
 from cadgen.deviations.deviation import Deviation
 from cadgen.inference.monte_carlo.budget import Budget
 from cadgen.jobs.cam.car_facts import as_built_facts, mechanics_facts
-from cadgen.jobs.cam.manifest import design_facts
+from cadgen.jobs.cam.manifest import origin_facts
 from cadgen.jobs.cam.plan import comparison_of
 from cadgen.jobs.runs.budget import BudgetSheet, unit_of
 from cadgen.jobs.runs.simulation import Simulation
@@ -20,7 +20,7 @@ def simulation_facts(simulation: Simulation) -> dict[str, Any]:
     plan, comparison, laps = simulation.plan, simulation.comparison, simulation.plan.laps
     runs = {"before": simulation.before, "after": simulation.after}
     return {
-        **design_facts(plan.design),
+        **origin_facts(plan.origin),
         "drive_wheel": plan.drive_wheel.facts(),
         "profile": plan.kind.code,
         "passed": plan.passed,
@@ -30,7 +30,7 @@ def simulation_facts(simulation: Simulation) -> dict[str, Any]:
         "cut_for_deg": degrees(comparison.chosen.made_for),
         "mechanics": mechanics_facts(comparison.task.mechanics, comparison.chosen.lift),
         "friction_note": comparison.rubbing,
-        "as_built": as_built_facts(plan.design, float(simulation.planned.motor[-1])),
+        "as_built": as_built_facts(plan.car.design, float(simulation.planned.motor[-1])),
         "events": [{"kind": event.kind, **event.figures.facts()} for event in simulation.events],
         "deflection_sum_deg": degrees(deflection_sum(simulation.events)),
         "before": simulation.before_error.figures.facts(),
@@ -47,10 +47,10 @@ def simulation_facts(simulation: Simulation) -> dict[str, Any]:
 
 def tolerance_facts(run: ToleranceRun) -> dict[str, Any]:
     """Facts on random cars; they do not depend on the number of processes."""
-    plan, design = run.plan, run.plan.design
+    plan, design = run.plan, run.plan.car.design
     position, heading = run.end_position, run.end_heading_deg
     return {
-        **design_facts(design),
+        **origin_facts(plan.origin),
         "drive_wheel": plan.drive_wheel.facts(),
         "cadgen": __version__,
         "profile": plan.kind.code,

@@ -82,7 +82,7 @@ class ToleranceRun:
     def gate_width(self) -> float | None:
         """Width of the gates at the waypoints, mm; None where the course has its own."""
         course = self.plan.course
-        return None if course is not None and course.course.gates else self.plan.design.tolerances.gate_width
+        return None if course is not None and course.course.gates else self.plan.car.design.tolerances.gate_width
 
     @property
     def watched(self) -> str:
@@ -119,7 +119,7 @@ class ToleranceRun:
     def half_width(self, name: Deviation) -> float:
         """Half of the zone of a tolerance, or of the band of play, mm or rad."""
         if name != RETURN_ERROR:
-            return variation.half_widths(self.plan.design, comparison_of(self.plan).task.mechanics)[name]
+            return variation.half_widths(self.plan.car.design, comparison_of(self.plan).task.mechanics)[name]
         low, high = comparison_of(self.plan).band.ends
         return (high - low) / 2
 
@@ -173,7 +173,7 @@ def tolerance_of(plan: CamPlan, sample: CarSample, progress: Progress = silent) 
         DesignError: the profile was not compared under play, or nothing varies.
         FileError: the memory does not suffice for so many cars.
     """
-    design = plan.design
+    design = plan.car.design
     tolerances = variation.tolerances(design, comparison_of(plan).task.mechanics)
     fleet = watched_fleet(plan)
     progress("finding sensitivities")
@@ -231,9 +231,9 @@ def _gates(plan: CamPlan) -> list[int]:
     last = STEPS * turns_of(stop)
     if plan.course is not None and plan.course.course.gates:
         return [last]
-    motor = cam_model.cam_angle(plan.design, plan.track, plan.track.waypoint_arc[1:])
+    motor = cam_model.cam_angle(plan.car.design, plan.track, plan.track.waypoint_arc[1:])
     if plan.track.closed:
-        laps = np.arange(plan.design.path.run_laps) * TURN / plan.track.turn_laps
+        laps = np.arange(plan.car.design.path.run_laps) * TURN / plan.track.turn_laps
         motor = (laps[:, None] + motor).ravel()
     steps = np.unique(np.rint(motor[motor < stop] / stop * last).astype(int))
     return [*steps[(steps > 0) & (steps < last)].tolist(), last]

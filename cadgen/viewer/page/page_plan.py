@@ -89,7 +89,7 @@ class PagePlan:
     @property
     def design(self) -> Design:
         """Design of the car of the report."""
-        return self.cam.design
+        return self.cam.car.design
 
     @property
     def of_car(self) -> bool:

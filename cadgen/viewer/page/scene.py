@@ -95,7 +95,7 @@ def scene_of(plan: CamPlan, gears: GearsPlan | None) -> tuple[Scene, tuple[str, 
         lift=Lift(lift=np.asarray(plan.rod.lift(tan_beta)), tan_beta=np.asarray(tan_beta)),
         stop=plan.steering.blend_start if plan.comparison is None else plan.comparison.task.lift.blend_start,
         goings=tuple(_goings(plan)),
-        floor=floor_of(plan.design),
+        floor=floor_of(plan.car.design),
         car=_car(plan),
         shafts=bodies.shafts,
         parts=bodies.parts,
@@ -103,7 +103,7 @@ def scene_of(plan: CamPlan, gears: GearsPlan | None) -> tuple[Scene, tuple[str, 
     )
     noted = (
         ()
-        if plan.design.as_built is None
+        if plan.car.design.as_built is None
         else (
             Message(
                 "The disc is drawn as it is cut and centred on its shaft; the runs count in what [as_built] says of "
@@ -133,7 +133,7 @@ def still_scene(plan: CamPlan) -> Scene:
 
 
 def _rod(plan: CamPlan, bodies: Bodies) -> RodShape | None:
-    rod, (inner, outer) = plan.rod, plan.design.cam.faces_mm
+    rod, (inner, outer) = plan.rod, plan.faces
     if not isinstance(rod, LeaningRod):
         return None
     return RodShape(
@@ -162,7 +162,7 @@ def _goings(plan: CamPlan) -> Iterator[Going]:
 
 def _going(plan: CamPlan, code: str, label: str, following: Following, play: float) -> Going:
     """A run at even motor positions, and to either side of each place where the cam jumps, stops or goes on."""
-    design, track = plan.design, plan.track
+    design, track = plan.car.design, plan.track
     stop = TURN if design.car.drive_wheel_radius_mm is None else plan.steering.blend_start
     run = drive(
         following.lift,
@@ -182,7 +182,7 @@ def _going(plan: CamPlan, code: str, label: str, following: Following, play: flo
 
 
 def _car(plan: CamPlan) -> CarShape:
-    car, body = cam_model.car(plan.design), body_of(plan.design.car.outline, cam_model.car(plan.design))
+    car, body = cam_model.car(plan.car.design), body_of(plan.car.design.car.outline, cam_model.car(plan.car.design))
     drive_wheel = place_of(CarPoint.DRIVE_WHEEL, car)
 
     def seen(point: tuple[float, float]) -> tuple[float, float]:
@@ -232,14 +232,14 @@ def bodies_of(plan: CamPlan, gears: GearsPlan | None, cam_radius: float) -> Bodi
         gears: plan of the train; None without one.
         cam_radius: greatest radius of the disc, mm.
     """
-    (inner, outer), side = plan.design.cam.faces_mm, -1 if plan.design.cam.side == Side.RIGHT else 1
+    (inner, outer), side = plan.faces, -1 if plan.car.design.cam.side == Side.RIGHT else 1
     fork = -inner if side > 0 else outer
     train = None if gears is None else _train(plan, gears, side)
     notes: list[str] = []
     parts = _parts(plan, train, notes)
     shafts, wheel = [_camshaft(plan, train)], None
     if train is not None:
-        reach = fork + cam_model.car(plan.design).drive_wheel_offset
+        reach = fork + cam_model.car(plan.car.design).drive_wheel_offset
         for number, turning in enumerate(reversed(train.parts)):
             # The drive's shaft goes on to its wheel.
             last = turning is train.parts[0]
@@ -252,7 +252,7 @@ def bodies_of(plan: CamPlan, gears: GearsPlan | None, cam_radius: float) -> Bodi
 
 def _train(plan: CamPlan, gears: GearsPlan, side: int) -> TurningTrain:
     """The train on the side of the cam that looks to the fork."""
-    (inner, outer), hub = plan.design.cam.faces_mm, plan.made_blank.hub
+    (inner, outer), hub = plan.faces, plan.made_blank.hub
     towards = hub is not None and (hub.side == Face.INNER) == (side > 0)
     stands = hub.length if hub is not None and towards else 0.0
     plane = -GAP - stands if side > 0 else outer - inner + GAP + stands
@@ -261,7 +261,7 @@ def _train(plan: CamPlan, gears: GearsPlan, side: int) -> TurningTrain:
 
 def _behind(plan: CamPlan) -> float:
     """Distance of the rear axle behind the camshaft, mm."""
-    return max(cam_model.car(plan.design).wheelbase - plan.rod.base_radius, 0.0)
+    return max(cam_model.car(plan.car.design).wheelbase - plan.rod.base_radius, 0.0)
 
 
 def _parts(plan: CamPlan, train: TurningTrain | None, notes: list[str]) -> list[Part]:
@@ -287,7 +287,7 @@ def _gear(code: str, label: str, shaft: int, stand: Stand, chord: float) -> Part
 
 def _disc(plan: CamPlan, chord: float, notes: list[str]) -> Mesh | None:
     """Mesh of the disc; None, and the reason in the remarks, if its features cut into each other."""
-    inner, outer = plan.design.cam.faces_mm
+    inner, outer = plan.faces
     try:
         return cam_mesh(plan.curve, plan.made_blank, outer - inner, chord)
     except CadgenError as error:
@@ -304,12 +304,12 @@ def _label(turning: TurningPart) -> Message:
 
 
 def _camshaft(plan: CamPlan, train: TurningTrain | None) -> Shaft:
-    inner, outer = plan.design.cam.faces_mm
+    inner, outer = plan.faces
     low, high = -_BEYOND, outer - inner + _BEYOND
     if train is not None:
         ends = train.parts[-1].range
         low, high = min(low, ends[0] - _BEYOND), max(high, ends[1] + _BEYOND)
-    return Shaft(Message("camshaft"), (0.0, 0.0), plan.design.blank.bore_diameter_mm, low, high, 0.0, -1.0, 0.0)
+    return Shaft(Message("camshaft"), (0.0, 0.0), plan.car.design.blank.bore_diameter_mm, low, high, 0.0, -1.0, 0.0)
 
 
 def _shaft(turning: TurningPart, reach: float | None, *, drawn: bool) -> Shaft:

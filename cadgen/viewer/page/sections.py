@@ -210,7 +210,7 @@ def tolerance_section(run: ToleranceRun | None, reason: str) -> Section:
         "{samples} random cars with this cam (seed {seed}, {law} law): {passing:.2f} % keep the course and its gates.",
         samples=run.samples,
         seed=run.seed,
-        law=Message(run.plan.design.tolerances.law),
+        law=Message(run.plan.car.design.tolerances.law),
         passing=100 * run.passed,
     )
     spreads: tuple[tuple[str, Spread, str], ...] = (
