@@ -54,9 +54,9 @@ _HOMES = {
     "Editor": "api.editor",
     "FileError": "errors",
     "Exploration": "api.exploration",
-    "Gear": "api.gear",
+    "Gear": "api.gears",
     "GearPair": "api.gears",
-    "GearTrain": "api.gear_train",
+    "GearTrain": "jobs.gears.gear_train",
     "Hub": "parts.features",
     "Keyway": "parts.features",
     "Lightening": "parts.features",
@@ -73,7 +73,7 @@ _HOMES = {
     "draw": "api.drawing",
     "explore": "api.exploration",
     "merge": "api.exploration",
-    "verify": "api.files",
+    "verify": "output.files.publisher",
 }
 
 # As `typing.TYPE_CHECKING`, without the time that importing it takes.
@@ -87,16 +87,14 @@ if TYPE_CHECKING:
     from cadgen.api.drawing import draw
     from cadgen.api.editor import Editor
     from cadgen.api.exploration import Exploration, explore, merge
-    from cadgen.api.files import verify
-    from cadgen.api.gear import Gear
-    from cadgen.api.gear_train import GearTrain
-    from cadgen.api.gears import GearPair, Train
+    from cadgen.api.gears import Gear, GearPair, Train
     from cadgen.api.measured import Measured
     from cadgen.api.page import Report
     from cadgen.api.planning import Plan
     from cadgen.api.runs import Comparison, Simulation, ToleranceRun
     from cadgen.errors import CadgenError, CheckError, DesignError, FileError
-    from cadgen.output.files.publisher import Written, WrittenFile
+    from cadgen.jobs.gears.gear_train import GearTrain
+    from cadgen.output.files.publisher import Written, WrittenFile, verify
     from cadgen.parts.features import Hub, Keyway, Lightening, SetScrew, Web
 
 __all__ = [

@@ -33,7 +33,7 @@ _LOADED = (
     "cadgen.geometry.solids.gear_solids",
     "cadgen.jobs.calibration.files",
     "cadgen.jobs.cam.files",
-    "cadgen.jobs.gears.files",
+    "cadgen.jobs.gears.gear_train",
     "cadgen.jobs.runs.files",
     "ezdxf",
     "lib3mf",

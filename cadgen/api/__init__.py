@@ -4,15 +4,11 @@
 |------------|---------------------------------------------------------------------------|
 | `values`   | checks of a caller's numbers and words, with one sentence a refusal        |
 | `overrides`| values of Python as the overrides of the command line                      |
-| `files`    | files of a job; comparison of a folder with its manifest                   |
 | `cam`      | a cam that has been computed: figures, picture, solid, files               |
 | `runs`     | runs with play, the methods against it, many cars within the tolerances    |
 | `drawing`  | drawings of cams and trains                                                |
 | `measured` | measured data, as files or as arrays                                       |
-| `gear`     | a gear by its numbers                                                      |
-| `assembly` | figures and files that a pair and a train have alike                       |
-| `gears`    | pairs and trains of gears by their numbers                                 |
-| `gear_train` | the gear train of a design                                               |
+| `gears`    | gears, pairs and trains by their numbers                                   |
 | `calibration` | a judgement of measured data, and the design built from it              |
 | `adjustment` | settings after trial runs                                                |
 | `planning`   | a planned path, or why there is none                                    |

@@ -6,12 +6,12 @@ from functools import cached_property
 from os import PathLike
 
 from cadgen.api.cam import Cam
-from cadgen.api.files import Written, written
 from cadgen.api.values import paths, real, word
 from cadgen.design.schema import Design as DesignValues
 from cadgen.errors import DesignError, brief
 from cadgen.jobs.adjustment.files import adjustment_facts, write_adjustment
 from cadgen.jobs.adjustment.plan import AdjustmentPlan, Knob, Point, Wanted, adjust
+from cadgen.output.files.publisher import Written, folder_of
 from cadgen.progress import Progress, silent
 
 POINTS = tuple(point.value for point in Point)
@@ -50,7 +50,7 @@ class Adjustment(AdjustmentPlan):
         Raises:
             FileError: a file cannot be written.
         """
-        return written(folder, lambda place: write_adjustment(self, place, progress))
+        return write_adjustment(self, folder_of(folder), progress)
 
 
 def adjusted(

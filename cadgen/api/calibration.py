@@ -6,7 +6,6 @@ from functools import cached_property
 from os import PathLike
 from typing import Generic, TypeVar
 
-from cadgen.api.files import Written, folder_of, written
 from cadgen.api.loaded import LoadedDesign
 from cadgen.api.measured import Data, sources_of
 from cadgen.jobs.calibration.advice import Advice as Advice
@@ -16,6 +15,7 @@ from cadgen.jobs.calibration.calibration import CalibrationPlan
 from cadgen.jobs.calibration.calibration_report import report, summary
 from cadgen.jobs.calibration.files import document, documents, write_calibration, write_each
 from cadgen.jobs.calibration.new_cam import Built
+from cadgen.output.files.publisher import Written, folder_of
 from cadgen.output.report.terminal import Block, plain
 from cadgen.progress import Progress, silent
 
@@ -115,7 +115,7 @@ class Calibration(CalibrationPlan, Generic[D]):
         Raises:
             FileError: a file cannot be written, or the design as built, read back, is not what was meant.
         """
-        return written(folder, lambda place: write_calibration(self, self.design.text, place, progress))
+        return write_calibration(self, self.design.text, folder_of(folder), progress)
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from cadgen.api.files import Written, folder_of, refusal
 from cadgen.api.values import numbers, whole
 from cadgen.arrays import TURN, Array
 from cadgen.car.path_motion import PathMotion
@@ -22,6 +21,7 @@ from cadgen.jobs.cam.cures import Cures as Cures
 from cadgen.jobs.cam.cures import find_cures
 from cadgen.jobs.cam.manifest import cam_facts
 from cadgen.jobs.cam.plan import CamPlan, CarUse, SegmentUse
+from cadgen.output.files.publisher import Written, folder_of, refusal
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:

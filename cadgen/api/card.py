@@ -5,9 +5,9 @@ from os import PathLike
 from typing import Any
 
 from cadgen.api.cam import Cam
-from cadgen.api.files import Written, written
 from cadgen.jobs.card import plan as card_plan
 from cadgen.jobs.card.files import facts, sentences, write_card
+from cadgen.output.files.publisher import Written, folder_of
 from cadgen.output.report import settings
 from cadgen.output.report.card import Column
 from cadgen.progress import Progress, silent
@@ -76,4 +76,4 @@ class Card:
             CheckError: the cam itself fails its checks.
             FileError: a file cannot be written.
         """
-        return written(folder, lambda place: write_card(self.computed, place, progress))
+        return write_card(self.computed, folder_of(folder), progress)

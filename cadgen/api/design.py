@@ -18,10 +18,10 @@ if TYPE_CHECKING:
     from cadgen.api.calibration import Advice, Calibration, Calibrations
     from cadgen.api.cam import Cam
     from cadgen.api.card import Card
-    from cadgen.api.gear_train import GearTrain
     from cadgen.api.planning import Plan
     from cadgen.api.runs import Comparison, Pool, Simulation, ToleranceRun
     from cadgen.inference.monte_carlo.random_cars import Map
+    from cadgen.jobs.gears.gear_train import GearTrain
 
 MOST_CARS, MOST_PROCESSES = 10_000_000, 256
 FORM_ERROR_UM = (0.01, 1000.0)
@@ -74,11 +74,9 @@ class Design(LoadedDesign):
         Raises:
             DesignError: the order is unknown, or the train is missing or cannot be made or laid out.
         """
-        from cadgen.api.gear_train import GearTrain
-        from cadgen.jobs.gears.plan import plan_gears
+        from cadgen.jobs.gears.gear_train import plan_gears
 
-        wanted = Order(word("order", order, [each.value for each in Order]))
-        return GearTrain(plan_gears(self.values, wanted, progress))
+        return plan_gears(self.values, Order(word("order", order, [each.value for each in Order])), progress)
 
     def simulate(
         self, profile: str = "optimized", play_deg: float | None = None, *, progress: Progress = silent

@@ -3,14 +3,14 @@
 from os import PathLike
 from typing import TYPE_CHECKING
 
-from cadgen.api.files import Written, folder_of, refusal
 from cadgen.api.values import instance
 from cadgen.errors import CheckError, DesignError
+from cadgen.output.files.publisher import Written, folder_of, refusal
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
     from cadgen.api.cam import Cam
-    from cadgen.api.gear_train import GearTrain
+    from cadgen.jobs.gears.gear_train import GearTrain
 
 
 def draw(
@@ -43,9 +43,8 @@ def draw(
         >>> draw("exports", cam=design.cam(), train=design.gears())  # doctest: +SKIP
     """
     from cadgen.api.cam import Cam
-    from cadgen.api.gear_train import GearTrain
-    from cadgen.jobs.cam.plan import Origin
     from cadgen.jobs.drawings import Parts, write_drawings
+    from cadgen.jobs.gears.gear_train import GearTrain
 
     place = folder_of(folder)
     if cam is not None:
@@ -53,7 +52,7 @@ def draw(
     if train is not None:
         instance("train", train, GearTrain)
     origins = [cam.computed.origin] if cam is not None else []
-    origins += [Origin.of(train.plan.design)] if train is not None else []
+    origins += [train.origin] if train is not None else []
     if not origins:
         raise DesignError("there is nothing to draw: give cam, train, or both")
     if len({origin.content_hash for origin in origins}) > 1:
@@ -65,6 +64,6 @@ def draw(
         name=origins[0].name,
         design_hash=origins[0].content_hash,
         cam=None if cam is None else cam.computed,
-        train=None if train is None else train.plan,
+        train=train,
     )
     return write_drawings(parts, place, progress)

@@ -9,10 +9,9 @@ from os import PathLike
 from pathlib import Path
 from typing import Any
 
-from cadgen.api.files import Written, folder_of
 from cadgen.api.values import name_or_path, whole
 from cadgen.errors import DesignError, FileError, brief
-from cadgen.output.files.publisher import Frozen, frozen
+from cadgen.output.files.publisher import Frozen, Written, folder_of, frozen
 from cadgen.progress import Progress, silent
 from cadgen.studies.engines import Cluster, Engine, Mapped, Processes, engine_of
 from cadgen.studies.journal import Journal

@@ -6,13 +6,13 @@ from os import PathLike
 from pathlib import Path
 from typing import Any, Self
 
-from cadgen.api.files import folder_of
 from cadgen.api.overrides import overrides_of
 from cadgen.api.values import name_or_path, paths, plain_text, real
 from cadgen.design import load
 from cadgen.design.schema import Design as DesignValues
 from cadgen.design.schema import MotionDesign, TrainDesign
 from cadgen.errors import DesignError, brief
+from cadgen.output.files.publisher import folder_of
 
 
 @dataclass(frozen=True, repr=False)

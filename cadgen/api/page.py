@@ -6,12 +6,12 @@ from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 from cadgen.api.design import MOST_CARS, MOST_PROCESSES, Design
-from cadgen.api.files import Written, written
 from cadgen.api.measured import Data, sources_of
 from cadgen.api.values import instance, whole
 from cadgen.check import Check, failing
 from cadgen.design.schema import MotionDesign
 from cadgen.errors import DesignError, FileError
+from cadgen.output.files.publisher import Written, folder_of
 from cadgen.progress import Progress, silent
 from cadgen.viewer.page.page_plan import plan_motion_page, plan_page
 
@@ -130,4 +130,4 @@ class Report:
         """
         from cadgen.viewer.page.report import write_page
 
-        return written(folder, lambda place: write_page(self.computed, place, progress))
+        return write_page(self.computed, folder_of(folder), progress)

@@ -7,7 +7,6 @@ from typing import Any, Generic
 
 from cadgen.api.calibration import D
 from cadgen.api.cam import Cam
-from cadgen.api.files import Written, refusal, written
 from cadgen.api.runs import map_of
 from cadgen.api.values import optional, whole
 from cadgen.car.planner import RESERVE, SEEDS, WITHIN_MM
@@ -17,6 +16,7 @@ from cadgen.errors import CheckError, DesignError
 from cadgen.jobs.planning.plan import PlannedPath, Wanted, plan_design
 from cadgen.jobs.planning.words import facts, sentences
 from cadgen.jobs.planning.write import write_plan
+from cadgen.output.files.publisher import Written, folder_of, refusal
 from cadgen.progress import Progress, silent
 
 _WITHIN_MM = 25.0
@@ -84,7 +84,7 @@ class Plan(Generic[D]):
         if not self.passed:
             drawn = (check for each in self.computed.drawn for check in each.checks)
             raise CheckError(refusal((*self.computed.cam.checks, *drawn), forced=False))
-        return written(folder, lambda place: write_plan(self.computed, place, progress))
+        return write_plan(self.computed, folder_of(folder), progress)
 
 
 def planned(

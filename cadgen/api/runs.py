@@ -7,7 +7,6 @@ from os import PathLike
 from typing import Any, Protocol
 
 from cadgen.api.cam import Cam
-from cadgen.api.files import Written, written
 from cadgen.arrays import Array
 from cadgen.car.against_play.evaluate import Evaluation
 from cadgen.car.running.drive import Run
@@ -27,6 +26,7 @@ from cadgen.jobs.runs.budget import shown_half_width as shown_half_width
 from cadgen.jobs.runs.budget import shown_value as shown_value
 from cadgen.jobs.runs.manifest import simulation_facts, tolerance_facts
 from cadgen.jobs.runs.tolerance import Spread as Spread
+from cadgen.output.files.publisher import Written, folder_of
 from cadgen.progress import Progress, silent
 from cadgen.studies.engines import mapping
 
@@ -115,7 +115,7 @@ class Simulation:
         Raises:
             FileError: a file cannot be written, or holds something else when it is read back.
         """
-        return written(folder, lambda place: files.write_simulation(self.computed, place, progress))
+        return files.write_simulation(self.computed, folder_of(folder), progress)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -153,12 +153,8 @@ class Comparison:
         Raises:
             FileError: a file cannot be written.
         """
-        return written(
-            folder,
-            lambda place: files.write_comparison(
-                self.cam.computed, place, progress, cures=self.cam.find_cures(progress)
-            ),
-        )
+        cures = self.cam.find_cures(progress)
+        return files.write_comparison(self.cam.computed, folder_of(folder), progress, cures=cures)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -218,7 +214,7 @@ class ToleranceRun:
         Raises:
             FileError: a file cannot be written.
         """
-        return written(folder, lambda place: files.write_tolerance(self.computed, place, progress))
+        return files.write_tolerance(self.computed, folder_of(folder), progress)
 
 
 def map_of(pool: Pool | Map | None) -> Callable[..., Iterable[Any]] | None:

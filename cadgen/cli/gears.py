@@ -12,8 +12,7 @@ from cadgen.cli.options import design_options, formats_option, out_option
 from cadgen.gears.choices import Order
 
 if TYPE_CHECKING:
-    from cadgen.api.files import Written
-    from cadgen.api.gear_train import GearsPlan
+    from cadgen import GearTrain, Written
     from cadgen.gears.train import TrainPlay, WholePlay
 
 RANKED_SHOWN = 8
@@ -47,7 +46,7 @@ def gears(
     Nothing is exported and the exit code is 1 if a check fails, unless --force is given.
     """
     from cadgen.api.design import Design
-    from cadgen.api.gear_train import NotMadeError
+    from cadgen.api.gears import NotMadeError
     from cadgen.cli import show
     from cadgen.cli.verdict import command, failed, verdict
     from cadgen.output.files.formats import TRAIN
@@ -65,9 +64,9 @@ def gears(
     if as_json:
         show.document(train.facts() if written is None else written.entry)
     else:
-        _return_errors(train.plan)
+        _return_errors(train)
         _ranking(train.ranked, train.baseline)
-        _choice(train.plan)
+        _choice(train)
         show.figures("\nteeth in mesh, measured", train.checks)
         if written is not None:
             _files(written, out, chord_is_given=loaded.values.export.mesh_chord_um is not None)
@@ -82,11 +81,11 @@ def gears(
     sys.exit(0 if train.passed or force else 1)
 
 
-def _return_errors(plan: "GearsPlan") -> None:
+def _return_errors(plan: "GearTrain") -> None:
     """Print play and return error of every stage and of the train, as made and by the standard alone."""
     from cadgen.cli.show import Output, plain_table
 
-    table = plain_table(f"{plan.design.name}, {plan.order}, ratio {plan.play.train.ratio}: return error")
+    table = plain_table(f"{plan.name}, {plan.order}, ratio {plan.play.train.ratio}: return error")
     table.add_column("stage")
     for column in ("a, mm", "play, µm", "as cut", "least", "mean", "greatest"):
         table.add_column(column, justify="right")
@@ -158,7 +157,7 @@ def _each(values: list[str], between: str = " ") -> str:
     return values[0] if len(set(values)) == 1 else between.join(values)
 
 
-def _choice(plan: "GearsPlan") -> None:
+def _choice(plan: "GearTrain") -> None:
     """Print which train is made, why not those before it, and what the searched trains lack."""
     from cadgen.cli.show import Output
     from cadgen.gears.train import teeth_of

@@ -20,8 +20,8 @@ from cadgen.output.report.terminal import FittedConsole, FittedTable
 from cadgen.progress import Progress
 
 if TYPE_CHECKING:
+    from cadgen import Written
     from cadgen.api.cam import Cam, Cures
-    from cadgen.api.files import Written
     from cadgen.check import Check
 
 

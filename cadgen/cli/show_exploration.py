@@ -7,8 +7,8 @@ from cadgen.cli import show
 from cadgen.cli.show import Output
 
 if TYPE_CHECKING:
+    from cadgen import Written
     from cadgen.api.exploration import Exploration
-    from cadgen.api.files import Written
 
 _MOST_ROWS = 10  # of the front
 _STATES = {

@@ -9,7 +9,7 @@ import click
 from cadgen.errors import escaped
 
 if TYPE_CHECKING:
-    from cadgen.api.files import FolderState
+    from cadgen.output.files.folder import FolderState
 
 UNLISTED_SHOWN = 20
 
@@ -25,7 +25,7 @@ def verify(folder: Path, restore: bool, as_json: bool) -> None:
     listed, or if a run was killed while it moved its files into DIR; the next command that writes there, or
     --restore, undoes that.
     """
-    from cadgen.api.files import verify as verified
+    from cadgen import verify as verified
     from cadgen.cli import show
 
     state = verified(folder, restore=restore)

@@ -19,15 +19,15 @@ from cadgen.design.machining import DrawingText
 from cadgen.errors import FileError
 from cadgen.gears.layout import TrainPart
 from cadgen.inference.measurement.record import Direction
-from cadgen.jobs.cam.plan import CamPlan, Origin
-from cadgen.jobs.gears.facts import parts_facts
-from cadgen.jobs.gears.plan import GearsPlan
+from cadgen.jobs.cam.plan import CamPlan
+from cadgen.jobs.gears.assembly import parts_facts
+from cadgen.jobs.gears.gear_train import GearTrain
 from cadgen.messages import Message
 from cadgen.output.drawing.cam_sheet import EVERY, CamPart, cam_drawing
 from cadgen.output.drawing.gear_sheets import Axis, GearPart, gear_drawing, gear_rows, plate_drawing
 from cadgen.output.drawing.sheet import DrawingSheet, Title, scale_text
 from cadgen.output.files.dxf import write_outline
-from cadgen.output.files.manifest import NAME, sound_parts
+from cadgen.output.files.manifest import NAME, Origin, sound_parts
 from cadgen.output.files.publisher import Artifact, Written, publish, require, text_file
 from cadgen.progress import Progress, silent
 
@@ -188,9 +188,9 @@ def inspection_csv(plan: CamPlan) -> str:
 _PART_ENDINGS = (".step", ".stl")
 
 
-def sheets_of(plan: GearsPlan, folder: Folder) -> Iterator[tuple[str, DrawingSheet]]:
+def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingSheet]]:
     """Stem of the files that a sheet stands for, and the sheet: of each part, then of the plate."""
-    layout, design = plan.layout, plan.design
+    layout, origin = plan.layout, plan.origin
     every = parts_facts(layout)
     for part, facts in zip(layout.parts, every, strict=True):
         stem = f"{plan.stem}_{part.name}"
@@ -207,10 +207,10 @@ def sheets_of(plan: GearsPlan, folder: Folder) -> Iterator[tuple[str, DrawingShe
         sheet = GearPart(
             part=part,
             data=data,
-            files=folder.files(stem, design.content_hash, _PART_ENDINGS),
+            files=folder.files(stem, origin.content_hash, _PART_ENDINGS),
             notes=(f"Shaft {part.shaft} of the train, counted from the drive.",),
         )
-        title = title_of(Origin.of(design), design.drawing, f"{part.name}: {name}", "", stem, folder)
+        title = title_of(origin, plan.title, f"{part.name}: {name}", "", stem, folder)
         yield stem, gear_drawing(sheet, title)
     axes = tuple(
         Axis(
@@ -223,12 +223,12 @@ def sheets_of(plan: GearsPlan, folder: Folder) -> Iterator[tuple[str, DrawingShe
         for part in layout.parts
     )
     stem = f"{plan.stem}_plate"
-    title = title_of(Origin.of(design), design.drawing, "plate for the axes", "", stem, folder)
+    title = title_of(origin, plan.title, "plate for the axes", "", stem, folder)
     pair = replace(title, quantity=2 * title.quantity)
     yield stem, plate_drawing(axes, tuple(_plate_notes(plan)), pair)
 
 
-def _plate_notes(plan: GearsPlan) -> Iterator[str]:
+def _plate_notes(plan: GearTrain) -> Iterator[str]:
     yield "Seen along the axes from the output's end. Broken circles: tips of the gears, for room."
     yield "Two to a machine, before and behind the gears. Thickness as the bearings need."
     yield "Holes as large as the shafts: open them for your bearings. Where no bore is given there is no hole."
@@ -267,7 +267,7 @@ class Parts:
     name: str
     design_hash: str
     cam: CamPlan | None
-    train: GearsPlan | None
+    train: GearTrain | None
 
     @property
     def stem(self) -> str:
@@ -314,7 +314,7 @@ def write_drawings(parts: Parts, out: Path, progress: Progress = silent) -> Writ
 def _open(parts: Parts) -> dict[str, str]:
     if parts.cam is None and parts.train is None:
         return {}
-    text = parts.cam.making.title if parts.cam is not None else parts.train.design.drawing if parts.train else None
+    text = parts.cam.making.title if parts.cam is not None else parts.train.title if parts.train else None
     return not_stated(text, parts.cam)
 
 

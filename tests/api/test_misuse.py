@@ -10,8 +10,7 @@ import numpy as np
 import pytest
 
 import cadgen
-from cadgen import Design, Gear, GearPair, Measured, Report, Train, draw, merge, verify
-from cadgen.api.files import Written
+from cadgen import Design, Gear, GearPair, Measured, Report, Train, Written, draw, merge, verify
 from cadgen.design.file_names import name_fault, usable_name
 from cadgen.design.keys import tables
 from cadgen.errors import DesignError, FileError

@@ -19,9 +19,7 @@ from cadgen.gears.spur import SpurPair
 from cadgen.gears.stage import PLAY_LIMIT_UM
 from cadgen.geometry.solids.step_text import read_gear
 from cadgen.jobs.calibration import calibration
-from cadgen.jobs.gears.facts import plan_facts
-from cadgen.jobs.gears.files import write_gears
-from cadgen.jobs.gears.plan import plan_gears
+from cadgen.jobs.gears.gear_train import plan_gears
 from tests.docs.blocks import DOCS, blocks
 from tests.forks import MAIN
 
@@ -145,7 +143,7 @@ def test_play_order_and_layout_go_by_diameters_and_creep(discs):
     plan = plan_gears(load_train(discs))
     assert plan.passed
     assert plan.play.train.ratio == 9
-    facts = plan_facts(plan)
+    facts = plan.facts()
     # The first stage's creep counts by the second one's ratio.
     assert facts["return_error_deg"]["greatest"] == pytest.approx(0.3 / 3 + 0.2)
     assert facts["return_error_deg"]["mean"] == pytest.approx(0.15)
@@ -189,7 +187,7 @@ def test_the_play_of_the_teeth_beside_discs_is_still_measured_in_the_file(tmp_pa
     design = train_of(MIXED, tmp_path / "mixed.toml")
     plan = plan_gears(design)
     assert plan.passed, [check.name for check in plan.checks if not check.passed]
-    written = write_gears(plan, tmp_path / "out", formats=["step", "csv"])
+    written = plan.write(tmp_path / "out", formats=["step", "csv"])
     files = written.entry["files"]
     whole = files["mixed_as-given_train.step"]
     spur, none = whole["play_error_um"]
@@ -211,7 +209,7 @@ def test_the_play_of_the_teeth_beside_discs_is_still_measured_in_the_file(tmp_pa
 def test_a_rim_that_is_not_in_the_file_is_found(tmp_path, discs):
     """A disc whose size or height differs from that of the part."""
     plan = plan_gears(load_train(discs))
-    write_gears(plan, tmp_path, formats=["step"])
+    plan.write(tmp_path, formats=["step"])
     file = tmp_path / "discs_as-given_3_wheel.step"
     (disc,) = plan.layout.parts[-1].gears
     assert read_gear(file, [disc], [0.0]).rim_error == 0.0

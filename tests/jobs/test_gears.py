@@ -17,10 +17,8 @@ from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import teeth_of
 from cadgen.geometry.meshes import made_train
 from cadgen.geometry.meshes.made_train import PLAY_LIMIT_UM
-from cadgen.jobs.gears import files
-from cadgen.jobs.gears import plan as workflow
-from cadgen.jobs.gears.facts import plan_facts
-from cadgen.jobs.gears.plan import NotMadeError, plan_gears
+from cadgen.jobs.gears import gear_train as workflow
+from cadgen.jobs.gears.gear_train import NotMadeError, plan_gears
 
 ALPHA = radians(20)
 TRIALS = Path(__file__).parents[1] / "data" / "gears"
@@ -33,7 +31,7 @@ def failed(plan):
 
 
 def gears_of(plan):
-    return {(gear["stage"], gear["teeth"]): gear for part in plan_facts(plan)["parts"] for gear in part["gears"]}
+    return {(gear["stage"], gear["teeth"]): gear for part in plan.facts()["parts"] for gear in part["gears"]}
 
 
 @pytest.fixture(scope="module")
@@ -42,7 +40,7 @@ def paper():
 
 
 def test_the_design_reproduces_the_paper(paper):
-    facts = plan_facts(paper)
+    facts = paper.facts()
     assert f"{facts['return_error_deg']['greatest']:.3f}" == "0.962"
     assert [f"{stage['return_error_greatest_deg']:.3f}" for stage in facts["stages"]] == ["0.544", "0.676", "0.676"]
     assert [f"{stage['j_bn2_um']:.3f}" for stage in facts["stages"]] == ["302.324", "300.550", "300.550"]
@@ -52,8 +50,8 @@ def test_the_design_reproduces_the_paper(paper):
 def test_reordered_puts_the_highest_ratio_last():
     plan = plan_gears(load_design(), "reordered")
     assert teeth_of(plan.play) == "40/120 40/120 30/150"
-    assert f"{plan_facts(plan)['return_error_deg']['greatest']:.3f}" == "0.724"
-    assert f"{plan_facts(plan)['return_error_as_given_deg']['greatest']:.3f}" == "0.962"
+    assert f"{plan.facts()['return_error_deg']['greatest']:.3f}" == "0.724"
+    assert f"{plan.facts()['return_error_as_given_deg']['greatest']:.3f}" == "0.962"
     assert plan.passed
 
 
@@ -68,14 +66,14 @@ def test_search_finds_a_train_of_the_same_ratio_with_less_return_error():
 
 
 def test_the_override_stands_beside_the_standard(paper):
-    (found,) = plan_facts(paper)["overridden_tolerances"]
+    (found,) = paper.facts()["overridden_tolerances"]
     assert found["symbol"] == "b_r"
     assert (found["used_um"], found["standard_um"]) == (pytest.approx(52), pytest.approx(43))
-    assert plan_facts(paper)["return_error_by_the_standard_deg"]["greatest"] < 0.962
+    assert paper.facts()["return_error_by_the_standard_deg"]["greatest"] < 0.962
 
 
 def test_equations_and_exact_play_differ_by_less_than_the_bar(paper):
-    for stage in plan_facts(paper)["stages"]:
+    for stage in paper.facts()["stages"]:
         assert abs(stage["exact_greatest_um"] - stage["j_bnmax_um"]) <= PLAY_LIMIT_UM
         assert abs(stage["exact_least_um"] - stage["j_bnmin_um"]) <= PLAY_LIMIT_UM
 
@@ -83,10 +81,10 @@ def test_equations_and_exact_play_differ_by_less_than_the_bar(paper):
 @pytest.mark.slow
 def test_the_thinning_moves_play_and_inspection(paper):
     thin = plan_gears(load_design(None, ["train.thinning=greatest"]))
-    for one, two in zip(plan_facts(thin)["stages"], plan_facts(paper)["stages"], strict=True):
+    for one, two in zip(thin.facts()["stages"], paper.facts()["stages"], strict=True):
         assert one["play_as_cut_um"] > two["play_as_cut_um"]
     for plan in (thin, paper):
-        for part in plan_facts(plan)["parts"]:
+        for part in plan.facts()["parts"]:
             for gear in part["gears"]:
                 assert gear["span_min_mm"] < gear["span_max_mm"] < gear["span_nominal_mm"]
                 assert gear["over_pins_min_mm"] < gear["over_pins_max_mm"] < gear["over_pins_nominal_mm"]
@@ -116,12 +114,12 @@ def test_teeth_that_jam_fail_a_check_and_have_no_play():
 def test_a_given_thickness_counts_in_the_play_and_jamming_at_the_least_is_a_failed_check(E_sn, jams):
     """By hand, for 20/60 of module 1, grade 7: f_a = 19.5, T_sn = 2 tan(20°) √(F_r² + b_r²) of (18, 52), (29, 74)."""
     plan = plan_gears(load_train(TRIALS / "d14_E0.toml", [f"train.E_sn_um={E_sn}"]))
-    (stage,) = plan_facts(plan)["stages"]
+    (stage,) = plan.facts()["stages"]
     axes, zones = 2 * 19.5 * tan(ALPHA), [2 * tan(ALPHA) * hypot(*sizes) for sizes in ((18, 52), (29, 74))]
     composite = 2 * (stage["driver"]["F_i_radial_um"] + stage["driven"]["F_i_radial_um"]) * tan(ALPHA)
     assert stage["j_bnmin_um"] == pytest.approx(-2 * E_sn - sum(zones) / 2 - axes)
     assert stage["j_bnmax_um"] == pytest.approx(-2 * E_sn + sum(zones) / 2 + axes + composite)
-    error = plan_facts(plan)["return_error_deg"]
+    error = plan.facts()["return_error_deg"]
     assert radians(error["greatest"]) == pytest.approx(stage["j_bnmax_um"] / 30e3)
     assert radians(error["mean"]) == pytest.approx((stage["j_bnmax_um"] + stage["j_bnmin_um"]) / 60e3)
     assert (stage["j_bnmin_um"] < 0) is jams
@@ -181,7 +179,7 @@ def test_the_search_makes_the_best_train_whose_gears_fit_and_says_why_not_those_
     assert max(errors) <= plan.play.return_error_max < plan.baseline.return_error_max
     assert {one.play.train for one in plan.skipped} >= {play.train for play in plan.ranked}
     assert all("on shaft" in one.reason or "collide" in one.reason for one in plan.skipped)
-    said = plan_facts(plan)["skipped"]
+    said = plan.facts()["skipped"]
     assert said[0]["teeth"] == teeth_of(plan.ranked[0])
     assert "on shaft 3 (intermediate), the collar of 10 mm stands in the teeth" in said[0]["reason"]
 
@@ -223,7 +221,7 @@ def test_the_search_is_compared_with_the_train_given_by_the_standard_alone():
     sets = ["train.stages.2.driven.b_r_um=200", "train.stages.1.direction_deg=30"]
     plan = plan_gears(load_design(None, sets), "search")
     assert plan.baseline.return_error_max < plan.designed.return_error_max
-    assert f"{plan_facts(plan)['return_error_as_given_by_the_standard_deg']['greatest']:.3f}" == "0.961"
+    assert f"{plan.facts()['return_error_as_given_by_the_standard_deg']['greatest']:.3f}" == "0.961"
     limits, left_out, tolerances, directions = plan.notes
     assert "30 to 150 teeth" in limits
     assert "contact ratio of 1.2 or more" in limits
@@ -235,7 +233,7 @@ def test_the_search_is_compared_with_the_train_given_by_the_standard_alone():
 
 
 def test_every_value_of_the_equations_and_of_the_tolerances_is_told(paper):
-    stage = plan_facts(paper)["stages"][0]
+    stage = paper.facts()["stages"][0]
     by_hand = {"f_a": 19.5, "f_sigma_beta": 96, "f_sigma_delta": 192, "j_bnmin_required": 65, "j_bn0": 0}
     for symbol, value in by_hand.items():
         assert stage[f"{symbol}_um"] == pytest.approx(value)
@@ -255,7 +253,7 @@ def test_every_value_of_the_equations_and_of_the_tolerances_is_told(paper):
 
 
 def test_the_distribution_is_told_by_its_quantiles(paper):
-    facts = plan_facts(paper)
+    facts = paper.facts()
     train = facts["return_error_deg"]
     values = list(train["quantiles"].values())
     assert [train["least"], *values, train["greatest"]] == sorted([train["least"], *values, train["greatest"]])
@@ -322,7 +320,7 @@ def test_a_given_thinning_is_said_and_inspected_about_itself():
     plan = plan_gears(load_design(overrides=["train.E_sn_um=-300"]))
     assert plan.notes[0].startswith("E_sn = -300 µm is the design's own: teeth are cut within T_sn / 2 = ")
     assert [note.split(", is undercut")[0] for note in plan.notes[1:]] == ["the driver of stage 1, of 30 teeth"]
-    for stage in plan_facts(plan)["stages"]:
+    for stage in plan.facts()["stages"]:
         assert stage["play_as_cut_um"] == pytest.approx(600)
         assert stage["j_bnmin_um"] < 600 < stage["j_bnmax_um"]
     for gear in gears_of(plan).values():
@@ -352,13 +350,13 @@ def test_the_trial_searches_find_what_passes():
     plan = plan_gears(load_train(TRIALS / "s2.toml"), "search")
     assert plan.passed
     assert teeth_of(plan.play) == "20/48 12/60"
-    assert f"{plan_facts(plan)['return_error_deg']['greatest']:.3f}" == "0.787"
+    assert f"{plan.facts()['return_error_deg']['greatest']:.3f}" == "0.787"
     assert plan.skipped == ()
     assert any("the driver of stage 2, of 12 teeth, is undercut" in note for note in plan.notes)
     mixed = plan_gears(load_train(TRIALS / "d08_mix.toml"), "search")
     assert mixed.passed
     assert all(stage.ratio >= 1 for play in mixed.ranked for stage in play.train.stages)
-    assert plan_facts(mixed)["ranked"][0]["modules_mm"] == [0.8, 0.8, 1.0, 1.25]
+    assert mixed.facts()["ranked"][0]["modules_mm"] == [0.8, 0.8, 1.0, 1.25]
     asked = load_train(TRIALS / "d08_mix.toml", ["train.search.stage_ratio_min=0.4"])
     (speeding,) = search_trains(replace(gear_model.search_limits(asked, gear_model.train(asked)), keep=1))
     assert speeding.return_error_max < mixed.play.return_error_max
@@ -415,9 +413,9 @@ def test_more_teeth_than_step_takes_are_refused_before_a_file_is_made(paper, tmp
     with pytest.raises(
         DesignError, match=r"^the gears of train.stages have 500 teeth together, .* or write the formats"
     ):
-        files.write_gears(paper, tmp_path / "out")
+        paper.write(tmp_path / "out")
     assert not (tmp_path / "out").exists()
-    files.write_gears(paper, tmp_path / "out", formats="csv")
+    paper.write(tmp_path / "out", formats="csv")
 
 
 def test_a_train_that_turns_the_cam_the_other_way_round_is_told():

@@ -16,8 +16,8 @@ from cadgen.gears.tooth import GearForm
 from cadgen.gears.wheel_body import gear_body
 from cadgen.geometry.meshes.mesh import body_mesh
 from cadgen.geometry.meshes.teeth import ToothSection, section_of
-from cadgen.jobs.gears.files import table_of, train_export
-from cadgen.jobs.gears.plan import plan_gears
+from cadgen.jobs.gears.assembly import table_of
+from cadgen.jobs.gears.gear_train import plan_gears
 from cadgen.output.files.step import assembly_facts, play_facts, train_step
 from cadgen.output.files.stl import part_facts
 from cadgen.output.files.tables import train_table
@@ -42,7 +42,7 @@ def assembled(plan, **wrong):
 
 
 def test_another_process_can_make_the_step_files(plan):
-    sent = pickle.loads(pickle.dumps(partial(train_step, train_export(plan))))
+    sent = pickle.loads(pickle.dumps(partial(train_step, plan.export)))
     assert sent.func is train_step
     assert [part.name for part in sent.args[0].layout.parts] == [part.name for part in plan.layout.parts]
 
@@ -115,14 +115,14 @@ def test_a_mesh_of_another_volume_or_in_pieces_is_refused(plan):
 
 
 def test_the_table_of_parts_has_the_limits_of_every_tooth_and_is_read_back(plan, tmp_path, monkeypatch):
-    for row in table_of(plan):
+    for row in table_of(plan.layout):
         assert row["E_sni_um"] < row["E_sn_um"] < row["E_sns_um"] < 0
-    list(train_table(train_export(plan), tmp_path))
+    list(train_table(plan.export, tmp_path))
     assert "E_sns_um,E_sni_um" in (tmp_path / f"{plan.stem}_parts.csv").read_text()
     read = Path.read_text
     monkeypatch.setattr(Path, "read_text", lambda self, **kwargs: read(self, **kwargs).replace("150", "151"))
     with pytest.raises(FileError, match=r"_parts\.csv, read back, has other values"):
-        list(train_table(train_export(plan), tmp_path))
+        list(train_table(plan.export, tmp_path))
 
 
 @pytest.mark.parametrize("module", [0.2, 0.3, 1.0, 5.0])

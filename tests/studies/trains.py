@@ -93,8 +93,7 @@ def judged(seed: int, number: int) -> tuple[str, str]:
     """Kind of outcome of a case, and what is wrong with it; empty if nothing is."""
     from cadgen.design.schema import TrainDesign
     from cadgen.errors import DesignError
-    from cadgen.jobs.gears.facts import plan_facts
-    from cadgen.jobs.gears.plan import NotMadeError, plan_gears
+    from cadgen.jobs.gears.gear_train import NotMadeError, plan_gears
 
     made = case(seed, number)
     try:
@@ -107,7 +106,7 @@ def judged(seed: int, number: int) -> tuple[str, str]:
     faults = [check.name for check in plan.checks if not check.passed and "report this design" in check.advice]
     if faults:
         return "internal fault", f"checks contradict: {faults}"
-    facts = plan_facts(plan)
+    facts = plan.facts()
     pairs = _pairs_of(plan, made.keys)
     wrong = _figures(facts, pairs)
     failing = {name for pair in pairs for name in in_mesh(pair)}

@@ -5,23 +5,13 @@ from typing import Any
 
 from cadgen.check import Check
 from cadgen.jobs.cam.cures import Cures
-from cadgen.jobs.cam.plan import CamPlan, Origin
-
-
-def origin_facts(origin: Origin) -> dict[str, Any]:
-    """Name, source, overrides and hash of a design."""
-    return {
-        "design": origin.name,
-        "source": origin.source,
-        "overrides": list(origin.overrides),
-        "design_sha256": origin.content_hash,
-    }
+from cadgen.jobs.cam.plan import CamPlan
 
 
 def cam_facts(plan: CamPlan, cures: Cures) -> dict[str, Any]:
     """Facts on a cam before its files."""
     return {
-        **origin_facts(plan.origin),
+        **plan.origin.facts(),
         "profile": plan.kind.code,
         "passed": plan.passed,
         "checks": [_check_facts(check) for check in plan.figures],

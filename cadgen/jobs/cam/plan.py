@@ -32,7 +32,7 @@ from cadgen.design import cam_model, variation
 from cadgen.design.load import with_overrides
 from cadgen.design.machining import DrawingText, Machining
 from cadgen.design.motion import Turns, motion_of
-from cadgen.design.schema import Design, Export, MotionDesign, TrainDesign
+from cadgen.design.schema import Design, Export, MotionDesign
 from cadgen.design.section import listed
 from cadgen.deviations.as_built import edges_check
 from cadgen.errors import DesignError
@@ -45,6 +45,7 @@ from cadgen.jobs.cam.wheel import DriveWheel, drive_wheel, field_notice, sense_n
 from cadgen.laws.motion import Motion
 from cadgen.laws.segments import Seam, SegmentMotion
 from cadgen.messages import Message
+from cadgen.output.files.manifest import Origin
 from cadgen.parts.blank import Blank
 from cadgen.parts.face import Face
 from cadgen.progress import Progress, silent
@@ -52,28 +53,6 @@ from cadgen.progress import Progress, silent
 # Lengthening the closing blend is tried by these factors.
 _BLEND_FACTORS = (1.5, 2.0, 3.0, 5.0, 8.0)
 _DENSE = 7201  # stations at which the greatest velocity and acceleration are sought
-
-
-@dataclass(frozen=True)
-class Origin:
-    """Design that something was computed from.
-
-    Attributes:
-        name: name of the design.
-        source: name of the file that it was read from, without its folder.
-        overrides: changes by `--set`, in order.
-        content_hash: SHA-256 of its values, hexadecimal.
-    """
-
-    name: str
-    source: str
-    overrides: tuple[str, ...]
-    content_hash: str
-
-    @classmethod
-    def of(cls, design: TrainDesign) -> "Origin":
-        """Origin of what is computed from a design."""
-        return cls(design.name, design.source, design.overrides, design.content_hash)
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,6 @@ from cadgen.car.running.errors import deflection_sum
 from cadgen.deviations.deviation import Deviation
 from cadgen.inference.monte_carlo.budget import Budget
 from cadgen.jobs.cam.car_facts import as_built_facts, mechanics_facts
-from cadgen.jobs.cam.manifest import origin_facts
 from cadgen.jobs.cam.plan import comparison_of
 from cadgen.jobs.runs.budget import BudgetSheet, unit_of
 from cadgen.jobs.runs.simulation import Simulation
@@ -20,7 +19,7 @@ def simulation_facts(simulation: Simulation) -> dict[str, Any]:
     plan, comparison, laps = simulation.plan, simulation.comparison, simulation.plan.laps
     runs = {"before": simulation.before, "after": simulation.after}
     return {
-        **origin_facts(plan.origin),
+        **plan.origin.facts(),
         "drive_wheel": plan.drive_wheel.facts(),
         "profile": plan.kind.code,
         "passed": plan.passed,
@@ -50,7 +49,7 @@ def tolerance_facts(run: ToleranceRun) -> dict[str, Any]:
     plan, design = run.plan, run.plan.car.design
     position, heading = run.end_position, run.end_heading_deg
     return {
-        **origin_facts(plan.origin),
+        **plan.origin.facts(),
         "drive_wheel": plan.drive_wheel.facts(),
         "cadgen": __version__,
         "profile": plan.kind.code,

@@ -4,13 +4,17 @@ import hashlib
 import json
 import stat
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from cadgen.errors import brief
 from cadgen.reading import read_regular
 from cadgen.registry import used_plugins
 from cadgen.version import __version__
+
+if TYPE_CHECKING:
+    from cadgen.design.schema import TrainDesign
 
 NAME = "manifest.json"
 FORMAT = 1
@@ -26,6 +30,37 @@ _LIBRARIES = (
     "scipy",
     "trimesh",
 )
+
+
+@dataclass(frozen=True)
+class Origin:
+    """Design that something was computed from.
+
+    Attributes:
+        name: name of the design.
+        source: name of the file that it was read from, without its folder.
+        overrides: changes by `--set`, in order.
+        content_hash: SHA-256 of its values, hexadecimal.
+    """
+
+    name: str
+    source: str
+    overrides: tuple[str, ...]
+    content_hash: str
+
+    @classmethod
+    def of(cls, design: "TrainDesign") -> "Origin":
+        """Origin of what is computed from a design."""
+        return cls(design.name, design.source, design.overrides, design.content_hash)
+
+    def facts(self) -> dict[str, Any]:
+        """Name, source, overrides and hash of the design, as in a manifest's entry."""
+        return {
+            "design": self.name,
+            "source": self.source,
+            "overrides": list(self.overrides),
+            "design_sha256": self.content_hash,
+        }
 
 
 def file_hash(file: Path) -> str:

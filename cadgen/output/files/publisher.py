@@ -4,13 +4,17 @@ A job says how its files are made and which facts belong to them. The rest is th
 versions, the manifest's entry, and what the caller gets to see of it.
 """
 
+import errno
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from os import PathLike
 from pathlib import Path
 from typing import Any, NoReturn, overload
 
-from cadgen.errors import FileError
-from cadgen.output.files.folder import publishing
+from cadgen.check import Bound, Check
+from cadgen.errors import DesignError, FileError, brief
+from cadgen.output.files.folder import FolderState, folder_state, publishing, undo_killed
+from cadgen.output.files.lock import locked
 from cadgen.output.files.manifest import file_facts, versions, write_manifest
 
 
@@ -216,3 +220,78 @@ class Written(Sequence[WrittenFile]):
     def __getitem__(self, index: slice) -> tuple[WrittenFile, ...]: ...
     def __getitem__(self, index: int | slice) -> WrittenFile | tuple[WrittenFile, ...]:
         return self.files[index]
+
+
+def folder_of(folder: str | PathLike[str]) -> Path:
+    """Path of the folder for files.
+
+    Args:
+        folder: path as the caller has it.
+
+    Raises:
+        DesignError: it is no path, is empty, or is not possible on any system.
+    """
+    try:
+        text = str(Path(folder)) if str(folder) else ""
+    except TypeError:
+        text = ""
+    if not text or "\0" in text:
+        raise DesignError("folder is {given}; it must be a path, such as exports", given=brief(repr(folder), 80))
+    return Path(folder)
+
+
+def refusal(checks: Sequence[Check], *, forced: bool = True) -> str:
+    """Message on a failed export: each check that fails, with its limit and what to change.
+
+    Args:
+        checks: checks, of which those that fail are named.
+        forced: whether the caller can write all the same, by `force`.
+    """
+    parts = []
+    for check in checks:
+        if not check.passed:
+            bound = "at most" if check.bound == Bound.MAX else "at least"
+            figures = f"{check.name} is {check.value:.4g} {check.unit}".rstrip()
+            limit = f"{figures}; it must be {bound} {check.limit:.4g} {check.unit}".rstrip()
+            parts.append(f"{limit}: {check.advice}" if check.advice else limit)
+    anyway = "; force=True writes all the same" if forced else ""
+    return f"a check failed, so nothing was written ({'; '.join(parts)}){anyway}"
+
+
+def verify(folder: str | PathLike[str], *, restore: bool = False) -> FolderState:
+    """Compare the files of a folder with its manifest.
+
+    Args:
+        folder: folder that a job has written to.
+        restore: whether half-done moves of killed runs are undone first.
+
+    Returns:
+        State of every file; `is_true` if all that the manifest lists are as listed, and `restored`, the names of the
+        files put back.
+
+    Raises:
+        FileError: the folder or its manifest cannot be read.
+
+    Example:
+        >>> from cadgen import verify
+        >>> verify("exports").is_true  # doctest: +SKIP
+        True
+    """
+    place = folder_of(folder)
+    if not place.is_dir():
+        raise FileError("there is no folder {folder}: name one that cadgen has written to", folder=brief(str(place)))
+    restored: list[str] = []
+    try:
+        with locked(place):
+            if restore:
+                restored = undo_killed(place, sure=True)
+            state = folder_state(place)
+    except OSError as error:
+        if restore or error.errno not in (errno.EACCES, errno.EPERM, errno.EROFS):
+            raise FileError(
+                "{folder} cannot be written to ({reason}): make it writable",
+                folder=brief(str(place)),
+                reason=error.strerror,
+            ) from None
+        state = folder_state(place)  # this user cannot lock it
+    return replace(state, restored=tuple(restored))

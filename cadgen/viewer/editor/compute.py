@@ -9,7 +9,8 @@ from cadgen.design.load import design_of
 from cadgen.design.schema import Design, TrainDesign
 from cadgen.errors import CadgenError
 from cadgen.gears.choices import Order
-from cadgen.jobs.gears.plan import GearsPlan, plan_gears
+from cadgen.jobs.gears.gear_train import GearTrain, plan_gears
+from cadgen.output.files.manifest import Origin
 from cadgen.progress import Progress
 from cadgen.viewer.editor.course_items import points_of
 from cadgen.viewer.editor.job import Job, Result, Stage, State, refusal
@@ -63,10 +64,11 @@ def _laid_out(job: Job, plan: PagePlan, progress: Progress) -> bytes:
     return f'{head[:-1]}, "document": {document}}}'.encode()
 
 
-def gears_of(design: TrainDesign, order: Order, progress: Progress) -> GearsPlan:
+def gears_of(design: TrainDesign, order: Order, progress: Progress) -> GearTrain:
     """The train of a design; that of the version before, if nothing of it has changed."""
     values = {key: value for key, value in design.values().items() if key not in _NOT_GEARS}
-    return replace(_gears(_Known(json.dumps([values, order], sort_keys=True), design, order, progress)), design=design)
+    train = _gears(_Known(json.dumps([values, order], sort_keys=True), design, order, progress))
+    return replace(train, origin=Origin.of(design), title=design.drawing)
 
 
 @dataclass(frozen=True)
@@ -86,5 +88,5 @@ class _Known:
 
 
 @lru_cache(maxsize=8)
-def _gears(known: _Known) -> GearsPlan:
+def _gears(known: _Known) -> GearTrain:
     return plan_gears(known.design, known.order, known.progress)

@@ -15,7 +15,7 @@ from cadgen.gears.choices import Order
 from cadgen.jobs.cam.cures import Cures, find_cures
 from cadgen.jobs.cam.plan import CamPlan, CarUse, default_profile, plan_cam, plan_motion_cam
 from cadgen.jobs.cam.remedies import Remedy, remedies
-from cadgen.jobs.gears.plan import GearsPlan, plan_gears
+from cadgen.jobs.gears.gear_train import GearTrain, plan_gears
 from cadgen.jobs.runs.simulation import Simulation, simulated
 from cadgen.jobs.runs.tolerance import CarSample, ToleranceRun, tolerance_of
 from cadgen.progress import Progress, silent
@@ -42,7 +42,7 @@ class Topic(StrEnum):
     CALIBRATION = "calibration"
 
 
-MakeGears = Callable[[TrainDesign, Order, Progress], GearsPlan]
+MakeGears = Callable[[TrainDesign, Order, Progress], GearTrain]
 
 
 @dataclass(frozen=True)
@@ -78,7 +78,7 @@ class PagePlan:
 
     cam: CamPlan
     cures: Cures
-    gears: GearsPlan | None
+    gears: GearTrain | None
     simulation: Simulation | None
     remedies: tuple[Remedy, ...]
     tolerance: ToleranceRun | None
@@ -220,7 +220,7 @@ def _cam(design: Design, make: Callable[[], CamPlan], refusals: list[Refusal], p
         return plan_cam(design, ACTUAL.code, progress)
 
 
-def _gears(design: TrainDesign, make: MakeGears, refusals: list[Refusal], progress: Progress) -> GearsPlan | None:
+def _gears(design: TrainDesign, make: MakeGears, refusals: list[Refusal], progress: Progress) -> GearTrain | None:
     """The train, or a refusal if it cannot be made; None without one."""
     if design.train is None:
         return None

@@ -6,8 +6,7 @@ from typing import Any
 
 from cadgen.figures import Cell, State, number
 from cadgen.jobs.cam.car_facts import remedy_facts
-from cadgen.jobs.cam.manifest import cam_facts, origin_facts
-from cadgen.jobs.gears.facts import plan_facts
+from cadgen.jobs.cam.manifest import cam_facts
 from cadgen.jobs.runs.manifest import simulation_facts, tolerance_facts
 from cadgen.messages import Message
 from cadgen.output.files.publisher import Written, publish, text_file
@@ -124,12 +123,12 @@ def _summary(plan: PagePlan) -> tuple[tuple[str, Cell], ...]:
 def page_facts(plan: PagePlan) -> dict[str, Any]:
     """Every figure of the page as plain values, as the other commands give them."""
     return {
-        **origin_facts(plan.cam.origin),
+        **plan.cam.origin.facts(),
         "profile": plan.cam.kind.code,
         "passed": plan.passed,
         "refused": [{"part": refusal.part, "reason": refusal.reason} for refusal in plan.refusals],
         "cam": cam_facts(plan.cam, plan.cures),
-        "gears": None if plan.gears is None else plan_facts(plan.gears),
+        "gears": None if plan.gears is None else plan.gears.facts(),
         "simulation": None if plan.simulation is None else simulation_facts(plan.simulation),
         "remedies": [remedy_facts(remedy) for remedy in plan.remedies],
         "tolerance": None if plan.tolerance is None else tolerance_facts(plan.tolerance),

@@ -20,7 +20,7 @@ from cadgen.design.schema import Design
 from cadgen.errors import CadgenError
 from cadgen.geometry.meshes.mesh import Mesh, cam_mesh
 from cadgen.jobs.cam.plan import CamPlan
-from cadgen.jobs.gears.plan import GearsPlan
+from cadgen.jobs.gears.gear_train import GearTrain
 from cadgen.messages import Message
 from cadgen.parts.face import Face
 from cadgen.viewer.page.charts import name_before
@@ -77,7 +77,7 @@ def rolled_lift_of(plan: CamPlan) -> PathMotion:
     return plan.steering if plan.comparison is None else plan.comparison.chosen.rolled
 
 
-def scene_of(plan: CamPlan, gears: GearsPlan | None) -> tuple[Scene, tuple[str, ...]]:
+def scene_of(plan: CamPlan, gears: GearTrain | None) -> tuple[Scene, tuple[str, ...]]:
     """Everything that moves, and remarks on what is drawn otherwise than it will be built.
 
     Args:
@@ -224,7 +224,7 @@ def _figure(kind: FloorKind, shape: Shape) -> FloorShape:
     return FloorShape(kind, shape.points, shape.filled, shape.reach)
 
 
-def bodies_of(plan: CamPlan, gears: GearsPlan | None, cam_radius: float) -> Bodies:
+def bodies_of(plan: CamPlan, gears: GearTrain | None, cam_radius: float) -> Bodies:
     """Parts, shafts and remarks.
 
     Args:
@@ -250,7 +250,7 @@ def bodies_of(plan: CamPlan, gears: GearsPlan | None, cam_radius: float) -> Bodi
     return Bodies(tuple(shafts), tuple(parts), wheel, fork, side, tuple(notes))
 
 
-def _train(plan: CamPlan, gears: GearsPlan, side: int) -> TurningTrain:
+def _train(plan: CamPlan, gears: GearTrain, side: int) -> TurningTrain:
     """The train on the side of the cam that looks to the fork."""
     (inner, outer), hub = plan.faces, plan.made_blank.hub
     towards = hub is not None and (hub.side == Face.INNER) == (side > 0)

@@ -14,7 +14,7 @@ from cadgen.gears.layout import TrainLayout
 from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.jobs.cam.plan import CamPlan
 from cadgen.jobs.cam.remedies import Remedy
-from cadgen.jobs.gears.facts import parts_facts
+from cadgen.jobs.gears.assembly import parts_facts
 from cadgen.jobs.runs.budget import shown_value
 from cadgen.jobs.runs.simulation import Simulation
 from cadgen.jobs.runs.tolerance import Spread, ToleranceRun

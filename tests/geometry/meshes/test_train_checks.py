@@ -10,7 +10,7 @@ from cadgen.design.load import load_design
 from cadgen.gears.stage import PLAY_LIMIT_UM, cycle
 from cadgen.geometry.meshes.made_train import _bodies, _worst, meshes, play_error_um, return_error_um
 from cadgen.geometry.meshes.teeth import LEAST_OVERLAP, MeasuredPair, ToothSection, section_of
-from cadgen.jobs.gears.plan import plan_gears
+from cadgen.jobs.gears.gear_train import plan_gears
 
 
 @pytest.fixture(scope="module")

@@ -1,22 +1,30 @@
-"""From a design to a checked gear train. No CAD kernel is needed for this."""
+"""The gear train of a design: play, order of the stages, and the train that is made, with its checks and files."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from math import degrees
+from typing import TYPE_CHECKING, Any
 
 from cadgen.check import Check
 from cadgen.design import gear_model
 from cadgen.design.schema import TrainDesign
 from cadgen.errors import DesignError
 from cadgen.gears.choices import Order, Thinning
+from cadgen.gears.distribution import quantiles
 from cadgen.gears.layout import TrainLayout
 from cadgen.gears.spur import SpurPair, spur_pairs
 from cadgen.gears.stage import Departure, Stage, Wheel
 from cadgen.gears.synthesis import SearchLimits, TrainSearch, arrange
-from cadgen.gears.train import Train, TrainPlay, WholePlay, teeth_of, train_play
+from cadgen.gears.train import Loose, Train, TrainPlay, WholePlay, teeth_of, train_play
 from cadgen.geometry.meshes.made_train import MadeTrain, failing_stages, make_train
+from cadgen.jobs.gears.assembly import Assembly, checks_facts, parts_facts, return_error, stages_facts
+from cadgen.output.files.manifest import Origin
 from cadgen.progress import Progress, silent
+
+if TYPE_CHECKING:
+    from cadgen.design.machining import DrawingText
 
 # If none of the trains that a search reports can be made, so many of those whose gears fit their blanks are tried.
 DEPTHS = (100, 1000, 4000)
@@ -41,12 +49,14 @@ class NotMadeError(DesignError):
         self.ranked, self.baseline = ranked, baseline
 
 
-@dataclass(frozen=True)
-class GearsPlan:
-    """A gear train that has been computed and checked, but not yet made.
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class GearTrain(Assembly):
+    """The gear train of a design, computed and checked: what `Design.gears` gives. Lengths are mm and angles rad.
 
     Attributes:
-        design: design that the train was planned from.
+        origin: design that the train was planned from.
+        title: texts of the design's title blocks; None where it has none.
+        mesh_chord: greatest chord error of the parts' meshes that the design gives, mm; None where it gives none.
         order: order of the stages: `as-given`, `reordered` or `search`.
         designed: play of the train as the design has it.
         designed_standard: play of that train without the design's overrides; None if the standards do not cover it.
@@ -58,9 +68,12 @@ class GearsPlan:
         notes: sentences on the train: keys of the design that searched trains lack, and the meaning of its thinning.
         layout: parts at their places, with thinned teeth.
         checks: every figure with its verdict.
+        loose: joints and bearings with play.
     """
 
-    design: TrainDesign
+    origin: Origin
+    title: DrawingText | None
+    mesh_chord: float | None
     order: Order
     designed: TrainPlay
     designed_standard: TrainPlay | None
@@ -72,16 +85,25 @@ class GearsPlan:
     notes: tuple[str, ...]
     layout: TrainLayout
     checks: tuple[Check, ...]
+    loose: tuple[Loose, ...]
+
+    def __repr__(self) -> str:
+        return f"<GearTrain of {self.name}, {self.order}, ratio {self.ratio}>"
 
     @property
-    def passed(self) -> bool:
-        """Whether every check keeps its limit."""
-        return all(check.passed for check in self.checks)
+    def computed(self) -> GearTrain:
+        """The train itself: it is computed already."""
+        return self
+
+    @property
+    def name(self) -> str:
+        """Name of the design."""
+        return self.origin.name
 
     @property
     def whole(self) -> WholePlay:
         """Return error of the train that is made, with joints and bearings."""
-        return WholePlay(teeth=self.play, loose=gear_model.loose(self.design, self.play.train))
+        return WholePlay(teeth=self.play, loose=self.loose)
 
     @property
     def baseline(self) -> TrainPlay:
@@ -91,19 +113,83 @@ class GearsPlan:
     @property
     def stem(self) -> str:
         """Start of the names of its files."""
-        return f"{self.design.name}_{self.order}"
+        return f"{self.name}_{self.order}"
 
     @property
     def description(self) -> str:
         """Description of the train for STEP files, one line."""
-        return f"gear train, {self.order}, design {self.design.content_hash[:12]}"
+        return f"gear train, {self.order}, design {self.origin.content_hash[:12]}"
 
     def chord(self, gears: Sequence[Wheel]) -> float:
-        """Greatest chord error of a part's mesh, mm."""
-        return gear_model.mesh_chord(self.design, gears)
+        """Greatest chord error of a part's mesh, mm: the design's, or that which suits all of its gears.
+
+        Args:
+            gears: gears of the part.
+        """
+        return gear_model.usual_chord(gears) if self.mesh_chord is None else self.mesh_chord
+
+    def facts(self) -> dict[str, Any]:
+        """All facts as plain values, as in the manifest: every tolerance, play, part and inspection size."""
+        return {
+            **self.origin.facts(),
+            "order": self.order,
+            "passed": self.passed,
+            "ratio": str(self.play.train.ratio),
+            "return_error_deg": {
+                **return_error(self.play),
+                **quantiles(self.play.return_error_distribution(), degrees(1)),
+            },
+            **self._joint_facts(),
+            "return_error_as_given_deg": return_error(self.designed),
+            "return_error_as_given_by_the_standard_deg": _return_error(self.designed_standard),
+            "return_error_by_the_standard_deg": _return_error(self.standard),
+            "notes": list(self.notes),
+            "stages": stages_facts(self.layout),
+            "ranked": [
+                {
+                    "teeth": teeth_of(play),
+                    "modules_mm": [stage.module for stage in play.train.stages],
+                    "widths_mm": [[wheel.width for wheel in stage.wheels] for stage in play.train.stages],
+                    **return_error(play),
+                }
+                for play in self.ranked
+            ],
+            "skipped": [
+                {
+                    "teeth": teeth_of(skipped.play),
+                    "greatest": degrees(skipped.play.return_error_max),
+                    "reason": skipped.reason,
+                }
+                for skipped in self.skipped
+            ],
+            "overridden_tolerances": [
+                {
+                    "where": departure.where,
+                    "symbol": departure.symbol,
+                    "used_um": departure.used * 1e3,
+                    "standard_um": None if departure.standard is None else departure.standard * 1e3,
+                }
+                for departure in self.departures
+            ],
+            "checks": checks_facts(self.checks),
+            "parts": parts_facts(self.layout),
+        }
+
+    def _joint_facts(self) -> dict[str, Any]:
+        """Facts on joints and bearings, and the return error with them; empty if the design has none."""
+        whole = self.whole
+        if not whole.loose:
+            return {}
+        return {
+            "return_error_with_joints_deg": return_error(whole),
+            "joints_deg": [
+                {"name": joint.name, "least": degrees(joint.least), "greatest": degrees(joint.greatest)}
+                for joint in whole.loose
+            ],
+        }
 
 
-def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Progress = silent) -> GearsPlan:
+def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Progress = silent) -> GearTrain:
     """Compute the train of a design in an order, lay it out, and measure its teeth in mesh.
 
     Args:
@@ -124,8 +210,11 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
     ranked = arrange(designed, order, limits)
     trains = _Candidates(ranked, limits, design)
     made, skipped = _first_made(design, designed, trains, _baseline(order, designed_play, designed_standard), progress)
-    return GearsPlan(
-        design=design,
+    chord = design.export.mesh_chord_um
+    return GearTrain(
+        origin=Origin.of(design),
+        title=design.drawing,
+        mesh_chord=None if chord is None else chord * 1e-3,
         order=order,
         designed=designed_play,
         designed_standard=designed_standard,
@@ -143,11 +232,16 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
         ),
         layout=made.layout,
         checks=made.checks,
+        loose=gear_model.loose(design, made.play.train),
     )
 
 
 def _baseline(order: Order, designed: TrainPlay, designed_standard: TrainPlay | None) -> TrainPlay:
     return designed_standard if order == Order.SEARCH and designed_standard is not None else designed
+
+
+def _return_error(play: TrainPlay | None) -> dict[str, float] | None:
+    return None if play is None else return_error(play)
 
 
 def _by_the_standard(train: Train) -> TrainPlay | None:

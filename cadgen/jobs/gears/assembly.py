@@ -1,0 +1,283 @@
+"""Gear trains that are laid out and checked, from a design or from numbers: their figures and files.
+
+Lengths are mm and angles rad; plain values are in the unit that their key names.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import asdict, dataclass
+from fractions import Fraction
+from functools import cached_property
+from math import degrees
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Protocol
+
+from cadgen.check import Check, failing
+from cadgen.errors import CheckError
+from cadgen.gears.layout import TrainLayout
+from cadgen.gears.stage import Wheel
+from cadgen.gears.train import TrainPlay, WholePlay
+from cadgen.output.files.exports import GearExport, TrainExport
+from cadgen.output.files.publisher import Artifact, Written, folder_of, publish, refusal
+from cadgen.progress import Progress, silent
+
+if TYPE_CHECKING:
+    from cadgen.geometry.solids.gear_solids import Compound
+    from cadgen.output.files.formats import Format, Offer, P
+
+# Steel, g/mm³: the mass is for orientation, and the volume stands beside it.
+STEEL = 7.85e-3
+
+_TRAIN_FRAME = (
+    "mm; the drive's axis is z at x = y = 0, and the first stage's driven gear begins at z = 0; every part's own file "
+    "has its axis on z, a tooth on x and its lowest gear at z = 0; in the train it is turned over about x if so "
+    "marked, turned by its angle about z and shifted to its axis and height"
+)
+_GEAR_FRAME = "mm; the gear's axis is z, a tooth stands on x, and its lower face lies at z = 0"
+
+
+@dataclass(frozen=True)
+class ReturnError:
+    """Free angle of the output while the drive stands still.
+
+    Attributes:
+        least: least return error within the tolerances, rad; below 0 the teeth may jam.
+        as_cut: return error with every size in the middle, as drawn and as built in CAD, rad.
+        greatest: greatest return error within the tolerances, rad.
+    """
+
+    least: float
+    as_cut: float
+    greatest: float
+
+
+class LaidOutTrain(Protocol):
+    """A train that has been laid out and measured in mesh."""
+
+    @property
+    def play(self) -> TrainPlay:
+        """Play and return error of the train."""
+
+    @property
+    def layout(self) -> TrainLayout:
+        """Parts at their places."""
+
+    @property
+    def checks(self) -> tuple[Check, ...]:
+        """The teeth in mesh, measured on their sections, and the parts: every figure with its verdict."""
+
+
+class Assembly(ABC):
+    """A planned pair or train of gears, from a design or from numbers."""
+
+    @property
+    @abstractmethod
+    def computed(self) -> LaidOutTrain:
+        """The train, laid out and measured in mesh."""
+
+    @property
+    @abstractmethod
+    def stem(self) -> str:
+        """Start of the names of its files."""
+
+    @property
+    @abstractmethod
+    def description(self) -> str:
+        """Description of the train for STEP files, one line."""
+
+    @abstractmethod
+    def chord(self, gears: Sequence[Wheel]) -> float:
+        """Greatest chord error of a part's mesh, mm.
+
+        Args:
+            gears: gears of the part.
+        """
+
+    @abstractmethod
+    def facts(self) -> dict[str, Any]:
+        """All facts as plain values, as in the manifest: every tolerance, play, part and inspection size."""
+
+    @property
+    def passed(self) -> bool:
+        """Whether every check keeps its limit."""
+        return not self.failed
+
+    @property
+    def failed(self) -> tuple[Check, ...]:
+        """Checks that do not keep their limit."""
+        return failing(self.computed.checks)
+
+    @property
+    def ratio(self) -> Fraction:
+        """Turns of the drive per turn of the output."""
+        return self.computed.play.train.ratio
+
+    @cached_property
+    def return_error(self) -> ReturnError:
+        """Free angle of the output while the drive stands still, rad: of the teeth alone."""
+        play, cut = self.computed.play, self.computed.layout.train
+        free = [stage.free_angle() / float(ratio) for stage, ratio in zip(cut.stages, cut.output_ratios, strict=True)]
+        return ReturnError(float(play.return_error_min), sum(free), float(play.return_error_max))
+
+    @property
+    def export(self) -> TrainExport:
+        """Train as the writers of all formats take it."""
+        parts = self.computed.layout.parts
+        return TrainExport(
+            stem=self.stem,
+            description=self.description,
+            layout=self.computed.layout,
+            passed=self.passed,
+            chords=[self.chord(part.gears) for part in parts],
+            table=table_of(self.computed.layout),
+        )
+
+    def build123d(self) -> Compound:
+        """The parts in mesh as one build123d compound, a labelled and coloured solid for each, mm.
+
+        Raises:
+            FileError: the CAD kernel cannot drill a set screw.
+        """
+        from cadgen.geometry.solids.gear_solids import train_compound, train_parts
+
+        layout = self.computed.layout
+        return train_compound(train_parts(layout, self.stem, self.description), layout, f"{self.stem}_train")
+
+    def write(
+        self,
+        folder: str | PathLike[str],
+        formats: str | Iterable[str] | None = None,
+        *,
+        force: bool = False,
+        progress: Progress = silent,
+    ) -> Written:
+        """Write files, measure the play on the teeth read back, and publish all together or none.
+
+        Args:
+            folder: folder for the files; it is made if need be.
+            formats: some of step (the assembly and each part), stl and csv (the table of parts); all if left out.
+            force: whether files are written even if a check fails; the manifest then says so.
+            progress: function that is called with a few words on each step.
+
+        Raises:
+            CheckError: a check fails.
+            DesignError: a format is unknown.
+            FileError: a file cannot be written, or holds something else when it is read back.
+        """
+        from cadgen.output.files.formats import TRAIN
+        from cadgen.output.files.step import require_few_teeth
+
+        place = folder_of(folder)
+        if not (self.passed or force):
+            raise CheckError(refusal(self.failed))
+        wanted, train = TRAIN.chosen(formats), self.export
+        if any(each.code == "step" for each in wanted):
+            require_few_teeth(train, (code for code in TRAIN.codes if code != "step"))
+        return _published(f"{self.stem}_train", TRAIN, train, wanted, self.facts(), _TRAIN_FRAME, place, progress)
+
+
+def write_gear(
+    gear: GearExport,
+    facts: dict[str, Any],
+    out: Path,
+    progress: Progress = silent,
+    formats: str | Iterable[str] | None = None,
+) -> Written:
+    """Write, read back, judge and publish the files of one gear.
+
+    Args:
+        gear: gear that is to be written.
+        facts: facts on the gear, as plain values.
+        out: folder for the files; it is made if need be. Nothing appears in it unless everything succeeded.
+        progress: function that is called with a few words on each step.
+        formats: endings of the formats, some of those of `GEAR`; all of them if left out.
+
+    Raises:
+        DesignError: a format is unknown.
+        FileError: a file cannot be written, or holds something else when it is read back.
+    """
+    from cadgen.output.files.formats import GEAR
+
+    wanted = GEAR.chosen(formats)
+    return _published(f"{gear.name}_gear", GEAR, gear, wanted, facts, _GEAR_FRAME, out, progress)
+
+
+def _published(
+    stem: str,
+    offer: Offer[P],
+    part: P,
+    wanted: Sequence[Format],
+    facts: dict[str, Any],
+    frame: str,
+    out: Path,
+    progress: Progress,
+) -> Written:
+    def files(folder: Path) -> Iterator[Artifact]:
+        progress(f"writing and reading back {', '.join(each.label for each in wanted)}")
+        for _, made in offer.made(part, folder, wanted):
+            if isinstance(made, CheckError):
+                raise made
+            yield from made
+
+    entry, chosen = offer.entry(stem, wanted)
+    return publish(entry, out, files, {**facts, **chosen, "frame": frame}, lambda _: {"omitted": {}})
+
+
+def table_of(layout: TrainLayout) -> list[dict[str, Any]]:
+    """The table of parts with what the shop measures, one row per gear; volume and mass are the whole part's."""
+    rows = []
+    for part in parts_facts(layout):
+        whole = {"part": part["name"], "shaft": part["shaft"]}
+        body = {
+            "bore_mm": part["bore_mm"],
+            "part_volume_mm3": part["volume_mm3"],
+            "part_mass_steel_g": part["volume_mm3"] * STEEL,
+        }
+        rows += [{**whole, **gear, **body} for gear in part["gears"]]
+    return rows
+
+
+def stages_facts(layout: TrainLayout) -> list[dict[str, Any]]:
+    """Every stage as it is cut, with its play."""
+    return [stage.facts() for stage in layout.train.stages]
+
+
+def checks_facts(checks: Iterable[Check]) -> list[dict[str, Any]]:
+    """Every check with its verdict."""
+    return [{**asdict(check), "passed": check.passed} for check in checks]
+
+
+def parts_facts(layout: TrainLayout) -> list[dict[str, Any]]:
+    """Every part at its place, with what the shop is told of its wheels.
+
+    A stage's driver sits on the shaft of its number, the driven wheel on the next.
+    """
+    wheels = [stage.wheel_facts() for stage in layout.train.stages]
+    return [
+        {
+            "name": part.name,
+            "shaft": part.shaft,
+            "axis_mm": [part.axis.real, part.axis.imag],
+            "height_mm": part.height,
+            "angle_deg": degrees(part.angle),
+            "turned_over": part.flipped,
+            "bore_mm": part.blank.bore_diameter,
+            "volume_mm3": part.volume,
+            "gears": [{"stage": stage, **wheels[stage - 1][part.shaft > stage]} for stage in part.stages],
+        }
+        for part in layout.parts
+    ]
+
+
+def return_error(play: TrainPlay | WholePlay) -> dict[str, float]:
+    """Least, mean and greatest return error of a train and its standard deviation, in degrees."""
+    spread = play.return_error_distribution()
+    return {
+        "least": degrees(play.return_error_min),
+        "mean": degrees(spread.mean),
+        "greatest": degrees(play.return_error_max),
+        "std": degrees(spread.std),
+    }
