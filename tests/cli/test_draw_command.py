@@ -31,7 +31,7 @@ def test_a_failed_check_draws_nothing(cadgen, tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "code", "words"),
     [
-        (["--set", "drawing.deviation=0"], 2, "drawing.deviation is 0; it must be at least 1"),
+        (["--set", "drawing.quantity=0"], 2, "drawing.quantity is 0; it must be at least 1"),
         (["--set", f"drawing.title={'x' * 61}"], 2, "drawing.title must be one line of 1 to 60 letters"),
         (["--set", "drawing.colour=red"], 2, "drawing.colour is not a key"),
     ],
