@@ -18,6 +18,7 @@ from cadgen.cam.loss import lost_lift
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.curves.closed import ClosedCurve, Outline
 from cadgen.laws.motion import Motion
+from cadgen.messages import Message
 from cadgen.parts.blank import Blank
 
 
@@ -27,7 +28,7 @@ def cam_place(theta: float) -> str:
     Args:
         theta: cam angle, rad.
     """
-    return f"cam angle {np.degrees(theta):.2f}°"
+    return Message("cam angle {angle:.2f}°", angle=np.degrees(theta))
 
 
 def polar_place(point: Array) -> str:
@@ -36,7 +37,7 @@ def polar_place(point: Array) -> str:
     Args:
         point: point, shape (2,), mm.
     """
-    return f"polar angle {np.degrees(np.arctan2(point[1], point[0])) % 360:.2f}°"
+    return Message("polar angle {angle:.2f}°", angle=np.degrees(np.arctan2(point[1], point[0])) % 360)
 
 
 def thinnest_wall(blank: Blank, outline: Outline, limit: float) -> Check:
@@ -50,13 +51,13 @@ def thinnest_wall(blank: Blank, outline: Outline, limit: float) -> Check:
     wall = min(blank.walls(outline), key=lambda wall: wall.thickness)
     return Check(
         CheckCode.THINNEST_WALL,
-        "thinnest wall",
+        Message("thinnest wall"),
         wall.thickness,
         "mm",
         limit,
         Bound.MIN,
         f"{wall.between}, {polar_place(wall.place)}",
-        "make the hole smaller or move it (the design's [blank]), or lower checks.min_wall_mm",
+        Message("make the hole smaller or move it (the design's [blank]), or lower checks.min_wall_mm"),
     )
 
 
@@ -70,13 +71,13 @@ def cutter_room(curve: ClosedCurve, cutter_radius: float) -> Check:
     cutter = largest_cutter(curve)
     return Check(
         CheckCode.CUTTER_RADIUS,
-        "largest cutter radius",
+        Message("largest cutter radius"),
         cutter.radius,
         "mm",
         cutter_radius,
         Bound.MIN,
         "no concave part" if cutter.point is None else f"{polar_place(cutter.point)} ({cutter.kind})",
-        "choose a smaller machining.cutter_diameter_mm",
+        Message("choose a smaller machining.cutter_diameter_mm"),
     )
 
 
@@ -209,8 +210,12 @@ def _pressure(motion: Motion, follower: Follower, contact: Contact, limits: Chec
                 float(np.degrees(limit)),
                 Bound.MAX,
                 cam_place(contact.cam_angle[worst]),
-                f"{motion.softer(float(contact.cam_angle[worst]), limits.motion_key)}, raise {follower.base_key}, "
-                f"or choose another checks.pressure_angle_limit (now {limits.pressure_angle.source})",
+                Message(
+                    "{softer}, raise {base_key}, or choose another checks.pressure_angle_limit (now {source})",
+                    softer=motion.softer(float(contact.cam_angle[worst]), limits.motion_key),
+                    base_key=follower.base_key,
+                    source=limits.pressure_angle.source,
+                ),
             )
         )
     return checks
@@ -228,11 +233,15 @@ def _curvature(
     checks = [] if pitch is None else [_pitch_radius(motion, follower, pitch, losses, limits)]
     radius, point = _least_convex_radius(curve)
     milder = follower.milder
-    advice = f"a sharp ridge wears: {milder}"
+    advice = Message("a sharp ridge wears: {milder}", milder=milder)
     if allowed > limits.min_convex_radius:
-        advice = f"the chamfers of the broken edges meet on a sharp ridge: lower blank.edge_break_mm, {milder}"
+        advice = Message(
+            "the chamfers of the broken edges meet on a sharp ridge: lower blank.edge_break_mm, {milder}", milder=milder
+        )
     code = CheckCode.CONVEX_RADIUS_PROFILE
-    checks.append(Check(code, "convex radius, profile", radius, "mm", allowed, Bound.MIN, polar_place(point), advice))
+    checks.append(
+        Check(code, Message("convex radius, profile"), radius, "mm", allowed, Bound.MIN, polar_place(point), advice)
+    )
     return checks
 
 
@@ -246,20 +255,24 @@ def _pitch_radius(
         if corners:
             sharpest = max(corners, key=lambda c: c.turn)
             radius, point = 0.0, sharpest.point
-            place = f"{polar_place(point)}, corner {np.degrees(sharpest.turn):.1f}°"
+            place = Message("{place}, corner {turn:.1f}°", place=polar_place(point), turn=np.degrees(sharpest.turn))
     # What is sharper than the follower is undercut; that is sized as lost lift, and bearable if the loss is.
     lost = max((loss.lift for loss in losses if loss.trim.kind == TrimKind.LOCAL), default=0.0)
     angle = float(np.arctan2(point[1], point[0])) % TURN
     return Check(
         CheckCode.CONVEX_RADIUS_THEORY,
-        "convex radius, theory",
+        Message("convex radius, theory"),
         radius,
         "mm",
         follower.radius if lost > limits.lost_lift else 0.0,
         Bound.MIN,
         place,
-        f"a convex part sharper than the {follower.noun} is undercut: "
-        f"{motion.softer(angle, limits.motion_key)}, {follower.milder}",
+        Message(
+            "a convex part sharper than the {follower} is undercut: {softer}, {milder}",
+            follower=follower.noun,
+            softer=motion.softer(angle, limits.motion_key),
+            milder=follower.milder,
+        ),
     )
 
 
@@ -270,17 +283,30 @@ def _undercut(motion: Motion, follower: Follower, losses: list[Loss], limits: Ch
             CheckCode.LOST_LIFT_UNDERCUT,
             "lost lift, undercut",
             TrimKind.LOCAL,
-            f"no profile gives this lift to this {follower.noun}",
+            Message("no profile gives this lift to this {follower}", follower=follower.noun),
         ),
-        (CheckCode.LOST_LIFT_CROSSING, "lost lift, crossing", TrimKind.GLOBAL, "two flanks cut each other off"),
+        (
+            CheckCode.LOST_LIFT_CROSSING,
+            "lost lift, crossing",
+            TrimKind.GLOBAL,
+            Message("two flanks cut each other off"),
+        ),
         (CheckCode.LOST_LIFT_FACE_CHANGE, "lost lift, face change", TrimKind.FACE_CHANGE, ""),
     ):
         of_kind = [loss for loss in losses if loss.trim.kind == kind]
         worst = max(of_kind, key=lambda loss: loss.lift, default=None)
-        place = "none" if worst is None else f"{cam_place(worst.cam_angle)} ({len(of_kind)} in all)"
+        place = (
+            "none"
+            if worst is None
+            else Message("{place} ({count} in all)", place=cam_place(worst.cam_angle), count=len(of_kind))
+        )
         value = 0.0 if worst is None else worst.lift * 1e3
         softer = "" if worst is None else motion.softer(float(worst.cam_angle), limits.motion_key)
-        advice = f"{reason}: {softer}" if reason else f"make the disc thinner (cam.thickness_mm) or {softer}"
+        advice = (
+            Message("{reason}: {softer}", reason=reason, softer=softer)
+            if reason
+            else Message("make the disc thinner (cam.thickness_mm) or {softer}", softer=softer)
+        )
         checks.append(Check(code, name, value, "µm", limits.lost_lift * 1e3, Bound.MAX, place, advice))
     return checks
 
@@ -288,8 +314,12 @@ def _undercut(motion: Motion, follower: Follower, losses: list[Loss], limits: Ch
 def _contact(follower: Follower, contact: Contact, error: Array, trimmed: NDArray[np.bool_]) -> list[Check]:
     checks = []
     for code, name, beyond in (
-        (CheckCode.ROD_PUSHED_OUT, f"{follower.noun} pushed out", error),
-        (CheckCode.ROD_FALLS_SHORT, f"{follower.noun} falls short", np.where(trimmed, 0.0, -error)),
+        (CheckCode.ROD_PUSHED_OUT, Message("{follower} pushed out", follower=follower.noun), error),
+        (
+            CheckCode.ROD_FALLS_SHORT,
+            Message("{follower} falls short", follower=follower.noun),
+            np.where(trimmed, 0.0, -error),
+        ),
     ):
         worst = int(np.argmax(beyond))
         checks.append(
@@ -301,7 +331,7 @@ def _contact(follower: Follower, contact: Contact, error: Array, trimmed: NDArra
                 CONTACT_LIMIT_UM,
                 Bound.MAX,
                 cam_place(contact.cam_angle[worst]),
-                f"this profile is not the {follower.noun}'s envelope: use --profile actual",
+                Message("this profile is not the {follower}'s envelope: use --profile actual", follower=follower.noun),
             )
         )
     return checks
@@ -336,7 +366,7 @@ def seam_check(motion: Motion, at: float, code: StrEnum = CheckCode.CLOSURE, nam
         CLOSURE_LIMIT,
         Bound.MAX,
         cam_place(at),
-        "lift, slope and second derivative must not jump: report this design",
+        Message("lift, slope and second derivative must not jump: report this design"),
     )
 
 

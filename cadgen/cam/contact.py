@@ -138,8 +138,11 @@ class Ring:
         if not (np.diff(angle) > -slack).all() or abs(turns - TURN) > 1e-3:
             place = np.degrees(angle[int(np.argmin(np.diff(angle)))]) % 360
             raise DesignError(
-                f"the outline is not a closed curve run once round the camshaft: it overhangs near polar angle "
-                f"{place:.1f} degrees, where the {follower.noun} cannot follow it; {follower.flatter}"
+                "the outline is not a closed curve run once round the camshaft: it overhangs near polar "
+                "angle {place:.1f} degrees, where the {follower} cannot follow it; {flatter}",
+                place=place,
+                follower=follower.noun,
+                flatter=follower.flatter,
             )
         radius = np.linalg.norm(outline.points, axis=1)
         reach = np.arcsin(min(1.0, follower.reach / radius.min())) if follower.radius > 0 else 0.0
@@ -247,8 +250,11 @@ class Ring:
         if (lost := np.isneginf(np.max(asked, axis=(0, 2)))).any():
             place = np.degrees(theta[int(np.argmax(lost))]) % 360
             raise DesignError(
-                f"a {follower.noun} of {follower.radius:.4g} mm radius falls between the points of the outline at cam "
-                f"angle {place:.1f} degrees: give a larger radius"
+                "a {follower} of {radius:.4g} mm radius falls between the points of the outline at cam "
+                "angle {place:.1f} degrees: give a larger radius",
+                follower=follower.noun,
+                radius=follower.radius,
+                place=place,
             )
         best, *others = (self._refine(one, y, begin, face) for face, one in zip(follower.planes, asked, strict=True))
         apart = np.full(len(theta), np.inf)

@@ -147,8 +147,13 @@ def _branches(motion: Motion, follower: Follower) -> list[Branch]:
                 branches.append(section)
     if folds > _MOST_FOLDS:
         raise DesignError(
-            f"the {motion.noun} ripples so closely that the {follower.noun}'s contact turns back at {folds} places, "
-            f"{_MOST_FOLDS} at most are followed: {motion.fewer(-(-folds // _MOST_FOLDS))}"
+            "the {motion} ripples so closely that the {follower}'s contact turns back at {folds} "
+            "places, {most} at most are followed: {fewer}",
+            motion=motion.noun,
+            follower=follower.noun,
+            folds=folds,
+            most=_MOST_FOLDS,
+            fewer=motion.fewer(-(-folds // _MOST_FOLDS)),
         )
     return branches
 
@@ -229,9 +234,13 @@ def _overhang(motion: Motion, follower: Follower, after: Branch, enter: float) -
     """Branches that do not meet leave a wall along the ray between them, which no follower can climb."""
     theta = after.cam_angle(enter) % TURN
     return DesignError(
-        f"the cam's flank at cam angle {np.degrees(theta):.1f} degrees would be steeper than radial, with a pressure "
-        f"angle beyond 90 degrees, so the {follower.noun} cannot follow it: {motion.softer(theta)} or raise "
-        f"{follower.base_key}"
+        "the cam's flank at cam angle {angle:.1f} degrees would be steeper than radial, with a "
+        "pressure angle beyond 90 degrees, so the {follower} cannot follow it: {softer} or raise "
+        "{base_key}",
+        angle=np.degrees(theta),
+        follower=follower.noun,
+        softer=motion.softer(theta),
+        base_key=follower.base_key,
     )
 
 

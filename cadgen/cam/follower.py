@@ -25,6 +25,7 @@ from cadgen.check import Check
 from cadgen.curves.closed import ClosedCurve, Jet, cross
 from cadgen.laws.motion import Motion
 from cadgen.laws.unit import MM, Unit
+from cadgen.messages import Message
 from cadgen.parts.blank import Blank
 
 
@@ -277,8 +278,8 @@ class Follower(ABC):
 
     noun: str = "follower"
     base_key: str = "cam.base_radius_mm"
-    milder: str = "raise cam.base_radius_mm"
-    flatter: str = "make the cam larger, or the motion milder there"
+    milder: str = Message("raise cam.base_radius_mm")
+    flatter: str = Message("make the cam larger, or the motion milder there")
     unit: Unit = MM
     base_radius: float
     offset: float = 0.0

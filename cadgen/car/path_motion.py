@@ -16,6 +16,7 @@ from cadgen.curves.piecewise import quintic_hermite
 from cadgen.errors import DesignError
 from cadgen.laws.motion import Motion
 from cadgen.laws.unit import TAN, Unit
+from cadgen.messages import Message
 
 # rad; a shorter piece before the blend is a share of the open curve's own polynomial: from values and derivatives at
 # its two ends its second derivative would err by the rounding of a value over the square of its length, 1e-8 here.
@@ -41,7 +42,7 @@ class PathMotion(Motion):
     blend_start: float
     unit: Unit = field(default=TAN, kw_only=True)
 
-    noun: ClassVar[str] = "path"
+    noun: ClassVar[str] = Message("path")
 
     @property
     def blended(self) -> bool:
@@ -64,8 +65,8 @@ class PathMotion(Motion):
             key: key of the points that shape the path; left out of the advice if empty.
         """
         if cam_angle >= self.blend_start:
-            return "raise cam.blend_deg (the closing blend steers there)"
-        return f"widen the turn there ({key})" if key else "widen the turn there"
+            return Message("raise cam.blend_deg (the closing blend steers there)")
+        return Message("widen the turn there ({key})", key=key) if key else Message("widen the turn there")
 
     def fewer(self, count: int) -> str:
         """Advice for a path with too many ripples, as part of a sentence.
@@ -73,7 +74,7 @@ class PathMotion(Motion):
         Args:
             count: how many times as many ripples as are followed.
         """
-        return f"keep one in {count} of the points of [path], or give them with more digits"
+        return Message("keep one in {count} of the points of [path], or give them with more digits", count=count)
 
     @cached_property
     def mirrored(self) -> "PathMotion":
@@ -98,7 +99,7 @@ def path_motion(arc: Array, jets: Array, length: float, *, blend: float) -> Path
         DesignError: the blend covers the whole turn or nothing of it.
     """
     if not 0 < blend < TURN:
-        raise DesignError(f"cam.blend_deg is {degrees(blend):g}; it must lie between 0 and 360 degrees")
+        raise DesignError("cam.blend_deg is {blend:g}; it must lie between 0 and 360 degrees", blend=degrees(blend))
     rate = length / TURN
     theta = arc / rate
     jets = jets * rate ** np.arange(3)
@@ -154,8 +155,8 @@ def blend_checks(cam: RolledCam) -> tuple[Check, ...]:
     off = list(zip(np.abs(cam.error[within]).tolist(), contact.cam_angle[within].tolist(), strict=True))
     if lost or off:
         value, angle = max(lost + off)
-        place = f"{cam_place(angle)}, where the car does not drive"
-    checks = [Check(CheckCode.BLEND_LIFT, "lift not given, blend", value * 1e3, "µm", inf, Bound.MAX, place)]
+        place = Message("{place}, where the car does not drive", place=cam_place(angle))
+    checks = [Check(CheckCode.BLEND_LIFT, Message("lift not given, blend"), value * 1e3, "µm", inf, Bound.MAX, place)]
     rising = motion.q(contact.cam_angle, nu=1) >= 0
     angles = np.abs(contact.pressure_angle)
     for code, name, of_kind, usual in (
@@ -183,8 +184,12 @@ def blend_checks(cam: RolledCam) -> tuple[Check, ...]:
                 float(np.degrees(max(LOCKING_ANGLE, usual))),
                 Bound.MAX,
                 cam_place(contact.cam_angle[worst]) if of_kind.any() else "none",
-                f"on so steep a flank the {follower.noun} locks when the cam is turned on to its start: "
-                f"{motion.softer(motion.blend_start)} or raise cam.base_radius_mm",
+                Message(
+                    "on so steep a flank the {follower} locks when the cam is turned on to its start: "
+                    "{softer} or raise cam.base_radius_mm",
+                    follower=follower.noun,
+                    softer=motion.softer(motion.blend_start),
+                ),
             )
         )
     return (*checks, seam_check(motion, motion.blend_start, CheckCode.BLEND_START, "start of the blend"))

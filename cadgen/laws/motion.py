@@ -12,6 +12,7 @@ from scipy.interpolate import PPoly
 from cadgen.arrays import TURN, Array
 from cadgen.curves.piecewise import zeros
 from cadgen.laws.unit import Unit
+from cadgen.messages import Message
 
 # A stretch of at least this angle over which q stays within the second figure is level: the second is 0.01 um
 # of lift, what rolling an outline errs by, and a smooth peak stays within it over so wide an angle only if its second
@@ -36,7 +37,7 @@ class Motion:
     unit: Unit = field(kw_only=True)
     known_level: Array | None = field(default=None, kw_only=True)
 
-    noun: ClassVar[str] = "motion"
+    noun: ClassVar[str] = Message("motion")
 
     def idle(self, cam_angle: Array) -> NDArray[np.bool_]:
         """Whether nothing depends on the motion at cam angles, as while a cam is only led back to its start.
@@ -53,7 +54,9 @@ class Motion:
             cam_angle: cam angle, rad.
             key: key of the design file that shapes the motion; left out of the advice if empty.
         """
-        return f"make the motion milder there ({key})" if key else "make the motion milder there"
+        return (
+            Message("make the motion milder there ({key})", key=key) if key else Message("make the motion milder there")
+        )
 
     def fewer(self, count: int) -> str:
         """Advice for a motion with too many ripples, as part of a sentence.
@@ -61,7 +64,7 @@ class Motion:
         Args:
             count: how many times as many ripples as are followed.
         """
-        return f"keep one in {count} of the points of the motion"
+        return Message("keep one in {count} of the points of the motion", count=count)
 
     @cached_property
     def stations(self) -> tuple[Array, Array]:

@@ -13,11 +13,12 @@ from cadgen.errors import DesignError
 from cadgen.laws.law import Law
 from cadgen.laws.motion import Motion
 from cadgen.laws.unit import Unit
+from cadgen.messages import Message
 
 _WHOLE = 1e-9  # of a turn; the angles of the segments add up to it but for the rounding of decimals
 # Of the greatest value of the same derivative over the turn: a smaller jump is rounding.
 _JUMP = 1e-9
-_NAMES = ("motion", "velocity", "acceleration")
+_NAMES = (Message("motion"), Message("velocity"), Message("acceleration"))
 
 
 @dataclass(frozen=True)
@@ -116,9 +117,9 @@ class SegmentMotion(Motion):
                     angle=degrees(seam.cam_angle),
                     before=seam.before,
                     after=seam.after,
-                    cure="let the rises and returns of motion.segments add up to 0, or end at to_mm = 0"
+                    cure=Message("let the rises and returns of motion.segments add up to 0, or end at to_mm = 0")
                     if seam.order == 0
-                    else "take laws that fit each other there, such as polynomial_3_4_5",
+                    else Message("take laws that fit each other there, such as polynomial_3_4_5"),
                 )
         return made
 
@@ -149,7 +150,7 @@ class SegmentMotion(Motion):
         at = next((n for n, s in enumerate(self.segments) if cam_angle % TURN <= s.stop), len(self.segments) - 1)
         # A dwell is no cause: the segment before it is.
         number = next((n for n in range(at, -1, -1) if self.segments[n].law is not None), at) + 1
-        return f"give the segment there more of the turn (motion.segments.{number}.in_deg)"
+        return Message("give the segment there more of the turn (motion.segments.{number}.in_deg)", number=number)
 
     def extrema(self) -> tuple[Array, Array]:
         """Cam angles of the peaks and of the valleys, rad, in order: of a dwell its beginning."""

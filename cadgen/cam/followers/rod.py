@@ -47,6 +47,7 @@ from cadgen.curves.piecewise import zeros
 from cadgen.errors import DesignError
 from cadgen.laws.motion import Motion
 from cadgen.laws.unit import TAN
+from cadgen.messages import Message
 from cadgen.parts.blank import Blank
 
 
@@ -276,10 +277,13 @@ def refuse_thick_rod(motion: Motion, follower: "LeaningRod") -> None:
     if room[worst] <= 0:
         reach = follower.base_radius + follower.lift(T)[worst]
         raise DesignError(
-            f"at cam angle {np.degrees(theta[worst]):.1f} degrees the rod's axis is {abs(reach):.2f} mm "
-            f"{'from' if reach >= 0 else 'beyond'} the camshaft, but the rod's radius is "
-            f"{follower.radius:g} mm, so nothing is left of the disc: lower follower.radius_mm or raise "
-            f"cam.base_radius_mm"
+            "at cam angle {angle:.1f} degrees the rod's axis is {reach:.2f} mm {side} the "
+            "camshaft, but the rod's radius is {radius:g} mm, so nothing is left of the disc: lower "
+            "follower.radius_mm or raise cam.base_radius_mm",
+            angle=np.degrees(theta[worst]),
+            reach=abs(reach),
+            side=Message("from") if reach >= 0 else Message("beyond"),
+            radius=follower.radius,
         )
 
 
@@ -311,13 +315,13 @@ def _carrying_face(rod: "LeaningRod", cam: RolledCam) -> Check:
     inner = float(np.mean(contact.face == rod.inner)) * 100
     return Check(
         CheckCode.WRONG_FACE,
-        "wrong face carries",
+        Message("wrong face carries"),
         float(np.sum(wrong)),
         "stations",
         0.0,
         Bound.MAX,
-        f"inner {inner:.0f} %, outer {100 - inner:.0f} %",
-        "the rod rests on the other face than eq. 15 says: use --profile actual",
+        Message("inner {inner:.0f} %, outer {outer:.0f} %", inner=inner, outer=100 - inner),
+        Message("the rod rests on the other face than eq. 15 says: use --profile actual"),
     )
 
 
@@ -329,13 +333,13 @@ def _reach(rod: "LeaningRod", theta: Array, steering: Array, blank: Blank) -> Ch
     worst = int(np.argmin(beyond))
     return Check(
         CheckCode.ROD_PAST_RIM,
-        "rod past the rim",
+        Message("rod past the rim"),
         float(beyond[worst] - blank.faces(rod.inner, rod.outer)[1]),
         "mm",
         0.0,
         Bound.MIN,
         cam_place(theta[worst]),
-        "the rod slips off the disc's rim: raise follower.length_mm",
+        Message("the rod slips off the disc's rim: raise follower.length_mm"),
     )
 
 
@@ -348,14 +352,17 @@ def _lean(theta: Array, steering: Array, blank: Blank, motion_key: str) -> list[
     return [
         Check(
             CheckCode.LEAN_OVER_CHAMFERS,
-            "lean over the chamfers",
+            Message("lean over the chamfers"),
             float(np.degrees(np.arctan(T[worst]))),
             "°",
             CHAMFER_LEAN,
             Bound.MAX,
             cam_place(theta[worst]),
-            "the rod leans so far that it rides on the broken edge: leave the edges sharp (blank.edge_break_mm) or "
-            f"widen the turn there ({motion_key})",
+            Message(
+                "the rod leans so far that it rides on the broken edge: leave the edges sharp "
+                "(blank.edge_break_mm) or widen the turn there ({key})",
+                key=motion_key,
+            ),
         )
     ]
 
@@ -375,13 +382,13 @@ def _hub(rod: "LeaningRod", theta: Array, steering: Array, blank: Blank) -> list
     return [
         Check(
             CheckCode.ROD_ABOVE_HUB,
-            "rod above the hub",
+            Message("rod above the hub"),
             float(nearest[worst]) - blank.hub.diameter / 2,
             "mm",
             0.0,
             Bound.MIN,
             cam_place(theta[worst]),
-            "the rod meets the hub: lower blank.hub.diameter_mm or blank.hub.length_mm",
+            Message("the rod meets the hub: lower blank.hub.diameter_mm or blank.hub.length_mm"),
         )
     ]
 
@@ -401,10 +408,12 @@ class LeaningRod(Follower):
         length: from the fork axis to the rod's end, mm.
     """
 
-    noun = "rod"
+    noun = Message("rod")
     unit = TAN
-    flatter = "raise cam.base_radius_mm, widen the turn there, or raise cam.blend_deg if the closing blend steers there"
-    milder = "lower follower.radius_mm or raise cam.base_radius_mm"
+    flatter = Message(
+        "raise cam.base_radius_mm, widen the turn there, or raise cam.blend_deg if the closing blend steers there"
+    )
+    milder = Message("lower follower.radius_mm or raise cam.base_radius_mm")
 
     base_radius: float
     inner: float
@@ -580,10 +589,13 @@ def rod_of(follower: Follower, job: str, instead: str = "") -> LeaningRod:
     """
     if isinstance(follower, LeaningRod):
         return follower
-    way_out = f", or {instead}" if instead else ""
+    way_out = Message(", or {instead}", instead=instead) if instead else ""
     raise DesignError(
-        f"follower.kind names a {follower.noun}, and {job} is worked out for the leaning rod alone: set "
-        f'follower.kind = "rod" with its keys{way_out}'
+        "follower.kind names a {follower}, and {job} is worked out for the leaning rod alone: "
+        'set follower.kind = "rod" with its keys{way_out}',
+        follower=follower.noun,
+        job=job,
+        way_out=way_out,
     )
 
 

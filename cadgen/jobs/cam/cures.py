@@ -10,6 +10,7 @@ from cadgen.check import Check, failing
 from cadgen.design.section import listed
 from cadgen.errors import CadgenError
 from cadgen.jobs.cam.plan import CamPlan
+from cadgen.messages import Message
 from cadgen.progress import Progress, silent
 
 # Each cure is proved by planning the cam again, some thirty times in all. With more kinks than this, which each take a
@@ -53,15 +54,24 @@ class Cures:
 
     def sentences(self) -> list[str]:
         """Cures of lost lift, in words."""
-        lines = []
+        lines: list[str] = []
         for cure in self.proved:
-            change = f"--set {cure.override} (now {cure.now}) "
+            change = {"override": cure.override, "now": cure.now}
+            if not cure.failing:
+                lines.append(Message("--set {override} (now {now}) cures it.", **change))
+                continue
             failed = listed([check.name for check in cure.failing], "and")
-            lines.append(change + (f"ends that, but fails {failed}." if cure.failing else "cures it."))
+            said = "--set {override} (now {now}) ends that, but fails {failed}."
+            lines.append(Message(said, failed=failed, **change))
         if self.lost and not self.sought:
             lines.append(
-                f"What would cure it was not sought, for the lift has {self.kinks} kinks and it is for up to "
-                f'{MOST_KINKS_CURED}: set path.spline = "quintic", which has none, or keep fewer waypoints.'
+                Message(
+                    "What would cure it was not sought, for the lift has {kinks} kinks and it is for up to "
+                    '{most}: set path.spline = "quintic", which has none, or keep fewer '
+                    "waypoints.",
+                    kinks=self.kinks,
+                    most=MOST_KINKS_CURED,
+                )
             )
         elif self.lost and not lines:
             lines.append("No change of one key cures it: the path itself must become milder.")

@@ -622,7 +622,7 @@ def plan_motion_cam(design: MotionDesign, profile: str | None = None, progress: 
     motion = motion_of(design.motion, registered)
     follower = registered.build(design.follower.keys, design.seat)
     blank, limits = cam_model.blank(design), cam_model.check_limits(design)
-    progress(f"computing the {kind} profile")
+    progress(Message("computing the {profile} profile", profile=kind))
     wanted = kind.curve(motion, follower)
     progress("checking the profile")
     checks = check_cam(motion, _rolling(kind, follower), wanted.curve, wanted.trims, blank, limits)
@@ -677,7 +677,7 @@ def _plan(design: Design, profile: ProfileKind, progress: Progress, *, judged: b
     progress("planning the path")
     track = cam_model.track(design)
     lift, rod, blank = cam_model.lift(design, track), cam_model.follower(design), cam_model.blank(design)
-    progress(f"computing the {profile} profile")
+    progress(Message("computing the {profile} profile", profile=profile))
     wanted = profile.curve(lift, rod)
     cut = cam_model.as_built(design).precompensated(wanted.curve)
     if not judged:
@@ -709,7 +709,7 @@ def _plan_against_play(
     progress("planning the path")
     track = cam_model.track(design)
     lift, rod = cam_model.lift(design, track), cam_model.follower(design)
-    progress(f"computing the {profile} profile")
+    progress(Message("computing the {profile} profile", profile=profile))
     checks = ProfileChecks(design, task_of(design, track, lift, rod))
     comparison = against_play(profile, checks, all_trains=all_trains, measured=measured, progress=progress)
     chosen = comparison.chosen
@@ -743,7 +743,9 @@ def comparison_of(plan: CamPlan) -> PlayComparison:
     """
     if plan.comparison is None:
         choices = listed(codes(for_play=True), "or")
-        raise DesignError(f'the profile "{plan.kind}" does nothing about play: choose {choices}')
+        raise DesignError(
+            'the profile "{kind}" does nothing about play: choose {choices}', kind=plan.kind, choices=choices
+        )
     return plan.comparison
 
 
