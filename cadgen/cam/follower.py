@@ -271,6 +271,7 @@ class Follower(ABC):
         flatter: advice where an outline overhangs, in words.
         unit: unit of its motion q: lift in mm, swing in rad, or the tangent of a car's steering angle.
         base_radius: distance of its reference point from the camshaft along the ray where q is 0, mm.
+        leans: whether it leans on an edge of the rim, as the rod does for which play and friction are worked out.
         offset: distance of the reference point from the ray, mm, positive in the sense of growing polar angle.
         radius: least radius of curvature of the curve that touches the disc, mm; infinite for a straight one. Zero
             stands for a point that moves along the ray, or beside it by the offset.
@@ -281,6 +282,7 @@ class Follower(ABC):
     milder: str = Message("raise cam.base_radius_mm")
     flatter: str = Message("make the cam larger, or the motion milder there")
     unit: Unit = MM
+    leans: bool = False
     base_radius: float
     offset: float = 0.0
     radius: float

@@ -410,6 +410,7 @@ class LeaningRod(Follower):
 
     noun = Message("rod")
     unit = TAN
+    leans = True
     flatter = Message(
         "raise cam.base_radius_mm, widen the turn there, or raise cam.blend_deg if the closing blend steers there"
     )

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import TYPE_CHECKING
 
-from cadgen.cam.followers.rod import LeaningRod
 from cadgen.car.against_play.profile_kinds import ACTUAL
 from cadgen.check import Check
 from cadgen.design import cam_model, variation
@@ -133,7 +132,7 @@ def plan_page(
         DesignError: no cam can be computed.
     """
     refusals: list[Refusal] = []
-    with_play = bool(variation.play_bands(design)) and isinstance(cam_model.follower(design), LeaningRod)
+    with_play = bool(variation.play_bands(design)) and cam_model.follower(design).leans
 
     def wanted() -> CamPlan:
         return plan_cam(design, profile, progress, all_trains=True, with_play=with_play)
