@@ -32,7 +32,7 @@ _LOADED = (
     "cadgen.geometry.solids.gear_solids",
     "cadgen.geometry.solids.gear_solids",
     "cadgen.jobs.calibration.files",
-    "cadgen.jobs.cam.files",
+    "cadgen.jobs.cam.cam_files",
     "cadgen.jobs.gears.gear_train",
     "cadgen.jobs.runs.files",
     "ezdxf",

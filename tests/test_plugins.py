@@ -16,11 +16,11 @@ from tests.plugins import install
 ROOT = Path(__file__).parents[1]
 LAW = """
 import numpy as np
-from cadgen.laws.law import Law
+from cadgen.laws.law import MotionLaw
 print("harmonic is loaded")
-HARMONIC = Law(code="harmonic", meaning="Half a cosine.", jet=lambda u: np.stack(
+HARMONIC = MotionLaw(code="harmonic", meaning="Half a cosine.", jet=lambda u: np.stack(
     [(1 - np.cos(np.pi * u)) / 2, np.pi / 2 * np.sin(np.pi * u), np.pi**2 / 2 * np.cos(np.pi * u)], axis=1))
-TWIN = Law(code="cycloidal", meaning="", jet=HARMONIC.jet)
+TWIN = MotionLaw(code="cycloidal", meaning="", jet=HARMONIC.jet)
 NO_LAW = 7
 """
 EFFECT = """
@@ -81,7 +81,7 @@ if __name__ == "__main__":
     [
         ("nowhere:KIND", "No module named 'nowhere'"),
         ("harmonic:TWIN", 'there is a motion law "cycloidal" already: choose another code'),
-        ("harmonic:NO_LAW", "it brings int, and should bring Law"),
+        ("harmonic:NO_LAW", "it brings int, and should bring MotionLaw"),
         ("harmonic:NOTHING", "has no attribute 'NOTHING'"),
     ],
 )

@@ -15,12 +15,12 @@ from cadgen.car.path_motion import PathMotion
 from cadgen.design.schema import Design as DesignValues
 from cadgen.design.schema import MotionDesign
 from cadgen.errors import CheckError
-from cadgen.jobs.cam.as_built import outlook_sentence
+from cadgen.jobs.cam.built_car import outlook_sentence
+from cadgen.jobs.cam.cam_facts import cam_facts
+from cadgen.jobs.cam.cam_plan import CamPlan, CarUse, SegmentUse
 from cadgen.jobs.cam.comparison import PAPER_PERCENT as PAPER_PERCENT
 from cadgen.jobs.cam.cures import Cures as Cures
 from cadgen.jobs.cam.cures import find_cures
-from cadgen.jobs.cam.manifest import cam_facts
-from cadgen.jobs.cam.plan import CamPlan, CarUse, SegmentUse
 from cadgen.output.files.publisher import Written, folder_of, refusal
 from cadgen.progress import Progress, silent
 
@@ -251,7 +251,7 @@ class Cam(CamPlan):
             CheckError: the chamfers of broken edges meet, or run out at a ridge.
             FileError: the CAD kernel does not make one valid solid.
         """
-        from cadgen.jobs.cam.files import cam_solid
+        from cadgen.jobs.cam.cam_files import cam_solid
 
         return cam_solid(self).build123d()
 
@@ -279,7 +279,7 @@ class Cam(CamPlan):
             DesignError: a format is unknown.
             FileError: a file cannot be written, or holds something else when it is read back.
         """
-        from cadgen.jobs.cam.files import write_cam
+        from cadgen.jobs.cam.cam_files import write_cam
 
         place = folder_of(folder)
         if not (self.passed or force):

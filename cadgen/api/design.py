@@ -57,7 +57,7 @@ class Design(LoadedDesign):
             CheckError: no profile keeps the limits of [optimize].
         """
         from cadgen.api.cam import Cam
-        from cadgen.jobs.cam.plan import plan_cam, plan_motion_cam
+        from cadgen.jobs.cam.cam_plan import plan_cam, plan_motion_cam
 
         if isinstance(self.values, MotionDesign):
             return Cam.of(plan_motion_cam(self.values, profile, progress))
@@ -110,7 +110,7 @@ class Design(LoadedDesign):
             CheckError: no profile keeps the limits of [optimize].
         """
         from cadgen.api import cam, runs
-        from cadgen.jobs.cam.plan import comparison_of, plan_cam
+        from cadgen.jobs.cam.cam_plan import comparison_of, plan_cam
         from cadgen.jobs.cam.remedies import remedies
 
         design = self.complete()

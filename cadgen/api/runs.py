@@ -13,7 +13,7 @@ from cadgen.car.running.drive import Run
 from cadgen.car.running.errors import Event, RunError
 from cadgen.errors import DesignError, brief
 from cadgen.inference.monte_carlo.random_cars import CarEnds, Map, Sensitivity
-from cadgen.jobs.cam.as_built import as_built_sentences, assumed_play
+from cadgen.jobs.cam.built_car import as_built_sentences, assumed_play
 from cadgen.jobs.cam.car_facts import remedy_facts
 from cadgen.jobs.cam.mechanics import joint_sentences
 from cadgen.jobs.cam.remedies import Remedy as Remedy

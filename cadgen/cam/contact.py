@@ -1,8 +1,8 @@
 """Roll a follower on an outline: the motion, and so the lift, that a disc really gives.
 
 This shares nothing with the envelope. At cam angle theta a point of the disc lies x ahead of the camshaft and y
-across. The follower, pressed on the disc by its spring, clears the point from some q on (`Follower.least`),
-and rests on the point, of the outlines in all planes that carry it, that asks for the greatest.
+across. The follower, pressed on the disc by its spring, clears the point from some q on (`Follower.least`). Of all
+points of the outlines in the planes that carry it, it rests on the one that asks for the greatest.
 """
 
 from collections.abc import Iterator
@@ -74,9 +74,9 @@ def roll_curve(curve: ClosedCurve, follower: Follower, cam_angle: Array) -> tupl
 def _left(step: float, follower: Follower, pressure_angle: Array) -> Array:
     """The lift error that the parabola through points of an outline may leave, mm.
 
-    The half-height h = sqrt(r^2 - y^2) of a round follower has the third derivative -3 r^2 y / h^5, and a step along
-    the outline is step cos(alpha) across it, so the error goes with step^3 sin(alpha) / (r cos(alpha))^2. The factor
-    was measured on flanks of 74 to 76 degrees: 0.9 on fine steps, 1.5 on coarse ones.
+    The half-height h = sqrt(r^2 - y^2) of a round follower has the third derivative -3 r^2 y / h^5. A step along the
+    outline is step cos(alpha) across it, so the error goes with step^3 sin(alpha) / (r cos(alpha))^2. The factor was
+    measured on flanks of 74 to 76 degrees: 0.9 on fine steps, 1.5 on coarse ones.
     """
     if follower.radius == 0:
         return np.zeros_like(pressure_angle)
@@ -187,7 +187,7 @@ class Ring:
         return np.where(theta < self.angle[0] + self.window, theta + TURN, theta)
 
     def _point(self, theta: Array) -> Array:
-        """Same as `_rest`, for a point that moves along the ray, or beside it."""
+        """Motion and contact of a point that moves along the ray, or beside it, shape (5, n); rows as of `_rest`."""
         theta, follower = self._within(theta), self.follower
         place, ahead = theta, np.interp(theta, self.angle, self.radius)
         if follower.offset:
@@ -242,7 +242,7 @@ class Ring:
         return np.stack([begin, end])
 
     def _highest(self, theta: Array, begin: NDArray[np.intp], width: int) -> Array:
-        """As `_rest`, among the points of a window."""
+        """Motion and contact at each cam angle among the points of a window, shape (5, n); rows as of `_rest`."""
         follower = self.follower
         begin = np.clip(begin, 0, len(self.angle) - width)
         x, y = _turned_back(self.points, theta, begin, width)

@@ -14,7 +14,7 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import Branch, Follower, Swept, Trim, TrimKind
-from cadgen.cam.lowest import SAME, Radii, Reach, Run, lowest_branches
+from cadgen.cam.lowest import SAME, LowestRun, Radii, Reach, lowest_branches
 from cadgen.curves.closed import ByAngle, ClosedCurve, polar_angle
 from cadgen.errors import DesignError
 from cadgen.laws.motion import Motion
@@ -94,7 +94,7 @@ def actual_profile(motion: Motion, follower: Follower) -> ActualProfile:
                 between = _next_of_face(branches, left.branch)
                 if between == run.branch or len(runs) > len(branches):
                     raise _overhang(motion, follower, after, enter)
-                runs.insert(len(begins), Run(run.cell, between))
+                runs.insert(len(begins), LowestRun(run.cell, between))
                 continue
             if (trim := _trim(motion, before, after, leave, enter)) is not None:
                 trims.append(trim)

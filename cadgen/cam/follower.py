@@ -89,7 +89,7 @@ class Swept(Branch):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Section(Branch):
+class OwnSection(Branch):
     """The follower's own section, where it stands at a hollow kink of the lift.
 
     Attributes:
@@ -235,7 +235,7 @@ class RolledCam:
 
 
 @dataclass(frozen=True)
-class Remedy:
+class LossRemedy:
     """A dimension whose change lessens lost lift.
 
     Attributes:
@@ -336,7 +336,7 @@ class Follower(ABC):
 
     @abstractmethod
     def section(self, before: Swept, after: Swept) -> Branch | None:
-        """Its own section that joins two pieces at a hollow kink; None where they meet or cross."""
+        """Section of the follower itself that joins two pieces at a hollow kink; None where they meet or cross."""
 
     @abstractmethod
     def pitch_curve(self, motion: Motion) -> ClosedCurve | None:
@@ -346,7 +346,7 @@ class Follower(ABC):
     def point(self) -> Follower:
         """Follower that rolls on the pitch curve: its reference point, of radius zero."""
 
-    def remedies(self) -> tuple[Remedy, ...]:
+    def remedies(self) -> tuple[LossRemedy, ...]:
         """Dimensions whose change, one at a time, lessens lost lift."""
         return ()
 
@@ -363,7 +363,7 @@ class Follower(ABC):
 
     @abstractmethod
     def most(self, x: Array, y: Array, off: Array) -> tuple[Array, ...]:
-        """As `least`, no less than the greatest of it among all points within a distance `off`, mm, of each.
+        """Upper bound of `least` over all points within `off` mm of each point.
 
         Args:
             x: coordinates along the ray from the camshaft, mm, shape (n,).

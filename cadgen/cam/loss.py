@@ -11,7 +11,7 @@ from scipy.optimize import brentq
 from cadgen.arrays import TURN
 from cadgen.cam.contact import roll, rolling_step
 from cadgen.cam.envelope import actual_profile
-from cadgen.cam.follower import Follower, Loss, Remedy, Trim
+from cadgen.cam.follower import Follower, Loss, LossRemedy, Trim
 from cadgen.curves.closed import Outline
 from cadgen.errors import DesignError
 from cadgen.laws.motion import Motion
@@ -60,7 +60,7 @@ _ROUNDING = 1e-12  # mm; a limit below it asks for more than arithmetic holds
 
 @dataclass(frozen=True)
 class Change:
-    """One change that makes the loss acceptable.
+    """Change of one dimension that makes the loss acceptable.
 
     Attributes:
         parameter: key of the design file.
@@ -95,8 +95,8 @@ def worst_loss(motion: Motion, follower: Follower) -> float:
 def undercut_cures(motion: Motion, follower: Follower, limit: float) -> tuple[Change, ...]:
     """Try each remedy of the follower alone, and return what cures, smallest change first.
 
-    The loss of the rod falls with its radius and with the base circle (r / (cos(delta/2)) - r at a corner of angle
-    delta, and delta falls as the base grows), so a root search on the factor finds the smallest change; every answer
+    The loss falls with the follower's radius and with the base circle: it is r / cos(delta / 2) - r at a corner of
+    angle delta, which falls as the base grows. So a root search on the factor finds the smallest change. Every answer
     has been computed, not estimated.
 
     Args:
@@ -111,7 +111,7 @@ def undercut_cures(motion: Motion, follower: Follower, limit: float) -> tuple[Ch
     cures = []
     for remedy in follower.remedies():
 
-        def loss(factor: float, remedy: Remedy = remedy) -> float:
+        def loss(factor: float, remedy: LossRemedy = remedy) -> float:
             return worst_loss(motion, remedy.follower(remedy.value(factor)))
 
         factor = _smallest_factor(loss, now, limit)

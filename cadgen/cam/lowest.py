@@ -19,7 +19,7 @@ from cadgen.arrays import Array
 SAME = 1e-6
 
 
-class Run(NamedTuple):
+class LowestRun(NamedTuple):
     """Neighbouring cells in which one branch is the lowest: the first cell and the branch, by number."""
 
     cell: int
@@ -77,7 +77,7 @@ class Radii:
         return row
 
 
-def lowest_branches(radii: Radii, continuation: Mapping[int, int]) -> list[Run]:
+def lowest_branches(radii: Radii, continuation: Mapping[int, int]) -> list[LowestRun]:
     """Walk once round the cells and return the runs of the lowest branches, by cell.
 
     Args:
@@ -94,7 +94,7 @@ def lowest_branches(radii: Radii, continuation: Mapping[int, int]) -> list[Run]:
     start = int(np.argmax(np.where(reached, radii.second - np.where(reached, radii.least, 0.0), -np.inf)))
     around = (np.arange(count + 1) + start) % count
     owner, most = radii.owner[around], radii.least[around] + SAME
-    runs = [Run(0, int(owner[0]))]
+    runs = [LowestRun(0, int(owner[0]))]
     while True:
         begin, branch = runs[-1]
         failing = radii.of(branch)[around[begin:]] > most[begin:]
@@ -103,15 +103,15 @@ def lowest_branches(radii: Radii, continuation: Mapping[int, int]) -> list[Run]:
         cell = begin + int(np.argmax(failing))
         after = continuation.get(branch, branch)
         keeps = radii.at(after, cell + start) <= most[cell]
-        _take_over(runs, radii, start, Run(cell, after if keeps else int(owner[cell])))
+        _take_over(runs, radii, start, LowestRun(cell, after if keeps else int(owner[cell])))
     if runs[-1].branch != runs[0].branch:
-        _take_over(runs, radii, start, Run(count, runs[0].branch))
+        _take_over(runs, radii, start, LowestRun(count, runs[0].branch))
     # The first run is the end of the last one.
-    changes = [Run(int(around[run.cell]), run.branch) for run in runs[1:]]
+    changes = [LowestRun(int(around[run.cell]), run.branch) for run in runs[1:]]
     return sorted(changes) or runs
 
 
-def _take_over(runs: list[Run], radii: Radii, start: int, run: Run) -> None:
+def _take_over(runs: list[LowestRun], radii: Radii, start: int, run: LowestRun) -> None:
     """Let a branch take over at a cell, or before it as far back as it is lower than what was there.
 
     The runs' cells are counted from the cell `start`.
@@ -125,4 +125,4 @@ def _take_over(runs: list[Run], radii: Radii, start: int, run: Run) -> None:
             break
         runs.pop()
     if runs[-1].branch != run.branch:
-        runs.append(Run(cell, run.branch))
+        runs.append(LowestRun(cell, run.branch))

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.follower import Branch, Follower, Section, Swept, span_jets
+from cadgen.cam.follower import Branch, Follower, OwnSection, Swept, span_jets
 from cadgen.curves.closed import ClosedCurve, Jet
 from cadgen.curves.derived import OffsetPiece
 from cadgen.errors import DesignError
@@ -77,7 +77,7 @@ class RoundFollower(Follower):
         if stop <= start + _JOINT:
             return None
         z = complex(self.at(after.motion.q(np.array([after.start])))[0])
-        return Arc(
+        return CircleArc(
             face=after.face,
             theta=after.start,
             start=start,
@@ -160,7 +160,7 @@ class Rim(Centre):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Arc(Section):
+class CircleArc(OwnSection):
     """Part of the circle that rests in a hollow kink of the motion, by its own angle.
 
     Attributes:

@@ -11,7 +11,7 @@ from cadgen.cam.followers.table import codes, has, kind_of
 from cadgen.design.section import ByKind, DesignSection, OneOf, keys_in, section_with
 
 
-class Follower(DesignSection):
+class FollowerSection(DesignSection):
     """Follower that rides on the disc."""
 
     kind: Annotated[str | None, OneOf(codes, has)] = Field(
@@ -30,9 +30,9 @@ class Follower(DesignSection):
 
 
 @cache
-def section_of(kind: FollowerKind) -> type[Follower]:
+def section_of(kind: FollowerKind) -> type[FollowerSection]:
     """The section with the keys of a kind."""
-    return section_with(Follower, kind.meaning, kind.keys)
+    return section_with(FollowerSection, kind.meaning, kind.keys)
 
 
 FOLLOWER = ByKind("kind", ROD.code, has, kind_of, section_of)

@@ -12,7 +12,7 @@ from typing import Annotated, Any, Literal, get_args, get_origin
 from annotated_types import Ge, Gt, Le, Lt, MinLen
 from pydantic.fields import FieldInfo
 
-from cadgen.design.follower import Follower, section_of
+from cadgen.design.follower import FollowerSection, section_of
 from cadgen.design.kinds import USUAL, Kinds
 from cadgen.design.path import PathSection, path_section
 from cadgen.design.schema import OF_A_CAR, DesignFile, MotionFile
@@ -206,7 +206,7 @@ def _walk(
         if not name and kinds.motion and part in OF_A_CAR:
             continue
         inner = _section_in(info.annotation)
-        if inner is Follower:
+        if inner is FollowerSection:
             inner = section_of(kinds.follower)
         elif inner is PathSection:
             inner = path_section(kinds.path)

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 _HEIGHTS = ("to_mm", "rise_mm", "to_deg", "rise_deg")
 
 
-class Turns(StrEnum):
+class DiscSense(StrEnum):
     """Sense in which a disc turns, seen on its outer face."""
 
     CLOCKWISE = "clockwise"
@@ -67,7 +67,7 @@ class MotionSegment(DesignSection):
 class MotionSection(DesignSection):
     """Motion of the follower in one turn of the cam. A design has it, or [path] and [car]."""
 
-    turns: Annotated[Turns, WORD] = Field(
+    turns: Annotated[DiscSense, WORD] = Field(
         description="sense of the disc seen on its outer face, which is +z in STEP and the face that DXF shows"
     )
     speed_rpm: float | None = Field(
@@ -101,19 +101,19 @@ def motion_of(section: MotionSection, kind: FollowerKind) -> "SegmentMotion":
         ValueError: a height is in another unit than the follower moves in.
         DesignError: the segments do not fill the turn or do not close, or a velocity jumps.
     """
-    from cadgen.laws.segments import Segment, SegmentMotion
+    from cadgen.laws.segments import MotionSpan, SegmentMotion
 
     at, height, segments = 0.0, 0.0, []
     for number, item in enumerate(section.segments, 1):
         if item.dwell_deg is not None:
             stop = at + item.dwell_deg
-            segments.append(Segment(_angle(at), _angle(stop), height, height, None))
+            segments.append(MotionSpan(_angle(at), _angle(stop), height, height, None))
         else:
             key, value = item.height
             _refuse_unit(number, key, kind)
             after = (value if key.endswith("mm") else radians(value)) + (height if key.startswith("rise") else 0.0)
             stop = at + (item.in_deg or 0.0)
-            segments.append(Segment(_angle(at), _angle(stop), height, after, law_of(item.law or "")))
+            segments.append(MotionSpan(_angle(at), _angle(stop), height, after, law_of(item.law or "")))
             height = after
         at = stop
     return SegmentMotion.of(segments, kind.unit)

@@ -11,7 +11,7 @@ from typing import Annotated, Any
 
 from pydantic import Field, SerializeAsAny, ValidatorFunctionWrapHandler, field_validator, model_validator
 
-from cadgen.cam.followers.kind import Seat
+from cadgen.cam.followers.kind import FollowerSeat
 from cadgen.cam.followers.table import codes, kind_of
 from cadgen.cam.limits import PressureAngleLimitName
 from cadgen.car.course.layout import Side
@@ -19,7 +19,7 @@ from cadgen.design.as_built import AsBuiltSection
 from cadgen.design.blank import BlankSection
 from cadgen.design.course import CourseSection, OutlineSection
 from cadgen.design.file_names import name_fault
-from cadgen.design.follower import FOLLOWER, Follower
+from cadgen.design.follower import FOLLOWER, FollowerSection
 from cadgen.design.machining import DrawingText, Machining
 from cadgen.design.motion import MotionCam, MotionSection, motion_of
 from cadgen.design.path import PATH, PathSection
@@ -73,7 +73,7 @@ class CarSection(DesignSection):
     outline: OutlineSection | None = None
 
 
-class Cam(DesignSection):
+class CamSection(DesignSection):
     """The disc and its place. Two of the four keys from `inner_face_mm` to `thickness_mm` fix its faces."""
 
     base_radius_mm: float = Field(gt=0, le=500, description="a, camshaft to fork axis")
@@ -120,7 +120,7 @@ class Cam(DesignSection):
         return {name: value for name in names if (value := getattr(self, name)) is not None}
 
     @model_validator(mode="after")
-    def _two_keys_fix_the_faces(self) -> "Cam":
+    def _two_keys_fix_the_faces(self) -> "CamSection":
         given = self._given_faces()
         have = listed([f"{name} = {value:g}" for name, value in given.items()], "and") or "none of them"
         if len(given) < 2:
@@ -202,8 +202,8 @@ class TrainFile(DesignSection):
     course: CourseSection | None = None
     car: CarSection | None = None
     motion: MotionSection | None = None
-    cam: Cam | MotionCam | None = None
-    follower: SerializeAsAny[Follower] | None = None
+    cam: CamSection | MotionCam | None = None
+    follower: SerializeAsAny[FollowerSection] | None = None
     blank: BlankSection = BlankSection()
     machining: Machining = Machining()
     checks: Checks = Checks()
@@ -224,7 +224,7 @@ class TrainFile(DesignSection):
 
     @field_validator("follower", mode="wrap")
     @classmethod
-    def _follower_by_its_kind(cls, value: object, usual: ValidatorFunctionWrapHandler) -> Follower | None:
+    def _follower_by_its_kind(cls, value: object, usual: ValidatorFunctionWrapHandler) -> FollowerSection | None:
         return FOLLOWER.check(value, usual)
 
     @field_validator("train", mode="wrap")
@@ -260,15 +260,15 @@ class TrainFile(DesignSection):
 class DiscFile(TrainFile):
     """A design file with a cam."""
 
-    cam: Cam | MotionCam
-    follower: SerializeAsAny[Follower]
+    cam: CamSection | MotionCam
+    follower: SerializeAsAny[FollowerSection]
 
     @property
-    def seat(self) -> Seat:
+    def seat(self) -> FollowerSeat:
         """Disc and place that the follower is built on."""
         (inner, outer), leg = self.cam.faces_mm, self.blank.edge_break_mm or 0.0
-        radius = self.cam.base_radius_mm if isinstance(self.cam, Cam) else self.cam.base_circle_radius_mm
-        return Seat(base_radius=radius, faces=(inner, outer), carrying=(inner + leg, outer - leg))
+        radius = self.cam.base_radius_mm if isinstance(self.cam, CamSection) else self.cam.base_circle_radius_mm
+        return FollowerSeat(base_radius=radius, faces=(inner, outer), carrying=(inner + leg, outer - leg))
 
     @model_validator(mode="after")
     def _follower_fits_the_disc(self) -> "DiscFile":
@@ -324,7 +324,7 @@ class DesignFile(DiscFile):
 
     path: SerializeAsAny[PathSection]
     car: CarSection
-    cam: Cam
+    cam: CamSection
 
     @model_validator(mode="after")
     def _laps_need_no_blend(self) -> "DesignFile":

@@ -19,7 +19,7 @@ from cadgen.design.machining import DrawingText
 from cadgen.errors import FileError
 from cadgen.gears.layout import TrainPart
 from cadgen.inference.measurement.record import Direction
-from cadgen.jobs.cam.plan import CamPlan
+from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.gears.assembly import parts_facts
 from cadgen.jobs.gears.gear_train import GearTrain
 from cadgen.messages import Message

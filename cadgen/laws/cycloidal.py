@@ -8,7 +8,7 @@ from __future__ import annotations
 from math import tau
 from typing import TYPE_CHECKING
 
-from cadgen.laws.law import Law
+from cadgen.laws.law import MotionLaw
 
 if TYPE_CHECKING:
     from cadgen.arrays import Array
@@ -20,7 +20,7 @@ def _jet(u: Array) -> Array:
     return np.stack([u - np.sin(tau * u) / tau, 1 - np.cos(tau * u), tau * np.sin(tau * u)], axis=1)
 
 
-CYCLOIDAL = Law(
+CYCLOIDAL = MotionLaw(
     code="cycloidal",
     meaning="The cycloid: from rest to rest, with a sine for its acceleration.",
     jet=_jet,

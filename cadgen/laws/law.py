@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Law:
+class MotionLaw:
     """Normalised rise over a segment: s from 0 to 1 as its share u of the angle goes from 0 to 1.
 
     Attributes:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from cadgen.laws.law import Law
+from cadgen.laws.law import MotionLaw
 
 if TYPE_CHECKING:
     from cadgen.arrays import Array
@@ -26,7 +26,7 @@ def _jet(u: Array) -> Array:
     )
 
 
-POLYNOMIAL_3_4_5 = Law(
+POLYNOMIAL_3_4_5 = MotionLaw(
     code="polynomial_3_4_5",
     meaning="The 3-4-5 polynomial: from rest to rest, gentle in velocity.",
     jet=_jet,

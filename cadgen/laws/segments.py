@@ -10,7 +10,7 @@ import numpy as np
 from cadgen.arrays import TURN, Array
 from cadgen.curves.piecewise import quintic_hermite
 from cadgen.errors import DesignError
-from cadgen.laws.law import Law
+from cadgen.laws.law import MotionLaw
 from cadgen.laws.motion import Motion
 from cadgen.laws.unit import Unit
 from cadgen.messages import Message
@@ -22,7 +22,7 @@ _NAMES = (Message("motion"), Message("velocity"), Message("acceleration"))
 
 
 @dataclass(frozen=True)
-class Segment:
+class MotionSpan:
     """Part of a turn with one law, or without motion.
 
     Attributes:
@@ -37,7 +37,7 @@ class Segment:
     stop: float
     before: float
     after: float
-    law: Law | None
+    law: MotionLaw | None
 
     def knots(self) -> tuple[Array, Array]:
         """Cam angles, rad, shape (n,), and height with two derivatives at them, shape (n, 3), of its own side."""
@@ -76,12 +76,12 @@ class SegmentMotion(Motion):
         segments: segments in order, which fill the turn.
     """
 
-    segments: tuple[Segment, ...] = ()
+    segments: tuple[MotionSpan, ...] = ()
 
     key: ClassVar[str] = "motion.segments"
 
     @classmethod
-    def of(cls, segments: Sequence[Segment], unit: Unit) -> "SegmentMotion":
+    def of(cls, segments: Sequence[MotionSpan], unit: Unit) -> "SegmentMotion":
         """Motion of segments that fill the turn and close it.
 
         Args:

@@ -19,8 +19,8 @@ from cadgen.car.steering import track_curvature, travel_ratio
 from cadgen.design import cam_model, variation
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
+from cadgen.jobs.cam.cam_plan import CamPlan, comparison_of, plan_cam
 from cadgen.jobs.cam.comparison import known_trains
-from cadgen.jobs.cam.plan import CamPlan, comparison_of, plan_cam
 from cadgen.jobs.runs.tolerance import CarSample, ToleranceRun, tolerance_of
 from cadgen.output.files.nc import drilling_minutes, milling_minutes
 from cadgen.registry import Registry

@@ -6,7 +6,7 @@ from typing import Annotated
 import numpy as np
 from annotated_types import Gt, Le
 
-from cadgen.cam.follower import Remedy
+from cadgen.cam.follower import LossRemedy
 from cadgen.cam.followers.kind import FollowerKind
 from cadgen.cam.round_follower import RoundFollower
 from cadgen.laws.unit import TAN
@@ -44,8 +44,8 @@ class SlidingRoller(RoundFollower):
 
     def remedies(self):
         return (
-            Remedy("follower.radius_mm", self.radius, False, lambda value: replace(self, radius=value)),
-            Remedy("cam.base_radius_mm", self.base_radius, True, lambda value: replace(self, base_radius=value)),
+            LossRemedy("follower.radius_mm", self.radius, False, lambda value: replace(self, radius=value)),
+            LossRemedy("cam.base_radius_mm", self.base_radius, True, lambda value: replace(self, base_radius=value)),
         )
 
     def least(self, x, y):

@@ -15,8 +15,8 @@ from cadgen.design.cam_model import lift
 from cadgen.design.load import load_design, load_train
 from cadgen.errors import DesignError
 from cadgen.jobs.cam import cures as cures_module
+from cadgen.jobs.cam.cam_plan import plan_cam
 from cadgen.jobs.cam.cures import find_cures
-from cadgen.jobs.cam.plan import plan_cam
 
 
 @pytest.mark.parametrize(

@@ -20,14 +20,14 @@ from cadgen.cam.envelope import actual_profile
 from cadgen.cam.followers import table
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
 from cadgen.cam.loss import lost_lift, undercut_cures, worst_loss
-from cadgen.cam.round_follower import Arc
+from cadgen.cam.round_follower import CircleArc
 from cadgen.car.path_motion import PathMotion
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
 from cadgen.jobs.calibration.calibration import nominal_of
+from cadgen.jobs.cam.cam_files import write_cam
+from cadgen.jobs.cam.cam_plan import plan_cam
 from cadgen.jobs.cam.cures import find_cures
-from cadgen.jobs.cam.files import write_cam
-from cadgen.jobs.cam.plan import plan_cam
 from cadgen.parts.blank import Blank
 from tests.cam.sliding_roller import SLIDING_ROLLER, SlidingRoller
 
@@ -124,7 +124,7 @@ def test_hollow_corners_cost_nothing(appendix_car):
     hollow = lift.kinks[slope > 1e-3]
     assert hollow.size > 2
     profile = actual_profile(lift, roller)
-    arcs = [piece for piece in profile.curve.pieces if isinstance(piece, Arc)]
+    arcs = [piece for piece in profile.curve.pieces if isinstance(piece, CircleArc)]
     assert len(arcs) == hollow.size
     rolled, _ = roll_curve(profile.curve, roller, hollow)
     assert np.abs(rolled.lift - roller.lift(lift.q(hollow))).max() < 2e-5

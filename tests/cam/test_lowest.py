@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from cadgen.cam import lowest
-from cadgen.cam.lowest import SAME, Radii, Reach, Run
+from cadgen.cam.lowest import SAME, LowestRun, Radii, Reach
 
 NOISE = np.random.default_rng(5).normal(size=(2, 600)) * 1e-14
 
@@ -42,7 +42,7 @@ def test_a_branch_that_ends_is_followed_by_its_own_face():
     radii = np.full((3, 600), np.inf)
     radii[0, :300], radii[1, 300:], radii[2] = 60.0, 60.0, 60.0 - SAME / 2
     runs = lowest_branches(radii, {0: 1, 1: 0})
-    assert runs == [Run(0, 0), Run(300, 1)] or len(runs) == 1
+    assert runs == [Run(0, 0), LowestRun(300, 1)] or len(runs) == 1
 
 
 @pytest.mark.parametrize("depth", [SAME / 2, SAME * 2])

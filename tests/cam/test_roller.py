@@ -14,7 +14,7 @@ from cadgen.cam.envelope import actual_profile
 from cadgen.cam.followers import table
 from cadgen.design.load import complete_of, design_of
 from cadgen.errors import CadgenError, DesignError
-from cadgen.laws.segments import Segment, SegmentMotion
+from cadgen.laws.segments import MotionSpan, SegmentMotion
 from cadgen.laws.table import law_of
 from cadgen.laws.unit import MM
 from tests.docs.blocks import DOCS, blocks
@@ -33,7 +33,7 @@ def motion(*spans):
     segments, at, height = [], 0.0, 0.0
     for angle, after, law in spans:
         stop = at + angle
-        segments.append(Segment(radians(at), radians(stop), height, after, law and law_of(law)))
+        segments.append(MotionSpan(radians(at), radians(stop), height, after, law and law_of(law)))
         at, height = stop, after
     return SegmentMotion.of(segments, MM)
 
@@ -161,10 +161,10 @@ def test_a_design_has_a_motion_or_a_car(registered):
 
 
 def test_a_jump_of_velocity_is_refused_and_one_of_acceleration_named():
-    from cadgen.laws.law import Law
+    from cadgen.laws.law import MotionLaw
 
-    line = Law(code="line", meaning="", jet=lambda u: np.stack([u, 1 + 0 * u, 0 * u], axis=1), pieces=1)
-    sine = Law(
+    line = MotionLaw(code="line", meaning="", jet=lambda u: np.stack([u, 1 + 0 * u, 0 * u], axis=1), pieces=1)
+    sine = MotionLaw(
         code="sine",
         meaning="",
         jet=lambda u: np.stack(
@@ -173,14 +173,14 @@ def test_a_jump_of_velocity_is_refused_and_one_of_acceleration_named():
     )
 
     def made(law):
-        return SegmentMotion.of([Segment(0.0, np.pi, 0.0, 5.0, law), Segment(np.pi, TURN, 5.0, 0.0, sine)], MM)
+        return SegmentMotion.of([MotionSpan(0.0, np.pi, 0.0, 5.0, law), MotionSpan(np.pi, TURN, 5.0, 0.0, sine)], MM)
 
     with pytest.raises(DesignError, match=r"the velocity jumps at 0 degrees of cam angle from 0 to 1\.59155"):
         made(line)
     dwelling = [
-        Segment(0.0, np.pi, 0.0, 5.0, sine),
-        Segment(np.pi, 4.0, 5.0, 5.0, None),
-        Segment(4.0, TURN, 5.0, 0.0, sine),
+        MotionSpan(0.0, np.pi, 0.0, 5.0, sine),
+        MotionSpan(np.pi, 4.0, 5.0, 5.0, None),
+        MotionSpan(4.0, TURN, 5.0, 0.0, sine),
     ]
     seams = SegmentMotion.of(dwelling, MM).seams
     assert [seam.order for seam in seams] == [2, 2, 2]

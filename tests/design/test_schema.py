@@ -17,7 +17,7 @@ from cadgen.design.blank import BlankSection, LighteningSection
 from cadgen.design.follower import section_of
 from cadgen.design.keys import keys
 from cadgen.design.kinds import Kinds
-from cadgen.design.schema import Cam, Checks, DesignFile
+from cadgen.design.schema import CamSection, Checks, DesignFile
 
 
 def accepted(section: type, **values: Any) -> bool:
@@ -33,18 +33,18 @@ FACES = {"inner_face_mm": 23.5, "outer_face_mm": 26.5, "mid_plane_mm": 25.0, "th
 
 @pytest.mark.parametrize("pair", list(combinations(FACES, 2)), ids="+".join)
 def test_any_two_keys_give_the_same_faces(pair: tuple[str, str]) -> None:
-    cam = Cam(base_radius_mm=70.0, **{name: FACES[name] for name in pair})
+    cam = CamSection(base_radius_mm=70.0, **{name: FACES[name] for name in pair})
     assert cam.faces_mm == (23.5, 26.5)
 
 
 @pytest.mark.parametrize("count", [0, 1, 3, 4])
 def test_any_other_number_of_keys_is_refused(count: int) -> None:
     for names in combinations(FACES, count):
-        assert not accepted(Cam, base_radius_mm=70.0, **{name: FACES[name] for name in names})
+        assert not accepted(CamSection, base_radius_mm=70.0, **{name: FACES[name] for name in names})
 
 
 def test_values_cannot_be_changed() -> None:
-    cam = Cam(base_radius_mm=70.0, mid_plane_mm=25.0, thickness_mm=3.0)
+    cam = CamSection(base_radius_mm=70.0, mid_plane_mm=25.0, thickness_mm=3.0)
     with pytest.raises(ValidationError):
         cam.base_radius_mm = 71.0  # type: ignore[misc]
 

@@ -16,10 +16,10 @@ from cadgen.design import cam_model, variation
 from cadgen.design.load import load_design, packaged_designs
 from cadgen.errors import DesignError
 from cadgen.jobs.calibration.calibration import nominal_of
-from cadgen.jobs.cam.as_built import as_built_sentences, outlook_checks, outlook_sentence
+from cadgen.jobs.cam.built_car import as_built_sentences, outlook_checks, outlook_sentence
+from cadgen.jobs.cam.cam_files import write_cam
+from cadgen.jobs.cam.cam_plan import plan_cam
 from cadgen.jobs.cam.car_facts import as_built_facts
-from cadgen.jobs.cam.files import write_cam
-from cadgen.jobs.cam.plan import plan_cam
 from cadgen.jobs.runs.simulation import simulate
 from cadgen.jobs.runs.tolerance import CarSample, run_tolerance
 from cadgen.output.files.dxf import read_dxf

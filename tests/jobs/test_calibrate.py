@@ -20,7 +20,7 @@ from cadgen.jobs.calibration.calibration_report import sentence, shown, sizes
 from cadgen.jobs.calibration.files import write_calibration
 from cadgen.jobs.calibration.new_cam import Built, agreed_places
 from cadgen.jobs.calibration.sources import read, stated_form_error
-from cadgen.jobs.cam.as_built import assumed_play
+from cadgen.jobs.cam.built_car import assumed_play
 from cadgen.jobs.runs.simulation import simulate
 from cadgen.output.report.terminal import Heading, plain
 

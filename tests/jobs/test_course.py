@@ -14,7 +14,7 @@ from cadgen.design.load import load_design
 from cadgen.deviations.deviation import COLUMNS
 from cadgen.inference.monte_carlo.cars import run_cars
 from cadgen.inference.monte_carlo.course_margins import margins_at
-from cadgen.jobs.cam.plan import plan_cam
+from cadgen.jobs.cam.cam_plan import plan_cam
 from cadgen.jobs.runs.fleet import fleet_of
 from cadgen.jobs.runs.watched import watching
 

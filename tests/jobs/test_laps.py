@@ -22,7 +22,7 @@ from cadgen.errors import DesignError
 from cadgen.inference.monte_carlo.cars import run_cars
 from cadgen.jobs.adjustment.plan import Wanted, adjust
 from cadgen.jobs.calibration.calibration import calibrate
-from cadgen.jobs.cam.plan import CamPlan, plan_cam
+from cadgen.jobs.cam.cam_plan import CamPlan, plan_cam
 from cadgen.jobs.planning.task import Tightening, task_of
 from cadgen.jobs.runs.fleet import fleet_of
 from tests.car.running.laps_truth import laps_with_play

@@ -11,8 +11,8 @@ from cadgen.curves.closed import Outline
 from cadgen.design.load import load_design
 from cadgen.geometry.meshes.content import inspect
 from cadgen.geometry.solids.step_text import read_rim
-from cadgen.jobs.cam.files import write_cam
-from cadgen.jobs.cam.plan import plan_cam
+from cadgen.jobs.cam.cam_files import write_cam
+from cadgen.jobs.cam.cam_plan import plan_cam
 from cadgen.output.files.dxf import read_dxf
 from cadgen.output.files.gcode_reader import read_gcode
 from cadgen.output.files.stl import read_stl

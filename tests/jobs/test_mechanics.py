@@ -9,8 +9,8 @@ from cadgen.car.against_play.profile_kinds import ACTUAL, COMPENSATED
 from cadgen.design import cam_model, variation
 from cadgen.design.load import load_design
 from cadgen.errors import CheckError, DesignError
+from cadgen.jobs.cam.cam_plan import plan_cam
 from cadgen.jobs.cam.car_facts import comparison_facts, remedy_facts
-from cadgen.jobs.cam.plan import plan_cam
 from cadgen.jobs.cam.remedies import remedies
 
 FRICTION = ["mechanics.friction_least=0.05", "mechanics.friction_greatest=0.3", "optimize.max_lift_error_um="]

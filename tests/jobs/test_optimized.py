@@ -16,8 +16,8 @@ from cadgen.car.running.errors import run_error
 from cadgen.car.running.sampled import sampled_lift
 from cadgen.design.load import load_design
 from cadgen.errors import CheckError, DesignError
-from cadgen.jobs.cam.files import write_cam
-from cadgen.jobs.cam.plan import default_profile, plan_cam
+from cadgen.jobs.cam.cam_files import write_cam
+from cadgen.jobs.cam.cam_plan import default_profile, plan_cam
 from cadgen.output.files.dxf import read_dxf
 
 PAPER = 0.4531  # what both of the paper's methods take off

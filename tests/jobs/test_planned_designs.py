@@ -7,7 +7,7 @@ import pytest
 from scipy.interpolate import BSpline
 
 from cadgen.design.load import course_of, load_design, packaged_designs
-from cadgen.jobs.cam.plan import plan_cam
+from cadgen.jobs.cam.cam_plan import plan_cam
 
 PLANNED = ("figure_eight", "posts_and_walls", "s_course")
 # mm and degrees at the end of the run, worst over the band; of the figure 8 on and after the tenth lap.

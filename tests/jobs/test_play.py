@@ -13,8 +13,8 @@ from cadgen.car.running.drive import drive
 from cadgen.car.running.errors import run_error
 from cadgen.design.load import load_design
 from cadgen.errors import CheckError, FileError
+from cadgen.jobs.cam.cam_plan import comparison_of, plan_cam
 from cadgen.jobs.cam.car_facts import comparison_facts
-from cadgen.jobs.cam.plan import comparison_of, plan_cam
 from cadgen.jobs.runs import tolerance
 from cadgen.jobs.runs.files import write_simulation
 from cadgen.jobs.runs.manifest import simulation_facts, tolerance_facts

@@ -24,7 +24,7 @@ from cadgen.cam.contact import roll
 from cadgen.design.load import load_design
 from cadgen.inference.adjustment import Settings, Trial
 from cadgen.jobs.adjustment.plan import Bench, Wanted
-from cadgen.jobs.cam.plan import comparison_of, plan_cam
+from cadgen.jobs.cam.cam_plan import comparison_of, plan_cam
 from tests.studies.command import PAGES, options, tell
 from tests.studies.friction_truth import CELLS, DEG, TURN, FrictionCar, World
 from tests.studies.journal import outcomes, share, stamp

@@ -136,7 +136,7 @@ def go_round(seed: int, number: int) -> Outcome:
     from cadgen.jobs.calibration.as_built_file import as_built_text
     from cadgen.jobs.calibration.calibration import calibrate
     from cadgen.jobs.calibration.sources import Source
-    from cadgen.jobs.cam.plan import plan_cam
+    from cadgen.jobs.cam.cam_plan import plan_cam
     from tests.inference.measurement.synthetic import Car as Bed
 
     drawn, rng = draw(seed, number), np.random.default_rng([seed, number, 1])

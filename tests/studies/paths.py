@@ -25,8 +25,8 @@ from cadgen.curves.biarc import arcs
 from cadgen.curves.spline import splines
 from cadgen.design.load import load_design
 from cadgen.errors import CadgenError
-from cadgen.jobs.cam.files import write_cam
-from cadgen.jobs.cam.plan import CamPlan, plan_cam
+from cadgen.jobs.cam.cam_files import write_cam
+from cadgen.jobs.cam.cam_plan import CamPlan, plan_cam
 from cadgen.output.files.xyz import read_xyz, write_xyz
 from tests.studies.command import PAGES, options, tell
 from tests.studies.paths_truth import TURN, Truth

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Seat:
+class FollowerSeat:
     """Disc and place that a follower is built on, mm.
 
     Attributes:
@@ -47,6 +47,6 @@ class FollowerKind:
     code: str
     meaning: str
     keys: type[Any]
-    build: Callable[[Any, Seat], Follower]
+    build: Callable[[Any, FollowerSeat], Follower]
     unit: Unit = MM
-    refuse: Callable[[Any, Seat], None] = lambda keys, seat: None
+    refuse: Callable[[Any, FollowerSeat], None] = lambda keys, seat: None

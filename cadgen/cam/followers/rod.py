@@ -39,7 +39,7 @@ from numpy.typing import NDArray
 from cadgen.arrays import TURN, Array
 from cadgen.cam.checks import cam_place
 from cadgen.cam.contact import ROLLING_TOLERANCE
-from cadgen.cam.follower import Branch, Contact, Follower, Remedy, RolledCam, Section, Swept, span_jets, turned
+from cadgen.cam.follower import Branch, Contact, Follower, LossRemedy, OwnSection, RolledCam, Swept, span_jets, turned
 from cadgen.cam.lowest import SAME
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.curves.closed import ClosedCurve, Jet, Piece
@@ -216,7 +216,7 @@ class EnvelopePiece(Swept):
 
 
 @dataclass(frozen=True, kw_only=True)
-class RodArc(Section):
+class RodArc(OwnSection):
     """The rod's own section at a hollow kink of the lift, by t = -eta.
 
     Attributes:
@@ -492,11 +492,11 @@ class LeaningRod(Follower):
         """The rod's axis."""
         return replace(self, radius=0.0)
 
-    def remedies(self) -> tuple[Remedy, ...]:
+    def remedies(self) -> tuple[LossRemedy, ...]:
         """A thinner rod and a larger base circle."""
         return (
-            Remedy("follower.radius_mm", self.radius, False, lambda value: replace(self, radius=value)),
-            Remedy("cam.base_radius_mm", self.base_radius, True, lambda value: replace(self, base_radius=value)),
+            LossRemedy("follower.radius_mm", self.radius, False, lambda value: replace(self, radius=value)),
+            LossRemedy("cam.base_radius_mm", self.base_radius, True, lambda value: replace(self, base_radius=value)),
         )
 
     def least(self, x: Array, y: Array) -> tuple[Array, ...]:

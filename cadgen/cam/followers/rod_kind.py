@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from annotated_types import Ge, Gt, Le
 
-from cadgen.cam.followers.kind import FollowerKind, Seat
+from cadgen.cam.followers.kind import FollowerKind, FollowerSeat
 from cadgen.laws.unit import TAN
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ class RodKeys:
             )
 
 
-def _build(keys: RodKeys, seat: Seat) -> LeaningRod:
+def _build(keys: RodKeys, seat: FollowerSeat) -> LeaningRod:
     from cadgen.cam.followers.rod import LeaningRod
 
     inner, outer = seat.carrying
@@ -62,7 +62,7 @@ def _build(keys: RodKeys, seat: Seat) -> LeaningRod:
     return LeaningRod(base_radius=seat.base_radius, inner=inner, outer=outer, radius=keys.radius_mm, length=length)
 
 
-def _refuse(keys: RodKeys, seat: Seat) -> None:
+def _refuse(keys: RodKeys, seat: FollowerSeat) -> None:
     inner, outer = seat.faces
     # A face nearer than this the rod cannot swing clear of (the divisor w^2 - h^2 in `cadgen.cam.followers.rod`).
     if keys.radius_mm >= inner:

@@ -38,7 +38,7 @@ from cadgen.inference.adjustment import (
 )
 from cadgen.inference.monte_carlo.cars import Cars
 from cadgen.inference.records.load import read_trials, settings_line, trials_of
-from cadgen.jobs.cam.plan import CamPlan, comparison_of, plan_cam
+from cadgen.jobs.cam.cam_plan import CamPlan, comparison_of, plan_cam
 from cadgen.jobs.runs.fleet import fleet_of
 from cadgen.messages import Message
 from cadgen.progress import Progress, silent

@@ -33,7 +33,7 @@ from cadgen.inference.measurement.record import Kind, Method, Record, join, said
 from cadgen.inference.measurement.verdict import Judgement, Verdict
 from cadgen.jobs.calibration.new_cam import Built, agreed_places, expected_of, placed, with_joint_effect
 from cadgen.jobs.calibration.sources import Source, stated_form_error
-from cadgen.jobs.cam.plan import plan_cam
+from cadgen.jobs.cam.cam_plan import plan_cam
 from cadgen.progress import Progress, silent
 
 # A closed path is refused with these.

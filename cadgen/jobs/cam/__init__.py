@@ -2,14 +2,14 @@
 
 | module       | what it holds                                                                |
 |--------------|------------------------------------------------------------------------------|
-| `plan`       | design -> motion, profile and checks of a cam, and what the cam is for       |
+| `cam_plan`   | design -> motion, profile and checks of a cam, and what the cam is for       |
 | `cures`      | changes of one key that cure lost lift, each proved                          |
-| `manifest`   | plan and cures as plain values                                               |
-| `files`      | a checked cam -> every file, read back, rolled, published                    |
+| `cam_facts`  | plan and cures as plain values                                               |
+| `cam_files`  | a checked cam -> every file, read back, rolled, published                    |
 | `comparison` | a car's profiles against play: compared, checked, chosen, with the reasons   |
 | `mechanics`  | effect of friction and drag on a car's cam, in checks and words              |
 | `remedies`   | other remedies against play, on one sheet                                    |
-| `as_built`   | deviations of the car as built, in words                                     |
+| `built_car`  | deviations of the car as built, in words                                     |
 | `wheel`      | the drive wheel that a cam is for, and the closing blend on the path         |
 | `course`     | the planned run and those with play, held against the course                 |
 | `car_facts`  | play, friction and the car as built as plain values                          |

@@ -11,7 +11,7 @@ from cadgen.car.running.mechanics import MechanicsBand
 from cadgen.design import cam_model, gear_model, variation
 from cadgen.design.schema import Design
 from cadgen.deviations.deviation import Place
-from cadgen.jobs.cam.as_built import stop_as_designed
+from cadgen.jobs.cam.built_car import stop_as_designed
 from cadgen.jobs.cam.comparison import PAPER_PERCENT, PlayComparison
 from cadgen.jobs.cam.remedies import Remedy
 

@@ -9,7 +9,7 @@ from cadgen.cam.loss import undercut_cures
 from cadgen.check import Check, failing
 from cadgen.design.section import listed
 from cadgen.errors import CadgenError
-from cadgen.jobs.cam.plan import CamPlan
+from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.messages import Message
 from cadgen.progress import Progress, silent
 
@@ -20,7 +20,7 @@ MOST_KINKS_CURED = 300
 
 @dataclass(frozen=True)
 class Cure:
-    """One change of the design after which no more lift is lost than allowed.
+    """Change of the design after which no more lift is lost than allowed.
 
     Attributes:
         override: change, as for `--set`.

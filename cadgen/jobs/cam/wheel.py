@@ -93,7 +93,7 @@ class DriveWheel:
         )
 
     def facts(self) -> dict[str, Any]:
-        """The same as plain values."""
+        """Wheel and end of the run as plain values."""
         blend = self.blend
         return {
             "radius_mm": self.radius,

@@ -23,9 +23,9 @@ from cadgen.curves.closed import ClosedCurve
 from cadgen.design import cam_model, draw_model
 from cadgen.design.course import layout_of
 from cadgen.design.schema import Design
+from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.jobs.cam.course import CourseRun, OnCourse, play_checks
-from cadgen.jobs.cam.plan import CamPlan
 
 _STATIONS = 3600  # at which the rod is rolled, an even number; the run then errs by 0.02 mm
 TRIES = 3  # settings that are sought for a spacing at which the course is not kept

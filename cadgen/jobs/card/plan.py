@@ -6,7 +6,7 @@ from cadgen.car.course.layout import Draw
 from cadgen.car.draws.drawn_spacing import DrawnSpacing
 from cadgen.design import cam_model, draw_model
 from cadgen.design.schema import Design
-from cadgen.jobs.cam.plan import CamPlan, plan_cam
+from cadgen.jobs.cam.cam_plan import CamPlan, plan_cam
 from cadgen.jobs.card.maker import TRIES, Maker
 from cadgen.progress import Progress, silent
 

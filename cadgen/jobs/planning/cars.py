@@ -13,7 +13,7 @@ from cadgen.design import variation
 from cadgen.design.schema import Design
 from cadgen.errors import CadgenError
 from cadgen.inference.monte_carlo.random_cars import margins_of_cars
-from cadgen.jobs.cam.plan import CamPlan, plan_cam
+from cadgen.jobs.cam.cam_plan import CamPlan, plan_cam
 from cadgen.jobs.runs.tolerance import CarSample, ToleranceRun, tolerance_of, watched_fleet
 from cadgen.progress import Progress
 

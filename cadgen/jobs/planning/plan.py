@@ -26,7 +26,7 @@ from cadgen.design.load import design_of
 from cadgen.design.planned import planned_text, rounded
 from cadgen.design.schema import Design
 from cadgen.errors import CheckError, DesignError
-from cadgen.jobs.cam.plan import CamPlan, plan_cam
+from cadgen.jobs.cam.cam_plan import CamPlan, plan_cam
 from cadgen.jobs.card.plan import card_of
 from cadgen.jobs.planning.cars import ALL, REFINED, Cars, Tried, best, cars_on, saturated, tried
 from cadgen.jobs.planning.task import task_of

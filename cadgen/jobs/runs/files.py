@@ -13,10 +13,10 @@ from cadgen.car.running.errors import EventKind, RunError, deflected, run_error
 from cadgen.design import cam_model
 from cadgen.design.course import body_of, layout_of
 from cadgen.design.schema import Design
+from cadgen.jobs.cam.cam_facts import cam_facts
+from cadgen.jobs.cam.cam_plan import CamPlan, comparison_of
 from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.jobs.cam.cures import Cures, find_cures
-from cadgen.jobs.cam.manifest import cam_facts
-from cadgen.jobs.cam.plan import CamPlan, comparison_of
 from cadgen.jobs.runs.manifest import simulation_facts, tolerance_facts
 from cadgen.jobs.runs.simulation import Simulation
 from cadgen.jobs.runs.tolerance import ToleranceRun

@@ -9,7 +9,7 @@ from cadgen.car.running.drive import STEPS
 from cadgen.car.running.mechanics import Mechanics
 from cadgen.design import variation
 from cadgen.inference.monte_carlo.cars import Cars, nominal_cars
-from cadgen.jobs.cam.plan import CamPlan, comparison_of
+from cadgen.jobs.cam.cam_plan import CamPlan, comparison_of
 
 _OUTLINE_STEP = 0.06  # mm; rolling errs by 0.01 um of lift
 

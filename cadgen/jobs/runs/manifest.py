@@ -6,8 +6,8 @@ from typing import Any
 from cadgen.car.running.errors import deflection_sum
 from cadgen.deviations.deviation import Deviation
 from cadgen.inference.monte_carlo.budget import Budget
+from cadgen.jobs.cam.cam_plan import comparison_of
 from cadgen.jobs.cam.car_facts import as_built_facts, mechanics_facts
-from cadgen.jobs.cam.plan import comparison_of
 from cadgen.jobs.runs.budget import BudgetSheet, unit_of
 from cadgen.jobs.runs.simulation import Simulation
 from cadgen.jobs.runs.tolerance import Spread, ToleranceRun

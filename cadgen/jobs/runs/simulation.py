@@ -7,9 +7,9 @@ from math import radians
 from cadgen.car.running.drive import Run
 from cadgen.car.running.errors import Event, RunError, deflections, run_error
 from cadgen.design.schema import Design
+from cadgen.jobs.cam.cam_plan import CamPlan, comparison_of, plan_cam
 from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.jobs.cam.course import CourseRun
-from cadgen.jobs.cam.plan import CamPlan, comparison_of, plan_cam
 from cadgen.progress import Progress, silent
 
 

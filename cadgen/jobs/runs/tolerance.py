@@ -15,7 +15,7 @@ from cadgen.deviations.deviation import RETURN_ERROR, Deviation
 from cadgen.errors import DesignError, FileError
 from cadgen.inference.monte_carlo.cars import Cars
 from cadgen.inference.monte_carlo.random_cars import CarEnds, Map, Sensitivity, sensitivities, tolerance_run
-from cadgen.jobs.cam.plan import CamPlan, comparison_of, plan_cam
+from cadgen.jobs.cam.cam_plan import CamPlan, comparison_of, plan_cam
 from cadgen.jobs.runs.budget import BudgetSheet, budget_sheet
 from cadgen.jobs.runs.fleet import fleet_of
 from cadgen.jobs.runs.watched import watching

@@ -11,7 +11,7 @@ from cadgen.cam.follower import Contact
 from cadgen.car.against_play.evaluate import Evaluation
 from cadgen.car.path_motion import PathMotion
 from cadgen.curves.closed import ClosedCurve
-from cadgen.jobs.cam.plan import CamPlan
+from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.runs.simulation import Simulation
 from cadgen.messages import Message
 from cadgen.viewer.page.document import Chart, Curve, Limit, Mark, MarkKind

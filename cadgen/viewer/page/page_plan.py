@@ -11,8 +11,8 @@ from cadgen.design import cam_model, variation
 from cadgen.design.schema import Design, MotionDesign, TrainDesign
 from cadgen.errors import CheckError, DesignError, FileError
 from cadgen.gears.choices import Order
+from cadgen.jobs.cam.cam_plan import CamPlan, CarUse, default_profile, plan_cam, plan_motion_cam
 from cadgen.jobs.cam.cures import Cures, find_cures
-from cadgen.jobs.cam.plan import CamPlan, CarUse, default_profile, plan_cam, plan_motion_cam
 from cadgen.jobs.cam.remedies import Remedy, remedies
 from cadgen.jobs.gears.gear_train import GearTrain, plan_gears
 from cadgen.jobs.runs.simulation import Simulation, simulated

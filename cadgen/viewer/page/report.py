@@ -5,8 +5,8 @@ from pathlib import Path
 from typing import Any
 
 from cadgen.figures import Cell, State, number
+from cadgen.jobs.cam.cam_facts import cam_facts
 from cadgen.jobs.cam.car_facts import remedy_facts
-from cadgen.jobs.cam.manifest import cam_facts
 from cadgen.jobs.runs.manifest import simulation_facts, tolerance_facts
 from cadgen.messages import Message
 from cadgen.output.files.publisher import Written, publish, text_file

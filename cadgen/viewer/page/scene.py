@@ -19,7 +19,7 @@ from cadgen.design.course import body_of, layout_of
 from cadgen.design.schema import Design
 from cadgen.errors import CadgenError
 from cadgen.geometry.meshes.mesh import Mesh, cam_mesh
-from cadgen.jobs.cam.plan import CamPlan
+from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.gears.gear_train import GearTrain
 from cadgen.messages import Message
 from cadgen.parts.face import Face

@@ -11,8 +11,8 @@ from cadgen.check import Bound, Check
 from cadgen.deviations.deviation import Place
 from cadgen.figures import Cell, Figures, Sheet, State, number
 from cadgen.gears.layout import TrainLayout
+from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.comparison import PlayComparison
-from cadgen.jobs.cam.plan import CamPlan
 from cadgen.jobs.cam.remedies import Remedy
 from cadgen.jobs.gears.assembly import parts_facts
 from cadgen.jobs.runs.budget import shown_value

@@ -14,9 +14,9 @@ from cadgen.car.against_play.profile_kinds import ACTUAL, CutLift, ProfileKind, 
 from cadgen.cli.options import profile_option
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
+from cadgen.jobs.cam.cam_facts import cam_facts
+from cadgen.jobs.cam.cam_plan import plan_cam
 from cadgen.jobs.cam.cures import find_cures
-from cadgen.jobs.cam.manifest import cam_facts
-from cadgen.jobs.cam.plan import plan_cam
 
 GROUND = 0.01  # mm by which the made-up rod is thicker: the cam is as much smaller all round
 

@@ -11,7 +11,7 @@ from cadgen.car.course.layout import Course, Draw, Obstacle, Shape
 from cadgen.car.draws.best_settings import Minimax
 from cadgen.car.draws.setting_ranges import SettingRange, Wheels
 from cadgen.design import draw_model
-from cadgen.jobs.cam.plan import plan_cam
+from cadgen.jobs.cam.cam_plan import plan_cam
 from cadgen.jobs.card.maker import Maker
 
 SIMILAR = """

@@ -19,7 +19,7 @@ from cadgen.inference.measurement.kinds.transmission import follow
 from cadgen.inference.measurement.nominal import Forces
 from cadgen.inference.measurement.reservations import with_friction_judged, with_known_play
 from cadgen.inference.measurement.verdict import Judgement
-from cadgen.jobs.cam.as_built import as_built_sentences
+from cadgen.jobs.cam.built_car import as_built_sentences
 from cadgen.jobs.cam.car_facts import as_built_facts
 from tests.inference.measurement.synthetic_drive import RATIOS
 from tests.inference.measurement.synthetic_rod import rod_record

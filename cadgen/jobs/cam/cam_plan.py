@@ -31,12 +31,12 @@ from cadgen.curves.derived import turned
 from cadgen.design import cam_model, variation
 from cadgen.design.load import with_overrides
 from cadgen.design.machining import DrawingText, Machining
-from cadgen.design.motion import Turns, motion_of
+from cadgen.design.motion import DiscSense, motion_of
 from cadgen.design.schema import Design, Export, MotionDesign
 from cadgen.design.section import listed
 from cadgen.deviations.as_built import edges_check
 from cadgen.errors import DesignError
-from cadgen.jobs.cam.as_built import as_built_sentences, assumed_play, outlook_checks
+from cadgen.jobs.cam.built_car import as_built_sentences, assumed_play, outlook_checks
 from cadgen.jobs.cam.car_facts import as_built_facts, comparison_facts
 from cadgen.jobs.cam.comparison import MeasuredCam, PlayComparison, ProfileChecks, against_play, known_trains, task_of
 from cadgen.jobs.cam.course import OnCourse, course_checks, on_course
@@ -173,7 +173,7 @@ class SegmentUse(Application):
     design: MotionDesign
 
     @property
-    def turns(self) -> Turns:
+    def turns(self) -> DiscSense:
         """Sense in which the disc turns, seen on its outer face."""
         return self.design.motion.turns
 
@@ -205,7 +205,7 @@ class SegmentUse(Application):
 
     def notes(self, cam: "CamPlan") -> tuple[str, ...]:
         """Sense of the disc, greatest velocity and acceleration, and where the acceleration jumps."""
-        seen = "outer" if self.turns == Turns.CLOCKWISE else "inner"
+        seen = "outer" if self.turns == DiscSense.CLOCKWISE else "inner"
         said = [
             Message(
                 "The disc turns {turns}, seen on its outer face; files show its {seen} face, on which it turns "
@@ -635,7 +635,7 @@ def plan_motion_cam(design: MotionDesign, profile: str | None = None, progress: 
         trims=wanted.trims,
         blank=blank,
         faces=design.cam.faces_mm,
-        seen=Face.OUTER if design.motion.turns == Turns.CLOCKWISE else Face.INNER,
+        seen=Face.OUTER if design.motion.turns == DiscSense.CLOCKWISE else Face.INNER,
         limits=limits,
         making=Making.of(design),
         checks=checks,

@@ -4,8 +4,8 @@ from math import degrees, isfinite
 from typing import Any
 
 from cadgen.check import Check
+from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.cures import Cures
-from cadgen.jobs.cam.plan import CamPlan
 
 
 def cam_facts(plan: CamPlan, cures: Cures) -> dict[str, Any]:

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 from cadgen.cam.checks import cam_angles
 from cadgen.errors import CheckError
+from cadgen.jobs.cam.cam_facts import cam_facts
+from cadgen.jobs.cam.cam_plan import CamPlan, CarUse
 from cadgen.jobs.cam.cures import Cures, find_cures
-from cadgen.jobs.cam.manifest import cam_facts
-from cadgen.jobs.cam.plan import CamPlan, CarUse
 from cadgen.output.files.exports import CamExport
 from cadgen.output.files.formats import CAM
 from cadgen.output.files.publisher import Artifact, Written, publish
