@@ -20,7 +20,7 @@ def test_real_crossings_stay_where_the_least_changes():
     radii = np.stack([60 + np.sin(3 * x), np.full(600, 60.2)]) + NOISE
     owner = np.argmin(radii, axis=0)
     changes = np.flatnonzero(owner != np.roll(owner, 1))
-    assert lowest_branches(radii, {}) == [Run(int(cell), int(owner[cell])) for cell in changes]
+    assert lowest_branches(radii, {}) == [LowestRun(int(cell), int(owner[cell])) for cell in changes]
 
 
 def test_branches_that_coincide_are_one():
@@ -42,7 +42,7 @@ def test_a_branch_that_ends_is_followed_by_its_own_face():
     radii = np.full((3, 600), np.inf)
     radii[0, :300], radii[1, 300:], radii[2] = 60.0, 60.0, 60.0 - SAME / 2
     runs = lowest_branches(radii, {0: 1, 1: 0})
-    assert runs == [Run(0, 0), LowestRun(300, 1)] or len(runs) == 1
+    assert runs == [LowestRun(0, 0), LowestRun(300, 1)] or len(runs) == 1
 
 
 @pytest.mark.parametrize("depth", [SAME / 2, SAME * 2])
