@@ -416,7 +416,7 @@ class CarUse(Application):
         )
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class CamPlan:
     """A cam that has been computed and checked, but not yet made.
 
