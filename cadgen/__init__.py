@@ -64,8 +64,8 @@ _HOMES = {
     "Plan": "api.planning",
     "Report": "api.page",
     "SetScrew": "parts.features",
-    "Simulation": "api.runs",
-    "ToleranceRun": "api.runs",
+    "Simulation": "jobs.simulation",
+    "ToleranceRun": "jobs.tolerance",
     "Train": "api.gears",
     "Web": "parts.features",
     "Written": "output.files.publisher",
@@ -91,9 +91,11 @@ if TYPE_CHECKING:
     from cadgen.api.measured import Measured
     from cadgen.api.page import Report
     from cadgen.api.planning import Plan
-    from cadgen.api.runs import Comparison, Simulation, ToleranceRun
+    from cadgen.api.runs import Comparison
     from cadgen.errors import CadgenError, CheckError, DesignError, FileError
     from cadgen.jobs.gears.gear_train import GearTrain
+    from cadgen.jobs.simulation import Simulation
+    from cadgen.jobs.tolerance import ToleranceRun
     from cadgen.output.files.publisher import Written, WrittenFile, verify
     from cadgen.parts.features import Hub, Keyway, Lightening, SetScrew, Web
 

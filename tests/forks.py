@@ -21,7 +21,6 @@ _ROOT = Path(__file__).parents[1]
 _LONGEST = 300  # s; then a script is ended
 _LOADED = (
     "cadgen.api.gears",
-    "cadgen.api.runs",
     "cadgen.cli.show_play",
     "cadgen.output.report.calibration",
     "cadgen.output.report.cars",
@@ -34,7 +33,7 @@ _LOADED = (
     "cadgen.jobs.calibration.files",
     "cadgen.jobs.cam.cam_files",
     "cadgen.jobs.gears.gear_train",
-    "cadgen.jobs.runs.files",
+    "cadgen.jobs.simulation",
     "ezdxf",
     "lib3mf",
     "matplotlib.backends.backend_agg",

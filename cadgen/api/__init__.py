@@ -5,7 +5,7 @@
 | `values`   | checks of a caller's numbers and words, with one sentence a refusal        |
 | `overrides`| values of Python as the overrides of the command line                      |
 | `cam`      | a cam that has been computed: figures, picture, solid, files               |
-| `runs`     | runs with play, the methods against it, many cars within the tolerances    |
+| `runs`     | the methods against play, compared                                         |
 | `drawing`  | drawings of cams and trains                                                |
 | `measured` | measured data, as files or as arrays                                       |
 | `gears`    | gears, pairs and trains by their numbers                                   |

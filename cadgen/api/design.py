@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from cadgen.api.loaded import LoadedDesign
 from cadgen.api.measured import Data, sources_of
-from cadgen.api.values import instance, optional, whole, word
+from cadgen.api.values import instance, map_of, optional, whole, word
 from cadgen.design import load
 from cadgen.design.schema import MotionDesign
 from cadgen.gears.choices import Order
@@ -19,9 +19,12 @@ if TYPE_CHECKING:
     from cadgen.api.cam import Cam
     from cadgen.api.card import Card
     from cadgen.api.planning import Plan
-    from cadgen.api.runs import Comparison, Pool, Simulation, ToleranceRun
+    from cadgen.api.runs import Comparison
+    from cadgen.api.values import Pool
     from cadgen.inference.monte_carlo.random_cars import Map
     from cadgen.jobs.gears.gear_train import GearTrain
+    from cadgen.jobs.simulation import Simulation
+    from cadgen.jobs.tolerance import ToleranceRun
 
 MOST_CARS, MOST_PROCESSES = 10_000_000, 256
 FORM_ERROR_UM = (0.01, 1000.0)
@@ -80,7 +83,7 @@ class Design(LoadedDesign):
 
     def simulate(
         self, profile: str = "optimized", play_deg: float | None = None, *, progress: Progress = silent
-    ) -> "Simulation":
+    ) -> "Simulation[Cam]":
         """Run the car with play in its gears, on the actual profile and on one against play.
 
         Args:
@@ -93,11 +96,12 @@ class Design(LoadedDesign):
             DesignError: as `cam`, or the play is out of its range.
             CheckError: no profile keeps the limits of [optimize].
         """
-        from cadgen.api import runs
-        from cadgen.jobs.runs import simulation
+        from cadgen.api.cam import Cam
+        from cadgen.jobs.cam.cam_plan import plan_cam
+        from cadgen.jobs.simulation import simulated
 
         play = optional("play_deg", play_deg, 0, 180, "degrees")
-        return runs.Simulation(simulation.simulate(self.complete(), profile, play, progress))
+        return simulated(Cam.of(plan_cam(self.complete(), profile, progress)), play, progress)
 
     def optimize(self, *, progress: Progress = silent) -> "Comparison":
         """Compare the methods against play, alone and combined, on every train, and choose the best.
@@ -109,14 +113,15 @@ class Design(LoadedDesign):
             DesignError: nothing is known of the play.
             CheckError: no profile keeps the limits of [optimize].
         """
-        from cadgen.api import cam, runs
+        from cadgen.api.cam import Cam
+        from cadgen.api.runs import Comparison
         from cadgen.jobs.cam.cam_plan import comparison_of, plan_cam
         from cadgen.jobs.cam.remedies import remedies
 
         design = self.complete()
         plan = plan_cam(design, "optimized", progress, all_trains=True)
         known = comparison_of(plan)
-        return runs.Comparison(cam.Cam.of(plan), remedies(design, known, progress) if known.task.mechanics else ())
+        return Comparison(Cam.of(plan), remedies(design, known, progress) if known.task.mechanics else ())
 
     def tolerance(
         self,
@@ -128,7 +133,7 @@ class Design(LoadedDesign):
         budget: bool = False,
         processes: int = 1,
         progress: Progress = silent,
-    ) -> "ToleranceRun":
+    ) -> "ToleranceRun[Cam]":
         """Run random cars within the tolerances of [tolerances] and [train].
 
         Args:
@@ -146,17 +151,19 @@ class Design(LoadedDesign):
             CheckError: no profile keeps the limits of [optimize].
             FileError: the memory does not suffice for so many cars.
         """
-        from cadgen.api import runs
-        from cadgen.jobs.runs.tolerance import CarSample, run_tolerance
+        from cadgen.api.cam import Cam
+        from cadgen.jobs.cam.cam_plan import plan_cam
+        from cadgen.jobs.tolerance import CarSample, tolerance_of
 
         sample = CarSample(
             samples=whole("samples", samples, 1, MOST_CARS),
             seed=whole("seed", seed, 0),
             processes=whole("processes", processes, 1, MOST_PROCESSES),
             with_budget=budget,
-            map_with=runs.map_of(map),
+            map_with=map_of(map),
         )
-        return runs.ToleranceRun(run_tolerance(self.complete(), profile, sample, progress))
+        plan = plan_cam(self.complete(), profile, progress, with_play=True)
+        return tolerance_of(Cam.of(plan), sample, progress)
 
     def calibrate(
         self,

@@ -7,8 +7,7 @@ from typing import Any, Generic
 
 from cadgen.api.calibration import D
 from cadgen.api.cam import Cam
-from cadgen.api.runs import map_of
-from cadgen.api.values import optional, whole
+from cadgen.api.values import map_of, optional, whole
 from cadgen.car.planner import RESERVE, SEEDS, WITHIN_MM
 from cadgen.design import cam_model
 from cadgen.design.schema import Design as DesignValues

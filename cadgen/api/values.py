@@ -1,11 +1,11 @@
 """Checks of a caller's numbers and words; each refusal is a sentence with the name and what is allowed."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from math import inf, isfinite, nan
 from numbers import Integral, Real
 from os import PathLike
 from pathlib import Path
-from typing import TypeVar
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,6 +13,9 @@ from numpy.typing import ArrayLike
 from cadgen.arrays import Array
 from cadgen.design.section import LEAST_FEATURE_MM
 from cadgen.errors import DesignError, brief
+
+if TYPE_CHECKING:
+    from cadgen.inference.monte_carlo.random_cars import Map
 
 T = TypeVar("T")
 
@@ -208,6 +211,36 @@ def name_or_path(name: str, value: str | PathLike[str] | None) -> str | Path | N
         return value if value is None or isinstance(value, str) else Path(value)
     except TypeError:
         raise DesignError(f"{name} is {_shown(value)}; it must be the name of a design or the path of a file") from None
+
+
+class Pool(Protocol):
+    """Anything with a `map`: `concurrent.futures`, `multiprocessing`, mpi4py, dask."""
+
+    def map(self, function: Callable[[int], Array], numbers: Iterable[int], /) -> Iterable[Array]:
+        """The function's results in order, computed anywhere.
+
+        Args:
+            function: function of a number, which can be pickled.
+            numbers: numbers to compute it for.
+        """
+
+
+def map_of(pool: "Pool | Map | None") -> Callable[..., Iterable[Any]] | None:
+    """Map function of an executor or pool, or the function itself.
+
+    Args:
+        pool: object with a method `map` or `submit`, function like the built-in `map`, or None.
+
+    Raises:
+        DesignError: the pool is none of these.
+    """
+    from cadgen.studies.engines import mapping
+
+    if pool is None:
+        return None
+    if (function := mapping(pool)) is None:
+        raise DesignError(f"map is {brief(repr(pool), 60)}; it must be a function such as map, or have a method map")
+    return function
 
 
 def _range(least: float, most: float) -> str:

@@ -138,7 +138,7 @@ def remedies(sheet: "Sequence[Remedy]") -> None:
             console.print(f"{remedy.name}: {remedy.build}.")
 
 
-def runs(simulation: "Simulation") -> None:
+def runs(simulation: "Simulation[Cam]") -> None:
     """Print the events and the ends of the runs."""
     console = Output()
     friction(simulation.cam)
@@ -174,7 +174,7 @@ def runs(simulation: "Simulation") -> None:
     console.print(table)
 
 
-def _events(simulation: "Simulation", title: str) -> None:
+def _events(simulation: "Simulation[Cam]", title: str) -> None:
     """Print every event of the profile before with its deflection, and their sum."""
     table = plain_table(title)
     figure_columns(table, ("event", "cam angle", "lift", "deflection"))
@@ -188,7 +188,7 @@ def _events(simulation: "Simulation", title: str) -> None:
     Output().print(table)
 
 
-def course(simulation: "Simulation") -> None:
+def course(simulation: "Simulation[Cam]") -> None:
     """Print how near the car comes to everything on the course, and how far inside each gate it passes."""
     runs = simulation.computed.on_course
     if runs is None:
@@ -210,22 +210,22 @@ def course(simulation: "Simulation") -> None:
     Output().print(table)
 
 
-def fleet(run: "ToleranceRun") -> None:
+def fleet(run: "ToleranceRun[Cam]") -> None:
     """Print the ends of the cars, how many pass, and the sensitivities."""
     from cadgen.api.runs import shown_value
 
     console = Output()
     result = run.computed
     friction(run.cam)
-    design = result.plan.car.design
+    design = result.cam.car.design
     for text in run.notes:
         console.print(text)
     console.print(
-        f"{design.name}, {result.plan.kind} profile: {result.samples} cars, seed {result.seed}, "
+        f"{design.name}, {result.cam.kind} profile: {result.samples} cars, seed {result.seed}, "
         f"{design.tolerances.law} law",
         style="bold",
     )
-    if result.plan.laps is not None:
+    if result.cam.laps is not None:
         console.print(
             "Position and heading are those where the last lap ends; a lap that turns about its start is right there "
             "and off elsewhere, so go by the heading, and by the course."
@@ -249,7 +249,7 @@ def fleet(run: "ToleranceRun") -> None:
         deviation = sensitivity.deviation
         table.add_row(
             sensitivity.name.replace("_", " "),
-            shown_value(deviation, result.half_width(deviation)),
+            shown_value(deviation, result.half_widths[deviation]),
             shown_value(deviation, sensitivity.step),
             f"{sensitivity.distance:.3f} mm",
             f"{degrees(sensitivity.heading):.4f}°",

@@ -6,7 +6,10 @@
 | `cam`         | design -> profile, checks -> files of a cam              |
 | `card`        | settings for every spacing of a course that can be drawn |
 | `gears`       | design -> train, checks -> files of a gear train         |
-| `runs`        | the car's runs with play, one by one and by the thousand |
+| `simulation`  | the car's runs with play, one by one                     |
+| `tolerance`   | many cars within the tolerances                          |
+| `nominal_car` | the car that these are varied from                       |
+| `error_budget`| what costs most at the finish                            |
 | `calibration` | measured files -> verdicts -> the design as built        |
 | `drawings`    | cam and train -> drawings for a workshop                 |
 | `adjustment`  | trial runs -> what a hand sets before the next           |

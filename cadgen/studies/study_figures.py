@@ -21,7 +21,7 @@ from cadgen.design.schema import Design
 from cadgen.errors import DesignError
 from cadgen.jobs.cam.cam_plan import CamPlan, comparison_of, plan_cam
 from cadgen.jobs.cam.comparison import known_trains
-from cadgen.jobs.runs.tolerance import CarSample, ToleranceRun, tolerance_of
+from cadgen.jobs.tolerance import CarSample, ToleranceRun, tolerance_of
 from cadgen.output.files.nc import drilling_minutes, milling_minutes
 from cadgen.registry import Registry
 
@@ -68,7 +68,7 @@ class Evaluated:
         return plan_cam(self.design, self._profile, with_play=bool(variation.play_bands(self.design)))
 
     @cached_property
-    def tolerance(self) -> ToleranceRun:
+    def tolerance(self) -> ToleranceRun[CamPlan]:
         """Random cars with that cam."""
         return tolerance_of(self.plan, CarSample(samples=self._cars, seed=self._seed))
 

@@ -20,8 +20,8 @@ from cadgen.jobs.cam.built_car import as_built_sentences, outlook_checks, outloo
 from cadgen.jobs.cam.cam_files import write_cam
 from cadgen.jobs.cam.cam_plan import plan_cam
 from cadgen.jobs.cam.car_facts import as_built_facts
-from cadgen.jobs.runs.simulation import simulate
-from cadgen.jobs.runs.tolerance import CarSample, run_tolerance
+from cadgen.jobs.simulation import simulate
+from cadgen.jobs.tolerance import CarSample, run_tolerance
 from cadgen.output.files.dxf import read_dxf
 from tests.inference.measurement.synthetic_drive import Wheels
 
@@ -266,7 +266,7 @@ def test_the_commands_say_what_is_built_and_where_to_stop(built, tmp_path):
 @pytest.mark.slow
 def test_a_play_that_was_not_measured_is_said_to_be_assumed(built, tmp_path, monkeypatch):
     for drawing in ("draw_lift", "draw_tracks", "draw_run_errors"):  # they take long
-        monkeypatch.setattr(f"cadgen.jobs.runs.files.{drawing}", lambda *content: [])
+        monkeypatch.setattr(f"cadgen.jobs.simulation.{drawing}", lambda *content: [])
     built(TRACK[0])
     command = ["simulate", str(tmp_path / "mine.toml"), "--profile", "compensated", "--out", str(tmp_path / "out")]
     told = " ".join(CliRunner().invoke(cli, command).output.split())
@@ -293,7 +293,7 @@ def test_tolerances_are_about_the_car_as_built(built):
         effect("track", "lever gain", "car", gain_percent=2.0),
     )
     run = run_tolerance(design, "compensated", CarSample(samples=40))
-    nominal = run.plan.comparison.chosen.error.end_distance
+    nominal = run.cam.comparison.chosen.error.end_distance
     median = run.end_position.quantiles[0.5]
     print(f"{nominal:.2f} mm, median {median:.1f} mm")
     assert nominal < 10

@@ -21,7 +21,7 @@ from cadgen.jobs.calibration.files import write_calibration
 from cadgen.jobs.calibration.new_cam import Built, agreed_places
 from cadgen.jobs.calibration.sources import read, stated_form_error
 from cadgen.jobs.cam.built_car import assumed_play
-from cadgen.jobs.runs.simulation import simulate
+from cadgen.jobs.simulation import simulate
 from cadgen.output.report.terminal import Heading, plain
 
 MEASURED = Path(__file__).parents[1] / "data" / "measured"

@@ -15,8 +15,7 @@ from cadgen.deviations.deviation import COLUMNS
 from cadgen.inference.monte_carlo.cars import run_cars
 from cadgen.inference.monte_carlo.course_margins import margins_at
 from cadgen.jobs.cam.cam_plan import plan_cam
-from cadgen.jobs.runs.fleet import fleet_of
-from cadgen.jobs.runs.watched import watching
+from cadgen.jobs.nominal_car import fleet_of, watching
 
 pytestmark = pytest.mark.slow
 

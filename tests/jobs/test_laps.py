@@ -12,6 +12,7 @@ import tomli_w
 
 from cadgen.arrays import TURN
 from cadgen.car.against_play.laps import Drift, drift
+from cadgen.car.planner.path_task import Margins
 from cadgen.car.running.drive import drive
 from cadgen.check import CheckCode
 from cadgen.design import cam_model
@@ -23,8 +24,8 @@ from cadgen.inference.monte_carlo.cars import run_cars
 from cadgen.jobs.adjustment.plan import Wanted, adjust
 from cadgen.jobs.calibration.calibration import calibrate
 from cadgen.jobs.cam.cam_plan import CamPlan, plan_cam
-from cadgen.jobs.planning.task import Tightening, task_of
-from cadgen.jobs.runs.fleet import fleet_of
+from cadgen.jobs.nominal_car import fleet_of
+from cadgen.jobs.planning.task import task_of
 from tests.car.running.laps_truth import laps_with_play
 from tests.conftest import DESIGNS
 
@@ -261,7 +262,7 @@ def test_jobs_for_runs_with_an_end_refuse_laps():
             near=None,
             within=0.0,
             calm=None,
-            tightening=Tightening(),
+            tightening=Margins(),
         )
     with pytest.raises(DesignError, match=r"set path\.closed alike in both"):
         task_of(
@@ -270,7 +271,7 @@ def test_jobs_for_runs_with_an_end_refuse_laps():
             near=cam_model.track(load_design()),
             within=10.0,
             calm=None,
-            tightening=Tightening(),
+            tightening=Margins(),
         )
 
 

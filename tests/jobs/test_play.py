@@ -13,12 +13,10 @@ from cadgen.car.running.drive import drive
 from cadgen.car.running.errors import run_error
 from cadgen.design.load import load_design
 from cadgen.errors import CheckError, FileError
+from cadgen.jobs import tolerance
 from cadgen.jobs.cam.cam_plan import comparison_of, plan_cam
 from cadgen.jobs.cam.car_facts import comparison_facts
-from cadgen.jobs.runs import tolerance
-from cadgen.jobs.runs.files import write_simulation
-from cadgen.jobs.runs.manifest import simulation_facts, tolerance_facts
-from cadgen.jobs.runs.simulation import simulate
+from cadgen.jobs.simulation import simulate
 
 ROOT = Path(__file__).parents[2]
 TRIALS = ROOT / "tests" / "data" / "trials"
@@ -225,7 +223,7 @@ def test_no_order_is_advised_that_does_not_help(name, limit):
 def test_simulates_with_the_play_that_is_asked_for(simulated, carbon_free_car):
     made_for = simulated.comparison.chosen.play
     exact = end_of_compensated(carbon_free_car, made_for, radians(0.9))
-    facts = simulation_facts(simulated)
+    facts = simulated.facts()
     assert facts["after"]["end_position_mm"] == pytest.approx(exact.end_distance, abs=0.1)
     assert facts["after"]["end_heading_deg"] == pytest.approx(degrees(exact.end_heading), abs=0.001)
     without = end_of_compensated(carbon_free_car, made_for, 0.0)
@@ -237,13 +235,13 @@ def test_simulates_with_the_play_that_is_asked_for(simulated, carbon_free_car):
 @pytest.mark.slow
 def test_simulations_of_two_profiles_have_files_of_their_own(simulated, tmp_path, monkeypatch):
     for drawing in ("draw_lift", "draw_tracks", "draw_run_errors"):  # they take long
-        monkeypatch.setattr(f"cadgen.jobs.runs.files.{drawing}", lambda *content: [])
+        monkeypatch.setattr(f"cadgen.jobs.simulation.{drawing}", lambda *content: [])
     smoothed = simulate(load_design("carbon_free_car"), "smoothed")
-    names = [set(write_simulation(one, tmp_path).entry["files"]) for one in (simulated, smoothed)]
+    names = [set(one.write(tmp_path).entry["files"]) for one in (simulated, smoothed)]
     assert not names[0] & names[1]
     assert names[0] | names[1] | {"manifest.json"} == {file.name for file in tmp_path.iterdir()}
-    assert simulation_facts(smoothed)["failed_checks"] == ["lift error with play"]
-    assert not simulation_facts(smoothed)["passed"]
+    assert smoothed.facts()["failed_checks"] == ["lift error with play"]
+    assert not smoothed.facts()["passed"]
 
 
 @pytest.mark.slow
@@ -291,7 +289,7 @@ def test_cars_that_hardly_differ_end_where_the_profile_was_judged_to(carbon_free
     exact = end_of_compensated(carbon_free_car, radians(0.74), radians(0.74))
     np.testing.assert_allclose(np.degrees(run.ends.heading), degrees(exact.end_heading), atol=0.001)
     np.testing.assert_allclose(run.ends.distance, exact.end_distance, atol=0.1)
-    assert tolerance_facts(run)["passed"]
+    assert run.facts()["passed"]
 
 
 @pytest.mark.slow
@@ -307,5 +305,5 @@ def test_out_of_memory_for_many_cars_advises_fewer(monkeypatch):
 @pytest.mark.slow
 def test_a_prediction_names_the_checks_that_fail():
     run = tolerance.run_tolerance(load_design("appendix_car"), "compensated", tolerance.CarSample(samples=3))
-    assert not tolerance_facts(run)["passed"]
-    assert tolerance_facts(run)["failed_checks"] == ["convex radius, theory", "lost lift, undercut"]
+    assert not run.facts()["passed"]
+    assert run.facts()["failed_checks"] == ["convex radius, theory", "lost lift, undercut"]

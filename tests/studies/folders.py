@@ -330,7 +330,7 @@ def _load(*, commands: bool) -> None:
     if commands:
         os.environ["OPENBLAS_NUM_THREADS"] = "1"
 
-        import cadgen.jobs.runs.files  # noqa: F401
+        import cadgen.jobs.simulation  # noqa: F401
 
 
 def report(cases: int, seed: int, commands: bool, states: Mapping[str, int], failed: list[str]) -> str:

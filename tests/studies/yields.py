@@ -13,7 +13,7 @@ import numpy as np
 from cadgen import Design, __version__
 from cadgen.design import variation
 from cadgen.inference.monte_carlo.random_cars import margins_of_cars
-from cadgen.jobs.runs.tolerance import ToleranceRun, comparison_of, watched_fleet
+from cadgen.jobs.tolerance import ToleranceRun, comparison_of, watched_fleet
 from tests.studies.command import PAGES, options, tell
 from tests.studies.planner import gates
 
@@ -25,7 +25,7 @@ FEW = 1000  # cars that are held against each gate alone
 
 def each_alone(run: ToleranceRun, seed: int) -> dict[str, float]:
     """Share of the cars that keep each gate alone, and the edge."""
-    fleet, plan = watched_fleet(run.plan), run.plan
+    fleet, plan = watched_fleet(run.cam), run.cam
     tolerances = variation.tolerances(plan.car.design, comparison_of(plan).task.mechanics)
     margins = margins_of_cars(fleet, tolerances, FEW, seed=seed).margins
     return {
@@ -41,7 +41,7 @@ def row(name: str, design: Design, cars: int, seed: int) -> str:
     first = " ".join(f"{gate} {100 * share:.1f} %," for gate, share in alone[:3]).rstrip(",")
     ranked = ", ".join(f"{each.name.replace('_', ' ')} {100 * each.share:.0f} %" for each in run.sensitivities[:3])
     position, heading = run.end_position, run.end_heading_deg
-    band = comparison_of(run.plan).chosen.band
+    band = comparison_of(run.cam).chosen.band
     return (
         f"| {name} | {100 * run.passed:.1f} % | {band.worst_distance:.0f}, {np.degrees(band.worst_heading):.2f} | "
         f"{position.quantiles[0.5]:.0f}, {position.quantiles[0.95]:.0f} | "

@@ -39,7 +39,7 @@ from cadgen.inference.adjustment import (
 from cadgen.inference.monte_carlo.cars import Cars
 from cadgen.inference.records.load import read_trials, settings_line, trials_of
 from cadgen.jobs.cam.cam_plan import CamPlan, comparison_of, plan_cam
-from cadgen.jobs.runs.fleet import fleet_of
+from cadgen.jobs.nominal_car import fleet_of
 from cadgen.messages import Message
 from cadgen.progress import Progress, silent
 from cadgen.version import __version__

@@ -14,7 +14,7 @@ from cadgen.design.schema import Design
 from cadgen.errors import CadgenError
 from cadgen.inference.monte_carlo.random_cars import margins_of_cars
 from cadgen.jobs.cam.cam_plan import CamPlan, plan_cam
-from cadgen.jobs.runs.tolerance import CarSample, ToleranceRun, tolerance_of, watched_fleet
+from cadgen.jobs.tolerance import CarSample, ToleranceRun, tolerance_of, watched_fleet
 from cadgen.progress import Progress
 
 # Reserves that are tried one after the other as long as they help, two in any case: factors on the scatter.
@@ -64,8 +64,8 @@ class Cars:
 
     tried: tuple[Tried, ...]
     number: int
-    after: ToleranceRun
-    before: ToleranceRun | None
+    after: ToleranceRun[CamPlan]
+    before: ToleranceRun[CamPlan] | None
 
     @property
     def chosen(self) -> Tried:

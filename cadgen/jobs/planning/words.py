@@ -19,7 +19,7 @@ def sentences(planned: PlannedPath) -> list[str]:
     lines = [] if planned.cars is None else [_kept(planned.cars)]
     if cam.comparison is not None:
         low, high = (degrees(end) for end in cam.comparison.band.ends)
-        before = None if planned.cars is None or planned.cars.before is None else planned.cars.before.plan.comparison
+        before = None if planned.cars is None or planned.cars.before is None else planned.cars.before.cam.comparison
         was = "" if before is None else f", and on the path before {_ends(before)}"
         lines.append(
             f"with play from {low:.3f} to {high:.3f} degrees the run ends at most {_ends(cam.comparison)} off{was} "
@@ -54,7 +54,7 @@ def _kept(cars: Cars) -> str:
     after, (key, share), first = cars.after, cars.binding, cars.after.sensitivities[0]
     said = (
         f"{100 * after.passed:.1f} % of {after.samples} cars within the tolerances keep the course with the "
-        f"{after.plan.kind.code} profile"
+        f"{after.cam.kind.code} profile"
     )
     if cars.before is not None:
         said += f", where {100 * cars.before.passed:.1f} % do on the path before"
@@ -89,10 +89,10 @@ def _cars_facts(cars: Cars | None) -> dict[str, Any] | None:
     if cars is None:
         return None
     (key, share), before = cars.binding, cars.before
-    known = None if before is None else before.plan.comparison
+    known = None if before is None else before.cam.comparison
     return {
         "cars": cars.after.samples,
-        "profile": cars.after.plan.kind.code,
+        "profile": cars.after.cam.kind.code,
         "seed": cars.after.seed,
         "kept": cars.after.passed,
         "kept_before": None if before is None else before.passed,

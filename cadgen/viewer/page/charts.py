@@ -12,7 +12,7 @@ from cadgen.car.against_play.evaluate import Evaluation
 from cadgen.car.path_motion import PathMotion
 from cadgen.curves.closed import ClosedCurve
 from cadgen.jobs.cam.cam_plan import CamPlan
-from cadgen.jobs.runs.simulation import Simulation
+from cadgen.jobs.simulation import Simulation
 from cadgen.messages import Message
 from cadgen.viewer.page.document import Chart, Curve, Limit, Mark, MarkKind
 
@@ -28,7 +28,7 @@ class Charted:
     marks: tuple[Mark, ...]
 
 
-def charts_of(plan: CamPlan, simulation: Simulation | None) -> Charted:
+def charts_of(plan: CamPlan, simulation: Simulation[CamPlan] | None) -> Charted:
     """Charts of a cam that is planned, and the marks of its lift."""
     theta = np.linspace(0.0, TURN, STATIONS + 1)
     wanted = plan.curve if plan.comparison is None else plan.comparison.chosen.wanted.curve
@@ -96,7 +96,7 @@ def name_before(before: Evaluation) -> Message:
     return Message("measured cam, with play" if before.measured else "plain profile, with play")
 
 
-def _off(simulation: Simulation) -> Chart:
+def _off(simulation: Simulation[CamPlan]) -> Chart:
     """Distance from the planned place, with play."""
     motor = simulation.planned.motor
     theta = np.linspace(0.0, TURN, STATIONS + 1)

@@ -15,8 +15,8 @@ from cadgen.jobs.cam.cam_plan import CamPlan, CarUse, default_profile, plan_cam,
 from cadgen.jobs.cam.cures import Cures, find_cures
 from cadgen.jobs.cam.remedies import Remedy, remedies
 from cadgen.jobs.gears.gear_train import GearTrain, plan_gears
-from cadgen.jobs.runs.simulation import Simulation, simulated
-from cadgen.jobs.runs.tolerance import CarSample, ToleranceRun, tolerance_of
+from cadgen.jobs.simulation import Simulation, simulated
+from cadgen.jobs.tolerance import CarSample, ToleranceRun, tolerance_of
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
@@ -78,9 +78,9 @@ class PagePlan:
     cam: CamPlan
     cures: Cures
     gears: GearTrain | None
-    simulation: Simulation | None
+    simulation: Simulation[CamPlan] | None
     remedies: tuple[Remedy, ...]
-    tolerance: ToleranceRun | None
+    tolerance: ToleranceRun[CamPlan] | None
     calibration: "CalibrationPlan | None"
     refusals: tuple[Refusal, ...]
     scope: Scope = Scope.REPORT

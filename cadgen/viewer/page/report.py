@@ -7,7 +7,6 @@ from typing import Any
 from cadgen.figures import Cell, State, number
 from cadgen.jobs.cam.cam_facts import cam_facts
 from cadgen.jobs.cam.car_facts import remedy_facts
-from cadgen.jobs.runs.manifest import simulation_facts, tolerance_facts
 from cadgen.messages import Message
 from cadgen.output.files.publisher import Written, publish, text_file
 from cadgen.progress import Progress, silent
@@ -129,9 +128,9 @@ def page_facts(plan: PagePlan) -> dict[str, Any]:
         "refused": [{"part": refusal.part, "reason": refusal.reason} for refusal in plan.refusals],
         "cam": cam_facts(plan.cam, plan.cures),
         "gears": None if plan.gears is None else plan.gears.facts(),
-        "simulation": None if plan.simulation is None else simulation_facts(plan.simulation),
+        "simulation": None if plan.simulation is None else plan.simulation.facts(),
         "remedies": [remedy_facts(remedy) for remedy in plan.remedies],
-        "tolerance": None if plan.tolerance is None else tolerance_facts(plan.tolerance),
+        "tolerance": None if plan.tolerance is None else plan.tolerance.facts(),
         "calibration": _calibration(plan),
     }
 

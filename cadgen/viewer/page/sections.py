@@ -14,10 +14,10 @@ from cadgen.gears.layout import TrainLayout
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.jobs.cam.remedies import Remedy
+from cadgen.jobs.error_budget import shown_value
 from cadgen.jobs.gears.assembly import parts_facts
-from cadgen.jobs.runs.budget import shown_value
-from cadgen.jobs.runs.simulation import Simulation
-from cadgen.jobs.runs.tolerance import Spread, ToleranceRun
+from cadgen.jobs.simulation import Simulation
+from cadgen.jobs.tolerance import Spread, ToleranceRun
 from cadgen.messages import Message
 from cadgen.parts.features import Keyway
 from cadgen.viewer.page.charts import name_before
@@ -154,7 +154,7 @@ def _names(figures: Figures) -> tuple[str, ...]:
     return tuple(figure.name for figure in figures.values())
 
 
-def _runs(simulation: Simulation) -> Sheet:
+def _runs(simulation: Simulation[CamPlan]) -> Sheet:
     chosen, before = simulation.comparison.chosen, simulation.comparison.before
     runs = (
         (Cell(name_before(before)), simulation.before_error),
@@ -166,7 +166,7 @@ def _runs(simulation: Simulation) -> Sheet:
     return Sheet("runs", Message("End of the run"), heads, rows)
 
 
-def _events(simulation: Simulation) -> Sheet:
+def _events(simulation: Simulation[CamPlan]) -> Sheet:
     digits = {"cam_angle": 2, "deflection": 4}
     rows = tuple(
         (Cell(event.kind), *(figure.cell(digits=digits.get(code)) for code, figure in event.figures.items()))
@@ -176,7 +176,7 @@ def _events(simulation: Simulation) -> Sheet:
     return Sheet("events", Message("Jumps and waits of the plain profile"), heads, rows)
 
 
-def _course(simulation: Simulation) -> Sheet:
+def _course(simulation: Simulation[CamPlan]) -> Sheet:
     assert simulation.on_course is not None
     planned, played = (run.figures() for run in simulation.on_course)
     rows = [
@@ -201,7 +201,7 @@ def _remedies(sheet: tuple[Remedy, ...]) -> Sheet:
     return Sheet("remedies", Message("Remedies"), heads, rows, words=2)
 
 
-def tolerance_section(run: ToleranceRun | None, reason: str) -> Section:
+def tolerance_section(run: ToleranceRun[CamPlan] | None, reason: str) -> Section:
     """Many cars within the tolerances; or the reason why there are none."""
     title = Message("Tolerance")
     if run is None:
@@ -210,7 +210,7 @@ def tolerance_section(run: ToleranceRun | None, reason: str) -> Section:
         "{samples} random cars with this cam (seed {seed}, {law} law): {passing:.2f} % keep the course and its gates.",
         samples=run.samples,
         seed=run.seed,
-        law=Message(run.plan.car.design.tolerances.law),
+        law=Message(run.law),
         passing=100 * run.passed,
     )
     spreads: tuple[tuple[str, Spread, str], ...] = (
@@ -239,11 +239,11 @@ def tolerance_section(run: ToleranceRun | None, reason: str) -> Section:
     return Section("tolerance", title, (lead,), (ends, _sensitivities(run)))
 
 
-def _sensitivities(run: ToleranceRun) -> Sheet:
+def _sensitivities(run: ToleranceRun[CamPlan]) -> Sheet:
     rows = [
         (
             item.name.replace("_", " "),
-            shown_value(item.deviation, run.half_width(item.deviation)),
+            shown_value(item.deviation, run.half_widths[item.deviation]),
             shown_value(item.deviation, item.step),
             number(item.distance, "mm"),
             number(degrees(item.heading), "°", digits=4),

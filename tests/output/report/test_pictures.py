@@ -11,8 +11,7 @@ import pytest
 from cadgen.car.course.layout import Shape
 from cadgen.car.running.errors import deflections
 from cadgen.design.load import load_design
-from cadgen.jobs.runs.files import lift_picture
-from cadgen.jobs.runs.simulation import simulate
+from cadgen.jobs.simulation import lift_picture, simulate
 from cadgen.output.report import style
 from cadgen.output.report.cars import FleetPicture, draw_budget, draw_fleet
 from cadgen.output.report.errors import draw_events
@@ -58,7 +57,7 @@ def draw_all(simulation, folder):
     return [
         *draw_lift(lift_picture(simulation), folder, "lift"),
         *draw_tracks([TrackPanel(title="run", run=simulation.before)], simulation.planned, field, folder, "tracks"),
-        *draw_run_errors("errors", lines, simulation.plan.track.length, folder, "run"),
+        *draw_run_errors("errors", lines, simulation.cam.track.length, folder, "run"),
         *draw_events("events", {"actual": simulation.events}, folder, "events"),
         *draw_fleet(fleet, folder, "fleet"),
         *draw_budget("costs", {"taper": (65.0, 3.0), "start heading": (23.0, 23.0)}, folder, "budget"),

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from math import degrees
+from typing import Any
 
 from cadgen.design import variation
 from cadgen.design.schema import Design
@@ -62,6 +63,32 @@ class BudgetSheet:
             rows.append((name, cells))
         together = [f"{budget.before:.0f}, {budget.after:.0f}" for budget in self.processes.values()]
         return [*rows, ("all, root of squares", together)]
+
+    def facts(self) -> dict[str, Any]:
+        """Cost of every deviation as plain values, each in the unit that its key names."""
+        return {
+            **_costs(self.budget),
+            "processes": {process: _costs(budget) for process, budget in self.processes.items()},
+            "advice": self.sentences(),
+        }
+
+
+def _costs(budget: Budget) -> dict[str, Any]:
+    return {
+        "costs": [
+            {
+                "name": cost.name,
+                "half_width": cost.half_width * unit_of(cost.deviation)[1],
+                "unit": unit_of(cost.deviation)[0],
+                "end_position_mm": cost.before,
+                "end_position_after_trim_mm": cost.after,
+                "repeats": cost.repeats,
+                "beyond_first_order": cost.rough,
+            }
+            for cost in budget.costs
+        ],
+        "root_of_squares_mm": {"before": budget.before, "after_trim": budget.after},
+    }
 
 
 def budget_sheet(design: Design, fleet: Cars, tolerances: Tolerances) -> BudgetSheet:

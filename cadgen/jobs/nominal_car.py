@@ -1,20 +1,55 @@
-"""A fleet that is held against the course of its design."""
+"""The nominal car of a design, ready to be varied: its cam rolled once, and held against its course."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
 
+from cadgen.arrays import TURN
 from cadgen.car.course.approach import nearest_point
 from cadgen.car.course.body import place_of
 from cadgen.car.course.judge import Passage, turned_by
-from cadgen.inference.monte_carlo.cars import Cars, Poses
+from cadgen.car.running.drive import STEPS
+from cadgen.car.running.mechanics import Mechanics
+from cadgen.design import variation
+from cadgen.inference.monte_carlo.cars import Cars, Poses, nominal_cars
 from cadgen.inference.monte_carlo.course_margins import ClearanceItem, Complex, GateItem
+from cadgen.jobs.cam.cam_plan import CamPlan, comparison_of
 from cadgen.jobs.cam.course import CourseRun
 
+_OUTLINE_STEP = 0.06  # mm; rolling errs by 0.01 um of lift
 _WINDOW = 600.0  # mm of the planned track to either side of a gate, in which a car may be early or late
 _STEP = 10.0  # mm between its points
 _EDGE = "course.field"  # key of the field's edge
+
+
+def fleet_of(
+    plan: CamPlan, stations: Sequence[int], mechanics: Mechanics | None, play: float, grid: int = STEPS
+) -> Cars:
+    """The nominal car of a design, ready to be varied.
+
+    Args:
+        plan: of the cam that all cars have, planned with play.
+        stations: steps of the run, `STEPS` to a turn that is begun, at which poses are wanted, in order; the last is
+            the end of the run.
+        mechanics: friction and drag of the nominal car; None if the rod slides freely.
+        play: return error of the nominal car, rad.
+        grid: cam angles of a turn on which the cars are integrated.
+    """
+    task = comparison_of(plan).task
+    return nominal_cars(
+        task.as_built.roll_new(plan.curve, task.follower, np.linspace(0.0, TURN, grid, endpoint=False), _OUTLINE_STEP),
+        task.follower,
+        task.car,
+        task.length,
+        plan.steering,
+        task.planned(),
+        wheel_radius=variation.wheel_radius(plan.car.design, task.length),
+        play=play,
+        stations=stations,
+        mechanics=mechanics,
+        expansion=variation.expansion(plan.car.design),
+    )
 
 
 def watching(fleet: Cars, planned: CourseRun) -> Cars:

@@ -1,8 +1,12 @@
 """Many cars within the design's tolerances: ends of their runs, yield at the gates, and sensitivities."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property, partial
+from math import degrees
+from os import PathLike
+from pathlib import Path
+from typing import Any, Generic, Self
 
 import numpy as np
 
@@ -13,14 +17,19 @@ from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.deviations.deviation import RETURN_ERROR, Deviation
 from cadgen.errors import DesignError, FileError
+from cadgen.gears.choices import Law
 from cadgen.inference.monte_carlo.cars import Cars
 from cadgen.inference.monte_carlo.random_cars import CarEnds, Map, Sensitivity, sensitivities, tolerance_run
 from cadgen.jobs.cam.cam_plan import CamPlan, comparison_of, plan_cam
-from cadgen.jobs.runs.budget import BudgetSheet, budget_sheet
-from cadgen.jobs.runs.fleet import fleet_of
-from cadgen.jobs.runs.watched import watching
+from cadgen.jobs.cam.car_facts import as_built_facts
+from cadgen.jobs.error_budget import BudgetSheet, budget_sheet, unit_of
+from cadgen.jobs.nominal_car import fleet_of, watching
+from cadgen.jobs.simulation import C, car_notes
+from cadgen.output.files.publisher import Artifact, Written, folder_of, publish
+from cadgen.output.report.cars import FleetPicture, draw_budget, draw_fleet
 from cadgen.processes import in_processes
 from cadgen.progress import Progress, silent
+from cadgen.version import __version__
 
 QUANTILES = (0.5, 0.9, 0.95, 0.99)
 
@@ -50,25 +59,39 @@ def spread(values: Array) -> Spread:
     return Spread(float(values.mean()), quantiles, float(values.max()))
 
 
-@dataclass(frozen=True)
-class ToleranceRun:
-    """A design's random cars.
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class ToleranceRun(Generic[C]):
+    """Many cars within the tolerances of a design: what `Design.tolerance` gives. Lengths are mm and angles rad.
 
     Attributes:
-        plan: plan of the profile that all cars have.
+        cam: cam that all cars have.
         seed: seed of the random numbers.
-        ends: errors at the ends of the cars' runs, mm and rad.
+        ends: errors of every car at the end of its run, shape (samples,), mm and rad.
         gates: number of gates: those of the course, or the waypoints passed and the end of the run.
-        sensitivities: effect of each tolerance, greatest share first.
-        budget: error budget of the design, and of the disc by process; None if it was not asked for.
+        gate_width: width of the gates at the waypoints, mm; None where the course has its own.
+        law: law of the deviations within their zones.
+        half_widths: half of the zone of each tolerance, or of the band of play, mm or rad.
+        sensitivities: effect of each tolerance on the end of the run, greatest share first.
+        budget: all deviations, ranked by their cost at the finish, mm; None if the budget was not asked for.
     """
 
-    plan: CamPlan
+    cam: C
     seed: int
     ends: CarEnds
     gates: int
+    gate_width: float | None
+    law: Law
+    half_widths: Mapping[Deviation, float]
     sensitivities: tuple[Sensitivity, ...]
     budget: BudgetSheet | None = None
+
+    def __repr__(self) -> str:
+        return f"<ToleranceRun of {self.cam.origin.name}, {self.samples} cars, {self.passed:.1%} pass>"
+
+    @property
+    def computed(self) -> Self:
+        """The whole result, for figures that are not named here: this object itself."""
+        return self
 
     @property
     def passed(self) -> float:
@@ -79,15 +102,9 @@ class ToleranceRun:
         return float(np.mean(kept))
 
     @property
-    def gate_width(self) -> float | None:
-        """Width of the gates at the waypoints, mm; None where the course has its own."""
-        course = self.plan.course
-        return None if course is not None and course.course.gates else self.plan.car.design.tolerances.gate_width
-
-    @property
     def watched(self) -> str:
         """Parts of the course that the cars must keep, in words; empty without a course."""
-        course = self.plan.course
+        course = self.cam.course
         if course is None:
             return ""
         kinds = [obstacle.kind for obstacle in course.course.obstacles]
@@ -116,12 +133,88 @@ class ToleranceRun:
         """Spread of the sizes of the heading errors at the end, degrees."""
         return spread(np.degrees(np.abs(self.ends.heading)))
 
-    def half_width(self, name: Deviation) -> float:
-        """Half of the zone of a tolerance, or of the band of play, mm or rad."""
-        if name != RETURN_ERROR:
-            return variation.half_widths(self.plan.car.design, comparison_of(self.plan).task.mechanics)[name]
-        low, high = comparison_of(self.plan).band.ends
-        return (high - low) / 2
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Sentences on what was assumed of the car, and what was measured."""
+        return car_notes(self.cam.car.design, self.cam.steering.blend_start)
+
+    def facts(self) -> dict[str, Any]:
+        """The run as plain values, as in the manifest and with `--json`; the number of processes does not show."""
+        plan = self.cam
+        position, heading = self.end_position, self.end_heading_deg
+        return {
+            **plan.origin.facts(),
+            "drive_wheel": plan.drive_wheel.facts(),
+            "cadgen": __version__,
+            "profile": plan.kind.code,
+            "friction_note": comparison_of(plan).rubbing,
+            "passed": plan.passed,
+            "failed_checks": [check.name for check in plan.failed],
+            "as_built": as_built_facts(plan.car.design, plan.steering.blend_start),
+            "samples": self.samples,
+            "seed": self.seed,
+            "law": self.law,
+            "gate_width_mm": self.gate_width,
+            "gates": self.gates,
+            "course": self._course_facts(),
+            "yield": self.passed,
+            "end_position_mm": {"mean": position.mean, **_quantiles(position), "greatest": position.greatest},
+            "end_heading_deg": {"mean of size": heading.mean, **_quantiles(heading)},
+            "sensitivities": [
+                {
+                    "tolerance": sensitivity.name,
+                    "half_width": self.half_widths[sensitivity.deviation] * unit_of(sensitivity.deviation)[1],
+                    "unit": unit_of(sensitivity.deviation)[0],
+                    "step": sensitivity.step * unit_of(sensitivity.deviation)[1],
+                    "position_mm_per_step": sensitivity.distance,
+                    "heading_deg_per_step": degrees(sensitivity.heading),
+                    "share_of_variance": sensitivity.share,
+                }
+                for sensitivity in self.sensitivities
+            ],
+            **({} if self.budget is None else {"budget": self.budget.facts()}),
+        }
+
+    def _course_facts(self) -> dict[str, Any] | None:
+        """Parts of the course that the cars must keep, and the least margin that they keep to it."""
+        if not self.watched:
+            return None
+        kept = {f"{100 * part:g} %": margin for part, margin in self.margins.items()}
+        return {"watched": self.watched, "least_margin_mm": {**kept, "least": float(self.ends.margin.min())}}
+
+    def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
+        """Write pictures of the distribution and the sensitivities, all together or none.
+
+        Args:
+            folder: folder for the files; it is made if need be.
+            progress: function that is called with a few words on each step.
+
+        Raises:
+            FileError: a file cannot be written.
+        """
+        name = f"{self.cam.origin.name}, {self.cam.kind} profile"
+        stem = f"{self.cam.origin.name}_{self.cam.kind}_tolerance"
+        progress("drawing")
+        picture = FleetPicture(
+            title=f"{name}, {self.samples} cars",
+            along=self.ends.along,
+            across=self.ends.across,
+            gate_width=self.gate_width,
+            passed=self.passed,
+            shares={sensitivity.name: sensitivity.share for sensitivity in self.sensitivities},
+        )
+
+        def files(staging: Path) -> Iterator[Artifact]:
+            yield from map(Artifact, draw_fleet(picture, staging, stem))
+            if self.budget is not None:
+                bars = {cost.name.replace("_", " "): (cost.before, cost.after) for cost in self.budget.budget.costs}
+                yield from map(Artifact, draw_budget(name, bars, staging, f"{stem}_budget"))
+
+        return publish(stem, folder_of(folder), files, self.facts())
+
+
+def _quantiles(spread: Spread) -> dict[str, float]:
+    return {f"{100 * part:g} %": value for part, value in spread.quantiles.items()}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -143,7 +236,9 @@ class CarSample:
     map_with: Map | None = None
 
 
-def run_tolerance(design: Design, profile: str, sample: CarSample, progress: Progress = silent) -> ToleranceRun:
+def run_tolerance(
+    design: Design, profile: str, sample: CarSample, progress: Progress = silent
+) -> ToleranceRun[CamPlan]:
     """Run random cars of a design.
 
     Args:
@@ -161,7 +256,7 @@ def run_tolerance(design: Design, profile: str, sample: CarSample, progress: Pro
     return tolerance_of(plan, sample, progress)
 
 
-def tolerance_of(plan: CamPlan, sample: CarSample, progress: Progress = silent) -> ToleranceRun:
+def tolerance_of(plan: C, sample: CarSample, progress: Progress = silent) -> ToleranceRun[C]:
     """Run random cars with the cam of a plan.
 
     Args:
@@ -202,7 +297,19 @@ def tolerance_of(plan: CamPlan, sample: CarSample, progress: Progress = silent) 
     if sample.with_budget:
         progress("ranking what may be off")
         sheet = budget_sheet(design, fleet, tolerances)
-    return ToleranceRun(plan, sample.seed, ends, _count(plan), ranked, sheet)
+    low, high = comparison_of(plan).band.ends
+    own_gates = plan.course is not None and plan.course.course.gates
+    return ToleranceRun(
+        cam=plan,
+        seed=sample.seed,
+        ends=ends,
+        gates=_count(plan),
+        gate_width=None if own_gates else design.tolerances.gate_width,
+        law=design.tolerances.law,
+        half_widths={**tolerances.half_widths, RETURN_ERROR: (high - low) / 2},
+        sensitivities=ranked,
+        budget=sheet,
+    )
 
 
 def _map(processes: int) -> Map | None:

@@ -1,0 +1,335 @@
+"""The car runs with play, on the actual profile and on another: runs, events and errors."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from math import degrees, radians
+from os import PathLike
+from pathlib import Path
+from typing import Any, Generic, Self, TypeVar
+
+import numpy as np
+
+from cadgen.arrays import Array
+from cadgen.car.against_play.evaluate import Evaluation
+from cadgen.car.course.layout import Shape
+from cadgen.car.running.drive import Run
+from cadgen.car.running.errors import Event, EventKind, RunError, deflected, deflection_sum, deflections, run_error
+from cadgen.design import cam_model
+from cadgen.design.course import body_of, layout_of
+from cadgen.design.schema import Design
+from cadgen.jobs.cam.built_car import as_built_sentences, assumed_play
+from cadgen.jobs.cam.cam_facts import cam_facts
+from cadgen.jobs.cam.cam_plan import CamPlan, comparison_of, plan_cam
+from cadgen.jobs.cam.car_facts import as_built_facts, mechanics_facts
+from cadgen.jobs.cam.comparison import PlayComparison
+from cadgen.jobs.cam.course import CourseRun
+from cadgen.jobs.cam.cures import Cures, find_cures
+from cadgen.jobs.cam.mechanics import joint_sentences
+from cadgen.jobs.cam.wheel import field_notice
+from cadgen.output.files.publisher import Artifact, Written, folder_of, publish
+from cadgen.output.files.tables import write_tracks
+from cadgen.output.report.errors import draw_events
+from cadgen.output.report.lift import LiftPicture, draw_lift
+from cadgen.output.report.tracks import ErrorLine, Field, TrackPanel, draw_run_errors, draw_tracks
+from cadgen.progress import Progress, silent
+
+# Cam of a result: its plan, or the plan with its verbs.
+C = TypeVar("C", bound=CamPlan)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class Simulation(Generic[C]):
+    """Runs of the car with play in its gears: what `Design.simulate` gives. Lengths are mm and angles rad.
+
+    Attributes:
+        cam: cam of the run after.
+        comparison: comparison of the two profiles.
+        play: return error of the runs at the camshaft, rad.
+        planned: planned run, without play.
+        before: run with play on the actual profile; of a car as built, on the cam that it was measured with.
+        after: run with play on the cam's profile.
+        events: jumps and reverses of the run before, with the heading that each adds, rad.
+    """
+
+    cam: C
+    comparison: PlayComparison
+    play: float
+    planned: Run
+    before: Run
+    after: Run
+    events: tuple[Event, ...]
+
+    def __repr__(self) -> str:
+        return f"<Simulation of {self.cam.origin.name}, {self.cam.kind} profile>"
+
+    @property
+    def computed(self) -> Self:
+        """The whole result, for figures that are not named here: this object itself."""
+        return self
+
+    @cached_property
+    def on_course(self) -> tuple[CourseRun, CourseRun] | None:
+        """The planned run and the run with play, held against the course; None without [course].
+
+        Raises:
+            DesignError: no car can keep the course.
+        """
+        course = self.cam.course
+        return None if course is None else (course.planned, course.played(self.comparison, self.play))
+
+    @cached_property
+    def before_error(self) -> RunError:
+        """Errors of the run before against the planned run, mm and rad."""
+        return run_error(self.before, self.planned)
+
+    @cached_property
+    def after_error(self) -> RunError:
+        """Errors of the run after against the planned run, mm and rad."""
+        return run_error(self.after, self.planned)
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Sentences on what was assumed of the car, and what was measured."""
+        return car_notes(self.cam.car.design, float(self.planned.motor[-1]))
+
+    def facts(self) -> dict[str, Any]:
+        """The runs as plain values, as in the manifest and with `--json`."""
+        plan, comparison, laps = self.cam, self.comparison, self.cam.laps
+        runs = {"before": self.before, "after": self.after}
+        return {
+            **plan.origin.facts(),
+            "drive_wheel": plan.drive_wheel.facts(),
+            "profile": plan.kind.code,
+            "passed": plan.passed,
+            "failed_checks": [check.name for check in plan.failed],
+            "method": comparison.chosen.profile.code,
+            "return_error_deg": degrees(self.play),
+            "cut_for_deg": degrees(comparison.chosen.made_for),
+            "mechanics": mechanics_facts(comparison.task.mechanics, comparison.chosen.lift),
+            "friction_note": comparison.rubbing,
+            "as_built": as_built_facts(plan.car.design, float(self.planned.motor[-1])),
+            "events": [{"kind": event.kind, **event.figures.facts()} for event in self.events],
+            "deflection_sum_deg": degrees(deflection_sum(self.events)),
+            "before": self.before_error.figures.facts(),
+            "after": self.after_error.figures.facts(),
+            "after_without_play": comparison.chosen.deviation.figures.facts(),
+            **({} if laps is None else {"laps": laps.track_facts(planned=self.planned, **runs)}),
+            "course": self.on_course
+            and {
+                name: {key: {"room_mm": room, "where": where} for key, (where, room) in run.figures().items()}
+                for name, run in zip(("planned", "after"), self.on_course, strict=True)
+            },
+        }
+
+    def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
+        """Write tracks as CSV and pictures as PNG and SVG, all together or none.
+
+        Args:
+            folder: folder for the files; it is made if need be.
+            progress: function that is called with a few words on each step.
+
+        Raises:
+            FileError: a file cannot be written, or holds something else when it is read back.
+        """
+        comparison, design = self.comparison, self.cam.car.design
+        stem = f"{design.name}_{self.cam.kind}_simulation"
+        runs = {"planned": self.planned, "before": self.before, "after": self.after}
+        named = design.name if design.as_built is None else f"{design.name}, as built"
+        title = f"{named}, return error {degrees(self.play):.3f}°"
+        both = (("before", comparison.before), ("after", comparison.chosen))
+        panels = [
+            TrackPanel(title="planned", run=self.planned),
+            *(
+                TrackPanel(
+                    title=f"{when}: {evaluation.title}, with play", run=runs[when], ends=_ends(comparison, evaluation)
+                )
+                for when, evaluation in both
+            ),
+        ]
+
+        def files(staging: Path) -> Iterator[Artifact]:
+            progress("writing and reading back the tracks")
+            write_tracks(staging / f"{stem}_tracks.csv", runs)
+            yield Artifact(f"{stem}_tracks.csv")
+            progress("drawing")
+            yield from map(Artifact, draw_lift(lift_picture(self), staging, f"{stem}_lift"))
+            field = _field(design)
+            yield from map(Artifact, draw_tracks(panels, self.planned, field, staging, f"{stem}_tracks"))
+            lines = [
+                ErrorLine(label=f"{when}: {evaluation.title}", at_play=error, at_ends=_at_ends(self, evaluation))
+                for (when, evaluation), error in zip(both, (self.before_error, self.after_error), strict=True)
+            ]
+            yield from map(Artifact, draw_run_errors(title, lines, comparison.task.length, staging, f"{stem}_errors"))
+
+        return publish(stem, folder_of(folder), files, self.facts())
+
+
+def car_notes(design: Design, stop: float) -> tuple[str, ...]:
+    """Sentences on what was assumed of a car that runs, and what was measured.
+
+    Args:
+        design: loaded design.
+        stop: cam angle at which the run ends, rad.
+    """
+    return (
+        *field_notice(design),
+        *assumed_play(design),
+        *joint_sentences(design),
+        *as_built_sentences(design, stop),
+    )
+
+
+def simulate(
+    design: Design, profile: str = "optimized", play_deg: float | None = None, progress: Progress = silent
+) -> Simulation[CamPlan]:
+    """Run the car on the actual profile and on another one.
+
+    Args:
+        design: loaded design.
+        profile: code of a profile for play.
+        play_deg: return error of the runs, degrees; the play that the profile is cut for if left out.
+        progress: function that is called with a few words on each step.
+
+    Raises:
+        DesignError: as `plan_cam`, or the play is negative.
+        CheckError: no profile keeps the limits of [optimize].
+    """
+    return simulated(plan_cam(design, profile, progress), play_deg, progress)
+
+
+def simulated(plan: C, play_deg: float | None = None, progress: Progress = silent) -> Simulation[C]:
+    """Run the car on the actual profile and on that of a plan.
+
+    Args:
+        plan: plan of a profile that was compared under play.
+        play_deg: return error of the runs, degrees; the play that the profile is cut for if left out.
+        progress: function that is called with a few words on each step.
+
+    Raises:
+        DesignError: the profile was not compared under play, or the play is negative.
+    """
+    comparison = comparison_of(plan)
+    play = comparison.chosen.play if play_deg is None else radians(play_deg)
+    task = comparison.task
+    progress("running the car")
+    before, after = (comparison.run(evaluation, play) for evaluation in (comparison.before, comparison.chosen))
+    leads = comparison.following(comparison.before, play).leads if task.mechanics else None
+    events = deflections(comparison.before.lift, task.follower, task.car, task.length, play, leads=leads)
+    return Simulation(
+        cam=plan,
+        comparison=comparison,
+        play=play,
+        planned=task.planned(),
+        before=before,
+        after=after,
+        events=events,
+    )
+
+
+def write_comparison(plan: CamPlan, out: Path, progress: Progress = silent, *, cures: Cures | None = None) -> Written:
+    """Draw the events and tracks of the methods compared, and publish the pictures together.
+
+    Args:
+        plan: plan of an optimized profile.
+        out: folder for the pictures; nothing appears in it unless everything succeeded.
+        progress: function that is called with a few words on each step.
+        cures: cures of lost lift, if they were sought already.
+
+    Raises:
+        FileError: a file cannot be written.
+    """
+    comparison = comparison_of(plan)
+    stem = f"{plan.origin.name}_methods"
+    bars = {
+        f"{_name(evaluation)}, {evaluation.train}": evaluation.events
+        for evaluation in comparison.evaluations
+        if not evaluation.profile.dilated and evaluation.events
+    }
+    panels = [
+        TrackPanel(
+            title=f"{_name(evaluation)}, {evaluation.train}",
+            run=evaluation.run,
+            ends=_ends(comparison, evaluation),
+        )
+        for evaluation in comparison.evaluations
+    ]
+
+    def files(folder: Path) -> Iterator[Artifact]:
+        progress("drawing")
+        title = f"{plan.origin.name}: deflection error by event"
+        yield from map(Artifact, draw_events(title, bars, folder, f"{stem}_events"))
+        planned, field = comparison.task.planned(), _field(plan.car.design)
+        yield from map(Artifact, draw_tracks(panels, planned, field, folder, f"{stem}_tracks"))
+        yield from map(Artifact, draw_tracks(_alone(comparison), planned, field, folder, f"{stem}_tracks_by_event"))
+
+    return publish(stem, out, files, cam_facts(plan, find_cures(plan, progress) if cures is None else cures))
+
+
+def _alone(comparison: PlayComparison) -> list[TrackPanel]:
+    """Tracks of the paper's methods at the greatest play with jumps alone, and with reverses alone."""
+    return [
+        TrackPanel(
+            title=f"{_name(evaluation)}, {evaluation.train}: {kind}s alone, {degrees(evaluation.band.plays[-1]):.3f}°",
+            run=deflected(
+                comparison.run(evaluation, 0.0), [event for event in evaluation.events if event.kind == kind]
+            ),
+        )
+        for kind in EventKind
+        for evaluation in comparison.evaluations
+        if not evaluation.profile.dilated and evaluation.events
+    ]
+
+
+def lift_picture(simulation: Simulation[C]) -> LiftPicture:
+    """The lift before and after, close by the highest peak and the deepest valley."""
+    jumps = [event for event in simulation.events if event.kind == EventKind.JUMP]
+    waits = [event for event in simulation.events if event.kind == EventKind.REVERSE]
+    comparison = simulation.comparison
+    return LiftPicture(
+        title=simulation.cam.origin.name + ("" if simulation.cam.car.design.as_built is None else ", as built"),
+        follower=comparison.task.follower,
+        wanted=comparison.task.lift,
+        before=comparison.following(comparison.before, simulation.play),
+        before_name=f"before: {comparison.before.title}",
+        after=comparison.following(comparison.chosen, simulation.play),
+        after_name=f"after: {comparison.chosen.title}",
+        play=simulation.play,
+        peak=max(jumps, key=lambda event: event.lift).cam_angle if jumps else None,
+        valley=min(waits, key=lambda event: event.lift).cam_angle if waits else None,
+    )
+
+
+def _name(evaluation: Evaluation) -> str:
+    return evaluation.title if evaluation.measured else evaluation.profile.code
+
+
+def _at_ends(simulation: Simulation[C], evaluation: Evaluation) -> tuple[RunError, RunError]:
+    comparison = simulation.comparison
+    low, high = (run_error(comparison.run(evaluation, play), simulation.planned) for play in comparison.band.ends)
+    return low, high
+
+
+def _ends(comparison: PlayComparison, evaluation: Evaluation) -> Array:
+    return np.array([comparison.run(evaluation, play).drive_wheel[-1] for play in evaluation.band.plays])
+
+
+def _field(design: Design) -> Field:
+    course, field = layout_of(design.course), design.field
+    body = body_of(design.car.outline, cam_model.car(design))
+    car = np.array(body.corners or [wheel.centre for wheel in body.wheels])
+    if course is not None:
+        return Field(
+            edge=None if course.edge is None else np.array(course.edge.points),
+            obstacles=[obstacle.shape for obstacle in course.obstacles],
+            gates=[gate.place for gate in course.gates],
+            car=car,
+        )
+    if field is None:
+        return Field(car=car)
+    (x, y), (width, height) = field.corner_mm, field.size_mm
+    return Field(
+        edge=np.array([[x, y], [x + width, y], [x + width, y + height], [x, y + height]]),
+        obstacles=[Shape.disc(centre, field.obstacle_radius_mm) for centre in field.obstacles_mm],
+        car=car,
+    )
