@@ -40,7 +40,7 @@ def test_the_workshop_s_car_does_not_mind_its_play(workshop):
     checks = {check.name: check for check in workshop.checks}
     assert checks["cam runs ahead"].value == 0.0
     assert checks["cam holds"].value == pytest.approx(42.0 / 32.4, rel=5e-3)
-    assert workshop.design.blank.edge_break_mm == 0.2
+    assert workshop.car.design.blank.edge_break_mm == 0.2
     facts = comparison_facts(workshop.comparison)["mechanics"]
     assert facts["friction"] == [0.05, 0.20]
     assert facts["drag_Nmm"] == [42.0, 60.0]
@@ -62,7 +62,7 @@ def test_a_cam_for_a_rod_that_rubs(rubbing):
 
 @pytest.mark.slow
 def test_the_sheet_of_remedies(rubbing):
-    sheet = {remedy.name: remedy for remedy in remedies(rubbing.design, rubbing.comparison)}
+    sheet = {remedy.name: remedy for remedy in remedies(rubbing.car.design, rubbing.comparison)}
     ends = {name: remedy.worst_end for name, remedy in sheet.items()}
     assert ends["plain cam"] > ends["plain cam, reordered"] > ends["compensated for all"]
     assert ends["compensated for all"] <= 510.0

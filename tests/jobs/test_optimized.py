@@ -92,7 +92,7 @@ def test_every_file_takes_99_percent_off(exported, optimized):
     assert len(ends) == 7
     print({name: round(end, 2) for name, end in ends.items()}, f"of {before:.0f} mm")
     assert max(ends.values()) < 0.01 * before
-    assert exported[1]["warnings"] == []
+    assert not exported[1]["warnings"]
 
 
 @pytest.mark.slow
@@ -118,7 +118,9 @@ def test_passes_every_check_and_says_why_it_was_chosen(exported, optimized):
     assert entry["play"]["paper_percent_off"] == 45.31
     assert entry["play"]["before"]["profile"] == "actual"
     assert entry["play"]["after"]["position_percent_off"] > 99
-    assert json.loads((exported[0] / "manifest.json").read_text())["parts"]["carbon_free_car_optimized"] == entry
+    assert json.loads((exported[0] / "manifest.json").read_text())["parts"]["carbon_free_car_optimized"] == json.loads(
+        json.dumps(entry)
+    )
 
 
 def test_the_wanted_lift_stays_the_planned_one(optimized, carbon_free_car):
