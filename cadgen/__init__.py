@@ -51,7 +51,7 @@ _HOMES = {
     "Comparison": "api.runs",
     "Design": "api.design",
     "DesignError": "errors",
-    "Editor": "api.editor",
+    "Editor": "api.views",
     "FileError": "errors",
     "Exploration": "api.exploration",
     "Gear": "api.gears",
@@ -62,7 +62,7 @@ _HOMES = {
     "Lightening": "parts.features",
     "Measured": "api.measured",
     "Plan": "api.planning",
-    "Report": "api.page",
+    "Report": "api.views",
     "SetScrew": "parts.features",
     "Simulation": "jobs.simulation",
     "ToleranceRun": "jobs.tolerance",
@@ -85,13 +85,12 @@ if TYPE_CHECKING:
     from cadgen.api.card import Card
     from cadgen.api.design import Design
     from cadgen.api.drawing import draw
-    from cadgen.api.editor import Editor
     from cadgen.api.exploration import Exploration, explore, merge
     from cadgen.api.gears import Gear, GearPair, Train
     from cadgen.api.measured import Measured
-    from cadgen.api.page import Report
     from cadgen.api.planning import Plan
     from cadgen.api.runs import Comparison
+    from cadgen.api.views import Editor, Report
     from cadgen.errors import CadgenError, CheckError, DesignError, FileError
     from cadgen.jobs.gears.gear_train import GearTrain
     from cadgen.jobs.simulation import Simulation

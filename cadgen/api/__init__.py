@@ -3,7 +3,6 @@
 | module     | what it holds                                                             |
 |------------|---------------------------------------------------------------------------|
 | `values`   | checks of a caller's numbers and words, with one sentence a refusal        |
-| `overrides`| values of Python as the overrides of the command line                      |
 | `cam`      | a cam that has been computed: figures, picture, solid, files               |
 | `runs`     | the methods against play, compared                                         |
 | `drawing`  | drawings of cams and trains                                                |
@@ -15,9 +14,8 @@
 | `card`     | settings for every spacing that can be drawn                               |
 | `loaded`   | a design that has been read, and changed copies of it                      |
 | `design`   | a design and what can be done with it                                      |
+| `views`      | the report page of a design, and that page in the browser             |
 | `exploration` | studies of many designs                                                 |
-| `page`     | the report page of a design                                                |
-| `editor`   | that page in the browser, where the design can be changed                  |
 
 Everything raises the errors of `cadgen.errors`: one sentence that says what is wrong, where, and what to change. The
 public names are those of `cadgen` itself; numbers are mm and rad unless the name ends in another unit.

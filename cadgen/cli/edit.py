@@ -25,7 +25,7 @@ def edit(design: str | None, overrides: tuple[str, ...], port: int, no_browser: 
 
     Ctrl-C ends it. It needs an extra: pip install '.[edit]' in cadgen's folder.
     """
-    from cadgen.api.editor import Editor
+    from cadgen.api.views import Editor
 
     editor = Editor.open(design, overrides)
     editor.serve(port, browser=not no_browser, show=_show)

@@ -46,7 +46,7 @@ def report(
     The page is written also if a check fails, with the failures on top; the exit code is then 1.
     """
     from cadgen.api.design import Design
-    from cadgen.api.page import Report
+    from cadgen.api.views import Report
     from cadgen.cli import show
     from cadgen.cli.verdict import failed, verdict
     from cadgen.design.load import packaged_designs

@@ -11,7 +11,7 @@ import pytest
 
 import cadgen
 from cadgen import Design, Gear, GearPair, Hub, Train, verify
-from cadgen.api.overrides import overrides_of
+from cadgen.api.loaded import overrides_of
 from cadgen.api.values import map_of
 from cadgen.design.load import load_design
 from cadgen.errors import CheckError, DesignError, FileError

@@ -10,7 +10,7 @@ from urllib.request import urlopen
 import pytest
 from click.testing import CliRunner
 
-from cadgen.api.editor import Editor
+from cadgen.api.views import Editor
 from cadgen.cli.edit import edit
 from cadgen.errors import DesignError, FileError
 

@@ -1,18 +1,20 @@
-"""The report page of a design: one HTML file with its model, curves and tables."""
+"""A design on its page: as a report, and in the browser, where it can be changed."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 from cadgen.api.design import MOST_CARS, MOST_PROCESSES, Design
+from cadgen.api.loaded import overrides_of
 from cadgen.api.measured import Data, sources_of
-from cadgen.api.values import instance, whole
+from cadgen.api.values import instance, name_or_path, whole
 from cadgen.check import Check, failing
 from cadgen.design.schema import MotionDesign
 from cadgen.errors import DesignError, FileError
 from cadgen.output.files.publisher import Written, folder_of
 from cadgen.progress import Progress, silent
+from cadgen.viewer.editor.session import Session
 from cadgen.viewer.page.page_plan import plan_motion_page, plan_page
 
 if TYPE_CHECKING:
@@ -20,6 +22,7 @@ if TYPE_CHECKING:
     from cadgen.viewer.page.page_plan import PagePlan
 
 SAMPLES = 10_000
+_EXTRA = ("starlette", "uvicorn", "anyio", "h11")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -131,3 +134,75 @@ class Report:
         from cadgen.viewer.page.report import write_page
 
         return write_page(self.computed, folder_of(folder), progress)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Editor:
+    """A design that is edited in the browser, on this computer alone.
+
+    Attributes:
+        session: its text, changes and file.
+
+    Example:
+        >>> from cadgen import Editor
+        >>> editor = Editor.open("carbon_free_car")
+        >>> editor.unsaved
+        False
+        >>> editor.serve()  # doctest: +SKIP
+    """
+
+    session: Session
+
+    @classmethod
+    def open(
+        cls, source: str | PathLike[str] | None = None, changes: Mapping[str, Any] | Iterable[str] = ()
+    ) -> "Editor":
+        """Open a design; a packaged one as a copy, which is saved under a name of its own in the current folder.
+
+        Args:
+            source: as of `Design.load`.
+            changes: changes as for `Design.with_`, written into the text, but not yet into the file.
+
+        Raises:
+            DesignError: as `Design.load`.
+        """
+        return cls(Session(name_or_path("source", source), overrides_of(changes)))
+
+    def __repr__(self) -> str:
+        return f"<Editor of {self.session.name}{', unsaved changes' if self.unsaved else ''}>"
+
+    @property
+    def unsaved(self) -> bool:
+        """Whether there are changes that are in no file."""
+        return self.session.unsaved
+
+    @property
+    def design(self) -> Design:
+        """The design as it is now."""
+        return Design.from_toml(self.session.now.text, self.session.name)
+
+    def serve(self, port: int = 0, *, browser: bool = True, show: Callable[[str], object] = print) -> None:
+        """Serve the page on 127.0.0.1 until Ctrl-C; it needs the extra `edit`.
+
+        The processes that compute begin anew, so that a script calls this under `if __name__ == "__main__":`.
+
+        Args:
+            port: port, 0 to 65535; 0 for any that is free.
+            browser: whether to open the page in the browser.
+            show: function that is called with the page's address as soon as it can be opened.
+
+        Raises:
+            DesignError: the extra is not installed.
+            FileError: the port is taken.
+        """
+        number = whole("port", port, 0, 65535)
+        try:
+            from cadgen.viewer.editor.running import serve
+        except ModuleNotFoundError as error:
+            if (error.name or "").partition(".")[0] not in _EXTRA:
+                raise
+            raise DesignError(
+                f"the editor needs {error.name}, which is not installed: "
+                "pip install '.[edit]' in cadgen's folder installs it"
+            ) from None
+        serve(self.session, number, show, browser=browser)
