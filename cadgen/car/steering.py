@@ -17,6 +17,7 @@ from cadgen.arrays import Array, gauss_nodes
 from cadgen.car.path.track import Track
 from cadgen.curves.piecewise import quintic_hermite
 from cadgen.errors import DesignError
+from cadgen.messages import Message
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -129,10 +130,15 @@ def steering_jets(track: Track, car: Car) -> Array:
         tightest = car.wheelbase / tan(car.max_steering_angle)
         tightest += -car.drive_wheel_offset if left else car.drive_wheel_offset
         raise DesignError(
-            f"the drive wheel turns {'left' if left else 'right'} with a radius of {1 / abs(k[worst]):.0f} mm "
-            f"{track.where(track.arc[worst])}; steering of {degrees(car.max_steering_angle):.0f} degrees holds "
-            f"no less than {tightest:.0f} mm there: lead the path through a wider turn ({track.points_key}), or raise "
-            f"car.max_steering_angle_deg"
+            "the drive wheel turns {side} with a radius of {radius:.0f} mm {where}; steering of "
+            "{most:.0f} degrees holds no less than {tightest:.0f} mm there: lead the path "
+            "through a wider turn ({points_key}), or raise car.max_steering_angle_deg",
+            side=Message("left") if left else Message("right"),
+            radius=1 / abs(k[worst]),
+            where=track.where(track.arc[worst]),
+            most=degrees(car.max_steering_angle),
+            tightest=tightest,
+            points_key=track.points_key,
         )
     slope = -car.wheelbase / divisor**2
     bend = 2 * car.wheelbase * car.drive_wheel_offset / divisor**3
@@ -166,8 +172,9 @@ def rim_travel(arc: Array, jets: Array, car: Car) -> Array:
     left = travel_ratio(quintic_hermite(arc, jets)(arc[:-1, None] + half * (nodes + 1)), car)
     if not left.min() > 0:
         raise DesignError(
-            f"with a slip of {100 * car.slip:g} % for each unit of tan(beta) the drive wheel would not get ahead in "
-            f"the tightest turn: lower slip_percent in [as_built], or widen the turn"
+            "with a slip of {slip:g} % for each unit of tan(beta) the drive wheel would not get ahead in "
+            "the tightest turn: lower slip_percent in [as_built], or widen the turn",
+            slip=100 * car.slip,
         )
     return np.append(0.0, np.cumsum((1 / left @ weights)[:, None] * half))
 

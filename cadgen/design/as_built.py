@@ -9,6 +9,7 @@ from cadgen.car.against_play.profile_kinds import ACTUAL, codes
 from cadgen.design.section import WORD, DesignSection, OneOf, listed
 from cadgen.deviations.deviation import Place
 from cadgen.errors import DesignError
+from cadgen.messages import Message
 
 if TYPE_CHECKING:
     from cadgen.deviations.effect import Effect as Known
@@ -46,8 +47,11 @@ class SourceSection(DesignSection):
     def _is_a_hash(cls, sha256: str) -> str:
         if not re.fullmatch("[0-9a-f]{64}", sha256):
             raise ValueError(
-                f'as_built.sources.sha256 is "{sha256[:80]}"; it must be 64 hexadecimal digits in small letters, as '
-                "sha256sum prints them"
+                Message(
+                    'as_built.sources.sha256 is "{sha256}"; it must be 64 hexadecimal digits in small letters, '
+                    "as sha256sum prints them",
+                    sha256=sha256[:80],
+                )
             )
         return sha256
 
@@ -99,11 +103,18 @@ class EffectSection(DesignSection):
         try:
             known = self.known()
         except DesignError as error:
-            raise ValueError(f"as_built.effects: {error}") from None
-        where = f"as_built.effects, {self.effect} of kind {self.kind}:"
+            raise ValueError(Message("as_built.effects: {error}", error=error.message)) from None
+        where = Message("as_built.effects, {effect} of kind {kind}:", effect=self.effect, kind=self.kind)
         places = dict.fromkeys((*known.places, Place.NOTED))
         if self.place not in places:
-            raise ValueError(f'{where} place is "{self.place}"; it must be {listed(list(places), "or")}')
+            raise ValueError(
+                Message(
+                    '{where} place is "{place}"; it must be {listed}',
+                    where=where,
+                    place=self.place,
+                    listed=listed(list(places), "or"),
+                )
+            )
         if self.place != Place.NOTED:
             self._has_its_numbers(known, where)
         return self
@@ -112,17 +123,38 @@ class EffectSection(DesignSection):
         wanted = [p.name for p in known.parameters] + [name for name, _ in known.indices]
         if sorted(value.name for value in self.values) != sorted(wanted):
             have = listed([value.name for value in self.values], "and")
-            raise ValueError(f"{where} values has {have}; it must have {listed(wanted, 'and')}, once each")
+            raise ValueError(
+                Message(
+                    "{where} values has {have}; it must have {listed}, once each",
+                    where=where,
+                    have=have,
+                    listed=listed(wanted, "and"),
+                )
+            )
         for p in known.parameters:
             value, slack = self.numbers[p.name], _ROUNDING * (p.upper - p.lower)
             if not p.lower - slack <= value <= p.upper + slack:
                 raise ValueError(
-                    f"{where} {p.name} is {value:g}; what can be lies between {p.lower:g} and {p.upper:g}: measure "
-                    "again, or correct the value"
+                    Message(
+                        "{where} {name} is {value:g}; what can be lies between {lower:g} and {upper:g}: measure "
+                        "again, or correct the value",
+                        where=where,
+                        name=p.name,
+                        value=value,
+                        lower=p.lower,
+                        upper=p.upper,
+                    )
                 )
         for name, _ in known.indices:
             if not (self.numbers[name] >= 1 and self.numbers[name] == int(self.numbers[name])):
-                raise ValueError(f"{where} {name} is {self.numbers[name]:g}; it must be a whole number from 1")
+                raise ValueError(
+                    Message(
+                        "{where} {name} is {numbers:g}; it must be a whole number from 1",
+                        where=where,
+                        name=name,
+                        numbers=self.numbers[name],
+                    )
+                )
 
 
 class OutlookSection(DesignSection):
@@ -178,9 +210,16 @@ class AsBuiltSection(DesignSection):
                     if (value.name, own) in seen:
                         earlier = seen[value.name, own]
                         raise ValueError(
-                            f"as_built.{name} has {value.name} of the car twice, from {earlier.effect} of kind "
-                            f'{earlier.kind} and from {effect.effect} of kind {effect.kind}: set place = "noted" '
-                            "in one of them"
+                            Message(
+                                "as_built.{name} has {name2} of the car twice, from {effect} of kind {kind} and from "
+                                '{effect2} of kind {kind2}: set place = "noted" in one of them',
+                                name=name,
+                                name2=value.name,
+                                effect=earlier.effect,
+                                kind=earlier.kind,
+                                effect2=effect.effect,
+                                kind2=effect.kind,
+                            )
                         )
                     seen[value.name, own] = effect
         return self

@@ -210,7 +210,7 @@ def begin(
         DesignError: a name that files cannot have, or values that cannot be.
     """
     if fault := name_fault(name):
-        raise DesignError(f'the name is "{brief(name[:80])}"; it must {fault}')
+        raise DesignError('the name is "{name}"; it must {fault}', name=brief(name[:80]), fault=fault)
     if points is None:
         example = LAP if closed else EXAMPLE
         points, field = Points(example, (1.0,) * len(example)), field or _EXAMPLE_FIELD
@@ -219,8 +219,10 @@ def begin(
     count = sum(weight > 0 for weight in points.weights)
     if count > MOST_OF_A_KIND:
         raise DesignError(
-            f"{count} points would each be a gate, and a course has at most {MOST_OF_A_KIND}: give fewer points, or a "
-            "weight of 0 to those that only lead the path"
+            "{count} points would each be a gate, and a course has at most {most_of_a_kind}: give fewer "
+            "points, or a weight of 0 to those that only lead the path",
+            count=count,
+            most_of_a_kind=MOST_OF_A_KIND,
         )
     # The middle of the car is to drive the path, unless the changes say where it runs.
     document = tomlkit.parse(text_of(name, points.places, points.weights, 0.0, gate_radius, field, closed=closed))
@@ -266,6 +268,10 @@ def write_new(text: str, file: Path) -> None:
         with open(file, "x", encoding="utf-8", newline="\n") as stream:
             stream.write(text)
     except FileExistsError:
-        raise FileError(f"{brief(str(file))} is there already: choose another name, or remove it") from None
+        raise FileError("{file} is there already: choose another name, or remove it", file=brief(str(file))) from None
     except OSError as error:
-        raise FileError(f"{brief(str(file))} cannot be written ({error.strerror}): choose another place") from None
+        raise FileError(
+            "{file} cannot be written ({strerror}): choose another place",
+            file=brief(str(file)),
+            strerror=error.strerror,
+        ) from None

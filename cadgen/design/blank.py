@@ -12,6 +12,7 @@ from pydantic import Field, model_validator
 from cadgen.car.running.friction import DiscMaterial
 from cadgen.design.section import HERE, WORD, DesignSection, Feature, ZeroOrFeature
 from cadgen.errors import DesignError
+from cadgen.messages import Message
 from cadgen.parts.face import Face
 
 
@@ -64,28 +65,46 @@ class Held(DesignSection):
         clearances = [name for name in names if getattr(self, name) is not None]
         if clearances and not loose:
             raise ValueError(
-                f'{HERE}.{clearances[0]} is for a wheel with joint = "keyed" or "d_flat", and this one has '
-                f"{self.joint or 'none'}: set joint, or remove {clearances[0]}"
+                Message(
+                    '{here}.{clearances} is for a wheel with joint = "keyed" or "d_flat", and this one has '
+                    "{joint}: set joint, or remove {clearances}",
+                    here=HERE,
+                    clearances=clearances[0],
+                    joint=self.joint or Message("none"),
+                )
             )
         least, greatest = self.joint_clearance_least_um, self.joint_clearance_greatest_um
         if loose and greatest is None and self.joint_fit is None:
             raise ValueError(
-                f'{HERE}.joint = "{self.joint}" needs its clearance: give joint_clearance_greatest_um, or joint_fit '
-                f'such as "JS9/h9"; or choose clamped, pinned or glued, which has none'
+                Message(
+                    '{here}.joint = "{joint}" needs its clearance: give joint_clearance_greatest_um, or '
+                    'joint_fit such as "JS9/h9"; or choose clamped, pinned or glued, which has none',
+                    here=HERE,
+                    joint=self.joint,
+                )
             )
         if loose and self.joint_fit is not None and (least is not None or greatest is not None):
-            raise ValueError(f"{HERE}.joint_fit and joint_clearance_..._um say the same twice: remove one of them")
+            raise ValueError(
+                Message("{here}.joint_fit and joint_clearance_..._um say the same twice: remove one of them", here=HERE)
+            )
         if self.joint_fit is not None:
             from cadgen.gears.fits import zones_of  # only here: it needs numpy, and most designs have no fit
 
             try:
                 zones_of(self.joint_fit)
             except DesignError as error:
-                raise ValueError(f"{HERE}.joint_fit: {error}; or give the clearance itself") from None
+                raise ValueError(
+                    Message("{here}.joint_fit: {error}; or give the clearance itself", here=HERE, error=error.message)
+                ) from None
         if least is not None and greatest is not None and least > greatest:
             raise ValueError(
-                f"{HERE}.joint_clearance_least_um is {least:g}, more than joint_clearance_greatest_um, {greatest:g}: "
-                "exchange them"
+                Message(
+                    "{here}.joint_clearance_least_um is {least:g}, more than joint_clearance_greatest_um, "
+                    "{greatest:g}: exchange them",
+                    here=HERE,
+                    least=least,
+                    greatest=greatest,
+                )
             )
         return self
 
@@ -136,9 +155,14 @@ class HubSection(DesignSection):
         radius = screw.hole_diameter_mm / 2
         if not radius < screw.height_mm < self.length_mm - radius:
             raise ValueError(
-                f"blank.hub.set_screw.height_mm is {screw.height_mm:g}; a hole of {2 * radius:g} mm there "
-                f"does not lie within the hub's length of {self.length_mm:g} mm: change height_mm, "
-                "hole_diameter_mm or blank.hub.length_mm"
+                Message(
+                    "blank.hub.set_screw.height_mm is {height_mm:g}; a hole of {diameter:g} mm there does not lie "
+                    "within the hub's length of {length_mm:g} mm: change height_mm, hole_diameter_mm or "
+                    "blank.hub.length_mm",
+                    height_mm=screw.height_mm,
+                    diameter=2 * radius,
+                    length_mm=self.length_mm,
+                )
             )
         return self
 
@@ -156,9 +180,15 @@ class LighteningSection(DesignSection):
         apart = self.circle_diameter_mm * sin(pi / self.holes)
         if self.holes > 1 and apart <= self.hole_diameter_mm:
             raise ValueError(
-                f"blank.lightening has {self.holes} holes of {self.hole_diameter_mm:g} mm that overlap each "
-                f"other, because their centres are {apart:.4g} mm apart: lower holes or hole_diameter_mm, or "
-                f"raise circle_diameter_mm, which is {self.circle_diameter_mm:g}"
+                Message(
+                    "blank.lightening has {holes} holes of {hole_diameter_mm:g} mm that overlap each other, "
+                    "because their centres are {apart:.4g} mm apart: lower holes or hole_diameter_mm, or raise "
+                    "circle_diameter_mm, which is {circle_diameter_mm:g}",
+                    holes=self.holes,
+                    hole_diameter_mm=self.hole_diameter_mm,
+                    apart=apart,
+                    circle_diameter_mm=self.circle_diameter_mm,
+                )
             )
         return self
 
@@ -204,9 +234,13 @@ class BlankSection(Held):
         aside = abs(self.mark.radius_mm * sin(radians(self.mark.angle_deg - key.angle_deg)))
         if aside <= self.mark.diameter_mm / 2:
             raise ValueError(
-                f"blank.mark.angle_deg is {self.mark.angle_deg:g}, in line with the key at {key.angle_deg:g}: a disc "
-                "that is turned over would look alike; give an angle to one side of it, such as "
-                f"{key.angle_deg + 45:g}"
+                Message(
+                    "blank.mark.angle_deg is {angle:g}, in line with the key at {key:g}: a disc that "
+                    "is turned over would look alike; give an angle to one side of it, such as {other:g}",
+                    angle=self.mark.angle_deg,
+                    key=key.angle_deg,
+                    other=key.angle_deg + 45,
+                )
             )
         return self
 
@@ -219,7 +253,10 @@ class BlankSection(Held):
                 zones_of(self.bore_fit, self.bore_diameter_mm)
             except DesignError as error:
                 raise ValueError(
-                    f"blank.bore_fit: {error}; or remove it, and give tolerances.eccentricity_mm"
+                    Message(
+                        "blank.bore_fit: {error}; or remove it, and give tolerances.eccentricity_mm",
+                        error=error.message,
+                    )
                 ) from None
         return self
 
@@ -230,23 +267,38 @@ class BlankSection(Held):
         if self.hub:
             if self.hub.diameter_mm / 2 <= key_reach:
                 raise ValueError(
-                    f"blank.hub.diameter_mm is {self.hub.diameter_mm:g}; it must be greater than "
-                    f"{2 * key_reach:.4g}, or {core} cut through the hub's wall"
+                    Message(
+                        "blank.hub.diameter_mm is {diameter_mm:g}; it must be greater than {key_reach:.4g}, or "
+                        "{core} cut through the hub's wall",
+                        diameter_mm=self.hub.diameter_mm,
+                        key_reach=2 * key_reach,
+                        core=core,
+                    )
                 )
             screw = self.hub.set_screw
             # The edge of a hole as wide as the bore has two sharp bends, which no CAD kernel follows exactly.
             if screw and screw.hole_diameter_mm > _WIDEST_SCREW * self.bore_diameter_mm:
                 raise ValueError(
-                    f"blank.hub.set_screw.hole_diameter_mm is {screw.hole_diameter_mm:g}; it must be at least 0.2 % "
-                    f"less than blank.bore_diameter_mm, which is {self.bore_diameter_mm:g}"
+                    Message(
+                        "blank.hub.set_screw.hole_diameter_mm is {hole_diameter_mm:g}; it must be at least 0.2 % "
+                        "less than blank.bore_diameter_mm, which is {bore_diameter_mm:g}",
+                        hole_diameter_mm=screw.hole_diameter_mm,
+                        bore_diameter_mm=self.bore_diameter_mm,
+                    )
                 )
             core, reach = "hub", self.hub.diameter_mm / 2
         ring = self.lightening
         if ring and (ring.circle_diameter_mm - ring.hole_diameter_mm) / 2 <= reach:
             raise ValueError(
-                f"blank.lightening has holes of {ring.hole_diameter_mm:g} mm on a circle of "
-                f"{ring.circle_diameter_mm:g} mm, which overlap the {core}, {reach:.4g} mm from the axis: "
-                "lower hole_diameter_mm or raise circle_diameter_mm"
+                Message(
+                    "blank.lightening has holes of {hole_diameter_mm:g} mm on a circle of {circle_diameter_mm:g} "
+                    "mm, which overlap the {core}, {reach:.4g} mm from the axis: lower hole_diameter_mm or raise "
+                    "circle_diameter_mm",
+                    hole_diameter_mm=ring.hole_diameter_mm,
+                    circle_diameter_mm=ring.circle_diameter_mm,
+                    core=core,
+                    reach=reach,
+                )
             )
         return self
 
@@ -255,19 +307,30 @@ class BlankSection(Held):
         bore, key, flat = self.bore_diameter_mm, self.keyway, self.d_flat
         if key and flat:
             raise ValueError(
-                "blank has both keyway and d_flat, which exclude each other: remove [blank.keyway] or "
-                "[blank.d_flat] (on the command line with --set blank.keyway= or --set blank.d_flat=)"
+                Message(
+                    "blank has both keyway and d_flat, which exclude each other: remove [blank.keyway] or "
+                    "[blank.d_flat] (on the command line with --set blank.keyway= or --set blank.d_flat=)"
+                )
             )
         if flat and not bore / 2 < flat.across_mm < bore:
             raise ValueError(
-                f"blank.d_flat.across_mm is {flat.across_mm:g}; it must lie between {bore / 2:g} and "
-                f"{bore:g}, half of blank.bore_diameter_mm and all of it"
+                Message(
+                    "blank.d_flat.across_mm is {across_mm:g}; it must lie between {half:g} and {bore:g}, half "
+                    "of blank.bore_diameter_mm and all of it",
+                    across_mm=flat.across_mm,
+                    half=bore / 2,
+                    bore=bore,
+                )
             )
         if key is None:
             return bore / 2
         if key.width_mm >= bore:
             raise ValueError(
-                f"blank.keyway.width_mm is {key.width_mm:g}; it must be less than blank.bore_diameter_mm, "
-                f"which is {bore:g}"
+                Message(
+                    "blank.keyway.width_mm is {width_mm:g}; it must be less than blank.bore_diameter_mm, which "
+                    "is {bore:g}",
+                    width_mm=key.width_mm,
+                    bore=bore,
+                )
             )
         return hypot(bore / 2 + key.depth_mm, key.width_mm / 2)

@@ -24,6 +24,7 @@ from cadgen.design.schema import Design, MotionDesign
 from cadgen.deviations.as_built import AS_DESIGNED, AsBuilt, Placed
 from cadgen.deviations.deviation import Place
 from cadgen.errors import DesignError
+from cadgen.messages import Message
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, Mark, SetScrew
 
@@ -52,7 +53,7 @@ def track(design: Design) -> Track:
     Raises:
         DesignError: as `planned_path`, or the track has a cusp.
     """
-    turn, laps = _turn_of_wheel(design), design.path.turn_laps if design.path.closed else None
+    turn, laps = turn_of_wheel(design), design.path.turn_laps if design.path.closed else None
     driven = offset_track(planned_path(design), design.path.offset_mm, turn, laps=laps)
     (_refuse_wheel if turn is None or laps is None else _refuse_wheel_of_laps)(design, driven)
     return driven
@@ -70,10 +71,12 @@ def refuse_laps(design: Design, job: str, instead: str) -> None:
         DesignError: the path is closed.
     """
     if design.path.closed:
-        raise DesignError(f"{job} is worked out for a run with an end, but path.closed is true: {instead}")
+        raise DesignError(
+            "{job} is worked out for a run with an end, but path.closed is true: {instead}", job=job, instead=instead
+        )
 
 
-def _turn_of_wheel(design: Design) -> float | None:
+def turn_of_wheel(design: Design) -> float | None:
     """Travel of a drive wheel of known radius in one turn of the cam, mm (eq. 20); None if the design has no radius.
 
     Raises:
@@ -84,8 +87,9 @@ def _turn_of_wheel(design: Design) -> float | None:
         return None
     if design.train is None:
         raise DesignError(
-            f"car.drive_wheel_radius_mm is {radius:g}, but how far the car goes in a turn of the cam needs the ratio "
-            "of [train] too: add [train], or remove car.drive_wheel_radius_mm"
+            "car.drive_wheel_radius_mm is {radius:g}, but how far the car goes in a turn of the cam "
+            "needs the ratio of [train] too: add [train], or remove car.drive_wheel_radius_mm",
+            radius=radius,
         )
     return TURN * radius * float(gear_model.train(design).ratio)
 
@@ -97,9 +101,14 @@ def _refuse_wheel(design: Design, driven: Track) -> None:
         return
     least = radius * driven.length / (driven.turn * most / TURN)
     raise DesignError(
-        f"car.drive_wheel_radius_mm is {radius:g}; with it the car goes {driven.turn * most / TURN:.0f} mm before the "
-        f"closing blend of {design.cam.blend_deg:g} degrees, but the drive wheel's track is {driven.length:.0f} mm "
-        f"long: take a wheel of {ceil(least * 100) / 100:g} mm or more, a train of greater ratio, or a shorter path"
+        "car.drive_wheel_radius_mm is {radius:g}; with it the car goes {reach:.0f} mm before the "
+        "closing blend of {blend_deg:g} degrees, but the drive wheel's track is {length:.0f} mm "
+        "long: take a wheel of {least:g} mm or more, a train of greater ratio, or a shorter path",
+        radius=radius,
+        reach=driven.turn * most / TURN,
+        blend_deg=design.cam.blend_deg,
+        length=driven.length,
+        least=ceil(least * 100) / 100,
     )
 
 
@@ -109,10 +118,13 @@ def _refuse_wheel_of_laps(design: Design, driven: Track) -> None:
     fits = driven.turn / (TURN * float(gear_model.train(design).ratio))
     if abs(radius - fits) <= _WHEEL_FITS:
         return
-    laps = "lap takes" if driven.turn_laps == 1 else f"{driven.turn_laps} laps take"
+    laps = Message("lap takes") if driven.turn_laps == 1 else Message("{laps} laps take", laps=driven.turn_laps)
     raise DesignError(
-        f"car.drive_wheel_radius_mm is {radius:g}, but the path is closed and its {laps} one turn of the cam, so the "
-        f"drive wheel's radius must be {fits:.4f} mm: set that, or leave it out"
+        "car.drive_wheel_radius_mm is {radius:g}, but the path is closed and its {laps} one turn of "
+        "the cam, so the drive wheel's radius must be {fits:.4f} mm: set that, or leave it out",
+        radius=radius,
+        laps=laps,
+        fits=fits,
     )
 
 
@@ -235,9 +247,12 @@ def lift(design: Design, driven: Track | None = None) -> PathMotion:
         blend = TURN - begins
         if blend < LEAST_BLEND:
             raise DesignError(
-                f"as built the car drives its path in {degrees(begins):.1f} degrees of cam angle up to where the "
-                f"closing blend begins, which leaves no room for it: raise cam.blend_deg, which is "
-                f"{design.cam.blend_deg:g}, by {degrees(LEAST_BLEND - blend) * 1.05:.1f} or more, or shorten the path"
+                "as built the car drives its path in {begins:.1f} degrees of cam angle up to where the "
+                "closing blend begins, which leaves no room for it: raise cam.blend_deg, which is "
+                "{blend_deg:g}, by {more:.1f} or more, or shorten the path",
+                begins=degrees(begins),
+                blend_deg=design.cam.blend_deg,
+                more=degrees(LEAST_BLEND - blend) * 1.05,
             )
     rim = rim_travel(road.arc, jets, its_car)
     return path_motion(rim, by_rim(jets, its_car), travel(design, road), blend=blend)

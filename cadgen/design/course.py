@@ -22,6 +22,7 @@ from cadgen.car.course.layout import (
     Side,
 )
 from cadgen.design.section import HERE, WORD, DesignSection, Point, Points, Size, listed
+from cadgen.messages import Message
 
 
 def crossing(corners: Sequence[Point]) -> tuple[int, int] | None:
@@ -111,12 +112,22 @@ class PlaceSection(DesignSection):
     def _disc_or_segment(self) -> "PlaceSection":
         given = [name for name in ("at_mm", "from_mm", "to_mm") if getattr(self, name) is not None]
         if given not in (["at_mm"], ["from_mm", "to_mm"]):
-            have = listed(given, "and") or "none of them"
-            raise ValueError(f"{HERE} takes at_mm alone, or from_mm and to_mm, but has {have}: give one or the other")
+            have = listed(given, "and") or Message("none of them")
+            raise ValueError(
+                Message(
+                    "{here} takes at_mm alone, or from_mm and to_mm, but has {have}: give one or the other",
+                    here=HERE,
+                    have=have,
+                )
+            )
         if self.from_mm and self.to_mm and _apart(self.from_mm, self.to_mm) < _LEAST_SEGMENT_MM:
-            raise ValueError(f"{HERE}.from_mm and to_mm are one point: move one of them, or give at_mm")
+            raise ValueError(
+                Message("{here}.from_mm and to_mm are one point: move one of them, or give at_mm", here=HERE)
+            )
         if self.from_mm and self.radius_mm is not None:
-            raise ValueError(f"{HERE}.radius_mm is given for a segment, which has none: remove it, or give at_mm")
+            raise ValueError(
+                Message("{here}.radius_mm is given for a segment, which has none: remove it, or give at_mm", here=HERE)
+            )
         return self
 
 
@@ -153,7 +164,11 @@ class FieldSection(DesignSection):
     @model_validator(mode="after")
     def _rectangle_or_polygon(self) -> "FieldSection":
         if (self.size_mm is None) == (self.outline_mm is None) or (self.corner_mm and self.outline_mm):
-            raise ValueError(f"{HERE} takes size_mm, and corner_mm beside it, or else outline_mm: give one of the two")
+            raise ValueError(
+                Message(
+                    "{here} takes size_mm, and corner_mm beside it, or else outline_mm: give one of the two", here=HERE
+                )
+            )
         refuse_crossing(self.outline_mm, "outline_mm")
         return self
 
@@ -185,7 +200,11 @@ class WallSection(DesignSection):
     @model_validator(mode="after")
     def _line_has_a_length(self) -> "WallSection":
         if max(_apart(self.line_mm[0], point) for point in self.line_mm) < _LEAST_SEGMENT_MM:
-            raise ValueError(f"{HERE}.line_mm is one point: give the two ends of the wall, or use [[course.posts]]")
+            raise ValueError(
+                Message(
+                    "{here}.line_mm is one point: give the two ends of the wall, or use [[course.posts]]", here=HERE
+                )
+            )
         return self
 
 
@@ -208,10 +227,14 @@ class ZoneSection(DesignSection):
         names = ("at_mm", "radius_mm", "corner_mm", "size_mm", "outline_mm")
         given = [name for name in names if getattr(self, name) is not None]
         if given not in (["at_mm", "radius_mm"], ["corner_mm", "size_mm"], ["outline_mm"]):
-            have = listed(given, "and") or "none of them"
+            have = listed(given, "and") or Message("none of them")
             raise ValueError(
-                f"{HERE} takes at_mm and radius_mm, or corner_mm and size_mm, or outline_mm, but has {have}: give one "
-                "of the three"
+                Message(
+                    "{here} takes at_mm and radius_mm, or corner_mm and size_mm, or outline_mm, but has {have}: "
+                    "give one of the three",
+                    here=HERE,
+                    have=have,
+                )
             )
         refuse_crossing(self.outline_mm, "outline_mm")
         return self
@@ -250,20 +273,44 @@ class SpacingSection(DesignSection):
     def _upwards(self) -> "SpacingSection":
         low, high = self.from_mm, self.to_mm
         if low > high:
-            raise ValueError(f"{HERE}.from_mm is {low:g}, more than {HERE}.to_mm, {high:g}: exchange them")
+            raise ValueError(
+                Message(
+                    "{here}.from_mm is {low:g}, more than {here}.to_mm, {high:g}: exchange them",
+                    here=HERE,
+                    low=low,
+                    high=high,
+                )
+            )
         if low == high:
             raise ValueError(
-                f"{HERE}.from_mm and to_mm are both {low:g}, so nothing is drawn: set them apart, or remove [{HERE}]"
+                Message(
+                    "{here}.from_mm and to_mm are both {low:g}, so nothing is drawn: set them apart, or remove "
+                    "[{here}]",
+                    here=HERE,
+                    low=low,
+                )
             )
         if not low <= self.stated_mm <= high:
             raise ValueError(
-                f"{HERE}.nominal_mm is {self.stated_mm:g}, outside of what is drawn, {low:g} to {high:g}: state the "
-                "course at a spacing between them"
+                Message(
+                    "{here}.nominal_mm is {stated_mm:g}, outside of what is drawn, {low:g} to {high:g}: state "
+                    "the course at a spacing between them",
+                    here=HERE,
+                    stated_mm=self.stated_mm,
+                    low=low,
+                    high=high,
+                )
             )
         if (high - low) / self.step_mm > MOST_SPACINGS:
             raise ValueError(
-                f"{HERE}.step_mm is {self.step_mm:g}, which makes more than {MOST_SPACINGS} spacings: raise it to "
-                f"{(high - low) / MOST_SPACINGS:.3g} or more"
+                Message(
+                    "{here}.step_mm is {step_mm:g}, which makes more than {most_spacings} spacings: raise it to "
+                    "{least:.3g} or more",
+                    here=HERE,
+                    step_mm=self.step_mm,
+                    most_spacings=MOST_SPACINGS,
+                    least=(high - low) / MOST_SPACINGS,
+                )
             )
         return self
 
@@ -301,8 +348,14 @@ def refuse_crossing(corners: Points | None, key: str) -> None:
     if sides is not None:
         a, b = sides
         raise ValueError(
-            f"{HERE}.{key} crosses itself: the side from corner {a + 1} meets that from corner {b + 1}: list the "
-            "corners in order around it"
+            Message(
+                "{here}.{key} crosses itself: the side from corner {a} meets that from corner {b}: list the "
+                "corners in order around it",
+                here=HERE,
+                key=key,
+                a=a + 1,
+                b=b + 1,
+            )
         )
 
 
@@ -353,10 +406,22 @@ class OutlineSection(DesignSection):
         names = ("length_mm", "width_mm", "front_overhang_mm", "left_overhang_mm")
         given = [name for name in names if getattr(self, name) is not None]
         if self.corners_mm and given:
-            raise ValueError(f"{HERE} has corners_mm and {listed(given, 'and')}: remove one or the other")
+            raise ValueError(
+                Message(
+                    "{here} has corners_mm and {listed}: remove one or the other",
+                    here=HERE,
+                    listed=listed(given, "and"),
+                )
+            )
         missing = [name for name in names[:3] if name not in given]
         if not self.corners_mm and missing:
-            raise ValueError(f"{HERE} needs {listed(missing, 'and')}: add what is missing, or give corners_mm")
+            raise ValueError(
+                Message(
+                    "{here} needs {listed}: add what is missing, or give corners_mm",
+                    here=HERE,
+                    listed=listed(missing, "and"),
+                )
+            )
         refuse_crossing(self.corners_mm, "corners_mm")
         return self
 

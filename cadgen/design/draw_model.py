@@ -124,18 +124,29 @@ def refuse_range(design: Design, spacings: Draw, track: Track, rod: LeaningRod) 
         spacing, wanted = factor * spacings.stated, middle * (factor - 1)
         if (wanted - disc) * (factor - 1) > _MOST_OFF * (middle + wanted) * abs(factor - 1):
             raise DesignError(
-                f"settings.disc_{key}_mm is {disc:g}, but with posts {spacing:g} mm apart the disc must be moved by "
-                f"{wanted:.2f} mm on its shaft to steer by {100 / factor:.0f} %: set settings.disc_{key}_mm to "
-                f"{wanted:.1f}, or bring course.spacing.{key}_mm nearer to {spacings.stated:g}"
+                "settings.disc_{key}_mm is {disc:g}, but with posts {spacing:g} mm apart the disc must be "
+                "moved by {wanted:.2f} mm on its shaft to steer by {percent:.0f} %: set "
+                "settings.disc_{key}_mm to {wanted:.1f}, or bring course.spacing.{key}_mm nearer to "
+                "{stated:g}",
+                key=key,
+                disc=disc,
+                spacing=spacing,
+                wanted=wanted,
+                percent=100 / factor,
+                stated=spacings.stated,
             )
         short = (factor * track.turn - wheel) * (factor - 1)
         if short > _MOST_OFF * factor * track.turn * abs(factor - 1):
             ratios = given.ratios or (float(gear_model.train(design).ratio),)
             radius = factor * track.turn / (TURN * (min(ratios) if factor < 1 else max(ratios)))
             raise DesignError(
-                f"settings has no drive wheel for posts {spacing:g} mm apart, where the car must go "
-                f"{factor * track.turn:.0f} mm in a turn of the cam: set settings.wheel_{key}_mm to {radius:.1f}, or "
-                f"put such a wheel into settings.wheel_radii_mm"
+                "settings has no drive wheel for posts {spacing:g} mm apart, where the car must go "
+                "{travel:.0f} mm in a turn of the cam: set settings.wheel_{key}_mm to {radius:.1f}, or put "
+                "such a wheel into settings.wheel_radii_mm",
+                spacing=spacing,
+                travel=factor * track.turn,
+                key=key,
+                radius=radius,
             )
 
 
@@ -143,18 +154,27 @@ def _refuse_ends(given: SettingsSection, rod: LeaningRod) -> None:
     inner, outer = rod.inner + given.disc_from_mm, rod.outer + given.disc_to_mm
     if inner <= rod.radius:
         raise DesignError(
-            f"settings.disc_from_mm is {given.disc_from_mm:g}, which takes the disc to {inner:g} mm from the fork "
-            f"axis, less than the rod's radius: raise it to {rod.radius - rod.inner + 1:.1f} or more"
+            "settings.disc_from_mm is {disc_from_mm:g}, which takes the disc to {inner:g} mm from the "
+            "fork axis, less than the rod's radius: raise it to {radius:.1f} or more",
+            disc_from_mm=given.disc_from_mm,
+            inner=inner,
+            radius=rod.radius - rod.inner + 1,
         )
     if outer >= rod.length:
         raise DesignError(
-            f"settings.disc_to_mm is {given.disc_to_mm:g}, which takes the disc's outer face to {outer:g} mm from the "
-            f"fork axis, past the end of the rod: lower it, or raise follower.length_mm, which is {rod.length:g}"
+            "settings.disc_to_mm is {disc_to_mm:g}, which takes the disc's outer face to {outer:g} mm "
+            "from the fork axis, past the end of the rod: lower it, or raise follower.length_mm, which "
+            "is {length:g}",
+            disc_to_mm=given.disc_to_mm,
+            outer=outer,
+            length=rod.length,
         )
     if rod.base_radius + given.head_from_mm <= rod.radius:
         raise DesignError(
-            f"settings.head_from_mm is {given.head_from_mm:g}, which leaves {rod.base_radius + given.head_from_mm:g} "
-            "mm of base radius, less than the rod's radius: raise it"
+            "settings.head_from_mm is {head_from_mm:g}, which leaves {base_radius:g} mm of base radius, "
+            "less than the rod's radius: raise it",
+            head_from_mm=given.head_from_mm,
+            base_radius=rod.base_radius + given.head_from_mm,
         )
 
 

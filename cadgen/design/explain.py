@@ -7,8 +7,9 @@ from pydantic import ValidationError
 
 from cadgen.design.keys import dotted, elsewhere, is_unit_slip, keys, last, nearest, shown, tables
 from cadgen.design.kinds import USUAL, Kinds, NamedKinds, Place
-from cadgen.design.section import HERE, listed
+from cadgen.design.section import listed
 from cadgen.errors import brief
+from cadgen.messages import Message
 
 _WRONG_TYPE = {"float_type", "int_type", "int_from_float", "string_type", "tuple_type", "missing", "too_long"}
 _MOST_COMPARED = 100  # unknown keys with the known ones: nobody mistypes more
@@ -41,7 +42,9 @@ def explain(error: ValidationError, most: int, named: NamedKinds) -> tuple[list[
     sentences = [(place, unknown_key(place, named.at(place))) for place in unknown[:most]]
     if absent:
         headings = listed([tables(named.at(place))[section(place)].heading for place in absent], "and")
-        text = f"the sections {headings} are missing: add them (`cadgen gears` needs [train] alone)"
+        text = Message(
+            "the sections {headings} are missing: add them (`cadgen gears` needs [train] alone)", headings=headings
+        )
         sentences.append((absent[0], text))
     sentences += [
         (item["loc"], _sentence(item["type"], item["loc"], item["input"], item.get("ctx", {}), named.at(item["loc"])))
@@ -61,11 +64,19 @@ def unknown_key(place: Place, kinds: Kinds = USUAL) -> str:
     right = nearest(parent, wrong, kinds)
     name = dotted(spoken(place[:-1]), brief(wrong) or '""')
     if right and is_unit_slip(wrong, right):
-        return f"{name} is not a key: write {right}, in {keys(kinds)[right].unit}"
+        return Message(
+            "{name} is not a key: write {right}, in {unit}", name=name, right=right, unit=keys(kinds)[right].unit
+        )
     meant = [right] if right else elsewhere(parent, wrong, kinds)
-    hint = f"did you mean {listed(meant, 'or')}? " if meant else ""
-    where = f"[{parent}]" if parent else "a design"
-    return f"{name} is not a key: {hint}{where} takes {listed(tables(kinds)[parent].names, 'and')}"
+    hint = Message("did you mean {listed}? ", listed=listed(meant, "or")) if meant else ""
+    where = f"[{parent}]" if parent else Message("a design")
+    return Message(
+        "{name} is not a key: {hint}{where} takes {listed}",
+        name=name,
+        hint=hint,
+        where=where,
+        listed=listed(tables(kinds)[parent].names, "and"),
+    )
 
 
 def spoken(place: Place) -> str:
@@ -83,39 +94,73 @@ def depth_in_key(place: Place) -> int:
 
 def _of_item(place: Place) -> str:
     numbers = [i for i, part in enumerate(place) if isinstance(part, int)]
-    return f" in {spoken(place[: numbers[-1] + 1])}" if numbers else ""
+    return Message(" in {item}", item=spoken(place[: numbers[-1] + 1])) if numbers else ""
 
 
 def _sentence(kind: str, place: Place, value: Any, context: Mapping[str, Any], kinds: Kinds) -> str:
     if kind == "value_error":
-        return str(context["error"]).replace(HERE, spoken(place))
+        said = Message(*context["error"].args)
+        return Message(said.template, **{**said.arguments, "here": spoken(place)}) if said.arguments else said
     if kind == "missing" and isinstance(place[-1], int):  # of a pair, whose value pydantic gives
         place = place[:-1]
     name, path = spoken(place), section(place)
     if kind == "too_long" and context["max_length"] > 2:  # a list, and not a pair
-        return f"{name} has {len(value)} items; it can have at most {context['max_length']}: remove some"
+        return Message(
+            "{name} has {count} items; it can have at most {most}: remove some",
+            name=name,
+            count=len(value),
+            most=context["max_length"],
+        )
     if path in tables(kinds):
         table = tables(kinds)[path]
         heading = table.heading
         needs = listed([last(key.name) for key in table.keys if key.required], "and")
         if kind == "missing":
-            return f"the section {heading} is missing{_of_item(place)}: add it, with at least {needs}"
+            return Message(
+                "the section {heading} is missing{of_item}: add it, with at least {needs}",
+                heading=heading,
+                of_item=_of_item(place),
+                needs=needs,
+            )
         if table.many and not isinstance(place[-1], int):
-            return f"{name} is {shown(value)}; it must be sections: write {heading} before the keys of each"
-        return f"{name} is {shown(value)}; it must be a section: write {heading} and its keys below it"
+            return Message(
+                "{name} is {shown}; it must be sections: write {heading} before the keys of each",
+                name=name,
+                shown=shown(value),
+                heading=heading,
+            )
+        return Message(
+            "{name} is {shown}; it must be a section: write {heading} and its keys below it",
+            name=name,
+            shown=shown(value),
+            heading=heading,
+        )
     key = keys(kinds)[path]
     depth = depth_in_key(place)
-    wanted = f"{key.kinds[depth]} in {key.unit}" if key.unit else key.kinds[depth]
+    wanted = Message("{kind} in {unit}", kind=key.kinds[depth], unit=key.unit) if key.unit else key.kinds[depth]
     if kind == "missing" and depth == 0:
-        return f"{name} is missing: add it, {wanted} ({key.meaning})"
+        return Message("{name} is missing: add it, {wanted} ({meaning})", name=name, wanted=wanted, meaning=key.meaning)
     if kind == "string_type" and key.allowed:
-        return f"{name} is {shown(value)}; it must be {key.allowed}"
+        return Message("{name} is {shown}; it must be {allowed}", name=name, shown=shown(value), allowed=key.allowed)
     if kind in _WRONG_TYPE:
-        bare = ", without quotes or unit" if isinstance(value, str) and "number" in wanted else ""
-        return f"{name} is {shown(value)}; it must be {wanted}{bare}"
+        bare = Message(", without quotes or unit") if isinstance(value, str) and "number" in wanted else ""
+        return Message(
+            "{name} is {shown}; it must be {wanted}{bare}", name=name, shown=shown(value), wanted=wanted, bare=bare
+        )
     if kind == "finite_number":
-        return f"{name} is {shown(value)}; it must be a finite number"
+        return Message("{name} is {shown}; it must be a finite number", name=name, shown=shown(value))
     if kind == "too_short":
-        return f"{name} has {len(value)} items; it needs at least {context['min_length']}: add more"
+        return Message(
+            "{name} has {count} items; it needs at least {least}: add more",
+            name=name,
+            count=len(value),
+            least=context["min_length"],
+        )
     unit = f" ({key.unit})" if key.unit else ""
-    return f"{name} is {shown(value)}; it must be {key.allowed_inside if depth else key.allowed}{unit}"
+    return Message(
+        "{name} is {shown}; it must be {allowed}{unit}",
+        name=name,
+        shown=shown(value),
+        allowed=key.allowed_inside if depth else key.allowed,
+        unit=unit,
+    )

@@ -2,6 +2,8 @@
 
 import re
 
+from cadgen.messages import Message
+
 _PLAIN = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}")
 # What Windows keeps for devices, in capitals or not, with whatever follows a first dot.
 _DEVICES = re.compile(r"(con|prn|aux|nul|com[0-9]|lpt[0-9])(\..*)?", re.IGNORECASE)
@@ -16,7 +18,11 @@ def name_fault(name: str) -> str:
     if not _PLAIN.fullmatch(name):
         return "be 1 to 64 letters (A-Z, a-z), digits, dots, dashes and underscores, and begin with a letter or digit"
     if _DEVICES.fullmatch(name):
-        return f"be another one, for on Windows {name.partition('.')[0]} is a device: add to it, such as {name[:3]}_1"
+        return Message(
+            "be another one, for on Windows {device} is a device: add to it, such as {name}_1",
+            device=name.partition(".")[0],
+            name=name[:3],
+        )
     if name.endswith("."):
         return "not end in a dot, which Windows takes off: remove it"
     return ""

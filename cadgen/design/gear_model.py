@@ -18,6 +18,7 @@ from cadgen.gears.synthesis import SearchLimits
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Loose, Train, bearings
+from cadgen.messages import Message
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import Hub, Keyway, Lightening, SetScrew, Web
 
@@ -37,8 +38,10 @@ def train_keys(design: TrainDesign) -> TrainSection:
     """
     if design.train is None:
         raise DesignError(
-            f"{design.source} has no gear train: add a section [train] with module_mm, width_mm and bearing_span_mm, "
-            "a [[train.stages]] for each stage, and in it a driver and a driven gear with their teeth"
+            "{source} has no gear train: add a section [train] with module_mm, width_mm and "
+            "bearing_span_mm, a [[train.stages]] for each stage, and in it a driver and a driven gear "
+            "with their teeth",
+            source=design.source,
         )
     return design.train
 
@@ -55,7 +58,7 @@ def train(design: TrainDesign) -> Train:
         try:
             stages.append(_stage(stage, keys))
         except DesignError as error:
-            raise DesignError(f"in stage {number}, {error}") from error
+            raise DesignError("in stage {number}, {error}", number=number, error=error.message) from error
     return Train(tuple(stages))
 
 
@@ -78,18 +81,23 @@ def loose(design: TrainDesign, of: Train | None) -> tuple[Loose, ...]:
     loose: list[Loose] = []
     if design.train is not None and of is not None:
         keys, ratio = design.train, float(of.ratio)
-        on_shafts = [("the pinion on the drive", "train.drive", keys.drive, ratio)]
+        on_shafts = [(Message("the pinion on the drive"), "train.drive", keys.drive, ratio)]
         on_shafts += [
-            (f"wheel and pinion of shaft {number}", "train.intermediate", keys.intermediate, float(turns))
+            (
+                Message("wheel and pinion of shaft {number}", number=number),
+                "train.intermediate",
+                keys.intermediate,
+                float(turns),
+            )
             for number, turns in enumerate(of.output_ratios[:-1], 2)
         ]
-        on_shafts.append(("the wheel on the camshaft", "train.output", keys.output, 1.0))
+        on_shafts.append((Message("the wheel on the camshaft"), "train.output", keys.output, 1.0))
         for name, where, blank, turns in on_shafts:
             width = blank.keyway.width_mm if blank.keyway else None
             zone = _free_angle(blank, where, blank.bore_diameter_mm, width, None)
             loose.append(_joint(name, blank, zone).at(turns))
         loose += bearings(of, (keys.bearing_clearance_um or 0.0) * _UM)
-    loose.append(_joint("the cam", design.blank, cam_joint(design)))
+    loose.append(_joint(Message("the cam"), design.blank, cam_joint(design)))
     return tuple(joint for joint in loose if joint.greatest > 0)
 
 
@@ -124,24 +132,31 @@ def _free_angle(
     if held.joint is None or held.joint in TIGHT:
         return 0.0, 0.0
     if bore_mm <= 0:
-        raise DesignError(f'{where}.joint is "{held.joint}" and there is no bore: set {where}.bore_diameter_mm')
+        raise DesignError(
+            '{where}.joint is "{joint}" and there is no bore: set {where}.bore_diameter_mm',
+            where=where,
+            joint=held.joint,
+        )
     across = held.joint_across_mm or across_mm
     if held.joint == ShaftJoint.D_FLAT and (across is None or not bore_mm / 2 < across < bore_mm):
         raise DesignError(
-            f"{where}.joint is a D-flat: set {where}.joint_across_mm between half of the bore's {bore_mm:g} mm and "
-            "all of it"
+            "{where}.joint is a D-flat: set {where}.joint_across_mm between half of the bore's "
+            "{bore_mm:g} mm and all of it",
+            where=where,
+            bore_mm=bore_mm,
         )
     if held.joint_fit is not None:
         size = key_mm if held.joint == ShaftJoint.KEYED else bore_mm
         if size is None:
             raise DesignError(
-                f"{where}.joint_fit is that of a key, whose width is not known: add [{where}.keyway], or give "
-                f"{where}.joint_clearance_greatest_um"
+                "{where}.joint_fit is that of a key, whose width is not known: add [{where}.keyway], or give "
+                "{where}.joint_clearance_greatest_um",
+                where=where,
             )
         try:
             zone = clearance(held.joint_fit, size)
         except DesignError as error:
-            raise DesignError(f"{where}.joint_fit: {error}") from error
+            raise DesignError("{where}.joint_fit: {error}", where=where, error=error.message) from error
     else:
         zone = (held.joint_clearance_least_um or 0.0) / 1e3, (held.joint_clearance_greatest_um or 0.0) / 1e3
     if held.joint == ShaftJoint.KEYED:
@@ -151,9 +166,12 @@ def _free_angle(
 
 
 def _joint(name: str, held: Held, zone: tuple[float, float]) -> Loose:
-    what = "key" if held.joint == ShaftJoint.KEYED else "D-flat"
+    what = Message("key") if held.joint == ShaftJoint.KEYED else Message("D-flat")
     return Loose(
-        name=f"{what} of {name}", least=zone[0], greatest=zone[1], cure=f"clamp, pin or glue {name}: its {what} has"
+        name=Message("{part} of {name}", part=what, name=name),
+        least=zone[0],
+        greatest=zone[1],
+        cure=Message("clamp, pin or glue {name}: its {part} has", name=name, part=what),
     )
 
 
@@ -279,6 +297,10 @@ def sense_note(design: TrainDesign, stages: int) -> tuple[str, ...]:
     if design.cam is None or stages % 2:
         return ()
     return (
-        f"with {stages} stages the camshaft turns the same way as the drive wheel, but the cam is made to turn against "
-        "it: put the disc on its shaft turned over, a hub with it, or add a stage",
+        Message(
+            "with {stages} stages the camshaft turns the same way as the drive wheel, but the cam is "
+            "made to turn against it: put the disc on its shaft turned over, a hub with it, or add a "
+            "stage",
+            stages=stages,
+        ),
     )

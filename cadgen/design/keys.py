@@ -19,6 +19,7 @@ from cadgen.design.schema import OF_A_CAR, DesignFile, MotionFile
 from cadgen.design.section import DesignSection, OneOf, ZeroOrFeature, listed
 from cadgen.design.train import StageSection, stage_section
 from cadgen.errors import escaped
+from cadgen.messages import Message
 
 # How the ends of key names read in a sentence.
 _UNITS = {
@@ -40,10 +41,20 @@ _UNIT_ENDING = re.compile(
     r"(?:_per_(?:min|minute|s|sec|second|rev))?$",
     re.IGNORECASE,
 )
-_KINDS = {bool: "true or false", float: "a number", int: "a whole number", str: "text"}
-_PAIR = "a pair [x, y]"
+_KINDS = {
+    bool: Message("true or false"),
+    float: Message("a number"),
+    int: Message("a whole number"),
+    str: Message("text"),
+}
+_PAIR = Message("a pair [x, y]")
 _LONGEST_SHOWN = 60
-_PLURALS = {"a number": "numbers", "a whole number": "whole numbers", "text": "texts", _PAIR: "pairs [x, y]"}
+_LISTS: dict[str, Message] = {
+    _KINDS[float]: Message("a list of numbers"),
+    _KINDS[int]: Message("a list of whole numbers"),
+    _KINDS[str]: Message("a list of texts"),
+    _PAIR: Message("a list of pairs [x, y]"),
+}
 
 
 @dataclass(frozen=True)
@@ -251,8 +262,8 @@ def _kinds(annotation: Any) -> tuple[tuple[str, ...], list[Any]]:
         return _kinds(arms[0])
     if get_origin(annotation) is tuple:
         kinds, limits = _kinds(arguments[0])
-        return (f"a list of {_PLURALS[kinds[0]]}" if arguments[1] is ... else _PAIR, *kinds), limits
-    return (next((_KINDS[arm] for arm in (annotation, *arguments) if arm in _KINDS), "text"),), []
+        return (_LISTS[kinds[0]] if arguments[1] is ... else _PAIR, *kinds), limits
+    return (next((_KINDS[arm] for arm in (annotation, *arguments) if arm in _KINDS), _KINDS[str]),), []
 
 
 def _choices(annotation: Any) -> str:
@@ -287,14 +298,14 @@ def _phrase(limit: Any) -> str:
         case OneOf() | ZeroOrFeature():
             return limit.allowed
         case MinLen(least):
-            return f"{least} or more"
+            return Message("{least} or more", least=least)
         case Gt(bound):
-            return f"greater than {bound:.12g}"
+            return Message("greater than {bound:.12g}", bound=bound)
         case Ge(bound):
-            return f"at least {bound:.12g}"
+            return Message("at least {bound:.12g}", bound=bound)
         case Lt(bound):
-            return f"less than {bound:.12g}"
+            return Message("less than {bound:.12g}", bound=bound)
         case Le(bound):
-            return f"at most {bound:.12g}"
+            return Message("at most {bound:.12g}", bound=bound)
         case _:
             return ""

@@ -18,6 +18,7 @@ from cadgen.design.path import OF_ANY_PATH
 from cadgen.design.schema import OF_A_CAR, Design, DesignFile, MotionDesign, MotionFile, TrainDesign, TrainFile
 from cadgen.design.section import listed
 from cadgen.errors import DesignError, brief
+from cadgen.messages import Message, joined
 from cadgen.reading import read_regular
 
 DEFAULT_DESIGN = "carbon_free_car"
@@ -182,9 +183,18 @@ def design_file(source: str | Path | None = None) -> Path:
     here = next(
         (name for name in (source, f"{source}.toml") if os.path.isfile(name)), None
     )  # False for what no system has
-    hint = f"the file in this folder is ./{here}" if here else "give a file by its path, such as ./my_car.toml"
+    hint = (
+        Message("the file in this folder is ./{here}", here=here)
+        if here
+        else Message("give a file by its path, such as ./my_car.toml")
+    )
     names = listed(list(packaged), "and")
-    raise DesignError(f'there is no packaged design "{brief(source)}": the packaged ones are {names}; {hint}')
+    raise DesignError(
+        'there is no packaged design "{source}": the packaged ones are {names}; {hint}',
+        source=brief(source),
+        names=names,
+        hint=hint,
+    )
 
 
 def read_design(source: str | Path | None = None) -> tuple[str, Path]:
@@ -202,17 +212,22 @@ def read_design(source: str | Path | None = None) -> tuple[str, Path]:
         return read_regular(file, MOST_BYTES).decode("utf-8-sig"), file
     except FileNotFoundError:
         raise DesignError(
-            f"there is no design file {name}: correct the path, or name a packaged design "
-            f"({listed(list(packaged_designs()), 'or')})"
+            "there is no design file {name}: correct the path, or name a packaged design ({listed})",
+            name=name,
+            listed=listed(list(packaged_designs()), "or"),
         ) from None
     except IsADirectoryError:
-        raise DesignError(f"{name} is a folder: give the path of a design file in it") from None
+        raise DesignError("{name} is a folder: give the path of a design file in it", name=name) from None
     except UnicodeDecodeError as error:
         line = error.object[: error.start].count(b"\n") + 1
-        raise DesignError(f"{name}, line {line}: not UTF-8 text: save the file again as UTF-8") from None
+        raise DesignError(
+            "{name}, line {line}: not UTF-8 text: save the file again as UTF-8", name=name, line=line
+        ) from None
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else error
-        raise DesignError(f"{name} cannot be read ({reason}): give a design file that can") from None
+        raise DesignError(
+            "{name} cannot be read ({reason}): give a design file that can", name=name, reason=reason
+        ) from None
 
 
 def _parsed(text: str, file: Path) -> dict[str, Any]:
@@ -221,7 +236,9 @@ def _parsed(text: str, file: Path) -> dict[str, Any]:
     try:
         return parse(text)
     except DeepError:
-        raise DesignError(f"{name}: keys or brackets are nested too deeply for a design: correct the file") from None
+        raise DesignError(
+            "{name}: keys or brackets are nested too deeply for a design: correct the file", name=name
+        ) from None
     except ValueError as error:
         raise DesignError(_syntax(str(error), name, text)) from None
 
@@ -231,20 +248,29 @@ def _syntax(problem: str, file: str, text: str) -> str:
     lines = text.replace("\r\n", "\n").rstrip("\n").split("\n")
     match = re.fullmatch(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)", problem, re.DOTALL)
     if not match:  # Python's own limit on the digits of a whole number
-        return f"{file}: a whole number has more digits than can be read: correct the file"
+        return Message("{file}: a whole number has more digits than can be read: correct the file", file=file)
     line, column = (int(match[2]), int(match[3])) if match[2] else (len(lines), len(lines[-1]) + 1)
     quoted_line = brief(lines[min(line, len(lines)) - 1].strip()[:80])
-    where = f"{file}, line {line}, column {column}"
+    where = Message("{file}, line {line}, column {column}", file=file, line=line, column=column)
     if problem.startswith(("Cannot overwrite", "Cannot declare")):
-        return f"{where}: `{quoted_line}` is given a second time: remove one of the two"
-    return f"{where}: not TOML ({brief(match[1][:1].lower() + match[1][1:])}): correct `{quoted_line}`"
+        return Message(
+            "{where}: `{quoted_line}` is given a second time: remove one of the two",
+            where=where,
+            quoted_line=quoted_line,
+        )
+    return Message(
+        "{where}: not TOML ({match}): correct `{quoted_line}`",
+        where=where,
+        match=brief(match[1][:1].lower() + match[1][1:]),
+        quoted_line=quoted_line,
+    )
 
 
 def _report(error: ValidationError, source: str, applied: Sequence[tuple[Place, str]], named: NamedKinds) -> str:
     """Lines on the errors, each after the file or the override that it comes from."""
     sentences, more = explain(error, MAX_ERRORS_SHOWN, named)
-    lines = [f"{_blame(place, source, applied)}: {sentence}" for place, sentence in sentences]
-    return "\n".join([*lines, *([f"and {more} more like these"] if more else [])])
+    lines = [joined((_blame(place, source, applied), sentence), ": ") for place, sentence in sentences]
+    return joined([*lines, *([Message("and {more} more like these", more=more)] if more else [])], "\n")
 
 
 def _blame(place: Place, source: str, applied: Sequence[tuple[Place, str]]) -> str:
@@ -253,4 +279,8 @@ def _blame(place: Place, source: str, applied: Sequence[tuple[Place, str]]) -> s
         if place[: len(where)] == where:
             return quoted(text)
     inside = [quoted(text) for where, text in applied if where[: len(place)] == place]
-    return f"{brief(source)} with {brief(' '.join(inside))}" if inside else brief(source)
+    return (
+        Message("{source} with {inside}", source=brief(source), inside=brief(" ".join(inside)))
+        if inside
+        else brief(source)
+    )

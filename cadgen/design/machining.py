@@ -6,6 +6,7 @@ from pydantic import Field, ValidationInfo, field_validator, model_validator
 
 from cadgen.car.running.friction import DiscMaterial
 from cadgen.design.section import HERE, LONGEST_LINE, DesignSection, one_line
+from cadgen.messages import Message
 
 USUAL_FEED = 240.0  # mm/min, where the design gives neither a feed nor a material
 APPROACH_MM = 1.0  # above the work, to which a tool goes down at rapid speed
@@ -124,8 +125,11 @@ class Machining(DesignSection):
     def _feed_of_a_tooth_is_used(self) -> Self:
         if self.cutter_teeth is not None and self.feed_mm_per_min is not None:
             raise ValueError(
-                f"machining.cutter_teeth is {self.cutter_teeth}, but machining.feed_mm_per_min gives the feed already: "
-                "remove one of the two"
+                Message(
+                    "machining.cutter_teeth is {cutter_teeth}, but machining.feed_mm_per_min gives the feed "
+                    "already: remove one of the two",
+                    cutter_teeth=self.cutter_teeth,
+                )
             )
         return self
 
@@ -150,7 +154,11 @@ class DrawingText(DesignSection):
         unknown = [letter for letter in text if not any(low <= ord(letter) <= high for low, high in _LETTERS)]
         if unknown and text.isprintable():
             raise ValueError(
-                f"{HERE} has {unknown[0]}, which the fonts of drawings lack: write it in Latin, Greek, Cyrillic, "
-                "Chinese, Japanese or Korean letters"
+                Message(
+                    "{here} has {unknown}, which the fonts of drawings lack: write it in Latin, Greek, Cyrillic, "
+                    "Chinese, Japanese or Korean letters",
+                    here=HERE,
+                    unknown=unknown[0],
+                )
             )
         return one_line(text, LONGEST_FINISH if info.field_name == "finish" else LONGEST_LINE)

@@ -10,6 +10,7 @@ from cadgen.cam.followers.kind import FollowerKind
 from cadgen.design.section import WORD, DesignSection, OneOf, listed
 from cadgen.laws.table import codes, has, law_of
 from cadgen.laws.unit import MM, Unit
+from cadgen.messages import Message
 
 if TYPE_CHECKING:
     from cadgen.laws.segments import SegmentMotion
@@ -47,14 +48,21 @@ class MotionSegment(DesignSection):
         if self.dwell_deg is not None:
             if others := [*heights, *(name for name in ("in_deg", "law") if getattr(self, name) is not None)]:
                 raise ValueError(
-                    f"a segment of motion.segments has dwell_deg and {listed(others, 'and')}: a dwell has no other key"
+                    Message(
+                        "a segment of motion.segments has dwell_deg and {listed}: a dwell has no other key",
+                        listed=listed(others, "and"),
+                    )
                 )
             return self
         if len(heights) != 1 or self.in_deg is None or self.law is None:
             given = [name for name in (*_HEIGHTS, "in_deg", "law") if getattr(self, name) is not None]
             raise ValueError(
-                f"a segment of motion.segments has {listed(given, 'and') or 'none of its keys'}; it needs dwell_deg "
-                f"alone, or in_deg, law and one of {listed(_HEIGHTS, 'or')}"
+                Message(
+                    "a segment of motion.segments has {listed}; it needs dwell_deg alone, or in_deg, law and one "
+                    "of {listed2}",
+                    listed=listed(given, "and") or Message("none of its keys"),
+                    listed2=listed(_HEIGHTS, "or"),
+                )
             )
         return self
 
@@ -128,8 +136,15 @@ def _refuse_unit(number: int, key: str, kind: FollowerKind) -> None:
     if not key.endswith(wanted):
         right = f"{key.partition('_')[0]}_{wanted}"
         raise ValueError(
-            f'motion.segments.{number}.{key} is not of a follower of kind "{kind.code}", which moves in '
-            f"{_spoken(kind.unit)}: give {right} instead"
+            Message(
+                'motion.segments.{number}.{key} is not of a follower of kind "{code}", which moves in '
+                "{spoken}: give {right} instead",
+                number=number,
+                key=key,
+                code=kind.code,
+                spoken=_spoken(kind.unit),
+                right=right,
+            )
         )
 
 

@@ -8,6 +8,7 @@ from cadgen.design.keys import Key, keys, shown, tables
 from cadgen.design.kinds import NamedKinds, Place
 from cadgen.design.parse import parse
 from cadgen.errors import DesignError, brief, escaped
+from cadgen.messages import Message
 
 _MOST_DIGITS = 6  # of an item's number
 _LONGEST_QUOTED = 80
@@ -25,12 +26,12 @@ def override(values: dict[str, Any], text: str) -> Place:
     """
     name, equals, written = (part.strip() for part in text.partition("="))
     if not equals or not all(name.split(".")):
-        raise DesignError(f"{quoted(text)}: write it as key=value, such as --set cam.thickness_mm=3.2")
+        raise DesignError("{quoted}: write it as key=value, such as --set cam.thickness_mm=3.2", quoted=quoted(text))
     try:
         place = _place(name, NamedKinds.of(values))
         _apply(values, place, written)
     except DesignError as error:
-        raise DesignError(f"{quoted(text)}: {error}") from None
+        raise DesignError("{quoted}: {error}", quoted=quoted(text), error=error.message) from None
     return place
 
 
@@ -63,7 +64,9 @@ def _place(name: str, named: NamedKinds) -> Place:
         if table and table.many and isinstance(place[-1], str):
             if not (part.isdecimal() and len(part) <= _MOST_DIGITS):
                 raise DesignError(
-                    f"{spoken(place)} is a list: write the number of one of its items before {brief(part)}"
+                    "{spoken} is a list: write the number of one of its items before {part}",
+                    spoken=spoken(place),
+                    part=brief(part),
                 )
             place = (*place, int(part) - 1)
         elif key is None:
@@ -73,9 +76,14 @@ def _place(name: str, named: NamedKinds) -> Place:
         elif part.isdecimal() and len(part) <= _MOST_DIGITS and depth_in_key(place) < len(key.kinds) - 1:
             place = (*place, int(part) - 1)
         else:
-            items = ", or the number of one of its items" if len(key.kinds) > 1 else ""
+            items = Message(", or the number of one of its items") if len(key.kinds) > 1 else ""
             raise DesignError(
-                f"{brief(name)} is not a key: {spoken(place)} has no {brief(part)}; set {key.name} itself{items}"
+                "{name} is not a key: {spoken} has no {part}; set {name2} itself{items}",
+                name=brief(name),
+                spoken=spoken(place),
+                part=brief(part),
+                name2=key.name,
+                items=items,
             )
     return place
 
@@ -101,10 +109,14 @@ def _apply(values: dict[str, Any], place: Place, written: str) -> None:
 def _refuse_absent(holder: object, step: str | int) -> None:
     if isinstance(step, str):
         if not isinstance(holder, dict):
-            raise DesignError(f"the design has {shown(holder)} where the section of {step} should be: correct it first")
+            raise DesignError(
+                "the design has {shown} where the section of {step} should be: correct it first",
+                shown=shown(holder),
+                step=step,
+            )
     elif not isinstance(holder, list) or not 0 <= step < len(holder):
         count = len(holder) if isinstance(holder, list) else 0
-        raise DesignError(f"there is no item {step + 1}: the list has {count}, counted from 1")
+        raise DesignError("there is no item {step}: the list has {count}, counted from 1", step=step + 1, count=count)
 
 
 def _value(written: str) -> object:

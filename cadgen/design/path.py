@@ -7,6 +7,7 @@ from pydantic import Field, model_validator
 
 from cadgen.car.path.path_kinds import QUINTIC, PathKind, codes, has, kind_of
 from cadgen.design.section import ByKind, DesignSection, OneOf, keys_in, listed, section_with
+from cadgen.messages import Message
 
 MOST_LAPS = 100
 _LAPS = 10  # of a run, where the design does not say
@@ -60,20 +61,32 @@ class PathSection(DesignSection):
             for name in ("laps", "laps_per_turn"):
                 if getattr(self, name) is not None:
                     raise ValueError(
-                        f"path.{name} is {getattr(self, name)}, but the path is not closed: set path.closed = true, or "
-                        f"remove path.{name}"
+                        Message(
+                            "path.{name} is {value}, but the path is not closed: set path.closed = true, or remove "
+                            "path.{name}",
+                            name=name,
+                            value=getattr(self, name),
+                        )
                     )
             return self
         if self.registered.build_closed is None:
             closing = listed([f'"{code}"' for code in codes() if kind_of(code).build_closed is not None], "or")
             raise ValueError(
-                f'path.closed is true, but a path with spline = "{self.spline}" does not go on smoothly where it '
-                f"closes: set path.spline = {closing}, or remove path.closed"
+                Message(
+                    'path.closed is true, but a path with spline = "{spline}" does not go on smoothly where it '
+                    "closes: set path.spline = {closing}, or remove path.closed",
+                    spline=self.spline,
+                    closing=closing,
+                )
             )
         if self.run_laps < self.turn_laps:
             raise ValueError(
-                f"path.laps is {self.run_laps}, but one turn of the cam is {self.turn_laps} laps "
-                "(path.laps_per_turn): a run takes at least one turn, so raise path.laps or lower path.laps_per_turn"
+                Message(
+                    "path.laps is {run_laps}, but one turn of the cam is {turn_laps} laps (path.laps_per_turn): "
+                    "a run takes at least one turn, so raise path.laps or lower path.laps_per_turn",
+                    run_laps=self.run_laps,
+                    turn_laps=self.turn_laps,
+                )
             )
         return self
 

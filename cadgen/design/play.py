@@ -9,6 +9,7 @@ from cadgen.car.running.friction import DiscMaterial
 from cadgen.design.section import WORD, DesignSection
 from cadgen.deviations.deviation import VARIED
 from cadgen.gears.choices import Law, StageOrder
+from cadgen.messages import Message
 
 GATE_WIDTH_MM = 400.0
 
@@ -36,11 +37,19 @@ class PlaySection(DesignSection):
     def _a_band_has_two_ends(self) -> "PlaySection":
         least, greatest = self.least_deg, self.greatest_deg
         if (least is None) != (greatest is None):
-            raise ValueError("play has only one of least_deg and greatest_deg: give both or neither")
+            raise ValueError(Message("play has only one of least_deg and greatest_deg: give both or neither"))
         if least is None and self.measured_deg is None:
-            raise ValueError("play is empty: give measured_deg, or least_deg and greatest_deg, or remove [play]")
+            raise ValueError(
+                Message("play is empty: give measured_deg, or least_deg and greatest_deg, or remove [play]")
+            )
         if least is not None and greatest is not None and least > greatest:
-            raise ValueError(f"play.least_deg is {least:g}, more than greatest_deg, {greatest:g}: exchange them")
+            raise ValueError(
+                Message(
+                    "play.least_deg is {least:g}, more than greatest_deg, {greatest:g}: exchange them",
+                    least=least,
+                    greatest=greatest,
+                )
+            )
         return self
 
 
@@ -186,21 +195,36 @@ class MechanicsSection(DesignSection):
     def _bands_run_upwards(self) -> "MechanicsSection":
         least, greatest = self.friction_least, self.friction_greatest
         if (least is None) != (greatest is None):
-            raise ValueError("mechanics has only one of friction_least and friction_greatest: give both or neither")
+            raise ValueError(
+                Message("mechanics has only one of friction_least and friction_greatest: give both or neither")
+            )
         if least is not None and greatest is not None and least > greatest:
             raise ValueError(
-                f"mechanics.friction_least is {least:g}, more than friction_greatest, {greatest:g}: exchange them"
+                Message(
+                    "mechanics.friction_least is {least:g}, more than friction_greatest, {greatest:g}: exchange them",
+                    least=least,
+                    greatest=greatest,
+                )
             )
         if self.drag_greatest_Nmm is not None and self.drag_greatest_Nmm < self.drag_least_Nmm:
             raise ValueError(
-                f"mechanics.drag_least_Nmm is {self.drag_least_Nmm:g}, more than drag_greatest_Nmm, "
-                f"{self.drag_greatest_Nmm:g}: exchange them"
+                Message(
+                    "mechanics.drag_least_Nmm is {drag_least_nmm:g}, more than drag_greatest_Nmm, "
+                    "{drag_greatest_nmm:g}: exchange them",
+                    drag_least_nmm=self.drag_least_Nmm,
+                    drag_greatest_nmm=self.drag_greatest_Nmm,
+                )
             )
         strongest = self.drag_Nmm[1]
         if self.drive_torque_Nmm is not None and strongest >= self.drive_torque_Nmm:
             raise ValueError(
-                f"mechanics.drag_greatest_Nmm is {strongest:g}, and the drive gives {self.drive_torque_Nmm:g} N mm at "
-                f"the camshaft (mechanics.drive_torque_Nmm): it cannot turn that; lower the drag, or gear down"
+                Message(
+                    "mechanics.drag_greatest_Nmm is {strongest:g}, and the drive gives {drive_torque_nmm:g} N mm "
+                    "at the camshaft (mechanics.drive_torque_Nmm): it cannot turn that; lower the drag, or gear "
+                    "down",
+                    strongest=strongest,
+                    drive_torque_nmm=self.drive_torque_Nmm,
+                )
             )
         return self
 

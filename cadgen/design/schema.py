@@ -29,6 +29,7 @@ from cadgen.design.settings import SettingsSection
 from cadgen.design.train import TrainSection, train_by_stages
 from cadgen.errors import DesignError
 from cadgen.laws.unit import TAN
+from cadgen.messages import Message
 from cadgen.parts.face import Face
 
 THINNEST_DISC_MM = 0.1
@@ -122,27 +123,47 @@ class CamSection(DesignSection):
     @model_validator(mode="after")
     def _two_keys_fix_the_faces(self) -> "CamSection":
         given = self._given_faces()
-        have = listed([f"{name} = {value:g}" for name, value in given.items()], "and") or "none of them"
+        have = listed([f"{name} = {value:g}" for name, value in given.items()], "and") or Message("none of them")
         if len(given) < 2:
             raise ValueError(
-                "cam needs exactly two of inner_face_mm, outer_face_mm, mid_plane_mm and thickness_mm, but "
-                f"has {have}: add {2 - len(given)} more"
+                Message(
+                    "cam needs exactly two of inner_face_mm, outer_face_mm, mid_plane_mm and thickness_mm, but "
+                    "has {have}: add {count} more",
+                    have=have,
+                    count=2 - len(given),
+                )
             )
         if len(given) > 2:
             drop = listed([f"--set cam.{name}=" for name in given], "or")
             raise ValueError(
-                f"cam has {have}, but exactly two fix the faces: remove the others (on the command line with {drop})"
+                Message(
+                    "cam has {have}, but exactly two fix the faces: remove the others (on the command line with "
+                    "{drop})",
+                    have=have,
+                    drop=drop,
+                )
             )
         inner, outer = self.faces_mm
         if inner > outer:
             raise ValueError(
-                f"cam has {have}, which puts the faces in the wrong order, the inner one at {inner:g} mm and "
-                f"the outer one at {outer:g} mm: the inner face must be the one nearer to the fork axis"
+                Message(
+                    "cam has {have}, which puts the faces in the wrong order, the inner one at {inner:g} mm and "
+                    "the outer one at {outer:g} mm: the inner face must be the one nearer to the fork axis",
+                    have=have,
+                    inner=inner,
+                    outer=outer,
+                )
             )
         if inner <= 0 or outer - inner < THINNEST_DISC_MM:
             raise ValueError(
-                f"cam has {have}, which puts the faces at {inner:g} and {outer:g} mm from the fork axis: "
-                f"both must lie beyond it, at least {THINNEST_DISC_MM:g} mm apart"
+                Message(
+                    "cam has {have}, which puts the faces at {inner:g} and {outer:g} mm from the fork axis: both "
+                    "must lie beyond it, at least {thinnest_disc_mm:g} mm apart",
+                    have=have,
+                    inner=inner,
+                    outer=outer,
+                    thinnest_disc_mm=THINNEST_DISC_MM,
+                )
             )
         return self
 
@@ -238,14 +259,19 @@ class TrainFile(DesignSection):
             return self
         if self.course.gates and self.tolerances.gate_width_mm is not None:
             raise ValueError(
-                f"tolerances.gate_width_mm is {self.tolerances.gate_width_mm:g}, but the gates are those of "
-                "[[course.gates]]: remove tolerances.gate_width_mm (on the command line with "
-                "--set tolerances.gate_width_mm=)"
+                Message(
+                    "tolerances.gate_width_mm is {gate_width_mm:g}, but the gates are those of [[course.gates]]: "
+                    "remove tolerances.gate_width_mm (on the command line with --set tolerances.gate_width_mm=)",
+                    gate_width_mm=self.tolerances.gate_width_mm,
+                )
             )
         if self.field is not None:
             raise ValueError(
-                "field and course both say what stands on the field: move its size to [course.field] and its obstacles "
-                "to [[course.posts]] or [[course.gates]], and remove [field] (on the command line with --set field=)"
+                Message(
+                    "field and course both say what stands on the field: move its size to [course.field] and its "
+                    "obstacles to [[course.posts]] or [[course.gates]], and remove [field] (on the command line "
+                    "with --set field=)"
+                )
             )
         return self
 
@@ -253,7 +279,7 @@ class TrainFile(DesignSection):
     @classmethod
     def _name_suits_files(cls, name: str) -> str:
         if fault := name_fault(name):
-            raise ValueError(f'name is "{name[:80]}"; it must {fault}')
+            raise ValueError(Message('name is "{name}"; it must {fault}', name=name[:80], fault=fault))
         return name
 
 
@@ -275,10 +301,22 @@ class DiscFile(TrainFile):
         kind, moved = self.follower.registered, self.motion is not None
         if moved == (kind.unit == TAN):
             others = [f'"{code}"' for code in codes() if moved != (kind_of(code).unit == TAN)]
-            wanted = f" = {listed(others, 'or')}" if others else " to a registered kind that moves by its lift"
+            wanted = (
+                Message(" = {others}", others=listed(others, "or"))
+                if others
+                else Message(" to a registered kind that moves by its lift")
+            )
             does = "follows the steering of a car" if moved else "moves by its lift"
             give = "[path] and [car] instead of [motion]" if moved else "[motion] instead of [path] and [car]"
-            raise ValueError(f'follower.kind is "{kind.code}", which {does}: set follower.kind{wanted}, or give {give}')
+            raise ValueError(
+                Message(
+                    'follower.kind is "{code}", which {does}: set follower.kind{wanted}, or give {give}',
+                    code=kind.code,
+                    does=does,
+                    wanted=wanted,
+                    give=give,
+                )
+            )
         kind.refuse(self.follower.keys, self.seat)
         return self
 
@@ -288,11 +326,17 @@ class DiscFile(TrainFile):
         # A thinner disc with sharp edges is not broken at all; rounding must not refuse the value that is named.
         if leg and outer - inner - 2 * leg < LEAST_LAND_MM - 1e-9:
             most = (outer - inner - LEAST_LAND_MM) / 2
-            cure = f"lower it to {most:.4g} or less" if most > 1e-6 else "leave it out"
+            cure = Message("lower it to {most:.4g} or less", most=most) if most > 1e-6 else Message("leave it out")
             raise ValueError(
-                f"blank.edge_break_mm is {leg:g}; two edges broken by that leave no land of at least "
-                f"{LEAST_LAND_MM:g} mm for the rod on a disc {outer - inner:g} mm thick: {cure}, or make the disc "
-                "thicker"
+                Message(
+                    "blank.edge_break_mm is {leg:g}; two edges broken by that leave no land of at least "
+                    "{least_land_mm:g} mm for the rod on a disc {thickness:g} mm thick: {cure}, or make the disc "
+                    "thicker",
+                    leg=leg,
+                    least_land_mm=LEAST_LAND_MM,
+                    thickness=outer - inner,
+                    cure=cure,
+                )
             )
         return self
 
@@ -301,8 +345,12 @@ class DiscFile(TrainFile):
         (inner, outer), tabs = self.cam.faces_mm, self.machining.tabs
         if tabs and tabs.height_mm >= outer - inner:
             raise ValueError(
-                f"machining.tabs.height_mm is {tabs.height_mm:g}; it must be less than the disc's thickness of "
-                f"{outer - inner:g} mm: lower it"
+                Message(
+                    "machining.tabs.height_mm is {height_mm:g}; it must be less than the disc's thickness of "
+                    "{thickness:g} mm: lower it",
+                    height_mm=tabs.height_mm,
+                    thickness=outer - inner,
+                )
             )
         return self
 
@@ -314,7 +362,12 @@ class DiscFile(TrainFile):
         if drill is not None and drill > most + 1e-9:
             cause = "the circle inside the bore's flat" if blank.d_flat else "blank.bore_diameter_mm"
             raise ValueError(
-                f"machining.drilling.bore_diameter_mm is {drill:g}; it must be at most {most:g}, {cause}: lower it"
+                Message(
+                    "machining.drilling.bore_diameter_mm is {drill:g}; it must be at most {most:g}, {cause}: lower it",
+                    drill=drill,
+                    most=most,
+                    cause=cause,
+                )
             )
         return self
 
@@ -332,14 +385,20 @@ class DesignFile(DiscFile):
             return self
         if "blend_deg" in self.cam.model_fields_set:
             raise ValueError(
-                f"cam.blend_deg is {self.cam.blend_deg:g}, but the path is closed, so the cam leads back to its start "
-                "by itself and nothing is blended: remove cam.blend_deg (on the command line with --set "
-                "cam.blend_deg=), or remove path.closed"
+                Message(
+                    "cam.blend_deg is {blend_deg:g}, but the path is closed, so the cam leads back to its start "
+                    "by itself and nothing is blended: remove cam.blend_deg (on the command line with --set "
+                    "cam.blend_deg=), or remove path.closed",
+                    blend_deg=self.cam.blend_deg,
+                )
             )
         if self.as_built is not None:
             raise ValueError(
-                "[as_built] describes a car on a path with an end; on a closed path a wheel or steering that is not as "
-                "designed takes the car off its lap, whatever the cam: remove [as_built], or remove path.closed"
+                Message(
+                    "[as_built] describes a car on a path with an end; on a closed path a wheel or steering that "
+                    "is not as designed takes the car off its lap, whatever the cam: remove [as_built], or "
+                    "remove path.closed"
+                )
             )
         return self
 
@@ -348,8 +407,13 @@ class DesignFile(DiscFile):
         (inner, _), hub = self.cam.faces_mm, self.blank.hub
         if hub and hub.side == Face.INNER and hub.length_mm >= inner:
             raise ValueError(
-                f"blank.hub.length_mm is {hub.length_mm:g}; on the inner side it must be less than the distance of "
-                f"the disc's inner face from the fork axis, {inner:g} mm: lower it, or put the hub on the outer side"
+                Message(
+                    "blank.hub.length_mm is {length_mm:g}; on the inner side it must be less than the distance "
+                    "of the disc's inner face from the fork axis, {inner:g} mm: lower it, or put the hub on the "
+                    "outer side",
+                    length_mm=hub.length_mm,
+                    inner=inner,
+                )
             )
         return self
 
@@ -371,9 +435,13 @@ class MotionFile(DiscFile):
             named = listed([f"[{name}]" for name in both], "and")
             removed = " ".join(f"--set {name}=" for name in both)
             raise ValueError(
-                f"the design has [motion], which says what the follower does, and {named}, which only a design with "
-                f"[path] and [car] has: remove the one (on the command line with {removed}) or the other "
-                "(--set motion=)"
+                Message(
+                    "the design has [motion], which says what the follower does, and {named}, which only a "
+                    "design with [path] and [car] has: remove the one (on the command line with {removed}) or "
+                    "the other (--set motion=)",
+                    named=named,
+                    removed=removed,
+                )
             )
         return values
 

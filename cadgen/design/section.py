@@ -11,6 +11,7 @@ from pydantic import BaseModel, ConfigDict, Field, GetCoreSchemaHandler, Strict,
 from pydantic_core import CoreSchema, core_schema
 
 from cadgen.car.path import path_kinds
+from cadgen.messages import Message, joined
 
 FARTHEST_MM = 1e6  # one kilometre; a coordinate beyond it is a slip of unit
 
@@ -46,13 +47,17 @@ def one_line(text: str, longest: int = LONGEST_LINE) -> str:
         ValueError: it is empty, too long, or has more than one line.
     """
     if not (0 < len(text) <= longest and text.isprintable()):
-        raise ValueError(f"{HERE} must be one line of 1 to {longest} letters: shorten it")
+        raise ValueError(
+            Message("{here} must be one line of 1 to {longest} letters: shorten it", here=HERE, longest=longest)
+        )
     return text
 
 
-def listed(items: Sequence[str], conjunction: str) -> str:
+def listed(items: Sequence[str], conjunction: str) -> Message:
     """Join words as in a sentence: a, b and c."""
-    return f"{', '.join(items[:-1])} {conjunction} {items[-1]}" if len(items) > 1 else "".join(items)
+    if len(items) < 2:
+        return joined(items)
+    return joined((joined(items[:-1]), items[-1]), f" {conjunction} ")
 
 
 @dataclass(frozen=True)
@@ -72,7 +77,14 @@ class OneOf:
 
     def _checked(self, code: str) -> str:
         if not (code in self.codes() if self.has is None else self.has(code)):
-            raise ValueError(f"{HERE} is {json.dumps(code[:80])}; it must be {self.allowed}")
+            raise ValueError(
+                Message(
+                    "{here} is {value}; it must be {allowed}",
+                    here=HERE,
+                    value=json.dumps(code[:80]),
+                    allowed=self.allowed,
+                )
+            )
         return code
 
 
@@ -80,14 +92,16 @@ class OneOf:
 class ZeroOrFeature:
     """A length of a feature, mm, that is 0 where there is none, and else one that can be made."""
 
-    allowed = f"0, or at least {LEAST_FEATURE_MM:g}"
+    allowed = Message("0, or at least {least:g}", least=LEAST_FEATURE_MM)
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         return core_schema.no_info_after_validator_function(self._checked, handler(source))
 
     def _checked(self, length: float | None) -> float | None:
         if length and not length >= LEAST_FEATURE_MM:
-            raise ValueError(f"{HERE} is {length:g}; it must be {self.allowed}")
+            raise ValueError(
+                Message("{here} is {length:g}; it must be {allowed}", here=HERE, length=length, allowed=self.allowed)
+            )
         return length
 
 

@@ -6,6 +6,7 @@ from annotated_types import Ge, Gt, Le
 from pydantic import Field, Strict, model_validator
 
 from cadgen.design.section import DesignSection
+from cadgen.messages import Message
 
 MOST_AT_HAND = 50
 Radii = Annotated[tuple[Annotated[float, Gt(0), Le(1000)], ...], Strict(False)]
@@ -56,12 +57,20 @@ class SettingsSection(DesignSection):
     def _wheels_are_listed_or_made(self) -> "SettingsSection":
         low, high = self.wheel_from_mm, self.wheel_to_mm
         if (low is None) != (high is None):
-            raise ValueError("settings has only one of wheel_from_mm and wheel_to_mm: give both or neither")
+            raise ValueError(Message("settings has only one of wheel_from_mm and wheel_to_mm: give both or neither"))
         if low is not None and high is not None and low > high:
-            raise ValueError(f"settings.wheel_from_mm is {low:g}, more than wheel_to_mm, {high:g}: exchange them")
+            raise ValueError(
+                Message(
+                    "settings.wheel_from_mm is {low:g}, more than wheel_to_mm, {high:g}: exchange them",
+                    low=low,
+                    high=high,
+                )
+            )
         if low is not None and self.wheel_radii_mm:
             raise ValueError(
-                "settings has wheel_radii_mm, and wheel_from_mm with wheel_to_mm as well: give the wheels at hand or "
-                "the range of those that can be made, not both"
+                Message(
+                    "settings has wheel_radii_mm, and wheel_from_mm with wheel_to_mm as well: give the wheels at "
+                    "hand or the range of those that can be made, not both"
+                )
             )
         return self

@@ -21,6 +21,7 @@ from cadgen.design.section import (
 )
 from cadgen.gears.choices import Thinning
 from cadgen.gears.stage_kinds import SPUR, StageKind, codes, has, kind_of
+from cadgen.messages import Message
 
 
 class GearKeys(DesignSection):
@@ -302,7 +303,11 @@ def train_by_stages(value: object, usual: Callable[[object], TrainSection | None
     usually = _TOOTHLESS.model_fields
     if idle := [f"train.{key}" for key in _TEETH if getattr(train, key) != usually[key].default]:
         raise ValueError(
-            f"{listed(idle, 'and')} {'are' if len(idle) > 1 else 'is'} of spur gears, and no stage of this train has "
-            f"any: remove {'them' if len(idle) > 1 else 'it'}"
+            Message(
+                "{listed} {word} of spur gears, and no stage of this train has any: remove {them}",
+                listed=listed(idle, "and"),
+                word=Message("are") if len(idle) > 1 else Message("is"),
+                them=Message("them") if len(idle) > 1 else Message("it"),
+            )
         )
     return train

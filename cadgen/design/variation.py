@@ -113,9 +113,12 @@ def mechanics(design: Design, follower: Follower, lift: PathMotion) -> Mechanics
     if given is None:
         if hardware:
             raise DesignError(
-                f"optimize.hardware allows {listed(hardware, 'and')}, and what that brings goes by the rod's force and "
-                f"friction: add [mechanics], such as --set mechanics.friction_least={USUAL[0]:g} "
-                f"--set mechanics.friction_greatest={USUAL[1]:g}"
+                "optimize.hardware allows {listed}, and what that brings goes by the rod's force and "
+                "friction: add [mechanics], such as --set mechanics.friction_least={least:g} --set "
+                "mechanics.friction_greatest={greatest:g}",
+                listed=listed(hardware, "and"),
+                least=USUAL[0],
+                greatest=USUAL[1],
             )
         return None
     if known.friction is not None:
@@ -157,9 +160,13 @@ def _refuse_lost_rod(band: MechanicsBand, lift: PathMotion, tolerance: float) ->
     worst = int(np.argmin(force))
     if force[worst] <= 0:
         raise DesignError(
-            f"at cam angle {degrees(theta[worst]):.1f} degrees, at a lift of {height[worst]:.2f} mm, the rod's force "
-            f"is {force[worst]:.3g} N, so the rod leaves the disc: raise mechanics.rod_force_N to "
-            f"{1.01 * (band.rod_force - force[worst]):.3g} or more, or bring mechanics.rod_rate_N_per_mm nearer to 0"
+            "at cam angle {theta:.1f} degrees, at a lift of {height:.2f} mm, the rod's force is "
+            "{force:.3g} N, so the rod leaves the disc: raise mechanics.rod_force_N to {rod_force:.3g} "
+            "or more, or bring mechanics.rod_rate_N_per_mm nearer to 0",
+            theta=degrees(theta[worst]),
+            height=height[worst],
+            force=force[worst],
+            rod_force=1.01 * (band.rod_force - force[worst]),
         )
 
 
@@ -170,23 +177,32 @@ def _refuse_weak_drive(design: Design, band: MechanicsBand, lift: PathMotion) ->
     worst = int(np.argmax(needed))
     if needed[worst] == inf:
         raise DesignError(
-            f"at cam angle {degrees(theta[worst]):.1f} degrees the rod jams on the rise at a friction of "
-            f"{band.friction[1]:g}, and no torque turns the cam: lower mechanics.friction_greatest, raise "
-            f"cam.base_radius_mm, or widen the turn there"
+            "at cam angle {theta:.1f} degrees the rod jams on the rise at a friction of {friction:g}, "
+            "and no torque turns the cam: lower mechanics.friction_greatest, raise cam.base_radius_mm, "
+            "or widen the turn there",
+            theta=degrees(theta[worst]),
+            friction=band.friction[1],
         )
     spent = band.drag[1] * TURN * 1e-3
     has = None if design.mechanics is None else design.mechanics.drive_energy_J
     if has is not None and spent > has:
         raise DesignError(
-            f"the drag of {band.drag[1]:.3g} N mm takes {spent:.3g} J a turn of the cam, and mechanics.drive_energy_J "
-            f"is {has:g}: lower mechanics.rod_force_N and the drag that holds it"
+            "the drag of {drag:.3g} N mm takes {spent:.3g} J a turn of the cam, and "
+            "mechanics.drive_energy_J is {has:g}: lower mechanics.rod_force_N and the drag that holds it",
+            drag=band.drag[1],
+            spent=spent,
+            has=has,
         )
     most = None if design.mechanics is None else design.mechanics.drive_torque_Nmm
     if most is not None and needed[worst] > most:
         raise DesignError(
-            f"at cam angle {degrees(theta[worst]):.1f} degrees the cam needs {needed[worst]:.3g} N mm, "
-            f"{band.drag[1]:.3g} of it for the drag, and mechanics.drive_torque_Nmm is {most:g}: lower "
-            f"mechanics.rod_force_N or the drag, or gear the drive down"
+            "at cam angle {theta:.1f} degrees the cam needs {needed:.3g} N mm, {drag:.3g} of it for the "
+            "drag, and mechanics.drive_torque_Nmm is {most:g}: lower mechanics.rod_force_N or the drag, "
+            "or gear the drive down",
+            theta=degrees(theta[worst]),
+            needed=needed[worst],
+            drag=band.drag[1],
+            most=most,
         )
 
 
@@ -272,8 +288,9 @@ def wheel_radius(design: Design, length: float) -> float:
     for name in ("wheel_radius_mm", "wheel_runout_mm"):
         if getattr(design.tolerances, name):
             raise DesignError(
-                f"tolerances.{name} needs the radius itself, which follows from the ratio of [train]: add [train], "
-                f"or remove tolerances.{name}"
+                "tolerances.{name} needs the radius itself, which follows from the ratio of [train]: add "
+                "[train], or remove tolerances.{name}",
+                name=name,
             )
     return inf
 

@@ -312,7 +312,9 @@ def _checked(band: tuple[float, float]) -> tuple[float, float]:
     low, high = band
     if not 0 <= low <= high:
         raise DesignError(
-            f"the band of return errors from {np.degrees(low):g} to {np.degrees(high):g} degrees is not one: it must "
-            f"run upwards from 0 or more"
+            "the band of return errors from {least:g} to {greatest:g} degrees is not one: it must run "
+            "upwards from 0 or more",
+            least=np.degrees(low),
+            greatest=np.degrees(high),
         )
     return low, high

@@ -300,12 +300,14 @@ def compensated_lift(
         DesignError: the play is negative or no number, or plateau or blend are out of range.
     """
     if not play >= 0:
-        raise DesignError(f"the return error is {degrees(play):g} degrees; it must be 0 or more")
+        raise DesignError("the return error is {play:g} degrees; it must be 0 or more", play=degrees(play))
     blend = VALLEY_SHARE * play if valley_blend is None else valley_blend
     if not (plateau_fall > 0 and blend >= 0):
         raise DesignError(
-            f"a plateau's fall of {plateau_fall:g} mm with a valley blend of {degrees(blend):g} degrees makes no "
-            f"profile: the fall must be above 0 and the blend 0 or more"
+            "a plateau's fall of {plateau_fall:g} mm with a valley blend of {blend:g} degrees makes no "
+            "profile: the fall must be above 0 and the blend 0 or more",
+            plateau_fall=plateau_fall,
+            blend=degrees(blend),
         )
     pairs = falls(lift)
     if play == 0 or not len(pairs):

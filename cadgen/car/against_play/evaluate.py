@@ -26,6 +26,7 @@ from cadgen.car.running.sampled import rolled_lift
 from cadgen.curves.closed import ClosedCurve
 from cadgen.errors import CheckError
 from cadgen.gears.choices import StageOrder
+from cadgen.messages import Message, joined
 
 STATIONS = 3600  # at which the rod is rolled; the run then errs by 0.02 mm
 _OUTLINE_STEP = 0.03  # mm; the run then ends within 0.01 mm of where finer steps take it (0.06: 0.06, 0.12: 0.6)
@@ -81,7 +82,11 @@ class Evaluation:
     @property
     def title(self) -> str:
         """Name in tables and pictures."""
-        return f"cam as measured ({self.profile})" if self.measured else f"{self.profile} profile"
+        return (
+            Message("cam as measured ({profile})", profile=self.profile)
+            if self.measured
+            else Message("{profile} profile", profile=self.profile)
+        )
 
     @property
     def worst_lift_error(self) -> float:
@@ -244,20 +249,34 @@ def choose(
         nearest = min(candidates, key=lambda candidate: max(_excess(candidate, limit) for limit in limits))
         binding = max(limits, key=lambda limit: _excess(nearest, limit))
         raise CheckError(
-            f"none of the profiles compared keeps the design's limits: the nearest, {nearest.name}, "
-            f"{_beyond(nearest, binding)}: raise the limit in [optimize], or take a train with less backlash"
+            "none of the profiles compared keeps the design's limits: the nearest, {name}, {beyond}: "
+            "raise the limit in [optimize], or take a train with less backlash",
+            name=nearest.name,
+            beyond=_beyond(nearest, binding),
         )
     best = min(kept, key=lambda candidate: candidate.figures[objective])
     reasons = []
     for candidate, breaks in zip(candidates, broken, strict=True):
         if candidate is best:
             figure = f"{candidate.figures[objective]:.4g} {unit}"
-            verdict = f"chosen: the least {objective}, {figure}, of {len(kept)} that keep every limit"
+            verdict = Message(
+                "chosen: the least {objective}, {figure}, of {count} that keep every limit",
+                objective=objective,
+                figure=figure,
+                count=len(kept),
+            )
         elif breaks:
-            verdict = "refused: it " + ", and ".join(_beyond(candidate, limit) for limit in breaks)
+            verdict = Message(
+                "refused: it {beyond}", beyond=joined([_beyond(candidate, each) for each in breaks], ", and ")
+            )
         else:
-            verdict = f"not chosen: its {objective} is {candidate.figures[objective]:.4g} {unit}"
-        reasons.append(f"{candidate.name} {verdict}")
+            verdict = Message(
+                "not chosen: its {objective} is {value:.4g} {unit}",
+                objective=objective,
+                value=candidate.figures[objective],
+                unit=unit,
+            )
+        reasons.append(joined((candidate.name, verdict), " "))
     return Choice(best=best, reasons=tuple(reasons))
 
 
@@ -271,7 +290,11 @@ def _excess(candidate: ProfileCandidate, limit: FigureLimit) -> float:
 
 def _beyond(candidate: ProfileCandidate, limit: FigureLimit) -> str:
     value = candidate.figures[limit.figure]
-    return (
-        f"has a {limit.figure} of {value:.4g} {limit.unit}, {value - limit.most:.4g} {limit.unit} more than the "
-        f"{limit.most:.4g} allowed"
+    return Message(
+        "has a {figure} of {value:.4g} {unit}, {excess:.4g} {unit} more than the {most:.4g} allowed",
+        figure=limit.figure,
+        value=value,
+        unit=limit.unit,
+        excess=value - limit.most,
+        most=limit.most,
     )

@@ -11,6 +11,7 @@ from cadgen.arrays import TURN, Array
 from cadgen.car.against_play.evaluate import Evaluation
 from cadgen.car.running.drive import Run
 from cadgen.check import Bound, Check, CheckCode
+from cadgen.messages import Message
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -97,26 +98,57 @@ class Laps:
             chosen: profile that was chosen against play; None if none was.
         """
         off, turned = self.of(self.planned).lap
-        place, advice = "without play, against the start", "the lap does not close: report this design"
+        place = Message("without play, against the start")
+        advice = Message("the lap does not close: report this design")
         heading = degrees(abs(turned))
         checks = [
-            Check(CheckCode.LAP_DRIFT, "drift of a lap", off, "mm", _MOST_MM, Bound.MAX, place, advice),
-            Check(CheckCode.LAP_TURN, "drift of a lap, heading", heading, "°", _MOST_DEG, Bound.MAX, place, advice),
+            Check(CheckCode.LAP_DRIFT, Message("drift of a lap"), off, "mm", _MOST_MM, Bound.MAX, place, advice),
+            Check(
+                CheckCode.LAP_TURN,
+                Message("drift of a lap, heading"),
+                heading,
+                "°",
+                _MOST_DEG,
+                Bound.MAX,
+                place,
+                advice,
+            ),
         ]
         if chosen is None:
             return tuple(checks)
-        place, with_play = f"return error {degrees(chosen.play):.3f}°", self.of(chosen.run)
+        place, with_play = Message("return error {play:.3f}°", play=degrees(chosen.play)), self.of(chosen.run)
         for code, turning, name, (off, turned) in (
-            (CheckCode.LAP_DRIFT_PLAY, CheckCode.LAP_TURN_PLAY, "drift of a lap", with_play.lap),
-            (CheckCode.LAPS_DRIFT_PLAY, CheckCode.LAPS_TURN_PLAY, f"drift of laps, {self.in_run}", with_play.end),
+            (CheckCode.LAP_DRIFT_PLAY, CheckCode.LAP_TURN_PLAY, Message("drift of a lap"), with_play.lap),
+            (
+                CheckCode.LAPS_DRIFT_PLAY,
+                CheckCode.LAPS_TURN_PLAY,
+                Message("drift of laps, {in_run}", in_run=self.in_run),
+                with_play.end,
+            ),
         ):
             checks += [
-                Check(code, f"{name}, with play", off, "mm", inf, Bound.MAX, place),
-                Check(turning, f"{name}, heading, with play", degrees(abs(turned)), "°", inf, Bound.MAX, place),
+                Check(code, Message("{name}, with play", name=name), off, "mm", inf, Bound.MAX, place),
+                Check(
+                    turning,
+                    Message("{name}, heading, with play", name=name),
+                    degrees(abs(turned)),
+                    "°",
+                    inf,
+                    Bound.MAX,
+                    place,
+                ),
             ]
         furthest = with_play.furthest
         checks.append(
-            Check(CheckCode.LAP_FURTHEST_PLAY, "off on the last lap, with play", furthest, "mm", inf, Bound.MAX, place)
+            Check(
+                CheckCode.LAP_FURTHEST_PLAY,
+                Message("off on the last lap, with play"),
+                furthest,
+                "mm",
+                inf,
+                Bound.MAX,
+                place,
+            )
         )
         return tuple(checks)
 
@@ -128,14 +160,25 @@ class Laps:
             before: the profile before.
             chosen: profile that was chosen against play.
         """
-        lines, play = [], chosen.play
+        lines: list[str] = []
+        play = chosen.play
         for evaluation in (before, chosen) if before is not chosen else (chosen,):
             run, band = self.of(running(evaluation, play)), self._over_band(running, evaluation)
             lines.append(
-                f"Laps, {evaluation.title}: at a return error of {degrees(play):.3f}° the car drifts {_words(run.lap)} "
-                f"in a lap and {_words(run.end)} in {self.in_run}, and on the last of them is at most "
-                f"{run.furthest:.1f} mm off; over the band {_words(_worst([each.lap for each in band]))}, "
-                f"{_words(_worst([each.end for each in band]))} and {max(each.furthest for each in band):.1f} mm."
+                Message(
+                    "Laps, {title}: at a return error of {play:.3f}° the car drifts {lap} in a lap and "
+                    "{end} in {in_run}, and on the last of them is at most {furthest:.1f} mm off; over the "
+                    "band {lap_band}, {end_band} and {furthest_band:.1f} mm.",
+                    title=evaluation.title,
+                    play=degrees(play),
+                    lap=_words(run.lap),
+                    end=_words(run.end),
+                    in_run=self.in_run,
+                    furthest=run.furthest,
+                    lap_band=_words(_worst([each.lap for each in band])),
+                    end_band=_words(_worst([each.end for each in band])),
+                    furthest_band=max(each.furthest for each in band),
+                )
             )
         return lines
 
@@ -183,7 +226,7 @@ def _worst(drifts: Sequence[tuple[float, float]]) -> tuple[float, float]:
 
 def _words(off_and_turned: tuple[float, float]) -> str:
     off, turned = off_and_turned
-    return f"{off:.2f} mm and {degrees(abs(turned)):.3f}°"
+    return Message("{off:.2f} mm and {turned:.3f}°", off=off, turned=degrees(abs(turned)))
 
 
 def _plain(drifts: Sequence[Drift]) -> dict[str, float]:

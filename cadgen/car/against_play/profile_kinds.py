@@ -91,8 +91,9 @@ def _axis_curve(lift: Motion, follower: Follower) -> ActualProfile:
     pitch = follower.pitch_curve(lift)
     if pitch is None:
         raise DesignError(
-            f"follower.kind names a {follower.noun}, which has no axis: its theoretical profile does not exist, take "
-            "--profile actual"
+            "follower.kind names a {noun}, which has no axis: its theoretical profile does not exist, "
+            "take --profile actual",
+            noun=follower.noun,
         )
     return ActualProfile(pitch, ())
 
@@ -171,10 +172,11 @@ def register(profile: ProfileKind) -> None:
         DesignError: the code is taken, or cannot stand in the name of a file.
     """
     if profile.code in _PROFILES:
-        raise DesignError(f'there is a profile "{profile.code}" already: choose another code')
+        raise DesignError('there is a profile "{code}" already: choose another code', code=profile.code)
     if not _CODE.fullmatch(profile.code):
         raise DesignError(
-            f'"{profile.code}" cannot be the code of a profile: take small letters, digits and single +, - or _ between'
+            '"{code}" cannot be the code of a profile: take small letters, digits and single +, - or _ between',
+            code=profile.code,
         )
     _PROFILES[profile.code] = profile
 
@@ -196,7 +198,9 @@ def profile_of(code: str) -> ProfileKind:
         DesignError: no profile has the code.
     """
     if not isinstance(code, str) or code not in _PROFILES:
-        raise DesignError(f'there is no profile "{code}": choose one of {", ".join(_PROFILES)}')
+        raise DesignError(
+            'there is no profile "{code}": choose one of {profiles}', code=code, profiles=", ".join(_PROFILES)
+        )
     return _PROFILES[code]
 
 

@@ -48,7 +48,11 @@ def smoothed_lift(lift: PathMotion, depth: float) -> PathMotion:
         DesignError: the depth is out of range.
     """
     if not 0 <= depth <= _DEEPEST:
-        raise DesignError(f"a smoothing depth of {depth:g} is not between 0 and {_DEEPEST:g}: choose one that is")
+        raise DesignError(
+            "a smoothing depth of {depth:g} is not between 0 and {deepest:g}: choose one that is",
+            depth=depth,
+            deepest=_DEEPEST,
+        )
     events = falls(lift).ravel()
     if not len(events):
         return lift
@@ -94,8 +98,10 @@ def smooth_to(
 
     if short_of_aim(_DEEPEST) < 0:
         raise DesignError(
-            f"smoothing takes at most {100 * (short_of_aim(_DEEPEST) + aim):.1f} % off the deflection errors of this "
-            f"lift, not {100 * aim:.2f} %: aim lower, or compensate"
+            "smoothing takes at most {most:.1f} % off the deflection errors of this lift, not "
+            "{aim:.2f} %: aim lower, or compensate",
+            most=100 * (short_of_aim(_DEEPEST) + aim),
+            aim=100 * aim,
         )
     return smoothed_lift(lift, float(brentq(short_of_aim, 0.0, _DEEPEST, xtol=_DEPTH_TOLERANCE)))
 

@@ -11,6 +11,7 @@ from cadgen.car.course.approach import Approach, approach, approach_to_edge
 from cadgen.car.course.body import CarBody, Complex, Poses, place_of
 from cadgen.car.course.layout import CarPoint, Course, Gate, Obstacle, Side
 from cadgen.car.steering import Car
+from cadgen.messages import Message
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -38,8 +39,8 @@ class Passage:
     def missed(self) -> str:
         """Words on how a gate that is not passed is missed."""
         if self.fault:
-            return f"{self.gate.key} in the wrong {self.fault}"
-        return f"{self.gate.key} missed by {-self.margin:.1f} mm"
+            return Message("{key} in the wrong {fault}", key=self.gate.key, fault=Message(self.fault))
+        return Message("{key} missed by {margin:.1f} mm", key=self.gate.key, margin=-self.margin)
 
 
 def passages(poses: Poses, car: Car, gates: Sequence[Gate]) -> tuple[Passage, ...]:
@@ -173,20 +174,33 @@ class CourseVerdict:
 
     def figures(self) -> dict[str, tuple[str, float]]:
         """Clearance to each thing and margin of each gate by its key, mm, with the part of the car or what is wrong."""
-        found = {
-            obstacle.key: (f"{there.part}, passing {side} of it", there.clearance)
+        found: dict[str, tuple[str, float]] = {
+            obstacle.key: (
+                Message("{part}, passing {side} of it", part=Message(there.part), side=Message(side)),
+                there.clearance,
+            )
             for (obstacle, there), side in zip(self.approaches, self.sides, strict=True)
         }
         if self.edge is not None:
             found["course.field"] = (self.edge.part, self.edge.clearance)
         for passage in self.passages:
-            wrong = f", wrong {passage.fault}" if passage.fault else ""
-            found[passage.gate.key] = (f"{passage.off:.1f} mm off its middle{wrong}", passage.margin)
+            wrong = Message(", wrong {fault}", fault=Message(passage.fault)) if passage.fault else ""
+            found[passage.gate.key] = (
+                Message("{off:.1f} mm off its middle{wrong}", off=passage.off, wrong=wrong),
+                passage.margin,
+            )
         for stand in (self.start, self.finish):
             if stand is not None:
                 # Rounded first, so that it is never -0.00.
-                off = "" if stand.turned is None else f", {round(degrees(stand.turned), 2) or 0.0:.2f}° off"
-                found[stand.wanted.key] = (f"{stand.off:.1f} mm off{off}", stand.wanted.place.reach - stand.off)
+                off = (
+                    ""
+                    if stand.turned is None
+                    else Message(", {turned:.2f}° off", turned=round(degrees(stand.turned), 2) or 0.0)
+                )
+                found[stand.wanted.key] = (
+                    Message("{off:.1f} mm off{turned}", off=stand.off, turned=off),
+                    stand.wanted.place.reach - stand.off,
+                )
         return found
 
 

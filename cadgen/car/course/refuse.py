@@ -9,6 +9,7 @@ from cadgen.car.course.body import CarBody, Poses
 from cadgen.car.course.layout import Course, Gate, Shape
 from cadgen.car.steering import Car
 from cadgen.errors import DesignError
+from cadgen.messages import Message, joined
 
 
 def refuse_course(course: Course, body: CarBody, start: Poses) -> None:
@@ -23,25 +24,32 @@ def refuse_course(course: Course, body: CarBody, start: Poses) -> None:
         DesignError: the key, what is wrong, and what to change.
     """
     if course.obstacles and not body.corners:
-        kinds = " and ".join(dict.fromkeys(f"{obstacle.kind}s" for obstacle in course.obstacles))
+        kinds = joined([Message(f"{kind}s") for kind in dict.fromkeys(each.kind for each in course.obstacles)], " and ")
         raise DesignError(
-            f"car.outline is missing, and {kinds} of [course] are checked against it: add [car.outline] with "
-            "length_mm, width_mm and front_overhang_mm, or with corners_mm"
+            "car.outline is missing, and {kinds} of [course] are checked against it: add [car.outline] "
+            "with length_mm, width_mm and front_overhang_mm, or with corners_mm",
+            kinds=kinds,
         )
     for gate in (*course.gates, *(stand for stand in (course.start, course.finish) if stand)):
         _refuse_gate(gate, course)
     x, y = start.fork[0].real, start.fork[0].imag
-    where = f"at its start, with the fork axis at ({x:.0f}, {y:.0f}) mm"
+    where = Message("at its start, with the fork axis at ({x:.0f}, {y:.0f}) mm", x=x, y=y)
     for obstacle in course.obstacles:
         there = approach(start, body, obstacle).clearance
         if there < 0:
             raise DesignError(
-                f"{obstacle.key} stands on the car {where}, by {-there:.1f} mm: move the {obstacle.kind}, or the start"
+                "{key} stands on the car {where}, by {depth:.1f} mm: move the {kind}, or the start",
+                key=obstacle.key,
+                where=where,
+                depth=-there,
+                kind=Message(obstacle.kind),
             )
     if course.edge is not None and (there := approach_to_edge(start, body, course.edge).clearance) < 0:
         raise DesignError(
-            f"course.field does not hold the car {where}: it is {-there:.1f} mm outside; enlarge the field, or move "
-            "the start"
+            "course.field does not hold the car {where}: it is {depth:.1f} mm outside; enlarge the "
+            "field, or move the start",
+            where=where,
+            depth=-there,
         )
 
 
@@ -56,11 +64,18 @@ def _refuse_gate(gate: Gate, course: Course) -> None:
             continue
         if shapely.covers(geometry(obstacle.shape).buffer(obstacle.shape.reach), place):
             raise DesignError(
-                f"{gate.key} lies in {obstacle.key}, where no car can pass: move the {_name(gate)}, or the "
-                f"{obstacle.kind}"
+                "{key} lies in {obstacle}, where no car can pass: move the {name}, or the {kind}",
+                key=gate.key,
+                obstacle=obstacle.key,
+                name=Message(_name(gate)),
+                kind=Message(obstacle.kind),
             )
     if course.edge is not None and shapely.disjoint(geometry(course.edge), place):
-        raise DesignError(f"{gate.key} lies outside course.field: move the {_name(gate)}, or enlarge the field")
+        raise DesignError(
+            "{key} lies outside course.field: move the {name}, or enlarge the field",
+            key=gate.key,
+            name=Message(_name(gate)),
+        )
 
 
 def _name(gate: Gate) -> str:

@@ -10,6 +10,7 @@ from cadgen.car.draws.setting_ranges import CarSetting
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.steering import Car, wheel_tangent
 from cadgen.check import Bound, Check, CheckCode, failing
+from cadgen.messages import Message
 
 _ROOM = (
     CheckCode.COURSE_POST,
@@ -72,11 +73,11 @@ def steering_check(lift: PathMotion, cam_angle: Array, car: Car) -> Check:
     worst = int(np.argmax(tangent))
     return Check(
         CheckCode.STEERING_ANGLE,
-        "steering angle",
+        Message("steering angle"),
         degrees(atan(tangent[worst])),
         "°",
         degrees(car.max_steering_angle),
         Bound.MAX,
-        f"cam angle {degrees(cam_angle[worst]):.1f}°",
-        "raise course.spacing.from_mm, widen the turn there, or raise car.max_steering_angle_deg",
+        Message("cam angle {cam_angle:.1f}°", cam_angle=degrees(cam_angle[worst])),
+        Message("raise course.spacing.from_mm, widen the turn there, or raise car.max_steering_angle_deg"),
     )

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from annotated_types import MaxLen, MinLen
 
+from cadgen.messages import Message
 from cadgen.registry import Registry
 
 if TYPE_CHECKING:
@@ -63,8 +64,13 @@ class QuinticKeys:
         count = len(self.waypoints_mm)
         if count > _MOST_WAYPOINTS:
             raise ValueError(
-                f"path.waypoints_mm has {count} waypoints, of which the lift is made piece by piece; at most "
-                f"{_MOST_WAYPOINTS} can be followed: keep one in {-(-count // _MOST_WAYPOINTS)}"
+                Message(
+                    "path.waypoints_mm has {count} waypoints, of which the lift is made piece by piece; at most "
+                    "{most} can be followed: keep one in {step}",
+                    count=count,
+                    most=_MOST_WAYPOINTS,
+                    step=-(-count // _MOST_WAYPOINTS),
+                )
             )
 
 
@@ -76,9 +82,14 @@ class CubicKeys(QuinticKeys):
         count = len(self.waypoints_mm)
         if count > _MOST_KINKS:
             raise ValueError(
-                f"path.waypoints_mm has {count} waypoints, and at each a cubic spline has a kink, where the profile is "
-                f"joined anew; at most {_MOST_KINKS} can be followed: keep one in {-(-count // _MOST_KINKS)}, or "
-                'set path.spline = "quintic"'
+                Message(
+                    "path.waypoints_mm has {count} waypoints, and at each a cubic spline has a kink, where the "
+                    "profile is joined anew; at most {most} can be followed: keep one in {step}, or set "
+                    'path.spline = "quintic"',
+                    count=count,
+                    most=_MOST_KINKS,
+                    step=-(-count // _MOST_KINKS),
+                )
             )
 
 

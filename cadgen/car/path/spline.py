@@ -9,12 +9,13 @@ from scipy.interpolate import BSpline, make_interp_spline
 
 from cadgen.arrays import Array
 from cadgen.errors import DesignError
+from cadgen.messages import Message
 
 MIN_WAYPOINTS = 4  # the cubic's end slope is that of the cubic through the first four
 MIN_LAP_WAYPOINTS = 5  # fewer leave a periodic spline of degree 5 nothing to interpolate
 MIN_CHORD_MM = 1e-6  # below this two waypoints are one, and the centripetal parameter stalls
-_WAYPOINTS = "path.waypoints_mm", "waypoint"
-_CONTROL_POINTS = "path.control_points_mm", "point"
+_WAYPOINTS = "path.waypoints_mm", Message("waypoint")
+_CONTROL_POINTS = "path.control_points_mm", Message("point")
 DEGREE = 5  # of a path by control points: its rate of curvature is smooth, as that of the sixth-order spline
 
 
@@ -40,7 +41,7 @@ class PlannedPath:
     knots: Array
     spline: BSpline
     smooth: bool
-    knot_name: str = "waypoint"
+    knot_name: str = Message("waypoint")
     points_key: str = "path.waypoints_mm"
 
     def derivatives(self, u: Array) -> Array:
@@ -125,7 +126,9 @@ def control_path(points: ArrayLike) -> PlannedPath:
     knots = path_knots(len(control))
     spline = BSpline(knots, control, DEGREE)
     knots = knots[DEGREE:-DEGREE]
-    return PlannedPath(knots=knots, spline=spline, smooth=True, knot_name="knot", points_key=_CONTROL_POINTS[0])
+    return PlannedPath(
+        knots=knots, spline=spline, smooth=True, knot_name=Message("knot"), points_key=_CONTROL_POINTS[0]
+    )
 
 
 def closed_control_path(points: ArrayLike) -> PlannedPath:
@@ -144,7 +147,9 @@ def closed_control_path(points: ArrayLike) -> PlannedPath:
     count = len(control)
     spline = BSpline(lap_knots(count), control[lap_columns(np.arange(count + DEGREE), count)], DEGREE)
     knots = np.arange(count + 1.0)
-    return PlannedPath(knots=knots, spline=spline, smooth=True, knot_name="knot", points_key=_CONTROL_POINTS[0])
+    return PlannedPath(
+        knots=knots, spline=spline, smooth=True, knot_name=Message("knot"), points_key=_CONTROL_POINTS[0]
+    )
 
 
 def lap_knots(count: int) -> Array:
@@ -162,17 +167,31 @@ def _checked(given: ArrayLike, name: tuple[str, str], least: int) -> Array:
     key, word = name
     points = np.asarray(given, dtype=float)
     if points.ndim != 2 or points.shape[1] != 2:
-        raise DesignError(f"{key} must be a list of [x, y] pairs")
+        raise DesignError("{key} must be a list of [x, y] pairs", key=key)
     if len(points) < least:
-        raise DesignError(f"{key} has {len(points)} {word}s; a path needs at least {least}: add more")
+        raise DesignError(
+            "{key} has {count} {word}s; a path needs at least {least}: add more",
+            key=key,
+            count=len(points),
+            word=word,
+            least=least,
+        )
     bad = np.flatnonzero(~np.isfinite(points).all(axis=1))
     if bad.size:
-        raise DesignError(f"{key}: {word} {bad[0] + 1} is not a finite number: correct it")
+        raise DesignError(
+            "{key}: {word} {number} is not a finite number: correct it", key=key, word=word, number=bad[0] + 1
+        )
     equal = np.flatnonzero(np.linalg.norm(np.diff(points, axis=0), axis=1) < MIN_CHORD_MM)
     if equal.size:
         i = equal[0]
         raise DesignError(
-            f"{key}: {word}s {i + 1} and {i + 2} are both ({points[i, 0]:g}, {points[i, 1]:g}): remove one of them"
+            "{key}: {word}s {first} and {second} are both ({x:g}, {y:g}): remove one of them",
+            key=key,
+            word=word,
+            first=i + 1,
+            second=i + 2,
+            x=points[i, 0],
+            y=points[i, 1],
         )
     return points
 
@@ -184,6 +203,10 @@ def _once(points: Array, name: tuple[str, str], least: int) -> Array:
     key, word = name
     if len(points) <= least:
         raise DesignError(
-            f"{key} has {len(points) - 1} {word}s and the first again; a closed path needs at least {least}: add more"
+            "{key} has {count} {word}s and the first again; a closed path needs at least {least}: add more",
+            key=key,
+            count=len(points) - 1,
+            word=word,
+            least=least,
         )
     return points[:-1]

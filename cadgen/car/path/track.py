@@ -9,6 +9,7 @@ from cadgen.arrays import Array, gauss_nodes
 from cadgen.car.path.spline import PlannedPath
 from cadgen.curves.piecewise import quintic_hermite
 from cadgen.errors import DesignError
+from cadgen.messages import Message
 
 # 64 intervals a span keep the sixth-order interpolation error under 1e-9 of the curvature on the paper's path, and the
 # lift within 5e-7 um; 16 keep it within 0.002 um and serve a path of many waypoints. Eight Gauss points make the arc
@@ -50,7 +51,7 @@ class Track:
     kinks: Array
     waypoint_arc: Array
     turn: float
-    knot_name: str = "waypoint"
+    knot_name: str = Message("waypoint")
     closed: bool = False
     points_key: str = "path.waypoints_mm"
 
@@ -77,7 +78,14 @@ class Track:
         x, y = self.planned(arc)
         span = int(np.clip(np.searchsorted(self.waypoint_arc, arc, side="right"), 1, len(self.waypoint_arc) - 1))
         after = 1 if self.closed and span + 1 == len(self.waypoint_arc) else span + 1
-        return f"at ({x:.0f}, {y:.0f}) mm, between {self.knot_name}s {span} and {after}"
+        return Message(
+            "at ({x:.0f}, {y:.0f}) mm, between {knot_name}s {span} and {after}",
+            x=x,
+            y=y,
+            knot_name=self.knot_name,
+            span=span,
+            after=after,
+        )
 
 
 def offset_track(path: PlannedPath, offset: float, turn: float | None = None, *, laps: int | None = None) -> Track:
@@ -214,10 +222,18 @@ def _refuse_cusp(path: PlannedPath, offset: float, u: Array, position: Array, k:
     if shrink[worst] > 0 and np.isfinite(k).all():
         return
     span = int(np.clip(np.searchsorted(path.knots, u[worst], side="right"), 1, len(path.knots) - 1))
-    side = "left" if k[worst] > 0 else "right"
+    side = Message("left") if k[worst] > 0 else Message("right")
     raise DesignError(
-        f"the path turns {side} with a radius of {1 / abs(k[worst]):.1f} mm at ({position[worst, 0]:.0f}, "
-        f"{position[worst, 1]:.0f}) mm, between {path.knot_name}s {span} and {span + 1}, but the drive wheel runs "
-        f"{abs(offset):.1f} mm inside it, so its track has a cusp there: lead "
-        f"the path through a wider turn ({path.points_key})"
+        "the path turns {side} with a radius of {radius:.1f} mm at ({x:.0f}, {y:.0f}) mm, "
+        "between {knot_name}s {span} and {span2}, but the drive wheel runs {offset:.1f} mm inside "
+        "it, so its track has a cusp there: lead the path through a wider turn ({points_key})",
+        side=side,
+        radius=1 / abs(k[worst]),
+        x=position[worst, 0],
+        y=position[worst, 1],
+        knot_name=path.knot_name,
+        span=span,
+        span2=span + 1,
+        offset=abs(offset),
+        points_key=path.points_key,
     )

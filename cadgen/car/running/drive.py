@@ -207,7 +207,7 @@ def drive(
     if steps is None:
         steps = STEPS * turns_of(stop)
     if steps < 1:
-        raise DesignError(f"a run of {steps} steps goes nowhere: ask for at least 1")
+        raise DesignError("a run of {steps} steps goes nowhere: ask for at least 1", steps=steps)
     following = following or follow(lift, play, least_swing=least_swing)
     motor = np.linspace(0.0, stop, steps + 1)
     nodes = np.union1d(motor, following.joints(0.0, stop))

@@ -228,5 +228,5 @@ def follow(
         DesignError: the play is negative or no number.
     """
     if not play >= 0:
-        raise DesignError(f"the return error is {degrees(play):g} degrees; it must be 0 or more")
+        raise DesignError("the return error is {play:g} degrees; it must be 0 or more", play=degrees(play))
     return Following(lift, play, falls(lift, least_swing) if leads is None else leads, shaft)

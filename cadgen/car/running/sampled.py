@@ -31,8 +31,10 @@ def sampled_lift(cam_angle: Array, tan_beta: Array, *, blend_start: float, level
     cam_angle, tan_beta = np.asarray(cam_angle, dtype=float), np.asarray(tan_beta, dtype=float)
     if cam_angle.size < MIN_SAMPLES or cam_angle.shape != tan_beta.shape:
         raise DesignError(
-            f"{cam_angle.size} cam angles with {tan_beta.size} steering values make no lift: give at least "
-            f"{MIN_SAMPLES} of each"
+            "{angles} cam angles with {values} steering values make no lift: give at least {least} of each",
+            angles=cam_angle.size,
+            values=tan_beta.size,
+            least=MIN_SAMPLES,
         )
     if not (np.isfinite(tan_beta).all() and np.isfinite(cam_angle).all()):
         raise DesignError("the sampled steering holds a value that is not a number: remove or measure it again")

@@ -8,6 +8,7 @@ from cadgen.design import cam_model, draw_model
 from cadgen.design.schema import Design
 from cadgen.jobs.cam.cam_plan import CamPlan, plan_cam
 from cadgen.jobs.card.maker import TRIES, Maker
+from cadgen.messages import Message
 from cadgen.progress import Progress, silent
 
 
@@ -73,6 +74,6 @@ def card_of(cam: CamPlan, draw: Draw, progress: Progress = silent, *, tries: int
     maker = Maker(cam, draw, tries)
     rows = []
     for spacing in draw.spacings:
-        progress(f"settings for posts {spacing:g} mm apart")
+        progress(Message("settings for posts {spacing:g} mm apart", spacing=spacing))
         rows.append(maker.drawn(spacing))
     return Card(cam, draw, tuple(rows))

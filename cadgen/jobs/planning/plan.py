@@ -30,6 +30,7 @@ from cadgen.jobs.cam.cam_plan import CamPlan, plan_cam
 from cadgen.jobs.card.plan import card_of
 from cadgen.jobs.planning.cars import ALL, REFINED, Cars, Tried, best, cars_on, saturated, tried
 from cadgen.jobs.planning.task import task_of
+from cadgen.messages import Message
 from cadgen.progress import Progress, silent
 
 # Of plan and exact chain; most plans need one. More where other runs than the planned one must keep the course.
@@ -158,7 +159,7 @@ def _chosen(asked: _Asked, path: PlannedPath, cam: CamPlan, cars: Tried) -> Plan
     if wanted.reserve is not None:
         factors = (wanted.reserve,) if wanted.reserve > 0 else ()
     for factor in factors:
-        asked.progress(f"planning with room for {factor:g} times the scatter of the cars")
+        asked.progress(Message("planning with room for {factor:g} times the scatter of the cars", factor=factor))
         last, _, known = found[-1]
         path = _planned(asked, last.kept, known.spare(factor), rounded(last.plan.path.points))
         more = None if path.cam is None or not path.passed else tried(path.cam, factor)
@@ -200,7 +201,7 @@ def _planned(
             task,
             seeds=wanted.seeds,
             begin=begin,
-            report=lambda words: progress(f"planning the path: {words}"),
+            report=lambda words: progress(Message("planning the path: {words}", words=words)),
             map_with=wanted.map_with,
         )
         if result.missed:

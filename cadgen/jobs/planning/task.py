@@ -5,14 +5,14 @@ from math import inf, radians, tan
 
 import numpy as np
 
-from cadgen.arrays import TURN, Array
+from cadgen.arrays import Array
 from cadgen.cam.followers.rod import rod_of
 from cadgen.car.course.layout import CarPoint, Course, Gate, Shape
 from cadgen.car.path.track import Track
 from cadgen.car.planner.constraints import curvature_limits
 from cadgen.car.planner.path_task import Margins, PathTask, SteeringLimits, Vehicle
 from cadgen.car.planner.route import in_order
-from cadgen.design import cam_model, gear_model, variation
+from cadgen.design import cam_model, variation
 from cadgen.design.course import body_of, layout_of, spacings_of
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
@@ -164,15 +164,11 @@ def _given_travel(design: Design) -> float | None:
         return None
     if design.path.closed:
         raise DesignError(
-            f"car.drive_wheel_radius_mm is {radius:g}, but the length of a planned lap decides the drive wheel: remove "
-            "the key, and the plan names the radius"
+            "car.drive_wheel_radius_mm is {radius:g}, but the length of a planned lap decides the drive "
+            "wheel: remove the key, and the plan names the radius",
+            radius=radius,
         )
-    if design.train is None:
-        raise DesignError(
-            f"car.drive_wheel_radius_mm is {radius:g}, but how far the car goes in a turn of the cam needs the ratio "
-            "of [train] too: add [train], or remove car.drive_wheel_radius_mm"
-        )
-    return TURN * radius * float(gear_model.train(design).ratio)
+    return cam_model.turn_of_wheel(design)
 
 
 def _limits(

@@ -6,6 +6,7 @@ from typing import Any
 from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.jobs.planning.cars import Cars
 from cadgen.jobs.planning.plan import PlannedPath
+from cadgen.messages import Message, joined
 from cadgen.output.report import settings
 from cadgen.output.report.reasons import cure, fault, narrow_field
 from cadgen.version import __version__
@@ -16,26 +17,40 @@ def sentences(planned: PlannedPath) -> list[str]:
     if planned.reasons or planned.cam is None:
         return _refusal(planned)
     plan, cam = planned.plan, planned.cam
-    lines = [] if planned.cars is None else [_kept(planned.cars)]
+    lines: list[str] = [] if planned.cars is None else [_kept(planned.cars)]
     if cam.comparison is not None:
         low, high = (degrees(end) for end in cam.comparison.band.ends)
         before = None if planned.cars is None or planned.cars.before is None else planned.cars.before.cam.comparison
-        was = "" if before is None else f", and on the path before {_ends(before)}"
+        was = "" if before is None else Message(", and on the path before {ends}", ends=_ends(before))
         lines.append(
-            f"with play from {low:.3f} to {high:.3f} degrees the run ends at most {_ends(cam.comparison)} off{was} "
-            f"({cam.comparison.chosen.profile} profile, by the exact chain)"
+            Message(
+                "with play from {low:.3f} to {high:.3f} degrees the run ends at most {ends} off{was} "
+                "({profile} profile, by the exact chain)",
+                low=low,
+                high=high,
+                ends=_ends(cam.comparison),
+                was=was,
+                profile=cam.comparison.chosen.profile,
+            )
         )
     if planned.cars is not None:
         lines += _reserves(planned.cars)
     if planned.no_cars:
-        lines.append(f"how many cars keep the course is not known: {planned.no_cars}")
+        lines.append(Message("how many cars keep the course is not known: {no_cars}", no_cars=planned.no_cars))
     length = plan.path.cost.line.length
     lines.append(
-        f"the drive wheel's track is {length:.0f} mm long; the path has {len(plan.path.points)} control points"
+        Message(
+            "the drive wheel's track is {length:.0f} mm long; the path has {count} control points",
+            length=length,
+            count=len(plan.path.points),
+        )
     )
     if (radius := planned.wheel_radius) is not None:
         lines.append(
-            f"the plan is for a drive wheel of {radius:.2f} mm radius: the whole path before the closing blend"
+            Message(
+                "the plan is for a drive wheel of {radius:.2f} mm radius: the whole path before the closing blend",
+                radius=radius,
+            )
         )
     if cam.laps is not None:
         said = [cam.drive_wheel.sentence()]
@@ -43,45 +58,61 @@ def sentences(planned: PlannedPath) -> list[str]:
             said += cam.laps.sentences(cam.comparison.run, cam.comparison.before, cam.comparison.chosen)
         lines += [sentence.removesuffix(".") for sentence in said]
     if planned.drawn:
-        lines += [*settings.sentences(planned.drawn, None), "cadgen card has the settings for every spacing"]
+        lines += [*settings.sentences(planned.drawn, None), Message("cadgen card has the settings for every spacing")]
     if not planned.passed:
-        lines.append("a check still fails, so nothing is written: see the table")
+        lines.append(Message("a check still fails, so nothing is written: see the table"))
     return lines
 
 
-def _kept(cars: Cars) -> str:
+def _kept(cars: Cars) -> Message:
     """Sentence on how many cars keep the course, before and after, and what binds them."""
     after, (key, share), first = cars.after, cars.binding, cars.after.sensitivities[0]
-    said = (
-        f"{100 * after.passed:.1f} % of {after.samples} cars within the tolerances keep the course with the "
-        f"{after.cam.kind.code} profile"
-    )
+    said = [
+        Message(
+            "{passed:.1f} % of {samples} cars within the tolerances keep the course with the {code} profile",
+            passed=100 * after.passed,
+            samples=after.samples,
+            code=after.cam.kind.code,
+        )
+    ]
     if cars.before is not None:
-        said += f", where {100 * cars.before.passed:.1f} % do on the path before"
+        said.append(Message(", where {passed:.1f} % do on the path before", passed=100 * cars.before.passed))
     if cars.fewer:
-        said = f"fewer cars than on the path before: {said}"
-    if after.passed == 1.0:
-        return said
-    said += f"; what binds is {key}, which {100 * share:.1f} % keep"
-    if first.share == 0:
-        return said
-    return f"{said}, and {first.name.replace('_', ' ')} makes {100 * first.share:.0f} % of the variance at the end"
+        said.insert(0, Message("fewer cars than on the path before: "))
+    if after.passed < 1.0:
+        said.append(Message("; what binds is {key}, which {share:.1f} % keep", key=key, share=100 * share))
+        if first.share > 0:
+            name = first.name.replace("_", " ")
+            said.append(
+                Message(
+                    ", and {name} makes {share:.0f} % of the variance at the end", name=name, share=100 * first.share
+                )
+            )
+    return joined(said, "")
 
 
 def _reserves(cars: Cars) -> list[str]:
     """Sentence on the paths that were tried, so that another may be asked for."""
     if len(cars.tried) == 1:
         return []
-    each = ", ".join(f"{each.factor:g} ({each.worst:.0f} mm, {100 * each.kept:.1f} %)" for each in cars.tried)
+    tried = joined([f"{each.factor:g} ({each.worst:.0f} mm, {100 * each.kept:.1f} %)" for each in cars.tried])
     return [
-        f"room at gates and obstacles is planned for {cars.chosen.factor:g} times the scatter of the cars; tried, with "
-        f"the run's worst end and the cars that keep the course: {each}; --reserve asks for one"
+        Message(
+            "room at gates and obstacles is planned for {factor:g} times the scatter of the cars; tried, with "
+            "the run's worst end and the cars that keep the course: {tried}; --reserve asks for one",
+            factor=cars.chosen.factor,
+            tried=tried,
+        )
     ]
 
 
-def _ends(comparison: PlayComparison) -> str:
+def _ends(comparison: PlayComparison) -> Message:
     band = comparison.chosen.band
-    return f"{band.worst_distance:.0f} mm and {degrees(band.worst_heading):.2f} degrees"
+    return Message(
+        "{position:.0f} mm and {heading:.2f} degrees",
+        position=band.worst_distance,
+        heading=degrees(band.worst_heading),
+    )
 
 
 def _cars_facts(cars: Cars | None) -> dict[str, Any] | None:
@@ -110,19 +141,28 @@ def _cars_facts(cars: Cars | None) -> dict[str, Any] | None:
 
 def _refusal(planned: PlannedPath) -> list[str]:
     if planned.failed:
-        return [f"the path can be driven, but not with the limits of [optimize]: {planned.failed}"]
+        return [
+            Message("the path can be driven, but not with the limits of [optimize]: {failed}", failed=planned.failed)
+        ]
     if not planned.reasons:
-        names = ", ".join(map(str, planned.plan.missed))
-        return [f"no path was found that keeps all limits; the best one violates {names}: try --seeds 5"]
+        names = joined(list(map(str, planned.plan.missed)))
+        return [
+            Message(
+                "no path was found that keeps all limits; the best one violates {names}: try --seeds 5", names=names
+            )
+        ]
     first, *rest = planned.reasons
     if narrow := narrow_field(first, planned.task):
-        return [f"the course cannot be driven: {narrow}"]
-    lines = [f"the course cannot be driven: {fault(first, planned.task)}"]
+        return [Message("the course cannot be driven: {fault}", fault=narrow)]
+    lines: list[str] = [Message("the course cannot be driven: {fault}", fault=fault(first, planned.task))]
     if first.enough:
-        lines[0] += f"; least change that does: {cure(first, planned.task, planned.design)}"
-        lines += [f"or {cure(reason, planned.task, planned.design)}" for reason in rest if reason.enough]
+        least = Message("; least change that does: {cure}", cure=cure(first, planned.task, planned.design))
+        lines[0] = joined((lines[0], least), "")
+        lines += [
+            Message("or {cure}", cure=cure(reason, planned.task, planned.design)) for reason in rest if reason.enough
+        ]
     else:
-        lines[0] += "; and no single limit that gives way is enough"
+        lines[0] = joined((lines[0], Message("; and no single limit that gives way is enough")), "")
     return lines
 
 
