@@ -263,7 +263,7 @@ class BlankSection(Held):
     @model_validator(mode="after")
     def _parts_fit_each_other(self) -> "BlankSection":
         key_reach = self._reach_of_bore()
-        core, reach = "bore and keyway" if self.keyway else "bore", key_reach
+        core, reach = Message("bore and keyway") if self.keyway else Message("bore"), key_reach
         if self.hub:
             if self.hub.diameter_mm / 2 <= key_reach:
                 raise ValueError(
@@ -286,7 +286,7 @@ class BlankSection(Held):
                         bore_diameter_mm=self.bore_diameter_mm,
                     )
                 )
-            core, reach = "hub", self.hub.diameter_mm / 2
+            core, reach = Message("hub"), self.hub.diameter_mm / 2
         ring = self.lightening
         if ring and (ring.circle_diameter_mm - ring.hole_diameter_mm) / 2 <= reach:
             raise ValueError(

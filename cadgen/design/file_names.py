@@ -16,7 +16,9 @@ def name_fault(name: str) -> str:
         name: name of a design or a part, without the ending of a file.
     """
     if not _PLAIN.fullmatch(name):
-        return "be 1 to 64 letters (A-Z, a-z), digits, dots, dashes and underscores, and begin with a letter or digit"
+        return Message(
+            "be 1 to 64 letters (A-Z, a-z), digits, dots, dashes and underscores, and begin with a letter or digit"
+        )
     if _DEVICES.fullmatch(name):
         return Message(
             "be another one, for on Windows {device} is a device: add to it, such as {name}_1",
@@ -24,7 +26,7 @@ def name_fault(name: str) -> str:
             name=name[:3],
         )
     if name.endswith("."):
-        return "not end in a dot, which Windows takes off: remove it"
+        return Message("not end in a dot, which Windows takes off: remove it")
     return ""
 
 

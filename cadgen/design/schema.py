@@ -360,7 +360,7 @@ class DiscFile(TrainFile):
         drill = drilling.bore_diameter_mm if drilling else None
         most = 2 * blank.d_flat.across_mm - blank.bore_diameter_mm if blank.d_flat else blank.bore_diameter_mm
         if drill is not None and drill > most + 1e-9:
-            cause = "the circle inside the bore's flat" if blank.d_flat else "blank.bore_diameter_mm"
+            cause = Message("the circle inside the bore's flat") if blank.d_flat else "blank.bore_diameter_mm"
             raise ValueError(
                 Message(
                     "machining.drilling.bore_diameter_mm is {drill:g}; it must be at most {most:g}, {cause}: lower it",
