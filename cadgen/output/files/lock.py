@@ -9,7 +9,6 @@ import logging
 import os
 import stat
 import sys
-import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
@@ -17,12 +16,8 @@ from pathlib import Path
 
 from cadgen.errors import FileError
 
-if sys.platform == "win32":
-    import msvcrt
-else:
-    import fcntl
-
 NAME = ".cadgen-lock"
+_POLL_S = 0.02  # between two looks at a lock that another run holds
 PATIENCE_S = 60.0  # files are moved in milliseconds; whoever takes longer has been stopped
 _UNSUPPORTED = {errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP, errno.EINVAL}
 _OPEN = os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
@@ -67,7 +62,7 @@ def hold(file: Path) -> int | None:
     """Make a file and lock it for as long as the returned descriptor is open; None if the file system has no locks."""
     descriptor = os.open(file, _OPEN | os.O_EXCL, 0o666)
     try:
-        _lock(descriptor, wait=False)
+        _lock(descriptor)
     except OSError as error:
         os.close(descriptor)
         if error.errno not in _UNSUPPORTED:
@@ -79,7 +74,7 @@ def hold(file: Path) -> int | None:
 def lock_now(descriptor: int) -> bool:
     """Lock an open file for as long as it is open; False if another process has it, True where there are no locks."""
     try:
-        return _lock(descriptor, wait=False)
+        return _lock(descriptor)
     except OSError as error:
         if error.errno not in _UNSUPPORTED:
             raise
@@ -88,10 +83,9 @@ def lock_now(descriptor: int) -> bool:
 
 def unlock(descriptor: int) -> None:
     """Free the lock of an open file."""
-    if sys.platform == "win32":
-        msvcrt.locking(descriptor, msvcrt.LK_UNLCK, 1)
-    else:
-        fcntl.flock(descriptor, fcntl.LOCK_UN)
+    from filelock import unlock_descriptor
+
+    unlock_descriptor(descriptor)
 
 
 def held(file: Path) -> bool:
@@ -101,7 +95,7 @@ def held(file: Path) -> bool:
     except FileNotFoundError:
         return False
     try:
-        return not _lock(descriptor, wait=False)
+        return not _lock(descriptor)
     finally:
         os.close(descriptor)
 
@@ -110,7 +104,7 @@ def _acquire(file: Path, deadline: float) -> int | None:
     while True:
         descriptor = _opened(file)
         try:
-            if not _lock(descriptor, wait=False):
+            if not _lock(descriptor):
                 _wait(descriptor, file, deadline)
             # The run before may have removed the file that was waited for, and the next one made another.
             if _still_there(descriptor, file):
@@ -168,40 +162,20 @@ def _still_there(descriptor: int, file: Path) -> bool:
 
 
 def _wait(descriptor: int, file: Path, deadline: float) -> None:
-    """Wait for a lock that another process holds, in a thread, so that the wait can have an end."""
-    left = deadline - time.monotonic()
-    _log.warning("another run is moving its files into %s: waiting for it, at most %.0f s", file.parent, max(left, 0.0))
-    done = threading.Event()
-    duplicate = os.dup(descriptor)  # of the same lock, and still open if the wait is given up
-
-    def acquire() -> None:
-        try:
-            while not _lock(duplicate, wait=True):
-                pass
-            done.set()
-        finally:
-            os.close(duplicate)
-
-    threading.Thread(target=acquire, daemon=True).start()
-    if not done.wait(left):
-        raise FileError(
-            f"another run still holds {file} after the wait, so nothing was written: end that run, or choose another "
-            "folder"
-        )
+    """Wait for a lock that another process holds."""
+    left = max(deadline - time.monotonic(), 0.0)
+    _log.warning("another run is moving its files into %s: waiting for it, at most %.0f s", file.parent, left)
+    while not _lock(descriptor):
+        if time.monotonic() > deadline:
+            raise FileError(
+                f"another run still holds {file} after the wait, so nothing was written: end that run, or choose "
+                "another folder"
+            )
+        time.sleep(_POLL_S)
 
 
-def _lock(descriptor: int, *, wait: bool) -> bool:
+def _lock(descriptor: int) -> bool:
     """Lock an open file; False if another process has it locked."""
-    if sys.platform == "win32":
-        try:
-            msvcrt.locking(descriptor, msvcrt.LK_LOCK if wait else msvcrt.LK_NBLCK, 1)
-        except OSError as error:
-            if error.errno in (errno.EACCES, errno.EDEADLK):
-                return False
-            raise
-    else:
-        try:
-            fcntl.flock(descriptor, fcntl.LOCK_EX | (0 if wait else fcntl.LOCK_NB))
-        except BlockingIOError:
-            return False
-    return True
+    from filelock import lock_descriptor  # only what writes files needs it
+
+    return lock_descriptor(descriptor, blocking=False)
