@@ -66,7 +66,9 @@ class Exploration:
             FileError: it is a shard.
         """
         if not self.complete:
-            raise FileError(f"this is shard {self.shard[0]} of {self.shard[1]}: merge all shards first")
+            raise FileError(
+                "this is shard {shard} of {parts}: merge all shards first", shard=self.shard[0], parts=self.shard[1]
+            )
         return Summary.of(self.computed)
 
     @property
@@ -157,9 +159,7 @@ def merge(folders: Iterable[str | PathLike[str]]) -> Exploration:
         FileError: no journal, journals of several studies or versions, or designs without a result.
     """
     if isinstance(folders, str) or not isinstance(folders, Iterable):
-        raise DesignError(
-            f"folders is {brief(repr(folders), 60)}; it must be several, such as [{brief(repr(folders), 60)}]"
-        )
+        raise DesignError("folders is {given}; it must be several, such as [{given}]", given=brief(repr(folders), 60))
     places = [folder_of(folder) for folder in folders]
     if not places:
         raise DesignError("no folder was given: name those of the shards")
@@ -181,8 +181,9 @@ def shard_of(shard: str | tuple[int, int] | None) -> tuple[int, int]:
     part, parts = (int(match[1]), int(match[2])) if match else shard if isinstance(shard, tuple) else (0, 0)
     if not 1 <= part <= parts <= MOST_SHARDS:
         raise DesignError(
-            f"the shard is {brief(repr(shard), 40)}; it must be k/n, such as 2/3, with k from 1 to n and n at most "
-            f"{MOST_SHARDS}"
+            "the shard is {shard}; it must be k/n, such as 2/3, with k from 1 to n and n at most {most}",
+            shard=brief(repr(shard), 40),
+            most=MOST_SHARDS,
         )
     return part, parts
 

@@ -159,7 +159,12 @@ class Gear:
             real("thickness_deviation", self.thickness_deviation, -10, 10, "mm")
         for name, kind in (("keyway", Keyway), ("hub", Hub), ("web", Web), ("lightening", Lightening)):
             if not isinstance(value := getattr(self, name), kind | None):
-                raise DesignError(f"{name} is {brief(repr(value), 60)}; it must be a {kind.__name__}")
+                raise DesignError(
+                    "{name} is {value}; it must be a {kind}",
+                    name=name,
+                    value=brief(repr(value), 60),
+                    kind=kind.__name__,
+                )
         _require_features(self.keyway, self.hub, self.web, self.lightening)
         require_name(self.name)
         self.overrides  # noqa: B018
@@ -198,7 +203,9 @@ class Gear:
         """The `tolerances` in place of the standard's, checked."""
         known = [field.name for field in fields(ToleranceOverrides)]
         if not isinstance(self.tolerances, Mapping | None):
-            raise DesignError(f"tolerances is {brief(repr(self.tolerances), 60)}; it must map symbols to mm")
+            raise DesignError(
+                "tolerances is {given}; it must map symbols to mm", given=brief(repr(self.tolerances), 60)
+            )
         tolerances = dict(self.tolerances or {})
         for symbol, value in tolerances.items():
             word("a symbol of tolerances", symbol, known)
@@ -337,7 +344,7 @@ def require_name(name: object) -> None:
         DesignError: the name is not allowed.
     """
     if fault := name_fault(name if isinstance(name, str) else ""):
-        raise DesignError(f"name is {brief(repr(name), 60)}; it must {fault}")
+        raise DesignError("name is {given}; it must {fault}", given=brief(repr(name), 60), fault=fault)
 
 
 @dataclass(frozen=True)
@@ -381,7 +388,7 @@ class GearPair(_ByNumbers):
     def __post_init__(self) -> None:
         for name in ("pinion", "wheel"):
             if not isinstance(value := getattr(self, name), Gear):
-                raise DesignError(f"{name} is {brief(repr(value), 60)}; it must be a Gear")
+                raise DesignError("{name} is {value}; it must be a Gear", name=name, value=brief(repr(value), 60))
         optional("backlash", self.backlash, 0, 100, "mm")
         optional("centre_distance", self.centre_distance, 0, 2000, "mm", above=True)
         optional("bearing_span", self.bearing_span, 0, 5000, "mm", above=True)
@@ -391,8 +398,9 @@ class GearPair(_ByNumbers):
         fixed = [gear.thickness_deviation is not None for gear in (self.pinion, self.wheel)]
         if self.backlash is not None and all(fixed):
             raise DesignError(
-                f"backlash is {self.backlash:g} mm and both gears have a thickness_deviation; leave one of the three "
-                "out, for two of them decide the third"
+                "backlash is {backlash:g} mm and both gears have a thickness_deviation; leave one of the three "
+                "out, for two of them decide the third",
+                backlash=self.backlash,
             )
         if self.backlash is None and self.bearing_span is None and not all(fixed):
             raise DesignError(
@@ -527,14 +535,20 @@ class Train(_ByNumbers):
     def __post_init__(self) -> None:
         stages = self.stages
         if not isinstance(stages, Sequence) or not all(isinstance(pair, GearPair) for pair in stages) or not stages:
-            raise DesignError(f"stages is {brief(repr(stages), 60)}; it must hold at least one GearPair")
+            raise DesignError("stages is {given}; it must hold at least one GearPair", given=brief(repr(stages), 60))
         if len(stages) > MOST_STAGES:
-            raise DesignError(f"stages has {len(stages)} pairs; it must have at most {MOST_STAGES}")
+            raise DesignError(
+                "stages has {count} pairs; it must have at most {most}",
+                count=len(stages),
+                most=MOST_STAGES,
+            )
         for number, (before, after) in enumerate(pairwise(stages), 2):
             if after.pinion.blank not in (Blank(), before.wheel.blank):
                 raise DesignError(
-                    f"the pinion of stage {number} is one part with the wheel of stage {number - 1}; give bore, "
-                    "keyway, hub, web and lightening to that wheel alone"
+                    "the pinion of stage {number} is one part with the wheel of stage {before}; give bore, "
+                    "keyway, hub, web and lightening to that wheel alone",
+                    number=number,
+                    before=number - 1,
                 )
         directions = None if self.directions is None else several("directions", self.directions, len(stages))
         for angle in directions or ():

@@ -140,7 +140,7 @@ class LoadedDesign:
 def _size(name: str, value: object) -> tuple[float, float]:
     """Width and height of a field, mm."""
     if not isinstance(value, Sequence) or isinstance(value, str) or len(value) != 2:
-        raise DesignError(f"{name} is {brief(repr(value), 60)}; it must be width and height, mm")
+        raise DesignError("{name} is {value}; it must be width and height, mm", name=name, value=brief(repr(value), 60))
     width, height = (real(name, side, 1, 1e6, "mm") for side in value)
     return width, height
 
@@ -159,8 +159,8 @@ def overrides_of(changes: Mapping[str, Any] | Iterable[str]) -> tuple[str, ...]:
     changes = tuple(changes) if isinstance(changes, Iterable) and not isinstance(changes, str) else changes
     if not isinstance(changes, tuple) or not all(isinstance(text, str) for text in changes):
         raise DesignError(
-            f"the changes are {brief(repr(changes), 60)}; give keys with their values, such as "
-            '{"cam.thickness_mm": 3.2}'
+            'the changes are {given}; give keys with their values, such as {{"cam.thickness_mm": 3.2}}',
+            given=brief(repr(changes), 60),
         )
     return changes
 
@@ -169,7 +169,9 @@ def _key(key: object) -> str:
     """A key as it is; one with an equals sign would be read as another key with the start of a value."""
     if isinstance(key, str) and key.isprintable() and not {"=", " "} & set(key):
         return key
-    raise DesignError(f'{brief(repr(key), 60)} is no key; write it as in the design file, such as "cam.thickness_mm"')
+    raise DesignError(
+        '{key} is no key; write it as in the design file, such as "cam.thickness_mm"', key=brief(repr(key), 60)
+    )
 
 
 def _toml(key: str, value: Any) -> str:
@@ -182,7 +184,11 @@ def _toml(key: str, value: Any) -> str:
         return repr(float(value))
     if isinstance(value, str):
         if any("\ud800" <= sign <= "\udfff" for sign in value):  # halves of a pair
-            raise DesignError(f"{brief(key)} is given {brief(repr(value), 60)}, which is no text in UTF-8; correct it")
+            raise DesignError(
+                "{key} is given {value}, which is no text in UTF-8; correct it",
+                key=brief(key),
+                value=brief(repr(value), 60),
+            )
         return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
     if isinstance(value, Mapping):
         inside = ", ".join(f"{json.dumps(str(name))} = {_toml(key, part)}" for name, part in value.items())
@@ -191,5 +197,7 @@ def _toml(key: str, value: Any) -> str:
         return f"[{', '.join(_toml(key, part) for part in value)}]"
     kind = "a date" if isinstance(value, (date, time)) else f"a {type(value).__name__}"
     raise DesignError(
-        f"{brief(key)} is given {kind}; a value must be a number, a text, True or False, a list or a table of these"
+        "{key} is given {kind}; a value must be a number, a text, True or False, a list or a table of these",
+        key=brief(key),
+        kind=kind,
     )

@@ -32,7 +32,9 @@ class Measured:
 
     def __post_init__(self) -> None:
         if not isinstance(self.columns, Mapping):
-            raise DesignError(f"columns is {brief(repr(self.columns), 60)}; it must map names with units to values")
+            raise DesignError(
+                "columns is {given}; it must map names with units to values", given=brief(repr(self.columns), 60)
+            )
 
     def __repr__(self) -> str:
         return f"<Measured {self.name}: {', '.join(map(str, self.columns))}>"
@@ -67,7 +69,9 @@ def _several(data: Data | Iterable[Data]) -> list[Data]:
     except TypeError:
         several = []
     if not several:
-        raise DesignError(f"data is {brief(repr(data), 60)}; give at least one CSV file, or columns of measured values")
+        raise DesignError(
+            "data is {given}; give at least one CSV file, or columns of measured values", given=brief(repr(data), 60)
+        )
     return several
 
 
@@ -86,5 +90,7 @@ def _source(data: Data, number: int, progress: Progress) -> "Source":
     if isinstance(data, Mapping):
         data = Measured(data, name=f"data {number}")
     if not isinstance(data, Measured):
-        raise DesignError(f"data has {brief(repr(data), 60)}; each must be a path, columns of values, or Measured")
+        raise DesignError(
+            "data has {given}; each must be a path, columns of values, or Measured", given=brief(repr(data), 60)
+        )
     return _measured(data)

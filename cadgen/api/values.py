@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from cadgen.arrays import Array
 from cadgen.design.section import LEAST_FEATURE_MM
 from cadgen.errors import DesignError, brief
+from cadgen.messages import Message
 
 if TYPE_CHECKING:
     from cadgen.inference.monte_carlo.random_cars import Map
@@ -41,8 +42,20 @@ def real(
         number = nan
     if isfinite(number) and least <= number <= most and not (above and number == least):
         return number
-    allowed = f", greater than {least:.10g} and at most {most:.10g}" if above else _range(least, most)
-    raise DesignError(f"{name} is {_shown(value)}; it must be a number{allowed} {unit}".rstrip())
+    allowed = _range(least, most)
+    if above:
+        allowed = Message(", greater than {least:.10g} and at most {most:.10g}", least=least, most=most)
+    if not unit:
+        raise DesignError(
+            "{name} is {value}; it must be a number{range}", name=name, value=_shown(value), range=allowed
+        )
+    raise DesignError(
+        "{name} is {value}; it must be a number{range} {unit}",
+        name=name,
+        value=_shown(value),
+        range=allowed,
+        unit=Message(unit),
+    )
 
 
 def feature(name: str, value: object, most: float, *, or_none: bool = False) -> float:
@@ -59,10 +72,7 @@ def feature(name: str, value: object, most: float, *, or_none: bool = False) -> 
     """
     if or_none and isinstance(value, Real) and not isinstance(value, bool) and value == 0:
         return 0.0
-    try:
-        return real(name, value, LEAST_FEATURE_MM, most, "mm")
-    except DesignError as error:
-        raise DesignError(str(error).replace("a number,", "0, or a number,", 1)) if or_none else error from None
+    return real(name, value, LEAST_FEATURE_MM, most, "mm")
 
 
 def whole(name: str, value: object, least: int, most: float = inf) -> int:
@@ -78,7 +88,9 @@ def whole(name: str, value: object, least: int, most: float = inf) -> int:
         return int(value)
     # `1e4` shown as 10000 would look like the whole number that it must be.
     shown = repr(float(value)) if isinstance(value, float) else _shown(value)
-    raise DesignError(f"{name} is {shown}; it must be a whole number{_range(least, most)}")
+    raise DesignError(
+        "{name} is {value}; it must be a whole number{range}", name=name, value=shown, range=_range(least, most)
+    )
 
 
 def word(name: str, value: object, allowed: Sequence[str]) -> str:
@@ -94,7 +106,9 @@ def word(name: str, value: object, allowed: Sequence[str]) -> str:
     """
     if isinstance(value, str) and value in allowed:
         return value
-    raise DesignError(f"{name} is {_shown(value)}; it must be one of {', '.join(allowed)}")
+    raise DesignError(
+        "{name} is {value}; it must be one of {allowed}", name=name, value=_shown(value), allowed=", ".join(allowed)
+    )
 
 
 def optional(
@@ -127,10 +141,17 @@ def numbers(name: str, value: ArrayLike, unit: str) -> Array:
     try:
         array = np.asarray(value, dtype=np.float64)
     except (TypeError, ValueError):
-        raise DesignError(f"{name} is {_shown(value)}; it must be a number or an array of numbers, {unit}") from None
+        raise DesignError(
+            "{name} is {value}; it must be a number or an array of numbers, {unit}",
+            name=name,
+            value=_shown(value),
+            unit=Message(unit),
+        ) from None
     if not np.isfinite(array).all():
         worst = float(array[~np.isfinite(array)][0])
-        raise DesignError(f"{name} holds {worst:g}; all its numbers must be finite, {unit}")
+        raise DesignError(
+            "{name} holds {worst:g}; all its numbers must be finite, {unit}", name=name, worst=worst, unit=Message(unit)
+        )
     return array
 
 
@@ -148,9 +169,13 @@ def several(name: str, value: Iterable[float | None], count: int) -> list[float 
     try:
         values = list(value)
     except TypeError:
-        raise DesignError(f"{name} is {_shown(value)}; it must have {count} angles, one a stage") from None
+        raise DesignError(
+            "{name} is {value}; it must have {count} angles, one a stage", name=name, value=_shown(value), count=count
+        ) from None
     if len(values) != count:
-        raise DesignError(f"{name} has {len(values)} angles; it must have {count}, one a stage")
+        raise DesignError(
+            "{name} has {given} angles; it must have {count}, one a stage", name=name, given=len(values), count=count
+        )
     return values
 
 
@@ -167,7 +192,7 @@ def instance(name: str, value: object, kind: type[T]) -> T:
     """
     if isinstance(value, kind):
         return value
-    raise DesignError(f"{name} is {_shown(value)}; it must be a {kind.__name__}")
+    raise DesignError("{name} is {value}; it must be a {kind}", name=name, value=_shown(value), kind=kind.__name__)
 
 
 def paths(name: str, value: str | PathLike[str] | Iterable[str | PathLike[str]]) -> list[Path]:
@@ -186,7 +211,9 @@ def paths(name: str, value: str | PathLike[str] | Iterable[str | PathLike[str]])
     except TypeError:
         files = []
     if not files:
-        raise DesignError(f"{name} is {_shown(value)}; it must be the path of a file, or several")
+        raise DesignError(
+            "{name} is {value}; it must be the path of a file, or several", name=name, value=_shown(value)
+        )
     return files
 
 
@@ -202,7 +229,7 @@ def plain_text(name: str, value: object) -> str:
     """
     if isinstance(value, str):
         return value
-    raise DesignError(f"{name} is {_shown(value)}; it must be a text")
+    raise DesignError("{name} is {value}; it must be a text", name=name, value=_shown(value))
 
 
 def name_or_path(name: str, value: str | PathLike[str] | None) -> str | Path | None:
@@ -210,7 +237,9 @@ def name_or_path(name: str, value: str | PathLike[str] | None) -> str | Path | N
     try:
         return value if value is None or isinstance(value, str) else Path(value)
     except TypeError:
-        raise DesignError(f"{name} is {_shown(value)}; it must be the name of a design or the path of a file") from None
+        raise DesignError(
+            "{name} is {value}; it must be the name of a design or the path of a file", name=name, value=_shown(value)
+        ) from None
 
 
 class Pool(Protocol):
@@ -239,7 +268,9 @@ def map_of(pool: "Pool | Map | None") -> Callable[..., Iterable[Any]] | None:
     if pool is None:
         return None
     if (function := mapping(pool)) is None:
-        raise DesignError(f"map is {brief(repr(pool), 60)}; it must be a function such as map, or have a method map")
+        raise DesignError(
+            "map is {given}; it must be a function such as map, or have a method map", given=brief(repr(pool), 60)
+        )
     return function
 
 
@@ -247,12 +278,12 @@ def _range(least: float, most: float) -> str:
     if least == -inf and most == inf:
         return ""
     if most == inf:
-        return f" of at least {least:g}"
-    return f" from {least:.10g} to {most:.10g}"
+        return Message(" of at least {least:g}", least=least)
+    return Message(" from {least:.10g} to {most:.10g}", least=least, most=most)
 
 
 def _shown(value: object) -> str:
     try:
         return f"{value:g}" if isinstance(value, float) else brief(repr(value), 60)
     except ValueError:  # more digits than Python writes
-        return "too large"
+        return Message("too large")

@@ -202,7 +202,8 @@ class Editor:
             if (error.name or "").partition(".")[0] not in _EXTRA:
                 raise
             raise DesignError(
-                f"the editor needs {error.name}, which is not installed: "
-                "pip install '.[edit]' in cadgen's folder installs it"
+                "the editor needs {library}, which is not installed: "
+                "pip install '.[edit]' in cadgen's folder installs it",
+                library=error.name,
             ) from None
         serve(self.session, number, show, browser=browser)

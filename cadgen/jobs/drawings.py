@@ -64,7 +64,9 @@ class Folder:
             else:
                 moment = datetime.now(UTC)
         except (ValueError, OverflowError, OSError):
-            raise FileError(f"SOURCE_DATE_EPOCH is {stated!r}; it must be a number of seconds since 1970") from None
+            raise FileError(
+                "SOURCE_DATE_EPOCH is {stated}; it must be a number of seconds since 1970", stated=repr(stated)
+            ) from None
         return cls(parts, moment.date().isoformat())
 
     def files(self, stem: str, design_hash: str, endings: tuple[str, ...]) -> tuple[tuple[str, str], ...]:
@@ -345,7 +347,7 @@ def write_sheet(staging: Path, stem: str, sheet: DrawingSheet, omitted: dict[str
         return
     (staging / name).write_bytes(page)
     if page.count(b"/Type /Page ") + page.count(b"/Type /Page\n") != 1:
-        raise FileError(f"{name} is not one page: report this design")
+        raise FileError("{name} is not one page: report this design", name=name)
     yield Artifact(name, look)
 
 

@@ -290,8 +290,10 @@ def tolerance_of(plan: C, sample: CarSample, progress: Progress = silent) -> Tol
         )
     except MemoryError as error:
         raise FileError(
-            f"out of memory for {sample.samples} cars in {sample.processes} processes: lower --samples or --processes, "
-            "or close other programs"
+            "out of memory for {samples} cars in {processes} processes: lower --samples or --processes, "
+            "or close other programs",
+            samples=sample.samples,
+            processes=sample.processes,
         ) from error
     sheet = None
     if sample.with_budget:

@@ -177,7 +177,7 @@ def read_dxf(path: Path, step: float = 0.05) -> Drawing:
     try:
         sections = _sections(path)
         if _units(sections["HEADER"]) != _MM:
-            raise FileError(f"{path.name} is not in millimetres: write it again")
+            raise FileError("{file} is not in millimetres: write it again", file=path.name)
         for kind, entity in _entities(sections["ENTITIES"]):
             layer = entity[8][0]
             if kind == "TEXT" and layer == NOTES:
@@ -191,16 +191,23 @@ def read_dxf(path: Path, step: float = 0.05) -> Drawing:
             elif kind == "LWPOLYLINE" and int(entity[70][0]) & 1:
                 contours[layer].append(Contour(points, np.array(entity[42], dtype=float)))
             else:
-                raise FileError(f"{path.name} has a {kind} on layer {layer}, open or unexpected: write it again")
+                raise FileError(
+                    "{file} has a {kind} on layer {layer}, open or unexpected: write it again",
+                    file=path.name,
+                    kind=kind,
+                    layer=layer,
+                )
     except (KeyError, ValueError, IndexError) as error:
-        raise FileError(f"{path.name} is not a complete DXF file of a disc: write it again") from error
+        raise FileError("{file} is not a complete DXF file of a disc: write it again", file=path.name) from error
     profile = contours[PROFILE]
     if splines and not profile:
         outline = _along(splines, step, path)
     elif len(profile) == 1 and not splines:
         outline = profile[0].outline(step)
     else:
-        raise FileError(f"{path.name} must have one closed curve on layer {PROFILE}: write it again")
+        raise FileError(
+            "{file} must have one closed curve on layer {layer}: write it again", file=path.name, layer=PROFILE
+        )
     return Drawing(outline, tuple(contours[BORE]), tuple(contours[HOLES]), " ".join(notes))
 
 
@@ -240,7 +247,9 @@ def _along(splines: list[BSpline], step: float, path: Path) -> Outline:
     """Points on splines end to end."""
     ends = np.array([spline(spline.t[[0, -1]]) for spline in splines])
     if np.abs(ends[:, 1] - np.roll(ends[:, 0], -1, axis=0)).max() > _GAP_MM:
-        raise FileError(f"{path.name} has a gap between two splines on layer {PROFILE}: write it again")
+        raise FileError(
+            "{file} has a gap between two splines on layer {layer}: write it again", file=path.name, layer=PROFILE
+        )
     points = []
     for spline in splines:
         length = np.linalg.norm(np.diff(spline.c, axis=0), axis=1).sum()
@@ -262,9 +271,13 @@ def write_outline(path: Path, outline: Loop, bore: Contour | None) -> float:
     x, y = drawing.profile.points.T
     area = float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y)) / 2
     if abs(area / outline.area - 1) > _AREA_LIMIT:
-        raise FileError(f"{path.name}, read back, does not enclose the teeth: report this design")
+        raise FileError("{file}, read back, does not enclose the teeth: report this design", file=path.name)
     if error > OUTLINE_LIMIT or len(drawing.bore) != (bore is not None):
-        raise FileError(f"{path.name}, read back, is {error * 1e3:.2g} µm off the exact teeth: report this design")
+        raise FileError(
+            "{file}, read back, is {error:.2g} µm off the exact teeth: report this design",
+            file=path.name,
+            error=error * 1e3,
+        )
     return error
 
 

@@ -23,9 +23,10 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 from cadgen.errors import FileError, brief
+from cadgen.messages import Message
 from cadgen.output.files.lock import NAME as LOCK
 from cadgen.output.files.lock import drop, held, hold, locked
 from cadgen.output.files.manifest import NAME as MANIFEST
@@ -107,7 +108,7 @@ def publishing(out: Path) -> Iterator[Path]:
     try:
         created = tuple(folder for folder in (out, *out.parents) if not folder.exists())
     except OSError as error:
-        raise FileError(_why(error, out)) from error
+        _refuse(error, out)
     # Known before anything is made, so that no moment is left in which it could not be cleared away.
     _run = run = _Run(out / f"{_PREFIX}{secrets.token_hex(8)}", created)
     try:
@@ -121,7 +122,7 @@ def publishing(out: Path) -> Iterator[Path]:
         _run = None
         run.clear()
         if isinstance(error, OSError):
-            raise FileError(_why(error, out)) from error
+            _refuse(error, out)
         raise
     # Its record stays: the files are in place.
     run.clear()
@@ -178,10 +179,13 @@ def undo_killed(out: Path, *, sure: bool) -> list[str]:
     back: list[str] = []
     for folder in half:
         if not sure or not _is_own(folder):
-            whose = "of another user" if sure else "that may still be at work, since this folder cannot be locked"
+            whose = Message("that may still be at work, since this folder cannot be locked")
             raise FileError(
-                f"{brief(str(out))} holds the half of what a run {whose} was to move there ({folder.name}): when no "
-                f"run is at work, let that user run cadgen verify --restore on it, or choose another folder"
+                "{place} holds the half of what a run {whose} was to move there ({left}): when no "
+                "run is at work, let that user run cadgen verify --restore on it, or choose another folder",
+                place=brief(str(out)),
+                whose=Message("of another user") if sure else whose,
+                left=folder.name,
             )
         back += _undo(folder, out)
         shutil.rmtree(folder, ignore_errors=True)
@@ -211,7 +215,9 @@ def _publish(staging: Path, out: Path) -> None:
         raise ValueError("a run writes files that its manifest does not list")
     for name in (*files, MANIFEST):
         if (out / name).is_dir() and not (out / name).is_symlink():
-            raise FileError(f"{out / name} is a folder where a file must go: remove it or choose another folder")
+            raise FileError(
+                "{place} is a folder where a file must go: remove it or choose another folder", place=out / name
+            )
     kept = {}
     for name, entry in sound_parts(out / MANIFEST).items():
         # An earlier entry stays for those of its files that are not replaced.
@@ -276,20 +282,23 @@ def _write(file: Path, text: str) -> None:
     os.replace(beside, file)
 
 
-def _why(error: OSError, out: Path) -> str:
+def _refuse(error: OSError, out: Path) -> NoReturn:
+    """Raise the refusal of a folder in words."""
     reasons = {
-        errno.ENOSPC: "the disk is full: free some space or choose another folder",
-        errno.EDQUOT: "your disk quota is used up: free some space or choose another folder",
-        errno.EFBIG: "a file would be larger than this system allows: choose another folder",
-        errno.EACCES: "there is no permission to write there: choose another folder",
-        errno.EPERM: "there is no permission to write there: choose another folder",
-        errno.EROFS: "that disk is read-only: choose another folder",
-        errno.EEXIST: "a file stands where the folder must go: choose another folder",
-        errno.ENOTDIR: "a file stands where a folder must go: choose another folder",
-        errno.ENAMETOOLONG: "the path is too long: choose a shorter one",
+        errno.ENOSPC: Message("the disk is full: free some space or choose another folder"),
+        errno.EDQUOT: Message("your disk quota is used up: free some space or choose another folder"),
+        errno.EFBIG: Message("a file would be larger than this system allows: choose another folder"),
+        errno.EACCES: Message("there is no permission to write there: choose another folder"),
+        errno.EPERM: Message("there is no permission to write there: choose another folder"),
+        errno.EROFS: Message("that disk is read-only: choose another folder"),
+        errno.EEXIST: Message("a file stands where the folder must go: choose another folder"),
+        errno.ENOTDIR: Message("a file stands where a folder must go: choose another folder"),
+        errno.ENAMETOOLONG: Message("the path is too long: choose a shorter one"),
     }
-    reason = reasons.get(error.errno or 0, f"{error.strerror or error}: choose another folder")
-    return f"nothing was written to {brief(str(out))}: {reason}"
+    reason = reasons.get(error.errno or 0)
+    if reason is None:
+        reason = Message("{reason}: choose another folder", reason=error.strerror or str(error))
+    raise FileError("nothing was written to {folder}: {reason}", folder=brief(str(out)), reason=reason) from error
 
 
 class State(StrEnum):
@@ -354,18 +363,26 @@ def folder_state(folder: Path) -> FolderState:
         half, left = left_by_killed(folder)
         present = sorted(file.name for file in folder.iterdir() if not file.is_dir() or file.is_symlink())
     except OSError as error:
-        raise FileError(f"{brief(str(folder))} cannot be read ({error.strerror}): name a folder that can") from None
+        raise FileError(
+            "{folder} cannot be read ({reason}): name a folder that can",
+            folder=brief(str(folder)),
+            reason=error.strerror,
+        ) from None
     try:
         parts = read_parts(folder / MANIFEST)
     except FileNotFoundError:
         if not half:
             raise FileError(
-                f"there is no {MANIFEST} in {brief(str(folder))}: name a folder that cadgen has written to"
+                "there is no {manifest} in {folder}: name a folder that cadgen has written to",
+                manifest=MANIFEST,
+                folder=brief(str(folder)),
             ) from None
         parts = {}
     except (OSError, ValueError) as error:
         raise FileError(
-            f"{brief(str(folder / MANIFEST))} cannot be used ({brief(str(error))}): export again into this folder"
+            "{folder} cannot be used ({error}): export again into this folder",
+            folder=brief(str(folder / MANIFEST)),
+            error=brief(str(error)),
         ) from None
     files = [
         FileState(name, part, _state(folder, name, facts))
@@ -380,7 +397,7 @@ def folder_state(folder: Path) -> FolderState:
 def _listed(part: str, entry: Any) -> dict[str, Any]:
     files = entry.get("files") if isinstance(entry, dict) else None
     if not isinstance(files, dict) or not all(isinstance(facts, dict) for facts in files.values()):
-        raise FileError(f"the manifest's entry {brief(part, 80)} lists no files: export that part again")
+        raise FileError("the manifest's entry {part} lists no files: export that part again", part=brief(part, 80))
     return files
 
 

@@ -95,9 +95,12 @@ def cutter_path(curve: ClosedCurve, cutter_radius: float, limit: CutterLimit, to
     """
     if limit.point is not None and limit.radius and cutter_radius > limit.radius:
         raise CheckError(
-            f"machining.cutter_diameter_mm is {2 * cutter_radius:g}, but no cutter of more than "
-            f"{2 * limit.radius:.3f} mm reaches the hollow at polar angle "
-            f"{degrees(float(polar_angle(limit.point))) % 360:.1f} degrees: choose a smaller cutter"
+            "machining.cutter_diameter_mm is {diameter:g}, but no cutter of more than "
+            "{most:.3f} mm reaches the hollow at polar angle "
+            "{angle:.1f} degrees: choose a smaller cutter",
+            diameter=2 * cutter_radius,
+            most=2 * limit.radius,
+            angle=degrees(float(polar_angle(limit.point))) % 360,
         )
     path = parallel(curve, cutter_radius)
     return arcs(path.begun_at(*_farthest(path)), tolerance).reversed()
@@ -327,8 +330,12 @@ def slot_with_tabs(centre: Contour, machining: Machining) -> Slot:
     room = 2 * apart + 4 * machining.lead_radius_mm
     if step < room:
         raise DesignError(
-            f"machining.tabs.count is {tabs.count}; tabs {tabs.width_mm:g} mm wide, with the cutter and its leads, "
-            f"need {room:.1f} mm each of the {ends[-1]:.0f} mm round the disc: lower machining.tabs.count or width_mm"
+            "machining.tabs.count is {count}; tabs {width:g} mm wide, with the cutter and its leads, "
+            "need {room:.1f} mm each of the {length:.0f} mm round the disc: lower machining.tabs.count or width_mm",
+            count=tabs.count,
+            width=tabs.width_mm,
+            room=room,
+            length=ends[-1],
         )
     spans = [_span(centre, ends, (number + 0.5) * step, apart) for number in range(tabs.count)]
     return _split(centre, ends, np.array(spans), machining.lead_radius_mm)

@@ -12,6 +12,7 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.errors import FileError
+from cadgen.messages import Message
 
 # Controllers compare an arc's radius at both ends; RS274/NGC allows 2 um, and most that came after it more.
 RADIUS_MISMATCH_MM = 5e-4
@@ -25,7 +26,15 @@ _VALUES = set("XYZIJFS")
 
 
 class RefusedError(Exception):
-    """Fault of a line or of a program, in words."""
+    """Fault of a line or of a program, in words.
+
+    Args:
+        text: words after the name of the file or the number of the line, or their template.
+        arguments: values of the template's fields.
+    """
+
+    def __init__(self, text: str, /, **arguments: object) -> None:
+        super().__init__(Message(text, **arguments))
 
 
 @dataclass(frozen=True)
@@ -144,7 +153,7 @@ class _Machine:
                 raise RefusedError("changes the tool after the work has begun")
             self.tool = self.chosen
         else:
-            raise RefusedError(f"has {code}, which is not understood here")
+            raise RefusedError("has {code}, which is not understood here", code=code)
 
     def _move(self, number: int, values: dict[str, float]) -> None:
         start = self.at
@@ -154,7 +163,10 @@ class _Machine:
         if self.motion == "G0":
             self._rapid(start, end, sideways=sideways)
         elif not (self.motion and self.settings == _SETTINGS and self.spindle and self.feed > 0):
-            raise RefusedError(f"cuts before {' '.join(sorted(_SETTINGS))}, M3 with a speed, G1-G3 and F are all given")
+            raise RefusedError(
+                "cuts before {settings}, M3 with a speed, G1-G3 and F are all given",
+                settings=" ".join(sorted(_SETTINGS)),
+            )
         elif np.isnan(start).any():
             raise RefusedError("cuts before X, Y and Z are known")
         elif sideways and start[2] != end[2]:
@@ -171,19 +183,21 @@ class _Machine:
         """Refuse a rapid move through the work: sideways below the safe height, or down to more than was cut there."""
         lowest = end[2] if not sideways else min(start[2], end[2])
         if sideways and not lowest > 0:
-            raise RefusedError(f"moves at rapid speed through the stock, at Z {lowest:g}")
+            raise RefusedError("moves at rapid speed through the stock, at Z {height:g}", height=lowest)
         if sideways and lowest < self.work.safe - HALF_DIGIT_MM:
             raise RefusedError(
-                f"moves sideways at rapid speed at Z {lowest:g}, below the safe height of {self.work.safe:g} mm"
+                "moves sideways at rapid speed at Z {height:g}, below the safe height of {safe:g} mm",
+                height=lowest,
+                safe=self.work.safe,
             )
         down = not end[2] >= start[2]
         if down and not np.isnan(end[:2]).any():
             # A rapid move may end above the work, or above the floor of a hole that was cut there before.
             floor = min(self.work.top(end[:2]), self.holes.get((end[0], end[1]), np.inf))
             if not end[2] > floor:
-                raise RefusedError(f"moves at rapid speed through the stock, at Z {end[2]:g}")
+                raise RefusedError("moves at rapid speed through the stock, at Z {height:g}", height=end[2])
         elif down and not end[2] > 0:
-            raise RefusedError(f"moves at rapid speed through the stock, at Z {end[2]:g}")
+            raise RefusedError("moves at rapid speed through the stock, at Z {height:g}", height=end[2])
 
 
 @dataclass(frozen=True)
@@ -218,12 +232,17 @@ def run_program(path: Path, work: Work) -> Program:
         words = _WORD.findall(text)
         try:
             if "".join(letter + value for letter, value in words) != text:
-                raise RefusedError(f'is not made of words: "{line[:60]}"')
+                raise RefusedError('is not made of words: "{line}"', line=line[:60])
             machine.run(number, words)
         except RefusedError as refused:
-            raise FileError(f"{path.name}, line {number}, {refused}: do not run this program") from refused
+            raise FileError(
+                "{file}, line {number}, {fault}: do not run this program",
+                file=path.name,
+                number=number,
+                fault=refused.args[0],
+            ) from refused
     if not machine.ended:
-        raise FileError(f"{path.name} has no M30 at its end: the file is cut short, write it again")
+        raise FileError("{file} has no M30 at its end: the file is cut short, write it again", file=path.name)
     return Program(tuple(machine.moves), tuple(machine.stops), machine.tool)
 
 
@@ -231,6 +250,10 @@ def _sweep(motion: str, start: Array, end: Array) -> float:
     """Angle of an arc about its centre; equal ends make a full circle."""
     first, last = hypot(*start), hypot(*end)
     if not abs(first - last) <= RADIUS_MISMATCH_MM:
-        raise RefusedError(f"has an arc whose radius is {first:.4f} mm at its start and {last:.4f} mm at its end")
+        raise RefusedError(
+            "has an arc whose radius is {first:.4f} mm at its start and {last:.4f} mm at its end",
+            first=first,
+            last=last,
+        )
     turned = atan2(end[1], end[0]) - atan2(start[1], start[0])
     return (turned % TURN or TURN) if motion == "G3" else -(-turned % TURN or TURN)

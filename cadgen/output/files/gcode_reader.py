@@ -15,6 +15,7 @@ from cadgen.curves.closed import Outline
 from cadgen.curves.contour import Contour
 from cadgen.design.machining import Drilling, Machining
 from cadgen.errors import FileError
+from cadgen.messages import Message
 from cadgen.output.files.gcode_machine import HALF_DIGIT_MM, Move, Program, RefusedError, Work, run_program
 from cadgen.parts.face import Face
 from cadgen.parts.features import Hub
@@ -91,7 +92,11 @@ def read_gcode(
     program = run_program(path, Work(safe=machining.safe_height_mm + hub_height))
     number_of_tool = machining.tool_number
     if program.tool != ("" if number_of_tool is None else f"T{number_of_tool}"):
-        raise FileError(f"{path.name} takes the tool {program.tool or 'in the spindle'}: write it again")
+        raise FileError(
+            "{file} takes the tool {tool}: write it again",
+            file=path.name,
+            tool=program.tool or Message("in the spindle"),
+        )
     try:
         _refuse_feeds(program, machining, material)
         rounds = _Rounds.of(program)
@@ -99,7 +104,7 @@ def read_gcode(
         _refuse_tabs(tabs, machining, rounds.length)
         outline = _left_over(rounds.cuts(machining, thickness), machining.cutter_diameter_mm / 2, step)
     except RefusedError as refused:
-        raise FileError(f"{path.name} {refused}: do not run this program") from refused
+        raise FileError("{file} {fault}: do not run this program", file=path.name, fault=refused.args[0]) from refused
     return Milled(outline, tabs)
 
 
@@ -107,7 +112,12 @@ def _refuse_feeds(program: Program, machining: Machining, material: DiscMaterial
     for move in program.moves:
         allowed = machining.plunge_feed_mm_per_min if move.plunges else machining.feed(material)
         if move.motion != "G0" and move.feed > allowed:
-            raise RefusedError(f"cuts at {move.feed:g} mm/min in line {move.line}; {allowed:g} is allowed there")
+            raise RefusedError(
+                "cuts at {feed:g} mm/min in line {line}; {allowed:g} is allowed there",
+                feed=move.feed,
+                line=move.line,
+                allowed=allowed,
+            )
 
 
 @dataclass(frozen=True)
@@ -168,7 +178,11 @@ class _Rounds:
             levels = np.array([move.end[2] for move in cuts])
             deepest = float((floor[run] - levels).max())
             if deepest > machining.step_down_mm + 2 * HALF_DIGIT_MM:
-                raise RefusedError(f"has a pass {deepest:.4f} mm deep; {machining.step_down_mm:g} mm is allowed")
+                raise RefusedError(
+                    "has a pass {deepest:.4f} mm deep; {allowed:g} mm is allowed",
+                    deepest=deepest,
+                    allowed=machining.step_down_mm,
+                )
             if after:
                 _refuse_air(cuts, floor[run] <= levels, machining.lead_radius_mm)
             floor = floor.copy()
@@ -180,7 +194,11 @@ class _Rounds:
         """The cuts of one round and every plunge, after checking that all rounds together reach through."""
         _, floor = self.floors(machining)
         if floor.max() > -thickness:
-            raise RefusedError(f"ends at Z {floor.max():g}, which does not cut through {thickness:g} mm")
+            raise RefusedError(
+                "ends at Z {height:g}, which does not cut through {thickness:g} mm",
+                height=floor.max(),
+                thickness=thickness,
+            )
         return [*self.rounds[0], *(move for _, move in self.plunges)]
 
     def tabs(self, machining: Machining, thickness: float) -> tuple[Tab, ...]:
@@ -223,25 +241,38 @@ def _refuse_air(cuts: Sequence[Move], air: NDArray[np.bool_], lead: float) -> No
         raise RefusedError("goes down or up in a tab, not in the slot beside it")
     way = sum(move.length for move, empty in zip(cuts, air, strict=True) if empty)
     if way > 2 * lead + _LEAD_MM:
-        raise RefusedError(f"cuts {way:.1f} mm of air to take a tab off; {2 * lead:g} mm lead to it and away")
+        raise RefusedError(
+            "cuts {way:.1f} mm of air to take a tab off; {lead:g} mm lead to it and away", way=way, lead=2 * lead
+        )
 
 
 def _refuse_tabs(tabs: tuple[Tab, ...], machining: Machining, length: float) -> None:
     """Refuse tabs other than those of the design: by their number, their steps along the slot (mm), and their sizes."""
     asked = machining.tabs
     if len(tabs) != (asked.count if asked else 0):
-        raise RefusedError(f"leaves {len(tabs)} tabs where the design has {asked.count if asked else 0}")
+        raise RefusedError(
+            "leaves {tabs} tabs where the design has {count}", tabs=len(tabs), count=asked.count if asked else 0
+        )
     if asked is None:
         return
     steps = np.diff([tab.along for tab in tabs])
     if np.abs(steps - length / asked.count).max() > _STEP_MM:
-        raise RefusedError(f"leaves tabs {steps.min():.2f} to {steps.max():.2f} mm apart, not in equal steps")
+        raise RefusedError(
+            "leaves tabs {least:.2f} to {most:.2f} mm apart, not in equal steps",
+            least=steps.min(),
+            most=steps.max(),
+        )
     for tab in tabs:
         for what, size, right in (("width", tab.width, asked.width_mm), ("height", tab.height, asked.height_mm)):
             if abs(size - right) > _TAB_MM:
                 x, y = tab.place
                 raise RefusedError(
-                    f"leaves a tab at X {x:.1f} Y {y:.1f} with a {what} of {size:.3f} mm, not {right:g} mm"
+                    "leaves a tab at X {x:.1f} Y {y:.1f} with a {what} of {size:.3f} mm, not {right:g} mm",
+                    x=x,
+                    y=y,
+                    what=Message(what),
+                    size=size,
+                    right=right,
                 )
 
 
@@ -409,7 +440,7 @@ def read_drilling(
         floors = _floors(program.moves, expected, drilling.peck_mm or diameter)
         return _compared(floors, expected, diameter / 2 / tan(radians(drilling.point_angle_deg) / 2))
     except RefusedError as refused:
-        raise FileError(f"{path.name} {refused}: do not run this program") from refused
+        raise FileError("{file} {fault}: do not run this program", file=path.name, fault=refused.args[0]) from refused
 
 
 def _floors(moves: Sequence[Move], expected: Sequence[tuple[Array, float, float]], peck: float) -> dict[bytes, Move]:
@@ -419,12 +450,17 @@ def _floors(moves: Sequence[Move], expected: Sequence[tuple[Array, float, float]
         if move.motion == "G0":
             continue
         if move.sweep or not np.array_equal(move.start[:2], move.end[:2]):
-            raise RefusedError(f"cuts sideways in line {move.line}")
+            raise RefusedError("cuts sideways in line {line}", line=move.line)
         key = move.end[:2].tobytes()
         top = min(expected, key=lambda hole: float(np.hypot(*(hole[0] - move.end[:2]))), default=(None, 0.0, 0.0))[1]
         at = deepest[key].end[2] if key in deepest else top
         if at - move.end[2] > _LAST_PECK * peck + 2 * HALF_DIGIT_MM:
-            raise RefusedError(f"drills {at - move.end[2]:.3f} mm at once in line {move.line}; {peck:g} mm is allowed")
+            raise RefusedError(
+                "drills {depth:.3f} mm at once in line {line}; {peck:g} mm is allowed",
+                depth=at - move.end[2],
+                line=move.line,
+                peck=peck,
+            )
         if key not in deepest or move.end[2] < deepest[key].end[2]:
             deepest[key] = move
     return deepest
@@ -433,15 +469,19 @@ def _floors(moves: Sequence[Move], expected: Sequence[tuple[Array, float, float]
 def _compared(floors: dict[bytes, Move], expected: Sequence[tuple[Array, float, float]], point: float) -> float:
     """Greatest distance between a hole and its place; refuses holes too many, too few, or not through."""
     if len(floors) != len(expected):
-        raise RefusedError(f"drills {len(floors)} holes where the disc has {len(expected)} of that diameter")
+        raise RefusedError(
+            "drills {count} holes where the disc has {expected} of that diameter",
+            count=len(floors),
+            expected=len(expected),
+        )
     worst = 0.0
     for place, _, bottom in expected:
         ends = [move.end for move in floors.values()]
         off = [float(np.hypot(*(end[:2] - place))) for end in ends]
         nearest = int(np.argmin(off))
         if off[nearest] > 2 * HALF_DIGIT_MM:
-            raise RefusedError(f"has no hole at X {place[0]:.3f} Y {place[1]:.3f}")
+            raise RefusedError("has no hole at X {x:.3f} Y {y:.3f}", x=place[0], y=place[1])
         if ends[nearest][2] + point > bottom + HALF_DIGIT_MM:
-            raise RefusedError(f"does not drill through at X {place[0]:.3f} Y {place[1]:.3f}")
+            raise RefusedError("does not drill through at X {x:.3f} Y {y:.3f}", x=place[0], y=place[1])
         worst = max(worst, off[nearest])
     return worst

@@ -13,6 +13,7 @@ from typing import Any, NoReturn, overload
 
 from cadgen.check import Bound, Check
 from cadgen.errors import DesignError, FileError, brief
+from cadgen.messages import Message, joined
 from cadgen.output.files.folder import FolderState, folder_state, publishing, undo_killed
 from cadgen.output.files.lock import locked
 from cadgen.output.files.manifest import file_facts, versions, write_manifest
@@ -240,22 +241,31 @@ def folder_of(folder: str | PathLike[str]) -> Path:
     return Path(folder)
 
 
-def refusal(checks: Sequence[Check], *, forced: bool = True) -> str:
+def refusal(checks: Sequence[Check], *, forced: bool = True) -> Message:
     """Message on a failed export: each check that fails, with its limit and what to change.
 
     Args:
         checks: checks, of which those that fail are named.
         forced: whether the caller can write all the same, by `force`.
     """
-    parts = []
-    for check in checks:
-        if not check.passed:
-            bound = "at most" if check.bound == Bound.MAX else "at least"
-            figures = f"{check.name} is {check.value:.4g} {check.unit}".rstrip()
-            limit = f"{figures}; it must be {bound} {check.limit:.4g} {check.unit}".rstrip()
-            parts.append(f"{limit}: {check.advice}" if check.advice else limit)
-    anyway = "; force=True writes all the same" if forced else ""
-    return f"a check failed, so nothing was written ({'; '.join(parts)}){anyway}"
+    failing = joined([_fault(check) for check in checks if not check.passed], "; ")
+    if forced:
+        return Message(
+            "a check failed, so nothing was written ({failing}); force=True writes all the same", failing=failing
+        )
+    return Message("a check failed, so nothing was written ({failing})", failing=failing)
+
+
+def _fault(check: Check) -> Message:
+    value, limit = (f"{figure:.4g} {check.unit}".rstrip() for figure in (check.value, check.limit))
+    most = check.bound == Bound.MAX
+    fault = Message(
+        "{name} is {value}; it must be at most {limit}" if most else "{name} is {value}; it must be at least {limit}",
+        name=Message(check.name),
+        value=value,
+        limit=limit,
+    )
+    return Message("{fault}: {advice}", fault=fault, advice=Message(check.advice)) if check.advice else fault
 
 
 def verify(folder: str | PathLike[str], *, restore: bool = False) -> FolderState:

@@ -127,7 +127,7 @@ def read_stl(path: Path) -> Mesh:
     count = int.from_bytes(data[_HEADER : _HEADER + 4], "little")
     body = data[_HEADER + 4 :]
     if count == 0 or len(body) != count * _RECORD.itemsize:
-        raise FileError(f"{path.name} is not a whole binary STL file: export it again")
+        raise FileError("{file} is not a whole binary STL file: export it again", file=path.name)
     corners = np.frombuffer(body, _RECORD)["corners"].reshape(-1, 3)
     vertices, index = np.unique(corners, axis=0, return_inverse=True)
     return Mesh(vertices.astype(float), index.reshape(-1, 3))

@@ -235,12 +235,12 @@ def read_csv(path: Path) -> dict[str, Array]:
         if not text.endswith("\n"):
             raise ValueError("cut short")
         if tuple(header) not in [columns(unit) for unit in (MM, RAD, TAN)]:
-            raise FileError(f"{path.name} has columns {', '.join(header)}: write it again")
+            raise FileError("{file} has columns {columns}: write it again", file=path.name, columns=", ".join(header))
         values = {"": "nan", "inner": "0", "outer": "1", "whole": "2"}
         table = np.array([[float(values.get(text, text)) for text in row] for row in rows])
         return dict(zip(header, table.T, strict=True))
     except (ValueError, UnicodeDecodeError, csv.Error) as error:
-        raise FileError(f"{path.name} is not a complete table of contacts: write it again") from error
+        raise FileError("{file} is not a complete table of contacts: write it again", file=path.name) from error
 
 
 def contact_outline(table: dict[str, Array], step: float) -> Outline:
@@ -285,7 +285,7 @@ def write_tracks(file: Path, runs: Mapping[str, Run]) -> None:
     if list(again) != list(table) or not all(
         np.allclose(again[name], values, rtol=0, atol=_READ_TOLERANCE) for name, values in table.items()
     ):
-        raise FileError(f"{file.name}, read back, is not the tracks that were meant: report this design")
+        raise FileError("{file}, read back, is not the tracks that were meant: report this design", file=file.name)
 
 
 def read_tracks(file: Path) -> dict[str, Array]:

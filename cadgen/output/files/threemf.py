@@ -87,8 +87,13 @@ def read_3mf(path: Path) -> tuple[Mesh, str]:
         mesh = Mesh(np.array(vertices), np.array(triangles))
         whole = mesh.triangles.min() >= 0 and mesh.triangles.max() < len(vertices)
     except (zipfile.BadZipFile, zlib.error, ElementTree.ParseError, KeyError, ValueError) as error:
-        raise FileError(f"{path.name} is not a whole 3MF file: export it again") from error
+        raise FileError("{file} is not a whole 3MF file: export it again", file=path.name) from error
     unit = model.get("unit")
     if not whole or unit != "millimeter" or len(bodies) != 1:
-        raise FileError(f"{path.name} holds {len(bodies)} bodies in {unit}, not a whole one in millimeter")
+        raise FileError(
+            "{file} holds {count} bodies in {unit}, not a whole one in millimeter",
+            file=path.name,
+            count=len(bodies),
+            unit=unit,
+        )
     return mesh, bodies[0].get("name", "")

@@ -81,13 +81,13 @@ def read_xyz(path: Path, step: float = 0.05) -> Outline:
     try:
         cloud = np.loadtxt(path, ndmin=2)
     except ValueError as error:
-        raise FileError(f"{path.name} is not a table of numbers: write it again") from error
+        raise FileError("{file} is not a table of numbers: write it again", file=path.name) from error
     if cloud.shape[0] < 4 or cloud.shape[1] != 3 or np.any(cloud[:, 2] != 0) or np.any(cloud[0] != cloud[-1]):
-        raise FileError(f"{path.name} is not a closed cloud of points in the plane z = 0: write it again")
+        raise FileError("{file} is not a closed cloud of points in the plane z = 0: write it again", file=path.name)
     points = cloud[:, :2]
     chords = np.linalg.norm(np.diff(points, axis=0), axis=1)
     if not chords.all():
-        raise FileError(f"{path.name} has two equal neighbours: write it again with fewer points")
+        raise FileError("{file} has two equal neighbours: write it again with fewer points", file=path.name)
     s = np.concatenate([[0.0], np.cumsum(chords)])
     spline = CubicSpline(s, points, bc_type="periodic")
     # From point to point, so that a corner among them is not passed over.
