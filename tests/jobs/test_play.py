@@ -67,7 +67,7 @@ def signed(value, digits):
 
 
 def rows(comparison):
-    """Lines of the table in docs/play.md."""
+    """Lines of the table in docs/decisions/0027-profiles-against-play.md."""
     for one in comparison.evaluations:
         cells = (
             f"{one.profile}, {one.train}",
@@ -95,7 +95,7 @@ def test_the_documentation_has_the_figures_of_the_command(compared):
     reordered = plan_cam(load_design("carbon_free_car", ["optimize.order=reordered"]), "compensated").comparison
     true = {name: {*rows(plan.comparison)} for name, plan in compared.items()}
     true["carbon_free_car"].add(bound_row(reordered))
-    text = (ROOT / "docs/play.md").read_text()
+    text = (ROOT / "docs/decisions/0027-profiles-against-play.md").read_text()
     table = text[text.index("| profile and train |") :].split("\n\n")[0].splitlines()[2:]
     car, told = "", {name: set() for name in CARS}
     for line in table:
