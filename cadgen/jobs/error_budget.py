@@ -11,6 +11,7 @@ from cadgen.deviations.deviation import Deviation
 from cadgen.inference.monte_carlo.budget import Budget, Cost, Process, by_process, error_budget
 from cadgen.inference.monte_carlo.cars import Cars
 from cadgen.inference.monte_carlo.random_cars import Tolerances
+from cadgen.messages import Message
 
 _SHOWN = {"rad": ("deg", degrees(1.0)), "Nmm": ("N·mm", 1.0)}
 
@@ -27,7 +28,7 @@ class BudgetSheet:
     budget: Budget
     processes: Mapping[Process, Budget]
 
-    def sentences(self) -> list[str]:
+    def sentences(self) -> list[Message]:
         """Advice on the tolerance to hold tighter, and the meaning of the marks, in words."""
         lines = []
         costs = self.budget.costs
@@ -35,19 +36,32 @@ class BudgetSheet:
             first = costs[0]
             kept = max(self.budget.after**2 - 0.75 * first.after**2, 0.0) ** 0.5
             lines.append(
-                f"Hold tighter first: {first.name.replace('_', ' ')}, {shown_half_width(first)}; half of it would take "
-                f"all together from {self.budget.after:.0f} to {kept:.0f} mm after a trim."
+                Message(
+                    "Hold tighter first: {name}, {width}; half of it would take all together from {after:.0f} to "
+                    "{kept:.0f} mm after a trim.",
+                    name=Message(first.name.replace("_", " ")),
+                    width=shown_half_width(first),
+                    after=self.budget.after,
+                    kept=kept,
+                )
             )
             untrimmed = max(costs, key=lambda cost: cost.before)
             if untrimmed is not first:
                 lines.append(
-                    f"Without a trim {untrimmed.name.replace('_', ' ')} costs most, {untrimmed.before:.0f} mm; a trial "
-                    f"run and a turn of the micrometer leave {untrimmed.after:.0f} mm of it, as long as it repeats."
+                    Message(
+                        "Without a trim {name} costs most, {before:.0f} mm; a trial run and a turn of the micrometer "
+                        "leave {after:.0f} mm of it, as long as it repeats.",
+                        name=Message(untrimmed.name.replace("_", " ")),
+                        before=untrimmed.before,
+                        after=untrimmed.after,
+                    )
                 )
         if any(not cost.repeats for cost in costs):
-            lines.append("* is anew in every run, or is how closely the trim itself is set: no trim takes it out.")
+            lines.append(
+                Message("* is anew in every run, or is how closely the trim itself is set: no trim takes it out.")
+            )
         if any(cost.rough for budget in (self.budget, *self.processes.values()) for cost in budget.costs):
-            lines.append("~ is beyond what first order is good for: of that size, and no closer.")
+            lines.append(Message("~ is beyond what first order is good for: of that size, and no closer."))
         return lines
 
     def rows(self) -> list[tuple[str, list[str]]]:

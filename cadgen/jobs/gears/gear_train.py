@@ -20,6 +20,7 @@ from cadgen.gears.synthesis import SearchLimits, TrainSearch, arrange
 from cadgen.gears.train import Loose, Train, TrainPlay, WholePlay, teeth_of, train_play
 from cadgen.geometry.meshes.made_train import MadeTrain, failing_stages, make_train
 from cadgen.jobs.gears.assembly import Assembly, checks_facts, parts_facts, return_error, stages_facts
+from cadgen.messages import Message, joined
 from cadgen.output.files.manifest import Origin
 from cadgen.progress import Progress, silent
 
@@ -290,9 +291,9 @@ class _Candidates:
                         break
                 if len(best) < keep:
                     return
-            self.ended = f"the best {keep} whose gears fit their blanks were tried"
+            self.ended = Message("the best {keep} whose gears fit their blanks were tried", keep=keep)
         except DesignError as error:
-            self.ended = str(error)
+            self.ended = error.message
 
     def _open(self, play: TrainPlay) -> bool:
         return self._failing.keys().isdisjoint(play.train.stages)
@@ -309,7 +310,7 @@ def _first_made(
         try:
             made = _make(design, designed, play)
         except DesignError as error:
-            skipped.append(Skipped(play, str(error)))
+            skipped.append(Skipped(play, error.message))
             if trains.limits:
                 trains.exclude(pair for pair in play.train.stages if not _can_be_cut(pair))
             continue
@@ -317,24 +318,25 @@ def _first_made(
         if not wrong:
             return made, tuple(skipped)
         failed.append((len(skipped), made))
-        skipped.append(Skipped(play, f"its check of {' and '.join(wrong)} fails"))
+        failing = joined(map(Message, wrong), " and ")
+        skipped.append(Skipped(play, Message("its check of {failing} fails", failing=failing)))
         if trains.limits:
             trains.exclude(play.train.stages[number] for number in failing_stages(made.layout))
         if len(failed) == MOST_MEASURED:
-            trains.ended = f"{MOST_MEASURED} trains were measured and fail"
+            trains.ended = Message("{count} trains were measured and fail", count=MOST_MEASURED)
             break
     if failed:
         before, made = failed[0]
         return made, tuple(skipped[:before])
     if len(trains.ranked) == 1 and not trains.ended:
         raise DesignError(skipped[0].reason)
-    ended = f"; {trains.ended}" if trains.ended else ""
-    raise NotMadeError(
-        f"none of {len(skipped)} trains can be made; the best, {teeth_of(skipped[0].play)}, not: {skipped[0].reason}"
-        f"{ended}",
-        trains.ranked,
-        baseline,
+    none = Message(
+        "none of {count} trains can be made; the best, {teeth}, not: {reason}",
+        count=len(skipped),
+        teeth=teeth_of(skipped[0].play),
+        reason=skipped[0].reason,
     )
+    raise NotMadeError(joined([none, trains.ended], "; ") if trains.ended else none, trains.ranked, baseline)
 
 
 def _can_be_cut(stage: Stage) -> bool:
@@ -370,20 +372,29 @@ def _directions(designed: Train, made: Train, wanted: Sequence[float | None]) ->
 def _thinning_notes(design: TrainDesign, made: MadeTrain) -> tuple[str, ...]:
     """Meaning of the design's tooth thickness for the return error, in words."""
     keys = gear_model.train_keys(design)
-    zone = "and play, return error and the limits in the table of parts are those of such teeth"
     plays = [stage.play() for stage in made.play.train.stages if isinstance(stage, SpurPair)]
     if not plays:
         return ()
     if keys.E_sn_um is not None:
         widths = [role.T_sn * 1e3 for play in plays for role in (play.driver, play.driven)]
         return (
-            f"E_sn = {keys.E_sn_um:g} µm is the design's own: teeth are cut within T_sn / 2 = {min(widths) / 2:.0f} to"
-            f" {max(widths) / 2:.0f} µm of it, {zone}",
+            Message(
+                "E_sn = {E_sn:g} µm is the design's own: teeth are cut within T_sn / 2 = {least:.0f} to {most:.0f} µm "
+                "of it, and play, return error and the limits in the table of parts are those of such teeth",
+                E_sn=keys.E_sn_um,
+                least=min(widths) / 2,
+                most=max(widths) / 2,
+            ),
         )
     if keys.thinning == Thinning.MIDDLE:
         return ()
-    limit = "upper limit E_sns" if keys.thinning == Thinning.LEAST else "lower limit E_sni"
-    return (f"teeth are cut to the {limit} of their grade, within T_sn / 2 of it, {zone}",)
+    return (
+        Message(
+            "teeth are cut to the {limit} of their grade, within T_sn / 2 of it, and play, return error and the limits "
+            "in the table of parts are those of such teeth",
+            limit=Message("upper limit E_sns" if keys.thinning == Thinning.LEAST else "lower limit E_sni"),
+        ),
+    )
 
 
 def _joint_notes(design: TrainDesign, play: TrainPlay) -> tuple[str, ...]:
@@ -395,19 +406,24 @@ def _joint_notes(design: TrainDesign, play: TrainPlay) -> tuple[str, ...]:
 def _notes(design: TrainDesign, designed: Train, limits: SearchLimits) -> tuple[str, ...]:
     """Limits of the search, and the keys that searched trains do not take over from the stages given, in words."""
     gears = [gear for pair in spur_pairs(designed, "the search is") for gear in (pair.driver, pair.driven)]
-    notes = [f"searched: {limits}"]
+    notes = [Message("searched: {limits}", limits=limits)]
     if left := gear_model.limits_left_out(design):
         notes.append(
-            f"not given in [train.search]: {left}; sizes that are left out span those of the given stages, the other"
-            " limits are the usual ones, widened to the given stages where these go further"
+            Message(
+                "not given in [train.search]: {left}; sizes that are left out span those of the given stages, the other"
+                " limits are the usual ones, widened to the given stages where these go further",
+                left=left,
+            )
         )
     if designed.departures():
         notes.append(
-            "searched gears are made to the standard's tolerances, without those that the design gives for its own;"
-            " they are compared with the given train by the standard"
+            Message(
+                "searched gears are made to the standard's tolerances, without those that the design gives for its own;"
+                " they are compared with the given train by the standard"
+            )
         )
     if any(gear.form.profile_shift for gear in gears):
-        notes.append("searched gears have no profile shift, unlike some of those given")
+        notes.append(Message("searched gears have no profile shift, unlike some of those given"))
     if any(direction is not None for direction in gear_model.directions(design)):
-        notes.append("searched stages are laid out afresh, without the directions of those given")
+        notes.append(Message("searched stages are laid out afresh, without the directions of those given"))
     return tuple(notes)
