@@ -22,10 +22,9 @@ _LONGEST = 300  # s; then a script is ended
 _LOADED = (
     "cadgen.api.gears",
     "cadgen.cli.show_play",
-    "cadgen.output.report.calibration",
+    "cadgen.output.report.record_pictures",
     "cadgen.output.report.cars",
-    "cadgen.output.report.errors",
-    "cadgen.output.report.lift",
+    "cadgen.output.report.cam_pictures",
     "cadgen.output.report.tracks",
     "cadgen.geometry.solids.disc_solid",
     "cadgen.geometry.solids.gear_solids",

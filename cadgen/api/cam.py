@@ -227,7 +227,7 @@ class Cam(CamPlan):
         Returns:
             A matplotlib figure, to be shown in a notebook or saved with `savefig`.
         """
-        from cadgen.output.report.cam import CamPicture, cam_figure
+        from cadgen.output.report.cam_pictures import CamPicture, cam_figure
 
         angle = np.linspace(0.0, TURN, _POINTS + 1)
         extrema = np.concatenate([self.lift.peaks, self.lift.valleys])

@@ -5,11 +5,11 @@ from os import PathLike
 from typing import Any
 
 from cadgen.api.cam import Cam
+from cadgen.figures import Sheet
 from cadgen.jobs.card import plan as card_plan
 from cadgen.jobs.card.files import facts, sentences, write_card
 from cadgen.output.files.publisher import Written, folder_of
-from cadgen.output.report import settings
-from cadgen.output.report.card import Column
+from cadgen.output.report import settings_card
 from cadgen.progress import Progress, silent
 
 
@@ -40,7 +40,7 @@ class Card:
     @property
     def settings(self) -> list[dict[str, Any]]:
         """The settings of each spacing with error and room, as in the table; the unit stands in each name."""
-        return settings.rows(self.computed.design, self.computed.drawn)
+        return settings_card.rows(self.computed.design, self.computed.drawn)
 
     @property
     def cam(self) -> Cam:
@@ -50,16 +50,16 @@ class Card:
     @property
     def legend(self) -> list[str]:
         """Meaning of the columns of the printed card."""
-        return settings.legend(self.computed.design, self._columns, self.computed.draw.stated)
-
-    def table(self) -> tuple[list[str], list[list[str]]]:
-        """The printed card's table: headings, and the cells of each row."""
-        cells = [[column.cell(row) for column in self._columns] for row in self.settings]
-        return [column.heading for column in self._columns], cells
+        return settings_card.legend(self.computed.design, self.computed.drawn, self.computed.draw.stated)
 
     @property
-    def _columns(self) -> tuple[Column, ...]:
-        return settings.columns(self.computed.design, self.computed.drawn)
+    def sheet(self) -> Sheet:
+        """The printed card's table; a spacing that is not kept is marked."""
+        return settings_card.sheet(self.computed.design, self.computed.drawn)
+
+    def table(self) -> tuple[list[str], list[list[str]]]:
+        """The printed card's table as texts: headings, and the cells of each row."""
+        return list(self.sheet.heads), [[cell.text for cell in row] for row in self.sheet.cells]
 
     def facts(self) -> dict[str, Any]:
         """The result as plain values, as in the manifest and with `--json`."""

@@ -12,8 +12,8 @@ from cadgen.car.planner import RESERVE, SEEDS, WITHIN_MM
 from cadgen.design import cam_model
 from cadgen.design.schema import Design as DesignValues
 from cadgen.errors import CheckError, DesignError
+from cadgen.jobs.planning.path_report import facts, sentences
 from cadgen.jobs.planning.plan import PlannedPath, Wanted, plan_design
-from cadgen.jobs.planning.words import facts, sentences
 from cadgen.jobs.planning.write import write_plan
 from cadgen.output.files.publisher import Written, folder_of, refusal
 from cadgen.progress import Progress, silent

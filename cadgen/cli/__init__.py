@@ -20,12 +20,8 @@
 | `edit`      | `cadgen edit`: a design changed on its page in the browser       |
 | `verify`    | `cadgen verify`: a folder against its manifest                     |
 | `options`   | arguments and options that several commands share                  |
-| `show`      | tables of checks and files, progress, JSON                         |
-| `show_play` | tables of profiles, runs, remedies and budgets                     |
-| `show_plan` | a planned path, a card of settings                                |
-| `show_exploration` | results of a study                                         |
-| `show_adjustment` | what to set after trial runs                                |
-| `verdict`   | the last line: PASS or FAIL, and the next step                     |
+| `show`      | progress, sheets of checks and files, sentences, JSON, the verdict |
+| `show_play` | sheets of methods, runs, remedies, many cars and budgets           |
 | `output`    | standard output and sentences on standard error                    |
 | `interrupt` | signals                                                            |
 

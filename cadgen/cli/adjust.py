@@ -6,6 +6,7 @@ import click
 
 from cadgen.car.against_play.profile_kinds import OPTIMIZED
 from cadgen.cli.options import Number, car_profile_option, design_and_files, out_option, overrides_option
+from cadgen.messages import Message
 
 
 @click.command()
@@ -59,8 +60,8 @@ def adjust(
     The exit code is 1 if no car within twice the tolerances explains the trial runs.
     """
     from cadgen.api.design import Design
-    from cadgen.cli import show, show_adjustment
-    from cadgen.cli.verdict import verdict
+    from cadgen.cli import show
+    from cadgen.cli.show import verdict
     from cadgen.design.load import packaged_designs
 
     design, files = design_and_files(arguments, packaged_designs())
@@ -79,11 +80,19 @@ def adjust(
     if as_json:
         show.document(adjustment.facts() if written is None else written.entry)
     else:
-        show_adjustment.settings(adjustment)
+        show.settings(adjustment)
         if written is not None and out is not None:
             show.files(written, out)
         if adjustment.explained:
-            verdict(True, "a car within the tolerances explains the trial runs", "set this, and drive once more")
+            verdict(
+                True,
+                Message("a car within the tolerances explains the trial runs"),
+                Message("set this, and drive once more"),
+            )
         else:
-            verdict(False, "no car within twice the tolerances explains the trial runs", "measure the run again")
+            verdict(
+                False,
+                Message("no car within twice the tolerances explains the trial runs"),
+                Message("measure the run again"),
+            )
     raise SystemExit(0 if adjustment.explained else 1)

@@ -7,6 +7,7 @@ import click
 
 from cadgen.car.against_play.profile_kinds import ACTUAL
 from cadgen.cli.options import Number, car_profile_option, design_and_files, out_option, overrides_option
+from cadgen.messages import Message, joined
 
 if TYPE_CHECKING:
     from cadgen.api.calibration import Advice, Calibration, Predictions
@@ -65,7 +66,7 @@ def calibrate(
     from cadgen.api.calibration import Calibration, Calibrations
     from cadgen.api.design import Design
     from cadgen.cli import show
-    from cadgen.cli.verdict import verdict
+    from cadgen.cli.show import verdict
     from cadgen.design.load import packaged_designs
     from cadgen.output.report.terminal import write
 
@@ -85,7 +86,7 @@ def calibrate(
             show.document({"next": first.facts()})
         else:
             write(first.report, show.Output())
-            verdict(True, "nothing is measured yet", "measure as the first row says")
+            verdict(True, Message("nothing is measured yet"), Message("measure as the first row says"))
         return
     result: Calibration[Design] | Calibrations[Design]
     with show.progress(not as_json) as progress:
@@ -101,16 +102,19 @@ def calibrate(
         show.files(written, out)
     unclear = result.unclear
     if unclear:
-        kinds = ", ".join(f"{name} {what}" for name, what in unclear.items())
-        step = (
-            "measure again, or other data" if ask_next or each else "the same command with --next says what to measure"
-        )
-        verdict(False, f"not all is explained ({kinds})", step)
+        kinds = joined(Message("{name} {what}", name=name, what=Message(what)) for name, what in unclear.items())
+        step: str = Message("measure again, or other data")
+        if not (ask_next or each):
+            step = Message("the same command with --next says what to measure")
+        verdict(False, Message("not all is explained ({kinds})", kinds=kinds), step)
     elif isinstance(result, Calibration) and result.effects:
-        made = "cadgen cam on the as-built design" if written else "--out writes the as-built design, for cadgen cam"
-        verdict(True, "what was measured is explained", made)
+        made = Message("--out writes the as-built design, for cadgen cam")
+        if written:
+            made = Message("cadgen cam on the as-built design")
+        verdict(True, Message("what was measured is explained"), made)
     else:
-        verdict(True, "what was measured is explained", "" if each else "nothing differs from the design: drive")
+        step = "" if each else Message("nothing differs from the design: drive")
+        verdict(True, Message("what was measured is explained"), step)
 
 
 def _more(

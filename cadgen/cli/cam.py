@@ -6,6 +6,7 @@ from pathlib import Path
 import click
 
 from cadgen.cli.options import design_options, formats_option, out_option, profile_option
+from cadgen.messages import Message
 
 
 @click.command()
@@ -29,7 +30,7 @@ def cam(
     """
     from cadgen.api.design import Design
     from cadgen.cli import show, show_play
-    from cadgen.cli.verdict import command, failed, verdict
+    from cadgen.cli.show import command, failed, verdict
     from cadgen.output.files.formats import CAM
 
     loaded = Design.load(design, overrides)
@@ -48,10 +49,18 @@ def cam(
         if plan.passed:
             kept = ["--profile", profile] if profile else []
             draw = command("draw", design, "--only cam", *kept, "--out", str(out), overrides=overrides)
-            verdict(True, f"every check holds, and each file in {out} was read back", f"cut it; {draw} draws it")
+            verdict(
+                True,
+                Message("every check holds, and each file in {out} was read back", out=out),
+                Message("cut it; {draw} draws it", draw=draw),
+            )
         elif written is not None:
-            verdict(False, failed(plan.checks), "do not cut these files; change the design as it is said above")
+            verdict(
+                False, failed(plan.checks), Message("do not cut these files; change the design as it is said above")
+            )
         else:
-            result = f"{failed(plan.checks)}, so nothing was exported (--force exports all the same)"
-            verdict(False, result, "change the design as it is said above")
+            result = Message(
+                "{failing}, so nothing was exported (--force exports all the same)", failing=failed(plan.checks)
+            )
+            verdict(False, result, Message("change the design as it is said above"))
     sys.exit(0 if plan.passed or force else 1)

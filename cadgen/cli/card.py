@@ -5,6 +5,7 @@ from pathlib import Path
 import click
 
 from cadgen.cli.options import design_options, out_option, profile_option
+from cadgen.messages import Message
 
 
 @click.command()
@@ -21,8 +22,8 @@ def card(design: str | None, profile: str | None, overrides: tuple[str, ...], as
     The exit code is 1 if the course is not kept at some spacing, which the card says, or if the cam fails a check.
     """
     from cadgen.api.design import Design
-    from cadgen.cli import show, show_plan
-    from cadgen.cli.verdict import command, failed, verdict
+    from cadgen.cli import show
+    from cadgen.cli.show import command, failed, verdict
 
     loaded = Design.load(design, overrides)
     with show.progress(not as_json) as progress:
@@ -31,16 +32,20 @@ def card(design: str | None, profile: str | None, overrides: tuple[str, ...], as
     if as_json:
         show.document(result.facts() if written is None else written.entry)
     else:
-        show_plan.card(result)
+        show.card(result)
         if written is not None and out is not None:
             show.files(written, out)
         lost = sum(not row["kept"] for row in result.settings)
         if result.passed:
-            step = "print the card" if written else command("card", design, "--out exports", overrides=overrides)
-            verdict(True, f"the course is kept at all {len(result.settings)} spacings", step)
+            step = command("card", design, "--out exports", overrides=overrides)
+            if written:
+                step = Message("print the card")
+            verdict(True, Message("the course is kept at all {count} spacings", count=len(result.settings)), step)
         elif not result.cam.passed:
-            verdict(False, failed(result.cam.checks), "change the design as it is said above")
+            verdict(False, failed(result.cam.checks), Message("change the design as it is said above"))
         else:
-            result_of = f"the course is not kept at {lost} of {len(result.settings)} spacings"
-            verdict(False, result_of, "widen [settings], or plan again with cadgen plan")
+            result_of = Message(
+                "the course is not kept at {lost} of {count} spacings", lost=lost, count=len(result.settings)
+            )
+            verdict(False, result_of, Message("widen [settings], or plan again with cadgen plan"))
     raise SystemExit(0 if result.passed else 1)

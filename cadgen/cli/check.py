@@ -5,6 +5,7 @@ import sys
 import click
 
 from cadgen.cli.options import design_options, profile_option
+from cadgen.messages import Message
 
 
 @click.command()
@@ -17,7 +18,7 @@ def check(design: str | None, overrides: tuple[str, ...], profile: str | None, a
     """
     from cadgen.api.design import Design
     from cadgen.cli import show, show_play
-    from cadgen.cli.verdict import command, failed, verdict
+    from cadgen.cli.show import command, failed, verdict
 
     loaded = Design.load(design, overrides)
     with show.progress(not as_json) as progress:
@@ -30,7 +31,7 @@ def check(design: str | None, overrides: tuple[str, ...], profile: str | None, a
         show_play.comparison(cam)
         if cam.passed:
             kept = ["--profile", profile] if profile else []
-            verdict(True, "every check holds", command("cam", design, *kept, overrides=overrides))
+            verdict(True, Message("every check holds"), command("cam", design, *kept, overrides=overrides))
         else:
-            verdict(False, failed(cam.checks), "change the design as it is said above")
+            verdict(False, failed(cam.checks), Message("change the design as it is said above"))
     sys.exit(0 if cam.passed else 1)

@@ -7,6 +7,7 @@ import click
 
 from cadgen.cli.options import design_options, out_option, profile_option
 from cadgen.gears.choices import Order
+from cadgen.messages import Message, joined
 
 
 @click.command()
@@ -46,7 +47,7 @@ def draw(
     from cadgen.api.design import Design
     from cadgen.api.drawing import draw as drawn
     from cadgen.cli import show
-    from cadgen.cli.verdict import command, failed, verdict
+    from cadgen.cli.show import command, failed, verdict
 
     loaded = Design.load(design, overrides, train_only=only == "train")
     with_train = only != "cam" and (only == "train" or loaded.values.train is not None)
@@ -60,14 +61,20 @@ def draw(
         sys.exit(0 if passed or force else 1)
     broken = failed([check for part in (cam, train) if part is not None for check in part.checks])
     if written is None:
-        see = " and ".join(command(verb, design) for verb, part in (("check", cam), ("gears", train)) if part)
-        verdict(False, f"{broken}, so nothing was drawn (--force draws all the same)", f"{see} say what to change")
+        see = joined((command(verb, design) for verb, part in (("check", cam), ("gears", train)) if part), " and ")
+        verdict(
+            False,
+            Message("{broken}, so nothing was drawn (--force draws all the same)", broken=broken),
+            Message("{see} say what to change", see=see),
+        )
     else:
         show.drawings(written, out)
         if passed:
             without = "PDF" in written.entry.get("omitted", {})
-            look = "open the DXF in a CAD program" if without else "print the PDF at 100 %, and lay the part on it"
-            verdict(True, "each dimension was read back", look)
+            look = Message("print the PDF at 100 %, and lay the part on it")
+            if without:
+                look = Message("open the DXF in a CAD program")
+            verdict(True, Message("each dimension was read back"), look)
         else:
-            verdict(False, broken, "do not make these parts; change the design")
+            verdict(False, broken, Message("do not make these parts; change the design"))
     sys.exit(0 if passed or force else 1)

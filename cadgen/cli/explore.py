@@ -8,6 +8,7 @@ import click
 
 from cadgen.cli import interrupt
 from cadgen.cli.options import out_option
+from cadgen.messages import Message
 
 
 @click.command()
@@ -37,8 +38,8 @@ def explore(
     code is 1 if no design keeps all limits and checks.
     """
     from cadgen.api import exploration
-    from cadgen.cli import show, show_exploration
-    from cadgen.cli.verdict import verdict
+    from cadgen.cli import show
+    from cadgen.cli.show import verdict
 
     interrupt.resumable()
     with show.progress(not as_json) as progress:
@@ -46,12 +47,16 @@ def explore(
             study, out, processes=processes, scheduler=scheduler, shard=shard, progress=progress
         )
         written = computed.write(progress=progress) if computed.complete else None
-    show_exploration.results(computed, written, out, as_json=as_json)
+    show.study(computed, written, out, as_json=as_json)
     if not computed.complete:
         if not as_json:
             part, parts = computed.shard
-            verdict(True, f"shard {part} of {parts} is done", f"when all are, cadgen merge {out} --out {out}")
+            verdict(
+                True,
+                Message("shard {part} of {parts} is done", part=part, parts=parts),
+                Message("when all are, cadgen merge {out} --out {out}", out=out),
+            )
         return
     if not as_json:
-        verdict(*show_exploration.outcome(computed, out))
+        verdict(*show.outcome(computed, out))
     sys.exit(0 if computed.summary.front else 1)

@@ -15,13 +15,13 @@ from cadgen.cli.options import out_option
 def merge(folders: tuple[Path, ...], out: Path, as_json: bool) -> None:
     """Put the shards of a study together: FOLDERS are those that cadgen explore --shard wrote to."""
     from cadgen.api import exploration
-    from cadgen.cli import show, show_exploration
-    from cadgen.cli.verdict import verdict
+    from cadgen.cli import show
+    from cadgen.cli.show import verdict
 
     with show.progress(not as_json) as progress:
         computed = exploration.merge(folders)
         written = computed.write(out, progress=progress)
-    show_exploration.results(computed, written, out, as_json=as_json)
+    show.study(computed, written, out, as_json=as_json)
     if not as_json:
-        verdict(*show_exploration.outcome(computed, out))
+        verdict(*show.outcome(computed, out))
     sys.exit(0 if computed.summary.front else 1)

@@ -5,6 +5,7 @@ from pathlib import Path
 import click
 
 from cadgen.cli.options import Number, out_option, overrides_option
+from cadgen.messages import Message
 
 
 @click.command()
@@ -54,7 +55,7 @@ def new(
     The dimensions of your car go in with --set, as in --set car.wheelbase_mm=180, or later in the file.
     """
     from cadgen.api.design import Design
-    from cadgen.cli.verdict import verdict
+    from cadgen.cli.show import verdict
 
     design = Design.new(
         name,
@@ -66,4 +67,4 @@ def new(
         closed=closed,
         changes=overrides,
     )
-    verdict(True, f"{design.file} begins the design", f"cadgen check {design.file}")
+    verdict(True, Message("{file} begins the design", file=design.file), f"cadgen check {design.file}")

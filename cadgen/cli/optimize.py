@@ -6,6 +6,7 @@ from pathlib import Path
 import click
 
 from cadgen.cli.options import design_options, out_option
+from cadgen.messages import Message
 
 
 @click.command()
@@ -19,7 +20,7 @@ def optimize(design: str | None, overrides: tuple[str, ...], as_json: bool, out:
     """
     from cadgen.api.design import Design
     from cadgen.cli import show, show_play
-    from cadgen.cli.verdict import command, failed, verdict
+    from cadgen.cli.show import command, failed, verdict
 
     loaded = Design.load(design, overrides)
     with show.progress(not as_json) as progress:
@@ -33,13 +34,13 @@ def optimize(design: str | None, overrides: tuple[str, ...], as_json: bool, out:
         show.friction(cam)
         show_play.methods(cam)
         show_play.remedies(remedies)
-        show.failed(cam)
+        show.failures(cam)
         if written is not None and out is not None:
             show.files(written, out)
         if cam.passed:
             step = command("cam", design, "--profile", "optimized", overrides=overrides)
-            verdict(True, "the best profile keeps every limit", step)
+            verdict(True, Message("the best profile keeps every limit"), step)
         else:
-            result = f"even the best profile fails a check: {failed(cam.checks)}"
-            verdict(False, result, "change the design as it is said above")
+            result = Message("even the best profile fails a check: {failing}", failing=failed(cam.checks))
+            verdict(False, result, Message("change the design as it is said above"))
     sys.exit(0 if cam.passed else 1)

@@ -8,6 +8,7 @@ import click
 
 from cadgen.car.planner import RESERVE, SEEDS, WITHIN_MM
 from cadgen.cli.options import Number, out_option, overrides_option
+from cadgen.messages import Message
 
 
 @click.command()
@@ -76,8 +77,8 @@ def plan(
     The exit code is 1 if the course cannot be driven, which is said with the reason, or if a check fails.
     """
     from cadgen.api.design import Design
-    from cadgen.cli import show, show_plan
-    from cadgen.cli.verdict import command, failed, verdict
+    from cadgen.cli import show
+    from cadgen.cli.show import command, failed, verdict
     from cadgen.processes import in_processes
 
     if within_mm is not None and improve is None:
@@ -95,15 +96,15 @@ def plan(
     if as_json:
         show.document(planned.facts() if written is None else written.entry)
     else:
-        show_plan.plan(planned)
+        show.plan(planned)
         if written is not None and out is not None:
             show.files(written, out)
         if planned.passed:
             path = command("plan", course, "--out exports", overrides=overrides)
             step = path if written is None or out is None else f"cadgen cam {out / written.files[0].name}"
-            verdict(True, "the path keeps the course, and every check of its cam holds", step)
+            verdict(True, Message("the path keeps the course, and every check of its cam holds"), step)
         elif planned.cam is None:
-            verdict(False, "the course cannot be driven", "change it as it is said above")
+            verdict(False, Message("the course cannot be driven"), Message("change it as it is said above"))
         else:
-            verdict(False, failed(planned.cam.checks), "change the design")
+            verdict(False, failed(planned.cam.checks), Message("change the design"))
     raise SystemExit(0 if planned.passed else 1)

@@ -7,6 +7,8 @@ from pathlib import Path
 import click
 
 from cadgen.cli.options import design_and_files, out_option, overrides_option, profile_option
+from cadgen.cli.output import tell
+from cadgen.messages import Message, shown
 
 
 @click.command()
@@ -48,7 +50,7 @@ def report(
     from cadgen.api.design import Design
     from cadgen.api.views import Report
     from cadgen.cli import show
-    from cadgen.cli.verdict import failed, verdict
+    from cadgen.cli.show import failed, verdict
     from cadgen.design.load import packaged_designs
 
     design, files = design_and_files(arguments, packaged_designs(), some=False)
@@ -61,10 +63,14 @@ def report(
     else:
         show.files(written, out)
         for text in result.refused:
-            click.echo(f"cadgen: {text}", err=True)
+            tell(shown(text))
         if result.passed:
-            verdict(True, "every check holds", f"open {out / written.files[0].name} in a browser")
+            verdict(
+                True,
+                Message("every check holds"),
+                Message("open {name} in a browser", name=out / written.files[0].name),
+            )
         else:
-            result_of = failed(result.failed) if result.failed else "a part of the design was refused"
-            verdict(False, result_of, f"see the top of {out / written.files[0].name}")
+            result_of = failed(result.failed) if result.failed else Message("a part of the design was refused")
+            verdict(False, result_of, Message("see the top of {name}", name=out / written.files[0].name))
     sys.exit(0 if result.passed else 1)

@@ -1,32 +1,45 @@
-"""Printing of results: progress on standard error, tables or one JSON document on standard output."""
+"""Printing of results: progress on standard error; sheets, sentences and a verdict, or one JSON document."""
 
 import json
 import os
 import shutil
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from itertools import takewhile
-from math import isinf
+from math import isfinite, isinf
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
-from rich.table import Table
 from rich.text import Text
 
 from cadgen.check import Bound
 from cadgen.cli.output import hush
-from cadgen.output.report.terminal import FittedConsole, FittedTable
+from cadgen.figures import Sheet, rounded, with_unit
+from cadgen.messages import Message, joined, shown
+from cadgen.output.report.terminal import FittedConsole, table
 from cadgen.progress import Progress
 
 if TYPE_CHECKING:
     from cadgen import Written
+    from cadgen.api.adjustment import Adjustment
     from cadgen.api.cam import Cam, Cures
+    from cadgen.api.card import Card
+    from cadgen.api.exploration import Exploration
+    from cadgen.api.planning import Plan
     from cadgen.check import Check
 
 
 # Columns of a terminal below which a check's place stands under its name and not beside its figures.
 _NARROW = 72
+_MOST_ROWS = 10  # of the front of a study
+_STATES = {
+    "kept": Message("{count} within all limits"),
+    "outside": Message("{count} outside a limit or check"),
+    "screened": Message("{count} screened out"),
+    "refused": Message("{count} no design"),
+    "crashed": Message("{count} crashed"),
+}
 
 
 class Output(FittedConsole):
@@ -49,8 +62,8 @@ def progress(enabled: bool) -> Iterator[Progress]:
     if not enabled or not console.is_terminal:
         yield lambda text: None
         return
-    with console.status("reading the design") as status:
-        yield status.update
+    with console.status(shown(Message("reading the design"))) as status:
+        yield lambda text: status.update(shown(text))
 
 
 def document(facts: Mapping[str, Any]) -> None:
@@ -61,12 +74,56 @@ def document(facts: Mapping[str, Any]) -> None:
         hush()
 
 
+def sheet(content: Sheet, *, gap: bool = True) -> None:
+    """Print a sheet, with an empty line above its title if `gap` holds."""
+    Output().print(table(content, gap=gap))
+
+
+def sentences(lines: Iterable[str]) -> None:
+    """Print clauses as sentences."""
+    console = Output()
+    for line in map(shown, lines):
+        console.print(f"{line[0].upper()}{line[1:]}{shown(Message('.'))}")
+
+
+def verdict(passed: bool, result: str, step: str = "") -> None:
+    """Print the last line: PASS or FAIL, and what to do next.
+
+    Args:
+        passed: whether the command did all that was asked of it, and every check of its result holds.
+        result: result in a few words.
+        step: what to do next.
+    """
+    head = Text("PASS", "bold green") if passed else Text("FAIL", "bold red")
+    line = Message("{result}; next: {step}", result=result, step=step) if step else result
+    Output().print(Text.assemble(head, f": {shown(line)}"))
+
+
+def failed(checks: "Sequence[Check]") -> Message:
+    """The checks that fail, in words."""
+    names = list(dict.fromkeys(check.name for check in checks if not check.passed))
+    if len(names) == 1:
+        return Message("{name} fails", name=label(names[0]))
+    return Message("{names} fail", names=joined(map(label, names)))
+
+
+def label(name: str) -> Message:
+    """A name that the catalogue may have, as a message."""
+    return Message(name)
+
+
+def command(verb: str, design: str | None, *more: str, overrides: Sequence[str] = ()) -> Message:
+    """A command on the same design, as it is typed; many overrides are only named."""
+    words = " ".join(["cadgen", verb, *([design] if design else []), *more])
+    return Message("{command} (with the same --set)", command=words) if overrides else Message(words)
+
+
 def checks(cam: "Cam", cures: "Cures") -> None:
     """Print the checks as a table, then the advice for each that failed, and the cures of lost lift."""
     for sentence in filter(None, [cam.expected, cam.wheel]):
         Output().print(sentence)
     friction(cam)
-    figures(f"{cam.design.name}, {cam.profile} profile", (*cam.checks, *filter(None, [cam.edges])))
+    figures(_of_profile(cam), (*cam.checks, *filter(None, [cam.edges])))
     for line in cures.sentences():
         Output().print(line)
 
@@ -74,46 +131,142 @@ def checks(cam: "Cam", cures: "Cures") -> None:
 def friction(cam: "Cam") -> None:
     """Print the effect that friction would have on the result, if it was computed without friction."""
     if cam.comparison is not None and cam.comparison.rubbing:
-        Output().print(Text(cam.comparison.rubbing, "yellow"))
+        Output().print(Text(shown(cam.comparison.rubbing), "yellow"))
 
 
-def failed(cam: "Cam") -> None:
+def failures(cam: "Cam") -> None:
     """Print the checks that fail, with their advice; nothing if all pass."""
     if cam.failed:
-        figures(f"\n{cam.design.name}: the {cam.profile} profile fails its checks", cam.failed)
+        title = Message("{name}: the {profile} profile fails its checks", name=cam.design.name, profile=cam.profile)
+        figures(title, cam.failed, gap=True)
 
 
-def figures(title: str, checks: "Sequence[Check]") -> None:
-    """Print checks as a table, then the advice for each that failed."""
+def _of_profile(cam: "Cam") -> Message:
+    return Message("{name}, {profile} profile", name=cam.design.name, profile=cam.profile)
+
+
+def figures(title: str, checks: "Sequence[Check]", *, gap: bool = False) -> None:
+    """Print checks as a table, then the advice for each that failed.
+
+    Args:
+        title: title of the table.
+        checks: checks, in the order of the rows.
+        gap: whether an empty line stands above the title.
+    """
     console = Output()
     narrow = console.width < _NARROW
-    table = plain_table(title)
-    table.add_column("check", overflow="fold")
-    table.add_column("value", justify="right", no_wrap=True)
-    table.add_column("limit", justify="right", no_wrap=True)
-    table.add_column("", no_wrap=True)
-    if not narrow:
-        table.add_column("where", overflow="fold")
+    made = table(Sheet("checks", title, (), ()), gap=gap)
+    for head in ("check", "value", "limit", "", *(() if narrow else ("where",))):
+        made.add_column(shown(head), justify="right" if head in ("value", "limit") else "left")
     for check in checks:
-        verdict = Text("ok", "green") if check.passed else Text("FAIL", "red")
+        verdict = Text(shown(Message("ok")), "green") if check.passed else Text(shown(Message("FAIL")), "red")
         if isinf(check.limit):  # a figure, not a verdict
             verdict = Text("")
         bound = "<=" if check.bound == Bound.MAX else ">="
-        table.add_row(
-            Text.assemble(check.name, (f"\n{check.place}", "dim")) if narrow else check.name,
-            f"{_number(check.value)}{check.unit if check.unit == '°' else ' ' + check.unit_shown}".rstrip(),
+        name, place = shown(check.name), shown(check.place)
+        made.add_row(
+            Text.assemble(name, (f"\n{place}", "dim")) if narrow else Text(name),
+            with_unit(_number(check.value), check.unit_shown),
             f"{bound} {_number(check.limit)}",
             verdict,
-            *([] if narrow else [check.place]),
+            *([] if narrow else [Text(place)]),
         )
-    console.print(table)
+    console.print(made)
     # One advice may serve several checks.
     advice: dict[str, list[str]] = {}
     for check in checks:
         if not check.passed and check.advice:
             advice.setdefault(check.advice, []).append(check.name)
     for text, names in advice.items():
-        console.print(Text.assemble((" and ".join(names), "red"), f": {text}."))
+        named = shown(joined(map(label, names), " and "))
+        console.print(Text.assemble((named, "red"), f"{shown(': ')}{shown(text)}{shown(Message('.'))}"))
+
+
+def _number(value: float) -> str:
+    if isfinite(value):
+        return rounded(value)
+    return shown(Message("none")) if value != value else shown(Message("any"))
+
+
+def plan(planned: "Plan[Any]") -> None:
+    """Print a planned path, and the checks of the cam for it if there is one."""
+    sentences(planned.sentences)
+    if planned.cam is not None:
+        figures(_of_profile(planned.cam), planned.cam.checks, gap=True)
+
+
+def card(result: "Card") -> None:
+    """Print a card: the result, the settings of every spacing, and the checks of a cam that fails."""
+    sentences(result.sentences)
+    sheet(result.sheet, gap=False)
+    for line in result.legend:
+        Output().print(f"{shown(line)}{shown(Message('.'))}", style="dim")
+    failures(result.cam)
+
+
+def settings(adjustment: "Adjustment") -> None:
+    """Print the result of trial runs, what to set, and the comment line of the next run."""
+    sentences(adjustment.sentences)
+    console = Output()
+    console.print(f"\n{shown(Message('Set:'))}")
+    for step in adjustment.steps:
+        console.print(f"- {shown(step)}")
+    console.print(f"\n{shown(Message('If you measure the next run too, begin its file with this line:'))}")
+    console.print(adjustment.line, soft_wrap=True)
+
+
+def study(computed: "Exploration", written: "Written | None", out: Path, *, as_json: bool) -> None:
+    """Print counts, front and files of a study; of a shard, which has none of these yet, only JSON.
+
+    Args:
+        computed: results.
+        written: files that were written; None for a shard.
+        out: folder of the results.
+        as_json: whether to print one JSON document instead.
+    """
+    if as_json:
+        document(computed.facts() if written is None else written.entry)
+        return
+    if written is None:
+        return
+    summary = computed.summary
+    states = joined(Message(_STATES[state].template, count=count) for state, count in summary.states.items())
+    Output().print(
+        Message("{name}: {count} designs, {states}.", name=computed.name, count=computed.computed.count, states=states)
+    )
+    if summary.front:
+        _front(computed)
+    files(written, out)
+
+
+def _front(computed: "Exploration") -> None:
+    study, front = computed.computed.study, computed.summary.front
+    title = Message("front: {count} designs", count=len(front))
+    if len(front) == 1:
+        title = Message("front: 1 design")
+    elif len(front) > _MOST_ROWS:
+        title = Message("front: {count} designs, the first:", count=len(front))
+    rows = tuple(
+        (
+            str(row.number),
+            *(f"{value:.6g}" if isinstance(value, float) else str(value) for value in (*row.values, *row.figures)),
+        )
+        for row in front[:_MOST_ROWS]
+    )
+    heads = (Message("number"), *study.keys, *(figure.code for figure in study.figures))
+    sheet(Sheet("front", title, heads, rows, words=0))
+
+
+def outcome(computed: "Exploration", out: Path) -> tuple[bool, str, str]:
+    """Whether any design of a study keeps all limits and checks, the result in words, and the next step."""
+    place, count = out / computed.name, len(computed.summary.front)
+    if not count:
+        reasons = Message("the columns failed and sentence of {file}.csv say what is in the way", file=place)
+        return False, Message("no design keeps all limits and checks"), reasons
+    best = Message("raise best in the study")
+    if computed.computed.study.file.best:
+        best = Message(f"cadgen cam {place}_best_1.toml")
+    return True, Message("every design has its row; on the front: {count}", count=count), best
 
 
 def files(written: "Written", out: Path) -> None:
@@ -123,28 +276,26 @@ def files(written: "Written", out: Path) -> None:
     """
     entries = written.entry["files"]
     stem = written.part if all(name.startswith(written.part) for name in entries) else ""
-    table = plain_table("")
     with_lift, with_play = (
         any(key in facts for facts in entries.values()) for key in ("lift_error_um", "end_position_mm")
     )
-    table.add_column("file", overflow="fold")
-    heads = ["size", *(["at lift", "limit"] if with_lift else []), *(["end of run"] if with_play else [])]
-    for column in heads:
-        table.add_column(column, justify="right")
+    heads: list[str] = [Message("file"), Message("size")]
+    heads += [Message("at lift"), Message("limit")] if with_lift else []
+    heads += [Message("end of run")] if with_play else []
+    rows = []
     for name, facts in entries.items():
         error, limit, end = (facts.get(key) for key in ("lift_error_um", "lift_limit_um", "end_position_mm"))
-        cells = [size(facts["bytes"])]
+        cells = [name.removeprefix(stem), size(facts["bytes"])]
         if with_lift:
             cells += ["" if error is None else f"{error:.3f} µm", "" if limit is None else f"{limit:g} µm"]
         if with_play:
             cells.append("" if end is None else f"{end:.2f} mm")
-        table.add_row(name.removeprefix(stem), *cells)
+        rows.append(tuple(cells))
     heading(out, stem)
-    console = Output()
-    console.print(table)
+    sheet(Sheet("files", "", tuple(heads), tuple(rows)), gap=False)
     _omitted(written)
     for warning in written.entry.get("warnings", []):
-        console.print(Text.assemble(("Warning", "yellow"), f": {warning}."))
+        Output().print(Text.assemble((shown(Message("Warning")), "yellow"), f"{shown(': ')}{shown(warning)}."))
 
 
 def size(count: int) -> str:
@@ -159,27 +310,8 @@ def heading(out: Path, stem: str) -> None:
 
 def _omitted(written: "Written") -> None:
     for label, reason in written.entry.get("omitted", {}).items():
-        Output().print(Text.assemble((f"{label} left out", "yellow"), f": {reason}."))
-
-
-def plain_table(title: str) -> Table:
-    """A table without rules, with a title above it."""
-    return FittedTable(
-        title=title or None, title_justify="left", title_style="bold", box=None, pad_edge=False, header_style="dim"
-    )
-
-
-def figure_columns(table: Table, heads: Sequence[str]) -> None:
-    """Add the columns of a table of figures: the first has names, the others numbers."""
-    table.add_column(heads[0])
-    for head in heads[1:]:
-        table.add_column(head, justify="right")
-
-
-def _number(value: float) -> str:
-    if value != value or abs(value) == float("inf"):
-        return "none" if value != value else "any"
-    return f"{value:.3g}" if abs(value) < 1e-3 and value else f"{value:.3f}".rstrip("0").rstrip(".")
+        left_out = shown(Message("{label} left out", label=label))
+        Output().print(Text.assemble((left_out, "yellow"), f"{shown(': ')}{shown(reason)}."))
 
 
 def stem_of(names: Collection[str]) -> str:
@@ -192,16 +324,19 @@ def stem_of(names: Collection[str]) -> str:
 def drawings(written: "Written", out: Path) -> None:
     """Print each drawing with its sheet, and what else was written."""
     stem = stem_of(written.entry["files"])
-    table = plain_table("")
-    table.add_column("file", overflow="fold")
-    for column in ("sheet", "scale", "dimensions"):
-        table.add_column(column, justify="right")
+    rows = []
     for name, facts in written.entry["files"].items():
-        count = len(facts["dimensions_mm"]) if "dimensions_mm" in facts else ""
-        table.add_row(name.removeprefix(stem), facts.get("sheet", ""), facts.get("scale", ""), str(count))
+        count = str(len(facts["dimensions_mm"])) if "dimensions_mm" in facts else ""
+        rows.append((name.removeprefix(stem), facts.get("sheet", ""), facts.get("scale", ""), count))
     heading(out, stem)
-    Output().print(table)
+    heads = (Message("file"), Message("sheet"), Message("scale"), Message("dimensions"))
+    sheet(Sheet("drawings", "", heads, tuple(rows)), gap=False)
     _omitted(written)
     if left_open := written.entry.get("not_stated"):
-        named = ", ".join(f"{name} ({key})" for name, key in left_open.items())
-        Output().print(f"The sheets say that these are not stated: {named}. State them in the design, or on the paper.")
+        named = joined(f"{name} ({key})" for name, key in left_open.items())
+        Output().print(
+            Message(
+                "The sheets say that these are not stated: {named}. State them in the design, or on the paper.",
+                named=named,
+            )
+        )

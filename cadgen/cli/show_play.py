@@ -1,10 +1,12 @@
-"""Tables of the commands on play."""
+"""Printing of results against play: methods, remedies, runs, room on the course, many cars, error budget."""
 
 from collections.abc import Sequence
 from math import degrees
 from typing import TYPE_CHECKING
 
-from cadgen.cli.show import Output, figure_columns, friction, plain_table
+from cadgen.cli.show import Output, friction, sheet
+from cadgen.figures import Cell, Sheet, State, with_unit
+from cadgen.messages import Message, joined
 
 if TYPE_CHECKING:
     from cadgen.api.cam import Cam
@@ -14,27 +16,44 @@ if TYPE_CHECKING:
 def comparison(cam: "Cam") -> None:
     """Print the effect of the profile against play, beside that of the profile before."""
     console = Output()
-    for text in cam.notes:
-        console.print(text)
+    for note in cam.notes:
+        console.print(note)
     comparison = cam.comparison
     if comparison is None:
         return
     chosen, before = comparison.chosen, comparison.before
-    low, high = comparison.band.ends
-    over = f"over the band of {degrees(low):.3f} to {degrees(high):.3f}°"
-    if cam.computed.laps is not None:
-        text = ""  # the notes say it
-    elif chosen is before:
-        text = f"{chosen.profile.code} profile: {over} the run ends {chosen.band.worst_distance:.0f} mm off at most. "
-    else:
-        first = "the cam as measured" if before.measured else f"the {before.profile.code} profile"
-        made_for = f"cut for {degrees(chosen.made_for):.3f}°" if chosen.profile.dilated else "not cut for any play"
-        text = (
-            f"{chosen.profile.code} profile, {chosen.train}, {made_for}: with that play the run ends "
-            f"{chosen.error.end_distance:.1f} mm and {abs(degrees(chosen.error.end_heading)):.3f}° off, {over} "
-            f"{chosen.band.worst_distance:.0f} mm at most; with {first} {before.band.worst_distance:.0f} mm. "
+    low, high = map(degrees, comparison.band.ends)
+    text: str = ""  # of laps the notes say it
+    if cam.computed.laps is None and chosen is before:
+        text = Message(
+            "{profile} profile: over the band of {low:.3f} to {high:.3f}° the run ends {worst:.0f} mm off at most. ",
+            profile=Message(chosen.profile.code),
+            low=low,
+            high=high,
+            worst=chosen.band.worst_distance,
         )
-    console.print(f"{text}cadgen optimize compares the methods.")
+    elif cam.computed.laps is None:
+        first = Message("the cam as measured")
+        if not before.measured:
+            first = Message("the {profile} profile", profile=Message(before.profile.code))
+        made_for = Message("not cut for any play")
+        if chosen.profile.dilated:
+            made_for = Message("cut for {play:.3f}°", play=degrees(chosen.made_for))
+        text = Message(
+            "{profile} profile, {train}, {made_for}: with that play the run ends {end:.1f} mm and {heading:.3f}° off, "
+            "over the band of {low:.3f} to {high:.3f}° {worst:.0f} mm at most; with {first} {worst_before:.0f} mm. ",
+            profile=Message(chosen.profile.code),
+            train=Message(chosen.train),
+            made_for=made_for,
+            end=chosen.error.end_distance,
+            heading=abs(degrees(chosen.error.end_heading)),
+            low=low,
+            high=high,
+            worst=chosen.band.worst_distance,
+            first=first,
+            worst_before=before.band.worst_distance,
+        )
+    console.print(joined([text, Message("cadgen optimize compares the methods.")], ""))
 
 
 def methods(cam: "Cam") -> None:
@@ -43,99 +62,140 @@ def methods(cam: "Cam") -> None:
 
     comparison = cam.comparison
     assert comparison is not None
-    console = Output()
-    low, high = comparison.band.ends
-    measured = "" if comparison.band.measured is None else f", measured {degrees(comparison.band.measured):.3f}°"
-    errors = plain_table(
-        f"\nreturn error {degrees(low):.3f} to {degrees(high):.3f}°{measured}; errors at the end of the run with the "
-        "play that each is cut for, against the first profile with that play, and the worst over the band"
-        + ("" if cam.computed.laps is None else "; positions are the greatest on the last turn of the cam")
-    )
-    costs = plain_table(
-        "\nwhat it is cut for; run without play, at its end and where it is furthest off; greatest error of the lift "
-        "with play; sum of deflection errors (eq. 28, 30) at the greatest play"
-    )
-    for table, heads in (
-        (errors, ("profile", "heading", "position", "off", "worst\nheading", "worst\nposition", "worst\noff")),
-        (costs, ("profile", "cut for", "end", "furthest", "lift", "sum", "off")),
-    ):
-        figure_columns(table, heads)
+    low, high = map(degrees, comparison.band.ends)
+    measured = comparison.band.measured
+    errors, costs = list[tuple[Cell | str, ...]](), list[tuple[Cell | str, ...]]()
     several = len({evaluation.train for evaluation in comparison.evaluations}) > 1
     train = ""
     for evaluation in comparison.evaluations:
         if several and evaluation.train != train:
             train = evaluation.train
-            for table in (errors, costs):
-                table.add_row(train, style="dim")
-        name = "cam as measured" if evaluation.measured else evaluation.profile.code.replace("smoothed+", "smoothed, ")
-        style = "bold" if evaluation is comparison.chosen else None
-        first = evaluation is comparison.before
-        errors.add_row(
-            name,
-            f"{degrees(evaluation.error.end_heading):z.3f}°",
-            f"{evaluation.error.end_distance:.1f} mm",
-            "" if first else _share(comparison.gain(evaluation)[1]),
-            f"{degrees(evaluation.band.worst_heading):.2f}°",
-            f"{evaluation.band.worst_distance:.0f} mm",
-            "" if first else _share(comparison.worst_gain(evaluation.band.worst_distance)),
-            style=style,
+            for rows in (errors, costs):
+                rows.append(_row(State.MUTED, Message(train)))
+        name = Message("cam as measured")
+        if not evaluation.measured:
+            name = Message(evaluation.profile.code.replace("smoothed+", "smoothed, "))
+        state = State.STRONG if evaluation is comparison.chosen else State.PLAIN
+        first, figures = evaluation is comparison.before, comparison.figures(evaluation)
+        errors.append(
+            _row(
+                state,
+                name,
+                figures["end_heading"].text("z.3f"),
+                figures["end_position"].text(".1f"),
+                "" if first else figures["position_percent_off"].text(".1f"),
+                figures["worst_end_heading"].text(".2f"),
+                figures["worst_end_position"].text(".0f"),
+                "" if first else figures["worst_position_percent_off"].text(".1f"),
+            )
         )
         # What is skipped and repeated on a compensated profile is meant to be, and no error.
-        summed = not evaluation.profile.dilated
-        costs.add_row(
-            name,
-            f"{degrees(evaluation.made_for):.3f}°" if evaluation.profile.dilated else "",
-            f"{evaluation.deviation.end_distance:.0f} mm",
-            f"{evaluation.deviation.distance.max():.0f} mm",
-            f"{evaluation.worst_lift_error * 1e3:.0f} µm",
-            f"{degrees(evaluation.deflection_sum):.3f}°" if summed else "",
-            _share(comparison.sum_gain(evaluation), 2) if summed and not first else "",
-            style=style,
+        cut = evaluation.profile.dilated
+        costs.append(
+            _row(
+                state,
+                name,
+                f"{degrees(evaluation.made_for):.3f}°" if cut else "",
+                figures["end_position_without_play"].text(".0f"),
+                figures["greatest_position_without_play"].text(".0f"),
+                figures["lift_error"].text(".0f"),
+                "" if cut else figures["deflection_sum"].text(".3f"),
+                "" if cut or first else _share(comparison.sum_gain(evaluation), 2),
+            )
         )
     # The bound is for a rod that slides without friction.
     bounded = comparison.task.mechanics is None
     if bounded:
         worst = comparison.bound
-        errors.add_row(
-            "bound, same peaks",
-            *("", "", ""),
+        ends = (
             f"{degrees(worst.heading):.2f}°",
             f"{worst.distance:.0f} mm",
             _share(comparison.worst_gain(worst.distance)),
-            style="dim",
         )
-    console.print(errors)
-    console.print(costs)
-    for text in (
-        *cam.notes,
-        *comparison.reasons,
-        *(["The bound: no profile with the same peaks and valleys betters it, to first order."] if bounded else []),
-        f"The paper's two methods together take {PAPER_PERCENT} % off its sum of deflection errors.",
-    ):
+        errors.append(_row(State.MUTED, Message("bound, same peaks"), "", "", "", *ends))
+    known: str = ""
+    if measured is not None:
+        known = Message(", measured {play:.3f}°", play=degrees(measured))
+    laps: str = ""
+    if cam.computed.laps is not None:
+        laps = Message("; positions are the greatest on the last turn of the cam")
+    title = Message(
+        "return error {low:.3f} to {high:.3f}°{measured}; errors at the end of the run with the play that each is cut "
+        "for, against the first profile with that play, and the worst over the band{laps}",
+        low=low,
+        high=high,
+        measured=known,
+        laps=laps,
+    )
+    heads = (
+        Message("profile"),
+        Message("heading"),
+        Message("position"),
+        Message("off"),
+        Message("worst\nheading"),
+        Message("worst\nposition"),
+        Message("worst\noff"),
+    )
+    sheet(Sheet("methods", title, heads, _filled(errors, heads)))
+    title = Message(
+        "what it is cut for; run without play, at its end and where it is furthest off; greatest error of the lift "
+        "with play; sum of deflection errors (eq. 28, 30) at the greatest play"
+    )
+    heads = (
+        Message("profile"),
+        Message("cut for"),
+        Message("end"),
+        Message("furthest"),
+        Message("lift"),
+        Message("sum"),
+        Message("off"),
+    )
+    sheet(Sheet("costs", title, heads, _filled(costs, heads)))
+    bound = Message("The bound: no profile with the same peaks and valleys betters it, to first order.")
+    paper = Message(
+        "The paper's two methods together take {percent} % off its sum of deflection errors.", percent=PAPER_PERCENT
+    )
+    console = Output()
+    for text in (*cam.notes, *comparison.reasons, *([bound] if bounded else []), paper):
         console.print(text)
+
+
+def _row(state: State, *texts: str) -> tuple[Cell | str, ...]:
+    return tuple(Cell(text, state=state) for text in texts)
+
+
+def _filled(rows: Sequence[tuple[Cell | str, ...]], heads: Sequence[str]) -> tuple[tuple[Cell | str, ...], ...]:
+    """Rows with empty cells up to the last column."""
+    return tuple((*row, *[""] * (len(heads) - len(row))) for row in rows)
 
 
 def _share(value: float | None, digits: int = 1) -> str:
     return "" if value is None else f"{100 * value:.{digits}f} %"
 
 
-def remedies(sheet: "Sequence[Remedy]") -> None:
+def remedies(remedies: "Sequence[Remedy]") -> None:
     """Print the error that each remedy against play leaves, and what to build for it."""
-    if not sheet:
+    if not remedies:
         return
-    console = Output()
-    table = plain_table(
-        "\nwhat can be done: position errors in the worst car of the bands; remedies are compared without a brake"
+    title = Message(
+        "what can be done: position errors in the worst car of the bands; remedies are compared without a brake"
     )
-    figure_columns(table, ("remedy", "cut for", "end", "on the way"))
-    for remedy in sheet:
-        cut_for = "" if remedy.cut_for is None else f"{degrees(remedy.cut_for):.3f}°"
-        ends = tuple("none" if off is None else f"{off:.0f} mm" for off in (remedy.worst_end, remedy.on_way))
-        table.add_row(remedy.name, cut_for, *ends)
-    console.print(table)
-    for remedy in sheet:
+    heads = (Message("remedy"), Message("cut for"), Message("end"), Message("on the way"))
+    rows = tuple(
+        (
+            remedy.name,
+            remedy.figures["cut_for"].text(".3f"),
+            *(
+                remedy.figures[code].text(".0f") or Message("none")
+                for code in ("worst_end_position", "worst_position_on_run")
+            ),
+        )
+        for remedy in remedies
+    )
+    sheet(Sheet("remedies", title, heads, rows))
+    for remedy in remedies:
         if remedy.build:
-            console.print(f"{remedy.name}: {remedy.build}.")
+            Output().print(Message("{remedy}: {build}.", remedy=remedy.name, build=remedy.build))
 
 
 def runs(simulation: "Simulation[Cam]") -> None:
@@ -146,46 +206,57 @@ def runs(simulation: "Simulation[Cam]") -> None:
     for text in simulation.notes:
         console.print(text)
     known = simulation.computed.comparison.task.mechanics
-    forces = ""
+    forces: str = ""
     if known is not None:
-        forces = f", friction {known.nominal.friction:.3g}, drag {known.nominal.drag:.3g} N·mm"
+        forces = Message(
+            ", friction {friction:.3g}, drag {drag:.3g} N·mm", friction=known.nominal.friction, drag=known.nominal.drag
+        )
         console.print(
-            "The run is that of the car in the middle of its bands of friction and drag; the choice goes by all."
+            Message(
+                "The run is that of the car in the middle of its bands of friction and drag; the choice goes by all."
+            )
         )
-    begin = f"{simulation.cam.design.name}, return error {degrees(simulation.play):.3f}°{forces}"
+    begin = Message(
+        "{name}, return error {play:.3f}°{forces}",
+        name=simulation.cam.design.name,
+        play=degrees(simulation.play),
+        forces=forces,
+    )
     if simulation.events:
-        _events(simulation, f"{begin}: events of the {before.title}")
+        _events(simulation, Message("{begin}: events of the {profile}", begin=begin, profile=before.title))
     else:
-        console.print(f"{begin}: the {before.title} neither jumps nor waits.")
-    table = plain_table("\nend of the run")
-    figure_columns(table, ("profile", "heading", "position", "greatest on the run"))
-    made_for = f", cut for {degrees(chosen.made_for):.3f}°" if chosen.profile.dilated else ""
-    for name, error in (
-        (before.title if before.measured else before.profile.code, simulation.before_error),
-        (f"{chosen.profile}{made_for}", simulation.after_error),
-        (f"{chosen.profile}, without play", chosen.deviation),
-    ):
-        table.add_row(
-            name,
-            f"{degrees(error.end_heading):z.4f}°",
-            f"{error.end_distance:.2f} mm",
-            f"{error.distance.max():.2f} mm",
+        console.print(Message("{begin}: the {profile} neither jumps nor waits.", begin=begin, profile=before.title))
+    name = Message(str(chosen.profile))
+    cut = name
+    if chosen.profile.dilated:
+        cut = Message("{profile}, cut for {play:.3f}°", profile=name, play=degrees(chosen.made_for))
+    rows = tuple(
+        (name, *(figure.text("z.4f" if figure.unit == "°" else ".2f") for figure in error.figures.values()))
+        for name, error in (
+            (before.title if before.measured else before.profile.code, simulation.before_error),
+            (cut, simulation.after_error),
+            (Message("{profile}, without play", profile=name), chosen.deviation),
         )
-    console.print(table)
+    )
+    heads = (Message("profile"), Message("heading"), Message("position"), Message("greatest on the run"))
+    sheet(Sheet("runs", Message("end of the run"), heads, rows))
 
 
 def _events(simulation: "Simulation[Cam]", title: str) -> None:
     """Print every event of the profile before with its deflection, and their sum."""
-    table = plain_table(title)
-    figure_columns(table, ("event", "cam angle", "lift", "deflection"))
-    total = 0.0
-    for event in simulation.events:
-        total += event.deflection
-        table.add_row(
-            event.kind, f"{degrees(event.cam_angle):.2f}°", f"{event.lift:.3f} mm", f"{degrees(event.deflection):.4f}°"
+    rows: list[tuple[Cell | str, ...]] = [
+        (
+            event.kind,
+            event.figures["cam_angle"].text(".2f"),
+            event.figures["lift"].text(".3f"),
+            event.figures["deflection"].text(".4f"),
         )
-    table.add_row("sum", "", "", f"{degrees(total):.4f}°", style="bold")
-    Output().print(table)
+        for event in simulation.events
+    ]
+    total = degrees(sum(event.deflection for event in simulation.events))
+    rows.append(_row(State.STRONG, Message("sum"), "", "", f"{total:.4f}°"))
+    heads = (Message("event"), Message("cam angle"), Message("lift"), Message("deflection"))
+    sheet(Sheet("events", title, heads, tuple(rows)), gap=False)
 
 
 def course(simulation: "Simulation[Cam]") -> None:
@@ -194,20 +265,17 @@ def course(simulation: "Simulation[Cam]") -> None:
     if runs is None:
         return
     planned, played = (run.figures() for run in runs)
-    table = plain_table("\nroom on the course: clearance of the car, and margin inside each gate")
-    table.add_column("on the course")
-    for head in ("planned", "with play"):
-        table.add_column(head, justify="right")
-    table.add_column("with play, by")
     worst: dict[str, str] = {}  # of a gate that is passed on every lap, the lap with the least margin
     for key, (_, room) in played.items():
         gate = key.partition(", lap ")[0]
         if gate not in worst or room < played[worst[gate]][1]:
             worst[gate] = key
-    for key in worst.values():
-        where, room = played[key]
-        table.add_row(key, f"{planned[key][1]:.1f} mm", f"{room:.1f} mm", where)
-    Output().print(table)
+    rows = tuple(
+        (key, f"{planned[key][1]:.1f} mm", f"{played[key][1]:.1f} mm", played[key][0]) for key in worst.values()
+    )
+    title = Message("room on the course: clearance of the car, and margin inside each gate")
+    heads = (Message("on the course"), Message("planned"), Message("with play"), Message("with play, by"))
+    sheet(Sheet("course", title, heads, rows, tail=1))
 
 
 def fleet(run: "ToleranceRun[Cam]") -> None:
@@ -220,71 +288,89 @@ def fleet(run: "ToleranceRun[Cam]") -> None:
     design = result.cam.car.design
     for text in run.notes:
         console.print(text)
-    console.print(
-        f"{design.name}, {result.cam.kind} profile: {result.samples} cars, seed {result.seed}, "
-        f"{design.tolerances.law} law",
-        style="bold",
+    title = Message(
+        "{name}, {profile} profile: {cars} cars, seed {seed}, {law} law",
+        name=design.name,
+        profile=Message(str(result.cam.kind)),
+        cars=result.samples,
+        seed=result.seed,
+        law=Message(design.tolerances.law),
     )
+    console.print(title, style="bold")
     if result.cam.laps is not None:
         console.print(
-            "Position and heading are those where the last lap ends; a lap that turns about its start is right there "
-            "and off elsewhere, so go by the heading, and by the course."
+            Message(
+                "Position and heading are those where the last lap ends; a lap that turns about its start is right "
+                "there and off elsewhere, so go by the heading, and by the course."
+            )
         )
     position, heading = result.end_position, result.end_heading_deg
-    for label, values, unit in (
-        ("position", {"mean": position.mean, **_parts(position), "greatest": position.greatest}, " mm"),
-        ("heading", {"mean of size": heading.mean, **_parts(heading)}, "°"),
-    ):
-        texts = ", ".join(f"{name} {value:.3g}{unit}" for name, value in values.items())
-        console.print(f"{label} error at the end: {texts}")
-    gates = "" if result.gate_width is None else f"pass all {result.gates} gates of {result.gate_width:g} mm"
-    course = f"keep the course: {result.watched}" if result.watched else ""
-    console.print(f"{100 * result.passed:.2f} % {' and '.join(filter(None, [gates, course]))}")
+    ends = (Message("mean"), position.mean), *_parts(position), (Message("greatest"), position.greatest)
+    console.print(Message("position error at the end: {values}", values=_spread(ends, "mm")))
+    sizes = (Message("mean of size"), heading.mean), *_parts(heading)
+    console.print(Message("heading error at the end: {values}", values=_spread(sizes, "°")))
+    kept = []
+    if result.gate_width is not None:
+        kept.append(Message("pass all {gates} gates of {width:g} mm", gates=result.gates, width=result.gate_width))
     if result.watched:
-        kept = ", ".join(f"{100 * part:g} % {margin:.3g} mm" for part, margin in result.margins.items())
-        console.print(f"margin to the course that a share of the cars keeps: {kept}")
-    table = plain_table("\nwhat matters most: errors at the end for a step of each tolerance")
-    figure_columns(table, ("tolerance", "half width", "step", "position", "heading", "of the variance"))
-    for sensitivity in result.sensitivities:
-        deviation = sensitivity.deviation
-        table.add_row(
-            sensitivity.name.replace("_", " "),
-            shown_value(deviation, result.half_widths[deviation]),
-            shown_value(deviation, sensitivity.step),
-            f"{sensitivity.distance:.3f} mm",
-            f"{degrees(sensitivity.heading):.4f}°",
-            f"{100 * sensitivity.share:.1f} %",
+        kept.append(Message("keep the course: {parts}", parts=result.watched))
+    console.print(Message("{percent:.2f} % {kept}", percent=100 * result.passed, kept=joined(kept, " and ")))
+    if result.watched:
+        margins = joined(f"{100 * part:g} % {margin:.3g} mm" for part, margin in result.margins.items())
+        console.print(Message("margin to the course that a share of the cars keeps: {margins}", margins=margins))
+    rows = tuple(
+        (
+            Message(item.name.replace("_", " ")),
+            shown_value(item.deviation, result.half_widths[item.deviation]),
+            shown_value(item.deviation, item.step),
+            f"{item.distance:.3f} mm",
+            f"{degrees(item.heading):.4f}°",
+            f"{100 * item.share:.1f} %",
         )
-    console.print(table)
+        for item in result.sensitivities
+    )
+    heads = (
+        Message("tolerance"),
+        Message("half width"),
+        Message("step"),
+        Message("position"),
+        Message("heading"),
+        Message("of the variance"),
+    )
+    title = Message("what matters most: errors at the end for a step of each tolerance")
+    sheet(Sheet("sensitivities", title, heads, rows))
 
 
-def _parts(spread: "Spread") -> dict[str, float]:
-    return {f"{100 * part:g} %": value for part, value in spread.quantiles.items()}
+def _parts(spread: "Spread") -> tuple[tuple[str, float], ...]:
+    return tuple((f"{100 * part:g} %", value) for part, value in spread.quantiles.items())
 
 
-def budget(sheet: "BudgetSheet") -> None:
+def _spread(values: Sequence[tuple[str, float]], unit: str) -> Message:
+    return joined(Message("{name} {value}", name=name, value=with_unit(f"{value:.3g}", unit)) for name, value in values)
+
+
+def budget(content: "BudgetSheet") -> None:
     """Print the cost of every deviation, before and after a trim, and what to hold tighter."""
     from cadgen.api.runs import shown_half_width
 
-    console = Output()
-    table = plain_table("\nerror budget: how far the end of the run is moved, before and after a trim")
-    figure_columns(table, ("what may be off", "by", "before", "trimmed"))
-    for cost in sheet.budget.costs:
-        rough = "~" if cost.rough else ""
-        table.add_row(
-            cost.name.replace("_", " ") + ("" if cost.repeats else " *"),
-            shown_half_width(cost),
-            f"{rough}{cost.before:.1f} mm",
-            f"{rough}{cost.after:.1f} mm",
+    rows: list[tuple[str, ...]] = []
+    for cost in content.budget.costs:
+        rough, mark = "~" if cost.rough else "", "" if cost.repeats else " *"
+        rows.append(
+            (
+                Message("{name}{mark}", name=Message(cost.name.replace("_", " ")), mark=mark),
+                shown_half_width(cost),
+                f"{rough}{cost.before:.1f} mm",
+                f"{rough}{cost.after:.1f} mm",
+            )
         )
-    table.add_row("all, root of squares", "", f"{sheet.budget.before:.1f} mm", f"{sheet.budget.after:.1f} mm")
-    console.print(table)
-    table = plain_table("\nthe disc by processes, with what they usually hold: mm before and after a trim")
-    table.add_column("what may be off")
-    for process in sheet.processes:
-        table.add_column(process, justify="right")
-    for name, cells in sheet.rows():
-        table.add_row(name.replace("_", " "), *cells)
-    console.print(table)
-    for text in sheet.sentences():
-        console.print(text)
+    together = Message("all, root of squares")
+    rows.append((together, "", f"{content.budget.before:.1f} mm", f"{content.budget.after:.1f} mm"))
+    heads = (Message("what may be off"), Message("by"), Message("before"), Message("trimmed"))
+    title = Message("error budget: how far the end of the run is moved, before and after a trim")
+    sheet(Sheet("budget", title, heads, tuple(rows)))
+    rows = [(Message(name.replace("_", " ")), *cells) for name, cells in content.rows()]
+    title = Message("the disc by processes, with what they usually hold: mm before and after a trim")
+    sheet(Sheet("processes", title, (Message("what may be off"), *map(Message, content.processes)), tuple(rows)))
+    for text in content.sentences():
+        Output().print(text)

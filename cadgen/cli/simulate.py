@@ -5,6 +5,7 @@ from pathlib import Path
 import click
 
 from cadgen.cli.options import Number, design_options, out_option, play_profile_option
+from cadgen.messages import Message
 
 
 @click.command()
@@ -26,7 +27,7 @@ def simulate(
     """
     from cadgen.api.design import Design
     from cadgen.cli import show, show_play
-    from cadgen.cli.verdict import command, failed, verdict
+    from cadgen.cli.show import command, failed, verdict
 
     loaded = Design.load(design, overrides)
     with show.progress(not as_json) as progress:
@@ -37,10 +38,12 @@ def simulate(
     else:
         show_play.runs(simulation)
         show_play.course(simulation)
-        show.failed(simulation.cam)
+        show.failures(simulation.cam)
         show.files(written, out)
         if simulation.cam.passed:
             step = command("tolerance", design, "--profile", profile, overrides=overrides)
-            verdict(True, "every check holds", f"look at the pictures; {step} runs many cars")
+            verdict(
+                True, Message("every check holds"), Message("look at the pictures; {step} runs many cars", step=step)
+            )
         else:
-            verdict(False, failed(simulation.cam.checks), "change the design as it is said above")
+            verdict(False, failed(simulation.cam.checks), Message("change the design as it is said above"))

@@ -7,6 +7,7 @@ import click
 
 from cadgen.car.against_play.profile_kinds import ACTUAL
 from cadgen.cli.options import design_options, out_option, play_profile_option
+from cadgen.messages import Message
 
 
 @click.command()
@@ -46,7 +47,7 @@ def tolerance(
     """
     from cadgen.api.design import Design
     from cadgen.cli import show, show_play
-    from cadgen.cli.verdict import command, failed, verdict
+    from cadgen.cli.show import command, failed, verdict
 
     loaded = Design.load(design, overrides)
     with show.progress(not as_json) as progress:
@@ -60,13 +61,17 @@ def tolerance(
     show_play.fleet(run)
     if run.budget is not None:
         show_play.budget(run.budget)
-    show.failed(run.cam)
+    show.failures(run.cam)
     if written is not None and out is not None:
         show.files(written, out)
     if run.cam.passed:
         again = command("tolerance", design, "--profile", profile, "--budget", overrides=overrides)
         make = command("cam", design, "--profile", profile, overrides=overrides)
-        step = make if budget else f"{again} says what to hold tighter"
-        verdict(True, f"every check holds, and {100 * run.computed.passed:.1f} % of the cars pass", step)
+        step = make if budget else Message("{again} says what to hold tighter", again=again)
+        verdict(
+            True,
+            Message("every check holds, and {passed:.1f} % of the cars pass", passed=100 * run.computed.passed),
+            step,
+        )
     else:
-        verdict(False, failed(run.cam.checks), "change the design as it is said above")
+        verdict(False, failed(run.cam.checks), Message("change the design as it is said above"))

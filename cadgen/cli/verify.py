@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 import click
 
 from cadgen.errors import escaped
+from cadgen.figures import Sheet
+from cadgen.messages import Message
 
 if TYPE_CHECKING:
     from cadgen.output.files.folder import FolderState
@@ -37,34 +39,50 @@ def verify(folder: Path, restore: bool, as_json: bool) -> None:
 
 
 def _report(folder: Path, state: "FolderState") -> None:
-    from cadgen.cli.show import Output, plain_table
-    from cadgen.cli.verdict import verdict
+    from cadgen.cli.show import Output, sheet, verdict
     from cadgen.output.files.folder import State
 
     console = Output()
-    table = plain_table(escaped(str(folder)))
-    table.add_column("file", overflow="fold")
-    table.add_column("state", no_wrap=True)
     unlisted = [file for file in state.files if file.state == State.NOT_LISTED]
-    for file in [*(file for file in state.files if file.part), *unlisted[:UNLISTED_SHOWN]]:
-        table.add_row(escaped(file.name), file.state)
-    console.print(table)
+    shown = [*(file for file in state.files if file.part), *unlisted[:UNLISTED_SHOWN]]
+    rows = tuple((escaped(file.name), Message(file.state)) for file in shown)
+    heads = (Message("file"), Message("state"))
+    sheet(Sheet("folder", escaped(str(folder)), heads, rows, words=2), gap=False)
     if len(unlisted) > UNLISTED_SHOWN:
-        console.print(f"And {len(unlisted) - UNLISTED_SHOWN} more that are not listed.")
+        console.print(Message("And {count} more that are not listed.", count=len(unlisted) - UNLISTED_SHOWN))
     if state.restored:
-        console.print(f"Put back as before a run that was killed: {', '.join(map(escaped, state.restored))}.")
+        console.print(
+            Message("Put back as before a run that was killed: {names}.", names=", ".join(map(escaped, state.restored)))
+        )
     for name in state.half_moved:
         console.print(
-            f"A run was killed while it moved its files into this folder ({name}): the next command that writes here, "
-            f"or cadgen verify --restore, puts back what was there before."
+            Message(
+                "A run was killed while it moved its files into this folder ({name}): the next command that writes "
+                "here, or cadgen verify --restore, puts back what was there before.",
+                name=name,
+            )
         )
     for name in state.left:
-        console.print(f"A run that was killed has left {name}: the next command that writes here removes it.")
+        console.print(
+            Message("A run that was killed has left {name}: the next command that writes here removes it.", name=name)
+        )
     wrong = sum(file.state not in (State.AS_LISTED, State.NOT_LISTED) for file in state.files)
     listed = sum(bool(file.part) for file in state.files)
     if wrong:
-        verdict(False, f"{wrong} of {listed} listed files are not as listed", "do not use them, and export again")
+        verdict(
+            False,
+            Message("{wrong} of {listed} listed files are not as listed", wrong=wrong, listed=listed),
+            Message("do not use them, and export again"),
+        )
     elif state.is_true:
-        verdict(True, f"all {listed} listed files are the ones that were read back", "use them")
+        verdict(
+            True,
+            Message("all {listed} listed files are the ones that were read back", listed=listed),
+            Message("use them"),
+        )
     else:
-        verdict(False, "a run was killed while it moved its files", f"cadgen verify {escaped(str(folder))} --restore")
+        verdict(
+            False,
+            Message("a run was killed while it moved its files"),
+            f"cadgen verify {escaped(str(folder))} --restore",
+        )

@@ -29,8 +29,7 @@ from cadgen.jobs.cam.mechanics import joint_sentences
 from cadgen.jobs.cam.wheel import field_notice
 from cadgen.output.files.publisher import Artifact, Written, folder_of, publish
 from cadgen.output.files.tables import write_tracks
-from cadgen.output.report.errors import draw_events
-from cadgen.output.report.lift import LiftPicture, draw_lift
+from cadgen.output.report.cam_pictures import LiftPicture, draw_events, draw_lift
 from cadgen.output.report.tracks import ErrorLine, Field, TrackPanel, draw_run_errors, draw_tracks
 from cadgen.progress import Progress, silent
 

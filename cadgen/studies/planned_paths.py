@@ -10,8 +10,8 @@ from typing import Any
 from cadgen.design import cam_model
 from cadgen.design.load import course_of
 from cadgen.errors import CadgenError, brief
+from cadgen.jobs.planning.path_report import sentences
 from cadgen.jobs.planning.plan import Wanted, plan_design
-from cadgen.jobs.planning.words import sentences
 from cadgen.studies.design_row import TooLongError, limit_memory, override_of, within
 from cadgen.studies.sampling import REPLAN, Values
 from cadgen.studies.study import ANY, Study

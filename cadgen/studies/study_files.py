@@ -16,7 +16,7 @@ from cadgen.design.load import design_of
 from cadgen.design.planned import overridden_text
 from cadgen.errors import FileError
 from cadgen.output.files.publisher import Artifact, Written, publish
-from cadgen.output.report.exploration import ExplorationPicture, draw_exploration
+from cadgen.output.report.study_pictures import ExplorationPicture, draw_exploration
 from cadgen.progress import Progress, silent
 from cadgen.studies.design_row import DesignJob, DesignState, Row, Task
 from cadgen.studies.front import effects, front, ranked

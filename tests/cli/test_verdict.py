@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from cadgen.cli import cli
-from cadgen.cli.verdict import command, verdict
+from cadgen.cli.show import command, verdict
 
 ROOT = Path(__file__).parents[2]
 

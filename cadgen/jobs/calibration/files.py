@@ -19,7 +19,7 @@ from cadgen.jobs.calibration.new_cam import Built
 from cadgen.jobs.calibration.sources import Source
 from cadgen.output.files.manifest import versions
 from cadgen.output.files.publisher import Artifact, Written, publish, text_file
-from cadgen.output.report.calibration import draw_record
+from cadgen.output.report.record_pictures import draw_record
 from cadgen.output.report.terminal import plain
 from cadgen.progress import Progress, silent
 

@@ -8,8 +8,7 @@ from typing import Any
 from cadgen.errors import CheckError
 from cadgen.jobs.card.plan import Card
 from cadgen.output.files.publisher import Artifact, Written, publish, text_file
-from cadgen.output.report import settings
-from cadgen.output.report.card import printed_card
+from cadgen.output.report import settings_card as settings
 from cadgen.progress import Progress, silent
 from cadgen.version import __version__
 
@@ -64,10 +63,11 @@ def write_card(card: Card, out: Path, progress: Progress = silent) -> Written:
     """
     if not card.cam.passed:
         raise CheckError(sentences(card)[0])
-    stem, known, columns = f"{card.design.name}_card", facts(card), settings.columns(card.design, card.drawn)
-    rows, legend = known["settings"], settings.legend(card.design, columns, card.draw.stated)
+    stem, known = f"{card.design.name}_card", facts(card)
+    rows, legend = known["settings"], settings.legend(card.design, card.drawn, card.draw.stated)
+    sheet, faults = settings.sheet(card.design, card.drawn), [row["fault"] for row in rows]
     title = f"{card.design.name}: settings for the spacing that is drawn"
-    html = printed_card(title, known["said"], columns, rows, legend)
+    html = settings.printed_card(title, known["said"], sheet, faults, legend)
     progress("writing")
 
     def files(folder: Path) -> Iterator[Artifact]:

@@ -5,8 +5,8 @@ from pathlib import Path
 
 from cadgen.design.load import design_of
 from cadgen.errors import FileError
+from cadgen.jobs.planning.path_report import facts
 from cadgen.jobs.planning.plan import PlannedPath
-from cadgen.jobs.planning.words import facts
 from cadgen.output.files.publisher import Artifact, Written, publish, text_file
 from cadgen.progress import Progress, silent
 

@@ -27,14 +27,20 @@ _BOND = "\ue000"  # stands there while lines are folded: a letter to rich, which
 
 
 class FittedConsole(Console):
-    """A console that keeps number and unit on one line, and where brackets in names and sentences are only brackets."""
+    """A console that keeps number and unit on one line, and where brackets in names and sentences are only brackets.
 
-    def __init__(self, **options: Any) -> None:
+    Args:
+        language: language in which messages are printed; the one chosen for the program if left out.
+        options: options of the library's console.
+    """
+
+    def __init__(self, *, language: str | None = None, **options: Any) -> None:
         super().__init__(markup=False, emoji=False, highlight=False, **options)
+        self.language = language
 
     def render_str(self, text: str, **options: Any) -> Text:
         """Text of a sentence or a cell."""
-        return _bound(super().render_str(text, **options))
+        return _bound(super().render_str(shown(text, self.language), **options))
 
     def render(self, renderable: RenderableType, options: ConsoleOptions | None = None) -> Iterable[Segment]:
         """Pieces of a text, a table or a cell, folded."""
@@ -171,23 +177,22 @@ class Heading:
 Block = Heading | Sheet | str
 
 
-def write(blocks: Sequence[Block], console: FittedConsole, language: str | None = None) -> None:
+def write(blocks: Sequence[Block], console: FittedConsole) -> None:
     """Print blocks, folded to the console's width.
 
     Args:
         blocks: headings, sheets and paragraphs.
         console: console that they are printed on.
-        language: language of the texts; the one chosen for the program if left out.
     """
     for block in blocks:
         if isinstance(block, Heading):
-            console.print(f"\n{shown(block.text, language)}", style="bold")
+            console.print(f"\n{shown(block.text, console.language)}", style="bold")
         else:
-            console.print(table(block, language=language) if isinstance(block, Sheet) else shown(block, language))
+            console.print(table(block, language=console.language) if isinstance(block, Sheet) else block)
 
 
 def plain(blocks: Sequence[Block], width: int) -> str:
     """Blocks as plain English text, folded to `width` characters."""
     file = io.StringIO()
-    write(blocks, FittedConsole(file=file, width=width, color_system=None), ENGLISH)
+    write(blocks, FittedConsole(file=file, width=width, color_system=None, language=ENGLISH))
     return "\n".join(line.rstrip() for line in file.getvalue().splitlines()).strip("\n") + "\n"

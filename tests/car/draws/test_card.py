@@ -9,7 +9,7 @@ import pytest
 
 from cadgen import Design
 from cadgen.errors import DesignError
-from cadgen.output.report import settings as settings_words
+from cadgen.output.report import settings_card as settings_words
 from tests.studies import draws
 from tests.studies import draws_truth as truth
 

@@ -13,9 +13,8 @@ from cadgen.car.running.errors import deflections
 from cadgen.design.load import load_design
 from cadgen.jobs.simulation import lift_picture, simulate
 from cadgen.output.report import style
+from cadgen.output.report.cam_pictures import draw_events, draw_lift
 from cadgen.output.report.cars import FleetPicture, draw_budget, draw_fleet
-from cadgen.output.report.errors import draw_events
-from cadgen.output.report.lift import draw_lift
 from cadgen.output.report.tracks import ErrorLine, Field, TrackPanel, draw_run_errors, draw_tracks
 
 
@@ -33,7 +32,7 @@ def figures(monkeypatch):
         kept.append(picture)
         return []
 
-    for module in ("cars", "errors", "lift", "tracks"):
+    for module in ("cars", "cam_pictures", "tracks"):
         monkeypatch.setattr(f"cadgen.output.report.{module}.save", keep)
     return kept
 

@@ -1,16 +1,82 @@
-"""Lift before and after, without and with play (the paper's figures 14 and 16a)."""
+"""Pictures of a cam: its outline and lift, lift before and after with play, and deflection errors by event."""
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import degrees, radians
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import Follower
 from cadgen.car.path_motion import PathMotion
+from cadgen.car.running.errors import Event, deflection_sum
 from cadgen.car.running.play import Following
-from cadgen.output.report.style import AFTER, BEFORE, GREY, WANTED, figure, save, zero_line
+from cadgen.output.report.style import (
+    AFTER,
+    BEFORE,
+    BLACK,
+    BLUE,
+    GREEN,
+    GREY,
+    ORANGE,
+    SKY,
+    VERMILLION,
+    WANTED,
+    figure,
+    save,
+    zero_line,
+)
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+@dataclass(frozen=True, kw_only=True)
+class CamPicture:
+    """Content of the picture of a cam.
+
+    Attributes:
+        title: title of the picture.
+        outline: closed polygon of the profile, shape (n, 2), mm.
+        openings: closed polygons of bore and holes, shape (m, 2) each, mm.
+        cam_angle: cam angles, shape (k,), rad.
+        lift: at these cam angles, shape (k,), mm.
+        extrema: cam angles of peaks and valleys, shape (p,), rad, and the lift there, shape (p,), mm.
+        blend_start: cam angle at which the closing blend begins, rad; a turn or more if there is none.
+    """
+
+    title: str
+    outline: Array
+    openings: Sequence[Array]
+    cam_angle: Array
+    lift: Array
+    extrema: tuple[Array, Array]
+    blend_start: float
+
+
+def cam_figure(content: CamPicture) -> "Figure":
+    """Draw a cam; return the figure, to be shown or saved by the caller."""
+    with figure(10.0, 4.6) as picture:
+        picture.suptitle(content.title, x=0.02, ha="left")
+        plan, lift = picture.subplots(1, 2, width_ratios=(1.0, 1.3))
+        plan.fill(*content.outline.T, facecolor="#e8ecf0", edgecolor=BLACK, linewidth=1.2)
+        for opening in content.openings:
+            plan.fill(*opening.T, facecolor="white", edgecolor=BLACK, linewidth=1.0)
+        plan.plot(0.0, 0.0, "+", color=GREY)
+        plan.set(title="Outline, from the outer face", xlabel="x (mm)", ylabel="y (mm)", aspect="equal")
+
+        lift.plot(np.degrees(content.cam_angle), content.lift, color=AFTER)
+        angle, height = content.extrema
+        lift.plot(np.degrees(angle), height, "o", color=BEFORE, markersize=4, label="peaks and valleys")
+        if content.blend_start < TURN:
+            lift.axvspan(np.degrees(content.blend_start), 360, color="#eeeeee", zorder=0, label="closing blend")
+        lift.set(title="Lift", xlabel="cam angle (°)", ylabel="lift (mm)", xlim=(0, 360))
+        lift.set_xticks(range(0, 361, 60))
+        lift.legend(loc="best")
+    return picture
+
 
 _POINTS = 7200
 _AROUND = 3.5  # times the play, shown to either side of an event
@@ -111,3 +177,41 @@ def _length(value: float) -> str:
 
 def _lift(content: LiftPicture, tan_beta: Array) -> Array:
     return np.asarray(content.follower.lift(tan_beta))
+
+
+_COLORS = (VERMILLION, ORANGE, SKY, GREEN, BLUE)
+_HATCHES = ("", "///", "...", "\\\\\\", "xxx")
+_MOST_EVENTS = 12  # whose labels stand upright beside each other
+
+
+def draw_events(title: str, methods: Mapping[str, Sequence[Event]], folder: Path, name: str) -> list[str]:
+    """Draw each event's deflection error and their sum, one bar for each method; return the files' names.
+
+    Args:
+        title: title of the picture.
+        methods: events by the name of the method; all with the same events in the same order.
+        folder: folder for the files.
+        name: name of the files, without ending.
+    """
+    first = next(iter(methods.values()))
+    many = len(first) > _MOST_EVENTS  # beside each other their labels would stand in one another
+    labels = [f"{event.kind}{' ' if many else chr(10)}{degrees(event.cam_angle):.1f}°" for event in first]
+    width = 0.8 / len(methods)
+    with figure(8.5, 4.6 if many else 4.2) as picture:
+        axes, total = picture.subplots(1, 2, width_ratios=(len(first), max(1.4, 0.14 * len(first))))
+        for number, (method, events) in enumerate(methods.items()):
+            style = {"color": _COLORS[number], "hatch": _HATCHES[number], "edgecolor": "white", "linewidth": 0.0}
+            place = (number - (len(methods) - 1) / 2) * width
+            heights = [degrees(event.deflection) for event in events]
+            axes.bar(np.arange(len(events)) + place, heights, width, label=method, **style)
+            bar = total.bar([place], [degrees(deflection_sum(tuple(events)))], width, **style)
+            total.bar_label(bar, fmt="%.2f", fontsize=7, padding=2)
+        for panel in (axes, total):
+            zero_line(panel)
+            panel.grid(axis="x", visible=False)
+        axes.set_xticks(range(len(labels)), labels, **({"rotation": 90, "fontsize": 7} if many else {}))
+        axes.set(title=title, ylabel="deflection error (°)", xlabel="event and its cam angle")
+        picture.legend(loc="outside lower center", ncols=len(methods), fontsize=8)  # no bar may lie under it
+        total.set_xticks([0], ["sum"])
+        total.margins(y=0.12)
+        return save(picture, folder, name)
