@@ -90,7 +90,7 @@ class Registry(Generic[K]):
     """All kinds of one sort.
 
     Args:
-        noun: name of the sort in messages, such as `follower`.
+        noun: name of the sort in messages, a message itself, such as `follower`.
         kinds: kinds of the package.
         reserved: codes that no kind may take.
         group: group of the entry points of plug-ins; empty if they bring no such kinds.
@@ -117,8 +117,9 @@ class Registry(Generic[K]):
             DesignError: the code is taken, or cannot be the value of a key.
         """
         if kind.code in (*self._reserved, *self._kinds):
-            taken = 'there is a {noun} "{code}" already: choose another code'
-            raise DesignError(taken, noun=self._noun, code=kind.code)
+            raise DesignError(
+                'there is a {noun} "{code}" already: choose another code', noun=self._noun, code=kind.code
+            )
         if not _CODE.fullmatch(kind.code):
             raise DesignError(
                 '"{code}" cannot be the code of a {noun}: take small letters, digits and single _',

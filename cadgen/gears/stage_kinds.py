@@ -11,6 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from cadgen.messages import Message
 from cadgen.registry import Registry
 
 if TYPE_CHECKING:
@@ -38,5 +39,5 @@ class StageKind:
 
 
 SPUR = "spur"
-_KINDS: Registry[StageKind] = Registry("kind of stage", (), (SPUR,), "cadgen.stages", StageKind)
+_KINDS: Registry[StageKind] = Registry(Message("kind of stage"), (), (SPUR,), "cadgen.stages", StageKind)
 register, remove, codes, kind_of, has = _KINDS.register, _KINDS.remove, _KINDS.codes, _KINDS.kind_of, _KINDS.has

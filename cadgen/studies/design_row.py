@@ -251,7 +251,7 @@ class DesignJob:
         for figure in figures:
             value = float(figure.of(evaluated))
             if not isfinite(value):
-                raise CadgenError(f"{figure.code} is {value}, not a finite number")
+                raise CadgenError("{code} is {value}, not a finite number", code=figure.code, value=value)
             known[figure.code] = value
             if any(limit.excess(value) > 0 for limit in self.limits if limit.figure == figure.code):
                 failed.append(figure.code)

@@ -14,10 +14,11 @@ from queue import SimpleQueue
 from typing import Any, Generic, Protocol, TypeVar
 
 from cadgen.errors import DesignError, FileError, brief
+from cadgen.messages import Message
 from cadgen.processes import pool
 
 _UNKNOWN_WORKERS = 64  # reckoned for an executor that does not say how many it has
-AGAIN = "run the same command again, and the study goes on where it was"
+AGAIN = Message("run the same command again, and the study goes on where it was")
 
 
 class Future(Protocol):
@@ -89,7 +90,9 @@ class Given:
         try:
             future: Future = self._executor.submit(function, batch)
         except (BrokenExecutor, RuntimeError, OSError) as error:
-            raise FileError(f"the executor takes no more work ({brief(str(error))}): {AGAIN}") from error
+            raise FileError(
+                "the executor takes no more work ({fault}): {again}", fault=brief(str(error)), again=AGAIN
+            ) from error
         return future
 
     def close(self) -> None:
@@ -123,8 +126,10 @@ class Cluster(Given):
         except (OSError, TimeoutError, ValueError) as error:
             reason = brief(str(error)).rstrip(".") or type(error).__name__
             raise FileError(
-                f"no scheduler with workers answers at {brief(address)} ({reason}): start `dask scheduler` and "
-                "`dask worker`, or correct the address"
+                "no scheduler with workers answers at {address} ({reason}): start `dask scheduler` and `dask "
+                "worker`, or correct the address",
+                address=brief(address),
+                reason=reason,
             ) from error
         super().__init__(self._client.get_executor(pure=False, retries=0), sum(self._client.nthreads().values()))
         self.address = address
@@ -136,7 +141,9 @@ class Cluster(Given):
             FileError: the scheduler has gone.
         """
         if self._client.status != "running":
-            raise FileError(f"the scheduler at {brief(self.address)} has gone: start it again; {AGAIN}")
+            raise FileError(
+                "the scheduler at {address} has gone: start it again; {again}", address=brief(self.address), again=AGAIN
+            )
         return super().submit(function, batch)
 
     def close(self) -> None:
@@ -168,7 +175,8 @@ def engine_of(executor: Any) -> Engine | Mapped:
     if function is not None:
         return Mapped(function)
     raise DesignError(
-        f"the executor is {brief(repr(executor), 60)}; it must have a method submit or map, or be a function like map"
+        "the executor is {executor}; it must have a method submit or map, or be a function like map",
+        executor=brief(repr(executor), 60),
     )
 
 
@@ -312,8 +320,10 @@ def _result(future: Future) -> Sequence[tuple[Any, float]] | None:
 
 def _unable(error: Exception) -> FileError:
     return FileError(
-        f"the workers cannot compute this study ({brief(f'{type(error).__name__}: {error}')}): they need the same "
-        f"cadgen and your own figures installed; then {AGAIN}"
+        "the workers cannot compute this study ({fault}): they need the same cadgen and your own figures "
+        "installed; then {again}",
+        fault=brief(f"{type(error).__name__}: {error}"),
+        again=AGAIN,
     )
 
 
@@ -337,6 +347,8 @@ def _map(
                 sizes.add([seconds for _, seconds in results])
                 done(results)
         except _LOST as error:
-            raise FileError(f"the pool lost its processes ({brief(str(error))}): {AGAIN}") from error
+            raise FileError(
+                "the pool lost its processes ({fault}): {again}", fault=brief(str(error)), again=AGAIN
+            ) from error
         except (TypeError, ValueError, AttributeError, ImportError) as error:
             raise _unable(error) from error

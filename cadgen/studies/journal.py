@@ -88,10 +88,16 @@ class Journal:
             file.parent.mkdir(parents=True, exist_ok=True)
             stream = os.fdopen(os.open(file, os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o666), "r+b")
         except OSError as error:
-            raise FileError(f"{brief(str(file))} cannot be written ({error.strerror}): choose another place") from error
+            raise FileError(
+                "{file} cannot be written ({reason}): choose another place",
+                file=brief(str(file)),
+                reason=error.strerror,
+            ) from error
         try:
             if not lock_now(stream.fileno()):
-                raise FileError(f"another run is at work on {brief(str(file))}: let it end, or choose another folder")
+                raise FileError(
+                    "another run is at work on {file}: let it end, or choose another folder", file=brief(str(file))
+                )
             first = stream.readline(_LONGEST_LINE)
             content = _content(first)
             if content is None and header.line().startswith(first):  # empty, or killed at its first line
@@ -118,7 +124,9 @@ class Journal:
         try:
             stream = file.open("rb")
         except OSError as error:
-            raise FileError(f"{brief(str(file))} cannot be read ({error.strerror}): name another folder") from error
+            raise FileError(
+                "{file} cannot be read ({reason}): name another folder", file=brief(str(file)), reason=error.strerror
+            ) from error
         first = stream.readline(_LONGEST_LINE)
         journal = cls(file, _header(_content(first), file), stream)
         journal._read(len(first))
@@ -186,7 +194,9 @@ class Journal:
         self.stream.seek(place)
         content = _content(self.stream.readline(_LONGEST_LINE))
         if content is None:
-            raise FileError(f"{brief(str(self.file))} was changed while it was read: run the same command again")
+            raise FileError(
+                "{file} was changed while it was read: run the same command again", file=brief(str(self.file))
+            )
         return content
 
     def _note(self, number: int, place: int, seconds: float) -> None:
@@ -228,8 +238,10 @@ class Journal:
             with suppress(OSError):
                 self.stream.truncate(place)
             raise FileError(
-                f"{brief(str(self.file))} cannot be written ({error.strerror}): free some space; run the same command "
-                "again, and the study goes on where it was"
+                "{file} cannot be written ({reason}): free some space; run the same command again, and the study "
+                "goes on where it was",
+                file=brief(str(self.file)),
+                reason=error.strerror,
             ) from error
         return place
 
@@ -263,22 +275,30 @@ def _header(content: Any, file: Path) -> Header:
             raise ValueError
         return Header(**{**known, "shard": (part, parts)})
     except (KeyError, TypeError, ValueError):
-        raise FileError(f"{brief(str(file))} is no journal of cadgen explore: choose another folder") from None
+        raise FileError(
+            "{file} is no journal of cadgen explore: choose another folder", file=brief(str(file))
+        ) from None
 
 
 def _refuse_other(old: Header, new: Header, file: Path) -> None:
     if old.version != new.version:
         raise FileError(
-            f"{brief(str(file))} was begun by cadgen {old.version}, and this is {new.version}: end it with that "
-            "version, or choose another folder"
+            "{file} was begun by cadgen {version}, and this is {this}: end it with that version, or "
+            "choose another folder",
+            file=brief(str(file)),
+            version=old.version,
+            this=new.version,
         )
     if old.fingerprint != new.fingerprint:
         raise FileError(
-            f"{brief(str(file))} is of another study, or of another state of this one: choose another folder, or "
-            "remove it"
+            "{file} is of another study, or of another state of this one: choose another folder, or remove it",
+            file=brief(str(file)),
         )
     if old.shard != new.shard:
         raise FileError(
-            f"{brief(str(file))} is of shard {old.shard[0]}/{old.shard[1]}: name it "
-            f"{journal_name(old.name, old.shard)} again"
+            "{file} is of shard {part}/{parts}: name it {name} again",
+            file=brief(str(file)),
+            part=old.shard[0],
+            parts=old.shard[1],
+            name=journal_name(old.name, old.shard),
         )

@@ -45,7 +45,7 @@ class Results:
         """
         journal = self._journal(number)
         if journal is None:
-            raise FileError(f"design {number} has no result yet: run the study on")
+            raise FileError("design {number} has no result yet: run the study on", number=number)
         return journal.row(number)
 
     def rows(self) -> Iterator[Row]:
@@ -106,13 +106,16 @@ def merged(folders: Sequence[Path]) -> Results:
     for journal in journals:
         if journal.header.version != __version__:
             raise FileError(
-                f"{brief(str(journal.file))} was written by cadgen {journal.header.version}, and this is "
-                f"{__version__}: merge with that version"
+                "{file} was written by cadgen {version}, and this is {this}: merge with that version",
+                file=brief(str(journal.file)),
+                version=journal.header.version,
+                this=__version__,
             )
         if journal.header.fingerprint != first.fingerprint:
             raise FileError(
-                f"{brief(str(journal.file))} is of another study than {brief(str(journals[0].file))}: name the "
-                "folders, or the journals, of one study"
+                "{file} is of another study than {other}: name the folders, or the journals, of one study",
+                file=brief(str(journal.file)),
+                other=brief(str(journals[0].file)),
             )
     study = study_of(first.study, first.text, first.source, first.name)
     count = sum(journal.count for journal in journals) if study.searches else study.count
@@ -120,8 +123,12 @@ def merged(folders: Sequence[Path]) -> Results:
     missing = list(results.missing)
     if missing:
         raise FileError(
-            f"{len(missing)} of {count} designs have no result yet, the first is number {missing[0]}: run the "
-            f"shards on that are not done ({_shards(journals, missing[0])})"
+            "{missing} of {count} designs have no result yet, the first is number {first}: run the shards "
+            "on that are not done ({shards})",
+            missing=len(missing),
+            count=count,
+            first=missing[0],
+            shards=_shards(journals, missing[0]),
         )
     return results
 
@@ -151,7 +158,9 @@ def _allow_open(count: int) -> None:
         return
     if most != resource.RLIM_INFINITY and needed > most:
         raise FileError(
-            f"these are {count} journals, and this computer lets a program open {most} files at once: raise that limit "
-            "(ulimit -n), or take fewer shards"
+            "these are {count} journals, and this computer lets a program open {most} files at once: raise "
+            "that limit (ulimit -n), or take fewer shards",
+            count=count,
+            most=most,
         )
     resource.setrlimit(resource.RLIMIT_NOFILE, (needed, most))

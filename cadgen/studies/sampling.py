@@ -14,6 +14,7 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.errors import DesignError
+from cadgen.messages import Message
 from cadgen.registry import Registry
 
 REPLAN = "replan."  # keys of the study itself, which vary as the design's do
@@ -58,7 +59,7 @@ class Variation:
             DesignError: it is a range without steps.
         """
         if self.count is None:
-            raise DesignError(f"{self.key} is a range, which a full factorial goes through in steps: add step")
+            raise DesignError("{key} is a range, which a full factorial goes through in steps: add step", key=self.key)
         return self.count
 
     def level(self, number: int) -> Any:
@@ -129,7 +130,9 @@ def _latin_hypercube(count: int, dimensions: int, seed: int) -> Array:
     return qmc.LatinHypercube(dimensions, rng=seed).random(count)
 
 
-_SAMPLINGS = Registry("plan", (Sampling("sobol", _sobol), Sampling("latin_hypercube", _latin_hypercube)), (FACTORIAL,))
+_SAMPLINGS = Registry(
+    Message("plan"), (Sampling("sobol", _sobol), Sampling("latin_hypercube", _latin_hypercube)), (FACTORIAL,)
+)
 register, remove = _SAMPLINGS.register, _SAMPLINGS.remove
 
 

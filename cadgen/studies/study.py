@@ -14,6 +14,7 @@ from cadgen.car.planner import RESERVE, SEEDS, WITHIN_MM
 from cadgen.check import CheckCode
 from cadgen.design.section import HERE, DesignSection, OneOf, listed
 from cadgen.errors import DesignError, brief
+from cadgen.messages import Message
 from cadgen.studies import sampling, study_figures
 from cadgen.studies.sampling import REPLAN, ROUNDING, Variation
 from cadgen.studies.study_figures import StudyFigure
@@ -24,6 +25,18 @@ ALL = "all"
 Codes = Annotated[tuple[str, ...], Strict(False)]
 ANY = "any"
 FigureCode = Annotated[str, OneOf(study_figures.codes, study_figures.has)]
+
+
+def at_place(error: ValueError, name: str) -> Message:
+    """Sentence of an error whose key was not known where it was raised.
+
+    Args:
+        error: error whose message may have `HERE` in the place of the key.
+        name: name of the key.
+    """
+    said = Message(*error.args)
+    known = said.arguments.get("here") != HERE
+    return said if known else Message(said.template, **{**said.arguments, "here": name})
 
 
 def plan_kinds() -> tuple[str, ...]:
@@ -42,13 +55,21 @@ class PlanKeys(DesignSection):
     def _counted(self) -> "PlanKeys":
         factorial = self.kind == sampling.FACTORIAL
         if factorial and self.designs is not None:
-            raise ValueError("plan.designs is given, but a full factorial has as many as its values make: remove it")
+            raise ValueError(
+                Message("plan.designs is given, but a full factorial has as many as its values make: remove it")
+            )
         if not factorial and self.designs is None:
-            raise ValueError(f"plan.designs is missing: say how many designs {self.kind} is to choose")
+            raise ValueError(
+                Message("plan.designs is missing: say how many designs {kind} is to choose", kind=self.kind)
+            )
         if self.kind == sampling.SEARCH and (self.designs or 0) < self.population:
             raise ValueError(
-                f"plan.designs is {self.designs}, fewer than the {self.population} of one generation: raise it, or "
-                "lower plan.population"
+                Message(
+                    "plan.designs is {designs}, fewer than the {population} of one generation: raise it, or lower "
+                    "plan.population",
+                    designs=self.designs,
+                    population=self.population,
+                )
             )
         return self
 
@@ -70,31 +91,46 @@ class Vary(DesignSection):
     def _lists(cls, along: Any) -> Any:
         if isinstance(along, dict) and all(isinstance(values, list) for values in along.values()):
             return {key: tuple(values) for key, values in along.items()}
-        raise ValueError(f"{HERE} must have a list for each key")
+        raise ValueError(Message("{here} must have a list for each key", here=HERE))
 
     @model_validator(mode="after")
     def _values_or_range(self) -> "Vary":
         ranged = self.least is not None and self.most is not None
         if (self.values is not None) == ranged or (self.least is None) != (self.most is None):
-            raise ValueError(f"{self.key} must vary either by values or from least to most: give one of the two")
+            raise ValueError(
+                Message("{key} must vary either by values or from least to most: give one of the two", key=self.key)
+            )
         if self.values is not None and not self.values:
-            raise ValueError(f"{self.key} has no values to choose from: add some")
+            raise ValueError(Message("{key} has no values to choose from: add some", key=self.key))
         _refuse_values(self.key, self.values or ())
         for place, value in enumerate(self.values or ()):
             if value in self.values[:place]:  # type: ignore[index]
-                raise ValueError(f"{self.key} has the value {brief(repr(value), 60)} twice: remove one")
+                raise ValueError(
+                    Message("{key} has the value {value} twice: remove one", key=self.key, value=brief(repr(value), 60))
+                )
         for key, values in self.along.items():
             _refuse_values(key, values)
             if len(values) != len(self.values or ()):
                 raise ValueError(
-                    f"{key} changes along with {self.key} and has {len(values)} values, but {self.key} has "
-                    f"{len(self.values or ())}: give it as many, in the same order"
+                    Message(
+                        "{key} changes along with {other} and has {values} values, but {other} has {count}: give it as "
+                        "many, in the same order",
+                        key=key,
+                        other=self.key,
+                        values=len(values),
+                        count=len(self.values or ()),
+                    )
                 )
         if self.values is not None and self.step is not None:
-            raise ValueError(f"{self.key} has values and a step, which is for a range: remove one")
+            raise ValueError(Message("{key} has values and a step, which is for a range: remove one", key=self.key))
         if ranged and not (self.least or 0.0) < (self.most or 0.0):
             raise ValueError(
-                f"the range of {self.key} from {self.least:g} to {self.most:g} is empty: least must be below most"
+                Message(
+                    "the range of {key} from {least:g} to {most:g} is empty: least must be below most",
+                    key=self.key,
+                    least=self.least,
+                    most=self.most,
+                )
             )
         if ranged and self.step is not None:
             self._refuse_step((self.most or 0.0) - (self.least or 0.0), self.step)
@@ -102,22 +138,40 @@ class Vary(DesignSection):
 
     def _refuse_step(self, width: float, step: float) -> None:
         if step > width * (1 + ROUNDING):
-            raise ValueError(f"the step of {self.key} is {step:g}, more than its range is wide: lower it")
+            raise ValueError(
+                Message("the step of {key} is {step:g}, more than its range is wide: lower it", key=self.key, step=step)
+            )
         if width / step > MOST_DESIGNS:
             raise ValueError(
-                f"the step of {self.key} is {step:g}, which makes more than {MOST_DESIGNS} values: raise it"
+                Message(
+                    "the step of {key} is {step:g}, which makes more than {most} values: raise it",
+                    key=self.key,
+                    step=step,
+                    most=MOST_DESIGNS,
+                )
             )
 
 
 def _refuse_values(key: str, values: tuple[Any, ...]) -> None:
     """Refuse more values than can be tried, and those that no key of a design has."""
     if len(values) > _MOST_VALUES:
-        raise ValueError(f"{key} has {len(values)} values; it can have at most {_MOST_VALUES}: give a range instead")
+        raise ValueError(
+            Message(
+                "{key} has {values} values; it can have at most {most}: give a range instead",
+                key=key,
+                values=len(values),
+                most=_MOST_VALUES,
+            )
+        )
     for value in values:
         if not _is_plain(value):
             raise ValueError(
-                f"{key} has the value {brief(repr(value), 60)}; it must be a finite number, a text, true or false, or "
-                "a list of these"
+                Message(
+                    "{key} has the value {value}; it must be a finite number, a text, true or false, or a list of "
+                    "these",
+                    key=key,
+                    value=brief(repr(value), 60),
+                )
             )
 
 
@@ -137,9 +191,16 @@ class LimitKeys(DesignSection):
     @model_validator(mode="after")
     def _limits_something(self) -> "LimitKeys":
         if self.least is None and self.most is None:
-            raise ValueError(f"the limit on {self.figure} has neither least nor most: give one")
+            raise ValueError(Message("the limit on {figure} has neither least nor most: give one", figure=self.figure))
         if self.least is not None and self.most is not None and self.least > self.most:
-            raise ValueError(f"the limit on {self.figure} from {self.least:g} to {self.most:g} is empty: exchange them")
+            raise ValueError(
+                Message(
+                    "the limit on {figure} from {least:g} to {most:g} is empty: exchange them",
+                    figure=self.figure,
+                    least=self.least,
+                    most=self.most,
+                )
+            )
         return self
 
     def excess(self, value: float) -> float:
@@ -158,13 +219,29 @@ def _within(value: object) -> float | str:
     number = isinstance(value, int | float) and not isinstance(value, bool)
     if value == ANY or (number and 0 <= float(value) <= WITHIN_MM[1]):  # type: ignore[arg-type]
         return ANY if value == ANY else float(value)  # type: ignore[arg-type]
-    raise ValueError(f'{HERE} is {value!r:.60}; it must be 0 to {WITHIN_MM[1]:g} (mm), or "{ANY}"')
+    raise ValueError(
+        Message(
+            '{here} is {value!r:.60}; it must be 0 to {most:g} (mm), or "{any}"',
+            here=HERE,
+            value=value,
+            most=WITHIN_MM[1],
+            any=ANY,
+        )
+    )
 
 
 def _reserve(value: object) -> object:
     least, most = RESERVE
     if isinstance(value, bool) or not isinstance(value, int | float) or not least <= value <= most:
-        raise ValueError(f"{HERE} is {brief(repr(value), 60)}; it must be {least:g} to {most:g}")
+        raise ValueError(
+            Message(
+                "{here} is {value}; it must be {least:g} to {most:g}",
+                here=HERE,
+                value=brief(repr(value), 60),
+                least=least,
+                most=most,
+            )
+        )
     return value
 
 
@@ -172,7 +249,15 @@ def _seeds(value: object) -> object:
     least, most = SEEDS
     number = isinstance(value, int | float) and not isinstance(value, bool)
     if not number or not least <= value <= most or value != round(value):  # type: ignore[call-overload,operator]
-        raise ValueError(f"{HERE} is {brief(repr(value), 60)}; it must be a whole number from {least} to {most}")
+        raise ValueError(
+            Message(
+                "{here} is {value}; it must be a whole number from {least} to {most}",
+                here=HERE,
+                value=brief(repr(value), 60),
+                least=least,
+                most=most,
+            )
+        )
     return value
 
 
@@ -231,11 +316,17 @@ class StudyFile(DesignSection):
         keys = [key for each in self.vary for key in (each.key, *each.along)]
         for key in keys:
             if keys.count(key) > 1:
-                raise ValueError(f"{key} varies twice: put all its values into one [[vary]]")
+                raise ValueError(Message("{key} varies twice: put all its values into one [[vary]]", key=key))
             if key.startswith(REPLAN) and self.replan is None:
-                raise ValueError(f"{key} varies, but no path is planned: add [replan]")
+                raise ValueError(Message("{key} varies, but no path is planned: add [replan]", key=key))
             if key.startswith(REPLAN) and key.removeprefix(REPLAN) not in _REPLANNED:
-                raise ValueError(f"{key} cannot vary: of [replan] only {listed(tuple(_REPLANNED), 'and')} do")
+                raise ValueError(
+                    Message(
+                        "{key} cannot vary: of [replan] only {keys} do",
+                        key=key,
+                        keys=listed(tuple(_REPLANNED), "and"),
+                    )
+                )
         for each in self.vary:
             judge = _REPLANNED.get(each.key.removeprefix(REPLAN)) if each.key.startswith(REPLAN) else None
             for value in each.values or (each.least, each.most):
@@ -243,18 +334,22 @@ class StudyFile(DesignSection):
                     if judge is not None:
                         judge(value)
                 except ValueError as error:
-                    raise ValueError(str(error).replace(HERE, each.key)) from None
+                    raise ValueError(at_place(error, each.key)) from None
         for key in self.replan.planned_for if self.replan else ():
             if key not in keys:
-                raise ValueError(f"replan.planned_for names {key}, which does not vary: remove it")
+                raise ValueError(Message("replan.planned_for names {key}, which does not vary: remove it", key=key))
         for name in ("objectives", "record"):
             figures = getattr(self, name)
             if len(set(figures)) < len(figures):
-                raise ValueError(f"{name} names a figure twice: remove one")
+                raise ValueError(Message("{name} names a figure twice: remove one", name=name))
         known = {code.value for code in CheckCode}
         for code in self.checks:
             if code not in known and code != ALL:
-                raise ValueError(f'checks names "{code[:80]}", which is no check: see the codes of cadgen check --json')
+                raise ValueError(
+                    Message(
+                        'checks names "{code}", which is no check: see the codes of cadgen check --json', code=code[:80]
+                    )
+                )
         return self
 
 
@@ -303,8 +398,12 @@ class Study:
             return self.generations * self.file.plan.population
         count = sampling.count(self.file.plan.kind, self.variations, self.file.plan.designs)
         if count > MOST_DESIGNS:
-            many = str(count) if count < 10**15 else "more than 10^15"
-            raise DesignError(f"the plan has {many} designs; it can have at most {MOST_DESIGNS}: use larger steps")
+            many = str(count) if count < 10**15 else Message("more than 10^15")
+            raise DesignError(
+                "the plan has {many} designs; it can have at most {most}: use larger steps",
+                many=many,
+                most=MOST_DESIGNS,
+            )
         return count
 
     @property

@@ -22,6 +22,7 @@ from cadgen.errors import DesignError
 from cadgen.jobs.cam.cam_plan import CamPlan, comparison_of, plan_cam
 from cadgen.jobs.cam.comparison import known_trains
 from cadgen.jobs.tolerance import CarSample, ToleranceRun, tolerance_of
+from cadgen.messages import Message
 from cadgen.output.files.nc import drilling_minutes, milling_minutes
 from cadgen.registry import Registry
 
@@ -186,7 +187,7 @@ def _return_error(evaluated: Evaluated) -> float:
 
 
 _FIGURES = Registry(
-    "figure",
+    Message("figure"),
     (
         StudyFigure(
             code="worst_end_mm",

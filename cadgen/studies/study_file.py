@@ -14,40 +14,43 @@ from cadgen.design.file_names import usable_name
 from cadgen.design.load import design_of, packaged_designs, packaged_studies, read_design
 from cadgen.design.override import key_at, override
 from cadgen.design.parse import DeepError, parse
-from cadgen.design.section import HERE, listed
+from cadgen.design.section import listed
 from cadgen.errors import DesignError, brief
+from cadgen.messages import Message
 from cadgen.reading import read_regular
 from cadgen.studies.design_row import override_of
 from cadgen.studies.sampling import REPLAN, Variation
-from cadgen.studies.study import Study, StudyFile, Vary
+from cadgen.studies.study import Study, StudyFile, Vary, at_place
 
 _KINDS = {
-    "string_type": "a text",
-    "int_type": "a whole number",
-    "int_from_float": "a whole number",
-    "float_type": "a number",
-    "tuple_type": "a list",
-    "model_type": "a section",
-    "model_attributes_type": "a section",
-    "finite_number": "a finite number",
+    "string_type": Message("a text"),
+    "int_type": Message("a whole number"),
+    "int_from_float": Message("a whole number"),
+    "float_type": Message("a number"),
+    "tuple_type": Message("a list"),
+    "model_type": Message("a section"),
+    "model_attributes_type": Message("a section"),
+    "finite_number": Message("a finite number"),
 }
 _BOUNDS = {
-    "greater_than": ("more than", "gt"),
-    "greater_than_equal": ("at least", "ge"),
-    "less_than": ("less than", "lt"),
-    "less_than_equal": ("at most", "le"),
+    "greater_than": (Message("more than"), "gt"),
+    "greater_than_equal": (Message("at least"), "ge"),
+    "less_than": (Message("less than"), "lt"),
+    "less_than_equal": (Message("at most"), "le"),
 }
 
 
-def sentence(error: ValidationError, schema: type[BaseModel]) -> str:
+def sentence(error: ValidationError, schema: type[BaseModel]) -> Message:
     """The first fault, and how many more there are."""
     every = error.errors(include_url=False)
     # A list with a faulty item also counts as one that is too short.
     errors = [each for each in every if each["type"] != "too_short" or not any(_holds(each, other) for other in every)]
-    first = min(errors, key=lambda item: item["type"] != "extra_forbidden")
+    first = _one(min(errors, key=lambda item: item["type"] != "extra_forbidden"), schema)
     rest = len(errors) - 1
-    more = f" (and {rest} more fault{'s' if rest > 1 else ''})" if rest else ""
-    return f"{_one(first, schema)}{more}"
+    if rest == 0:
+        return first
+    more = Message("{fault} (and 1 more fault)", fault=first)
+    return more if rest == 1 else Message("{fault} (and {count} more faults)", fault=first, count=rest)
 
 
 def _holds(outer: Any, inner: Any) -> bool:
@@ -56,26 +59,43 @@ def _holds(outer: Any, inner: Any) -> bool:
     return len(inner["loc"]) > depth and inner["loc"][:depth] == outer["loc"]
 
 
-def _one(item: Any, schema: type[BaseModel]) -> str:
-    kind, place, value, context = item["type"], item["loc"], item["input"], item.get("ctx", {})
+def _one(item: Any, schema: type[BaseModel]) -> Message:
+    kind, place, context = item["type"], item["loc"], item.get("ctx", {})
     name = ".".join(str(part + 1 if isinstance(part, int) else part) for part in place)
+    value = brief(repr(item["input"]), 60)
     if kind == "extra_forbidden":
         names, heading = _names(schema, place[:-1])
-        return f"{brief(name)} is not a key of a study: {heading} takes {listed(names, 'and')}"
+        return Message(
+            "{name} is not a key of a study: {heading} takes {names}",
+            name=brief(name),
+            heading=heading or Message("its top"),
+            names=listed(names, "and"),
+        )
     if kind == "missing":
-        return f"{name} is missing: add it"
+        return Message("{name} is missing: add it", name=name)
     if kind == "value_error":
-        return str(context["error"]).replace(HERE, name)
+        return at_place(context["error"], name)
     if kind in _BOUNDS:
         words, bound = _BOUNDS[kind]
-        return f"{name} is {_shown(value)}; it must be {words} {context[bound]:g}"
-    if kind == "tuple_type" and isinstance(value, dict):
-        return f"{name} is one section; it must be a list of them: write [[{name}]]"
+        return Message(
+            "{name} is {value}; it must be {bound} {limit:g}",
+            name=name,
+            value=value,
+            bound=words,
+            limit=context[bound],
+        )
+    if kind == "tuple_type" and isinstance(item["input"], dict):
+        return Message("{name} is one section; it must be a list of them: write [[{name}]]", name=name)
     if kind in ("too_short", "string_too_short"):
-        return f"{name} is empty: add at least one"
+        return Message("{name} is empty: add at least one", name=name)
     if kind == "string_pattern_mismatch":
-        return f"{name} is {_shown(value)}; it must be letters, digits, _, - and points, the first a letter or digit"
-    return f"{name} is {_shown(value)}; it must be {_KINDS.get(kind, 'something else')}"
+        return Message(
+            "{name} is {value}; it must be letters, digits, _, - and points, the first a letter or digit",
+            name=name,
+            value=value,
+        )
+    wanted = _KINDS.get(kind, Message("something else"))
+    return Message("{name} is {value}; it must be {wanted}", name=name, value=value, wanted=wanted)
 
 
 def _names(schema: Any, place: Sequence[str | int]) -> tuple[list[str], str]:
@@ -89,16 +109,12 @@ def _names(schema: Any, place: Sequence[str | int]) -> tuple[list[str], str]:
         annotation = schema.model_fields[part].annotation
         schema = next(kind for kind in _inside(annotation) if isinstance(kind, type) and issubclass(kind, BaseModel))
     names = [field.alias or name for name, field in schema.model_fields.items()]
-    return names, f"[[{heading}]]" if many else f"[{heading}]" if heading else "its top"
+    return names, f"[[{heading}]]" if many else f"[{heading}]" if heading else ""
 
 
 def _inside(annotation: Any) -> list[Any]:
     parts = getattr(annotation, "__args__", ())
     return [annotation, *(inner for part in parts for inner in _inside(part))]
-
-
-def _shown(value: object) -> str:
-    return brief(repr(value), 60)
 
 
 _MOST_BYTES = 5_000_000
@@ -124,12 +140,14 @@ def read_study(file: Path) -> tuple[Study, str]:
         text = read_regular(file, _MOST_BYTES).decode("utf-8-sig")
     except FileNotFoundError:
         known = listed(list(packaged_studies()), "or")
-        raise DesignError(f"there is no study {name}: correct the path, or name a packaged one ({known})") from None
+        raise DesignError(
+            "there is no study {name}: correct the path, or name a packaged one ({known})", name=name, known=known
+        ) from None
     except UnicodeDecodeError:
-        raise DesignError(f"{name} is not UTF-8 text: save it again as UTF-8") from None
+        raise DesignError("{name} is not UTF-8 text: save it again as UTF-8", name=name) from None
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else error
-        raise DesignError(f"{name} cannot be read ({reason}): give a study that can") from None
+        raise DesignError("{name} cannot be read ({reason}): give a study that can", name=name, reason=reason) from None
     content = _content(text, name)
     if content.base in packaged_designs():
         base, source = read_design(content.base)
@@ -157,11 +175,13 @@ def _content(text: str, name: str) -> StudyFile:
     try:
         return StudyFile.model_validate(parse(text))
     except ValidationError as error:
-        raise DesignError(f"{name}: {sentence(error, StudyFile)}") from None
+        raise DesignError("{name}: {sentence}", name=name, sentence=sentence(error, StudyFile)) from None
     except DeepError:
-        raise DesignError(f"{name} nests keys or brackets more deeply than any study does: correct it") from None
+        raise DesignError(
+            "{name} nests keys or brackets more deeply than any study does: correct it", name=name
+        ) from None
     except ValueError as error:
-        raise DesignError(f"{name} is not TOML ({brief(str(error))}): correct it") from None
+        raise DesignError("{name} is not TOML ({error}): correct it", name=name, error=brief(str(error))) from None
 
 
 def _study(content: StudyFile, base: str, source: str, named: str, stem: str) -> Study:
@@ -176,7 +196,7 @@ def _study(content: StudyFile, base: str, source: str, named: str, stem: str) ->
             _refuse_unusable(each, study, values)
         study.count  # noqa: B018 - refuses a plan that is too large
     except DesignError as error:
-        raise DesignError(f"{named}: {error}") from None
+        raise DesignError("{named}: {error}", named=named, error=error.message) from None
     return study
 
 
@@ -190,7 +210,7 @@ def _variation(given: Vary, values: dict[str, Any]) -> Variation:
     ends = given.least or 0.0, given.most or 0.0, given.step or 0.0
     made = Variation(given.key, given.values or (), *ends, whole, tuple(given.along.items()))
     if whole and not given.values and any(each != round(each) for each in (made.least, made.most, made.step)):
-        raise DesignError(f"{given.key} takes whole numbers: make least, most and step of its range whole")
+        raise DesignError("{key} takes whole numbers: make least, most and step of its range whole", key=given.key)
     return made
 
 

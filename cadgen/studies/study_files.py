@@ -121,7 +121,7 @@ def write_best(results: Results, rows: Sequence[Row], folder: Path) -> list[str]
         file.write_text(text, encoding="utf-8", newline="")
         computed = job.design(task).model_copy(update={"name": name})
         if design_of(file.read_text(encoding="utf-8"), file).content_hash != computed.content_hash:
-            raise FileError(f"{file.name}: read back it is not the design that was computed; try again")
+            raise FileError("{name}: read back it is not the design that was computed; try again", name=file.name)
         names.append(file.name)
     return names
 

@@ -58,7 +58,8 @@ def test_figures_of_the_disc_by_its_polygon(paper):
     with pytest.raises(DesignError, match=r"needs its material: add blank\.material"):
         kind_of("disc_mass_g").of(paper)
     named = evaluated_of(overrides=OVERRIDES[:1])
-    named.__dict__["plan"] = replace(paper.plan, design=named.design)
+    made = replace(paper.plan.making, material=named.design.blank.material)
+    named.__dict__["plan"] = replace(paper.plan, making=made)
     assert kind_of("disc_mass_g").of(named) == pytest.approx(area * 3.0 * 2.70e-3, rel=1e-4)
 
 

@@ -3,7 +3,8 @@ Python, or comes from a plug-in (`cadgen.registry`)."""
 
 from cadgen.cam.followers.kind import FollowerKind
 from cadgen.cam.followers.rod_kind import ROD
+from cadgen.messages import Message
 from cadgen.registry import Registry
 
-_KINDS = Registry("follower", (ROD,), group="cadgen.followers", sort=FollowerKind)
+_KINDS = Registry(Message("follower"), (ROD,), group="cadgen.followers", sort=FollowerKind)
 register, remove, codes, kind_of, has = _KINDS.register, _KINDS.remove, _KINDS.codes, _KINDS.kind_of, _KINDS.has

@@ -159,5 +159,5 @@ B_SPLINE = PathKind(
     build_closed=_b_spline_lap,
 )
 
-_KINDS = Registry("path", (QUINTIC, CUBIC, B_SPLINE))
+_KINDS = Registry(Message("path"), (QUINTIC, CUBIC, B_SPLINE))
 register, remove, codes, kind_of, has = _KINDS.register, _KINDS.remove, _KINDS.codes, _KINDS.kind_of, _KINDS.has

@@ -55,7 +55,7 @@ class Format:
 _MESH, _ARCS = Message("lower export.mesh_chord_um"), Message("lower export.arc_tolerance_um")
 _POINTS = Message("raise export.point_count")
 FORMATS = Registry(
-    "format",
+    Message("format"),
     (
         Format(code="step", label="STEP", cam=cam_step, train=train_step, gear=gear_step, kernel=True),
         Format(code="stl", label="STL", cam=cam_stl, train=train_stl, gear=gear_stl, finer=_MESH),

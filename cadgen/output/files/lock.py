@@ -140,7 +140,7 @@ def _opened(file: Path) -> int:
     except OSError as error:
         if error.errno not in (errno.ELOOP, errno.EISDIR, errno.ENXIO):
             raise
-    raise FileError(f"{file} is a link or no file, but the folder's lock must go there: remove it")
+    raise FileError("{file} is a link or no file, but the folder's lock must go there: remove it", file=file)
 
 
 def _release(file: Path, descriptor: int | None) -> None:
@@ -168,8 +168,9 @@ def _wait(descriptor: int, file: Path, deadline: float) -> None:
     while not _lock(descriptor):
         if time.monotonic() > deadline:
             raise FileError(
-                f"another run still holds {file} after the wait, so nothing was written: end that run, or choose "
-                "another folder"
+                "another run still holds {file} after the wait, so nothing was written: end that run, or choose "
+                "another folder",
+                file=file,
             )
         time.sleep(_POLL_S)
 

@@ -17,6 +17,7 @@ from collections.abc import Collection
 from cadgen.errors import DesignError
 from cadgen.inference.measurement.kinds import lift, profile, track, transmission, zones
 from cadgen.inference.measurement.record import Kind
+from cadgen.messages import Message
 from cadgen.registry import load_plugins, used
 
 LIFT, PROFILE, TRANSMISSION, TRACK, ZONES = lift.KIND, profile.KIND, transmission.KIND, track.KIND, zones.KIND
@@ -34,7 +35,13 @@ def register(kind: Kind) -> None:
     """
     for other in _kinds.values():
         if other.code == kind.code or set(other.header) == set(kind.header):
-            raise ValueError(f"kind {kind.code} cannot be told from {other.code}: give another code and columns")
+            raise ValueError(
+                Message(
+                    "kind {code} cannot be told from {other}: give another code and columns",
+                    code=kind.code,
+                    other=other.code,
+                )
+            )
     _kinds[kind.code] = kind
 
 
@@ -68,7 +75,7 @@ def kind_of(code: str) -> Kind:
         DesignError: there is none.
     """
     if not has(code):
-        raise DesignError(f'there is no kind of data "{code}": write {" or ".join(_kinds)}')
+        raise DesignError('there is no kind of data "{code}": write {kinds}', code=code, kinds=" or ".join(_kinds))
     kind: Kind = used(_kinds[code])
     return kind
 
@@ -92,7 +99,9 @@ def _look_for_plugins() -> None:
 
 def _register_plugin(kind: object) -> None:
     if not isinstance(kind, Kind):
-        raise TypeError(f"it brings {type(kind).__name__}, and should bring a kind of measured data")
+        raise TypeError(
+            Message("it brings {found}, and should bring a kind of measured data", found=type(kind).__name__)
+        )
     register(kind)
 
 
