@@ -1,5 +1,6 @@
 """Sheet of a cam: face, section, radii by the angle, and what a shop has to know of it."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from math import atan2, ceil, cos, degrees, sin
 
@@ -8,12 +9,13 @@ import shapely
 
 from cadgen.arrays import TURN, Array
 from cadgen.curves.contour import Contour, circle
+from cadgen.messages import Message
 from cadgen.output.drawing.placement import placed
 from cadgen.output.drawing.section import Layer, ScrewHole, beyond, drawn, material
 from cadgen.output.drawing.sheet import (
     BEYOND,
-    DIAMETER,
     EDGE,
+    FIT_OPEN,
     LEFT,
     SHOWN,
     SIZES,
@@ -29,13 +31,15 @@ from cadgen.output.drawing.sheet import (
     Stroke,
     Title,
     View,
+    across_axis,
+    along_axis,
+    axial_diameter,
     centre_cross,
     chosen_sheet,
     cutting_plane,
     ring,
+    rounded,
     section_name,
-    shown,
-    wrapped,
 )
 from cadgen.parts.blank import Blank
 from cadgen.parts.face import Face
@@ -93,7 +97,9 @@ def cam_drawing(cam: CamPart, title: Title) -> DrawingSheet:
     width, height = SIZES[size]
     least = EDGE + TITLE_SIZE[1] + 19.0 + _letters_below(cam) + scale * across / 2
     face_at = (LEFT + 22.0 + scale * across / 2, max(least, height / 2 + 5.0))
-    section_at = (face_at[0] + scale * across / 2 + 38.0 + scale * _below(cam), face_at[1])
+    hub = cam.blank.hub
+    below = hub.length if hub and hub.side == Face.INNER else 0.0
+    section_at = (face_at[0] + scale * across / 2 + 38.0 + scale * below, face_at[1])
     table_at = (width - EDGE - table_width, height - EDGE - 2.0)
     tables = _radii(cam, table_at)
     return DrawingSheet(
@@ -102,15 +108,10 @@ def cam_drawing(cam: CamPart, title: Title) -> DrawingSheet:
         title=title,
         views=(_face(cam, face_at, scale), _section(cam, section_at, scale)),
         tables=tables,
-        notes=wrapped(_notes(cam), table_width),
+        notes=tuple(_notes(cam)),
         notes_at=(table_at[0], table_at[1] - max(table.height for table in tables) - 3.0),
+        notes_width=table_width,
     )
-
-
-def _below(cam: CamPart) -> float:
-    """Length of a hub on the inner face, mm."""
-    hub = cam.blank.hub
-    return hub.length if hub and hub.side == Face.INNER else 0.0
 
 
 def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
@@ -126,7 +127,11 @@ def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     ]
     labels = [
         Label(text="θ = 0", at=(zero + 0.6 * _ARROW / scale, 2.2 / scale)),
-        Label(text=f"{cam.face}: this face up", at=(0.0, -reach - 1.1 * gap - _letters_below(cam) / scale), height=3.5),
+        Label(
+            text=Message("{face}: this face up", face=cam.face),
+            at=(0.0, -reach - 1.1 * gap - _letters_below(cam) / scale),
+            height=3.5,
+        ),
     ]
     curves += _arrow((zero + _ARROW / scale, 0.0), (zero + 0.8 / scale, 0.0), 2.5 / scale)
     if blank.hub:
@@ -217,33 +222,18 @@ def _section(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     low = min(area.bounds[0] for area in areas)
     high = max(area.bounds[2] for area in areas)
     axis = Stroke(np.array([[low - 0.5 * gap, 0.0], [high + 0.5 * gap, 0.0]]), LineKind.CENTRE)
-    dimensions: list[Dimension] = [
-        LinearDimension(name="thickness", start=(0.0, top), end=(thickness, top), at=(0.0, top + 0.8 * gap))
-    ]
+    dimensions: list[Dimension] = [along_axis("thickness", (0.0, thickness), top, top + 0.8 * gap)]
     if isinstance(blank.key, Keyway):
         radius, depth = blank.bore_diameter / 2, blank.key.depth
         side = boss.high if boss else thickness
-        at = (max(side, thickness) + gap, 0.0)
-        dimensions.append(
-            LinearDimension(
-                name="bore and keyway", start=(side, -radius), end=(side, radius + depth), at=at, angle=90.0
-            )
-        )
+        at = max(side, thickness) + gap
+        dimensions.append(across_axis("bore and keyway", side, (-radius, radius + depth), at))
     if boss:
         outer, half = boss.high > thickness, boss.diameter / 2
         end = boss.high if outer else boss.low
         dimensions += [
-            LinearDimension(
-                name="hub length", start=(boss.low, -half), end=(boss.high, -half), at=(boss.low, -half - 1.6 * gap)
-            ),
-            LinearDimension(
-                name="hub diameter",
-                start=(end, -half),
-                end=(end, half),
-                at=(end + (2.0 if outer else -1.0) * gap, 0.0),
-                angle=90.0,
-                prefix=DIAMETER,
-            ),
+            along_axis("hub length", (boss.low, boss.high), -half, -half - 1.6 * gap),
+            axial_diameter("hub diameter", end, half, end + (2.0 if outer else -1.0) * gap),
         ]
     if boss and screw:
         face, side = (thickness, 1.0) if boss.high > thickness else (0.0, -1.0)
@@ -251,7 +241,7 @@ def _section(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     middle, under = (low + high) / 2, -cam.greatest[0] - 1.1 * gap
     labels = (
         Label(text=section_name(angle), at=(middle, under), height=3.5),
-        Label(text=f"{cam.face} on the right", at=(middle, under - 5.0 / scale)),
+        Label(text=Message("{face} on the right", face=cam.face), at=(middle, under - 5.0 / scale)),
     )
     return View(
         place=place,
@@ -296,13 +286,13 @@ def _radii(cam: CamPart, at: tuple[float, float]) -> tuple[SheetTable, ...]:
     """Radius of the outline by the polar angle, in three tables beside each other."""
     head = ("θ, °", "R, mm")
     cells = [
-        (shown(degrees(angle), 1), f"{radius:.3f}")
+        (rounded(degrees(angle), 1), f"{radius:.3f}")
         for angle, radius in zip(cam.angles.tolist(), cam.radii.tolist(), strict=True)
     ]
     third = ceil(len(cells) / 3)
     return tuple(
         SheetTable(
-            title="outline about the axis" if number == 0 else "",
+            title=Message("outline about the axis") if number == 0 else "",
             at=(at[0] + number * 34.0, at[1]),
             widths=(13.0, 20.0),
             rows=(head, *cells[number * third : (number + 1) * third]),
@@ -311,50 +301,81 @@ def _radii(cam: CamPart, at: tuple[float, float]) -> tuple[SheetTable, ...]:
     )
 
 
-def _notes(cam: CamPart) -> tuple[str, ...]:
-    (most, at_most), (least, at_least) = cam.greatest, cam.least
-    notes = [
-        f"R {most:.3f} at most, at θ = {degrees(at_most) % 360:.1f}°; {least:.3f} at least, at "
-        f"{degrees(at_least) % 360:.1f}°.",
-        "θ counts counterclockwise from the arrow. The table is for inspection; cut from a file (sha256):",
-        *(f"   {name}  {digest[:SHOWN]}" for name, digest in cam.files),
-    ]
+def _notes(cam: CamPart) -> Iterator[str]:
+    blank, (most, at_most), (least, at_least) = cam.blank, cam.greatest, cam.least
+    yield Message(
+        "R {most:.3f} at most, at θ = {at_most:.1f}°; {least:.3f} at least, at {at_least:.1f}°.",
+        most=most,
+        at_most=degrees(at_most) % 360,
+        least=least,
+        at_least=degrees(at_least) % 360,
+    )
+    yield Message("θ counts counterclockwise from the arrow. The table is for inspection; cut from a file (sha256):")
+    yield from (f"   {name}  {digest[:SHOWN]}" for name, digest in cam.files)
     if not cam.files:
-        notes.append("   none lies in this folder: make one with cadgen cam.")
+        yield Message("   none lies in this folder: make one with cadgen cam.")
     if cam.profile_tolerance is not None:
-        key = {Keyway: " and the keyway (datum B)", DFlat: " and the flat (datum B)"}.get(type(cam.blank.key), "")
-        notes.append(f"Outline: profile of a line {2 * cam.profile_tolerance:g} mm to the bore (datum A){key}.")
-    at_angle = {Keyway: "Keyway", DFlat: "Flat"}.get(type(cam.blank.key), "")
-    if cam.blank.key and at_angle:
-        notes.append(f"{at_angle} at θ = {shown(degrees(cam.blank.key.angle), 3)}°.")
-    elif cam.blank.mark:
-        notes.append("Plain bore: the mark alone tells the angle on the part.")
+        zone = {"zone": 2 * cam.profile_tolerance}
+        if isinstance(blank.key, Keyway):
+            yield Message(
+                "Outline: profile of a line {zone:g} mm to the bore (datum A) and the keyway (datum B).", **zone
+            )
+        elif isinstance(blank.key, DFlat):
+            yield Message(
+                "Outline: profile of a line {zone:g} mm to the bore (datum A) and the flat (datum B).", **zone
+            )
+        else:
+            yield Message("Outline: profile of a line {zone:g} mm to the bore (datum A).", **zone)
+    if blank.key:
+        angle = rounded(degrees(blank.key.angle))
+        if isinstance(blank.key, Keyway):
+            yield Message("Keyway at θ = {angle}°.", angle=angle)
+        else:
+            yield Message("Flat at θ = {angle}°.", angle=angle)
+    elif blank.mark:
+        yield Message("Plain bore: the mark alone tells the angle on the part.")
     else:
-        notes.append("Plain bore: scribe the arrow at θ = 0 before the part leaves the machine.")
-    if cam.blank.lightening:
-        notes.append(f"First hole at θ = {shown(degrees(cam.blank.lightening.start_angle), 3)}°.")
+        yield Message("Plain bore: scribe the arrow at θ = 0 before the part leaves the machine.")
+    if blank.lightening:
+        yield Message("First hole at θ = {angle}°.", angle=rounded(degrees(blank.lightening.start_angle)))
     if not cam.bore_fit:
-        notes.append("Fit of the bore: not stated; choose it with the shaft.")
-    if cam.blank.edge_break:
-        leg = cam.blank.edge_break
-        notes.append(f"Both edges of the outline broken {leg:g} × 45°; the {cam.follower} rides between them.")
+        yield FIT_OPEN
+    if blank.edge_break:
+        yield Message(
+            "Both edges of the outline broken {leg:g} × 45°; the {follower} rides between them.",
+            leg=blank.edge_break,
+            follower=cam.follower,
+        )
     else:
-        notes.append(f"Edges of the outline sharp, burrs off with a stone: a broken edge moves the {cam.follower}.")
-    if cam.blank.mark:
-        mark, held = cam.blank.mark, cam.blank.key
-        side = "left" if sin(mark.angle - (held.angle if held else 0.0)) > 0 else "right"
-        of = {Keyway: "the keyway", DFlat: "the flat"}.get(type(held), "the arrow") + ", seen from the axis outwards"
-        notes.append(
-            f"Mark at R {mark.radius:g}, θ = {degrees(mark.angle):g}°: {side} of {of} on this face. On "
-            "the other side the disc is turned over."
+        yield Message(
+            "Edges of the outline sharp, burrs off with a stone: a broken edge moves the {follower}.",
+            follower=cam.follower,
         )
-    if cam.blank.hub and cam.blank.hub.set_screw:
-        screw = cam.blank.hub.set_screw
-        notes.append(
-            f"Radial hole {DIAMETER}{screw.diameter:g} through the hub's wall, to be tapped, {screw.height:g} mm from "
-            f"the disc's face, at θ = {degrees(screw.angle):g}°."
+    if blank.mark:
+        mark, held = blank.mark, blank.key
+        left = sin(mark.angle - (held.angle if held else 0.0)) > 0
+        if isinstance(held, Keyway):
+            of = Message("the keyway")
+        else:
+            of = Message("the flat") if held else Message("the arrow")
+        yield Message(
+            "Mark at R {radius:g}, θ = {angle:g}°: {side} of {of}, seen from the axis outwards on this face. On the "
+            "other side the disc is turned over.",
+            radius=mark.radius,
+            angle=degrees(mark.angle),
+            side=Message("left") if left else Message("right"),
+            of=of,
         )
-    return (*notes, *cam.notes)
+    if blank.hub and blank.hub.set_screw:
+        screw = blank.hub.set_screw
+        yield Message(
+            "Radial hole Ø{diameter:g} through the hub's wall, to be tapped, {height:g} mm from the disc's face, at θ ="
+            " {angle:g}°.",
+            diameter=screw.diameter,
+            height=screw.height,
+            angle=degrees(screw.angle),
+        )
+    yield from cam.notes
 
 
 def _polar(radius: float, angle: float, aside: float) -> tuple[float, float]:

@@ -12,12 +12,13 @@ from cadgen.arrays import Array
 from cadgen.curves.contour import Contour
 from cadgen.gears.layout import TrainPart
 from cadgen.gears.stage import Stage
+from cadgen.messages import Message
 from cadgen.output.drawing.placement import Room, placed
 from cadgen.output.drawing.section import Layer, ScrewHole, beyond, drawn, material
 from cadgen.output.drawing.sheet import (
     BEYOND,
-    DIAMETER,
     EDGE,
+    FIT_OPEN,
     LEFT,
     ROW,
     SHOWN,
@@ -34,14 +35,15 @@ from cadgen.output.drawing.sheet import (
     Stroke,
     Title,
     View,
+    across_axis,
+    along_axis,
+    axial_diameter,
     centre_cross,
     chosen_sheet,
     cutting_plane,
     ring,
-    rows_of,
+    rounded,
     section_name,
-    shown,
-    wrapped,
 )
 from cadgen.parts.body import Body
 from cadgen.parts.features import Keyway
@@ -54,35 +56,36 @@ def gear_rows(gear: Mapping[str, Any], mate: str, stage: Stage, *, drives: bool)
     grade = side.get("grade") if isinstance(side, Mapping) else None
 
     def mm(key: str, digits: int = 3) -> str:
-        return f"{shown(gear[key], digits)} mm" if gear.get(key) is not None else ""
+        return f"{rounded(gear[key], digits)} mm" if gear.get(key) is not None else ""
 
     def limits(name: str) -> str:
         most, least = gear.get(f"{name}_max_mm"), gear.get(f"{name}_min_mm")
-        return "" if most is None or least is None else f"{least:.3f} to {most:.3f} mm"
+        if most is None or least is None:
+            return ""
+        return Message("{least:.3f} to {most:.3f} mm", least=least, most=most)
 
     thinned = [gear.get(key) for key in ("E_sns_um", "E_sni_um")]
     module = gear.get("module_mm")
-    return rows_of(
-        [
-            ("teeth z", str(gear.get("teeth", ""))),
-            ("module m_n", mm("module_mm", 4)),
-            ("pressure angle", f"{gear['pressure_angle_deg']:g}°" if "pressure_angle_deg" in gear else ""),
-            ("profile shift x", f"{gear['profile_shift']:g}" if "profile_shift" in gear else ""),
-            ("pitch diameter d", f"{module * gear['teeth']:g} mm" if module else ""),
-            ("tip diameter", mm("tip_diameter_mm")),
-            ("root diameter, as cut", mm("root_diameter_mm")),
-            ("face width", mm("width_mm")),
-            ("grade, ISO 1328-1", "" if grade is None else str(grade)),
-            (
-                "thickness E_sns / E_sni",
-                "" if None in thinned else f"{thinned[0]:.1f} / {thinned[1]:.1f} µm",
-            ),
-            (f"span over {gear.get('teeth_spanned')} teeth", limits("span")),
-            (f"over pins of {gear.get('pin_diameter_mm') or 0:g} mm", limits("over_pins")),
-            ("meshes with", mate),
-            ("centre distance", f"{stage.centre_distance:g} mm"),
-        ]
-    )
+    rows = [
+        (Message("teeth z"), str(gear.get("teeth", ""))),
+        (Message("module m_n"), mm("module_mm", 4)),
+        (Message("pressure angle"), f"{gear['pressure_angle_deg']:g}°" if "pressure_angle_deg" in gear else ""),
+        (Message("profile shift x"), f"{gear['profile_shift']:g}" if "profile_shift" in gear else ""),
+        (Message("pitch diameter d"), f"{module * gear['teeth']:g} mm" if module else ""),
+        (Message("tip diameter"), mm("tip_diameter_mm")),
+        (Message("root diameter, as cut"), mm("root_diameter_mm")),
+        (Message("face width"), mm("width_mm")),
+        (Message("grade, ISO 1328-1"), "" if grade is None else str(grade)),
+        (
+            Message("thickness E_sns / E_sni"),
+            "" if None in thinned else f"{thinned[0]:.1f} / {thinned[1]:.1f} µm",
+        ),
+        (Message("span over {teeth} teeth", teeth=gear.get("teeth_spanned")), limits("span")),
+        (Message("over pins of {pin:g} mm", pin=gear.get("pin_diameter_mm") or 0), limits("over_pins")),
+        (Message("meshes with"), mate),
+        (Message("centre distance"), f"{stage.centre_distance:g} mm"),
+    ]
+    return tuple(row for row in rows if row[1])
 
 
 _CHORD = 1e-4  # of outlines on the sheet, as a share of their radius
@@ -97,12 +100,14 @@ class GearPart:
     Attributes:
         part: the part with its gears, blank and body.
         data: names and values of the table of each gear, from below.
+        pitch_diameters: diameters of the pitch circles that are drawn, mm.
         files: name and hash of each file that holds the part.
         notes: further sentences.
     """
 
     part: TrainPart
     data: tuple[tuple[tuple[str, str], ...], ...]
+    pitch_diameters: tuple[float, ...]
     files: tuple[tuple[str, str], ...]
     notes: tuple[str, ...]
 
@@ -121,26 +126,27 @@ def gear_drawing(gear: GearPart, title: Title) -> DrawingSheet:
     face_at = (LEFT + 14.0 + scale * across / 2, middle)
     section_at = (face_at[0] + scale * across / 2 + 30.0, middle)
     tables, top = [], height - EDGE - 2.0
-    for data, name in zip(gear.data, _names(gear.part), strict=True):
+    alone = len(gear.part.gears) == 1
+    names = [Message("gear")] if alone else [Message("lower gear"), Message("upper gear")]
+    for data, name in zip(gear.data, names, strict=True):
         at = (width - EDGE - table_width, top)
         tables.append(SheetTable(title=name, at=at, widths=_TABLE, rows=data, headed=False))
         top -= tables[-1].height + 1.0
-    notes = wrapped(_notes(gear), width - EDGE - TITLE_SIZE[0] - LEFT - 6.0)
     return DrawingSheet(
         size=size,
         scale=scale,
         title=title,
         views=(_face(gear, face_at, scale), _section(gear, section_at, scale)),
         tables=tuple(tables),
-        notes=notes,
+        notes=tuple(_notes(gear)),
         notes_at=(LEFT + 3.0, EDGE + TITLE_SIZE[1]),
+        notes_width=width - EDGE - TITLE_SIZE[0] - LEFT - 6.0,
     )
 
 
 def _names(part: TrainPart) -> tuple[str, ...]:
-    if len(part.gears) == 1:
-        return ("gear",)
-    return "lower gear", "upper gear"
+    """Names of a part's gears in those of its dimensions."""
+    return ("gear",) if len(part.gears) == 1 else ("lower gear", "upper gear")
 
 
 def _reach(body: Body) -> float:
@@ -168,7 +174,7 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     curves += [_outline(hole) for hole in holes]
     if blank.bore_diameter:
         curves.append(Closed(blank.bore()))
-    curves += [ring(diameter, LineKind.CENTRE) for diameter in _pitch_circles(gear)]
+    curves += [ring(diameter, LineKind.CENTRE) for diameter in gear.pitch_diameters]
     curves += centre_cross(reach + 0.4 * gap)
     dimensions: list[Dimension] = []
     if blank.bore_diameter:
@@ -202,7 +208,7 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     screw = ScrewHole.of(blank, part.body.radial_hole)
     plane, letters = cutting_plane(0.0, reach + 0.3 * gap, scale)
     curves += [*(screw.face() if screw else ()), *plane]
-    labels = (Label(text="from above", at=(0.0, -reach - gap), height=3.5), *letters)
+    labels = (Label(text=Message("from above"), at=(0.0, -reach - gap), height=3.5), *letters)
     return View(place=place, curves=tuple(curves), dimensions=placed(dimensions, curves, labels, scale), labels=labels)
 
 
@@ -218,11 +224,6 @@ def _rims(body: Body) -> Iterator[Loop]:
 def _drilled(part: TrainPart) -> tuple[Loop, ...]:
     """Lightening holes of a part, which are in its lower gear."""
     return next((slab.holes for slab in part.body.slabs if slab.holes), ())
-
-
-def _pitch_circles(gear: GearPart) -> list[float]:
-    named = (dict(data).get("pitch diameter d") for data in gear.data)
-    return [float(value.split()[0]) for value in named if value]
 
 
 def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
@@ -244,34 +245,20 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     dimensions: list[Dimension] = []
     for number, (wheel, start) in enumerate(zip(part.gears, part.starts, strict=True)):
         tip, root, end = wheel.tip_diameter / 2, wheel.root_diameter / 2, start + wheel.width
-        for side in (1.0, -1.0):
-            strokes.append(Stroke(side_of([(start, root), (start, tip), (end, tip), (end, root)], side)))
+        corners = np.array([(start, root), (start, tip), (end, tip), (end, root)])
+        strokes += [Stroke(corners * [1.0, side]) for side in (1.0, -1.0)]
         name = _names(part)[number]
         keyed = isinstance(blank.key, Keyway)
         out = start - 0.9 * gap if number == 0 else end + (1.95 if keyed else 0.9) * gap
-        edge = start if number == 0 else end
         dimensions += [
-            LinearDimension(
-                name=f"tip diameter, {name}",
-                start=(edge, -tip),
-                end=(edge, tip),
-                at=(out, 0.0),
-                angle=90.0,
-                prefix=DIAMETER,
-            ),
-            LinearDimension(
-                name=f"width, {name}", start=(start, tip), end=(end, tip), at=(start, _reach(part.body) + 0.8 * gap)
-            ),
+            axial_diameter(f"tip diameter, {name}", start if number == 0 else end, tip, out),
+            along_axis(f"width, {name}", (start, end), tip, _reach(part.body) + 0.8 * gap),
         ]
     dimensions += _lengths(part, low, high, gap, screw)
     if isinstance(blank.key, Keyway):
         radius = blank.bore_diameter / 2
         up = radius + blank.key.depth
-        dimensions.append(
-            LinearDimension(
-                name="bore and keyway", start=(high, -radius), end=(high, up), at=(high + 0.9 * gap, 0.0), angle=90.0
-            )
-        )
+        dimensions.append(across_axis("bore and keyway", high, (-radius, up), high + 0.9 * gap))
     rows_below = [
         each.at[1] for each in dimensions if isinstance(each, LinearDimension) and not each.angle and each.at[1] < 0.0
     ]
@@ -284,16 +271,6 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
         dimensions=tuple(dimensions),
         labels=(label,),
     )
-
-
-def side_of(points: list[tuple[float, float]], side: float) -> Array:
-    """Points (mm) above the axis, or mirrored below it: side is a factor, 1 or -1.
-
-    Args:
-        points: points above the axis, mm.
-        side: factor, 1 or -1.
-    """
-    return np.array(points) * [1.0, side]
 
 
 def _without_teeth(layer: Layer, part: TrainPart) -> Layer:
@@ -316,70 +293,52 @@ def _lengths(part: TrainPart, low: float, high: float, gap: float, screw: ScrewH
         yield screw.height(first, (first, -reach - row * gap))
         row += 0.9
     if high - low > first:
-        at = (low, -reach - (row + 0.9) * gap)
-        yield LinearDimension(name="length", start=(low, -reach), end=(high, -reach), at=at)
+        yield along_axis("length", (low, high), -reach, -reach - (row + 0.9) * gap)
     if blank.hub and blank.hub.length:
         alone, half = len(part.gears) == 1, blank.hub.diameter / 2
         end = high if alone else part.gears[0].width + blank.hub.length
-        yield LinearDimension(
-            name="hub diameter" if alone else "collar diameter",
-            start=(end, -half),
-            end=(end, half),
-            at=(high + (3.0 if isinstance(blank.key, Keyway) else 2.0) * gap, 0.0),
-            angle=90.0,
-            prefix=DIAMETER,
-        )
+        out = high + (3.0 if isinstance(blank.key, Keyway) else 2.0) * gap
+        yield axial_diameter("hub diameter" if alone else "collar diameter", end, half, out)
         if alone:
             start, at = (first, -half), (high, -reach - row * gap)
             yield LinearDimension(name="hub length", start=start, end=(high, -half), at=at)
     if blank.web:
         web = body.slabs[1]  # between the two recesses
         radius = (blank.hub.diameter / 2 if blank.hub else 0.0) + 0.3 * part.gears[0].root_diameter / 2
-        recess = body.slabs[0].rings[1].radii[1]
-        yield LinearDimension(
-            name="recess diameter",
-            start=(low, -recess),
-            end=(low, recess),
-            at=(low - 1.9 * gap, 0.0),
-            angle=90.0,
-            prefix=DIAMETER,
-        )
-        yield LinearDimension(
-            name="web thickness",
-            start=(web.start, -radius),
-            end=(web.end, -radius),
-            at=(web.start, -reach - 0.8 * gap),
-        )
+        yield axial_diameter("recess diameter", low, body.slabs[0].rings[1].radii[1], low - 1.9 * gap)
+        yield along_axis("web thickness", (web.start, web.end), -radius, -reach - 0.8 * gap)
 
 
-def _notes(gear: GearPart) -> tuple[str, ...]:
-    notes = [f"Solid: {name}  sha256 {digest[:SHOWN]}" for name, digest in gear.files]
+def _notes(gear: GearPart) -> Iterator[str]:
+    for name, digest in gear.files:
+        yield Message("Solid: {name}  sha256 {digest}", name=name, digest=digest[:SHOWN])
     if not gear.files:
-        notes.append("Solid: none lies in this folder: make it with cadgen gears.")
+        yield Message("Solid: none lies in this folder: make it with cadgen gears.")
     blank = gear.part.blank
-    hub = blank.hub
-    if hub and hub.set_screw:
-        screw = hub.set_screw
-        place = "over the keyway" if blank.key else "in line with a tooth"
-        notes.append(
-            f"Radial hole {DIAMETER}{screw.diameter:g} through the hub's wall, to be tapped, {screw.height:g} mm from "
-            f"the gear's face, {place}."
+    if blank.hub and blank.hub.set_screw:
+        screw = blank.hub.set_screw
+        yield Message(
+            "Radial hole Ø{diameter:g} through the hub's wall, to be tapped, {height:g} mm from the gear's face, "
+            "{place}.",
+            diameter=screw.diameter,
+            height=screw.height,
+            place=Message("over the keyway") if blank.key else Message("in line with a tooth"),
         )
     if blank.key:
-        notes.append("A tooth of each gear stands on the axis of the keyway.")
+        yield Message("A tooth of each gear stands on the axis of the keyway.")
     if blank.web:
-        notes.append("The web is midway along the width; both recesses are alike.")
+        yield Message("The web is midway along the width; both recesses are alike.")
     drilled = _drilled(gear.part)
     if drilled and len(gear.part.gears) > 1:
-        size, circle = _hole_sizes(drilled)
-        notes.append(
-            f"The holes, {len(drilled)} × {DIAMETER}{shown(size)} on {DIAMETER}{shown(circle)}, are in the lower gear."
+        size, circle = map(rounded, _hole_sizes(drilled))
+        yield Message(
+            "The holes, {count} × Ø{size} on Ø{circle}, are in the lower gear.",
+            count=len(drilled),
+            size=size,
+            circle=circle,
         )
-    if blank.bore_diameter:
-        notes.append("Fit of the bore: not stated; choose it with the shaft.")
-    else:
-        notes.append("No bore: the design states none.")
-    return (*notes, *gear.notes)
+    yield FIT_OPEN if blank.bore_diameter else Message("No bore: the design states none.")
+    yield from gear.notes
 
 
 def _hole_sizes(holes: tuple[Loop, ...]) -> tuple[float, float]:
@@ -476,17 +435,18 @@ def plate_drawing(axes: tuple[Axis, ...], notes: tuple[str, ...], title: Title) 
         for first, second in pairwise(axes)
         if (first.x, first.y) != (second.x, second.y)
     ]
-    rows = [("shaft", "x, mm", "y, mm", f"shaft {DIAMETER}, mm")]
+    rows: list[tuple[str, ...]] = [(Message("shaft"), "x, mm", "y, mm", Message("shaft Ø, mm"))]
     for axis in axes:
         rows.append((str(axis.shaft), f"{axis.x:.3f}", f"{axis.y:.3f}", f"{axis.bore:g}" if axis.bore else ""))
     table_at = (width - EDGE - table_width, height - EDGE - 2.0)
-    table = SheetTable(title="axes, from that of the drive", at=table_at, widths=_WIDTHS, rows=tuple(rows))
+    table = SheetTable(title=Message("axes, from that of the drive"), at=table_at, widths=_WIDTHS, rows=tuple(rows))
     return DrawingSheet(
         size=size,
         scale=scale,
         title=title,
         views=(View(place=place, curves=tuple(curves), dimensions=tuple(dimensions), labels=tuple(labels)),),
         tables=(table,),
-        notes=wrapped(notes, table_width),
+        notes=notes,
         notes_at=(table_at[0], table_at[1] - table.height - 3.0),
+        notes_width=table_width,
     )

@@ -20,7 +20,7 @@ from cadgen.output.drawing.sheet import (
     LineKind,
     Stroke,
     length_of,
-    shown,
+    rounded,
 )
 
 _CHORD = 0.02  # mm, of curves
@@ -115,7 +115,7 @@ class Room:
         scale = self._scale
         if isinstance(placed, Label):
             return _box(placed.text, scale * np.array(placed.at), 0.0, placed.height, above=False), []
-        text = f"{placed.prefix}{DIAMETER if isinstance(placed, DiameterDimension) else ''}{shown(length_of(placed))}"
+        text = f"{placed.prefix}{DIAMETER if isinstance(placed, DiameterDimension) else ''}{rounded(length_of(placed))}"
         text += placed.suffix
         if isinstance(placed, DiameterDimension):
             along = _unit(placed.angle)

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import zip_longest
 from math import cos, sin
 
 import numpy as np
@@ -49,7 +50,10 @@ def material(layers: Sequence[Layer], angle: float) -> list[shapely.Polygon]:
     areas = []
     for layer in layers:
         discs = [shapely.Polygon(outline) for outline in layer.rings]
-        rims = [shapely.difference(pair[0], pair[1]) if pair[1:] else pair[0] for pair in _pairs(discs)]
+        rims = [
+            disc if inside is None else shapely.difference(disc, inside)
+            for disc, inside in zip_longest(discs[::2], discs[1::2])
+        ]
         face = shapely.difference(shapely.union_all(rims), shapely.union_all([*map(shapely.Polygon, layer.holes)]))
         for piece in shapely.get_parts(shapely.intersection(face, ray)):
             ends = np.sort(np.asarray(piece.coords) @ along)
@@ -68,10 +72,6 @@ def beyond(layers: Sequence[Layer], areas: Sequence[shapely.Polygon]) -> list[St
         boxes.append(shapely.box(layer.low, low, layer.high, high))
     voids = shapely.difference(shapely.union_all(shapely.set_precision(boxes, _GRID)), shapely.union_all(areas))
     return [Stroke(np.asarray(void.exterior.coords)) for void in shapely.get_parts(voids)]
-
-
-def _pairs(discs: list[shapely.Polygon]) -> list[list[shapely.Polygon]]:
-    return [discs[i : i + 2] for i in range(0, len(discs), 2)]
 
 
 def drawn(areas: Sequence[shapely.Polygon]) -> tuple[list[Stroke], list[Hatch]]:

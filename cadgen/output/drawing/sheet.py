@@ -1,6 +1,6 @@
 """A sheet as data: views with curves and dimensions, tables, notes, a title. Paper and part are in mm."""
 
-from collections.abc import Sequence
+import re
 from dataclasses import dataclass
 from enum import StrEnum
 from textwrap import wrap
@@ -9,6 +9,7 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.curves.contour import Contour, circle
+from cadgen.messages import Message
 
 SIZES = {"A4": (297.0, 210.0), "A3": (420.0, 297.0)}  # landscape, ISO 5457
 SCALES = (10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1)  # ISO 5455
@@ -17,8 +18,10 @@ TITLE_SIZE = (170.0, 48.0)
 ROW = 4.2  # height of a row of a table or of a note
 TEXT = 2.5  # height of letters
 SHOWN = 12  # letters of a file's hash
+_INDENT = "   "  # of the further lines of a note
 BEYOND = 6.0  # mm on paper from the end of a short dimension line to the middle of its number beside it
 DIAMETER = "Ø"  # as ezdxf writes it
+FIT_OPEN = Message("Fit of the bore: not stated; choose it with the shaft.")
 _LETTER = 0.79  # greatest mean width of the letters of a line in heights: of one with many figures and wide letters
 WIDEST = 0.86  # the same of names with digits and underscores
 _WIDE = 1.4  # the same of Chinese, Japanese and Korean letters
@@ -217,8 +220,9 @@ class DrawingSheet:
         title: title block.
         views: views of the part.
         tables: tables.
-        notes: sentences for the shop, each a line.
+        notes: sentences for the shop, broken into lines where they are drawn.
         notes_at: upper left corner of the notes, mm.
+        notes_width: width of their column, mm.
     """
 
     size: str
@@ -228,6 +232,7 @@ class DrawingSheet:
     tables: tuple[SheetTable, ...]
     notes: tuple[str, ...]
     notes_at: tuple[float, float]
+    notes_width: float
 
     def __post_init__(self) -> None:
         names = [dimension.name for view in self.views for dimension in view.dimensions]
@@ -247,6 +252,43 @@ def length_of(dimension: Dimension) -> float:
         return dimension.diameter
     along = np.array([np.cos(np.radians(dimension.angle)), np.sin(np.radians(dimension.angle))])
     return abs(float((np.array(dimension.end) - np.array(dimension.start)) @ along))
+
+
+def along_axis(name: str, ends: tuple[float, float], r: float, at: float) -> LinearDimension:
+    """Dimension of a section along the axis, from one height to another.
+
+    Args:
+        name: what is dimensioned.
+        ends: heights of both ends, mm.
+        r: distance of the ends from the axis, mm.
+        at: distance of the dimension line from the axis, mm.
+    """
+    return LinearDimension(name=name, start=(ends[0], r), end=(ends[1], r), at=(ends[0], at))
+
+
+def across_axis(name: str, z: float, ends: tuple[float, float], at: float, prefix: str = "") -> LinearDimension:
+    """Dimension of a section across the axis, from one distance to another.
+
+    Args:
+        name: what is dimensioned.
+        z: height of the ends, mm.
+        ends: distances of both ends from the axis, negative below it, mm.
+        at: height of the dimension line, mm.
+        prefix: text before the number.
+    """
+    return LinearDimension(name=name, start=(z, ends[0]), end=(z, ends[1]), at=(at, 0.0), angle=90.0, prefix=prefix)
+
+
+def axial_diameter(name: str, z: float, radius: float, at: float) -> LinearDimension:
+    """Diameter about the axis in a section.
+
+    Args:
+        name: what is dimensioned.
+        z: height of its ends, mm.
+        radius: half of the diameter, mm.
+        at: height of the dimension line, mm.
+    """
+    return across_axis(name, z, (-radius, radius), at, DIAMETER)
 
 
 def ring(diameter: float, line: LineKind = LineKind.VISIBLE, centre: tuple[float, float] = (0.0, 0.0)) -> Closed:
@@ -298,14 +340,16 @@ def cutting_plane(angle: float, reach: float, scale: float) -> tuple[tuple[Strok
     return tuple(strokes), (labels[0], labels[1])
 
 
-def section_name(angle: float) -> str:
+def section_name(angle: float) -> Message:
     """Name of the section in that plane, with its turn from where the first angle of projection has it.
 
     Args:
         angle: polar angle of the plane, rad.
     """
     turned = (90.0 - float(np.degrees(angle)) + 180.0) % 360.0 - 180.0
-    return "A–A" if abs(turned) < 0.05 else f"A–A, turned by {shown(turned, 1)}°"
+    if abs(turned) < 0.05:
+        return Message("A–A")
+    return Message("A–A, turned by {angle}°", angle=rounded(turned, 1))
 
 
 def is_wide(letter: str) -> bool:
@@ -334,7 +378,7 @@ def chosen_scale(part: tuple[float, float], room: tuple[float, float], greatest:
     return next(fitting, None)
 
 
-def shown(number: float, digits: int = 3) -> str:
+def rounded(number: float, digits: int = 3) -> str:
     """A number as on a drawing: without zeros at its end.
 
     Args:
@@ -354,20 +398,21 @@ def scale_text(scale: float) -> str:
     return f"{scale:g}:1" if scale >= 1 else f"1:{1 / scale:g}"
 
 
-def rows_of(values: Sequence[tuple[str, str]]) -> tuple[tuple[str, str], ...]:
-    """Rows of a table of names and values, those with an empty value left out."""
-    return tuple((name, value) for name, value in values if value)
-
-
-def wrapped(notes: Sequence[str], width: float) -> tuple[str, ...]:
-    """Notes as lines that a column of a width (mm) holds; what follows the first line of a note is indented.
+def wrapped(note: str, width: float) -> list[str]:
+    """Lines of a note that a column of a width (mm) holds; what follows the first line is indented.
 
     Args:
-        notes: notes.
+        note: note, in the language in which it is drawn.
         width: width of the column, mm.
     """
-    letters = int(width / (_LETTER * TEXT))
-    return tuple(line for note in notes for line in wrap(note, letters, subsequent_indent="   "))
+    if not any(map(is_wide, note)):
+        return wrap(note, int(width / (_LETTER * TEXT)), subsequent_indent=_INDENT)
+    lines = [""]
+    for piece in re.findall(r"[!-~]+|.", note):  # a word of Latin letters, or one letter
+        if TEXT * width_of(lines[-1] + piece) > width and lines[-1].strip():
+            lines.append(_INDENT)
+        lines[-1] += piece
+    return lines
 
 
 def chosen_sheet(

@@ -5,9 +5,9 @@ with matplotlib, and one of the system's for Chinese, Japanese and Korean.
 """
 
 import io
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 
 import ezdxf
@@ -31,6 +31,7 @@ from matplotlib.font_manager import findSystemFonts
 from matplotlib.patches import PathPatch
 
 from cadgen.errors import FileError
+from cadgen.messages import ENGLISH, Message, translate
 from cadgen.output.drawing.sheet import (
     EDGE,
     LEFT,
@@ -51,6 +52,7 @@ from cadgen.output.drawing.sheet import (
     is_wide,
     scale_text,
     width_of,
+    wrapped,
 )
 from cadgen.output.files.dxf import fixed_dates
 
@@ -72,10 +74,10 @@ _HATCH_STEP = 2.0  # mm on paper
 _DIMGAP = 0.6  # mm on paper between a dimension line and its number
 
 
-def dxf_bytes(drawing: DrawingSheet) -> bytes:
-    """The DXF of a sheet: the same bytes for the same sheet."""
+def dxf_bytes(drawing: DrawingSheet, language: str = ENGLISH) -> bytes:
+    """The DXF of a sheet: the same bytes for the same sheet and language."""
     with fixed_dates():
-        document = document_of(drawing)
+        document = document_of(drawing, language)
         # Of the classes that every file has, ezdxf keeps a set, whose order is by chance.
         document.classes.add_required_classes(document.dxfversion)
         document.classes.classes = dict(sorted(document.classes.classes.items()))
@@ -84,12 +86,11 @@ def dxf_bytes(drawing: DrawingSheet) -> bytes:
     return text.getvalue().encode(document.output_encoding, errors="dxfreplace")
 
 
-def document_of(drawing: DrawingSheet) -> Document:
-    """The sheet as a document of ezdxf."""
+def document_of(drawing: DrawingSheet, language: str = ENGLISH) -> Document:
+    """The sheet as a document of ezdxf, with its texts in a language; names of dimensions stay English."""
+    say = partial(_said, language)
     document = ezdxf.new("R2010", units=_MM)
     document.styles.add(_STYLE, font=FONT)
-    if far_eastern(drawing):
-        document.styles.add(FAR_EASTERN_STYLE, font=_FAR_EASTERN_FONT)
     for name, pattern in _PATTERNS.items():
         document.linetypes.add(name, pattern)
     for line in LineKind:
@@ -100,22 +101,21 @@ def document_of(drawing: DrawingSheet) -> Document:
     _dimension_style(document, drawing.scale)
     space = document.modelspace()
     for view in drawing.views:
-        _Place(space, view, drawing.scale).draw()
+        _Place(space, view, drawing.scale, say).draw()
     for table in drawing.tables:
-        _table(space, table)
+        _table(space, table, say)
     left, top = drawing.notes_at
-    for number, note in enumerate(drawing.notes):
-        _text(space, note, (left, top - (number + 0.7) * ROW), TEXT)
-    _frame(space, drawing)
+    lines = [line for note in drawing.notes for line in wrapped(say(note), drawing.notes_width)]
+    for number, line in enumerate(lines):
+        _text(space, line, (left, top - (number + 0.7) * ROW), TEXT)
+    _frame(space, drawing, say)
     width, height = SIZES[drawing.size]
     space.reset_extents((0.0, 0.0, 0.0), (width, height, 0.0))
     return document
 
 
-def far_eastern(drawing: DrawingSheet) -> frozenset[str]:
-    """Letters of the texts with Chinese, Japanese or Korean ones, which a font of their own must have."""
-    texts = (drawing.title.title, drawing.title.finish)
-    return frozenset().union(*(text for text in texts if any(map(is_wide, text))))
+def _said(language: str, text: str) -> str:
+    return str(translate(text, language))
 
 
 def _dimension_style(document: Document, scale: float) -> None:
@@ -142,6 +142,7 @@ class _Place:
     space: Modelspace
     view: View
     scale: float
+    say: Callable[[str], str]
 
     def draw(self) -> None:
         for hatch in self.view.hatches:
@@ -151,7 +152,8 @@ class _Place:
         for dimension in self.view.dimensions:
             self._dimension(dimension)
         for label in self.view.labels:
-            _text(self.space, label.text, self._on_paper(label.at), label.height, TextEntityAlignment.MIDDLE_CENTER)
+            text, at = self.say(label.text), self._on_paper(label.at)
+            _text(self.space, text, at, label.height, TextEntityAlignment.MIDDLE_CENTER)
 
     def _on_paper(self, point: tuple[float, float]) -> tuple[float, float]:
         x, y = self.view.place
@@ -237,14 +239,16 @@ def _text(
 ) -> None:
     plain = text.replace("^", "^ ").replace("%%", "% %")  # of a TEXT both begin codes
     style = FAR_EASTERN_STYLE if any(map(is_wide, plain)) else _STYLE
+    if style not in space.doc.styles:
+        space.doc.styles.add(style, font=_FAR_EASTERN_FONT)
     drawn = space.add_text(plain, height=height, dxfattribs={"layer": LineKind.TEXT.value, "style": style})
     drawn.set_placement(at, align=align)
 
 
-def _table(space: Modelspace, table: SheetTable) -> None:
+def _table(space: Modelspace, table: SheetTable, say: Callable[[str], str]) -> None:
     x, y = table.at
     if table.title:
-        _text(space, table.title, (x, y - 0.7 * ROW), TEXT)
+        _text(space, say(table.title), (x, y - 0.7 * ROW), TEXT)
     top = y - ROW
     bottom = top - len(table.rows) * ROW
     edges = [x + sum(table.widths[:n]) for n in range(len(table.widths) + 1)]
@@ -256,10 +260,10 @@ def _table(space: Modelspace, table: SheetTable) -> None:
         space.add_line((edge, top), (edge, bottom), dxfattribs=thin)
     for number, row in enumerate(table.rows):
         for left, cell in zip(edges, row, strict=False):
-            _text(space, cell, (left + 1.0, top - (number + 0.75) * ROW), 0.85 * TEXT)
+            _text(space, say(cell), (left + 1.0, top - (number + 0.75) * ROW), 0.85 * TEXT)
 
 
-def _frame(space: Modelspace, drawing: DrawingSheet) -> None:
+def _frame(space: Modelspace, drawing: DrawingSheet, say: Callable[[str], str]) -> None:
     width, height = SIZES[drawing.size]
     frame = {"layer": LineKind.FRAME.value}
     corners = [(LEFT, EDGE), (width - EDGE, EDGE), (width - EDGE, height - EDGE), (LEFT, height - EDGE)]
@@ -269,16 +273,16 @@ def _frame(space: Modelspace, drawing: DrawingSheet) -> None:
     space.add_lwpolyline([(x, y), (x, y + up), (x + across, y + up)], dxfattribs=frame)
     title = drawing.title
     cells = [  # column, row from below, width of the cell in columns, name, text
-        (0, 4, 2, "part", title.part),
-        (2, 4, 1, "quantity", str(title.quantity)),
-        (0, 3, 2, "title", title.title),
-        (2, 3, 1, "scale", f"{scale_text(drawing.scale)}  ({drawing.size})"),
-        (0, 2, 1, "material", title.material or "not stated"),
-        (1, 2, 1, "finish", title.finish or "not stated"),
-        (2, 2, 1, "general tolerances", "ISO 2768-m"),
-        (0, 1, 2, "design", title.design),
-        (2, 1, 1, "date", title.date),
-        (0, 0, 3, "drawing", title.number),
+        (0, 4, 2, Message("part"), title.part),
+        (2, 4, 1, Message("quantity"), str(title.quantity)),
+        (0, 3, 2, Message("title"), title.title),
+        (2, 3, 1, Message("scale"), f"{scale_text(drawing.scale)}  ({drawing.size})"),
+        (0, 2, 1, Message("material"), title.material or Message("not stated")),
+        (1, 2, 1, Message("finish"), title.finish or Message("not stated")),
+        (2, 2, 1, Message("general tolerances"), "ISO 2768-m"),
+        (0, 1, 2, Message("design"), title.design),
+        (2, 1, 1, Message("date"), title.date),
+        (0, 0, 3, Message("drawing"), title.number),
     ]
     column, row = across / 3, up / 5
     thin = {"layer": LineKind.THIN.value}
@@ -289,7 +293,8 @@ def _frame(space: Modelspace, drawing: DrawingSheet) -> None:
             close=True,
             dxfattribs=thin,
         )
-        _text(space, name, (left + 1.0, low + row - 2.6), 1.7)
+        _text(space, say(name), (left + 1.0, low + row - 2.6), 1.7)
+        text = say(text)
         fitting = min(3.0 if span > 1 else TEXT, (span * column - 2.0) / max(width_of(text), 1.0))
         _text(space, text, (left + 1.0, low + 1.8), fitting)
     _first_angle(space, x + across - 9.0, y + 3.5 * row)
@@ -418,18 +423,19 @@ _POINT = 72 / _INCH  # points in a mm
 _THINNEST = 0.13  # mm
 
 
-def pdf_bytes(drawing: DrawingSheet) -> bytes:
-    """The page of a sheet, in its true size: the same bytes for the same sheet, fonts and libraries.
+def pdf_bytes(drawing: DrawingSheet, language: str = ENGLISH) -> bytes:
+    """The page of a sheet, in its true size: the same bytes for the same sheet, language, fonts and libraries.
 
     Raises:
-        NoFontError: the system has no font for letters of the title block.
+        NoFontError: the system has no font for Chinese, Japanese or Korean letters of the sheet.
     """
     know_font()
     width, height = SIZES[drawing.size]
     figure = Figure(figsize=(width / _INCH, height / _INCH))
     axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
-    document = document_of(drawing)
-    if letters := far_eastern(drawing):
+    document = document_of(drawing, language)
+    texts = [text.dxf for text in document.modelspace().query("TEXT")]
+    if letters := frozenset("".join(text.text for text in texts if text.style == FAR_EASTERN_STYLE)):
         document.styles.get(FAR_EASTERN_STYLE).dxf.font = know_far_eastern(letters)
     backend = _Backend(axes, adjust_figure=False)
     look = Configuration(
