@@ -18,17 +18,20 @@ from cadgen.curves.biarc import arcs
 from cadgen.design.machining import DrawingText
 from cadgen.errors import FileError
 from cadgen.gears.layout import TrainPart
+from cadgen.gears.stage import Wheel
+from cadgen.gears.tooth import GearForm
 from cadgen.inference.measurement.record import Direction
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.gears.assembly import parts_facts
 from cadgen.jobs.gears.gear_train import GearTrain
-from cadgen.messages import Message
+from cadgen.messages import ENGLISH, Message, joined, language
 from cadgen.output.drawing.cam_sheet import EVERY, CamPart, cam_drawing
 from cadgen.output.drawing.gear_sheets import Axis, GearPart, gear_drawing, gear_rows, plate_drawing
 from cadgen.output.drawing.sheet import DrawingSheet, Title, scale_text
 from cadgen.output.files.dxf import write_outline
 from cadgen.output.files.manifest import NAME, Origin, sound_parts
 from cadgen.output.files.publisher import Artifact, Written, publish, require, text_file
+from cadgen.parts.face import Face
 from cadgen.progress import Progress, silent
 
 _HASH = 12  # letters of a design's hash in a title block
@@ -159,11 +162,11 @@ def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
         bore_fit=bore_class(making.bore_fit),
         profile_tolerance=use.profile_tolerance or None,
         follower=plan.follower.noun,
-        face=f"{plan.seen} face",
+        face=Message("inner face") if plan.seen == Face.INNER else Message("outer face"),
         files=folder.files(plan.stem, plan.origin.content_hash, _CAM_ENDINGS),
         notes=(*use.drawing_notes(plan), *([plan.kind.note] if plan.kind.note else [])),
     )
-    name = f"{use.noun}, {plan.kind} profile"
+    name = Message("{cam}, {kind} profile", cam=use.noun, kind=str(plan.kind))
     return cam_drawing(part, title_of(plan.origin, making.title, name, making.material or "", plan.stem, folder))
 
 
@@ -205,14 +208,18 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
             )
             for gear in facts["gears"]
         )
-        name = " and ".join(str(gear.noun).removeprefix("the ") for gear in part.gears)
+        bodies = joined([_short(gear) for gear in part.gears], " and ")
         sheet = GearPart(
             part=part,
             data=data,
             files=folder.files(stem, origin.content_hash, _PART_ENDINGS),
-            notes=(f"Shaft {part.shaft} of the train, counted from the drive.",),
+            pitch_diameters=tuple(
+                float(f"{gear['module_mm'] * gear['teeth']:g}") for gear in facts["gears"] if gear.get("module_mm")
+            ),
+            notes=(Message("Shaft {shaft} of the train, counted from the drive.", shaft=part.shaft),),
         )
-        title = title_of(origin, plan.title, f"{part.name}: {name}", "", stem, folder)
+        name = Message("{part}: {bodies}", part=part.name, bodies=bodies)
+        title = title_of(origin, plan.title, name, "", stem, folder)
         yield stem, gear_drawing(sheet, title)
     axes = tuple(
         Axis(
@@ -225,22 +232,35 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
         for part in layout.parts
     )
     stem = f"{plan.stem}_plate"
-    title = title_of(origin, plan.title, "plate for the axes", "", stem, folder)
+    title = title_of(origin, plan.title, Message("plate for the axes"), "", stem, folder)
     pair = replace(title, quantity=2 * title.quantity)
     yield stem, plate_drawing(axes, tuple(_plate_notes(plan)), pair)
 
 
 def _plate_notes(plan: GearTrain) -> Iterator[str]:
-    yield "Seen along the axes from the output's end. Broken circles: tips of the gears, for room."
-    yield "Two to a machine, before and behind the gears. Thickness as the bearings need."
-    yield "Holes as large as the shafts: open them for your bearings. Where no bore is given there is no hole."
-    yield "Places of the axes: hold the distances below, not the general tolerance."
+    yield Message("Seen along the axes from the output's end. Broken circles: tips of the gears, for room.")
+    yield Message("Two to a machine, before and behind the gears. Thickness as the bearings need.")
+    yield Message("Holes as large as the shafts: open them for your bearings. Where no bore is given there is no hole.")
+    yield Message("Places of the axes: hold the distances below, not the general tolerance.")
     for number, stage in enumerate(plan.layout.train.stages, 1):
         deviation = stage.facts().get("f_a_um")
         if deviation is not None:
-            apart = f"{stage.centre_distance:g} ± {deviation / 1e3:.4g} mm"
-            span = f"bearings {stage.bearing_span:g} mm apart"
-            yield f"Axes {number} and {number + 1}: {apart}, {span}, as the play is reckoned."
+            yield Message(
+                "Axes {first} and {second}: {apart:g} ± {deviation:.4g} mm, bearings {span:g} mm apart, as the play is"
+                " reckoned.",
+                first=number,
+                second=number + 1,
+                apart=stage.centre_distance,
+                deviation=deviation / 1e3,
+                span=stage.bearing_span,
+            )
+
+
+def _short(gear: Wheel) -> str:
+    """Name of a wheel in a title, without article."""
+    if isinstance(gear, GearForm):
+        return Message("gear of {teeth} teeth", teeth=gear.teeth)
+    return gear.noun.removeprefix("the ")
 
 
 def _mate(every: list[dict[str, Any]], stage: int, shaft: int) -> str:
@@ -329,11 +349,11 @@ def _sheets(parts: Parts, folder: Folder) -> Iterator[tuple[str, DrawingSheet]]:
 
 def write_sheet(staging: Path, stem: str, sheet: DrawingSheet, omitted: dict[str, str]) -> Iterator[Artifact]:
     """Write a sheet and read it back; a page without a font for its letters is left out, with the reason."""
-    from cadgen.output.drawing.sheet_files import NoFontError, dxf_bytes, pdf_bytes, read_dimensions
+    from cadgen.output.drawing.sheet_files import NoFontError, dxf_bytes, read_dimensions
 
     look = {"sheet": sheet.size, "scale": scale_text(sheet.scale)}
     name = f"{stem}_drawing.dxf"
-    (staging / name).write_bytes(dxf_bytes(sheet))
+    (staging / name).write_bytes(dxf_bytes(sheet, language()))
     again, drawn = read_dimensions(staging / name), sheet.dimensions
     off = [abs(again.get(key, inf) - length) for key, length in drawn.items()]
     same = again.keys() == drawn.keys() and max(off, default=0.0) <= DIMENSION_LIMIT
@@ -341,7 +361,7 @@ def write_sheet(staging: Path, stem: str, sheet: DrawingSheet, omitted: dict[str
     yield Artifact(name, {**look, "dimensions_mm": {key: round(length, 6) for key, length in sorted(drawn.items())}})
     name = f"{stem}_drawing.pdf"
     try:
-        page = pdf_bytes(sheet)
+        page = _page(sheet, omitted)
     except NoFontError as error:
         omitted["PDF"] = str(error)
         return
@@ -349,6 +369,21 @@ def write_sheet(staging: Path, stem: str, sheet: DrawingSheet, omitted: dict[str
     if page.count(b"/Type /Page ") + page.count(b"/Type /Page\n") != 1:
         raise FileError("{name} is not one page: report this design", name=name)
     yield Artifact(name, look)
+
+
+def _page(sheet: DrawingSheet, omitted: dict[str, str]) -> bytes:
+    """Page of a sheet in the language that is shown; in English where the system has no font for that language."""
+    from cadgen.output.drawing.sheet_files import NoFontError, pdf_bytes
+
+    try:
+        return pdf_bytes(sheet, language())
+    except NoFontError:
+        page = pdf_bytes(sheet, ENGLISH)  # raises where the title block itself has letters without a font
+        omitted["translated PDF"] = Message(
+            "the pages are in English, for no font of this system has the letters of the language asked for: install"
+            " one, such as Noto Sans CJK"
+        )
+        return page
 
 
 def _write_outlines(staging: Path, stem: str, part: TrainPart) -> Iterator[Artifact]:

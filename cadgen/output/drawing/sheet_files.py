@@ -106,8 +106,8 @@ def document_of(drawing: DrawingSheet, language: str = ENGLISH) -> Document:
         _table(space, table, say)
     left, top = drawing.notes_at
     lines = [line for note in drawing.notes for line in wrapped(say(note), drawing.notes_width)]
-    for number, line in enumerate(lines):
-        _text(space, line, (left, top - (number + 0.7) * ROW), TEXT)
+    for number, written in enumerate(lines):
+        _text(space, written, (left, top - (number + 0.7) * ROW), TEXT)
     _frame(space, drawing, say)
     width, height = SIZES[drawing.size]
     space.reset_extents((0.0, 0.0, 0.0), (width, height, 0.0))

@@ -231,7 +231,9 @@ def test_the_sheet_names_the_files_by_their_hashes(folder, cam):
 def sheet(views=(), title="t", finish=""):
     """A sheet with hardly anything on it."""
     block = Title(part="p", title=title, material="", finish=finish, quantity=1, date="", design="d", number="n")
-    return DrawingSheet(size="A4", scale=1.0, title=block, views=views, tables=(), notes=(), notes_at=(0.0, 0.0))
+    return DrawingSheet(
+        size="A4", scale=1.0, title=block, views=views, tables=(), notes=(), notes_at=(0.0, 0.0), notes_width=90.0
+    )
 
 
 @pytest.mark.slow
@@ -259,6 +261,30 @@ def test_a_title_in_chinese_is_drawn_with_a_font_of_the_system(tmp_path, monkeyp
     assert sheet_files.know_far_eastern(frozenset("无碳小车")) in {
         file.name for file in sheet_files._far_eastern_files()
     }
+
+
+@pytest.mark.slow
+def test_a_sheet_is_said_in_the_language_that_is_shown(cam, tmp_path, monkeypatch):
+    """Its dimensions keep their names; without a font for the letters the page is English, and that is said."""
+    import ezdxf
+
+    from cadgen import messages
+    from cadgen.output.drawing import sheet_files
+
+    before = messages.language()
+    messages.choose("zh")
+    try:
+        monkeypatch.setattr(sheet_files, "_far_eastern_files", lambda: ())
+        written = draw(tmp_path, cam=cam)
+    finally:
+        messages.choose(before)
+    (file,) = [file for file in written if file.name.endswith("drawing.dxf")]
+    texts = {text.dxf.text: text.dxf.style for text in ezdxf.readfile(file.path).modelspace().query("TEXT")}
+    assert texts["绕轴的轮廓"] == texts["比例"] == "CADGEN_CJK"
+    assert not [text for text in texts if "counterclockwise" in text]
+    assert "bore" in read_dimensions(file.path)
+    assert [file.name for file in written if file.name.endswith(".pdf")]
+    assert "the pages are in English" in written.omitted["translated PDF"]
 
 
 def test_two_dimensions_of_a_sheet_have_two_names():

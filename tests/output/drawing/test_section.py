@@ -7,7 +7,7 @@ from matplotlib.textpath import TextToPath
 
 from cadgen.curves.contour import circle, keyway_bore
 from cadgen.output.drawing.section import Layer, beyond, material
-from cadgen.output.drawing.sheet import TEXT, chosen_scale, chosen_sheet, scale_text, shown, wrapped
+from cadgen.output.drawing.sheet import TEXT, chosen_scale, chosen_sheet, rounded, scale_text, width_of, wrapped
 
 
 def ring(diameter, centre=(0.0, 0.0)):
@@ -46,8 +46,8 @@ def test_sheets_and_numbers():
     assert chosen_sheet((90.0, 90.0), (100.0, 60.0), 1.0, 2.0) == ("A4", 1.0)
     assert chosen_sheet((150.0, 150.0), (150.0, 60.0), 1.0, 2.0) == ("A3", 1.0)
     assert [scale_text(scale) for scale in (5.0, 1.0, 0.5, 0.1)] == ["5:1", "1:1", "1:2", "1:10"]
-    assert [shown(number) for number in (8.0, 9.4, 39.69486, 0.0)] == ["8", "9.4", "39.695", "0"]
-    lines = wrapped(["a sentence that is far too long for the narrow column of a sheet"], 50.0)
+    assert [rounded(number) for number in (8.0, 9.4, 39.69486, 0.0)] == ["8", "9.4", "39.695", "0"]
+    lines = wrapped("a sentence that is far too long for the narrow column of a sheet", 50.0)
     assert len(lines) > 1
     assert lines[1].startswith("   ")
 
@@ -55,7 +55,15 @@ def test_sheets_and_numbers():
 def test_notes_stay_in_their_column():
     """By the widths of the font itself, whose capitals are 0.729 of its size, also of a line full of figures."""
     letters = FontProperties(family="DejaVu Sans", size=TEXT / 0.729)
-    notes = ["Axes 1 and 2: 45 ± 0.0195 mm, bearings 80 mm apart, as the play is reckoned: 1000 ± 0.0495 mm, 2000 mm."]
+    note = "Axes 1 and 2: 45 ± 0.0195 mm, bearings 80 mm apart, as the play is reckoned: 1000 ± 0.0495 mm, 2000 mm."
     for width in (50.0, 62.0, 80.0, 120.0):
-        for line in wrapped(notes, width):
+        for line in wrapped(note, width):
             assert TextToPath().get_text_width_height_descent(line, letters, False)[0] <= width
+
+
+def test_a_note_in_chinese_is_broken_between_its_letters_and_not_in_its_words():
+    note = "轴 1 与轴 2：45 ± 0.0195 mm，轴承相距 80 mm，侧隙即按此计算。" * 2
+    lines = wrapped(note, 50.0)
+    assert "".join(line.removeprefix("   ") for line in lines) == note
+    assert all(TEXT * width_of(line) <= 50.0 for line in lines)
+    assert sum("0.0195" in line for line in lines) == 2
