@@ -102,7 +102,7 @@ def in_processes(
 
 
 class WorkerProcess:
-    """One process that does its jobs in turn, leaves Ctrl-C to this one, and can be ended amid a job.
+    """Process that does its jobs in turn, leaves Ctrl-C to this one, and can be ended amid a job.
 
     Args:
         prepare: function that is called in it first.

@@ -1,8 +1,8 @@
 """Kinds of one sort by their codes: those of the package, those registered in Python, and those of installed plug-ins.
 
 A plug-in is a distribution with entry points in a group, such as `cadgen.followers`; each names a kind or a tuple of
-kinds. They are looked for when a code is asked for that the package does not have, or when all codes are listed, so
-that a design of the package's own kinds does not wait for them. A plug-in that cannot be loaded, or whose kinds cannot
+kinds. They are looked for when a code is asked for that the package does not have, or when all codes are listed. So a
+design of the package's own kinds does not wait for them. A plug-in that cannot be loaded, or whose kinds cannot
 be told from others, is passed over with one warning. Every process looks for itself.
 
 | group              | object of an entry point                                                                   |
@@ -59,7 +59,7 @@ def load_plugins(group: str, register: Callable[[Any], object]) -> None:
 
 
 def used(kind: Any) -> Any:
-    """The same object, noted as used if a plug-in has brought it.
+    """Note an object as used if a plug-in has brought it, and return it.
 
     Args:
         kind: any object of a table.

@@ -1,4 +1,4 @@
-"""One design of a study -> one row: cheap figures and their limits first, then checks and exact figures.
+"""Row of one design of a study: cheap figures and their limits first, then checks and exact figures.
 
 The process that computes a design keeps its limits of time and memory. Nothing that goes wrong with a design leaves
 this module as an error: it becomes the row's sentence.
@@ -137,7 +137,7 @@ class Row:
 
 @dataclass(frozen=True)
 class Task:
-    """One design to be computed.
+    """Design to be computed.
 
     Attributes:
         number: number in the plan.

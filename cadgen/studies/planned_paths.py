@@ -83,7 +83,7 @@ class Planner:
         return results
 
     def planned(self, key: str) -> PlannedText:
-        """One planned path by its key."""
+        """Plan a path by its key."""
         changed: dict[str, Any] = dict(json.loads(key))
         most = changed.pop(f"{REPLAN}within_mm", self.within_mm)
         reserve = float(changed.pop(f"{REPLAN}reserve", self.reserve))

@@ -75,7 +75,7 @@ class PlanKeys(DesignSection):
 
 
 class Vary(DesignSection):
-    """One key that varies: by values, or from a least to a most."""
+    """Key that varies: by values, or from a least to a most."""
 
     key: str = Field(min_length=1, description="key of the design, or replan.within_mm, replan.reserve or replan.seeds")
     values: Annotated[tuple[Any, ...], Strict(False)] | None = Field(default=None, description="values to choose from")
@@ -293,7 +293,7 @@ class EachKeys(DesignSection):
 
 
 class StudyFile(DesignSection):
-    """All of a study's file."""
+    """Content of a study's file."""
 
     name: str = Field(default="", pattern=r"^([A-Za-z0-9][\w.-]{0,80})?$", description="in the names of the results")
     base: str = Field(default="carbon_free_car", min_length=1, description="a packaged design, or a TOML file")

@@ -148,7 +148,7 @@ def _drift(evaluated: Evaluated) -> float:
 
     A cam that is cut for the middle of the band errs by half of the band's width d at either end. On a fall the car
     then meets its turning rate f(theta + d) for f(theta). So a piece of the fall turns it by d df more, about the place
-    Q where that happens, and moves the end E of the run by d df J (E - Q), J a quarter turn:
+    Q where that happens. It moves the end E of the run by d df J (E - Q), J a quarter turn:
 
         drift = d | sum over all falls of df J (E - Q) |.
 

@@ -172,7 +172,7 @@ class Summary:
         }
 
     def row_facts(self, row: Row) -> dict[str, Any]:
-        """One design as plain values."""
+        """Design as plain values."""
         study = self.results.study
         return {
             "number": row.number,
