@@ -21,7 +21,7 @@ from hypothesis import settings
 from cadgen.cam.envelope import ActualProfile, actual_profile
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.car.path.spline import plan_path
-from cadgen.car.path.track import Track, offset_track
+from cadgen.car.path.wheel_track import Track, offset_track
 from cadgen.car.path_motion import PathMotion, path_motion
 from cadgen.car.steering import Car, steering_jets
 from cadgen.inference.measurement import kinds

@@ -21,7 +21,7 @@ class Card:
         computed: the whole result, for figures that are not named here; mm and rad.
     """
 
-    computed: card_plan.Card
+    computed: card_plan.CardPlan
 
     def __repr__(self) -> str:
         state = "passed" if self.passed else "failed"

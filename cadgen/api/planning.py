@@ -13,7 +13,7 @@ from cadgen.design import cam_model
 from cadgen.design.schema import Design as DesignValues
 from cadgen.errors import CheckError, DesignError
 from cadgen.jobs.planning.path_report import facts, sentences
-from cadgen.jobs.planning.plan import PlannedPath, Wanted, plan_design
+from cadgen.jobs.planning.plan import PathPlanning, PlanRequest, plan_design
 from cadgen.jobs.planning.write import write_plan
 from cadgen.output.files.publisher import Written, folder_of, refusal
 from cadgen.progress import Progress, silent
@@ -30,7 +30,7 @@ class Plan(Generic[D]):
         source: design that a path was planned for.
     """
 
-    computed: PlannedPath
+    computed: PathPlanning
     source: D
 
     def __repr__(self) -> str:
@@ -122,6 +122,6 @@ def planned(
     before = known if drawn else None
     if others[0] is not None:
         before = known.model_copy(update={"path": others[0].path})
-    wanted = Wanted(near, reach, calm or near, count, map_of(pool), before, room)
+    wanted = PlanRequest(near, reach, calm or near, count, map_of(pool), before, room)
     own = cam_model.track(known) if drawn else None
     return Plan(plan_design(known, text, own, wanted, progress), source)

@@ -14,7 +14,7 @@ from math import degrees, tan
 import numpy as np
 
 from cadgen.arrays import Array, gauss_nodes
-from cadgen.car.path.track import Track
+from cadgen.car.path.wheel_track import Track
 from cadgen.curves.piecewise import quintic_hermite
 from cadgen.errors import DesignError
 from cadgen.messages import Message

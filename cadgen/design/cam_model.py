@@ -15,7 +15,7 @@ from cadgen.cam.followers.rod_kind import RodKeys
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
 from cadgen.car.course.layout import Side
 from cadgen.car.path.spline import PlannedPath
-from cadgen.car.path.track import Track, offset_track
+from cadgen.car.path.wheel_track import Track, offset_track
 from cadgen.car.path_motion import PathMotion, lap_motion, path_motion
 from cadgen.car.steering import Car, by_rim, rim_travel, steering_jets
 from cadgen.design import blank as keys

@@ -11,7 +11,7 @@ from cadgen.cam.followers.rod import LeaningRod
 from cadgen.car.course.layout import Draw
 from cadgen.car.draws.setting_ranges import SettingRange, SettingRanges, Wheels
 from cadgen.car.draws.target import Complex, Steering, Target
-from cadgen.car.path.track import Track
+from cadgen.car.path.wheel_track import Track
 from cadgen.car.running.drive import wheel_radius
 from cadgen.curves.closed import ClosedCurve
 from cadgen.design import cam_model, gear_model

@@ -14,7 +14,7 @@ from cadgen.arrays import Array
 from cadgen.car.against_play.evaluate import Evaluation
 from cadgen.car.course.layout import Shape
 from cadgen.car.running.drive import Run
-from cadgen.car.running.errors import Event, EventKind, RunError, deflected, deflection_sum, deflections, run_error
+from cadgen.car.running.run_errors import Event, EventKind, RunError, deflected, deflection_sum, deflections, run_error
 from cadgen.design import cam_model
 from cadgen.design.course import body_of, layout_of
 from cadgen.design.schema import Design

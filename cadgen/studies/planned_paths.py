@@ -11,7 +11,7 @@ from cadgen.design import cam_model
 from cadgen.design.load import course_of
 from cadgen.errors import CadgenError, brief
 from cadgen.jobs.planning.path_report import sentences
-from cadgen.jobs.planning.plan import Wanted, plan_design
+from cadgen.jobs.planning.plan import PlanRequest, plan_design
 from cadgen.studies.design_row import TooLongError, limit_memory, override_of, within
 from cadgen.studies.sampling import REPLAN, Values
 from cadgen.studies.study import ANY, Study
@@ -93,7 +93,7 @@ class Planner:
             with within(self.seconds):
                 design, drawn = course_of(self.text, Path(self.source), overrides)
                 own = cam_model.track(design) if drawn else None
-                wanted = Wanted(seeds=seeds, reserve=reserve)
+                wanted = PlanRequest(seeds=seeds, reserve=reserve)
                 if most != ANY:
                     wanted = replace(wanted, near=own, within=float(most), calm=own)
                 plan = plan_design(design, self.text, own, wanted)

@@ -11,7 +11,7 @@ import numpy as np
 from cadgen.arrays import TURN
 from cadgen.car.against_play.band import PlayBand
 from cadgen.car.against_play.remedies import holding
-from cadgen.car.path.track import Track
+from cadgen.car.path.wheel_track import Track
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import drive, turns_of
 from cadgen.car.running.friction import DiscMaterial

@@ -14,7 +14,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from cadgen.car.path.spline import plan_path
-from cadgen.car.path.track import offset_track
+from cadgen.car.path.wheel_track import offset_track
 from cadgen.car.path_motion import path_motion
 from cadgen.car.steering import Car, steering_jets
 from tests.inference.measurement.synthetic_drive import Wheels, track_record

@@ -7,7 +7,7 @@ from cadgen.cam import contact
 from cadgen.cam.contact import roll, roll_curve, rolling_step
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.car.path import track
+from cadgen.car.path import wheel_track
 from cadgen.car.path_motion import PathMotion
 from cadgen.curves.contour import circle
 from cadgen.curves.piecewise import quintic_hermite
@@ -57,9 +57,9 @@ def test_fewer_nodes_keep_the_lift(monkeypatch):
     design = load_design("carbon_free_car")
     angle = np.linspace(0.0, 2 * np.pi, 5000)
     fine = lift(design).q(angle)
-    monkeypatch.setattr(track, "MOST_NODES", 0)
+    monkeypatch.setattr(wheel_track, "MOST_NODES", 0)
     assert np.abs(lift(design).q(angle) - fine).max() * 26.5e3 < 0.003  # um
-    monkeypatch.setattr(track, "_BLOCK", 1)
+    monkeypatch.setattr(wheel_track, "_BLOCK", 1)
     assert np.abs(lift(design).q(angle) - fine).max() * 26.5e3 < 0.003
 
 

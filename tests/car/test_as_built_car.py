@@ -8,7 +8,7 @@ import pytest
 from cadgen.arrays import TURN
 from cadgen.car.path_motion import path_motion
 from cadgen.car.running.drive import drive, start_pose
-from cadgen.car.running.errors import turning
+from cadgen.car.running.run_errors import turning
 from cadgen.car.steering import by_rim, rim_travel, steering_jets, tan_steering, track_curvature
 from cadgen.curves.piecewise import quintic_hermite
 from cadgen.errors import DesignError

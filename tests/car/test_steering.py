@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from cadgen.car.path.spline import plan_path
-from cadgen.car.path.track import offset_track
+from cadgen.car.path.wheel_track import offset_track
 from cadgen.car.steering import Car, steering_jets, tan_steering, track_curvature
 from cadgen.curves.piecewise import quintic_hermite
 from cadgen.errors import DesignError

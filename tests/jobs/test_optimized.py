@@ -12,7 +12,7 @@ from cadgen.cam.envelope import actual_profile
 from cadgen.car.against_play.compensation import compensated_lift
 from cadgen.car.against_play.profile_kinds import ACTUAL, COMPENSATED
 from cadgen.car.running.drive import drive
-from cadgen.car.running.errors import run_error
+from cadgen.car.running.run_errors import run_error
 from cadgen.car.running.sampled import sampled_lift
 from cadgen.design.load import load_design
 from cadgen.errors import CheckError, DesignError

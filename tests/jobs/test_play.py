@@ -10,7 +10,7 @@ import pytest
 from cadgen.car.against_play.compensation import compensated_lift
 from cadgen.car.against_play.profile_kinds import ACTUAL, COMPENSATED
 from cadgen.car.running.drive import drive
-from cadgen.car.running.errors import run_error
+from cadgen.car.running.run_errors import run_error
 from cadgen.design.load import load_design
 from cadgen.errors import CheckError, FileError
 from cadgen.jobs import tolerance

@@ -17,9 +17,9 @@ from cadgen.cam.followers.rod import LeaningRod
 from cadgen.car.against_play.compensation import compensated_lift, lost_dips
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import drive, turns_of
-from cadgen.car.running.errors import run_error
 from cadgen.car.running.mechanics import Mechanics
 from cadgen.car.running.play import LEAST_SWING, falls, follow
+from cadgen.car.running.run_errors import run_error
 from cadgen.car.steering import Car, track_curvature, travel_ratio
 from cadgen.errors import DesignError
 

@@ -20,8 +20,8 @@ from cadgen.car.against_play.play_task import PlayTask, TrainTask
 from cadgen.car.against_play.profile_kinds import CutLift, ProfileKind
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import Run
-from cadgen.car.running.errors import Event, RunError, deflection_sum, deflections, run_error
 from cadgen.car.running.play import LEAST_SWING
+from cadgen.car.running.run_errors import Event, RunError, deflection_sum, deflections, run_error
 from cadgen.car.running.sampled import rolled_lift
 from cadgen.curves.closed import ClosedCurve
 from cadgen.errors import CheckError

@@ -22,8 +22,8 @@ from cadgen.cam.followers.rod import LeaningRod
 from cadgen.car.against_play.play_task import PlayTask
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import Run, drive, turns_of
-from cadgen.car.running.errors import RunError, run_error
 from cadgen.car.running.mechanics import Leads, Mechanics, MechanicsBand
+from cadgen.car.running.run_errors import RunError, run_error
 
 MARGIN = 1.25  # of a drag that is to hold, over the torque that it must hold
 _STEPS = 720  # of a turn; its end errs by 1e-5 mm

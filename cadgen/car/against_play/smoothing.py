@@ -23,8 +23,8 @@ from cadgen.arrays import TURN, Array
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.car.against_play.compensation import closed_lift, nodes_between
 from cadgen.car.path_motion import PathMotion
-from cadgen.car.running.errors import deflection_sum, deflections
 from cadgen.car.running.play import falls
+from cadgen.car.running.run_errors import deflection_sum, deflections
 from cadgen.car.steering import Car
 from cadgen.errors import DesignError
 

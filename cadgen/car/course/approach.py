@@ -2,11 +2,11 @@
 
 Distances are those of shapely, which is imported when it is needed.
 
-Between two poses a point of the car moves by no more than the car's reach grows (`Poses.reach`). So from the distances
-d0 and d1 at two poses a reach m apart, no pose between is nearer than e = (d0 + d1 - m) / 2. Nor is it nearer than the
-lesser of the two by more than m^2 f / 8, with f the greatest second derivative of a distance by the reach: 1 / e of
-two corners that pass each other, and `_BEND` for the car's own turning. Stretches of the run that cannot hold the
-nearest pose are dropped, the others are halved, until what is left cannot be nearer by `_CLOSE`.
+Between two poses a point of the car moves by no more than the car's reach grows (`RunPoses.reach`). So from the
+distances d0 and d1 at two poses a reach m apart, no pose between is nearer than e = (d0 + d1 - m) / 2. Nor is it
+nearer than the lesser of the two by more than m^2 f / 8, with f the greatest second derivative of a distance by the
+reach: 1 / e of two corners that pass each other, and `_BEND` for the car's own turning. Stretches of the run that
+cannot hold the nearest pose are dropped, the others are halved, until what is left cannot be nearer by `_CLOSE`.
 """
 
 from collections.abc import Callable
@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.car.course.body import CarBody, CarWheel, PartName, Poses
+from cadgen.car.course.body import CarBody, CarWheel, PartName, RunPoses
 from cadgen.car.course.layout import Obstacle, Point, Shape
 
 
@@ -31,7 +31,7 @@ def geometry(shape: Shape) -> Any:
     return shapely.LineString(shape.points) if len(shape.points) > 1 else shapely.Point(shape.points[0])
 
 
-def wheel_areas(wheel: CarWheel, poses: Poses) -> Any:
+def wheel_areas(wheel: CarWheel, poses: RunPoses) -> Any:
     """Areas of a wheel seen from above at n poses; lines or points where it has no width or length."""
     if wheel.radius == 0 and wheel.width == 0:
         return _placed((wheel.centre,), poses)
@@ -58,12 +58,12 @@ def hidden_wheels(body: CarBody) -> tuple[PartName, ...]:
     return tuple(wheel.name for wheel in body.wheels if outline.covers(area(wheel)))
 
 
-def _placed(corners: tuple[Point, ...], poses: Poses) -> Any:
+def _placed(corners: tuple[Point, ...], poses: RunPoses) -> Any:
     there = np.array([complex(*corner) for corner in corners])
     return _shaped(np.broadcast_to(there, (len(poses), len(there))), poses)
 
 
-def _shaped(corners: Any, poses: Poses) -> Any:
+def _shaped(corners: Any, poses: RunPoses) -> Any:
     """Points in the car's frame, x + iy, shape (n, k), as areas, lines or points on the floor."""
     import shapely
 
@@ -158,19 +158,19 @@ class Approach:
     part: PartName
 
 
-def approach(poses: Poses, body: CarBody, obstacle: Obstacle) -> Approach:
+def approach(poses: RunPoses, body: CarBody, obstacle: Obstacle) -> Approach:
     """Nearest approach of the car to an obstacle; what passes under the body is approached by the wheels alone."""
     parts = _parts(body, wheels_only=obstacle.height < body.clearance)
     return _swept(poses, body, parts, lambda areas: clearances(areas, obstacle.shape))
 
 
-def approach_to_edge(poses: Poses, body: CarBody, edge: Shape) -> Approach:
+def approach_to_edge(poses: RunPoses, body: CarBody, edge: Shape) -> Approach:
     """Nearest approach of the car to the edge of the field, from inside."""
     return _swept(poses, body, _parts(body), lambda areas: room_inside(areas, edge))
 
 
 def nearest_point(
-    poses: Poses, body: CarBody, thing: Shape, there: Approach, *, edge: bool = False
+    poses: RunPoses, body: CarBody, thing: Shape, there: Approach, *, edge: bool = False
 ) -> tuple[complex, complex]:
     """Point of a thing that the car comes nearest to, x + iy, and the direction from the car to it, of length 1.
 
@@ -191,11 +191,11 @@ def nearest_point(
     return complex(ox, oy), away / abs(away) if away else 0j
 
 
-def _parts(body: CarBody, *, wheels_only: bool = False) -> dict[PartName, Callable[[Poses], Any]]:
+def _parts(body: CarBody, *, wheels_only: bool = False) -> dict[PartName, Callable[[RunPoses], Any]]:
     """Parts of the car that can be nearest, each as areas by poses: a wheel that the outline covers cannot."""
     bodied = bool(body.corners) and not wheels_only
     hidden = hidden_wheels(body) if bodied else ()
-    parts: dict[PartName, Callable[[Poses], Any]] = {
+    parts: dict[PartName, Callable[[RunPoses], Any]] = {
         wheel.name: partial(wheel_areas, wheel) for wheel in body.wheels if wheel.name not in hidden
     }
     if bodied:
@@ -204,7 +204,7 @@ def _parts(body: CarBody, *, wheels_only: bool = False) -> dict[PartName, Callab
 
 
 def _swept(
-    poses: Poses, body: CarBody, parts: dict[PartName, Callable[[Poses], Any]], distances: Callable[[Any], Array]
+    poses: RunPoses, body: CarBody, parts: dict[PartName, Callable[[RunPoses], Any]], distances: Callable[[Any], Array]
 ) -> Approach:
     import shapely
 

@@ -83,7 +83,7 @@ Complex = NDArray[np.complex128]
 
 
 @dataclass(frozen=True, kw_only=True)
-class Poses:
+class RunPoses:
     """Poses of the car along a run; n of them. Between two of them everything changes evenly.
 
     Attributes:
@@ -106,10 +106,10 @@ class Poses:
         """Directions of travel as x + iy of length 1, shape (n,)."""
         return np.asarray(np.exp(1j * self.heading))
 
-    def part(self, start: int, stop: int) -> "Poses":
+    def part(self, start: int, stop: int) -> "RunPoses":
         """Poses from a number up to another, which is left out."""
         some = slice(start, stop)
-        return Poses(
+        return RunPoses(
             fork=self.fork[some], heading=self.heading[some], steering=self.steering[some], travel=self.travel[some]
         )
 
@@ -121,7 +121,7 @@ class Poses:
         """
         return np.asarray(self.fork + complex(*point) * self.ahead)
 
-    def at(self, place: Array) -> "Poses":
+    def at(self, place: Array) -> "RunPoses":
         """Poses at places along the run.
 
         Args:
@@ -134,7 +134,7 @@ class Poses:
             return np.asarray(values[left] + share * (values[left + 1] - values[left]))
 
         fork = between(self.fork.real) + 1j * between(self.fork.imag)
-        return Poses(
+        return RunPoses(
             fork=fork, heading=between(self.heading), steering=between(self.steering), travel=between(self.travel)
         )
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.car.course.approach import Approach, approach, approach_to_edge
-from cadgen.car.course.body import CarBody, Complex, Poses, place_of
+from cadgen.car.course.body import CarBody, Complex, RunPoses, place_of
 from cadgen.car.course.layout import CarPoint, Course, Gate, Obstacle, Side
 from cadgen.car.steering import Car
 from cadgen.messages import Message
@@ -43,7 +43,7 @@ class Passage:
         return Message("{key} missed by {margin:.1f} mm", key=self.gate.key, margin=-self.margin)
 
 
-def passages(poses: Poses, car: Car, gates: Sequence[Gate]) -> tuple[Passage, ...]:
+def passages(poses: RunPoses, car: Car, gates: Sequence[Gate]) -> tuple[Passage, ...]:
     """Passage of each gate. Gates that are not free are passed one after the other, each as early as it can be.
 
     Of a gate that is passed several times the best passage counts that leaves the order.
@@ -58,7 +58,7 @@ def passages(poses: Poses, car: Car, gates: Sequence[Gate]) -> tuple[Passage, ..
     return tuple(passed)
 
 
-def _passage(poses: Poses, track: Complex, gate: Gate, since: float) -> tuple[Passage, float]:
+def _passage(poses: RunPoses, track: Complex, gate: Gate, since: float) -> tuple[Passage, float]:
     """Best passage from a place on, and the earliest place at which the gate is passed; `since` if it is not."""
     place, margin, off = (_through_segment if len(gate.place.points) > 1 else _through_disc)(track, gate)
     headed = np.ones(len(place), dtype=bool)
@@ -204,7 +204,7 @@ class CourseVerdict:
         return found
 
 
-def judge(poses: Poses, car: Car, body: CarBody, course: Course) -> CourseVerdict:
+def judge(poses: RunPoses, car: Car, body: CarBody, course: Course) -> CourseVerdict:
     """Hold a run against a course."""
     return CourseVerdict(
         approaches=tuple((obstacle, approach(poses, body, obstacle)) for obstacle in course.obstacles),
@@ -216,7 +216,7 @@ def judge(poses: Poses, car: Car, body: CarBody, course: Course) -> CourseVerdic
     )
 
 
-def _end_deviation(poses: Poses, car: Car, wanted: Gate, number: int) -> EndDeviation:
+def _end_deviation(poses: RunPoses, car: Car, wanted: Gate, number: int) -> EndDeviation:
     at = complex(poses.track(place_of(wanted.point, car))[number])
     points = [complex(*point) for point in wanted.place.points]
     along = points[-1] - points[0]
@@ -225,7 +225,7 @@ def _end_deviation(poses: Poses, car: Car, wanted: Gate, number: int) -> EndDevi
     return EndDeviation(wanted=wanted, off=abs(at - points[0] - share * along), turned=turned)
 
 
-def _sides(poses: Poses, car: Car, obstacles: Sequence[Obstacle]) -> tuple[Side, ...]:
+def _sides(poses: RunPoses, car: Car, obstacles: Sequence[Obstacle]) -> tuple[Side, ...]:
     """Side of each obstacle on which the middle of the car passes where it is nearest to the obstacle's middle."""
     track = poses.track(place_of(CarPoint.MIDDLE, car))
     start, along = track[:-1], np.diff(track)
@@ -244,7 +244,7 @@ _BESIDE = 0.05
 _DIGITS = 4  # of a clearance in mm to which laps are alike; of those the last counts, for there a car has drifted most
 
 
-def judge_laps(poses: Poses, car: Car, body: CarBody, course: Course, ends: Sequence[int]) -> CourseVerdict:
+def judge_laps(poses: RunPoses, car: Car, body: CarBody, course: Course, ends: Sequence[int]) -> CourseVerdict:
     """Hold a run against a course, lap by lap: the worst lap counts, and the gates are passed on each.
 
     Args:

@@ -5,14 +5,14 @@ from math import hypot, tan
 import numpy as np
 
 from cadgen.car.course.approach import approach, approach_to_edge, geometry
-from cadgen.car.course.body import CarBody, Poses
+from cadgen.car.course.body import CarBody, RunPoses
 from cadgen.car.course.layout import Course, Gate, Shape
 from cadgen.car.steering import Car
 from cadgen.errors import DesignError
 from cadgen.messages import Message, joined
 
 
-def refuse_course(course: Course, body: CarBody, start: Poses) -> None:
+def refuse_course(course: Course, body: CarBody, start: RunPoses) -> None:
     """Refuse a course on which the car cannot even stand at its start, or with a gate that no car can pass.
 
     Args:

@@ -4,5 +4,5 @@
 |--------------|--------------------------------------------------------------------------|
 | `path_kinds` | kinds of path in a design file: keys and curve of each                   |
 | `spline`     | waypoints or control points -> parametric spline, the planned path       |
-| `track`      | planned path -> drive wheel's track: arc length, signed curvature, kinks |
+| `wheel_track`| planned path -> drive wheel's track: arc length, signed curvature, kinks |
 """

@@ -9,7 +9,7 @@ from scipy.interpolate import BSpline
 
 from cadgen.arrays import Array
 from cadgen.car.path.spline import DEGREE, lap_columns, lap_knots, path_knots
-from cadgen.car.path.track import curvatures
+from cadgen.car.path.wheel_track import curvatures
 
 ORDERS = 5  # a value and four derivatives
 LOCAL = DEGREE + 1  # B-splines that do not vanish at a parameter
@@ -191,7 +191,7 @@ def _column(value: float | Array) -> float | Array:
 def _quantities(jets: Array, offset: float) -> Array:
     """Quantities of `Kinematics` from four derivatives of the planned path, shape (4, 2, m).
 
-    Those of `cadgen.car.path.track`, written for real and complex numbers, so that a complex step differentiates them.
+    They are those of `cadgen.car.path.wheel_track`, for real and complex numbers: a complex step differentiates them.
     """
     r1, r2, r3, r4 = jets
     speed = np.sqrt(_dot(r1, r1))

@@ -7,6 +7,6 @@
 | `mechanics` | forces that turn the cam ahead of its gears or hold it: rod force, friction, drag         |
 | `drive`     | cam angle -> steering -> heading and the tracks of the three wheels (eq. 20-24), by one   |
 |             | integration for simulation, profiles and measured tracks alike; the run as poses          |
-| `errors`    | deflection errors of the events (eq. 28, 30); heading and position errors along the run   |
+| `run_errors`| deflection errors of the events (eq. 28, 30); heading and position errors along the run   |
 | `sampled`   | steering known at sampled cam angles, such as a rolled outline's -> a motion              |
 """

@@ -20,8 +20,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.car.course.body import Poses
-from cadgen.car.path.track import Track
+from cadgen.car.course.body import RunPoses
+from cadgen.car.path.wheel_track import Track
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.play import LEAST_SWING, Following, follow
 from cadgen.car.steering import Car, wheel_curvature, wheel_tangent, wheel_travel_ratio
@@ -234,7 +234,7 @@ def _plane(z: Complex) -> Array:
     return np.stack([z.real, z.imag], axis=-1)
 
 
-def poses_of(run: Run, car: Car) -> Poses:
+def poses_of(run: Run, car: Car) -> RunPoses:
     """Poses of a run.
 
     Args:
@@ -242,7 +242,7 @@ def poses_of(run: Run, car: Car) -> Poses:
         car: the car that ran.
     """
     drive_wheel, fork = (wheel[:, 0] + 1j * wheel[:, 1] for wheel in (run.drive_wheel, run.front_wheel))
-    return Poses(
+    return RunPoses(
         fork=fork,
         heading=run.heading,
         steering=-np.arctan(wheel_tangent(run.tan_beta, car)),

@@ -5,8 +5,8 @@ face, at w from the fork axis, and the fork turns with the cam. The normal n at 
 along it disc and rod move alike; alpha, its angle in the plane of the face, is the pressure angle. Let T = tan(beta),
 s = w T, s' = w dT/dtheta, d = a + s, k = sqrt(1 + T^2 cos^2(alpha)), and r the rod's radius.
 
-    P is at x = d - r (1 + T^2) cos(alpha) / k and y = r sin(alpha) / k from the camshaft,
-    tan(alpha) = -s' (1 - r T cos(alpha) / (k w)) / (d - r T^2 cos(alpha) / k),
+    P is at x = d - r (1 + T^2) cos(alpha) / k and y = r sin(alpha) / k from the camshaft.
+    tan(alpha) = -s' (1 - r T cos(alpha) / (k w)) / (d - r T^2 cos(alpha) / k).
     v = the disc's velocity at P less the rod's, per radian of the cam.
 
 With friction mu against v, the rod, pressed by the force F along the lift, is in balance if the normal force is

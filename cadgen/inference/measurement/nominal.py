@@ -8,7 +8,7 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.car.path.track import Track
+from cadgen.car.path.wheel_track import Track
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.mechanics import Leads, Mechanics
 from cadgen.car.steering import Car

@@ -20,7 +20,7 @@ from cadgen.car.against_play.play_task import TrainTask
 from cadgen.car.against_play.profile_kinds import ACTUAL, OPTIMIZED, ProfileKind, codes, profile_of
 from cadgen.car.course.layout import Side
 from cadgen.car.path.path_kinds import CUBIC
-from cadgen.car.path.track import Track
+from cadgen.car.path.wheel_track import Track
 from cadgen.car.path_motion import PathMotion, blend_checks
 from cadgen.car.running.drive import drive, start_pose
 from cadgen.car.running.friction import DiscMaterial

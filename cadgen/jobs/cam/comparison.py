@@ -22,11 +22,11 @@ from cadgen.car.against_play.evaluate import (
 from cadgen.car.against_play.play_task import PlayTask, TrainTask
 from cadgen.car.against_play.profile_kinds import ACTUAL, ProfileKind, compared
 from cadgen.car.against_play.remedies import trims
-from cadgen.car.path.track import Track
+from cadgen.car.path.wheel_track import Track
 from cadgen.car.path_motion import PathMotion, blend_checks
 from cadgen.car.running.drive import Run, start_pose
-from cadgen.car.running.errors import run_error
 from cadgen.car.running.play import LEAST_SWING, Following, falls
+from cadgen.car.running.run_errors import run_error
 from cadgen.check import Bound, Check, CheckCode, failing
 from cadgen.curves.closed import ClosedCurve
 from cadgen.design import cam_model, variation

@@ -9,11 +9,11 @@ import numpy as np
 
 from cadgen.arrays import TURN
 from cadgen.car.course.approach import Approach
-from cadgen.car.course.body import CarBody, Poses
+from cadgen.car.course.body import CarBody, RunPoses
 from cadgen.car.course.judge import CourseVerdict, EndDeviation, Passage, judge, judge_laps, passages
 from cadgen.car.course.layout import Course, Judged, ObstacleKind
 from cadgen.car.course.refuse import refuse_course
-from cadgen.car.path.track import Track
+from cadgen.car.path.wheel_track import Track
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import STEPS, Run, drive, poses_of, start_pose
 from cadgen.car.running.mechanics import Mechanics
@@ -171,7 +171,7 @@ class CourseRun:
 
     on: OnCourse
     run: Run
-    poses: Poses
+    poses: RunPoses
     driven: CourseVerdict
     blend: CourseVerdict | None = None
     play: float | None = None

@@ -11,9 +11,9 @@ from cadgen.car.against_play.evaluate import Evaluation
 from cadgen.car.against_play.play_task import PlayTask
 from cadgen.car.against_play.remedies import holding, touched_width
 from cadgen.car.path_motion import PathMotion
-from cadgen.car.running.errors import run_error
 from cadgen.car.running.friction import USUAL
 from cadgen.car.running.mechanics import MechanicsBand
+from cadgen.car.running.run_errors import run_error
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.design import cam_model, variation
 from cadgen.design.play import Hardware

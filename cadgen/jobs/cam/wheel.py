@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from cadgen.arrays import TURN
-from cadgen.car.path.track import Track
+from cadgen.car.path.wheel_track import Track
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import drive, start_pose
 from cadgen.design import cam_model, gear_model, variation

@@ -6,14 +6,14 @@ from pathlib import Path
 from typing import Any
 
 from cadgen.errors import CheckError
-from cadgen.jobs.card.plan import Card
+from cadgen.jobs.card.plan import CardPlan
 from cadgen.output.files.publisher import Artifact, Written, publish, text_file
 from cadgen.output.report import settings_card as settings
 from cadgen.progress import Progress, silent
 from cadgen.version import __version__
 
 
-def sentences(card: Card) -> list[str]:
+def sentences(card: CardPlan) -> list[str]:
     """The result in words, the most important first."""
     comparison, laps = card.cam.comparison, card.cam.laps
     lines = settings.sentences(
@@ -27,7 +27,7 @@ def sentences(card: Card) -> list[str]:
     return [f"the cam itself fails its checks ({names}): see cadgen check", *lines]
 
 
-def facts(card: Card) -> dict[str, Any]:
+def facts(card: CardPlan) -> dict[str, Any]:
     """The result in the units of its names."""
     design, comparison = card.design, card.cam.comparison
     return {
@@ -49,7 +49,7 @@ def facts(card: Card) -> dict[str, Any]:
     }
 
 
-def write_card(card: Card, out: Path, progress: Progress = silent) -> Written:
+def write_card(card: CardPlan, out: Path, progress: Progress = silent) -> Written:
     """Publish the card as CSV and as a page to print.
 
     Args:

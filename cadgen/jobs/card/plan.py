@@ -13,7 +13,7 @@ from cadgen.progress import Progress, silent
 
 
 @dataclass(frozen=True)
-class Card:
+class CardPlan:
     """Cam with the settings for every spacing that can be drawn.
 
     Attributes:
@@ -42,7 +42,7 @@ class Card:
         return max(self.drawn, key=lambda each: each.error)
 
 
-def plan_card(design: Design, profile: str | None = None, progress: Progress = silent) -> Card:
+def plan_card(design: Design, profile: str | None = None, progress: Progress = silent) -> CardPlan:
     """Plan the cam of a design, and what to set for each spacing that can be drawn.
 
     Args:
@@ -62,7 +62,7 @@ def plan_card(design: Design, profile: str | None = None, progress: Progress = s
     return card_of(plan_cam(design, profile, progress), draw, progress)
 
 
-def card_of(cam: CamPlan, draw: Draw, progress: Progress = silent, *, tries: int = TRIES) -> Card:
+def card_of(cam: CamPlan, draw: Draw, progress: Progress = silent, *, tries: int = TRIES) -> CardPlan:
     """Settings for every spacing with a cam that is planned.
 
     Args:
@@ -76,4 +76,4 @@ def card_of(cam: CamPlan, draw: Draw, progress: Progress = silent, *, tries: int
     for spacing in draw.spacings:
         progress(Message("settings for posts {spacing:g} mm apart", spacing=spacing))
         rows.append(maker.drawn(spacing))
-    return Card(cam, draw, tuple(rows))
+    return CardPlan(cam, draw, tuple(rows))

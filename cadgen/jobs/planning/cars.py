@@ -52,7 +52,7 @@ class Tried:
 
 
 @dataclass(frozen=True)
-class Cars:
+class CarsOnPaths:
     """Cars on the path that was chosen, beside others.
 
     Attributes:
@@ -125,7 +125,9 @@ def best(paths: Sequence[Tried]) -> int:
     return min(good, key=lambda number: paths[number].worst)
 
 
-def cars_on(cam: CamPlan, replaced: Design | None, paths: Sequence[Tried], number: int, progress: Progress) -> Cars:
+def cars_on(
+    cam: CamPlan, replaced: Design | None, paths: Sequence[Tried], number: int, progress: Progress
+) -> CarsOnPaths:
     """Many cars on the path that was chosen, and on the one before.
 
     Args:
@@ -141,4 +143,4 @@ def cars_on(cam: CamPlan, replaced: Design | None, paths: Sequence[Tried], numbe
             before = tolerance_of(plan_cam(replaced, None, progress), CarSample(samples=_MANY, seed=_SEED), progress)
         except CadgenError:  # a path that no car drives has no yield
             before = None
-    return Cars(tuple(paths), number, tolerance_of(cam, CarSample(samples=_MANY, seed=_SEED), progress), before)
+    return CarsOnPaths(tuple(paths), number, tolerance_of(cam, CarSample(samples=_MANY, seed=_SEED), progress), before)

@@ -9,8 +9,8 @@ from cadgen.car.planner.path_plan import Reason
 from cadgen.car.planner.path_task import PathTask
 from cadgen.design.schema import Design
 from cadgen.jobs.cam.comparison import PlayComparison
-from cadgen.jobs.planning.cars import Cars
-from cadgen.jobs.planning.plan import PlannedPath
+from cadgen.jobs.planning.cars import CarsOnPaths
+from cadgen.jobs.planning.plan import PathPlanning
 from cadgen.messages import Message, joined
 from cadgen.output.report import settings_card as settings
 from cadgen.version import __version__
@@ -20,7 +20,7 @@ _STEEPEST = radians(75)
 _OF_TURNS = (LimitKind.TURN, LimitKind.PRESSURE_ANGLE, LimitKind.CONVEX_RADIUS, LimitKind.FIELD)
 
 
-def sentences(planned: PlannedPath) -> list[str]:
+def sentences(planned: PathPlanning) -> list[str]:
     """The result in words, the most important first."""
     if planned.reasons or planned.cam is None:
         return _refusal(planned)
@@ -72,7 +72,7 @@ def sentences(planned: PlannedPath) -> list[str]:
     return lines
 
 
-def _kept(cars: Cars) -> Message:
+def _kept(cars: CarsOnPaths) -> Message:
     """Sentence on how many cars keep the course, before and after, and what binds them."""
     after, (key, share), first = cars.after, cars.binding, cars.after.sensitivities[0]
     said = [
@@ -99,7 +99,7 @@ def _kept(cars: Cars) -> Message:
     return joined(said, "")
 
 
-def _reserves(cars: Cars) -> list[str]:
+def _reserves(cars: CarsOnPaths) -> list[str]:
     """Sentence on the paths that were tried, so that another may be asked for."""
     if len(cars.tried) == 1:
         return []
@@ -123,7 +123,7 @@ def _ends(comparison: PlayComparison) -> Message:
     )
 
 
-def _cars_facts(cars: Cars | None) -> dict[str, Any] | None:
+def _cars_facts(cars: CarsOnPaths | None) -> dict[str, Any] | None:
     """Cars on the path as plain values."""
     if cars is None:
         return None
@@ -147,7 +147,7 @@ def _cars_facts(cars: Cars | None) -> dict[str, Any] | None:
     }
 
 
-def _refusal(planned: PlannedPath) -> list[str]:
+def _refusal(planned: PathPlanning) -> list[str]:
     if planned.failed:
         return [
             Message("the path can be driven, but not with the limits of [optimize]: {failed}", failed=planned.failed)
@@ -174,7 +174,7 @@ def _refusal(planned: PlannedPath) -> list[str]:
     return lines
 
 
-def facts(planned: PlannedPath) -> dict[str, Any]:
+def facts(planned: PathPlanning) -> dict[str, Any]:
     """The result in the units of its names."""
     design, plan, cam = planned.design, planned.plan, planned.cam
     comparison = None if cam is None else cam.comparison

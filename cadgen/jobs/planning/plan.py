@@ -11,11 +11,11 @@ from pathlib import Path
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.car.course.body import Poses, place_of
+from cadgen.car.course.body import RunPoses, place_of
 from cadgen.car.course.layout import Judged
 from cadgen.car.course.refuse import refuse_course
 from cadgen.car.draws.drawn_spacing import DrawnSpacing
-from cadgen.car.path.track import Track
+from cadgen.car.path.wheel_track import Track
 from cadgen.car.planner.gates import is_exact
 from cadgen.car.planner.path_plan import PathPlan, Reason, reasons
 from cadgen.car.planner.path_plan import best_plan as planned
@@ -28,7 +28,7 @@ from cadgen.design.schema import Design
 from cadgen.errors import CheckError, DesignError
 from cadgen.jobs.cam.cam_plan import CamPlan, plan_cam
 from cadgen.jobs.card.plan import card_of
-from cadgen.jobs.planning.cars import ALL, REFINED, Cars, Tried, best, cars_on, saturated, tried
+from cadgen.jobs.planning.cars import ALL, REFINED, CarsOnPaths, Tried, best, cars_on, saturated, tried
 from cadgen.jobs.planning.task import task_of
 from cadgen.messages import Message
 from cadgen.progress import Progress, silent
@@ -40,7 +40,7 @@ _WHEEL_STEP = 100  # parts of a millimetre in which a drive wheel's radius is ch
 
 
 @dataclass(frozen=True)
-class Wanted:
+class PlanRequest:
     """Options of a plan besides its course.
 
     Attributes:
@@ -64,7 +64,7 @@ class Wanted:
 
 
 @dataclass(frozen=True)
-class PlannedPath:
+class PathPlanning:
     """A planned path, or the reasons why there is none.
 
     Attributes:
@@ -91,7 +91,7 @@ class PlannedPath:
     failed: str = ""
     drawn: tuple[DrawnSpacing, ...] = ()
     kept: Margins = field(default_factory=Margins)
-    cars: Cars | None = None
+    cars: CarsOnPaths | None = None
     no_cars: str = ""
 
     @property
@@ -112,13 +112,13 @@ class _Asked:
     design: Design
     text: str
     drawn: Track | None
-    wanted: Wanted
+    wanted: PlanRequest
     progress: Progress
 
 
 def plan_design(
-    design: Design, text: str, drawn: Track | None, wanted: Wanted, progress: Progress = silent
-) -> PlannedPath:
+    design: Design, text: str, drawn: Track | None, wanted: PlanRequest, progress: Progress = silent
+) -> PathPlanning:
     """Plan a path for a design.
 
     Args:
@@ -145,7 +145,7 @@ def plan_design(
     return _chosen(asked, path, path.cam, first)
 
 
-def _chosen(asked: _Asked, path: PlannedPath, cam: CamPlan, cars: Tried) -> PlannedPath:
+def _chosen(asked: _Asked, path: PathPlanning, cam: CamPlan, cars: Tried) -> PathPlanning:
     """The path that most cars keep the course on, of one without room for their scatter and others with more and more.
 
     Args:
@@ -177,7 +177,7 @@ def _chosen(asked: _Asked, path: PlannedPath, cam: CamPlan, cars: Tried) -> Plan
 
 def _planned(
     asked: _Asked, tightening: Margins, spare: Mapping[str, float] | None = None, begin: Array | None = None
-) -> PlannedPath:
+) -> PathPlanning:
     """Plan a path, with what its checks ask for.
 
     Args:
@@ -206,14 +206,14 @@ def _planned(
         )
         if result.missed:
             progress("looking for the reason")
-            return PlannedPath(design, task, result, "", None, reasons(result))
+            return PathPlanning(design, task, result, "", None, reasons(result))
         radius = _chosen_radius(design, task, result)
         written = planned_text(design, asked.text, result.path.points, radius)
         progress("checking the planned cam")
         try:
             cam = plan_cam(design_of(written, Path(f"{design.name}.toml")), None, progress)
         except CheckError as error:
-            return PlannedPath(design, task, result, "", None, (), str(error))
+            return PathPlanning(design, task, result, "", None, (), str(error))
         except DesignError:
             # The closing blend is too steep for the rod to follow it: the other limits are those of the plan.
             if number == rounds - 1 or task.vehicle.closed:
@@ -221,7 +221,7 @@ def _planned(
             tightening, begin = replace(tightening, blend=tightening.blend + 1), rounded(result.path.points)
             continue
         settings = _settings(task, cam, progress)
-        path = PlannedPath(design, task, result, written, cam, drawn=settings, kept=tightening)
+        path = PathPlanning(design, task, result, written, cam, drawn=settings, kept=tightening)
         more = tightening.after(cam.failed)
         for each in settings:
             more = more.larger(tightening.after(each.failed))
@@ -250,7 +250,7 @@ def _refuse_course(design: Design) -> None:
     ahead = np.exp(1j * start.heading)
     fork = complex(*start.place.points[0]) - complex(*place_of(start.point, car)) * ahead
     still = np.zeros(2)
-    pose = Poses(fork=np.full(2, fork), heading=still + start.heading, steering=still, travel=still)
+    pose = RunPoses(fork=np.full(2, fork), heading=still + start.heading, steering=still, travel=still)
     refuse_course(course, body_of(design.car.outline, cam_model.car(design)), pose)
 
 

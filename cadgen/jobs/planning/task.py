@@ -8,7 +8,7 @@ import numpy as np
 from cadgen.arrays import Array
 from cadgen.cam.followers.rod import rod_of
 from cadgen.car.course.layout import CarPoint, Course, Gate, Shape
-from cadgen.car.path.track import Track
+from cadgen.car.path.wheel_track import Track
 from cadgen.car.planner.constraints import curvature_limits
 from cadgen.car.planner.path_task import Margins, PathTask, SteeringLimits, Vehicle
 from cadgen.car.planner.route import in_order

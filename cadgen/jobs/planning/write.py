@@ -6,12 +6,12 @@ from pathlib import Path
 from cadgen.design.load import design_of
 from cadgen.errors import FileError
 from cadgen.jobs.planning.path_report import facts
-from cadgen.jobs.planning.plan import PlannedPath
+from cadgen.jobs.planning.plan import PathPlanning
 from cadgen.output.files.publisher import Artifact, Written, publish, text_file
 from cadgen.progress import Progress, silent
 
 
-def write_plan(planned: PlannedPath, out: Path, progress: Progress = silent) -> Written:
+def write_plan(planned: PathPlanning, out: Path, progress: Progress = silent) -> Written:
     """Publish the design with the planned path.
 
     Args:

@@ -11,8 +11,8 @@ import numpy as np
 from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import Follower
 from cadgen.car.path_motion import PathMotion
-from cadgen.car.running.errors import Event, deflection_sum
 from cadgen.car.running.play import Following
+from cadgen.car.running.run_errors import Event, deflection_sum
 from cadgen.output.report.style import (
     AFTER,
     BEFORE,

@@ -10,7 +10,7 @@ import numpy as np
 from cadgen.arrays import Array
 from cadgen.car.course.layout import Shape
 from cadgen.car.running.drive import Run
-from cadgen.car.running.errors import RunError
+from cadgen.car.running.run_errors import RunError
 from cadgen.output.report.style import AFTER, BEFORE, BLUE, GREEN, GREY, ORANGE, SKY, WANTED, figure, save, zero_line
 
 if TYPE_CHECKING:

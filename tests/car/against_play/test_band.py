@@ -8,7 +8,7 @@ from cadgen.car.against_play.band import best_for_band, fixed_profile_bound, ove
 from cadgen.car.against_play.compensation import closed_lift, compensated_lift, nodes_between
 from cadgen.car.against_play.smoothing import smoothed_lift
 from cadgen.car.running.drive import drive
-from cadgen.car.running.errors import run_error
+from cadgen.car.running.run_errors import run_error
 from cadgen.errors import DesignError
 
 BAND = (np.radians(0.6), np.radians(0.962))

@@ -11,8 +11,8 @@ from cadgen.cam.envelope import actual_profile
 from cadgen.car.against_play.compensation import PLATEAU_FALL, VALLEY_SHARE, compensated_lift, lost_dips
 from cadgen.car.path_motion import PathMotion, blend_checks
 from cadgen.car.running.drive import drive
-from cadgen.car.running.errors import run_error
 from cadgen.car.running.play import falls, follow
+from cadgen.car.running.run_errors import run_error
 from cadgen.car.running.sampled import sampled_lift
 from cadgen.curves.closed import ClosedCurve
 from cadgen.curves.piecewise import quintic_hermite

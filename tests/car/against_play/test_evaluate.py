@@ -9,8 +9,8 @@ from cadgen.car.against_play.play_task import PlayTask, TrainTask
 from cadgen.car.against_play.profile_kinds import compared
 from cadgen.car.against_play.smoothing import PAPER_AIM, smooth_to
 from cadgen.car.running.drive import Pose, drive
-from cadgen.car.running.errors import run_error
 from cadgen.car.running.play import falls
+from cadgen.car.running.run_errors import run_error
 from cadgen.deviations.as_built import AS_DESIGNED
 
 TRAINS = {"as designed": np.radians(0.962), "reordered": np.radians(0.724)}

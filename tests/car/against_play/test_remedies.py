@@ -23,9 +23,9 @@ from cadgen.car.against_play.remedies import (
     worst_on_way,
 )
 from cadgen.car.running.drive import drive, start_pose
-from cadgen.car.running.errors import run_error
 from cadgen.car.running.friction import BEARING, STEEL_ON, USUAL, friction_band
 from cadgen.car.running.mechanics import Mechanics, MechanicsBand
+from cadgen.car.running.run_errors import run_error
 from cadgen.deviations.as_built import AS_DESIGNED
 
 ENDS = np.radians([0.512, 0.962])

@@ -6,8 +6,8 @@ import pytest
 from cadgen.arrays import TURN
 from cadgen.car.against_play.smoothing import PAPER_AIM, smooth_to, smoothed_lift
 from cadgen.car.running.drive import drive
-from cadgen.car.running.errors import deflection_sum, deflections, run_error
 from cadgen.car.running.play import falls
+from cadgen.car.running.run_errors import deflection_sum, deflections, run_error
 from cadgen.errors import DesignError
 
 PLAY = np.radians(0.962)

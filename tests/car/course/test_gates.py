@@ -5,7 +5,7 @@ from math import inf, pi, radians
 import numpy as np
 import pytest
 
-from cadgen.car.course.body import CarBody, CarWheel, Poses
+from cadgen.car.course.body import CarBody, CarWheel, RunPoses
 from cadgen.car.course.judge import judge, passages
 from cadgen.car.course.layout import Course, Gate, Obstacle, Shape
 from cadgen.car.steering import Car
@@ -13,7 +13,7 @@ from cadgen.car.steering import Car
 CAR = Car(wheelbase=100.0, drive_wheel_offset=40.0, idle_wheel_offset=60.0, max_steering_angle=0.6)
 S = np.linspace(0.0, 1000.0, 41)
 # The middle of the rear axle, 100 behind the fork and 10 to its right, runs along y = 0 from x = 0.
-RUN = Poses(fork=S + 100 + 10j, heading=0 * S, steering=0 * S, travel=S)
+RUN = RunPoses(fork=S + 100 + 10j, heading=0 * S, steering=0 * S, travel=S)
 
 
 def gate(at, radius=50.0, **more) -> Gate:

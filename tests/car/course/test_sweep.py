@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from cadgen.car.course.approach import approach, approach_to_edge
-from cadgen.car.course.body import CarBody, CarWheel, Poses
+from cadgen.car.course.body import CarBody, CarWheel, RunPoses
 from cadgen.car.course.layout import Obstacle, Shape
 from tests.car.course.sweep_truth import between, corners_on_floor
 
@@ -17,7 +17,7 @@ WHEELS = (
 BODY = CarBody(corners=CORNERS, clearance=0.0, wheels=WHEELS)
 
 
-def run(seed: int, count: int = 400) -> Poses:
+def run(seed: int, count: int = 400) -> RunPoses:
     """A winding run by its curvature; coarse enough that the nearest pose lies between two of those given."""
     rng = np.random.default_rng(seed)
     s = np.linspace(0.0, 5000.0, count)
@@ -26,17 +26,17 @@ def run(seed: int, count: int = 400) -> Poses:
     heading = np.concatenate([[0.0], np.cumsum((curvature[1:] + curvature[:-1]) / 2 * step)])
     ahead = np.exp(1j * (heading[1:] + heading[:-1]) / 2)
     fork = np.concatenate([[0.0], np.cumsum(ahead * step)])
-    return Poses(fork=fork, heading=heading, steering=np.arctan(170 * curvature), travel=s)
+    return RunPoses(fork=fork, heading=heading, steering=np.arctan(170 * curvature), travel=s)
 
 
-def fine(poses: Poses, times: int):
+def fine(poses: RunPoses, times: int):
     place = np.linspace(0, len(poses) - 1, times * (len(poses) - 1) + 1)
     number = np.arange(len(poses))
     fork = np.interp(place, number, poses.fork.real), np.interp(place, number, poses.fork.imag)
     return np.stack(fork, 1), np.interp(place, number, poses.heading), np.interp(place, number, poses.steering)
 
 
-def brute(poses: Poses, points, filled):
+def brute(poses: RunPoses, points, filled):
     fork, heading, steering = fine(poses, 10)
     nearest = {"outline": between(corners_on_floor(CORNERS, fork, heading), points, filled).min()}
     for wheel in WHEELS:
@@ -85,7 +85,7 @@ def test_clearances_are_those_of_a_brute_force_sweep(kind):
 
 def test_a_low_post_passes_under_the_body_but_not_under_a_wheel():
     s = np.linspace(0, 1000, 50)
-    poses = Poses(fork=s + 0j, heading=0 * s, steering=0 * s, travel=s)
+    poses = RunPoses(fork=s + 0j, heading=0 * s, steering=0 * s, travel=s)
     body = CarBody(corners=((0, 100), (-200, 100), (-200, -100), (0, -100)), clearance=30.0, wheels=WHEELS[1:])
     low = Obstacle(kind="post", key="x", shape=Shape.disc((500.0, 0.0), 10.0), height=29.0)
     high = Obstacle(kind="post", key="x", shape=Shape.disc((500.0, 0.0), 10.0), height=30.0)
@@ -100,14 +100,14 @@ def test_the_edge_is_measured_from_inside_and_beyond(way, clearance):
     """A square car of 200 mm that drives towards the right side of a field of 600 by 400 mm."""
     s = np.linspace(0, way or 1.0, 30)
     body = CarBody(corners=((100, 100), (-100, 100), (-100, -100), (100, -100)), clearance=0.0, wheels=())
-    poses = Poses(fork=s - 100 + 0j, heading=0 * s, steering=0 * s, travel=s)
+    poses = RunPoses(fork=s - 100 + 0j, heading=0 * s, steering=0 * s, travel=s)
     edge = Shape(((-300.0, -200.0), (200.0, -200.0), (200.0, 200.0), (-300.0, 200.0)), filled=True)
     assert approach_to_edge(poses, body, edge).clearance == pytest.approx(clearance, abs=5e-3 if clearance > 0 else 2.0)
 
 
 def test_a_car_within_a_zone_overlaps_it():
     s = np.linspace(0, 10, 5)
-    poses = Poses(fork=s + 0j, heading=0 * s, steering=0 * s, travel=s)
+    poses = RunPoses(fork=s + 0j, heading=0 * s, steering=0 * s, travel=s)
     zone = Shape(((-900.0, -900.0), (900.0, -900.0), (900.0, 900.0), (-900.0, 900.0)), filled=True)
     assert approach(poses, BODY, Obstacle(kind="zone", key="x", shape=zone)).clearance < -600
 
@@ -115,11 +115,11 @@ def test_a_car_within_a_zone_overlaps_it():
 def test_a_long_way_beside_a_wall_takes_few_poses(monkeypatch):
     """Along a wall every pose is as near as any other: the bound by the distance's bend closes them all the same."""
     s = np.linspace(0, 8000, 3000)
-    poses = Poses(fork=s + 0j, heading=0 * s, steering=0 * s, travel=s)
+    poses = RunPoses(fork=s + 0j, heading=0 * s, steering=0 * s, travel=s)
     wall = Obstacle(kind="wall", key="x", shape=Shape(((-1000.0, 300.0), (9000.0, 300.0))))
     asked = []
-    at = Poses.at
-    monkeypatch.setattr(Poses, "at", lambda self, place: asked.append(len(place)) or at(self, place))
+    at = RunPoses.at
+    monkeypatch.setattr(RunPoses, "at", lambda self, place: asked.append(len(place)) or at(self, place))
     assert approach(poses, BODY, wall).clearance == pytest.approx(136.0, abs=5e-3)
     assert sum(asked) < 20_000
 
@@ -127,7 +127,7 @@ def test_a_long_way_beside_a_wall_takes_few_poses(monkeypatch):
 def test_a_wall_across_the_way_is_met_by_half_the_car():
     """A car 140 long and 160 wide: where a line crosses its middle, that is 70 mm from its front and rear."""
     s = np.linspace(0, 1000, 50)
-    poses = Poses(fork=s + 0j, heading=0 * s, steering=0 * s, travel=s)
+    poses = RunPoses(fork=s + 0j, heading=0 * s, steering=0 * s, travel=s)
     body = CarBody(corners=((20, 80), (-120, 80), (-120, -80), (20, -80)), clearance=0.0, wheels=WHEELS[:1])
     wall = Obstacle(kind="wall", key="x", shape=Shape(((500.0, -300.0), (500.0, 300.0))))
     assert approach(poses, body, wall).clearance == pytest.approx(-70.0, abs=2.0)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from cadgen.car.path.spline import control_path
-from cadgen.car.path.track import offset_track
+from cadgen.car.path.wheel_track import offset_track
 from cadgen.errors import DesignError
 
 POINTS = np.array([[0, 0], [300, 0], [700, 50], [1100, 400], [1300, 900], [1200, 1500], [800, 1800], [300, 1700.0]])

@@ -7,7 +7,7 @@ import pytest
 
 from cadgen.car.against_play.band import best_for_band
 from cadgen.car.path.spline import control_path
-from cadgen.car.path.track import offset_track
+from cadgen.car.path.wheel_track import offset_track
 from cadgen.car.planner.constraints import LimitKind, PathLimit, curvature_limits, driving_constraints
 from cadgen.car.planner.kinematics import Basis, Kinematics
 from cadgen.car.planner.sensitivity import PlayCost, TrackLength

@@ -10,7 +10,7 @@ from cadgen.cam.contact import roll
 from cadgen.cam.envelope import actual_profile
 from cadgen.car.against_play.compensation import compensated_lift
 from cadgen.car.running.drive import Pose, Run, drive
-from cadgen.car.running.errors import run_error
+from cadgen.car.running.run_errors import run_error
 from cadgen.car.running.sampled import sampled_lift
 from cadgen.deviations.deviation import COLUMNS
 from cadgen.deviations.first_order import steering_derivatives

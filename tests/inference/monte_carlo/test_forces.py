@@ -9,8 +9,8 @@ from cadgen.arrays import TURN
 from cadgen.cam.contact import roll
 from cadgen.car.against_play.compensation import compensated_lift
 from cadgen.car.running.drive import drive
-from cadgen.car.running.errors import run_error
 from cadgen.car.running.mechanics import Mechanics
+from cadgen.car.running.run_errors import run_error
 from cadgen.deviations.deviation import COLUMNS
 from cadgen.inference.monte_carlo.cars import nominal_cars
 from cadgen.inference.monte_carlo.random_cars import Tolerances, errors_of_cars, sensitivities

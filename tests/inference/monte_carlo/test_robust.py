@@ -11,7 +11,7 @@ import pytest
 from cadgen.arrays import TURN
 from cadgen.cam.contact import roll
 from cadgen.car.running.drive import drive
-from cadgen.car.running.errors import run_error
+from cadgen.car.running.run_errors import run_error
 from cadgen.car.running.sampled import sampled_lift
 from cadgen.deviations.deviation import COLUMNS
 from cadgen.errors import DesignError

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from cadgen.car.course.layout import Shape
-from cadgen.car.running.errors import deflections
+from cadgen.car.running.run_errors import deflections
 from cadgen.design.load import load_design
 from cadgen.jobs.simulation import lift_picture, simulate
 from cadgen.output.report import style

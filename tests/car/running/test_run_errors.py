@@ -7,8 +7,8 @@ from scipy.interpolate import PPoly
 from cadgen.arrays import TURN
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import drive
-from cadgen.car.running.errors import Event, deflected, deflection_sum, deflections, run_error, turning
 from cadgen.car.running.play import falls
+from cadgen.car.running.run_errors import Event, deflected, deflection_sum, deflections, run_error, turning
 from cadgen.car.steering import track_curvature
 from cadgen.errors import DesignError
 

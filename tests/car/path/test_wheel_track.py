@@ -5,7 +5,7 @@ import pytest
 from scipy.interpolate import BSpline
 
 from cadgen.car.path.spline import PlannedPath, plan_path
-from cadgen.car.path.track import offset_track
+from cadgen.car.path.wheel_track import offset_track
 from cadgen.curves.piecewise import quintic_hermite
 from cadgen.errors import DesignError
 
