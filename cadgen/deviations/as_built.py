@@ -43,6 +43,7 @@ from cadgen.deviations.lift import FOLLOWER, Seat
 from cadgen.deviations.track import RUNNING
 from cadgen.deviations.transmission import MESH, Turned
 from cadgen.errors import DesignError
+from cadgen.messages import Message
 
 # Effects of a disc that stand still on the shaft, whatever way the disc's key is turned.
 _OF_SHAFT = (deviation.ECCENTRIC_BORE, deviation.SHAFT_RUNOUT)
@@ -113,17 +114,23 @@ class AsBuilt:
             DesignError: nothing would be left of the rod, or of its distance from the disc.
         """
         rod = through(FOLLOWER, Seat(nominal), self._of_car, None).follower
-        correct = "correct rod_radius_um or axial_offset_um in [as_built]"
+        correct = Message("correct rod_radius_um or axial_offset_um in [as_built]")
         if rod.radius <= 0:
             less = 1e3 * (nominal.radius - rod.radius)
             raise DesignError(
-                f"as built nothing is left of the rod: its radius of {nominal.radius:g} mm is to be {less:g} µm less: "
-                f"{correct}"
+                "as built nothing is left of the rod: its radius of {radius:g} mm is to be {less:g} µm less: {correct}",
+                radius=nominal.radius,
+                less=less,
+                correct=correct,
             )
         if rod.radius >= rod.inner:
             raise DesignError(
-                f"as built the rod's radius is {rod.radius:g} mm and the disc's inner face {abs(rod.inner):g} mm "
-                f"{'from' if rod.inner >= 0 else 'behind'} the fork axis; the rod must swing clear of it: {correct}"
+                "as built the rod's radius is {radius:g} mm and the disc's inner face {inner:g} mm {where} the fork "
+                "axis; the rod must swing clear of it: {correct}",
+                radius=rod.radius,
+                inner=abs(rod.inner),
+                where=Message("from") if rod.inner >= 0 else Message("behind"),
+                correct=correct,
             )
         return rod
 
@@ -203,8 +210,9 @@ class AsBuilt:
             number = dict(placed.effect.indices).get("nose_number", 0)
             if placed.place == Place.PART and number > len(disc.noses):
                 raise DesignError(
-                    f"[as_built] has a worn nose number {number:g}, but the profile has {len(disc.noses)}: correct "
-                    "nose_number"
+                    "[as_built] has a worn nose number {number:g}, but the profile has {count}: correct nose_number",
+                    number=number,
+                    count=len(disc.noses),
                 )
         disc = self._acted(disc, (Place.PART, Place.PROCESS, Place.CAR), 0.0, AXIS_REVERSAL.act)
         disc = self._led(disc, self.phase, disc)
@@ -354,8 +362,10 @@ def led(
     steepest = np.abs(np.diff(lead(_GRID))).sum() / TURN
     if steepest > STEEPEST:
         raise DesignError(
-            f"as built the camshaft gains and loses {np.degrees(steepest * TURN):.1f} degrees on its gears in a turn, "
-            f"and a cam takes out {np.degrees(STEEPEST * TURN):.0f} at most: mend the train, or set place to noted"
+            "as built the camshaft gains and loses {steepest:.1f} degrees on its gears in a turn, and a cam takes out "
+            "{most:.0f} at most: mend the train, or set place to noted",
+            steepest=np.degrees(steepest * TURN),
+            most=np.degrees(STEEPEST * TURN),
         )
     for _ in range(_LEAD_STEPS):
         off = lead(contact - off)

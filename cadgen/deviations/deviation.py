@@ -13,6 +13,7 @@ from enum import StrEnum
 from math import radians
 
 from cadgen.errors import DesignError
+from cadgen.messages import joined
 
 
 class Place(StrEnum):
@@ -287,4 +288,6 @@ def tolerance(key: str) -> Deviation:
     for each in TOLERANCES:
         if each.key == key:
             return each
-    raise DesignError(f"there is no tolerance named {key}; use one of {', '.join(map(str, TOLERANCES))}")
+    raise DesignError(
+        "there is no tolerance named {key}; use one of {names}", key=key, names=joined(map(str, TOLERANCES), ", ")
+    )

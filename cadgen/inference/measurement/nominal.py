@@ -122,7 +122,11 @@ class Nominal:
         """
         kind = record.kind
         if kind.model is None or kind.method is not Method.EVIDENCE:
-            raise DesignError(f"{record.source}: data of kind {kind.code} are not traced to effects of this design")
+            raise DesignError(
+                "{file}: data of kind {kind} are not traced to effects of this design",
+                file=record.source,
+                kind=kind.code,
+            )
         return kind.model(record, self)
 
     @property

@@ -22,6 +22,7 @@ from cadgen.deviations.deviation import Deviation
 from cadgen.deviations.effect import Active, Effect
 from cadgen.errors import DesignError, FileError
 from cadgen.inference.measurement.model import Model
+from cadgen.messages import Message, joined
 
 # Of one kind: the catalogue has some 2000 columns of them, and must fit into memory.
 MOST_ROWS = 20_000
@@ -202,7 +203,12 @@ class Kind:
             return effect
         names = [entry.name for entry in self.catalogue.entries]
         near = get_close_matches(name, names, 3, 0.5) or names
-        raise DesignError(f'there is no effect "{name}" in data of kind {self.code}: write {" or ".join(near)}')
+        raise DesignError(
+            'there is no effect "{name}" in data of kind {kind}: write {names}',
+            name=name,
+            kind=self.code,
+            names=joined(near, " or "),
+        )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -266,7 +272,11 @@ def join(records: Sequence[Record]) -> Record:
     kinds = {record.kind for record in records}
     if len(kinds) > 1:
         codes = sorted(kind.code for kind in kinds)
-        raise FileError(f"{', '.join(r.source for r in records)}: kinds {codes} cannot be joined as one")
+        raise FileError(
+            "{names}: kinds {codes} cannot be joined as one",
+            names=joined((r.source for r in records), ", "),
+            codes=codes,
+        )
     rows = sum(len(record.run) for record in records)
     name = " + ".join(record.source for record in records)
     refuse_many(records[0].kind, rows, name)
@@ -294,8 +304,12 @@ def refuse_many(kind: Kind, rows: int, name: str) -> None:
     most = kind.most_rows
     if rows > most:
         raise FileError(
-            f"{name}: {rows} rows, more than the {most} that can be judged together; "
-            f"keep one row in {-(-rows // most)}, or give fewer files"
+            "{name}: {rows} rows, more than the {most} that can be judged together; keep one row in {share}, or give "
+            "fewer files",
+            name=name,
+            rows=rows,
+            most=most,
+            share=-(-rows // most),
         )
 
 
@@ -308,9 +322,13 @@ def refuse_many_together(records: Sequence[Record]) -> None:
     rows = sum(len(record.run) for record in records)
     if len(records) > 1 and rows > MOST_TOGETHER:
         raise FileError(
-            f"{', '.join(record.source for record in records)}: {rows} rows of {len(records)} kinds, more than the "
-            f"{MOST_TOGETHER} that can be judged by one model; keep one row in {-(-rows // MOST_TOGETHER)}, or give "
-            "fewer files"
+            "{names}: {rows} rows of {count} kinds, more than the {most} that can be judged by one model; "
+            "keep one row in {share}, or give fewer files",
+            names=joined((record.source for record in records), ", "),
+            rows=rows,
+            count=len(records),
+            most=MOST_TOGETHER,
+            share=-(-rows // MOST_TOGETHER),
         )
 
 
@@ -322,14 +340,23 @@ def refuse_many_runs(kind: Kind, rows: int, runs: int, name: str) -> None:
     """
     if runs > MOST_RUNS:
         raise FileError(
-            f"{name}: {runs} runs, more than the {MOST_RUNS} that can be judged together; keep one run in "
-            f"{-(-runs // MOST_RUNS)}, or give fewer files"
+            "{name}: {runs} runs, more than the {most} that can be judged together; keep one run in {share}, or "
+            "give fewer files",
+            name=name,
+            runs=runs,
+            most=MOST_RUNS,
+            share=-(-runs // MOST_RUNS),
         )
     most = MOST_ENTRIES // max(rows, 1)
     if kind.most_rows <= MOST_ROWS and runs > most:
         raise FileError(
-            f"{name}: {runs} runs of {rows} rows in all, more than the {most} runs that can be judged together with so "
-            f"many rows; keep one row in {-(-rows * runs // MOST_ENTRIES)}, or give fewer runs"
+            "{name}: {runs} runs of {rows} rows in all, more than the {most} runs that can be judged together with so "
+            "many rows; keep one row in {share}, or give fewer runs",
+            name=name,
+            runs=runs,
+            rows=rows,
+            most=most,
+            share=-(-rows * runs // MOST_ENTRIES),
         )
 
 
@@ -388,18 +415,31 @@ def refuse_impossible(record: Record) -> None:
         earlier = seen.setdefault(readings[:, mine].tobytes(), later)
         if earlier != later and not counted:
             raise FileError(
-                f"{record.source}: runs {earlier + 1} and {later + 1} are the same to the last digit; a copy is no "
-                "repetition: give runs that were measured anew"
+                "{file}: runs {earlier} and {later} are the same to the last digit; a copy is no repetition: give "
+                "runs that were measured anew",
+                file=record.source,
+                earlier=earlier + 1,
+                later=later + 1,
             )
     wide = [(column, record[column.name]) for column in record.kind.columns if column.least_span]
     for run, mine in enumerate(runs):
         if (rows := mine.stop - mine.start) < (least := record.kind.least_rows):
-            raise FileError(f"{record.source}: run {run + 1} has {rows} rows; give at least {least} in each run")
+            raise FileError(
+                "{file}: run {run} has {rows} rows; give at least {least} in each run",
+                file=record.source,
+                run=run + 1,
+                rows=rows,
+                least=least,
+            )
         for column, values in wide:
             if (span := float(np.ptp(values[mine]))) < column.least_span:
                 raise FileError(
-                    f"{record.source}: {column.name} of run {run + 1} spans only {span:g}; check its unit, or measure "
-                    f"at least {column.least_span:g}"
+                    "{file}: {column} of run {run} spans only {span:g}; check its unit, or measure at least {least:g}",
+                    file=record.source,
+                    column=column.name,
+                    run=run + 1,
+                    span=span,
+                    least=column.least_span,
                 )
     record.kind.check(record)
 
@@ -430,8 +470,11 @@ def refuse_twice(record: Record, key: NDArray[np.generic], column: str) -> None:
     if (count > 1).any():
         where = unique[-1, int(np.argmax(count))]
         raise FileError(
-            f"{record.source}: {column} {float(where):g} stands twice in one run, so the angle goes round more than "
-            "once; number each turn as its own run"
+            "{file}: {column} {where:g} stands twice in one run, so the angle goes round more than once; number each "
+            "turn as its own run",
+            file=record.source,
+            column=column,
+            where=float(where),
         )
 
 
@@ -462,7 +505,12 @@ def _refuse(record: Record, span: Span) -> None:
     for other, factor in SLIPS.get(span.unit, {}).items():
         if span.expected > 0 and factor / NEAR < span.measured / span.expected < factor * NEAR:
             raise FileError(
-                f"{record.source}: {span.columns} is {'greater' if factor > 1 else 'smaller'} than the design lets "
-                f"expect by a factor of {round(max(factor, 1 / factor), 1):g}, so it seems to be in {other}: give "
-                f"{span.unit}"
+                "{file}: {column} is {how} than the design lets expect by a factor of {factor:g}, so it seems to be "
+                "in {other}: give {unit}",
+                file=record.source,
+                column=span.columns,
+                how=Message("greater") if factor > 1 else Message("smaller"),
+                factor=round(max(factor, 1 / factor), 1),
+                other=other,
+                unit=span.unit,
             )

@@ -51,8 +51,12 @@ def refuse_too_few(record: Record, model: Model) -> None:
     rows, columns = len(model.rows.run), repeating(model).shape[1] + model.offsets.shape[1]
     if record.runs == 1 and rows < LEAST_OVER * columns:
         raise FileError(
-            f"{record.source}: one run of {rows} rows cannot tell noise from {int(model.order.max())} orders of form "
-            f"error; repeat the run, or give at least {int(LEAST_OVER * columns) + 1} rows in it"
+            "{file}: one run of {rows} rows cannot tell noise from {orders} orders of form error; repeat the run, or "
+            "give at least {least} rows in it",
+            file=record.source,
+            rows=rows,
+            orders=int(model.order.max()),
+            least=int(LEAST_OVER * columns) + 1,
         )
 
 

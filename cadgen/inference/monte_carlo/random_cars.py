@@ -31,10 +31,11 @@ from cadgen.gears.choices import Law
 from cadgen.gears.distribution import ZoneSum
 from cadgen.inference.monte_carlo.cars import Cars, Poses, run_cars
 from cadgen.inference.monte_carlo.course_margins import CourseMargins, margins_at
+from cadgen.messages import Message
 
 # Type of the built-in `map` and of a pool's: calls may run anywhere, but results come in order.
 Map = Callable[[Callable[[int], Array], Iterable[int]], Iterable[Array]]
-_OF_A_MAP = "it must give every result once, in order, as the built-in map does"
+_OF_A_MAP = Message("it must give every result once, in order, as the built-in map does")
 Sampler = Callable[[np.random.Generator, int], Array]
 
 # Cars run together: their arrays of one value per step stay near the processor's cache, and a run of many uses
@@ -72,9 +73,11 @@ class Tolerances:
         object.__setattr__(self, "half_widths", {tolerance(str(each)): half for each, half in self.half_widths.items()})
         for name, half in self.half_widths.items():
             if not half >= 0:
-                raise DesignError(f"the tolerance of {name} is {half:g}; it must be 0 or more")
+                raise DesignError("the tolerance of {name} is {half:g}; it must be 0 or more", name=name, half=half)
         if isinstance(self.play, tuple) and not 0 <= self.play[0] <= self.play[1]:
-            raise DesignError(f"the return error's band {self.play} must run from 0 or more upwards: put them in order")
+            raise DesignError(
+                "the return error's band {play} must run from 0 or more upwards: put them in order", play=self.play
+            )
 
     def draw(self, generator: np.random.Generator, count: int, nominal_play: float) -> Array:
         """Deviations of random cars, shape (count, 29), columns as `deviation.COLUMNS`.
@@ -111,7 +114,7 @@ class Tolerances:
         return ZoneSum((str(name),), np.array([0.0 if name.one_sided else -half]), np.array([half]), self.law)
 
 
-_WORDS = {"mm": "mm", "rad": "degrees", "1": "", "Nmm": "N mm", "N": "N", "K": "K"}
+_WORDS = {"mm": "mm", "rad": Message("degrees"), "1": "", "Nmm": "N mm", "N": "N", "K": "K"}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -235,7 +238,7 @@ def tolerance_run(
             result once.
     """
     if samples < 1:
-        raise DesignError(f"a tolerance run of {samples} samples says nothing: ask for at least 1")
+        raise DesignError("a tolerance run of {samples} samples says nothing: ask for at least 1", samples=samples)
     _refuse_wide(cars, tolerances)
     run = partial(_chunk, cars, tolerances, seed, samples)
     chunks, count = range(-(-samples // CHUNK)), 5 if cars.items else 4
@@ -300,12 +303,16 @@ def _gathered(parts: Iterable[Array], count: int, samples: int, done: Callable[[
     for part in parts:
         rows = np.asarray(part)
         if rows.ndim != 2 or len(rows) != len(gathered) or filled + rows.shape[1] > samples:
-            raise DesignError(f"map gave something else than its function, after {filled} cars; {_OF_A_MAP}")
+            raise DesignError(
+                "map gave something else than its function, after {filled} cars; {rule}", filled=filled, rule=_OF_A_MAP
+            )
         gathered[:, filled : filled + rows.shape[1]] = rows
         filled += rows.shape[1]
         done(filled)
     if filled < samples:
-        raise DesignError(f"map gave the results of {filled} of {samples} cars; {_OF_A_MAP}")
+        raise DesignError(
+            "map gave the results of {filled} of {samples} cars; {rule}", filled=filled, samples=samples, rule=_OF_A_MAP
+        )
     return gathered
 
 
@@ -319,8 +326,12 @@ def _refuse_wide(cars: Cars, tolerances: Tolerances) -> None:
         half = tolerances.half_widths.get(name, 0.0)
         if half > size * MOST_SHARE:
             raise DesignError(
-                f"the tolerance of {name} is {half:g} mm, more than a tenth of the {size:g} mm itself: make it "
-                f"{_below(size * MOST_SHARE):g} mm or less"
+                "the tolerance of {name} is {half:g} mm, more than a tenth of the {size:g} mm itself: make it "
+                "{most:g} mm or less",
+                name=name,
+                half=half,
+                size=size,
+                most=_below(size * MOST_SHARE),
             )
     for name, half in tolerances.half_widths.items():
         steepest = steering_effect(cars, name)
@@ -328,9 +339,15 @@ def _refuse_wide(cars: Cars, tolerances: Tolerances) -> None:
             unit = name.unit
             shown = degrees if unit == "rad" else float
             raise DesignError(
-                f"the tolerance of {name} is {shown(half):g} {_WORDS[unit]}, which turns the front wheel by up to "
-                f"{half * steepest:.2g} rad; many cars are reckoned to first order, good up to {MOST_STEERING:g} rad: "
-                f"make it {_below(shown(MOST_STEERING / steepest)):g} {_WORDS[unit]} or less"
+                "the tolerance of {name} is {half:g} {unit}, which turns the front wheel by up to {turned:.2g} rad; "
+                "many cars are reckoned to first order, good up to {good:g} rad: make it {least:g} "
+                "{unit} or less",
+                name=name,
+                half=shown(half),
+                unit=_WORDS[unit],
+                turned=half * steepest,
+                good=MOST_STEERING,
+                least=_below(shown(MOST_STEERING / steepest)),
             )
 
 

@@ -34,6 +34,7 @@ from cadgen.inference.measurement.record import (
     refuse_many,
     refuse_many_runs,
 )
+from cadgen.messages import Message, joined
 from cadgen.reading import read_regular
 
 MOST_BYTES = 32_000_000  # of a file: the longest log with all digits
@@ -63,7 +64,9 @@ def load_text(text: str, name: str, known: Sequence[Kind] | None = None) -> Reco
     body = ((n, line) for n, line in enumerate(lines, 1) if line.strip() and not line.startswith("#"))
     top = next(body, None)
     if top is None:
-        raise FileError(f"{name}: no table in it; the first line must name the columns, such as run,cam_angle_deg")
+        raise FileError(
+            "{name}: no table in it; the first line must name the columns, such as run,cam_angle_deg", name=name
+        )
     header = _cells(top[1], top[0], name)
     kind = _kind(header, name, known)
     # Counted before any is kept: of the shortest lines a file has millions.
@@ -73,13 +76,17 @@ def load_text(text: str, name: str, known: Sequence[Kind] | None = None) -> Reco
         row = _cells(line, n, name)
         if len(row) != len(header):
             raise FileError(
-                f"{name}, line {n}: {len(row)} cells under {len(header)} columns; correct the line, with commas "
-                "between cells and decimal points in numbers"
+                "{name}, line {line}: {count} cells under {columns} columns; correct the line, with commas between "
+                "cells and decimal points in numbers",
+                name=name,
+                line=n,
+                count=len(row),
+                columns=len(header),
             )
         numbers.append(n)
         rows.append(row)
     if not rows:
-        raise FileError(f"{name}: no row stands under its header; add what was measured")
+        raise FileError("{name}: no row stands under its header; add what was measured", name=name)
     table = {column: [row[k] for row in rows] for k, column in enumerate(header)}
     columns: dict[str, NDArray[np.generic]] = {
         column.name: (_words if column.words else _numbers)(table[column.name], column, numbers, name)
@@ -114,12 +121,19 @@ def digest(path: Path) -> str:
 def _refuse_long(lines: list[str], name: str) -> None:
     if long := next((n for n, line in enumerate(lines, 1) if len(line) > LONGEST_LINE), None):
         raise FileError(
-            f"{name}, line {long}: {len(lines[long - 1])} characters, more than the {LONGEST_LINE} of the longest line "
-            "that there can be; correct the line"
+            "{name}, line {long}: {count} characters, more than the {most} of the longest line that there can "
+            "be; correct the line",
+            name=name,
+            long=long,
+            count=len(lines[long - 1]),
+            most=LONGEST_LINE,
         )
     if (remarks := sum(line.startswith("#") for line in lines)) > MOST_REMARKS:
         raise FileError(
-            f"{name}: {remarks} comment lines, more than {MOST_REMARKS}; keep those that tell design and instrument"
+            "{name}: {remarks} comment lines, more than {most}; keep those that tell design and instrument",
+            name=name,
+            remarks=remarks,
+            most=MOST_REMARKS,
         )
 
 
@@ -128,18 +142,20 @@ def _text(path: Path) -> str:
     try:
         content = read_regular(path, MOST_BYTES)
     except FileNotFoundError:
-        raise FileError(f"there is no file {name}: correct its name") from None
+        raise FileError("there is no file {name}: correct its name", name=name) from None
     except IsADirectoryError:
-        raise FileError(f"{name} is a folder: give the files in it") from None
+        raise FileError("{name} is a folder: give the files in it", name=name) from None
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else error
-        raise FileError(f"{name} cannot be read ({reason}): give a CSV file that can") from None
+        raise FileError(
+            "{name} cannot be read ({reason}): give a CSV file that can", name=name, reason=reason
+        ) from None
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError:
         text = "\0"
     if "\0" in text:
-        raise FileError(f"{name} is not text in UTF-8: give a CSV file")
+        raise FileError("{name} is not text in UTF-8: give a CSV file", name=name)
     return text
 
 
@@ -147,30 +163,38 @@ def _cells(line: str, number: int, name: str) -> list[str]:
     try:
         return [cell.strip() for cell in next(csv.reader([line], strict=True))]
     except csv.Error as error:
-        raise FileError(f"{name}, line {number}: {error}; correct the line") from None
+        raise FileError("{name}, line {line}: {error}; correct the line", name=name, line=number, error=error) from None
 
 
 def _kind(header: list[str], name: str, known: Sequence[Kind] | None) -> Kind:
     """The kind of data whose columns are those of the header."""
     if len(set(header)) < len(header):
         twice = next(c for c in header if header.count(c) > 1)
-        raise FileError(f"{name}: column {brief(twice)} stands twice; keep one")
+        raise FileError("{name}: column {twice} stands twice; keep one", name=name, twice=brief(twice))
     if len(header) == 1 and (mark := next((m for m in ";\t" if m in header[0]), None)):
-        marks = "semicolons" if mark == ";" else "tabs"
-        raise FileError(f"{name}: its columns are set apart by {marks}; save it with commas, and with decimal points")
+        marks = Message("semicolons") if mark == ";" else Message("tabs")
+        raise FileError(
+            "{name}: its columns are set apart by {marks}; save it with commas, and with decimal points",
+            name=name,
+            marks=marks,
+        )
     exact = kind_with(header) if known is None else next((k for k in known if set(header) == set(k.header)), None)
     if exact is not None:
         return exact
     known = kinds() if known is None else known
     near = max(known, key=lambda kind: (len(_names(kind) & set(header)), -len(kind.columns)))
-    parts = {
-        "lacks": [c for c in near.header if c not in header],
-        "does not have": [c for c in header if c not in near.header],
-    }
-    differs = " and ".join(f"{verb} {brief(', '.join(columns))}" for verb, columns in parts.items() if columns)
+    lacking = [c for c in near.header if c not in header]
+    more = [c for c in header if c not in near.header]
+    differs = [
+        *([Message("lacks {columns}", columns=brief(", ".join(lacking)))] if lacking else []),
+        *([Message("does not have {columns}", columns=brief(", ".join(more)))] if more else []),
+    ]
     raise FileError(
-        f"{name}: the columns {brief(', '.join(header))} are no kind of measured data; nearest is {near.code}, which "
-        f"{differs}"
+        "{name}: the columns {names} are no kind of measured data; nearest is {kind}, which {differs}",
+        name=name,
+        names=brief(", ".join(header)),
+        kind=near.code,
+        differs=joined(differs, " and "),
     )
 
 
@@ -182,7 +206,14 @@ def _words(cells: Sequence[str], column: Column, lines: Sequence[int], name: str
     for line, cell in zip(lines, cells, strict=True):
         if cell not in column.words:
             allowed = " or ".join(column.words)
-            raise FileError(f"{name}, line {line}: {column.name} is {brief(repr(cell))}; write {allowed}")
+            raise FileError(
+                "{name}, line {line}: {column} is {cell}; write {allowed}",
+                name=name,
+                line=line,
+                column=column.name,
+                cell=brief(repr(cell)),
+                allowed=allowed,
+            )
     return np.array(cells)
 
 
@@ -195,14 +226,24 @@ def _numbers(cells: Sequence[str], column: Column, lines: Sequence[int], name: s
             values[k] = np.nan
         if not np.isfinite(values[k]):
             raise FileError(
-                f"{name}, line {lines[k]}: {column.name} is {brief(repr(cell))}; every value must be a finite number"
+                "{name}, line {line}: {column} is {cell}; every value must be a finite number",
+                name=name,
+                line=lines[k],
+                column=column.name,
+                cell=brief(repr(cell)),
             )
     low, high = column.lower, column.upper
     bad = np.flatnonzero((values < low) | (values > high))
     if bad.size:
         raise FileError(
-            f"{name}, line {lines[bad[0]]}: {column.name} is {values[bad[0]]:g}, outside {low:g} to {high:g}; "
-            "check the unit in the header, and number each turn as its own run"
+            "{name}, line {line}: {column} is {value:g}, outside {low:g} to {high:g}; check the unit in the header, "
+            "and number each turn as its own run",
+            name=name,
+            line=lines[bad[0]],
+            column=column.name,
+            value=values[bad[0]],
+            low=low,
+            high=high,
         )
     return values
 
@@ -243,13 +284,17 @@ def settings_in(record: Record) -> Settings:
             continue
         if not (match := _LINE.fullmatch(remark)):
             raise FileError(
-                f'{record.source}: the comment line "{brief(remark, 60)}" is not understood; write it as '
-                f'"# {settings_line(Settings())}"'
+                '{file}: the comment line "{remark}" is not understood; write it as "# {example}"',
+                file=record.source,
+                remark=brief(remark, 60),
+                example=settings_line(Settings()),
             )
         head, key, x, y, heading = map(float, match.groups())
         stated.append(Settings(head=head, key=radians(key), start_x=x, start_y=y, start_heading=radians(heading)))
     if len(set(stated)) > 1:
-        raise FileError(f"{record.source}: its comment lines give different settings; put each into a file of its own")
+        raise FileError(
+            "{file}: its comment lines give different settings; put each into a file of its own", file=record.source
+        )
     return stated[0] if stated else Settings()
 
 
@@ -262,7 +307,7 @@ def read_trials(paths: Sequence[Path]) -> tuple[Record, ...]:
     seen: dict[Path, Path] = {}
     for path in paths:
         if (same := seen.setdefault(path.resolve(), path)) is not path:
-            raise FileError(f"{same} was given twice; give each file once")
+            raise FileError("{same} was given twice; give each file once", same=same)
     return tuple(load(path, (TRIAL, STOPPED)) for path in paths)
 
 
@@ -281,7 +326,11 @@ def trials_of(records: Sequence[Record], start: Pose, end: float) -> tuple[Trial
     if not trials:
         raise FileError("no trial run was given: name at least one CSV file of measured points")
     if len(trials) > MOST_TRIALS:
-        raise FileError(f"{len(trials)} trial runs, more than the {MOST_TRIALS} that are used together: keep the last")
+        raise FileError(
+            "{count} trial runs, more than the {most} that are used together: keep the last",
+            count=len(trials),
+            most=MOST_TRIALS,
+        )
     return tuple(trials)
 
 
@@ -292,8 +341,12 @@ def _trials(record: Record, start: Pose, end: float) -> list[Trial]:
         x, y = record["x_mm"][rows], record["y_mm"][rows]
         if len(x) > MOST_POINTS:
             raise FileError(
-                f"{record.source}, run {number}: {len(x)} points, more than the {MOST_POINTS} of the longest trial "
-                f"run: keep one in {-(-len(x) // MOST_POINTS)}"
+                "{file}, run {run}: {count} points, more than the {most} of the longest trial run: keep one in {share}",
+                file=record.source,
+                run=number,
+                count=len(x),
+                most=MOST_POINTS,
+                share=-(-len(x) // MOST_POINTS),
             )
         points = (x - start.x + 1j * (y - start.y)) * np.exp(-1j * start.heading)
         motor = None
@@ -301,13 +354,18 @@ def _trials(record: Record, start: Pose, end: float) -> list[Trial]:
             motor = np.radians(record["cam_angle_deg"][rows])
             if not (np.diff(motor) > 0).all():
                 raise FileError(
-                    f"{record.source}, run {number}: cam_angle_deg must grow from row to row: sort the rows"
+                    "{file}, run {run}: cam_angle_deg must grow from row to row: sort the rows",
+                    file=record.source,
+                    run=number,
                 )
             keep = motor <= end + 1e-9
             if keep.sum() < 2:
                 raise FileError(
-                    f"{record.source}, run {number}: fewer than two points lie before {degrees(end):.1f} degrees of "
-                    "the cam, where the run ends; measure some along the track"
+                    "{file}, run {run}: fewer than two points lie before {end:.1f} degrees of the cam, where the run "
+                    "ends; measure some along the track",
+                    file=record.source,
+                    run=number,
+                    end=degrees(end),
                 )
             points, motor = points[keep], motor[keep]
         trials.append(Trial(points=points, motor=motor, settings=settings))

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from cadgen.errors import FileError, escaped
+from cadgen.messages import Message
 from cadgen.reading import read_regular
 
 MOST_BYTES = 32_000_000
@@ -44,18 +45,22 @@ def read_points(path: Path, layer: str | None = None, *, closed: bool = False) -
     try:
         content = read_regular(path, MOST_BYTES)
     except FileNotFoundError:
-        raise FileError(f"there is no file {name}: correct the path") from None
+        raise FileError("there is no file {name}: correct the path", name=name) from None
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else error
-        raise FileError(f"{name} cannot be read ({reason}): give a file of points, or a DXF") from None
+        raise FileError(
+            "{name} cannot be read ({reason}): give a file of points, or a DXF", name=name, reason=reason
+        ) from None
     if path.suffix.lower() == ".dxf":
         return _polyline(content, name, layer, closed)
     if layer is not None:
-        raise FileError(f"{name} has no layers, which only a DXF has: remove --layer")
+        raise FileError("{name} has no layers, which only a DXF has: remove --layer", name=name)
     try:
         return _rows(content.decode("utf-8-sig"), name)
     except UnicodeDecodeError:
-        raise FileError(f"{name} is not UTF-8 text: save it again as UTF-8, or give a file ending in .dxf") from None
+        raise FileError(
+            "{name} is not UTF-8 text: save it again as UTF-8, or give a file ending in .dxf", name=name
+        ) from None
 
 
 def _rows(text: str, name: str) -> Points:
@@ -75,8 +80,11 @@ def _rows(text: str, name: str) -> Points:
             values = []
         if len(values) not in (2, 3) or not all(map(isfinite, values)) or (len(values) == 3 and values[2] < 0):
             raise FileError(
-                f"{name}, line {number}: `{escaped(line.strip()[:60])}` is no point: write x and y in mm, and a weight "
-                "of 0 or more if you want one"
+                "{name}, line {line}: `{text}` is no point: write x and y in mm, and a weight of 0 or more if you "
+                "want one",
+                name=name,
+                line=number,
+                text=escaped(line.strip()[:60]),
             )
         places.append((values[0], values[1]))
         weights.append(values[2] if len(values) == 3 else 1.0)
@@ -85,7 +93,9 @@ def _rows(text: str, name: str) -> Points:
 
 def _enough(points: Points, name: str) -> Points:
     if len(points.places) < 4:
-        raise FileError(f"{name} has {len(points.places)} points; a path needs at least 4: add more")
+        raise FileError(
+            "{name} has {count} points; a path needs at least 4: add more", name=name, count=len(points.places)
+        )
     return points
 
 
@@ -98,25 +108,47 @@ def _polyline(content: bytes, name: str, layer: str | None, closed: bool) -> Poi
     try:
         drawing, _ = recover.read(BytesIO(content))
     except (OSError, ezdxf.DXFError) as error:
-        raise FileError(f"{name} is no DXF that can be read ({escaped(str(error)[:80])}): save it again") from None
+        raise FileError(
+            "{name} is no DXF that can be read ({error}): save it again", name=name, error=escaped(str(error)[:80])
+        ) from None
     unit = drawing.header.get("$INSUNITS", 0)
     if unit not in _UNITS:
-        raise FileError(f"{name} is in a unit that is not known ($INSUNITS {unit}): draw it in mm, cm, m or inches")
+        raise FileError(
+            "{name} is in a unit that is not known ($INSUNITS {unit}): draw it in mm, cm, m or inches",
+            name=name,
+            unit=unit,
+        )
     every = list(drawing.modelspace().query("LWPOLYLINE POLYLINE"))
     lines = [line for line in every if _closed(line) == closed]
     layers = sorted({line.dxf.layer for line in lines})
     if layer is not None:
         lines = [line for line in lines if line.dxf.layer == layer]
     if len(lines) != 1:
-        where = "" if layer is None else f" on layer {escaped(layer)}"
-        names, kind = ", ".join(map(escaped, layers)) or "none", "closed" if closed else "open"
+        where = "" if layer is None else Message(" on layer {layer}", layer=escaped(layer))
+        names, kind = (
+            ", ".join(map(escaped, layers)) or Message("none"),
+            Message("closed") if closed else Message("open"),
+        )
         if not lines and layer is None and every:
-            cure = "close it, or leave --closed out" if closed else "open it, or give --closed for a lap"
-            other = "open" if closed else "closed"
-            raise FileError(f"{name} has no {kind} polyline, but one that is {other}: {cure}")
+            cure = (
+                Message("close it, or leave --closed out") if closed else Message("open it, or give --closed for a lap")
+            )
+            other = Message("open") if closed else Message("closed")
+            raise FileError(
+                "{name} has no {kind} polyline, but one that is {other}: {cure}",
+                name=name,
+                kind=kind,
+                other=other,
+                cure=cure,
+            )
         raise FileError(
-            f"{name} has {len(lines)} {kind} polylines{where} (layers with one: {names}); the path must be one: join "
-            "its parts, or name its layer with --layer"
+            "{name} has {count} {kind} polylines{where} (layers with one: {names}); the path must be one: join its "
+            "parts, or name its layer with --layer",
+            name=name,
+            count=len(lines),
+            kind=kind,
+            where=where,
+            names=names,
         )
     places = tuple((x * _UNITS[unit], y * _UNITS[unit]) for x, y in _corners(lines[0], _SAG / _UNITS[unit]))
     return _enough(Points(places, (1.0,) * len(places)), name)

@@ -34,6 +34,7 @@ from cadgen.inference.measurement.verdict import Judgement, Verdict
 from cadgen.jobs.calibration.new_cam import Built, agreed_places, expected_of, placed, with_joint_effect
 from cadgen.jobs.calibration.sources import Source, stated_form_error
 from cadgen.jobs.cam.cam_plan import plan_cam
+from cadgen.messages import joined
 from cadgen.progress import Progress, silent
 
 # A closed path is refused with these.
@@ -345,7 +346,9 @@ def wheelbase_of(designed: float, records: Sequence[Record]) -> tuple[float, boo
     stated = {float(match[0]) for record in records if (match := said(record, r"wheelbase ([0-9.]*[0-9]) mm"))}
     if len(stated) > 1:
         raise FileError(
-            f"{' and '.join(r.source for r in records)} say different wheelbases, {sorted(stated)} mm: judge them apart"
+            "{names} say different wheelbases, {stated} mm: judge them apart",
+            names=joined((r.source for r in records), " and "),
+            stated=sorted(stated),
         )
     return (stated.pop(), True) if stated else (designed, False)
 
@@ -356,9 +359,12 @@ def _refuse_known(design: Design, sources: Sequence[Source]) -> None:
     for source in sources:
         if source.sha256 in known:
             raise FileError(
-                f"{source.path} is among the files that {design.name} was calibrated with ({known[source.sha256]} in "
-                "[as_built.sources]), so its effects would count twice: judge it against the design that it came from, "
-                "or measure again with the new cam"
+                "{file} is among the files that {name} was calibrated with ({known} in [as_built.sources]), so its "
+                "effects would count twice: judge it against the design that it came from, or measure again with the "
+                "new cam",
+                file=source.path,
+                name=design.name,
+                known=known[source.sha256],
             )
 
 

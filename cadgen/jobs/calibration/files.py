@@ -140,13 +140,17 @@ def _read_back(c: CalibrationPlan, file: Path) -> None:
     as_built = again.as_built
     same = again.as_designed().values() == c.against.values
     if as_built is None or not same or [(e.effect, e.kind, e.place) for e in as_built.effects] != meant:
-        raise FileError(f"{file.name}, read back, is not the design with what was measured: report this design")
+        raise FileError(
+            "{name}, read back, is not the design with what was measured: report this design", name=file.name
+        )
     for built, effect in zip(c.built, as_built.effects, strict=True):
         for value in built.claim.finding.values:
             sigma = value.sigma if isfinite(value.sigma) and value.sigma > 0 else abs(value.value) * 1e-4
             # Rounding to two digits of the uncertainty moves a value by no more than a twentieth of it.
             if abs(effect.numbers[value.name] - value.value) > 0.06 * sigma:
-                raise FileError(f"{file.name}, read back, has another {value.name}: report this design")
+                raise FileError(
+                    "{name}, read back, has another {number}: report this design", name=file.name, number=value.name
+                )
 
 
 def _record(diagnosis: Diagnosis) -> dict[str, object]:

@@ -14,6 +14,7 @@ from cadgen.errors import FileError, brief, escaped
 from cadgen.inference.measurement.nominal import MACHINED_UM, PRINTED_UM
 from cadgen.inference.measurement.record import Kind, Record, printed
 from cadgen.inference.records.load import digest, load, load_text
+from cadgen.messages import Message
 from cadgen.progress import Progress, silent
 
 # Rows that are read for one command which judges every file alone: their records have some 200 MB.
@@ -62,16 +63,25 @@ def gathered(sources: Iterable[Source], *, each: bool = False) -> tuple[Source, 
     for source in sources:
         record = source.record
         if twin := known.get(source.sha256):
-            raise FileError(f"{source.path} holds the same data as {twin.path}: give each file once")
+            raise FileError(
+                "{file} holds the same data as {twin}: give each file once", file=source.path, twin=twin.path
+            )
         known[source.sha256] = source
         kind = None if each else record.kind
         rows[kind] = rows.get(kind, 0) + len(record.run)
         # Before the next is read: a hundred long files take minutes.
         if rows[kind] > (most := MOST_READ if kind is None else kind.most_rows):
-            data, at_once = (f" of {kind.code} data", "together") if kind else ("", "in one command")
+            data = Message(" of {kind} data", kind=kind.code) if kind else ""
+            at_once = Message("together") if kind else Message("in one command")
             raise FileError(
-                f"the {len(known)} files up to {record.source} have {rows[kind]} rows{data}, more than the {most} "
-                f"that can be judged {at_once}: give fewer files, or keep fewer rows of each"
+                "the {count} files up to {file} have {rows} rows{data}, more than the {most} that can be judged "
+                "{at_once}: give fewer files, or keep fewer rows of each",
+                count=len(known),
+                file=record.source,
+                rows=rows[kind],
+                data=data,
+                most=most,
+                at_once=at_once,
             )
     return tuple(known.values())
 
@@ -93,7 +103,11 @@ def source_of(columns: Mapping[str, ArrayLike], remarks: Sequence[str], name: st
     sizes = {column: values.shape for column, values in arrays.items()}
     if not arrays or any(len(size) != 1 for size in sizes.values()) or len(set(sizes.values())) != 1:
         told = brief(", ".join(f"{column} {size}" for column, size in sizes.items()) or "no column")
-        raise FileError(f"{name}: its columns have the shapes {told}; every column must be one row of as many values")
+        raise FileError(
+            "{name}: its columns have the shapes {told}; every column must be one row of as many values",
+            name=name,
+            told=told,
+        )
     if not {"run", "zone"} & set(arrays):
         arrays = {"run": np.ones(next(iter(sizes.values())), dtype=int), **arrays}
     text = io.StringIO(newline="")

@@ -41,6 +41,7 @@ def test_a_slip_of_unit_is_named(nominal, measured, file, columns, factor, unit)
 @pytest.mark.parametrize(
     ("columns", "factor", "unit"), [(["steering_deg"], np.pi / 180, "rad"), (["x_mm", "y_mm"], 1e-3, "m")]
 )
+@pytest.mark.usefixtures("tricycle")
 def test_a_log_contradicts_itself(measured, file, columns, factor, unit):
     record = load(measured / f"{file}.csv").only(np.arange(2))
     refuse_wrong_units(record, LOGGED)

@@ -177,8 +177,10 @@ def _check(record: Record) -> None:
         swept = float(np.sum((steps + pi) % (2 * pi) - pi))
         if abs(swept) > MOST_TURN:
             raise FileError(
-                f"{record.source}: run {run + 1} goes round {abs(swept) / (2 * pi):.1f} times; "
-                "number each turn as its own run"
+                "{file}: run {run} goes round {swept:.1f} times; number each turn as its own run",
+                file=record.source,
+                run=run + 1,
+                swept=abs(swept) / (2 * pi),
             )
 
 

@@ -48,7 +48,9 @@ class TransmissionModel:
         """
         ratios = nominal.ratios
         if not ratios:
-            raise DesignError(f"{record.source}: the design has no gear train; add its stages to judge this file")
+            raise DesignError(
+                "{file}: the design has no gear train; add its stages to judge this file", file=record.source
+            )
         turned = np.radians(record["motor_angle_deg"]) / float(np.prod(ratios))
         first = np.array([turned[record.run == k][0] for k in range(record.runs)])[record.run]
         self._all, self._forces, self._known = turned, nominal.forces, Cache[bytes, Array](_KEPT)
@@ -187,8 +189,11 @@ def _check(record: Record) -> None:
         turn = float(np.ptp(turned[mine]))
         if turn > MOST_TURN_DEG:
             raise FileError(
-                f"{record.source}: the cam of run {run + 1} turns by {turn:.0f} degrees, so the angle goes round "
-                "more than once; number each turn, forward and back, as its own run"
+                "{file}: the cam of run {run} turns by {turn:.0f} degrees, so the angle goes round more than once; "
+                "number each turn, forward and back, as its own run",
+                file=record.source,
+                run=run + 1,
+                turn=turn,
             )
 
 

@@ -17,6 +17,7 @@ from cadgen.errors import FileError
 from cadgen.inference.measurement.findings import Finding, Value
 from cadgen.inference.measurement.record import Column, Datum, Kind, Method, Record
 from cadgen.inference.measurement.verdict import Judgement, Verdict, sigmas_of
+from cadgen.messages import joined
 
 
 class Zone(StrEnum):
@@ -97,7 +98,12 @@ def return_error(record: Record, tabled_deg: tuple[float, ...] = ()) -> Zones:
     """
     names = [str(zone) for zone in record.columns["zone"]]
     if set(names) != set(EVENTS):
-        raise FileError(f"{record.source}: zones {', '.join(names)}; give {', '.join(EVENTS)}, each at least once")
+        raise FileError(
+            "{file}: zones {names}; give {allowed}, each at least once",
+            file=record.source,
+            names=joined(names, ", "),
+            allowed=joined(EVENTS, ", "),
+        )
     mean, error = record["cam_angle_deg"], record["std_deg"] / np.sqrt(record["n"])
     design = np.stack([np.ones(len(names)), np.array([EVENTS[Zone(name)] for name in names])], axis=1)
     covariance = np.linalg.inv(design.T @ (design / error[:, None] ** 2))
