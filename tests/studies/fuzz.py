@@ -32,6 +32,8 @@ from pkgutil import walk_packages
 import cadgen
 from cadgen.car.against_play.profile_kinds import codes
 from cadgen.design.load import packaged_designs
+from cadgen.inference.measurement import kinds
+from tests.conftest import TRICYCLE
 from tests.studies import fuzz_data, fuzz_designs
 
 COMMANDS = (
@@ -202,6 +204,9 @@ def load_modules(command: str) -> None:
         kernel = module.name.startswith("cadgen.geometry.solids.")
         if not module.name.endswith("__main__") and (not kernel or command in KERNEL_COMMANDS):
             import_module(module.name)
+    if command == "calibrate":  # logs of a vehicle without a cam are among its files
+        sys.path.append(str(TRICYCLE / "src"))
+        kinds.register(import_module("cadgen_tricycle").STEERED_TRACK)
 
 
 def outcomes(command: str, seed: int, numbers: Sequence[int], processes: int = 1) -> Iterator[Outcome]:
