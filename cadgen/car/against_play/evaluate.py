@@ -251,7 +251,7 @@ def choose(
         raise CheckError(
             "none of the profiles compared keeps the design's limits: the nearest, {name}, {beyond}: "
             "raise the limit in [optimize], or take a train with less backlash",
-            name=nearest.name,
+            name=Message(nearest.name),
             beyond=_beyond(nearest, binding),
         )
     best = min(kept, key=lambda candidate: candidate.figures[objective])
@@ -261,7 +261,7 @@ def choose(
             figure = f"{candidate.figures[objective]:.4g} {unit}"
             verdict = Message(
                 "chosen: the least {objective}, {figure}, of {count} that keep every limit",
-                objective=objective,
+                objective=Message(objective),
                 figure=figure,
                 count=len(kept),
             )
@@ -272,11 +272,11 @@ def choose(
         else:
             verdict = Message(
                 "not chosen: its {objective} is {value:.4g} {unit}",
-                objective=objective,
+                objective=Message(objective),
                 value=candidate.figures[objective],
                 unit=unit,
             )
-        reasons.append(joined((candidate.name, verdict), " "))
+        reasons.append(joined((Message(candidate.name), verdict), " "))
     return Choice(best=best, reasons=tuple(reasons))
 
 
@@ -292,7 +292,7 @@ def _beyond(candidate: ProfileCandidate, limit: FigureLimit) -> str:
     value = candidate.figures[limit.figure]
     return Message(
         "has a {figure} of {value:.4g} {unit}, {excess:.4g} {unit} more than the {most:.4g} allowed",
-        figure=limit.figure,
+        figure=Message(limit.figure),
         value=value,
         unit=limit.unit,
         excess=value - limit.most,

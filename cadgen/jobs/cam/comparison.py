@@ -36,7 +36,7 @@ from cadgen.errors import CheckError, DesignError
 from cadgen.figures import Figure, Figures
 from cadgen.gears.choices import StageOrder
 from cadgen.jobs.cam.mechanics import border_sentences, joint_sentences, mechanics_checks, rubbing_sentence
-from cadgen.messages import Message
+from cadgen.messages import Message, joined
 from cadgen.progress import Progress, silent
 
 PAPER_PERCENT = 45.31  # reduction of the sum of deflection errors by the paper's two methods together
@@ -329,13 +329,19 @@ def best_of(
         try:
             choice = choose([candidates[name] for name in remaining], allowed, objective=deciding, unit="mm")
         except CheckError as error:  # those left were never allowed
-            refused.append(f"of the others, {error}")
+            refused.append(Message("of the others, {reason}", reason=error.message))
             break
         best = remaining.pop(choice.best.name)
         failed = [check.name for check in failing(checks.of(best))]
         if not failed:
             return Best(best, (*refused, *choice.reasons, *missed))
-        refused.append(f"{best.profile} refused: it fails {', '.join(failed)}")
+        refused.append(
+            Message(
+                "{profile} refused: it fails {failed}",
+                profile=Message(str(best.profile)),
+                failed=joined(map(Message, failed)),
+            )
+        )
     return Best(first, (*refused, *missed))
 
 
@@ -485,7 +491,10 @@ def _evaluations(
     blend = work.task.lift.blend_start
     if not (falls(work.task.lift) % TURN < blend).any():
         where = f" before its closing blend at {degrees(blend):.1f}°" if work.task.lift.blended else ""
-        reason = f"the lift has no peak and no valley{where}, so play changes nothing: the actual profile is made"
+        reason = Message(
+            "the lift has no peak and no valley{where}, so play changes nothing: the actual profile is made",
+            where=where,
+        )
         return (evaluate(work, ACTUAL),), (reason,)
     work.prepare()  # what it refuses, no profile can have
     evaluations, refusals = [evaluate(work, ACTUAL)], dict[str, str]()
@@ -494,7 +503,9 @@ def _evaluations(
         try:
             evaluations.append(evaluate(work, kind))
         except DesignError as error:  # several may be refused for the same reason
-            refusals.setdefault(str(error), f"{kind} refused: {error}")
+            refusals.setdefault(
+                str(error), Message("{profile} refused: {reason}", profile=Message(str(kind)), reason=error.message)
+            )
     return tuple(evaluations), tuple(refusals.values())
 
 
