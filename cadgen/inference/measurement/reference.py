@@ -10,20 +10,20 @@ _HEAD = """\
 # The effects that measured data are traced to
 
 `cadgen calibrate` looks for these; [measurement.md](measurement.md) says how. An effect is written to `[as_built]`
-with its name, the kind of data, its numbers, in the unit at the end of their names and within their bounds, and a
-[place](measurement.md#the-as-built-design), which says how other commands use it (the first is the default; any effect
-may be `noted`).
+with its name, the kind of data and its numbers, in the unit at the end of their names. Its
+[place](measurement.md#the-as-built-design) says how other commands use it. The first place is the default, and any
+effect may be `noted`.
 
-*Cannot be told from* names the [twins](glossary.md#twin): no data of this kind separate the two. *Looks like* names
-effects that such data may resemble; *told apart by* says how to separate them.
+*Twins* cannot be told from the effect by data of [this kind](glossary.md#twin). *Looks like* names effects that such data
+may resemble; *told apart by* says how to separate them.
 
 **Frame.** x and y are those of the exported files and of a measured profile: the bore at the origin, +x towards the rod
 at a cam angle of 0°. The polar angle counts counterclockwise, and the cam angle at which a point of the outline meets
 the rod is about its polar angle. Left and right are those of a driver. The steering is positive to the right where a
-cam steers, since a lifted rod turns the car right; where it was logged it is positive to the left, as the heading is.
+cam steers, since a lifted rod turns the car right. Where it was logged it is positive to the left, as the heading is.
 """
 _UNITS = {"um": "µm", "deg": "°", "%": "%", "mm": "mm", "s": "s", "": ""}
-# Effects that come in series (orders, stages): one row stands for all of a series.
+# Effects that come in series (orders, stages): one entry stands for all of a series.
 _MANY = ((re.compile(r", order \d+$"), ", order n"), (re.compile(r" of (the camshaft|stage \d)$"), " of ..."))
 
 
@@ -39,21 +39,23 @@ _INDICES = {
 
 
 def _kind(kind: Kind) -> str:
-    head = (
-        "| effect | numbers | places | cannot be told from | looks like | told apart by |\n|---|---|---|---|---|---|\n"
-    )
-    return f"\n## {kind.title}\n\n{head}{''.join(map(_row, kind.catalogue.entries))}"
+    return f"\n## {kind.title}\n{''.join(map(_effect, kind.catalogue.entries))}"
 
 
-def _row(effect: Effect) -> str:
+def _effect(effect: Effect) -> str:
     name = effect.name
     for pattern, shown in _MANY:
         name = pattern.sub(shown, name)
-    numbers = [_number(p) for p in effect.parameters]
-    numbers += [f"`{index}`: {_INDICES[index]}" for index, _ in effect.indices]
-    twins, places = ", ".join(effect.twins), ", ".join(effect.places)
-    cells = (name, "<br>".join(numbers), places, twins, effect.confused_with, effect.separated_by)
-    return f"| {' | '.join(cell.replace('|', chr(92) + '|') for cell in cells)} |\n"
+    remarks = (
+        ("places", ", ".join(effect.places)),
+        ("twins", ", ".join(effect.twins)),
+        ("looks like", effect.confused_with),
+        ("told apart by", effect.separated_by),
+    )
+    lines = [_number(p) for p in effect.parameters]
+    lines += [f"`{index}`: {_INDICES[index]}" for index, _ in effect.indices]
+    lines += [f"{title}: {text}" for title, text in remarks if text]
+    return f"\n**{name}**\n\n" + "".join(f"- {line}\n" for line in lines)
 
 
 def _number(p: Parameter) -> str:
