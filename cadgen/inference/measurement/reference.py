@@ -14,8 +14,8 @@ with its name, the kind of data and its numbers, in the unit at the end of their
 [place](measurement.md#the-as-built-design) says how other commands use it. The first place is the default, and any
 effect may be `noted`.
 
-*Twins* cannot be told from the effect by data of [this kind](glossary.md#twin). *Looks like* names effects that such data
-may resemble; *told apart by* says how to separate them.
+*Twins* cannot be told from the effect by data of [this kind](glossary.md#twin). *Looks like* names effects that such
+data may resemble; *told apart by* says how to separate them.
 
 **Frame.** x and y are those of the exported files and of a measured profile: the bore at the origin, +x towards the rod
 at a cam angle of 0°. The polar angle counts counterclockwise, and the cam angle at which a point of the outline meets
