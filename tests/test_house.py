@@ -170,7 +170,7 @@ OTHER_WORDS = {
     "cadgen.studies.study_file": {"missing"},
     "cadgen.studies.journal": {"path"},
     "cadgen.output.files.dxf": {"TEXT"},
-    "cadgen.cli.draw": {"cam"},  # the value of --only
+    "cadgen.cli.page_commands": {"cam"},  # the value of --only
     "cadgen.output.report.terminal": {"right"},  # of rich
 }
 

@@ -1,23 +1,13 @@
-"""The command line: thin commands, one file per verb.
+"""The command line: thin commands over the Python face.
 
 | module      | what it holds                                                     |
 |-------------|-------------------------------------------------------------------|
-| `new`       | `cadgen new`: a commented design to begin with                    |
-| `plan`      | `cadgen plan`: from a course to a path                            |
-| `card`      | `cadgen card`: settings for every spacing that can be drawn       |
-| `check`     | `cadgen check`: every figure of a cam, and nothing written         |
-| `cam`       | `cadgen cam`: a cam as verified files                              |
+| `design_commands` | `cadgen new`, `plan`, `card`: what makes a design           |
+| `cam_commands` | `cadgen check`, `cam`, `optimize`                               |
 | `gears`     | `cadgen gears`: a gear train as verified files                     |
-| `draw`      | `cadgen draw`: drawings for a workshop                             |
-| `simulate`  | `cadgen simulate`: the car's run with play                         |
-| `optimize`  | `cadgen optimize`: the methods against play                        |
-| `tolerance` | `cadgen tolerance`: many cars within the tolerances                |
-| `calibrate` | `cadgen calibrate`: measured files -> effects missing in the design |
-| `adjust`    | `cadgen adjust`: trial runs -> what to set before the next         |
-| `explore`   | `cadgen explore`: studies of many designs                          |
-| `merge`     | `cadgen merge`: the shards of a study put together                 |
-| `report`    | `cadgen report`: a page with model, curves and tables            |
-| `edit`      | `cadgen edit`: a design changed on its page in the browser       |
+| `car_commands` | `cadgen simulate`, `tolerance`, `calibrate`, `adjust`           |
+| `study_commands` | `cadgen explore`, `merge`: studies of many designs            |
+| `page_commands` | `cadgen report`, `edit`, `draw`: what shows a design           |
 | `verify`    | `cadgen verify`: a folder against its manifest                     |
 | `options`   | arguments and options that several commands share                  |
 | `show`      | progress, sheets of checks and files, sentences, JSON, the verdict |
@@ -41,22 +31,12 @@ import click
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from cadgen.cli import interrupt, output
-from cadgen.cli.adjust import adjust
-from cadgen.cli.calibrate import calibrate
-from cadgen.cli.cam import cam
-from cadgen.cli.card import card
-from cadgen.cli.check import check
-from cadgen.cli.draw import draw
-from cadgen.cli.edit import edit
-from cadgen.cli.explore import explore
+from cadgen.cli.cam_commands import cam, check, optimize
+from cadgen.cli.car_commands import adjust, calibrate, simulate, tolerance
+from cadgen.cli.design_commands import card, new, plan
 from cadgen.cli.gears import gears
-from cadgen.cli.merge import merge
-from cadgen.cli.new import new
-from cadgen.cli.optimize import optimize
-from cadgen.cli.plan import plan
-from cadgen.cli.report import report
-from cadgen.cli.simulate import simulate
-from cadgen.cli.tolerance import tolerance
+from cadgen.cli.page_commands import draw, edit, report
+from cadgen.cli.study_commands import explore, merge
 from cadgen.cli.verify import verify
 from cadgen.errors import CadgenError, DesignError, brief
 from cadgen.messages import LANGUAGES, choose, language_of, shown

@@ -11,7 +11,7 @@ import pytest
 from click.testing import CliRunner
 
 from cadgen.api.views import Editor
-from cadgen.cli.edit import edit
+from cadgen.cli.page_commands import edit
 from cadgen.errors import DesignError, FileError
 
 

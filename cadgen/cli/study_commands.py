@@ -1,4 +1,4 @@
-"""`cadgen explore`: studies of many designs."""
+"""Commands on many designs: `cadgen explore`, and `cadgen merge` for its shards."""
 
 import os
 import sys
@@ -57,6 +57,25 @@ def explore(
                 Message("when all are, cadgen merge {out} --out {out}", out=out),
             )
         return
+    if not as_json:
+        verdict(*show.outcome(computed, out))
+    sys.exit(0 if computed.summary.front else 1)
+
+
+@click.command()
+@click.argument("folders", nargs=-1, required=True, type=click.Path(path_type=Path))
+@out_option(required=True, help="Folder for the results.")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of tables.")
+def merge(folders: tuple[Path, ...], out: Path, as_json: bool) -> None:
+    """Put the shards of a study together: FOLDERS are those that cadgen explore --shard wrote to."""
+    from cadgen.api import exploration
+    from cadgen.cli import show
+    from cadgen.cli.show import verdict
+
+    with show.progress(not as_json) as progress:
+        computed = exploration.merge(folders)
+        written = computed.write(out, progress=progress)
+    show.study(computed, written, out, as_json=as_json)
     if not as_json:
         verdict(*show.outcome(computed, out))
     sys.exit(0 if computed.summary.front else 1)

@@ -1,4 +1,4 @@
-"""`cadgen plan`: from a course and a car to the path on which play moves the car least."""
+"""Commands that make a design: `cadgen new`, `cadgen plan`, `cadgen card`."""
 
 import os
 from functools import partial
@@ -7,8 +7,70 @@ from pathlib import Path
 import click
 
 from cadgen.car.planner import RESERVE, SEEDS, WITHIN_MM
-from cadgen.cli.options import Number, out_option, overrides_option
+from cadgen.cli.options import Number, design_options, out_option, overrides_option, profile_option
 from cadgen.messages import Message
+
+
+@click.command()
+@click.argument("name")
+@click.option(
+    "--points",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Points of the path: CSV or TXT with `X Y [weight]` in mm, or a DXF with one open polyline. Each becomes a "
+    "waypoint and a gate; a weight makes its gate narrower, and 0 leaves it out.",
+)
+@click.option("--layer", metavar="NAME", help="Layer of the polyline in a DXF that has several.")
+@click.option(
+    "--gate-radius-mm",
+    type=Number(0, 100_000, min_open=True),
+    default=50.0,
+    show_default=True,
+    help="Radius of the gates at the points.",
+)
+@click.option(
+    "--field-mm",
+    type=(Number(1, 1e6), Number(1, 1e6)),
+    metavar="WIDTH HEIGHT",
+    default=None,
+    help="Size of the field, from [0, 0].",
+)
+@click.option(
+    "--closed",
+    is_flag=True,
+    help="The path is a lap that is driven again and again, such as a figure 8: from its last point it goes on to the "
+    "first. The polyline of a DXF is closed, too.",
+)
+@overrides_option
+@out_option(default=Path(), show_default=False, help="Folder for the file.  [default: this one]")
+def new(
+    name: str,
+    points: Path | None,
+    layer: str | None,
+    gate_radius_mm: float,
+    field_mm: tuple[float, float] | None,
+    closed: bool,
+    overrides: tuple[str, ...],
+    out: Path,
+) -> None:
+    """Begin a design: NAME.toml, commented, with the paper's mechanism and your path.
+
+    The dimensions of your car go in with --set, as in --set car.wheelbase_mm=180, or later in the file.
+    """
+    from cadgen.api.design import Design
+    from cadgen.cli.show import verdict
+
+    design = Design.new(
+        name,
+        out,
+        points=points,
+        layer=layer,
+        gate_radius_mm=gate_radius_mm,
+        field_mm=field_mm,
+        closed=closed,
+        changes=overrides,
+    )
+    verdict(True, Message("{file} begins the design", file=design.file), f"cadgen check {design.file}")
 
 
 @click.command()
@@ -108,3 +170,46 @@ def plan(
         else:
             verdict(False, failed(planned.cam.checks), Message("change the design"))
     raise SystemExit(0 if planned.passed else 1)
+
+
+@click.command()
+@design_options
+@profile_option
+@out_option(help="Folder for NAME_card.html, to print, and NAME_card.csv; without it no file is written.")
+def card(design: str | None, profile: str | None, overrides: tuple[str, ...], as_json: bool, out: Path | None) -> None:
+    """Find what to set on the car for each spacing of the posts that can be drawn on site.
+
+    DESIGN has [course.spacing], the range, and [settings], what can be set: the disc along its shaft, the drive wheel
+    or the ratio, the micrometer head, the start. Every setting is driven by the exact chain and held against the
+    course.
+
+    The exit code is 1 if the course is not kept at some spacing, which the card says, or if the cam fails a check.
+    """
+    from cadgen.api.design import Design
+    from cadgen.cli import show
+    from cadgen.cli.show import command, failed, verdict
+
+    loaded = Design.load(design, overrides)
+    with show.progress(not as_json) as progress:
+        result = loaded.card(profile, progress=progress)
+        written = None if out is None or not result.cam.passed else result.write(out, progress=progress)
+    if as_json:
+        show.document(result.facts() if written is None else written.entry)
+    else:
+        show.card(result)
+        if written is not None and out is not None:
+            show.files(written, out)
+        lost = sum(not row["kept"] for row in result.settings)
+        if result.passed:
+            step = command("card", design, "--out exports", overrides=overrides)
+            if written:
+                step = Message("print the card")
+            verdict(True, Message("the course is kept at all {count} spacings", count=len(result.settings)), step)
+        elif not result.cam.passed:
+            verdict(False, failed(result.cam.checks), Message("change the design as it is said above"))
+        else:
+            result_of = Message(
+                "the course is not kept at {lost} of {count} spacings", lost=lost, count=len(result.settings)
+            )
+            verdict(False, result_of, Message("widen [settings], or plan again with cadgen plan"))
+    raise SystemExit(0 if result.passed else 1)

@@ -1,0 +1,132 @@
+"""Commands on a cam: `cadgen check`, `cadgen cam`, `cadgen optimize`."""
+
+import sys
+from pathlib import Path
+
+import click
+
+from cadgen.cli.options import design_options, formats_option, out_option, profile_option
+from cadgen.messages import Message
+
+
+@click.command()
+@design_options
+@profile_option
+def check(design: str | None, overrides: tuple[str, ...], profile: str | None, as_json: bool) -> None:
+    """Check a cam without making any file.
+
+    Exit code 1 if a check fails.
+    """
+    from cadgen.api.design import Design
+    from cadgen.cli import show, show_play
+    from cadgen.cli.show import command, failed, verdict
+
+    loaded = Design.load(design, overrides)
+    with show.progress(not as_json) as progress:
+        cam = loaded.cam(profile, progress=progress)
+        cures = cam.find_cures(progress)
+    if as_json:
+        show.document(cam.facts())
+    else:
+        show.checks(cam, cures)
+        show_play.comparison(cam)
+        if cam.passed:
+            kept = ["--profile", profile] if profile else []
+            verdict(True, Message("every check holds"), command("cam", design, *kept, overrides=overrides))
+        else:
+            verdict(False, failed(cam.checks), Message("change the design as it is said above"))
+    sys.exit(0 if cam.passed else 1)
+
+
+@click.command()
+@design_options
+@profile_option
+@out_option(default=Path("exports"), show_default=True, help="Folder for the files; it is made if need be.")
+@formats_option("step,stl,3mf,dxf,nc,xyz,csv")
+@click.option("--force", is_flag=True, help="Export even if a check fails, and say so in the manifest.")
+def cam(
+    design: str | None,
+    overrides: tuple[str, ...],
+    profile: str | None,
+    as_json: bool,
+    out: Path,
+    formats: str | None,
+    force: bool,
+) -> None:
+    """Make a cam: STEP, STL, 3MF, DXF, G-code and points, each read back and rolled against the rod.
+
+    Nothing is exported and the exit code is 1 if a check fails, unless --force is given.
+    """
+    from cadgen.api.design import Design
+    from cadgen.cli import show, show_play
+    from cadgen.cli.show import command, failed, verdict
+    from cadgen.output.files.formats import CAM
+
+    loaded = Design.load(design, overrides)
+    CAM.chosen(formats)  # before anything that takes time
+    with show.progress(not as_json) as progress:
+        plan = loaded.cam(profile, progress=progress)
+        cures = plan.find_cures(progress)
+        written = plan.write(out, formats, force=force, progress=progress) if plan.passed or force else None
+    if as_json:
+        show.document(plan.facts() if written is None else written.entry)
+    else:
+        show.checks(plan, cures)
+        show_play.comparison(plan)
+        if written is not None:
+            show.files(written, out)
+        if plan.passed:
+            kept = ["--profile", profile] if profile else []
+            draw = command("draw", design, "--only cam", *kept, "--out", str(out), overrides=overrides)
+            verdict(
+                True,
+                Message("every check holds, and each file in {out} was read back", out=out),
+                Message("cut it; {draw} draws it", draw=draw),
+            )
+        elif written is not None:
+            verdict(
+                False, failed(plan.checks), Message("do not cut these files; change the design as it is said above")
+            )
+        else:
+            result = Message(
+                "{failing}, so nothing was exported (--force exports all the same)", failing=failed(plan.checks)
+            )
+            verdict(False, result, Message("change the design as it is said above"))
+    sys.exit(0 if plan.passed or force else 1)
+
+
+@click.command()
+@design_options
+@out_option(help="Folder for pictures of events and tracks; without it no file is written.")
+def optimize(design: str | None, overrides: tuple[str, ...], as_json: bool, out: Path | None) -> None:
+    """Compare the methods against play, alone and combined, and choose the best that keeps every limit.
+
+    Each profile is judged as it would be cut: the follower rolls on its outline, with play, over the band of return
+    errors. The exit code is 1 if even the best fails a check.
+    """
+    from cadgen.api.design import Design
+    from cadgen.cli import show, show_play
+    from cadgen.cli.show import command, failed, verdict
+
+    loaded = Design.load(design, overrides)
+    with show.progress(not as_json) as progress:
+        comparison = loaded.optimize(progress=progress)
+        written = None if out is None else comparison.write(out, progress=progress)
+    cam, remedies = comparison.cam, comparison.remedies
+    if as_json:
+        facts = comparison.facts()
+        show.document(facts if written is None else {**written.entry, **facts, **written.entry})
+    else:
+        show.friction(cam)
+        show_play.methods(cam)
+        show_play.remedies(remedies)
+        show.failures(cam)
+        if written is not None and out is not None:
+            show.files(written, out)
+        if cam.passed:
+            step = command("cam", design, "--profile", "optimized", overrides=overrides)
+            verdict(True, Message("the best profile keeps every limit"), step)
+        else:
+            result = Message("even the best profile fails a check: {failing}", failing=failed(cam.checks))
+            verdict(False, result, Message("change the design as it is said above"))
+    sys.exit(0 if cam.passed else 1)

@@ -1,0 +1,335 @@
+"""Commands on a car that runs or was measured: `cadgen simulate`, `tolerance`, `calibrate`, `adjust`."""
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from cadgen.car.against_play.profile_kinds import ACTUAL, OPTIMIZED
+from cadgen.cli.options import (
+    Number,
+    car_profile_option,
+    design_and_files,
+    design_options,
+    out_option,
+    overrides_option,
+    play_profile_option,
+)
+from cadgen.messages import Message, joined
+
+if TYPE_CHECKING:
+    from cadgen.api.calibration import Advice, Calibration, Predictions
+    from cadgen.api.design import Design
+    from cadgen.progress import Progress
+
+
+@click.command()
+@design_options
+@play_profile_option(meaning="Profile that is compared with the actual one.")
+@click.option(
+    "--play-deg",
+    type=Number(0, 180, max_open=True),
+    help="Return error of the runs, at the camshaft.  [default: that which the profile is cut for]",
+)
+@out_option(default=Path("exports"), show_default=True, help="Folder for tracks and pictures; it is made if need be.")
+def simulate(
+    design: str | None, overrides: tuple[str, ...], profile: str, play_deg: float | None, as_json: bool, out: Path
+) -> None:
+    """Run the car with play in its gears, on the actual profile and on one against play.
+
+    Writes the tracks of the three wheels as CSV, and pictures of lift, tracks and errors as PNG and SVG. A profile
+    that fails a check is run all the same, and the check is named.
+    """
+    from cadgen.api.design import Design
+    from cadgen.cli import show, show_play
+    from cadgen.cli.show import command, failed, verdict
+
+    loaded = Design.load(design, overrides)
+    with show.progress(not as_json) as progress:
+        simulation = loaded.simulate(profile, play_deg, progress=progress)
+        written = simulation.write(out, progress=progress)
+    if as_json:
+        show.document(written.entry)
+    else:
+        show_play.runs(simulation)
+        show_play.course(simulation)
+        show.failures(simulation.cam)
+        show.files(written, out)
+        if simulation.cam.passed:
+            step = command("tolerance", design, "--profile", profile, overrides=overrides)
+            verdict(
+                True, Message("every check holds"), Message("look at the pictures; {step} runs many cars", step=step)
+            )
+        else:
+            verdict(False, failed(simulation.cam.checks), Message("change the design as it is said above"))
+
+
+@click.command()
+@design_options
+@play_profile_option(ACTUAL.code, meaning="Profile that all cars have.")
+@click.option(
+    "--samples", type=click.IntRange(1, 10_000_000), default=10_000, show_default=True, help="Number of cars."
+)
+@click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Seed of the random numbers.")
+@click.option(
+    "--processes",
+    type=click.IntRange(1, 256),
+    default=lambda: min(2, os.cpu_count() or 1),
+    help="Number of processes that run at once; the results do not depend on it.  [default: 2]",
+)
+@click.option(
+    "--budget",
+    is_flag=True,
+    help="Rank all deviations by their cost at the end of the run, before and after a trim.",
+)
+@out_option(help="Folder for a picture; without it no file is written.")
+def tolerance(
+    design: str | None,
+    overrides: tuple[str, ...],
+    profile: str,
+    samples: int,
+    seed: int,
+    processes: int,
+    budget: bool,
+    as_json: bool,
+    out: Path | None,
+) -> None:
+    """Run random cars within the tolerances of [tolerances] and [train].
+
+    Reports where they end, how many pass all gates, and which tolerance matters most. A seed gives the same numbers
+    on any number of processes. A profile that fails a check is run all the same, and the check is named.
+    """
+    from cadgen.api.design import Design
+    from cadgen.cli import show, show_play
+    from cadgen.cli.show import command, failed, verdict
+
+    loaded = Design.load(design, overrides)
+    with show.progress(not as_json) as progress:
+        run = loaded.tolerance(
+            samples, seed=seed, profile=profile, budget=budget, processes=processes, progress=progress
+        )
+        written = None if out is None else run.write(out, progress=progress)
+    if as_json:
+        show.document(run.facts() if written is None else written.entry)
+        return
+    show_play.fleet(run)
+    if run.budget is not None:
+        show_play.budget(run.budget)
+    show.failures(run.cam)
+    if written is not None and out is not None:
+        show.files(written, out)
+    if run.cam.passed:
+        again = command("tolerance", design, "--profile", profile, "--budget", overrides=overrides)
+        make = command("cam", design, "--profile", profile, overrides=overrides)
+        step = make if budget else Message("{again} says what to hold tighter", again=again)
+        verdict(
+            True,
+            Message("every check holds, and {passed:.1f} % of the cars pass", passed=100 * run.computed.passed),
+            step,
+        )
+    else:
+        verdict(False, failed(run.cam.checks), Message("change the design as it is said above"))
+
+
+@click.command()
+@click.argument("arguments", metavar="[DESIGN] FILE...", nargs=-1)
+@car_profile_option(ACTUAL.code, "Profile of the cam that was measured, or was on the car.")
+@click.option(
+    "--form-error-um",
+    type=Number(0.01, 1000),
+    help="Form error to expect on the disc, µm rms.  [default: 2, or 30 if a file says that the disc is printed]",
+)
+@click.option(
+    "--each",
+    is_flag=True,
+    help="Judge each file alone, as if each came from another car. Prints one table; with --out, no pictures and no "
+    "as-built design are written.",
+)
+@click.option(
+    "--next",
+    "ask_next",
+    is_flag=True,
+    help="Say also what to measure next, ranked by where the run is then expected to end on a new cam; without a FILE, "
+    "what to measure first.",
+)
+@click.option(
+    "--predict",
+    "unseen",
+    multiple=True,
+    metavar="FILE",
+    help="Predict this file, which is not used, with what is found in the others. Repeatable.",
+)
+@overrides_option
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of the report.")
+@out_option(help="Folder for the report, its pictures, JSON and the as-built design; without it no file is written.")
+def calibrate(
+    arguments: tuple[str, ...],
+    profile: str,
+    form_error_um: float | None,
+    each: bool,
+    ask_next: bool,
+    unseen: tuple[str, ...],
+    overrides: tuple[str, ...],
+    as_json: bool,
+    out: Path | None,
+) -> None:
+    """Trace measured data to the effects that the design lacks.
+
+    FILE is a CSV file of measured lifts, profile, transmission, track, zones, or a track with its steering logged. Its
+    columns decide which. Several files and kinds are judged together, as data of one car. DESIGN is the first argument
+    if it names a packaged design or ends in .toml.
+    """
+    from cadgen.api.calibration import Calibration, Calibrations
+    from cadgen.api.design import Design
+    from cadgen.cli import show
+    from cadgen.cli.show import verdict
+    from cadgen.design.load import packaged_designs
+    from cadgen.output.report.terminal import write
+
+    design, files = design_and_files(arguments, packaged_designs(), some=not ask_next)
+    loaded = Design.load(design, overrides)
+    if each and (ask_next or unseen):
+        asked = "--next" if ask_next else "--predict"
+        raise click.UsageError(f"{asked} is asked of one car, and --each judges files of several: give one of them")
+    if unseen and not files:
+        raise click.UsageError("--predict needs a measured file to predict from: name at least one")
+    if not files:
+        if out is not None:
+            raise click.UsageError("without a measured file there is nothing to write: remove --out")
+        with show.progress(not as_json) as progress:
+            first = loaded.next_measurement(profile=profile, form_error_um=form_error_um, progress=progress)
+        if as_json:
+            show.document({"next": first.facts()})
+        else:
+            write(first.report, show.Output())
+            verdict(True, Message("nothing is measured yet"), Message("measure as the first row says"))
+        return
+    result: Calibration[Design] | Calibrations[Design]
+    with show.progress(not as_json) as progress:
+        judge = loaded.calibrate_each if each else loaded.calibrate
+        result = judge(files, profile=profile, form_error_um=form_error_um, progress=progress)
+        more = _more(result, ask_next, unseen, progress) if isinstance(result, Calibration) else {}
+        written = None if out is None else result.write(out, progress=progress)
+    if as_json:
+        show.document(result.facts() | {name: part.facts() for name, part in more.items()})
+        return
+    write([*result.report, *(block for part in more.values() for block in part.report)], show.Output())
+    if written is not None and out is not None:
+        show.files(written, out)
+    unclear = result.unclear
+    if unclear:
+        kinds = joined(Message("{name} {what}", name=name, what=Message(what)) for name, what in unclear.items())
+        step: str = Message("measure again, or other data")
+        if not (ask_next or each):
+            step = Message("the same command with --next says what to measure")
+        verdict(False, Message("not all is explained ({kinds})", kinds=kinds), step)
+    elif isinstance(result, Calibration) and result.effects:
+        made = Message("--out writes the as-built design, for cadgen cam")
+        if written:
+            made = Message("cadgen cam on the as-built design")
+        verdict(True, Message("what was measured is explained"), made)
+    else:
+        step = "" if each else Message("nothing differs from the design: drive")
+        verdict(True, Message("what was measured is explained"), step)
+
+
+def _more(
+    result: "Calibration[Design]", ask_next: bool, unseen: tuple[str, ...], progress: "Progress"
+) -> "dict[str, Advice | Predictions]":
+    """Results asked for beside the verdict, by its name in the JSON document."""
+    more: dict[str, Advice | Predictions] = {}
+    if unseen:
+        more["predicted"] = result.predict(unseen, progress=progress)
+    if ask_next:
+        more["next"] = result.next_measurement(progress=progress)
+    return more
+
+
+@click.command()
+@click.argument("arguments", metavar="[DESIGN] FILE...", nargs=-1)
+@car_profile_option(OPTIMIZED.code, "Profile of the cam on the car.")
+@click.option(
+    "--point",
+    type=click.Choice(("drive-wheel", "fork", "idle-wheel", "path")),
+    default="drive-wheel",
+    show_default=True,
+    help="Point of the car that was measured; path is the point that follows the waypoints.",
+)
+@click.option(
+    "--knobs",
+    default="head,start",
+    show_default=True,
+    metavar="LIST",
+    help="What may be set: head (the micrometer of the base radius), key (the cam on its shaft), start.",
+)
+@click.option(
+    "--noise-mm",
+    type=Number(0.1, 1000),
+    default=10.0,
+    show_default=True,
+    help="Standard deviation of a measured coordinate.",
+)
+@click.option(
+    "--division-um", type=Number(0.1, 1000), default=10.0, show_default=True, help="Division of the micrometer head."
+)
+@overrides_option
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of sentences.")
+@out_option(help="Folder for the result and the table of the next trial run; without it no file is written.")
+def adjust(
+    arguments: tuple[str, ...],
+    profile: str,
+    point: str,
+    knobs: str,
+    noise_mm: float,
+    division_um: float,
+    overrides: tuple[str, ...],
+    as_json: bool,
+    out: Path | None,
+) -> None:
+    """Set micrometer, key and start after trial runs, without a new cam.
+
+    FILE is a CSV file of one or more trial runs, in the order of driving: columns run,x_mm,y_mm with a dozen points of
+    the track in the frame of the waypoints, the last where the car stopped; or with cam_angle_deg, where the motor was
+    stopped for each point. A comment line, which this command prints, says what was set. DESIGN is the first argument
+    if it names a packaged design or ends in .toml.
+
+    The exit code is 1 if no car within twice the tolerances explains the trial runs.
+    """
+    from cadgen.api.design import Design
+    from cadgen.cli import show
+    from cadgen.cli.show import verdict
+    from cadgen.design.load import packaged_designs
+
+    design, files = design_and_files(arguments, packaged_designs())
+    loaded = Design.load(design, overrides)
+    with show.progress(not as_json) as progress:
+        adjustment = loaded.adjust(
+            files,
+            profile=profile,
+            point=point,
+            knobs=[knob.strip() for knob in knobs.split(",")],
+            noise_mm=noise_mm,
+            division_um=division_um,
+            progress=progress,
+        )
+        written = None if out is None else adjustment.write(out, progress=progress)
+    if as_json:
+        show.document(adjustment.facts() if written is None else written.entry)
+    else:
+        show.settings(adjustment)
+        if written is not None and out is not None:
+            show.files(written, out)
+        if adjustment.explained:
+            verdict(
+                True,
+                Message("a car within the tolerances explains the trial runs"),
+                Message("set this, and drive once more"),
+            )
+        else:
+            verdict(
+                False,
+                Message("no car within twice the tolerances explains the trial runs"),
+                Message("measure the run again"),
+            )
+    raise SystemExit(0 if adjustment.explained else 1)

@@ -1,0 +1,178 @@
+"""Commands that show a design: `cadgen report`, `cadgen edit`, `cadgen draw`."""
+
+import os
+import sys
+from pathlib import Path
+
+import click
+
+from cadgen.cli.options import design_and_files, design_options, out_option, overrides_option, profile_option
+from cadgen.cli.output import tell
+from cadgen.gears.choices import Order
+from cadgen.messages import Message, joined, shown
+
+
+@click.command()
+@click.argument("arguments", nargs=-1, metavar="[DESIGN] [FILE]...")
+@overrides_option
+@profile_option
+@click.option(
+    "--samples",
+    type=click.IntRange(1, 10_000_000),
+    default=10_000,
+    show_default=True,
+    help="Number of random cars within the tolerances.",
+)
+@click.option(
+    "--processes",
+    type=click.IntRange(1, 256),
+    default=lambda: min(2, os.cpu_count() or 1),
+    help="Number of processes that run at once; the results do not depend on it.  [default: 2]",
+)
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of a summary.")
+@out_option(default=Path("exports"), show_default=True, help="Folder for the page; it is made if need be.")
+def report(
+    arguments: tuple[str, ...],
+    overrides: tuple[str, ...],
+    profile: str | None,
+    samples: int,
+    processes: int,
+    as_json: bool,
+    out: Path,
+) -> None:
+    """Show a design on one page: an HTML file that needs no network.
+
+    The page has the model in 3D and in plan, curves over the cam angle, every check, the methods against play,
+    tolerance, an inspection sheet and the parts. FILE is a CSV file of measured data, as for
+    `cadgen calibrate`; with it the page shows the calibration, too.
+
+    The page is written also if a check fails, with the failures on top; the exit code is then 1.
+    """
+    from cadgen.api.design import Design
+    from cadgen.api.views import Report
+    from cadgen.cli import show
+    from cadgen.cli.show import failed, verdict
+    from cadgen.design.load import packaged_designs
+
+    design, files = design_and_files(arguments, packaged_designs(), some=False)
+    loaded = Design.load(design, overrides)
+    with show.progress(not as_json) as progress:
+        result = Report.of(loaded, profile, data=files or None, samples=samples, processes=processes, progress=progress)
+        written = result.write(out, progress=progress)
+    if as_json:
+        show.document(written.entry)
+    else:
+        show.files(written, out)
+        for text in result.refused:
+            tell(shown(text))
+        if result.passed:
+            verdict(
+                True,
+                Message("every check holds"),
+                Message("open {name} in a browser", name=out / written.files[0].name),
+            )
+        else:
+            result_of = failed(result.failed) if result.failed else Message("a part of the design was refused")
+            verdict(False, result_of, Message("see the top of {name}", name=out / written.files[0].name))
+    sys.exit(0 if result.passed else 1)
+
+
+@click.command()
+@click.argument("design", required=False)
+@overrides_option
+@click.option(
+    "--port",
+    type=click.IntRange(0, 65535),
+    default=0,
+    help="Port of the page on 127.0.0.1.  [default: any that is free]",
+)
+@click.option("--no-browser", is_flag=True, help="Print the address only, and open no browser.")
+def edit(design: str | None, overrides: tuple[str, ...], port: int, no_browser: bool) -> None:
+    """Edit a design on its page in the browser: drag waypoints, gates and posts, move sliders, and see the part.
+
+    The page is that of cadgen report. It is served to this computer alone, at an address with a random token. The
+    actual cam follows each move, the cam of cadgen check soon after; what cannot be computed is said, and the last good
+    part stays. Saving writes the design's file, where comments stay. Of a packaged design a copy is edited, which is
+    saved under a name of its own in the current folder.
+
+    Ctrl-C ends it. It needs an extra: pip install '.[edit]' in cadgen's folder.
+    """
+    from cadgen.api.views import Editor
+
+    editor = Editor.open(design, overrides)
+    editor.serve(port, browser=not no_browser, show=_show)
+    click.echo("ended; changes that were not saved are gone" if editor.unsaved else "ended; nothing is unsaved")
+
+
+def _show(address: str) -> None:
+    click.echo(f"{address}  (Ctrl-C ends it)")
+
+
+@click.command()
+@design_options
+@profile_option
+@click.option(
+    "--order",
+    type=click.Choice([order.value for order in Order]),
+    default="as-given",
+    show_default=True,
+    help="Which gear train, as for cadgen gears.",
+)
+@click.option(
+    "--only", type=click.Choice(["cam", "train"]), help="Draw one of the two.  [default: what the design has]"
+)
+@out_option(
+    default=Path("exports"),
+    show_default=True,
+    help="Folder for the files; drawings name the cam's and the gears' files that lie there by their hashes.",
+)
+@click.option("--force", is_flag=True, help="Draw even if a check fails.")
+def draw(
+    design: str | None,
+    overrides: tuple[str, ...],
+    profile: str | None,
+    as_json: bool,
+    order: str,
+    only: str | None,
+    out: Path,
+    force: bool,
+) -> None:
+    """Draw the cam, every part of the gear train and the plate for its axes, as PDF and DXF, each dimension read back.
+
+    Beside them: the outline of every gear as DXF for a laser or a wire, and a form for the inspection of the cam that
+    cadgen calibrate reads. Nothing is drawn and the exit code is 1 if a check fails, unless --force is given.
+    """
+    from cadgen.api.design import Design
+    from cadgen.api.drawing import draw as drawn
+    from cadgen.cli import show
+    from cadgen.cli.show import command, failed, verdict
+
+    loaded = Design.load(design, overrides, train_only=only == "train")
+    with_train = only != "cam" and (only == "train" or loaded.values.train is not None)
+    with show.progress(not as_json) as progress:
+        cam = None if only == "train" else loaded.cam(profile, progress=progress)
+        train = loaded.gears(order, progress=progress) if with_train else None
+        passed = all(part.passed for part in (cam, train) if part is not None)
+        written = drawn(out, cam=cam, train=train, force=force, progress=progress) if passed or force else None
+    if as_json:
+        show.document({"passed": passed} if written is None else written.entry)
+        sys.exit(0 if passed or force else 1)
+    broken = failed([check for part in (cam, train) if part is not None for check in part.checks])
+    if written is None:
+        see = joined((command(verb, design) for verb, part in (("check", cam), ("gears", train)) if part), " and ")
+        verdict(
+            False,
+            Message("{broken}, so nothing was drawn (--force draws all the same)", broken=broken),
+            Message("{see} say what to change", see=see),
+        )
+    else:
+        show.drawings(written, out)
+        if passed:
+            without = "PDF" in written.entry.get("omitted", {})
+            look = Message("print the PDF at 100 %, and lay the part on it")
+            if without:
+                look = Message("open the DXF in a CAD program")
+            verdict(True, Message("each dimension was read back"), look)
+        else:
+            verdict(False, broken, Message("do not make these parts; change the design"))
+    sys.exit(0 if passed or force else 1)
