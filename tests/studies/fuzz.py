@@ -204,7 +204,7 @@ def load_modules(command: str) -> None:
         kernel = module.name.startswith("cadgen.geometry.solids.")
         if not module.name.endswith("__main__") and (not kernel or command in KERNEL_COMMANDS):
             import_module(module.name)
-    if command == "calibrate":  # logs of a vehicle without a cam are among its files
+    if command == "calibrate" and not kinds.has("steered track"):  # logs of a vehicle without a cam are among its files
         sys.path.append(str(TRICYCLE / "src"))
         kinds.register(import_module("cadgen_tricycle").STEERED_TRACK)
 
