@@ -47,7 +47,7 @@ _HOMES = {
     "Calibration": "api.calibration",
     "Cam": "api.cam",
     "CheckError": "errors",
-    "Card": "api.card",
+    "Card": "jobs.card",
     "Comparison": "api.runs",
     "Design": "api.design",
     "DesignError": "errors",
@@ -82,7 +82,6 @@ if TYPE_CHECKING:
     from cadgen.api.adjustment import Adjustment
     from cadgen.api.calibration import Calibration
     from cadgen.api.cam import Cam
-    from cadgen.api.card import Card
     from cadgen.api.design import Design
     from cadgen.api.drawing import draw
     from cadgen.api.exploration import Exploration, explore, merge
@@ -92,6 +91,7 @@ if TYPE_CHECKING:
     from cadgen.api.runs import Comparison
     from cadgen.api.views import Editor, Report
     from cadgen.errors import CadgenError, CheckError, DesignError, FileError
+    from cadgen.jobs.card import Card
     from cadgen.jobs.gears.gear_train import GearTrain
     from cadgen.jobs.simulation import Simulation
     from cadgen.jobs.tolerance import ToleranceRun

@@ -11,7 +11,6 @@
 | `calibration` | a judgement of measured data, and the design built from it              |
 | `adjustment` | settings after trial runs                                                |
 | `planning`   | a planned path, or why there is none                                    |
-| `card`     | settings for every spacing that can be drawn                               |
 | `loaded`   | a design that has been read, and changed copies of it                      |
 | `design`   | a design and what can be done with it                                      |
 | `views`      | the report page of a design, and that page in the browser             |

@@ -10,6 +10,7 @@ from cadgen.api.measured import Data, sources_of
 from cadgen.api.values import instance, map_of, optional, whole, word
 from cadgen.design import load
 from cadgen.design.schema import MotionDesign
+from cadgen.errors import DesignError
 from cadgen.gears.choices import Order
 from cadgen.progress import Progress, silent
 
@@ -17,17 +18,18 @@ if TYPE_CHECKING:
     from cadgen.api.adjustment import Adjustment
     from cadgen.api.calibration import Advice, Calibration, Calibrations
     from cadgen.api.cam import Cam
-    from cadgen.api.card import Card
     from cadgen.api.planning import Plan
     from cadgen.api.runs import Comparison
     from cadgen.api.values import Pool
     from cadgen.inference.monte_carlo.random_cars import Map
+    from cadgen.jobs.card import Card
     from cadgen.jobs.gears.gear_train import GearTrain
     from cadgen.jobs.simulation import Simulation
     from cadgen.jobs.tolerance import ToleranceRun
 
 MOST_CARS, MOST_PROCESSES = 10_000_000, 256
 FORM_ERROR_UM = (0.01, 1000.0)
+_WITHIN_MM = 25.0
 
 
 @dataclass(frozen=True, repr=False)
@@ -279,18 +281,37 @@ class Design(LoadedDesign):
         Raises:
             DesignError: the design has no course or no start, or a number is out of its range.
         """
-        from cadgen.api.planning import planned
+        from cadgen.api.planning import Plan
+        from cadgen.car.planner import RESERVE, SEEDS, WITHIN_MM
+        from cadgen.design import cam_model
+        from cadgen.jobs.planning.plan import PlanRequest, plan_design
 
-        others = (
-            None if improve is None else instance("improve", improve, Design).complete(),
-            None if calm_as is None else instance("calm_as", calm_as, Design).complete(),
+        room = optional("reserve", reserve, *RESERVE, "times the scatter of the cars")
+        within = optional("within_mm", within_mm, *WITHIN_MM, "mm")
+        if within is not None and improve is None:
+            raise DesignError("within_mm says how far a given path may be left: give improve too, or leave it out")
+        given = None if improve is None else instance("improve", improve, Design).complete()
+        calmer = given if calm_as is None else instance("calm_as", calm_as, Design).complete()
+        known, drawn = load.course_of(self.text, self.file, self.values.overrides)
+        before = known if drawn else None
+        request = PlanRequest(
+            near=None if given is None else cam_model.track(given),
+            within=_WITHIN_MM if within is None else within,
+            calm=None if calmer is None else cam_model.track(calmer),
+            seeds=whole("seeds", seeds, *SEEDS),
+            map_with=map_of(map),
+            replaced=before if given is None else known.model_copy(update={"path": given.path}),
+            reserve=room,
         )
-        course = load.course_of(self.text, self.file, self.values.overrides)
-        return planned(self, self.text, course, others, within_mm, reserve, seeds, map, progress)
+        own = cam_model.track(known) if drawn else None
+        return Plan.of(plan_design(known, self.text, own, request, progress), self)
 
-    def card(self, profile: str | None = None, *, progress: Progress = silent) -> "Card":
+    def card(self, profile: str | None = None, *, progress: Progress = silent) -> "Card[Cam]":
         """Find what to set, by [settings], for each spacing of [course.spacing]; arguments and errors as in `cam`."""
-        from cadgen.api.card import Card
-        from cadgen.jobs.card.plan import plan_card
+        from cadgen.api.cam import Cam
+        from cadgen.jobs.cam.cam_plan import plan_cam
+        from cadgen.jobs.card import card_of, draw_of
 
-        return Card(plan_card(self.complete(), profile, progress))
+        design = self.complete()
+        draw = draw_of(design)
+        return card_of(Cam.of(plan_cam(design, profile, progress)), draw, progress)

@@ -21,10 +21,9 @@ from cadgen.output.report.terminal import FittedConsole, table
 from cadgen.progress import Progress
 
 if TYPE_CHECKING:
-    from cadgen import Written
+    from cadgen import Card, Written
     from cadgen.api.adjustment import Adjustment
     from cadgen.api.cam import Cam, Cures
-    from cadgen.api.card import Card
     from cadgen.api.exploration import Exploration
     from cadgen.api.planning import Plan
     from cadgen.check import Check
@@ -195,7 +194,7 @@ def plan(planned: "Plan[Any]") -> None:
         figures(_of_profile(planned.cam), planned.cam.checks, gap=True)
 
 
-def card(result: "Card") -> None:
+def card(result: "Card[Cam]") -> None:
     """Print a card: the result, the settings of every spacing, and the checks of a cam that fails."""
     sentences(result.sentences)
     sheet(result.sheet, gap=False)

@@ -5,6 +5,7 @@
 | `planning`    | course and car -> a path that passes every check         |
 | `cam`         | design -> profile, checks -> files of a cam              |
 | `card`        | settings for every spacing of a course that can be drawn |
+| `settings_maker` | the setting of a spacing, driven by the exact chain   |
 | `gears`       | design -> train, checks -> files of a gear train         |
 | `simulation`  | the car's runs with play, one by one                     |
 | `tolerance`   | many cars within the tolerances                          |

@@ -10,7 +10,6 @@ from typing import Any
 from cadgen.design import cam_model
 from cadgen.design.load import course_of
 from cadgen.errors import CadgenError, brief
-from cadgen.jobs.planning.path_report import sentences
 from cadgen.jobs.planning.plan import PlanRequest, plan_design
 from cadgen.studies.design_row import TooLongError, limit_memory, override_of, within
 from cadgen.studies.sampling import REPLAN, Values
@@ -105,7 +104,7 @@ class Planner:
             return PlannedText(key, "", "its path ran out of memory (each.memory_mb)")
         except Exception as error:
             return PlannedText(key, "", brief(f"a fault in cadgen while planning ({type(error).__name__}: {error})"))
-        return PlannedText(key, plan.text, "" if plan.text else brief(f"no path was planned: {sentences(plan)[0]}"))
+        return PlannedText(key, plan.text, "" if plan.text else brief(f"no path was planned: {plan.sentences[0]}"))
 
     def given_up(self, key: str) -> PlannedText:
         """The result for a path whose process died again and again."""

@@ -5,6 +5,5 @@
 | `task`  | design -> what the planner is asked                                       |
 | `plan`  | plan, the exact chain with all checks, and again with what they ask for    |
 | `cars`  | cars within the tolerances on planned paths, and the path most of them keep |
-| `path_report` | the result, or why there is none, as sentences and plain values           |
-| `write` | the files, published                                                      |
+| `path_planning` | the result, or why there is none: sentences, values, the design file |
 """

@@ -4,7 +4,7 @@ Of several such paths, with more and more room at gates and obstacles, the one i
 """
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from math import ceil, pi
 from pathlib import Path
 
@@ -17,7 +17,7 @@ from cadgen.car.course.refuse import refuse_course
 from cadgen.car.draws.drawn_spacing import DrawnSpacing
 from cadgen.car.path.wheel_track import Track
 from cadgen.car.planner.gates import is_exact
-from cadgen.car.planner.path_plan import PathPlan, Reason, reasons
+from cadgen.car.planner.path_plan import PathPlan, reasons
 from cadgen.car.planner.path_plan import best_plan as planned
 from cadgen.car.planner.path_task import Margins, PathTask
 from cadgen.design import cam_model, draw_model, gear_model
@@ -27,8 +27,9 @@ from cadgen.design.planned import planned_text, rounded
 from cadgen.design.schema import Design
 from cadgen.errors import CheckError, DesignError
 from cadgen.jobs.cam.cam_plan import CamPlan, plan_cam
-from cadgen.jobs.card.plan import card_of
-from cadgen.jobs.planning.cars import ALL, REFINED, CarsOnPaths, Tried, best, cars_on, saturated, tried
+from cadgen.jobs.card import card_of
+from cadgen.jobs.planning.cars import ALL, REFINED, Tried, best, cars_on, saturated, tried
+from cadgen.jobs.planning.path_planning import PathPlanning
 from cadgen.jobs.planning.task import task_of
 from cadgen.messages import Message
 from cadgen.progress import Progress, silent
@@ -61,48 +62,6 @@ class PlanRequest:
     map_with: Callable[..., Iterable[PathPlan]] | None = None
     replaced: Design | None = None
     reserve: float | None = None
-
-
-@dataclass(frozen=True)
-class PathPlanning:
-    """A planned path, or the reasons why there is none.
-
-    Attributes:
-        design: design that was planned.
-        task: what the planner was asked.
-        plan: the planner's result.
-        text: text of the design file with the path; empty if the course cannot be driven.
-        cam: plan of the cam for the path with all checks; None if the course cannot be driven.
-        reasons: why the course cannot be driven; empty if it can.
-        failed: sentence on a limit of [optimize] that no profile keeps; empty if there is one.
-        drawn: settings with which the path was driven at some of the spacings that can be drawn; empty without them.
-        kept: what was kept from the limits besides.
-        cars: cars within the tolerances on this path, on that before it, and on others; None if nothing varies or the
-            course holds nothing that cars could miss.
-        no_cars: why the cars cannot be reckoned, in a sentence; empty if they can.
-    """
-
-    design: Design
-    task: PathTask
-    plan: PathPlan
-    text: str
-    cam: CamPlan | None
-    reasons: tuple[Reason, ...] = ()
-    failed: str = ""
-    drawn: tuple[DrawnSpacing, ...] = ()
-    kept: Margins = field(default_factory=Margins)
-    cars: CarsOnPaths | None = None
-    no_cars: str = ""
-
-    @property
-    def passed(self) -> bool:
-        """Whether there is a path and all checks pass, at every spacing that was driven."""
-        return self.cam is not None and self.cam.passed and not any(each.failed for each in self.drawn)
-
-    @property
-    def wheel_radius(self) -> float | None:
-        """Radius of the drive wheel that the plan chose, mm; None if it was given or follows from the path."""
-        return None if self.cam is None else _chosen_radius(self.design, self.task, self.plan)
 
 
 @dataclass(frozen=True)
@@ -139,7 +98,7 @@ def plan_design(
     try:
         first = tried(path.cam, 0.0)
     except DesignError as error:
-        return replace(path, no_cars=str(error))
+        return replace(path, no_cars=error.message)
     if first is None:
         return path
     return _chosen(asked, path, path.cam, first)
@@ -206,14 +165,14 @@ def _planned(
         )
         if result.missed:
             progress("looking for the reason")
-            return PathPlanning(design, task, result, "", None, reasons(result))
+            return PathPlanning(asked=design, task=task, plan=result, text="", cam=None, reasons=reasons(result))
         radius = _chosen_radius(design, task, result)
         written = planned_text(design, asked.text, result.path.points, radius)
         progress("checking the planned cam")
         try:
             cam = plan_cam(design_of(written, Path(f"{design.name}.toml")), None, progress)
         except CheckError as error:
-            return PathPlanning(design, task, result, "", None, (), str(error))
+            return PathPlanning(asked=design, task=task, plan=result, text="", cam=None, failed=error.message)
         except DesignError:
             # The closing blend is too steep for the rod to follow it: the other limits are those of the plan.
             if number == rounds - 1 or task.vehicle.closed:
@@ -221,7 +180,16 @@ def _planned(
             tightening, begin = replace(tightening, blend=tightening.blend + 1), rounded(result.path.points)
             continue
         settings = _settings(task, cam, progress)
-        path = PathPlanning(design, task, result, written, cam, drawn=settings, kept=tightening)
+        path = PathPlanning(
+            asked=design,
+            task=task,
+            plan=result,
+            text=written,
+            cam=cam,
+            drawn=settings,
+            kept=tightening,
+            wheel_radius=radius,
+        )
         more = tightening.after(cam.failed)
         for each in settings:
             more = more.larger(tightening.after(each.failed))

@@ -12,7 +12,7 @@ from cadgen.car.draws.best_settings import Minimax
 from cadgen.car.draws.setting_ranges import SettingRange, Wheels
 from cadgen.design import draw_model
 from cadgen.jobs.cam.cam_plan import plan_cam
-from cadgen.jobs.card.maker import Maker
+from cadgen.jobs.settings_maker import Maker
 
 SIMILAR = """
 name = "similar"

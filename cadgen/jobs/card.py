@@ -1,0 +1,179 @@
+"""Card of settings: one cam, and what to set on the car for every spacing that can be drawn."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import degrees
+from os import PathLike
+from pathlib import Path
+from typing import Any, Generic, Self
+
+from cadgen.car.course.layout import Draw
+from cadgen.car.draws.drawn_spacing import DrawnSpacing
+from cadgen.design import cam_model, draw_model
+from cadgen.design.schema import Design
+from cadgen.errors import CheckError
+from cadgen.figures import Sheet
+from cadgen.jobs.settings_maker import TRIES, Maker
+from cadgen.jobs.simulation import C
+from cadgen.messages import Message, joined
+from cadgen.output.files.publisher import Artifact, Written, folder_of, publish, text_file
+from cadgen.output.report import settings_card
+from cadgen.progress import Progress, silent
+from cadgen.version import __version__
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class Card(Generic[C]):
+    """Result of `Design.card`: one cam, and what to set on the car for every spacing that can be drawn.
+
+    Lengths are mm and angles rad.
+
+    Attributes:
+        cam: cam, with its checks at the spacing that the course is stated at.
+        draw: spacings that can be drawn.
+        drawn: settings, in the order of the spacings.
+    """
+
+    cam: C
+    draw: Draw
+    drawn: tuple[DrawnSpacing, ...]
+
+    def __repr__(self) -> str:
+        state = "passed" if self.passed else "failed"
+        return f"<Card of {self.cam.origin.name}: {len(self.drawn)} spacings, {state}>"
+
+    @property
+    def computed(self) -> Self:
+        """The whole result, for figures that are not named here: this object itself."""
+        return self
+
+    @property
+    def passed(self) -> bool:
+        """Whether the cam passes its checks, and the settings keep the course at every spacing."""
+        return self.cam.passed and not any(each.failed for each in self.drawn)
+
+    @property
+    def worst(self) -> DrawnSpacing:
+        """Spacing with the greatest remaining error."""
+        return max(self.drawn, key=lambda each: each.error)
+
+    @property
+    def sentences(self) -> tuple[str, ...]:
+        """The result in words, the most important first."""
+        comparison, laps = self.cam.comparison, self.cam.laps
+        lines = settings_card.sentences(
+            self.drawn,
+            None if comparison is None else comparison.band.ends,
+            None if laps is None else laps.in_run,
+        )
+        if self.cam.passed:
+            return tuple(lines)
+        names = joined(Message(check.name) for check in self.cam.failed)
+        return (Message("the cam itself fails its checks ({names}): see cadgen check", names=names), *lines)
+
+    @property
+    def settings(self) -> list[dict[str, Any]]:
+        """The settings of each spacing with error and room, as in the table; the unit stands in each name."""
+        return settings_card.rows(self._design, self.drawn)
+
+    @property
+    def legend(self) -> list[str]:
+        """Meaning of the columns of the printed card."""
+        return settings_card.legend(self._design, self.drawn, self.draw.stated)
+
+    @property
+    def sheet(self) -> Sheet:
+        """The printed card's table; a spacing that is not kept is marked."""
+        return settings_card.sheet(self._design, self.drawn)
+
+    @property
+    def _design(self) -> Design:
+        return self.cam.car.design
+
+    def table(self) -> tuple[list[str], list[list[str]]]:
+        """The printed card's table as texts: headings, and the cells of each row."""
+        return list(self.sheet.heads), [[cell.text for cell in row] for row in self.sheet.cells]
+
+    def facts(self) -> dict[str, Any]:
+        """The result as plain values, as in the manifest and with `--json`."""
+        origin, comparison = self.cam.origin, self.cam.comparison
+        return {
+            "design": origin.name,
+            "design_sha256": origin.content_hash,
+            "overrides": list(origin.overrides),
+            "cadgen": __version__,
+            "profile": self.cam.kind.code,
+            "drive_wheel": self.cam.drive_wheel.facts(),
+            "passed": self.passed,
+            "failed": [check.code for check in self.cam.failed],
+            "stated_spacing_mm": self.draw.stated,
+            "start_of": settings_card.planned_point(self._design),
+            "worst_error_mm": self.worst.error,
+            "worst_error_at_mm": self.worst.spacing,
+            "return_error_deg": None if comparison is None else [degrees(end) for end in comparison.band.ends],
+            "said": list(self.sentences),
+            "settings": self.settings,
+        }
+
+    def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
+        """Write the card, `NAME_card.html` to print and `NAME_card.csv`; spacings that are not kept are marked.
+
+        Args:
+            folder: where to; it is made if need be.
+            progress: function that is called with a few words on each step.
+
+        Raises:
+            CheckError: the cam itself fails its checks.
+            FileError: a file cannot be written.
+        """
+        if not self.cam.passed:
+            raise CheckError(self.sentences[0])
+        name, rows = self.cam.origin.name, self.settings
+        html = settings_card.printed_card(
+            f"{name}: settings for the spacing that is drawn",
+            self.sentences,
+            self.sheet,
+            [row["fault"] for row in rows],
+            self.legend,
+        )
+        progress("writing")
+
+        def files(staging: Path) -> Iterator[Artifact]:
+            yield text_file(staging / f"{name}_card.csv", settings_card.csv_text(rows))
+            yield text_file(staging / f"{name}_card.html", html)
+
+        return publish(f"{name}_card", folder_of(folder), files, self.facts())
+
+
+def draw_of(design: Design) -> Draw:
+    """Spacings that can be drawn, for which something can be set.
+
+    Args:
+        design: loaded design.
+
+    Raises:
+        DesignError: the course has no range of spacing, the design does not say what can be set, or the settings
+            cannot reach the range.
+    """
+    draw = draw_model.draw(design)
+    draw_model.settings(design)
+    rod = cam_model.rod(design, "a card of settings")
+    draw_model.refuse_range(design, draw, cam_model.track(design), rod)
+    return draw
+
+
+def card_of(cam: C, draw: Draw, progress: Progress = silent, *, tries: int = TRIES) -> Card[C]:
+    """Settings for every spacing with a cam that is planned.
+
+    Args:
+        cam: plan of the cam.
+        draw: the spacings.
+        progress: function that is called with a few words on each step.
+        tries: settings that are sought for a spacing at which the course is not kept.
+    """
+    maker = Maker(cam, draw, tries)
+    rows = []
+    for spacing in draw.spacings:
+        progress(Message("settings for posts {spacing:g} mm apart", spacing=spacing))
+        rows.append(maker.drawn(spacing))
+    return Card(cam=cam, draw=draw, drawn=tuple(rows))

@@ -1,0 +1,361 @@
+"""A planned path, or why there is none: in sentences, as plain values, and as a design file."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from math import atan, degrees, radians, tan
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+from cadgen.car.course.refuse import largest_circle, least_steering, turning_circle
+from cadgen.car.draws.drawn_spacing import DrawnSpacing
+from cadgen.car.planner.constraints import LimitKind
+from cadgen.car.planner.path_plan import PathPlan, Reason
+from cadgen.car.planner.path_task import Margins, PathTask
+from cadgen.design.load import design_of
+from cadgen.design.schema import Design
+from cadgen.errors import CheckError, FileError
+from cadgen.jobs.cam.cam_plan import CamPlan
+from cadgen.jobs.cam.comparison import PlayComparison
+from cadgen.jobs.planning.cars import CarsOnPaths
+from cadgen.messages import Message, joined
+from cadgen.output.files.publisher import Artifact, Written, folder_of, publish, refusal, text_file
+from cadgen.output.report import settings_card as settings
+from cadgen.progress import Progress, silent
+from cadgen.version import __version__
+
+_STEEPEST = radians(75)
+# Limits that a field brings about in which the car cannot turn round.
+_OF_TURNS = (LimitKind.TURN, LimitKind.PRESSURE_ANGLE, LimitKind.CONVEX_RADIUS, LimitKind.FIELD)
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class PathPlanning:
+    """A planned path, or the reasons why there is none.
+
+    Attributes:
+        asked: design that a path was planned for.
+        task: what the planner was asked.
+        plan: the planner's result.
+        text: text of the design file with the path; empty if the course cannot be driven.
+        cam: plan of the cam for the path with all checks; None if the course cannot be driven.
+        reasons: why the course cannot be driven; empty if it can.
+        failed: sentence on a limit of [optimize] that no profile keeps; empty if there is one.
+        drawn: settings with which the path was driven at some of the spacings that can be drawn; empty without them.
+        kept: what was kept from the limits besides.
+        cars: cars within the tolerances on this path, on that before it, and on others; None if nothing varies or the
+            course holds nothing that cars could miss.
+        no_cars: why the cars cannot be reckoned, in a sentence; empty if they can.
+        wheel_radius: radius of the drive wheel that the plan chose, mm; None if it was given or follows from the path.
+    """
+
+    asked: Design
+    task: PathTask
+    plan: PathPlan
+    text: str
+    cam: CamPlan | None
+    reasons: tuple[Reason, ...] = ()
+    failed: str = ""
+    drawn: tuple[DrawnSpacing, ...] = ()
+    kept: Margins = field(default_factory=Margins)
+    cars: CarsOnPaths | None = None
+    no_cars: str = ""
+    wheel_radius: float | None = None
+
+    @property
+    def passed(self) -> bool:
+        """Whether there is a path and all checks pass, at every spacing that was driven."""
+        return self.cam is not None and self.cam.passed and not any(each.failed for each in self.drawn)
+
+    @property
+    def sentences(self) -> tuple[str, ...]:
+        """The result in words, the most important first."""
+        if self.reasons or self.cam is None:
+            return tuple(self._refusal())
+        plan, cam = self.plan, self.cam
+        lines: list[str] = [] if self.cars is None else [_kept(self.cars)]
+        if cam.comparison is not None:
+            low, high = (degrees(end) for end in cam.comparison.band.ends)
+            before = None if self.cars is None or self.cars.before is None else self.cars.before.cam.comparison
+            was = "" if before is None else Message(", and on the path before {ends}", ends=_ends(before))
+            lines.append(
+                Message(
+                    "with play from {low:.3f} to {high:.3f} degrees the run ends at most {ends} off{was} "
+                    "({profile} profile, by the exact chain)",
+                    low=low,
+                    high=high,
+                    ends=_ends(cam.comparison),
+                    was=was,
+                    profile=cam.comparison.chosen.profile,
+                )
+            )
+        if self.cars is not None:
+            lines += _reserves(self.cars)
+        if self.no_cars:
+            lines.append(Message("how many cars keep the course is not known: {no_cars}", no_cars=self.no_cars))
+        length = plan.path.cost.line.length
+        lines.append(
+            Message(
+                "the drive wheel's track is {length:.0f} mm long; the path has {count} control points",
+                length=length,
+                count=len(plan.path.points),
+            )
+        )
+        if (radius := self.wheel_radius) is not None:
+            lines.append(
+                Message(
+                    "the plan is for a drive wheel of {radius:.2f} mm radius: the whole path before the closing blend",
+                    radius=radius,
+                )
+            )
+        if cam.laps is not None:
+            said = [cam.drive_wheel.sentence()]
+            if cam.comparison is not None:
+                said += cam.laps.sentences(cam.comparison.run, cam.comparison.before, cam.comparison.chosen)
+            lines += [sentence.removesuffix(".") for sentence in said]
+        if self.drawn:
+            lines += [*settings.sentences(self.drawn, None), Message("cadgen card has the settings for every spacing")]
+        if not self.passed:
+            lines.append(Message("a check still fails, so nothing is written: see the table"))
+        return tuple(lines)
+
+    def _refusal(self) -> list[str]:
+        if self.failed:
+            return [
+                Message("the path can be driven, but not with the limits of [optimize]: {failed}", failed=self.failed)
+            ]
+        if not self.reasons:
+            names = joined(list(map(str, self.plan.missed)))
+            return [
+                Message(
+                    "no path was found that keeps all limits; the best one violates {names}: try --seeds 5", names=names
+                )
+            ]
+        first, *rest = self.reasons
+        if narrow := _narrow_field(first, self.task):
+            return [Message("the course cannot be driven: {fault}", fault=narrow)]
+        lines: list[str] = [Message("the course cannot be driven: {fault}", fault=_fault(first, self.task))]
+        if first.enough:
+            least = Message("; least change that does: {cure}", cure=_cure(first, self.task, self.asked))
+            lines[0] = joined((lines[0], least), "")
+            lines += [
+                Message("or {cure}", cure=_cure(reason, self.task, self.asked)) for reason in rest if reason.enough
+            ]
+        else:
+            lines[0] = joined((lines[0], Message("; and no single limit that gives way is enough")), "")
+        return lines
+
+    def facts(self) -> dict[str, Any]:
+        """The result as plain values, as in the manifest and with `--json`."""
+        design, plan, cam = self.asked, self.plan, self.cam
+        comparison = None if cam is None else cam.comparison
+        return {
+            "design": design.name,
+            "design_sha256": design.content_hash,
+            "overrides": list(design.overrides),
+            "cadgen": __version__,
+            "passed": self.passed,
+            "control_points": len(plan.path.points),
+            "track_mm": plan.path.cost.line.length,
+            "drive_wheel_radius_mm": self.wheel_radius,
+            "first_order_mm": plan.path.cost.distance,
+            "worst_end_position_mm": None if comparison is None else comparison.chosen.band.worst_distance,
+            "worst_end_heading_deg": None if comparison is None else degrees(comparison.chosen.band.worst_heading),
+            "return_error_deg": None if comparison is None else [degrees(end) for end in comparison.band.ends],
+            "yield": _cars_facts(self.cars),
+            "failed": [] if cam is None else [check.code for check in cam.failed],
+            "settings": settings.rows(design, self.drawn),
+            "said": list(self.sentences),
+            "reasons": [
+                {"limit": str(each.limit), "amount": each.amount, "near_mm": list(each.place), "enough": each.enough}
+                for each in self.reasons
+            ],
+        }
+
+    def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
+        """Write the design with the planned path, `NAME_planned.toml`, where comments of the file stay.
+
+        Args:
+            folder: where to; it is made if need be.
+            progress: function that is called with a few words on each step.
+
+        Raises:
+            CheckError: there is no path, or a check fails.
+            FileError: the file cannot be written, or read back is not what was written.
+        """
+        cam = self.cam
+        if cam is None:
+            raise CheckError(self.sentences[0])
+        if not self.passed:
+            drawn = (check for each in self.drawn for check in each.checks)
+            raise CheckError(refusal((*cam.checks, *drawn), forced=False))
+        stem, planned = f"{self.asked.name}_planned", cam.origin.content_hash
+        progress("writing")
+
+        def files(staging: Path) -> Iterator[Artifact]:
+            file = staging / f"{stem}.toml"
+            yield text_file(file, self.text)
+            if design_of(file.read_text(encoding="utf-8"), file).content_hash != planned:
+                raise FileError(
+                    "{file}: read back it is not what was written; try again or choose another disk", file=file.name
+                )
+
+        return publish(stem, folder_of(folder), files, self.facts())
+
+
+def _kept(cars: CarsOnPaths) -> Message:
+    """Sentence on how many cars keep the course, before and after, and what binds them."""
+    after, (key, share), first = cars.after, cars.binding, cars.after.sensitivities[0]
+    said = [
+        Message(
+            "{passed:.1f} % of {samples} cars within the tolerances keep the course with the {code} profile",
+            passed=100 * after.passed,
+            samples=after.samples,
+            code=after.cam.kind.code,
+        )
+    ]
+    if cars.before is not None:
+        said.append(Message(", where {passed:.1f} % do on the path before", passed=100 * cars.before.passed))
+    if cars.fewer:
+        said.insert(0, Message("fewer cars than on the path before: "))
+    if after.passed < 1.0:
+        said.append(Message("; what binds is {key}, which {share:.1f} % keep", key=key, share=100 * share))
+        if first.share > 0:
+            name = first.name.replace("_", " ")
+            said.append(
+                Message(
+                    ", and {name} makes {share:.0f} % of the variance at the end", name=name, share=100 * first.share
+                )
+            )
+    return joined(said, "")
+
+
+def _reserves(cars: CarsOnPaths) -> list[str]:
+    """Sentence on the paths that were tried, so that another may be asked for."""
+    if len(cars.tried) == 1:
+        return []
+    tried = joined([f"{each.factor:g} ({each.worst:.0f} mm, {100 * each.kept:.1f} %)" for each in cars.tried])
+    return [
+        Message(
+            "room at gates and obstacles is planned for {factor:g} times the scatter of the cars; tried, with "
+            "the run's worst end and the cars that keep the course: {tried}; --reserve asks for one",
+            factor=cars.chosen.factor,
+            tried=tried,
+        )
+    ]
+
+
+def _ends(comparison: PlayComparison) -> Message:
+    band = comparison.chosen.band
+    return Message(
+        "{position:.0f} mm and {heading:.2f} degrees",
+        position=band.worst_distance,
+        heading=degrees(band.worst_heading),
+    )
+
+
+def _cars_facts(cars: CarsOnPaths | None) -> dict[str, Any] | None:
+    """Cars on the path as plain values."""
+    if cars is None:
+        return None
+    (key, share), before = cars.binding, cars.before
+    known = None if before is None else before.cam.comparison
+    return {
+        "cars": cars.after.samples,
+        "profile": cars.after.cam.kind.code,
+        "seed": cars.after.seed,
+        "kept": cars.after.passed,
+        "kept_before": None if before is None else before.passed,
+        "worst_end_position_before_mm": None if known is None else known.chosen.band.worst_distance,
+        "binding": key,
+        "binding_kept": share,
+        "greatest_share_of_variance": {each.name: each.share for each in cars.after.sensitivities[:3]},
+        "reserve": cars.chosen.factor,
+        "tried": [
+            {"reserve": each.factor, "kept": each.kept, "worst_end_position_mm": each.worst} for each in cars.tried
+        ],
+        "scatter_mm": dict(cars.chosen.scatter),
+    }
+
+
+def _narrow_field(reason: Reason, task: PathTask) -> str:
+    """Sentence on a field in which the car cannot turn round, where that may be why; empty if it can."""
+    field, vehicle, kind = task.course.edge, task.vehicle, reason.limit.kind
+    if field is None or kind not in _OF_TURNS or (reason.enough and kind != LimitKind.FIELD):
+        return ""
+    car, body = vehicle.car, vehicle.body
+    taken, room = turning_circle(body, car, car.max_steering_angle) + task.course.margin, largest_circle(field)
+    if taken <= room:
+        return ""
+    steering = least_steering(body, car, room - task.course.margin, _STEEPEST)
+    more = "" if steering is None else f", or raise car.max_steering_angle_deg to {degrees(steering) + 0.5:.0f}"
+    return (
+        f"course.field is too small for the car to turn round in: with {degrees(car.max_steering_angle):.0f} degrees "
+        f"of steering that takes a circle of {taken:.0f} mm radius, and the field holds one of {room:.0f} mm: make the "
+        f"field {2 * (taken - room) + 1:.0f} mm wider{more}"
+    )
+
+
+def _fault(reason: Reason, task: PathTask) -> str:
+    """The fault, and its amount, as the end of a sentence."""
+    x, y = reason.place
+    where = f"near ({x:.0f}, {y:.0f}) mm"
+    limits, kind, key, amount = task.limits, reason.limit.kind, reason.limit.key, reason.amount
+    if kind == LimitKind.TURN:
+        held = 1 / min(limits.left, limits.right)
+        return (
+            f"it needs a turn {where} that is {100 * amount:.0f} % tighter than the {held:.0f} mm that the fork holds"
+        )
+    if kind == LimitKind.PRESSURE_ANGLE:
+        steep = degrees(atan((1 + amount) * tan(limits.rise)))
+        most = degrees(limits.rise)
+        return f"it needs a pressure angle of {steep:.1f} degrees {where}, and {most:.1f} are planned for"
+    if kind == LimitKind.BLEND:
+        return f"the closing blend must come over {100 * amount:.0f} % more lift than the rod can follow"
+    if kind in (LimitKind.CONVEX_RADIUS, LimitKind.VALLEY):
+        return f"the lift must turn {100 * amount:.0f} % more sharply {where} than the outline can follow"
+    if kind in (LimitKind.SLOPE, LimitKind.BEND):
+        return f"the curvature must change {100 * amount:.0f} % faster {where} than the path it is compared with"
+    if kind == LimitKind.LENGTH:
+        return f"the path is {amount:.0f} mm longer than wheel and train drive before the closing blend"
+    if kind == LimitKind.CORRIDOR:
+        return f"the path must leave the given one by {amount:.1f} mm more than it may, {where}"
+    if kind == LimitKind.HEADING:
+        return f"{key} cannot be passed in its direction, by {degrees(amount):.1f} degrees"
+    if kind == LimitKind.GATE:
+        return f"{key} is missed by {amount:.1f} mm"
+    return f"the car comes {amount:.1f} mm too near to {key} {where}"
+
+
+def _cure(reason: Reason, task: PathTask, design: Design) -> str:
+    """The change that would do, as the end of a sentence."""
+    kind, key, amount = reason.limit.kind, reason.limit.key, reason.amount
+    if kind == LimitKind.TURN:
+        steering = degrees(atan((1 + amount) * tan(task.vehicle.car.max_steering_angle)))
+        return f"raise car.max_steering_angle_deg to {steering + 0.5:.0f}"
+    if kind == LimitKind.PRESSURE_ANGLE:
+        return f"raise cam.base_radius_mm to {(1 + amount) * design.cam.base_radius_mm + 0.5:.0f}"
+    if kind == LimitKind.CONVEX_RADIUS:
+        return (
+            f"raise cam.base_radius_mm to {(1 + amount) * design.cam.base_radius_mm + 0.5:.0f}, or take a thinner rod"
+        )
+    if kind == LimitKind.BLEND:
+        return f"raise cam.blend_deg to {(1 + amount) * design.cam.blend_deg + 0.5:.0f}"
+    if kind == LimitKind.VALLEY:
+        most = (1 + amount) * (design.optimize.max_lift_error_um or 0.0)
+        return f"raise optimize.max_lift_error_um to {most + 1:.0f}"
+    if kind in (LimitKind.SLOPE, LimitKind.BEND):
+        return f"allow the curvature to change {100 * amount + 1:.0f} % faster"
+    if kind == LimitKind.LENGTH:
+        radius = design.car.drive_wheel_radius_mm or 0.0
+        wheel = radius * (1 + amount / task.vehicle.most_length)
+        return f"raise car.drive_wheel_radius_mm to {wheel + 0.01:.2f}"
+    if kind == LimitKind.CORRIDOR:
+        return f"allow {task.within + amount + 0.1:.1f} mm"
+    if kind == LimitKind.HEADING:
+        return f"raise {key}.heading_tolerance_deg by {degrees(amount) + 0.1:.1f}"
+    if kind == LimitKind.GATE:
+        return f"make {key} {amount + 0.1:.1f} mm wider to either side, or move it by that"
+    if kind == LimitKind.FIELD:
+        return f"make the field {amount + 0.1:.1f} mm larger there, or lower course.margin_mm by that"
+    return f"move {key} by {amount + 0.1:.1f} mm, or lower course.margin_mm by that"
