@@ -38,6 +38,7 @@ from cadgen.gears.wheel_body import gear_body
 from cadgen.geometry.meshes.made_train import MadeTrain, make_train
 from cadgen.jobs.gears.assembly import Assembly, checks_facts, parts_facts, return_error, stages_facts, write_gear
 from cadgen.jobs.gears.gear_train import NotMadeError as NotMadeError
+from cadgen.messages import Message
 from cadgen.output.files.exports import GearExport
 from cadgen.output.files.publisher import Frozen, Written, folder_of
 from cadgen.parts.blank import Blank
@@ -447,7 +448,7 @@ class GearPair(_ByNumbers):
         pair = self.nominal
         driver, driven = pair.driver.thinning, pair.driven.thinning
         if isinstance(driver, str) or isinstance(driven, str):
-            return spur.spur_pairs(numeric.thinned(numeric.Train((pair,))), "a pair is")[0]
+            return spur.spur_pairs(numeric.thinned(numeric.Train((pair,))), Message("a pair is"))[0]
         return pair.cut_to(driver, driven)
 
     @property

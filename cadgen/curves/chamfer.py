@@ -112,7 +112,8 @@ def chamfer_strips(curve: ClosedCurve, leg: float) -> tuple[Strip, ...]:
     angle = inner_curve(chamfer).outline(0.1).angle if alive else np.zeros(2)
     if not alive or np.diff(angle).min() < -1e-6 or abs(angle[-1] - angle[0] - 2 * np.pi) > 1e-3:
         raise CheckError(
-            f"blank.edge_break_mm is {leg:g}, but the disc is so narrow somewhere that its chamfers meet: break less"
+            "blank.edge_break_mm is {leg:g}, but the disc is so narrow somewhere that its chamfers meet: break less",
+            leg=leg,
         )
     return tuple(chamfer)
 
@@ -149,8 +150,11 @@ def _moved_inwards(curve: ClosedCurve, leg: float) -> list[Strip]:
         if leg * ridge >= 1:
             angle = degrees(float(polar_angle(point))) % 360
             raise CheckError(
-                f"blank.edge_break_mm is {leg:g}, but the outline is convex with a radius of "
-                f"{1 / ridge:.3f} mm at polar angle {angle:.2f} degrees: break the edges by less"
+                "blank.edge_break_mm is {leg:g}, but the outline is convex with a radius of {radius:.3f} mm at polar "
+                "angle {angle:.2f} degrees: break the edges by less",
+                leg=leg,
+                radius=1 / ridge,
+                angle=angle,
             )
         corner = corners.get(number)
         if corner is not None and -leg * corner.turn > _SNAP:

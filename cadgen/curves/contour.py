@@ -176,10 +176,12 @@ def keyway_bore(diameter: float, width: float, depth: float, angle: float) -> Co
     radius = diameter / 2
     if not 0 < width < diameter:
         raise DesignError(
-            f"blank.keyway.width_mm is {width:g}; it must be more than 0 and less than the bore's {diameter:g} mm"
+            "blank.keyway.width_mm is {width:g}; it must be more than 0 and less than the bore's {diameter:g} mm",
+            width=width,
+            diameter=diameter,
         )
     if not depth > 0:
-        raise DesignError(f"blank.keyway.depth_mm is {depth:g}; it must be more than 0")
+        raise DesignError("blank.keyway.depth_mm is {depth:g}; it must be more than 0", depth=depth)
     wall, floor, half = sqrt(radius**2 - width**2 / 4), radius + depth, width / 2
     corners = np.array([[wall, half], [wall, -half], [floor, -half], [floor, half]])
     sweep = 2 * np.pi - 2 * np.arctan2(half, wall)
@@ -199,8 +201,10 @@ def d_bore(diameter: float, flat_depth: float, angle: float) -> Contour:
     """
     if not 0 < flat_depth < diameter:
         raise DesignError(
-            f"the flat stands {flat_depth:g} mm inside the bore; it must be more than 0 and less than the "
-            f"bore's {diameter:g} mm"
+            "the flat stands {flat_depth:g} mm inside the bore; it must be more than 0 and less than the bore's "
+            "{diameter:g} mm",
+            flat_depth=flat_depth,
+            diameter=diameter,
         )
     across = diameter / 2 - flat_depth
     half = sqrt(flat_depth * (diameter - flat_depth))

@@ -14,6 +14,7 @@ from cadgen.arrays import Array
 from cadgen.curves.closed import ClosedCurve, Corner, DerivedPiece, Jet, Piece, cross, left_normal, polar_angle
 from cadgen.curves.spacing import turning
 from cadgen.errors import CheckError
+from cadgen.messages import Message
 
 
 @dataclass(frozen=True)
@@ -215,8 +216,11 @@ def parallel(curve: ClosedCurve, distance: float) -> ClosedCurve:
             if turning(piece) <= SLIGHT_TURN:
                 continue
             raise CheckError(
-                f"the curve is hollow with a radius of {1 / hollow:.3f} mm at {_place(point)}, where a "
-                f"cutter of radius {distance:g} mm cuts into it: use one of less than {1 / hollow:.3f} mm"
+                "the curve is hollow with a radius of {radius:.3f} mm at {point}, where a cutter of radius "
+                "{distance:g} mm cuts into it: use one of less than {radius:.3f} mm",
+                radius=1 / hollow,
+                point=_place(point),
+                distance=distance,
             )
         pieces.append(OffsetPiece(piece, distance))
     return ClosedCurve(tuple(pieces))
@@ -225,9 +229,10 @@ def parallel(curve: ClosedCurve, distance: float) -> ClosedCurve:
 def _round(corner: Corner, after: Piece, distance: float) -> CornerArc:
     if corner.turn < 0:
         raise CheckError(
-            f"the curve has a hollow corner of {-degrees(corner.turn):.2f} degrees at "
-            f"{_place(corner.point)}; no round cutter reaches it: round the corner or "
-            f"choose another process"
+            "the curve has a hollow corner of {turn:.2f} degrees at {point}; no round cutter reaches it: round "
+            "the corner or choose another process",
+            turn=-degrees(corner.turn),
+            point=_place(corner.point),
         )
     normal = -left_normal(after.jet(np.array([after.start])).velocity)
     stop = float(polar_angle(normal)[0])
@@ -247,6 +252,6 @@ def sharpest(piece: Piece, sense: int) -> tuple[float, Array]:
     return float(sense * jet.curvature[worst]), jet.point[worst]
 
 
-def _place(point: Array) -> str:
+def _place(point: Array) -> Message:
     angle = degrees(float(polar_angle(point))) % 360
-    return f"polar angle {angle:.2f} degrees, ({point[0]:.3f}, {point[1]:.3f}) mm"
+    return Message("polar angle {angle:.2f} degrees, ({x:.3f}, {y:.3f}) mm", angle=angle, x=point[0], y=point[1])

@@ -70,7 +70,8 @@ def even_nodes(
             more *= _MORE if settled else 1.0
             nodes = np.interp(np.linspace(0, laid[-1], count + 1), laid, nodes)
     raise DesignError(
-        f"the curve cannot be followed within {tolerance * 1e3:g} µm: raise the tolerances in the design's [export]"
+        "the curve cannot be followed within {tolerance:g} µm: raise the tolerances in the design's [export]",
+        tolerance=tolerance * 1e3,
     )
 
 

@@ -41,17 +41,18 @@ from cadgen.gears.tolerances import (
     gear_tolerance,
     gear_tolerances,
 )
-from cadgen.gears.tooth import tooth_of
+from cadgen.gears.tooth import ToothError, tooth_of
+from cadgen.messages import Message, joined
 
 # The paper's "end face angle" of eq. 3 and 12, and the base helix angle of spur gears (see above).
 ALPHA_T = 0.0
 BETA_B = 0.0
 CONTRIBUTIONS = (
-    "centre distance",
-    "driver's tooth thickness",
-    "driven gear's tooth thickness",
-    "driver's composite error",
-    "driven gear's composite error",
+    Message("centre distance"),
+    Message("driver's tooth thickness"),
+    Message("driven gear's tooth thickness"),
+    Message("driver's composite error"),
+    Message("driven gear's composite error"),
 )
 
 
@@ -224,16 +225,18 @@ def stage_play(pair: Pair) -> StagePlay[float]:
 def pair_departures(pair: Pair, number: int) -> tuple[Departure, ...]:
     """Every override of a pair, stage `number` of its train, beside the standard's value."""
     departures = []
-    for role, gear in (("driver", pair.driver), ("driven gear", pair.driven)):
+    for role, gear in ((Message("driver"), pair.driver), (Message("driven gear"), pair.driven)):
         sizes = (gear.form.reference_diameter, gear.form.normal_module, gear.form.width, gear.grade)
-        where = f"stage {number}, {role} of {gear.form.teeth} teeth"
+        where = Message("stage {number}, {role} of {teeth} teeth", number=number, role=role, teeth=gear.form.teeth)
         for symbol, used in gear.overrides.given().items():
             standard = _standard(gear_tolerance, symbol, *sizes)
             departures.append(Departure(where=where, symbol=symbol, used=used, standard=standard))
     if pair.centre_distance_deviation is not None:
         standard = _standard(centre_distance_deviation, pair.centre_distance, pair.grade)
         used = pair.centre_distance_deviation
-        departures.append(Departure(where=f"stage {number}", symbol="f_a", used=used, standard=standard))
+        departures.append(
+            Departure(where=Message("stage {number}", number=number), symbol="f_a", used=used, standard=standard)
+        )
     return tuple(departures)
 
 
@@ -276,36 +279,63 @@ def _deviation(gear: GradedGear, limits: GearPlay[float], pair: Pair, play: Stag
     prescribed = None if isinstance(gear.thinning, str) else gear.thinning
     asked = limits.E_sns - 0.5 * limits.T_sn if prescribed is None else prescribed
     for deviation, what in (
-        (asked, "cut"),
-        (limits.E_sns, "at the upper limit of its thickness"),
-        (limits.E_sni, "at the lower limit of its thickness"),
+        (asked, Message("cut")),
+        (limits.E_sns, Message("at the upper limit of its thickness")),
+        (limits.E_sni, Message("at the lower limit of its thickness")),
     ):
         try:
             tooth_of(gear.form.cut_to(deviation))
-        except DesignError as error:
-            fault, _, cure = str(error).partition("; ")
-            source = (
-                _source(gear, limits, pair, play)
-                if prescribed is None
-                else f"for E_sn = {prescribed * 1e3:.5g} µm, which is given; give one nearer to 0"
-                if deviation != asked
-                else "which is given; give one nearer to 0"
-            )
-            shifted = f", or {cure}" if gear.form.profile_shift else ""
-            raise DesignError(f"{fault}, {what} with E_sn = {deviation * 1e3:.5g} µm, {source}{shifted}") from error
+        except ToothError as error:
+            if prescribed is None:
+                source = _source(gear, limits, pair, play)
+            elif deviation != asked:
+                source = Message(
+                    "for E_sn = {given:.5g} µm, which is given; give one nearer to 0", given=prescribed * 1e3
+                )
+            else:
+                source = Message("which is given; give one nearer to 0")
+            raise DesignError(
+                "{fault}, {what} with E_sn = {deviation:.5g} µm, {source}",
+                fault=error.fault,
+                what=what,
+                deviation=deviation * 1e3,
+                source=joined([source, error.cure], ", or ") if gear.form.profile_shift else source,
+            ) from error
     return asked
 
 
-def _source(gear: GradedGear, limits: GearPlay[float], pair: Pair, play: StagePlay[float]) -> str:
+def _source(gear: GradedGear, limits: GearPlay[float], pair: Pair, play: StagePlay[float]) -> Message:
     """The term of eq. 7-9 that thins most, with its values, and how to lessen it, in words."""
     alpha_n, alpha_w = pair.driver.form.normal_pressure_angle, pair.working_pressure_angle
     own = limits.tolerances
-    parts = {
-        f"f_a = {play.f_a * 1e3:.5g} µm of the centre distance; give a smaller f_a": play.f_a * tan(alpha_w),
-        "j_bnmin of eq. 6; give a smaller module or centre distance": play.j_bnmin_required / (2 * cos(alpha_n)),
-        f"j_n = {play.j_n * 1e3:.5g} µm, of F_beta, f_pt and the axes' parallelism over the bearing span of"
-        f" {pair.bearing_span:g} mm; give a shorter span, wider gears or a finer grade": play.j_n / (2 * cos(alpha_n)),
-        f"T_sn = {limits.T_sn * 1e3:.5g} µm, from F_r = {own.F_r * 1e3:.5g} and b_r = {own.b_r * 1e3:.5g} µm"
-        f" (grade {gear.grade}); give a finer grade, smaller values or a larger module": limits.T_sn,
-    }
-    return "most of it for " + max(parts, key=lambda text: parts[text])
+    parts = (
+        (
+            play.f_a * tan(alpha_w),
+            Message("f_a = {f_a:.5g} µm of the centre distance; give a smaller f_a", f_a=play.f_a * 1e3),
+        ),
+        (
+            play.j_bnmin_required / (2 * cos(alpha_n)),
+            Message("j_bnmin of eq. 6; give a smaller module or centre distance"),
+        ),
+        (
+            play.j_n / (2 * cos(alpha_n)),
+            Message(
+                "j_n = {j_n:.5g} µm, of F_beta, f_pt and the axes' parallelism over the bearing span of {span:g} mm;"
+                " give a shorter span, wider gears or a finer grade",
+                j_n=play.j_n * 1e3,
+                span=pair.bearing_span,
+            ),
+        ),
+        (
+            limits.T_sn,
+            Message(
+                "T_sn = {T_sn:.5g} µm, from F_r = {F_r:.5g} and b_r = {b_r:.5g} µm (grade {grade}); give a finer grade,"
+                " smaller values or a larger module",
+                T_sn=limits.T_sn * 1e3,
+                F_r=own.F_r * 1e3,
+                b_r=own.b_r * 1e3,
+                grade=gear.grade,
+            ),
+        ),
+    )
+    return Message("most of it for {term}", term=max(parts, key=lambda part: part[0])[1])

@@ -188,8 +188,9 @@ class _Search:
         self.tried += tried
         if self.tried > MOST_TRIED:
             raise DesignError(
-                f"the search has not ended after {MOST_TRIED // 1_000_000} million pairs of stages; narrow the teeth,"
-                " the stage ratios or the ratio tolerance, or ask for fewer stages or trains"
+                "the search has not ended after {count} million pairs of stages; narrow the teeth, the stage "
+                "ratios or the ratio tolerance, or ask for fewer stages or trains",
+                count=MOST_TRIED // 1_000_000,
             )
 
     def _choose_two(

@@ -51,7 +51,10 @@ def zones_of(fit: str, size: float | None = None) -> tuple[str, int, str, int]:
     """
     if size is not None and size > STEPS[-1]:
         raise DesignError(
-            f'the fit "{brief(fit)}" is for a size of {size:g} mm, and the table ends at {STEPS[-1]:g} mm'
+            'the fit "{fit}" is for a size of {size:g} mm, and the table ends at {most:g} mm',
+            fit=brief(fit),
+            size=size,
+            most=STEPS[-1],
         )
     match = _FIT.fullmatch(fit.strip())
     if match is not None:
@@ -60,9 +63,13 @@ def zones_of(fit: str, size: float | None = None) -> tuple[str, int, str, int]:
         if known and (shaft in AWAY or shaft == "js") and {hole_grade, shaft_grade} <= set(GRADES):
             return hole, hole_grade, shaft, shaft_grade
     raise DesignError(
-        f'the fit "{brief(fit)}" is not in the table: give a hole of {", ".join(letter.upper() for letter in AWAY)} or '
-        f"JS (N9 or P9 for a groove) and a shaft of {', '.join(AWAY)} or js, with grades {GRADES[0]} to {GRADES[-1]}, "
-        f"such as H7/g6"
+        'the fit "{fit}" is not in the table: give a hole of {holes} or JS (N9 or P9 for a groove) and a '
+        "shaft of {shafts} or js, with grades {finest} to {coarsest}, such as H7/g6",
+        fit=brief(fit),
+        holes=", ".join(letter.upper() for letter in AWAY),
+        shafts=", ".join(AWAY),
+        finest=GRADES[0],
+        coarsest=GRADES[-1],
     )
 
 
@@ -90,8 +97,11 @@ def flat_play(clearance: float, diameter: float, across: float) -> float:
     radius, flat = diameter / 2, across - diameter / 2
     if flat + clearance >= radius:
         raise DesignError(
-            f"a D-shaft of {diameter:g} mm, {across:g} mm across its flat, turns round in a bore that leaves it "
-            f"{clearance * 1e3:g} µm: give less clearance or a deeper flat"
+            "a D-shaft of {diameter:g} mm, {across:g} mm across its flat, turns round in a bore that leaves it "
+            "{clearance:g} µm: give less clearance or a deeper flat",
+            diameter=diameter,
+            across=across,
+            clearance=clearance * 1e3,
         )
     return 2 * (acos(flat / radius) - acos((flat + clearance) / radius))
 

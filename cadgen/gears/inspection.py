@@ -75,7 +75,10 @@ def inspection_of(
     """
     if lower_deviation > upper_deviation:
         raise DesignError(
-            f"{form} has E_sni = {lower_deviation * 1e3:g} µm above E_sns = {upper_deviation * 1e3:g} µm; exchange them"
+            "{gear} has E_sni = {lower:g} µm above E_sns = {upper:g} µm; exchange them",
+            gear=str(form),
+            lower=lower_deviation * 1e3,
+            upper=upper_deviation * 1e3,
         )
     limits = (
         tooth_of(form.cut_to(upper_deviation)),
@@ -86,8 +89,11 @@ def inspection_of(
     pins = _pin_measurement(limits, pin_diameter)
     if pins is None:
         raise DesignError(
-            f"{form} cannot be measured over pins of {pin_diameter:g} mm, which do not rest on its flanks;"
-            f" give about {ideal_pin_diameter(form):.3g} mm"
+            "{gear} cannot be measured over pins of {pin:g} mm, which do not rest on its flanks; give "
+            "about {ideal:.3g} mm",
+            gear=str(form),
+            pin=pin_diameter,
+            ideal=ideal_pin_diameter(form),
         )
     return Inspection(_span_measurement(limits), pins)
 
@@ -140,8 +146,10 @@ def _pin_angle(form: GearForm, pin_diameter: float) -> float:
     value = pin_diameter / form.base_diameter - _space_at_base(form)
     if value <= 0:
         raise DesignError(
-            f"{form} cannot be measured over pins of {pin_diameter:g} mm, which drop into its spaces;"
-            f" give about {ideal_pin_diameter(form):.3g} mm"
+            "{gear} cannot be measured over pins of {pin:g} mm, which drop into its spaces; give about {ideal:.3g} mm",
+            gear=str(form),
+            pin=pin_diameter,
+            ideal=ideal_pin_diameter(form),
         )
     return float(brentq(lambda angle: involute(angle) - value, 0.0, pi / 2 - 1e-9, xtol=1e-15))
 

@@ -26,6 +26,7 @@ from cadgen.errors import DesignError
 from cadgen.gears.stage import Wheel
 from cadgen.gears.train import Train
 from cadgen.gears.wheel_body import cluster_body, gear_body, with_collar
+from cadgen.messages import Message
 from cadgen.parts.blank import Blank
 from cadgen.parts.body import Body
 from cadgen.parts.features import Keyway
@@ -167,11 +168,13 @@ def lay_out(
         row = [0.0 if direction is None else direction for direction in wanted]
         stated = takewhile(lambda direction: direction is not None, (row[0], *wanted[1:]))
         said = (_collision(_axes(train, list(way)), discs, clearance) for way in (row[: len(list(stated))], row))
-        if collision := next(filter(None, said), ""):
+        if collision := next(filter(None, said), None):
             raise DesignError(collision)
         raise DesignError(
-            f"the shafts cannot be laid out with {clearance:g} mm between them in steps of"
-            f" {degrees(DIRECTION_STEP):g}°; give the stages' directions, or a smaller clearance"
+            "the shafts cannot be laid out with {clearance:g} mm between them in steps of {step:g}°; "
+            "give the stages' directions, or a smaller clearance",
+            clearance=clearance,
+            step=degrees(DIRECTION_STEP),
         )
     placed = []
     angle = 0.0
@@ -212,29 +215,31 @@ def _stacked(train: Train, blanks: Sequence[Blank], clearance: float) -> list[Tr
             flipped=shaft == 1,
         )
 
-    drive = _made(1, "drive", gear_body, first, blanks[0])
+    drive = _made(1, Message("drive"), gear_body, first, blanks[0])
     parts = [part("1_pinion", 1, (first,), blanks[0], drive, plane + first.width / 2)]
     for shaft, (before, after) in enumerate(pairwise(stages), 2):
         lower, upper = before.wheels[1], after.wheels[0]
         # What the gears in mesh with both stand out towards each other comes on top of the collar.
         above, below = (before.wheels[0].width - lower.width) / 2, (after.wheels[1].width - upper.width) / 2
         length = collar_length(clearance) + max(above, 0.0) + max(below, 0.0)
-        blank = _made(shaft, "intermediate", with_collar, blanks[shaft - 1], lower, upper, length, clearance)
-        body = _made(shaft, "intermediate", cluster_body, lower, upper, blank)
+        blank = _made(shaft, Message("intermediate"), with_collar, blanks[shaft - 1], lower, upper, length, clearance)
+        body = _made(shaft, Message("intermediate"), cluster_body, lower, upper, blank)
         start = plane - lower.width / 2
         parts.append(part(f"{shaft}_cluster", shaft, (lower, upper), blank, body, start))
         plane = start + body.slabs[-1].end - upper.width / 2
     shaft = len(stages) + 1
-    output = _made(shaft, "output", gear_body, last, blanks[-1])
+    output = _made(shaft, Message("output"), gear_body, last, blanks[-1])
     parts.append(part(f"{shaft}_wheel", shaft, (last,), blanks[-1], output, plane - last.width / 2))
     return parts
 
 
-def _made(shaft: int, place: str, make: Callable[..., M], *arguments: Wheel | Blank | float) -> M:
+def _made(shaft: int, place: Message, make: Callable[..., M], *arguments: Wheel | Blank | float) -> M:
     try:
         return make(*arguments)
     except DesignError as error:
-        raise DesignError(f"on shaft {shaft} ({place}), {error}") from error
+        raise DesignError(
+            "on shaft {shaft} ({place}), {error}", shaft=shaft, place=place, error=error.message
+        ) from error
 
 
 def _discs(parts: Sequence[TrainPart], train: Train) -> list[list[_Disc]]:
@@ -246,8 +251,11 @@ def _discs(parts: Sequence[TrainPart], train: Train) -> list[list[_Disc]]:
     for number, pair in enumerate(train.stages, 1):
         if pair.bearing_span < high - low:
             raise DesignError(
-                f"in stage {number}, the bearing span of {pair.bearing_span:g} mm is shorter than the stack of gears,"
-                f" collars and hubs between the bearings; give at least {ceil((high - low) * 1e3 - 1e-6) / 1e3:g} mm"
+                "in stage {number}, the bearing span of {span:g} mm is shorter than the stack of gears, "
+                "collars and hubs between the bearings; give at least {least:g} mm",
+                number=number,
+                span=pair.bearing_span,
+                least=ceil((high - low) * 1e3 - 1e-6) / 1e3,
             )
     for part, on in zip(parts, on_shafts, strict=True):
         if part.blank.bore_diameter:
@@ -255,7 +263,13 @@ def _discs(parts: Sequence[TrainPart], train: Train) -> list[list[_Disc]]:
             half = max(train.stages[j].bearing_span for j in stages) / 2
             middle = (low + high) / 2
             on.append(
-                _Disc(f"shaft {part.shaft} itself", None, part.blank.bore_diameter / 2, middle - half, middle + half)
+                _Disc(
+                    Message("shaft {shaft} itself", shaft=part.shaft),
+                    None,
+                    part.blank.bore_diameter / 2,
+                    middle - half,
+                    middle + half,
+                )
             )
     return on_shafts
 
@@ -263,7 +277,7 @@ def _discs(parts: Sequence[TrainPart], train: Train) -> list[list[_Disc]]:
 def _gears_and_hub(part: TrainPart) -> list[_Disc]:
     def placed(name: str, stage: int | None, diameter: float, low: float, high: float) -> _Disc:
         ends = sorted(part.height + (-z if part.flipped else z) for z in (low, high))
-        return _Disc(f"{name} on shaft {part.shaft}", stage, diameter / 2, *ends)
+        return _Disc(Message("{body} on shaft {shaft}", body=name, shaft=part.shaft), stage, diameter / 2, *ends)
 
     bottom, top = part.gears[0], part.gears[-1]
     bodies = [placed(bottom.noun, part.stages[0], bottom.tip_diameter, 0.0, bottom.width)]
@@ -271,7 +285,7 @@ def _gears_and_hub(part: TrainPart) -> list[_Disc]:
     if len(part.gears) == 2:
         bodies.append(placed(top.noun, part.stages[1], top.tip_diameter, end - top.width, end))
     if hub := part.blank.hub:
-        bodies.append(placed("the hub", None, hub.diameter, bottom.width, bottom.width + hub.length))
+        bodies.append(placed(Message("the hub"), None, hub.diameter, bottom.width, bottom.width + hub.length))
     return bodies
 
 
@@ -306,26 +320,35 @@ def _clear_ways(
 _TURNS = list(chain.from_iterable((turn, -turn) for turn in np.arange(pi, -1e-9, -DIRECTION_STEP).tolist()))
 
 
-def _collision(axes: Sequence[complex], discs: Sequence[Sequence[_Disc]], clearance: float) -> str:
-    """The first collision of the newest shaft that has one, in words; empty if there is none."""
+def _collision(axes: Sequence[complex], discs: Sequence[Sequence[_Disc]], clearance: float) -> Message | None:
+    """The first collision of the newest shaft that has one, in words; None if there is none."""
     pairs = ((a, b) for b in range(len(axes) - 1, 0, -1) for a in range(b - 1, -1, -1))
     said = (_between(discs[a], discs[b], abs(axes[b] - axes[a]), clearance) for a, b in pairs)
-    return next(filter(None, said), "")
+    return next(filter(None, said), None)
 
 
-def _between(first: Sequence[_Disc], second: Sequence[_Disc], apart: float, clearance: float) -> str:
-    """The first collision of the bodies on two shafts whose axes are `apart`, in words; empty if there is none."""
+def _between(first: Sequence[_Disc], second: Sequence[_Disc], apart: float, clearance: float) -> Message | None:
+    """The first collision of the bodies on two shafts whose axes are `apart`, in words; None if there is none."""
     for body, other in product(first, second):
         in_mesh = body.stage is not None and body.stage == other.stage
         gap = max(apart - body.radius - other.radius, max(body.low, other.low) - min(body.high, other.high))
         if in_mesh or gap >= clearance:
             continue
         if apart < ONE_AXIS:
-            return f"{body.name} and {other.name} collide: both stand on one axis; give the stages other directions"
-        cure = "a longer collar" if body.stage and other.stage else "smaller bores or hubs"
-        return (
-            f"{body.name} and {other.name} collide: at axes {apart:.4g} mm apart the gap between them is {gap:.4g} mm,"
-            f" less than the clearance of {clearance:g} mm; give {cure}, another order of the stages, or other"
-            " directions"
+            return Message(
+                "{body} and {other} collide: both stand on one axis; give the stages other directions",
+                body=body.name,
+                other=other.name,
+            )
+        collar = body.stage and other.stage
+        return Message(
+            "{body} and {other} collide: at axes {apart:.4g} mm apart the gap between them is {gap:.4g} mm, less than"
+            " the clearance of {clearance:g} mm; give {cure}, another order of the stages, or other directions",
+            body=body.name,
+            other=other.name,
+            apart=apart,
+            gap=gap,
+            clearance=clearance,
+            cure=Message("a longer collar") if collar else Message("smaller bores or hubs"),
         )
-    return ""
+    return None

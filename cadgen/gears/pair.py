@@ -13,6 +13,7 @@ from cadgen.errors import DesignError
 from cadgen.gears.choices import Thinning
 from cadgen.gears.tolerances import GRADES, ToleranceOverrides
 from cadgen.gears.tooth import GearForm, involute
+from cadgen.messages import Message
 
 # Centre distances are stated to the micrometre: one this much short, in mm, is rounded and not too small.
 CENTRE_DISTANCE_ROUNDING = 0.5e-3
@@ -38,8 +39,11 @@ class GradedGear:
     def __post_init__(self) -> None:
         if self.grade not in GRADES:
             raise DesignError(
-                f"{self.form} has the tolerance grade {self.grade};"
-                f" give a whole number from {GRADES[0]} to {GRADES[-1]}"
+                "{gear} has the tolerance grade {grade}; give a whole number from {finest} to {coarsest}",
+                gear=str(self.form),
+                grade=self.grade,
+                finest=GRADES[0],
+                coarsest=GRADES[-1],
             )
 
 
@@ -62,29 +66,48 @@ class Pair:
         driver, driven = self.driver.form, self.driven.form
         if driver.normal_module != driven.normal_module:
             raise DesignError(
-                f"{self} joins the modules {driver.normal_module:g} and {driven.normal_module:g} mm;"
-                " give both gears one module"
+                "{pair} joins the modules {one:g} and {other:g} mm; give both gears one module",
+                pair=str(self),
+                one=driver.normal_module,
+                other=driven.normal_module,
             )
         if driver.normal_pressure_angle != driven.normal_pressure_angle:
             raise DesignError(
-                f"{self} joins the pressure angles {degrees(driver.normal_pressure_angle):g}° and"
-                f" {degrees(driven.normal_pressure_angle):g}°; give both gears one pressure angle"
+                "{pair} joins the pressure angles {one:g}° and {other:g}°; give both gears one pressure angle",
+                pair=str(self),
+                one=degrees(driver.normal_pressure_angle),
+                other=degrees(driven.normal_pressure_angle),
             )
         if not 0 < self.bearing_span < inf:
-            raise DesignError(f"{self} has the bearing span {self.bearing_span:g} mm; give one above 0")
+            raise DesignError(
+                "{pair} has the bearing span {bearing_span:g} mm; give one above 0",
+                pair=str(self),
+                bearing_span=self.bearing_span,
+            )
         deviation = self.centre_distance_deviation
         if deviation is not None and not 0 <= deviation < inf:
-            raise DesignError(f"{self} has the centre distance deviation {deviation:g} mm; give 0 or more")
+            raise DesignError(
+                "{pair} has the centre distance deviation {deviation:g} mm; give 0 or more",
+                pair=str(self),
+                deviation=deviation,
+            )
         least, reach = self.zero_backlash_centre_distance, (driver.tip_diameter + driven.tip_diameter) / 2
         if not self.centre_distance >= least - CENTRE_DISTANCE_ROUNDING:
             raise DesignError(
-                f"{self} jams at the centre distance {self.centre_distance:g} mm;"
-                f" give at least {least:.7g} mm, or smaller profile shifts or modules"
+                "{pair} jams at the centre distance {centre_distance:g} mm; give at least {least:.7g} mm, or smaller "
+                "profile shifts or modules",
+                pair=str(self),
+                centre_distance=self.centre_distance,
+                least=least,
             )
         if not self.centre_distance < reach:
             raise DesignError(
-                f"{self} of module {driver.normal_module:g} does not meet at the centre distance"
-                f" {self.centre_distance:g} mm; give less than {reach:.6g} mm, or a larger module"
+                "{pair} of module {module:g} does not meet at the centre distance {centre_distance:g} mm; "
+                "give less than {reach:.6g} mm, or a larger module",
+                pair=str(self),
+                module=driver.normal_module,
+                centre_distance=self.centre_distance,
+                reach=reach,
             )
 
     def __str__(self) -> str:
@@ -184,8 +207,11 @@ class Pair:
         base = (self.driver.form.base_diameter + self.driven.form.base_diameter) / 2
         if not centre_distance >= base:
             raise DesignError(
-                f"{self} has overlapping base circles at the centre distance {centre_distance:g} mm;"
-                f" give at least {base:.4f} mm"
+                "{pair} has overlapping base circles at the centre distance {centre_distance:g} mm; give at least "
+                "{base:.4f} mm",
+                pair=str(self),
+                centre_distance=centre_distance,
+                base=base,
             )
         return acos(base / centre_distance)
 
@@ -204,11 +230,13 @@ def closest(driver: GearForm, driven: GearForm) -> float:
     wanted = involute(alpha) + 2 * tan(alpha) * shift / teeth
     if not 0 < wanted < involute(STEEPEST_MESH):
         raise DesignError(
-            f"{_pair(driver, driven)} has profile shifts of {shift:g} together; bring their sum nearer to 0"
+            "{pair} has profile shifts of {shift:g} together; bring their sum nearer to 0",
+            pair=_pair(driver, driven),
+            shift=shift,
         )
     mesh: float = brentq(lambda angle: involute(angle) - wanted, 0.0, STEEPEST_MESH, xtol=1e-15)
     return reference * cos(alpha) / cos(mesh)
 
 
 def _pair(driver: GearForm, driven: GearForm) -> str:
-    return f"the pair of {driver.teeth} and {driven.teeth} teeth"
+    return Message("the pair of {driver} and {driven} teeth", driver=driver.teeth, driven=driven.teeth)

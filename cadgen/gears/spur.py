@@ -33,6 +33,7 @@ from cadgen.gears.tolerances import (
 )
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train
+from cadgen.messages import Message
 
 # What the contact ratio found on the curves may differ from that of the formula.
 CONTACT_RATIO_ERROR = 0.01
@@ -50,6 +51,13 @@ _PLAY_CHECKS = {
     PlayState.AS_CUT: CheckCode.PLAY_AS_CUT,
     PlayState.GREATEST: CheckCode.PLAY_GREATEST,
     PlayState.LEAST: CheckCode.PLAY_LEAST,
+}
+
+
+_WORDS = {
+    PlayState.AS_CUT: Message("as cut"),
+    PlayState.GREATEST: Message("greatest"),
+    PlayState.LEAST: Message("least"),
 }
 
 
@@ -97,7 +105,7 @@ def pair_checks(pair: Pair, engage: Engage) -> tuple[Check, ...]:
     built = engage(pair, pair.centre_distance)
     module = pair.driver.form.normal_module
     ratio = found_contact_ratio(pair)
-    wider = "lower addendum_factor or the profile shifts"
+    wider = Message("lower addendum_factor or the profile shifts")
     greatest, least = limit_states(pair)
     states = {
         PlayState.AS_CUT: PairState(pair, pair.centre_distance),
@@ -107,10 +115,18 @@ def pair_checks(pair: Pair, engage: Engage) -> tuple[Check, ...]:
     jam, jammed = max((engage(*state).overlap_midway(0.0), name) for name, state in states.items())
     hold, loose = min((engage(*state).overlap_tooth_on_tooth(0.0), name) for name, state in states.items())
     closest = least.play() * pair.driven_pitch_radius * 1e3
+    thinner = Message("thin the teeth, or set the axes apart")
+    if closest <= 0:
+        thinner = Message("{cure} (the least play by the tolerances is {play:.1f} µm)", cure=thinner, play=closest)
+    closer = Message("they pass each other freely; set the axes closer, or thin the teeth less")
+    if loose == PlayState.GREATEST:
+        closer = Message(
+            "they pass each other freely where the tolerances open the axes most; lower F_i_radial, f_a or b_r"
+        )
     checks = [
         Check(
             CheckCode.ROOT_CLEARANCE,
-            "root clearance",
+            Message("root clearance"),
             min(built.clearances()) / module,
             "modules",
             LEAST_ROOT_CLEARANCE,
@@ -119,24 +135,31 @@ def pair_checks(pair: Pair, engage: Engage) -> tuple[Check, ...]:
         ),
         Check(
             CheckCode.CONTACT_RATIO,
-            "contact ratio",
+            Message("contact ratio"),
             ratio,
             "",
             LEAST_CONTACT_RATIO,
             Bound.MIN,
-            advice="give more teeth",
+            advice=Message("give more teeth"),
         ),
         Check(
             CheckCode.CONTACT_RATIO_FORMULA,
-            "contact ratio - formula",
+            Message("contact ratio - formula"),
             abs(ratio - contact_ratio(pair)),
             "",
             CONTACT_RATIO_ERROR,
             Bound.MAX,
         ),
-        Check(CheckCode.TEETH_JAM, "teeth jam", jam, "mm2", LEAST_OVERLAP, Bound.MAX, jammed, _thinner(closest)),
+        Check(CheckCode.TEETH_JAM, Message("teeth jam"), jam, "mm2", LEAST_OVERLAP, Bound.MAX, _WORDS[jammed], thinner),
         Check(
-            CheckCode.TEETH_HOLD, "teeth hold each other", hold, "mm2", LEAST_OVERLAP, Bound.MIN, loose, _closer(loose)
+            CheckCode.TEETH_HOLD,
+            Message("teeth hold each other"),
+            hold,
+            "mm2",
+            LEAST_OVERLAP,
+            Bound.MIN,
+            _WORDS[loose],
+            closer,
         ),
     ]
     if _engages(states[PlayState.AS_CUT], engage):
@@ -144,36 +167,32 @@ def pair_checks(pair: Pair, engage: Engage) -> tuple[Check, ...]:
         checks.append(
             Check(
                 CheckCode.OVERLAP_WITHIN_PLAY,
-                "overlap within the play",
+                Message("overlap within the play"),
                 over,
                 "mm2",
                 LEAST_OVERLAP,
                 Bound.MAX,
-                advice="tips meet roots: " + wider,
+                advice=Message("tips meet roots: {cure}", cure=wider),
             )
         )
         if ratio >= 1:
             code = CheckCode.OVERLAP_PAST_PLAY
-            checks.append(Check(code, "overlap past the play", past, "mm2", LEAST_OVERLAP, Bound.MIN))
+            checks.append(Check(code, Message("overlap past the play"), past, "mm2", LEAST_OVERLAP, Bound.MIN))
     for name, state in states.items():
         # With a contact ratio below 1 there are places where no tooth is in mesh, and the play is greater.
         if _engages(state, engage) and contact_ratio(state.pair, state.apart) >= 1:
             off = (engage(*state).play(0.0) - state.play()) * pair.driven_pitch_radius * 1e3
             checks.append(
-                Check(_PLAY_CHECKS[name], f"play - computed, {name}", abs(off), "µm", PLAY_LIMIT_UM, Bound.MAX)
+                Check(
+                    _PLAY_CHECKS[name],
+                    Message("play - computed, {state}", state=_WORDS[name]),
+                    abs(off),
+                    "µm",
+                    PLAY_LIMIT_UM,
+                    Bound.MAX,
+                )
             )
     return tuple(check if check.advice else replace(check, advice=CONTRADICTION) for check in checks)
-
-
-def _thinner(least_play: float) -> str:
-    at = f" (the least play by the tolerances is {least_play:.1f} µm)" if least_play <= 0 else ""
-    return f"thin the teeth, or set the axes apart{at}"
-
-
-def _closer(state: PlayState) -> str:
-    if state == PlayState.GREATEST:
-        return "they pass each other freely where the tolerances open the axes most; lower F_i_radial, f_a or b_r"
-    return "they pass each other freely; set the axes closer, or thin the teeth less"
 
 
 # F_pk is for two pitches up to an eighth of the teeth, by the standard's advice.
@@ -268,14 +287,14 @@ def _limits(name: str, limits: SizeLimits | None) -> dict[str, float | None]:
     return {f"{name}_{which}_mm": value for which, value in zip(("nominal", "max", "min"), values, strict=True)}
 
 
-TEETH = "leave the kind out and give the stage gears with teeth"
+TEETH = Message("leave the kind out and give the stage gears with teeth")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SpurPair(Pair, Stage):
     """Pair of spur gears as a stage; its numbers and errors are those of `Pair`."""
 
-    noun = "spur gears"
+    noun = Message("spur gears")
 
     @property
     def wheels(self) -> tuple[GearForm, GearForm]:
@@ -346,10 +365,16 @@ class SpurPair(Pair, Stage):
     def notes(self, number: int) -> tuple[str, ...]:
         """Which gears are undercut as they are cut, and how far."""
         return tuple(
-            f"the {role} of stage {number}, of {gear.form.teeth} teeth, is undercut: as cut it has the profile"
-            f" shift {gear.form.generating_profile_shift:.2f}, {missing:.2f} modules less than would leave its"
-            " flanks whole"
-            for role, gear in (("driver", self.driver), ("driven gear", self.driven))
+            Message(
+                "the {role} of stage {number}, of {teeth} teeth, is undercut: as cut it has the profile shift"
+                " {shift:.2f}, {missing:.2f} modules less than would leave its flanks whole",
+                role=role,
+                number=number,
+                teeth=gear.form.teeth,
+                shift=gear.form.generating_profile_shift,
+                missing=missing,
+            )
+            for role, gear in ((Message("driver"), self.driver), (Message("driven gear"), self.driven))
             if (missing := missing_shift(gear.form)) > 0
         )
 
@@ -392,6 +417,10 @@ def spur_pairs(train: Train, what: str, cure: str = TEETH) -> tuple[SpurPair, ..
     for number, stage in enumerate(train.stages, 1):
         if not isinstance(stage, SpurPair):
             raise DesignError(
-                f"train.stages.{number}.kind names {stage.noun}, and {what} worked out for spur gears alone: {cure}"
+                "train.stages.{number}.kind names {kind}, and {what} worked out for spur gears alone: {cure}",
+                number=number,
+                kind=stage.noun,
+                what=what,
+                cure=cure,
             )
     return tuple(stage for stage in train.stages if isinstance(stage, SpurPair))

@@ -17,6 +17,7 @@ from typing import Any, Protocol, Self
 from cadgen.check import Check
 from cadgen.gears.choices import Law
 from cadgen.gears.distribution import ZoneSum
+from cadgen.messages import Message
 from cadgen.parts.loop import Loop
 
 # Overlap in mm² below which teeth only touch: ten times the rounding of the sections' common area (1e-8 mm).
@@ -24,7 +25,7 @@ LEAST_OVERLAP = 1e-8
 # What a measured play may differ from the computed one, µm of arc on the driven wheel's pitch circle.
 PLAY_LIMIT_UM = 0.5
 # What to do about a figure that only an error of the program can spoil.
-CONTRADICTION = "the teeth contradict the formulas: report this design"
+CONTRADICTION = Message("the teeth contradict the formulas: report this design")
 # Positions of the driver over one pitch at which the teeth are set against each other.
 POSITIONS = 8
 

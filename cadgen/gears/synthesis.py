@@ -40,6 +40,7 @@ from cadgen.gears.tolerances import COVERED_DIAMETERS, ToleranceOverrides, centr
 from cadgen.gears.tooth import MINIMUM_TEETH, GearForm, involute
 from cadgen.gears.train import Train, TrainPlay, train_play
 from cadgen.gears.wheel_body import fits
+from cadgen.messages import Message, joined
 
 # Limits of a search that is asked for nothing else. A stage that speeds up only wastes what another gains; more than
 # ten to one is hardly ever built with spur gears.
@@ -84,29 +85,57 @@ class SearchLimits:
             ("stage_ratio", *self.stage_ratio),
         ):
             if not low <= high:
-                raise DesignError(f"the search limits {name} run from {low:g} to {high:g}; give the lesser first")
+                raise DesignError(
+                    "the search limits {name} run from {low:g} to {high:g}; give the lesser first",
+                    name=name,
+                    low=low,
+                    high=high,
+                )
         if self.teeth[0] < MINIMUM_TEETH:
-            raise DesignError(f"the search allows {self.teeth[0]} teeth; give at least {MINIMUM_TEETH}")
+            raise DesignError(
+                "the search allows {teeth} teeth; give at least {least}",
+                teeth=self.teeth[0],
+                least=MINIMUM_TEETH,
+            )
         if not 1 <= self.stages <= LONGEST_CHAIN:
-            raise DesignError(f"the search has {self.stages} stages; give 1 to {LONGEST_CHAIN}")
+            raise DesignError(
+                "the search has {stages} stages; give 1 to {most}",
+                stages=self.stages,
+                most=LONGEST_CHAIN,
+            )
         for name, value in (("ratio", self.ratio), ("bearing_span", self.bearing_span), ("keep", self.keep)):
             if not value > 0:
-                raise DesignError(f"the search has {name} = {float(value):g}; give a value above 0")
+                raise DesignError(
+                    "the search has {name} = {value:g}; give a value above 0", name=name, value=float(value)
+                )
         for name, value in (("contact_ratio", self.contact_ratio), ("undercut", self.undercut)):
             if not value >= 0:
-                raise DesignError(f"the search has {name} = {float(value):g}; give 0 or more")
+                raise DesignError("the search has {name} = {value:g}; give 0 or more", name=name, value=float(value))
         if not 0 <= self.ratio_tolerance < 1:
-            raise DesignError(f"the search has ratio_tolerance = {self.ratio_tolerance:g}; give 0 up to 1")
+            raise DesignError(
+                "the search has ratio_tolerance = {tolerance:g}; give 0 up to 1",
+                tolerance=self.ratio_tolerance,
+            )
         if not (self.modules and self.widths):
             raise DesignError("the search has no module or no face width to choose from; give at least one of each")
 
     def __str__(self) -> str:
         (fewest, most), (shortest, longest), (least, greatest) = self.teeth, self.centre_distance, self.stage_ratio
-        return (
-            f"{'one stage' if self.stages == 1 else f'{self.stages} stages'} with {fewest} to {most} teeth and axes"
-            f" {shortest:g} to {longest:g} mm apart, modules of {_listed(self.modules)} mm and widths of"
-            f" {_listed(self.widths)} mm, stage ratios of {least:g} to {greatest:g}, a contact ratio of"
-            f" {self.contact_ratio:g} or more, and undercut up to {self.undercut:g} modules of profile shift"
+        return Message(
+            "{stages} with {fewest} to {most} teeth and axes {shortest:g} to {longest:g} mm apart, modules of {modules}"
+            " mm and widths of {widths} mm, stage ratios of {least:g} to {greatest:g}, a contact ratio of {contact:g}"
+            " or more, and undercut up to {undercut:g} modules of profile shift",
+            stages=Message("one stage") if self.stages == 1 else Message("{count} stages", count=self.stages),
+            fewest=fewest,
+            most=most,
+            shortest=shortest,
+            longest=longest,
+            modules=joined([f"{module:g}" for module in self.modules]),
+            widths=joined([f"{width:g}" for width in self.widths]),
+            least=least,
+            greatest=greatest,
+            contact=self.contact_ratio,
+            undercut=self.undercut,
         )
 
     @classmethod
@@ -117,11 +146,11 @@ class SearchLimits:
         Raises `DesignError` for stages of different grade, pressure angle or bearing span: the search gives all
         stages the same.
         """
-        pairs = spur_pairs(train, "the search is", "take --order as-given or reordered")
+        pairs = spur_pairs(train, Message("the search is"), Message("take --order as-given or reordered"))
         gears = [gear for stage in pairs for gear in (stage.driver, stage.driven)]
-        _require_one("tolerance grade", (gear.grade for gear in gears))
-        _require_one("pressure angle in degrees", (degrees(gear.form.normal_pressure_angle) for gear in gears))
-        _require_one("bearing span in mm", (stage.bearing_span for stage in train.stages))
+        _require_one(Message("tolerance grade"), (gear.grade for gear in gears))
+        _require_one(Message("pressure angle in degrees"), (degrees(gear.form.normal_pressure_angle) for gear in gears))
+        _require_one(Message("bearing span in mm"), (stage.bearing_span for stage in train.stages))
         teeth = [gear.form.teeth for gear in gears]
         axes = [stage.centre_distance for stage in train.stages]
         ratios = [float(stage.ratio) for stage in train.stages]
@@ -154,16 +183,14 @@ def _contact_and_undercut(pairs: Iterable[SpurPair]) -> tuple[float, float]:
     return floor(contact * 100) / 100 if contact < inf else inf, ceil(undercut * 100) / 100
 
 
-def _listed(values: Iterable[float]) -> str:
-    return ", ".join(f"{value:g}" for value in values)
-
-
 def _require_one(what: str, values: Iterable[float]) -> None:
     different = sorted(set(values))
     if len(different) > 1:
         raise DesignError(
-            f"the search gives all stages one {what}, and those given have {' and '.join(f'{v:g}' for v in different)};"
-            " give them all the same, or reorder them as they are"
+            "the search gives all stages one {what}, and those given have {values}; give them all the same, or "
+            "reorder them as they are",
+            what=what,
+            values=joined([f"{value:g}" for value in different], " and "),
         )
 
 
@@ -207,8 +234,12 @@ def pairs_within(limits: SearchLimits) -> Pairs:
     teeth = np.arange(limits.teeth[0], limits.teeth[1] + 1)
     if teeth.size**2 * len(limits.modules) * len(limits.widths) > MOST_PAIRS:
         raise DesignError(
-            f"the search has {teeth.size} tooth numbers, {len(limits.modules)} modules and {len(limits.widths)} widths"
-            f" to choose from, more than {MOST_PAIRS // 1_000_000} million pairs; narrow them"
+            "the search has {teeth} tooth numbers, {modules} modules and {widths} widths to choose from, more "
+            "than {most} million pairs; narrow them",
+            teeth=teeth.size,
+            modules=len(limits.modules),
+            widths=len(limits.widths),
+            most=MOST_PAIRS // 1_000_000,
         )
     columns = np.meshgrid(teeth, teeth, sorted(set(limits.modules)), sorted(set(limits.widths)), indexing="ij")
     driver, driven, module, width = (column.ravel() for column in columns)
@@ -253,28 +284,35 @@ def _in_mesh(pairs: Pairs, play: StagePlay[Array], limits: SearchLimits) -> Pair
     clearance = form.dedendum_factor - form.addendum_factor - np.maximum(x, y)
     kept = np.ones(pairs.driver.shape, dtype=np.bool_)
     for holds, cure in (
-        (least_play > 0, "none has play at the closest axes and the thickest teeth; thin the teeth more"),
+        (least_play > 0, Message("none has play at the closest axes and the thickest teeth; thin the teeth more")),
         (
             clearance >= LEAST_ROOT_CLEARANCE,
-            f"none clears the roots by {LEAST_ROOT_CLEARANCE:g} modules; raise dedendum_factor",
+            Message("none clears the roots by {least:g} modules; raise dedendum_factor", least=LEAST_ROOT_CLEARANCE),
         ),
         (
             missing <= limits.undercut,
-            f"each has more undercut than {limits.undercut:g}; allow more teeth or more undercut",
+            Message("each has more undercut than {most:g}; allow more teeth or more undercut", most=limits.undercut),
         ),
     ):
         kept = _kept(kept, holds, limits, cure)
     pairs = pairs.where(kept)
     teeth = pairs.driver.astype(np.float64), pairs.driven.astype(np.float64)
     ratios = contact_ratios(form, teeth, pairs.shifts, form.tip_chamfer / pairs.module)
-    low = f"none has a contact ratio of {limits.contact_ratio:g}; allow more teeth or a smaller contact ratio"
+    low = Message(
+        "none has a contact ratio of {least:g}; allow more teeth or a smaller contact ratio", least=limits.contact_ratio
+    )
     return pairs.where(_kept(np.ones(ratios.shape, dtype=np.bool_), ratios >= limits.contact_ratio, limits, low))
 
 
 def _kept(before: BoolArray, holds: BoolArray, limits: SearchLimits, cure: str) -> BoolArray:
     kept = before & holds
     if before.any() and not kept.any():
-        raise DesignError(f"no train of {limits}: of {int(before.sum())} pairs of gears that are left {cure}")
+        raise DesignError(
+            "no train of {limits}: of {count} pairs of gears that are left {cure}",
+            limits=str(limits),
+            count=int(before.sum()),
+            cure=cure,
+        )
     return kept
 
 
@@ -446,17 +484,28 @@ class TrainSearch:
             fit=self._fit,
         )
         if not chains:
-            kept = ", gears that fit their blanks and wheels that pass the shafts beside them" if self._blanks else ""
-            left = f", {len(self._excluded)} pairs left out whose teeth fail" if self._excluded else ""
+            kept = (
+                Message(", gears that fit their blanks and wheels that pass the shafts beside them")
+                if self._blanks
+                else ""
+            )
+            left: str = ""
+            if self._excluded:
+                left = Message(", {count} pairs left out whose teeth fail", count=len(self._excluded))
             raise DesignError(
-                f"no train of {limits}{kept}{left} has the ratio {limits.ratio} within {limits.ratio_tolerance:g};"
-                " widen the limits or raise the ratio tolerance"
+                "no train of {limits}{kept}{left} has the ratio {ratio} within {tolerance:g}; widen the limits "
+                "or raise the ratio tolerance",
+                limits=str(limits),
+                kept=kept,
+                left=left,
+                ratio=limits.ratio,
+                tolerance=limits.ratio_tolerance,
             )
         return tuple(train_play(Train(tuple(_stage(pairs, row, limits) for row in rows))) for rows in chains)
 
     def exclude(self, stage: Stage) -> None:
         """Leave out a pair, at every place: its teeth cannot be made, or fail their checks."""
-        (pair,) = spur_pairs(Train((stage,)), "the search is")
+        (pair,) = spur_pairs(Train((stage,)), Message("the search is"))
         driver, driven = pair.driver.form, pair.driven.form
         same = (self._pairs.driver == driver.teeth) & (self._pairs.driven == driven.teeth)
         same &= (self._pairs.module == driver.normal_module) & (self._pairs.width == driver.width)

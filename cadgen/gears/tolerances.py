@@ -35,6 +35,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from cadgen.arrays import Array
 from cadgen.errors import DesignError
+from cadgen.messages import Message
 
 # One gear's numbers, or the arrays of many.
 T = TypeVar("T", float, Array)
@@ -124,7 +125,7 @@ def span_pitch_deviation(diameter: ArrayLike, module: ArrayLike, pitches: int, g
         grade: tolerance grade, 3 to 12.
     """
     if pitches < 2:
-        raise DesignError(f"F_pk over {pitches} pitches is not defined; give 2 or more")
+        raise DesignError("F_pk over {pitches} pitches is not defined; give 2 or more", pitches=pitches)
     rule = _Rule(lambda d, m: _f_pt(d, m) + 1.6 * np.sqrt((pitches - 1) * m))
     return _by_rule("F_pk", rule, diameter, module, grade)
 
@@ -146,7 +147,11 @@ def standard_tolerance(size: ArrayLike, it_grade: int, quantity: str = "size", s
     """
     sizes = np.asarray(size, dtype=np.float64)
     if not np.all(sizes > 0):
-        raise DesignError(f"the {quantity} {_first(sizes, sizes > 0):g} mm is outside ISO 286-1; give one above 0 mm")
+        raise DesignError(
+            "the {quantity} {size:g} mm is outside ISO 286-1; give one above 0 mm",
+            quantity=Message(quantity),
+            size=_first(sizes, sizes > 0),
+        )
     step = _step(sizes, SIZE_STEPS, quantity, "ISO 286-1", symbol)
     return _it_um(_checked(it_grade, "IT grade"))[step - 1] / UM_PER_MM
 
@@ -199,7 +204,9 @@ class ToleranceOverrides:
     def __post_init__(self) -> None:
         for name, value in self.given().items():
             if not 0 <= value < np.inf:
-                raise DesignError(f"the override {name} = {value:g} mm is no tolerance; give 0 or more")
+                raise DesignError(
+                    "the override {name} = {value:g} mm is no tolerance; give 0 or more", name=name, value=value
+                )
 
     def given(self) -> dict[str, float]:
         """The overridden values by symbol."""
@@ -253,8 +260,14 @@ def _step(size: ArrayLike, steps: Sequence[float], quantity: str, standard: str,
     covered = (sizes >= steps[0] * (1 - STEP_SLACK)) & (sizes <= steps[-1] * (1 + STEP_SLACK))
     if not np.all(covered):
         raise DesignError(
-            f"the {quantity} {_first(sizes, covered):g} mm is outside {standard}, which gives {symbol};"
-            f" give {steps[0]:g} to {steps[-1]:g} mm, or a value for {symbol}"
+            "the {quantity} {size:g} mm is outside {standard}, which gives {symbol}; give {least:g} to "
+            "{most:g} mm, or a value for {symbol}",
+            quantity=Message(quantity),
+            size=_first(sizes, covered),
+            standard=standard,
+            symbol=symbol,
+            least=steps[0],
+            most=steps[-1],
         )
     return np.maximum(np.searchsorted(steps, sizes * (1 - STEP_SLACK), side="left"), 1)
 
@@ -265,7 +278,13 @@ def _first(sizes: Array, good: NDArray[np.bool_]) -> float:
 
 def _checked(grade: int, name: str = "tolerance grade") -> int:
     if grade not in GRADES:
-        raise DesignError(f"the {name} {grade} is not offered; give a whole number from {GRADES[0]} to {GRADES[-1]}")
+        raise DesignError(
+            "the {name} {grade} is not offered; give a whole number from {finest} to {coarsest}",
+            name=Message(name),
+            grade=grade,
+            finest=GRADES[0],
+            coarsest=GRADES[-1],
+        )
     return grade
 
 

@@ -23,6 +23,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from cadgen.errors import DesignError
+from cadgen.messages import Message
 from cadgen.parts.loop import Arc, Curve, Involute, Loop, Segment, Trochoid
 
 MINIMUM_TEETH = 4
@@ -72,33 +73,44 @@ class GearForm:
 
     def __post_init__(self) -> None:
         if not isinstance(self.teeth, Integral) or self.teeth < MINIMUM_TEETH:
-            raise DesignError(f"a gear has {self.teeth} teeth; give a whole number of at least {MINIMUM_TEETH}")
+            raise DesignError(
+                "a gear has {teeth} teeth; give a whole number of at least {least}",
+                teeth=self.teeth,
+                least=MINIMUM_TEETH,
+            )
         for name in ("normal_module", "width", "addendum_factor", "dedendum_factor"):
-            self._require(name, getattr(self, name) > 0, "a number above 0")
+            self._require(name, getattr(self, name) > 0, Message("a number above 0"))
         radius, chamfer = self.rack_tip_radius_factor, self.tip_chamfer
-        self._require("rack_tip_radius_factor", radius >= LEAST_RACK_TIP_RADIUS, f"{LEAST_RACK_TIP_RADIUS} or more")
-        self._require("tip_chamfer", chamfer == 0 or chamfer >= LEAST_CHAMFER, f"0, or {LEAST_CHAMFER} mm or more")
+        sharp = Message("{least} or more", least=LEAST_RACK_TIP_RADIUS)
+        small = Message("0, or {least} mm or more", least=LEAST_CHAMFER)
+        self._require("rack_tip_radius_factor", radius >= LEAST_RACK_TIP_RADIUS, sharp)
+        self._require("tip_chamfer", chamfer == 0 or chamfer >= LEAST_CHAMFER, small)
         for name in ("profile_shift", "tooth_thickness_deviation"):
-            self._require(name, True, "a finite number")
+            self._require(name, True, Message("a finite number"))
         low, high = PRESSURE_ANGLE_RANGE
         if not low <= self.normal_pressure_angle <= high:
             raise DesignError(
-                f"{self} has a pressure angle of {degrees(self.normal_pressure_angle):g}°;"
-                f" give {degrees(low):g}° to {degrees(high):g}°"
+                "{gear} has a pressure angle of {angle:g}°; give {low:g}° to {high:g}°",
+                gear=str(self),
+                angle=degrees(self.normal_pressure_angle),
+                low=degrees(low),
+                high=degrees(high),
             )
 
-    def _require(self, name: str, holds: bool, allowed: str) -> None:
+    def _require(self, name: str, holds: bool, allowed: Message) -> None:
         value = getattr(self, name)
         if not (holds and isfinite(value)):
-            raise DesignError(f"{self} has {name} = {value:g}; give {allowed}")
+            raise DesignError(
+                "{gear} has {name} = {value:g}; give {allowed}", gear=str(self), name=name, value=value, allowed=allowed
+            )
 
     def __str__(self) -> str:
-        return f"the gear with {self.teeth} teeth of module {self.normal_module:g}"
+        return Message("the gear with {teeth} teeth of module {module:g}", teeth=self.teeth, module=self.normal_module)
 
     @property
     def noun(self) -> str:
         """Name of the gear's body in messages."""
-        return f"the gear of {self.teeth} teeth"
+        return Message("the gear of {teeth} teeth", teeth=self.teeth)
 
     @property
     def outline(self) -> Loop:
@@ -235,6 +247,22 @@ class Tooth:
         return Loop(tuple(curves), form.teeth)
 
 
+class ToothError(DesignError):
+    """Error for a tooth that cannot be cut: what is wrong, and what to change.
+
+    Args:
+        fault: what is wrong.
+        cure: what to change.
+    """
+
+    def __init__(self, fault: Message, cure: Message) -> None:
+        super().__init__("{fault}; {cure}", fault=fault, cure=cure)
+        self.fault, self.cure = fault, cure
+
+    def __reduce__(self) -> tuple[type[ToothError], tuple[Message, Message]]:
+        return type(self), (self.fault, self.cure)
+
+
 def tooth_of(form: GearForm) -> Tooth:
     """Exact curves of one tooth of `form`.
 
@@ -251,8 +279,11 @@ def tooth_of(form: GearForm) -> Tooth:
     flat, tip_radius = rack_tip(form)
     centre_depth = module * (form.dedendum_factor - form.generating_profile_shift) - tip_radius
     if form.root_diameter <= 0:
-        raise DesignError(
-            f"{form} has a root diameter of {form.root_diameter:.4g} mm; raise profile_shift or the teeth"
+        raise ToothError(
+            Message(
+                "{gear} has a root diameter of {root_diameter:.4g} mm", gear=str(form), root_diameter=form.root_diameter
+            ),
+            Message("raise profile_shift or the teeth"),
         )
     root = Trochoid(
         reference_radius=radius,
@@ -280,8 +311,9 @@ def tooth_of(form: GearForm) -> Tooth:
     )
     neck = 2 * float(np.min(root.point(np.linspace(0.0, 1.0, NECK_SAMPLES)).imag))
     if neck < LEAST_THICKNESS * module:
-        raise DesignError(
-            f"{form} is undercut to a neck of {neck:.4g} mm; raise profile_shift above {form.profile_shift:g}"
+        raise ToothError(
+            Message("{gear} is undercut to a neck of {neck:.4g} mm", gear=str(form), neck=neck),
+            Message("raise profile_shift above {profile_shift:g}", profile_shift=form.profile_shift),
         )
     return Tooth(
         form=form,
@@ -309,15 +341,23 @@ def rack_tip(form: GearForm) -> tuple[float, float]:
     half_width = pi / 4 - form.dedendum_factor * tan(angle)
     largest = half_width * cos(angle) / (1 - sin(angle))
     if largest < LEAST_RACK_TIP_RADIUS:
-        raise DesignError(
-            f"{form} has dedendum_factor = {form.dedendum_factor:g}, at which the rack comes to a point;"
-            f" give less than {(pi / 4) / tan(angle):.4g}"
+        raise ToothError(
+            Message(
+                "{gear} has dedendum_factor = {dedendum_factor:g}, at which the rack comes to a point",
+                gear=str(form),
+                dedendum_factor=form.dedendum_factor,
+            ),
+            Message("give less than {most:.4g}", most=pi / 4 / tan(angle)),
         )
     flat = half_width - form.rack_tip_radius_factor * (1 - sin(angle)) / cos(angle)
     if flat < -LEAST_FLAT:
-        raise DesignError(
-            f"{form} has rack_tip_radius_factor = {form.rack_tip_radius_factor:g}, too large for the rack's"
-            f" tip; give at most {largest:.6f}"
+        raise ToothError(
+            Message(
+                "{gear} has rack_tip_radius_factor = {rack_tip_radius_factor:g}, too large for the rack's tip",
+                gear=str(form),
+                rack_tip_radius_factor=form.rack_tip_radius_factor,
+            ),
+            Message("give at most {largest:.6f}", largest=largest),
         )
     if flat <= LEAST_FLAT:
         return 0.0, module * largest
@@ -344,18 +384,36 @@ def _tip_half_angle(form: GearForm, root_form_diameter: float) -> float:
     least = LEAST_THICKNESS * form.normal_module
     flank = (form.tip_diameter - root_form_diameter) / 2
     if flank < least:
-        raise DesignError(
-            f"{form} has no flank left: its root reaches to {root_form_diameter:.4g} mm, its tip to"
-            f" {form.tip_diameter:.4g} mm; raise profile_shift from {form.profile_shift:g} or addendum_factor"
+        raise ToothError(
+            Message(
+                "{gear} has no flank left: its root reaches to {root:.4g} mm, its tip to {tip_diameter:.4g} mm",
+                gear=str(form),
+                root=root_form_diameter,
+                tip_diameter=form.tip_diameter,
+            ),
+            Message("raise profile_shift from {profile_shift:g} or addendum_factor", profile_shift=form.profile_shift),
         )
     land = form.half_angle(form.tip_diameter) * form.tip_diameter
     if land < least:
-        raise DesignError(
-            f"{form} has pointed teeth: its tip land is {land:.4g} mm, and {least:.4g} mm is the least; lower"
-            f" profile_shift ({form.profile_shift:g}), addendum_factor ({form.addendum_factor:g}) or the thinning"
-            f" (E_sn = {form.tooth_thickness_deviation * 1e3:g} µm)"
+        raise ToothError(
+            Message(
+                "{gear} has pointed teeth: its tip land is {land:.4g} mm, and {least:.4g} mm is the least",
+                gear=str(form),
+                land=land,
+                least=least,
+            ),
+            Message(
+                "lower profile_shift ({profile_shift:g}), addendum_factor ({addendum_factor:g}) or the thinning (E_sn ="
+                " {deviation:g} µm)",
+                profile_shift=form.profile_shift,
+                addendum_factor=form.addendum_factor,
+                deviation=form.tooth_thickness_deviation * 1e3,
+            ),
         )
     largest = min((land - least) / 2, flank - least)
     if form.tip_chamfer > largest:
-        raise DesignError(f"{form} has tip_chamfer = {form.tip_chamfer:g}; give at most {largest:.4g} mm")
+        raise ToothError(
+            Message("{gear} has tip_chamfer = {tip_chamfer:g}", gear=str(form), tip_chamfer=form.tip_chamfer),
+            Message("give at most {largest:.4g} mm", largest=largest),
+        )
     return (land - 2 * form.tip_chamfer) / form.tip_diameter

@@ -23,6 +23,7 @@ from cadgen.errors import DesignError
 from cadgen.gears.choices import Law
 from cadgen.gears.distribution import ZoneSum
 from cadgen.gears.stage import Departure, PlayZone, Stage
+from cadgen.messages import Message
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,7 +84,11 @@ class TrainPlay:
             for stage, (play, i) in zip(self.train.stages, self._at_output(), strict=True)
         ]
         return ZoneSum(
-            names=tuple(f"stage {j}: {name}" for j, part in enumerate(parts, 1) for name in part.names),
+            names=tuple(
+                Message("stage {number}: {part}", number=j, part=name)
+                for j, part in enumerate(parts, 1)
+                for name in part.names
+            ),
             low=np.concatenate([part.low for part in parts]),
             high=np.concatenate([part.high for part in parts]),
             law=law,
@@ -101,7 +106,7 @@ def train_play(train: Train) -> TrainPlay:
         try:
             plays.append(stage.play())
         except DesignError as error:
-            raise DesignError(f"in stage {number}, {error}") from error
+            raise DesignError("in stage {number}, {error}", number=number, error=error.message) from error
     return TrainPlay(train=train, stages=tuple(plays))
 
 
@@ -115,7 +120,7 @@ def thinned(train: Train) -> Train:
         try:
             stages.append(stage.as_cut())
         except DesignError as error:
-            raise DesignError(f"in stage {number}, {error}") from error
+            raise DesignError("in stage {number}, {error}", number=number, error=error.message) from error
     return Train(tuple(stages))
 
 
@@ -160,10 +165,10 @@ def bearings(train: Train, clearance: float) -> tuple[Loose, ...]:
     ratios = [float(ratio) for ratio in train.output_ratios]
     return tuple(
         Loose(
-            name=f"bearings of stage {number}",
+            name=Message("bearings of stage {number}", number=number),
             least=0.0,
             greatest=stage.opened(clearance) / ratio,
-            cure=f"preload the bearings of stage {number}, which have",
+            cure=Message("preload the bearings of stage {number}, which have", number=number),
         )
         for number, (stage, ratio) in enumerate(zip(train.stages, ratios, strict=True), 1)
     )
@@ -216,6 +221,9 @@ class WholePlay:
         if not self.loose:
             return ""
         worst = max(self.loose, key=lambda one: one.greatest)
-        return (
-            f"{worst.cure} {degrees(worst.greatest):.2f}° of the {degrees(self.return_error_max):.2f}° of return error"
+        return Message(
+            "{cure} {part:.2f}° of the {whole:.2f}° of return error",
+            cure=worst.cure,
+            part=degrees(worst.greatest),
+            whole=degrees(self.return_error_max),
         )

@@ -7,6 +7,7 @@ from math import asin, degrees, floor, hypot, isfinite, pi
 
 from cadgen.errors import DesignError
 from cadgen.gears.stage import Wheel
+from cadgen.messages import Message
 from cadgen.parts.blank import Blank
 from cadgen.parts.body import Body, RadialHole, Slab
 from cadgen.parts.face import Face
@@ -70,11 +71,14 @@ def with_collar(blank: Blank, lower: Wheel, upper: Wheel, length: float, clearan
         return blank
     smaller = min(lower, upper, key=lambda form: form.root_diameter)
     least, most = _least_hub(blank), smaller.root_diameter - 2 * LEAST_WALL
-    _require(
-        least <= most,
-        f"{smaller} has no room for a collar between {least:.4g} mm over its bore and {most:.4g} mm under its root;"
-        " give a smaller bore",
-    )
+    if not least <= most:
+        raise DesignError(
+            "{gear} has no room for a collar between {least:.4g} mm over its bore and {most:.4g} mm under its root;"
+            " give a smaller bore",
+            gear=str(smaller),
+            least=least,
+            most=most,
+        )
     room = smaller.root_diameter - 2 * max(LEAST_WALL, clearance)
     return replace(blank, hub=Hub(diameter=max(floor(room * 10) / 10, least), length=length))
 
@@ -96,11 +100,14 @@ def cluster_body(lower: Wheel, upper: Wheel, blank: Blank | None = None, turn: f
     _check_upper(blank, upper)
     if not (blank.hub and blank.hub.length):
         seat = blank.hub.diameter if blank.hub else lower.root_diameter
-        _require(
-            upper.tip_diameter <= seat - 2 * LEAST_WALL,
-            f"{upper} does not fit on the {seat:.4g} mm that {lower} offers it;"
-            " put a collar (a hub with a length) between them",
-        )
+        if not upper.tip_diameter <= seat - 2 * LEAST_WALL:
+            raise DesignError(
+                "{upper} does not fit on the {seat:.4g} mm that {lower} offers it; put a collar (a hub with a length)"
+                " between them",
+                upper=str(upper),
+                seat=seat,
+                lower=str(lower),
+            )
     top = body.slabs[-1].end
     teeth = upper.outline.rotated(turn)
     return Body((*body.slabs, Slab(top, top + upper.width, (teeth, *_bore(blank)))), body.radial_hole)
@@ -126,19 +133,6 @@ def fits(form: Wheel, blank: Blank, *, upper: bool | None = None) -> bool:
     return True
 
 
-def _require(holds: bool, message: str) -> None:
-    if not holds:
-        raise DesignError(message)
-
-
-def _require_positive(form: Wheel, **lengths: float) -> None:
-    for name, value in lengths.items():
-        _require(
-            isfinite(value) and value > 0,
-            f"{form} has a {name.replace('_', ' ')} of {value:g} mm; give more than 0, or leave it out",
-        )
-
-
 def _rim_diameter(blank: Blank, form: Wheel) -> float:
     """Where the rim ends inwards: at the web's recess if there is one, else as deep as the teeth need it."""
     return form.root_diameter - 2 * (blank.web.rim_thickness if blank.web else form.least_rim)
@@ -159,43 +153,70 @@ def _least_hub(blank: Blank) -> float:
 
 def _check_kinds(blank: Blank, form: Wheel) -> None:
     """Refuse features for a disc alone; keyway and set screw stand at the angle 0, under a tooth."""
-    _require(not isinstance(blank.key, DFlat), f"{form} has a D-flat in its bore; give a keyway, or none")
-    _require(blank.edge_break == 0, f"{form} has broken edges; give the teeth a tip chamfer instead")
-    _require(not blank.hub or blank.hub.side == Face.OUTER, f"{form} has its hub on the inner face; give the outer one")
-    _require(blank.mark is None, f"{form} has a mark; leave it out, for its hub shows which face is up")
+    if isinstance(blank.key, DFlat):
+        raise DesignError("{gear} has a D-flat in its bore; give a keyway, or none", gear=str(form))
+    if blank.edge_break != 0:
+        raise DesignError("{gear} has broken edges; give the teeth a tip chamfer instead", gear=str(form))
+    if blank.hub and blank.hub.side != Face.OUTER:
+        raise DesignError("{gear} has its hub on the inner face; give the outer one", gear=str(form))
+    if blank.mark is not None:
+        raise DesignError("{gear} has a mark; leave it out, for its hub shows which face is up", gear=str(form))
     screw = blank.hub.set_screw if blank.hub else None
-    for name, feature in (("keyway", blank.key), ("set screw", screw)):
-        angle = feature.angle if feature else 0.0
-        _require(angle == 0, f"{form} has its {name} at {degrees(angle):g}°; give 0, which is under a tooth")
+    for name, feature in ((Message("keyway"), blank.key), (Message("set screw"), screw)):
+        if feature and feature.angle != 0:
+            raise DesignError(
+                "{gear} has its {feature} at {angle:g}°; give 0, which is under a tooth",
+                gear=str(form),
+                feature=name,
+                angle=degrees(feature.angle),
+            )
 
 
 def _check_bore(blank: Blank, form: Wheel) -> None:
     """The keyway must fit the bore, and both must leave a rim under the root."""
     key, bore = blank.key, blank.bore_diameter
-    _require(isfinite(bore) and bore >= 0, f"{form} has a bore of {bore:g} mm; give more than 0, or 0 for none")
-    if isinstance(key, Keyway):
-        _require_positive(form, keyway_width=key.width, keyway_depth=key.depth)
-        _require(
-            key.width < bore,
-            f"{form} has a keyway of {key.width:g} mm width in a bore of {bore:g} mm; give a narrower one",
+    if not (isfinite(bore) and bore >= 0):
+        raise DesignError(
+            "{gear} has a bore of {bore:g} mm; give more than 0, or 0 for none", gear=str(form), bore=bore
         )
+    if isinstance(key, Keyway):
+        for name, length in ((Message("keyway width"), key.width), (Message("keyway depth"), key.depth)):
+            if not (isfinite(length) and length > 0):
+                raise DesignError(
+                    "{gear} has a {size} of {length:g} mm; give more than 0, or leave it out",
+                    gear=str(form),
+                    size=name,
+                    length=length,
+                )
+        if not key.width < bore:
+            raise DesignError(
+                "{gear} has a keyway of {width:g} mm width in a bore of {bore:g} mm; give a narrower one",
+                gear=str(form),
+                width=key.width,
+                bore=bore,
+            )
     largest = form.root_diameter - 2 * form.least_rim
-    _require(
-        _reach(blank) <= largest,
-        f"{form} has a {'keyway' if key and bore <= largest else 'bore'} that reaches to"
-        f" {_reach(blank):.4g} mm diameter under its root of {form.root_diameter:.4g} mm;"
-        f" keep it within {largest:.4g} mm",
-    )
+    if not _reach(blank) <= largest:
+        raise DesignError(
+            "{gear} has a {feature} that reaches to {reach:.4g} mm diameter under its root of {root:.4g} mm; keep it"
+            " within {largest:.4g} mm",
+            gear=str(form),
+            feature=Message("keyway") if key and bore <= largest else Message("bore"),
+            reach=_reach(blank),
+            root=form.root_diameter,
+            largest=largest,
+        )
 
 
 def _check_upper(blank: Blank, upper: Wheel) -> None:
     """The upper of two gears needs a rim over the bore, and its teeth clear of the collar."""
     _check_bore(blank, upper)
-    if blank.hub and blank.hub.length:
-        _require(
-            blank.hub.diameter < upper.root_diameter,
-            f"the collar of {blank.hub.diameter:g} mm stands in the teeth of {upper};"
-            f" give a hub diameter under {upper.root_diameter:.4g} mm",
+    if blank.hub and blank.hub.length and not blank.hub.diameter < upper.root_diameter:
+        raise DesignError(
+            "the collar of {collar:g} mm stands in the teeth of {gear}; give a hub diameter under {root:.4g} mm",
+            collar=blank.hub.diameter,
+            gear=str(upper),
+            root=upper.root_diameter,
         )
 
 
@@ -204,26 +225,39 @@ def _check_web(blank: Blank, form: Wheel) -> None:
     if not blank.web:
         return
     if blank.hub is None:
-        raise DesignError(f"{form} has a web but no hub; give the hub's diameter")
+        raise DesignError("{gear} has a web but no hub; give the hub's diameter", gear=str(form))
     web, thickest = blank.web, form.width - 2 * LEAST_WALL
-    _require(
-        LEAST_WALL <= web.thickness <= thickest,
-        f"{form} has a web of {web.thickness:g} mm in a width of {form.width:g} mm; "
-        + _range(LEAST_WALL, thickest, "leave the web out, or give a greater width"),
-    )
+    if not LEAST_WALL <= web.thickness <= thickest:
+        raise DesignError(
+            "{gear} has a web of {web:g} mm in a width of {width:g} mm; {cure}",
+            gear=str(form),
+            web=web.thickness,
+            width=form.width,
+            cure=_range(LEAST_WALL, thickest, Message("leave the web out, or give a greater width")),
+        )
     least = form.least_rim
     most = (form.root_diameter - blank.hub.diameter) / 2 - LEAST_WALL
     narrowest, widest = _reach(blank) + 2 * LEAST_WALL, form.root_diameter - 2 * (least + LEAST_WALL)
-    smaller = f", or give a hub of {narrowest:.4g} to {widest:.4g} mm" if narrowest <= widest else ""
-    _require(
-        least <= web.rim_thickness <= most,
-        f"{form} has a rim of {web.rim_thickness:g} mm between its root of {form.root_diameter:.4g} mm and its hub of"
-        f" {blank.hub.diameter:g} mm diameter; " + _range(least, most, "leave the web out" + smaller),
-    )
+    if not least <= web.rim_thickness <= most:
+        smaller = Message(
+            "leave the web out, or give a hub of {narrowest:.4g} to {widest:.4g} mm",
+            narrowest=narrowest,
+            widest=widest,
+        )
+        raise DesignError(
+            "{gear} has a rim of {rim:g} mm between its root of {root:.4g} mm and its hub of {hub:g} mm diameter;"
+            " {cure}",
+            gear=str(form),
+            rim=web.rim_thickness,
+            root=form.root_diameter,
+            hub=blank.hub.diameter,
+            cure=_range(least, most, smaller if narrowest <= widest else Message("leave the web out")),
+        )
 
 
-def _range(low: float, high: float, otherwise: str) -> str:
-    return f"give {low:.4g} to {high:.4g} mm" if low <= high else otherwise
+def _range(low: float, high: float, otherwise: Message) -> Message:
+    """Cure of a length: the range in which it may lie, mm, or another one where there is none."""
+    return Message("give {low:.4g} to {high:.4g} mm", low=low, high=high) if low <= high else otherwise
 
 
 def _check_hub(blank: Blank, form: Wheel) -> None:
@@ -231,25 +265,33 @@ def _check_hub(blank: Blank, form: Wheel) -> None:
     if not blank.hub:
         return
     hub = blank.hub
-    _require(
-        isfinite(hub.length) and (hub.length > 0 or (hub.length == 0 and blank.web is not None)),
-        f"{form} has a hub of {hub.length:g} mm length; give more than 0, or 0 and a web",
-    )
-    least = _least_hub(blank)
-    largest = form.root_diameter - 2 * LEAST_WALL
-    _require(
-        least <= hub.diameter <= largest,
-        f"{form} has a hub of {hub.diameter:g} mm between its bore and its teeth; "
-        + _range(least, largest, "leave the hub out, or give a smaller bore"),
-    )
+    if not (isfinite(hub.length) and (hub.length > 0 or (hub.length == 0 and blank.web is not None))):
+        raise DesignError(
+            "{gear} has a hub of {length:g} mm length; give more than 0, or 0 and a web",
+            gear=str(form),
+            length=hub.length,
+        )
+    least, largest = _least_hub(blank), form.root_diameter - 2 * LEAST_WALL
+    if not least <= hub.diameter <= largest:
+        raise DesignError(
+            "{gear} has a hub of {hub:g} mm between its bore and its teeth; {cure}",
+            gear=str(form),
+            hub=hub.diameter,
+            cure=_range(least, largest, Message("leave the hub out, or give a smaller bore")),
+        )
     if screw := hub.set_screw:
         room = 2 * min(screw.height, hub.length - screw.height)
         widest = max(min(room, blank.bore_diameter) - 2 * LEAST_WALL, 0.0)
-        _require(
-            0 < screw.diameter <= widest,
-            f"{form} has a set screw of {screw.diameter:g} mm in a hub of {hub.length:g} mm length with a"
-            f" bore of {blank.bore_diameter:g} mm; give at most {widest:.4g} mm",
-        )
+        if not 0 < screw.diameter <= widest:
+            raise DesignError(
+                "{gear} has a set screw of {screw:g} mm in a hub of {length:g} mm length with a bore of {bore:g} mm;"
+                " give at most {widest:.4g} mm",
+                gear=str(form),
+                screw=screw.diameter,
+                length=hub.length,
+                bore=blank.bore_diameter,
+                widest=widest,
+            )
 
 
 def _bore(blank: Blank) -> tuple[Loop, ...]:
@@ -267,16 +309,27 @@ def _lightening_holes(blank: Blank, form: Wheel) -> tuple[Loop, ...]:
     middle, ring = (low + high) / 2, blank.lightening.circle_diameter
     pitch_radius = (middle if ring is None else ring) / 2
     largest = (high - low) / 2 - abs(2 * pitch_radius - middle) - 2 * LEAST_WALL
-    _require(
-        count >= 1 and LEAST_WALL <= diameter <= largest,
-        f"{form} has {count} lightening holes of {diameter:g} mm between {low:.4g} and {high:.4g} mm diameter; "
-        + _range(LEAST_WALL, largest, "leave them out"),
-    )
+    if not (count >= 1 and LEAST_WALL <= diameter <= largest):
+        raise DesignError(
+            "{gear} has {count} lightening holes of {diameter:g} mm between {low:.4g} and {high:.4g} mm diameter;"
+            " {cure}",
+            gear=str(form),
+            count=count,
+            diameter=diameter,
+            low=low,
+            high=high,
+            cure=_range(LEAST_WALL, largest, Message("leave them out")),
+        )
     most = pi / asin(min((diameter + 2 * LEAST_WALL) / (2 * pitch_radius), 1.0))
-    _require(
-        count <= max(most, 1.0),
-        f"{form} has {count} lightening holes of {diameter:g} mm on a circle of {2 * pitch_radius:.4g} mm diameter;"
-        f" give at most {max(int(most), 1)}, or smaller ones",
-    )
+    if not count <= max(most, 1.0):
+        raise DesignError(
+            "{gear} has {count} lightening holes of {diameter:g} mm on a circle of {circle:.4g} mm diameter; give at"
+            " most {most}, or smaller ones",
+            gear=str(form),
+            count=count,
+            diameter=diameter,
+            circle=2 * pitch_radius,
+            most=max(int(most), 1),
+        )
     centers = blank.lightening.centers() if ring else blank.lightening.centers_off_keyway(2 * pitch_radius)
     return tuple(circle(diameter, complex(x, y)) for x, y in centers)

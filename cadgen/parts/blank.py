@@ -10,6 +10,7 @@ from cadgen.arrays import TURN, Array
 from cadgen.curves.closed import Outline, cross, polar_angle
 from cadgen.curves.contour import Contour, circle, d_bore, keyway_bore
 from cadgen.errors import DesignError
+from cadgen.messages import Message, joined
 from cadgen.parts.body import RadialHole
 from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, Mark, Web
 
@@ -177,29 +178,36 @@ class Blank:
         if self.web:
             raise DesignError("a web is for a gear: leave it out of the disc's blank")
         if not self.bore_diameter > 0:
-            raise DesignError(f"the bore of a disc is {self.bore_diameter:g} mm: give it a diameter of more than 0")
+            raise DesignError(
+                "the bore of a disc is {bore:g} mm: give it a diameter of more than 0",
+                bore=self.bore_diameter,
+            )
         thinnest = min(self.walls(profile), key=lambda wall: wall.thickness)
         if thinnest.thickness <= 0:
             x, y = thinnest.place
             raise DesignError(
-                f"{thinnest.between} overlap by {-thinnest.thickness:.2f} mm at ({x:.1f}, {y:.1f}) mm: "
-                "make one of them smaller or move them apart (the design's [blank])"
+                "{between} overlap by {thickness:.2f} mm at ({x:.1f}, {y:.1f}) mm: make one of them smaller or move "
+                "them apart (the design's [blank])",
+                between=thinnest.between,
+                thickness=-thinnest.thickness,
+                x=x,
+                y=y,
             )
 
 
 @lru_cache(maxsize=8)  # checks, solids and meshes of a disc ask for the same walls
 def _walls(blank: Blank, profile: Outline) -> tuple[ThinWall, ...]:
-    core, name = blank.bore(), "bore"
+    core, name = blank.bore(), Message("bore")
     walls = [_to_rim(core, name, profile)]
     if blank.hub:
         hub = circle((0.0, 0.0), blank.hub.diameter / 2)
-        walls.append(_enclosed(core, name, hub.outline(_STEP), "hub"))
-        core, name = hub, "hub"
+        walls.append(_enclosed(core, name, hub.outline(_STEP), Message("hub")))
+        core, name = hub, Message("hub")
         walls.append(_to_rim(core, name, profile))
         walls += _screw_walls(blank.hub)
     holes, ring = blank.holes(), blank.lightening
-    names = [f"lightening hole {n}" for n in range(1, ring.count + 1)] if ring else []
-    names += ["mark"] if blank.mark else []
+    names = [Message("lightening hole {number}", number=n) for n in range(1, ring.count + 1)] if ring else []
+    names += [Message("mark")] if blank.mark else []
     if holes:
         rim = [_to_rim(hole, of_hole, profile) for hole, of_hole in zip(holes, names, strict=True)]
         walls.append(min(rim, key=lambda wall: wall.thickness))
@@ -207,14 +215,16 @@ def _walls(blank: Blank, profile: Outline) -> tuple[ThinWall, ...]:
         aside = _distance(core, centers) * np.sign(_beyond(centers, core.outline(_STEP)))
         inner = aside - radii
         worst = int(np.argmin(inner))
-        walls.append(ThinWall(f"{names[worst]} and {name}", float(inner[worst]), centers[worst]))
+        walls.append(ThinWall(joined((names[worst], name), " and "), float(inner[worst]), centers[worst]))
     if ring and ring.circle_diameter and ring.count > 1:
         apart = ring.circle_diameter * np.sin(np.pi / ring.count) - ring.hole_diameter
-        walls.append(ThinWall("two lightening holes", float(apart), (centers[0] + centers[1]) / 2))
+        walls.append(ThinWall(Message("two lightening holes"), float(apart), (centers[0] + centers[1]) / 2))
     if ring and blank.mark:
         between = np.linalg.norm(centers[:-1] - centers[-1], axis=1) - radii[:-1] - radii[-1]
         near = int(np.argmin(between))
-        walls.append(ThinWall(f"{names[near]} and mark", float(between[near]), (centers[near] + centers[-1]) / 2))
+        walls.append(
+            ThinWall(joined((names[near], names[-1]), " and "), float(between[near]), (centers[near] + centers[-1]) / 2)
+        )
     return tuple(replace(wall, thickness=wall.thickness - blank.edge_break) if wall.at_rim else wall for wall in walls)
 
 
@@ -226,13 +236,13 @@ def _screw_walls(hub: Hub) -> tuple[ThinWall, ...]:
     place = hub.diameter / 2 * np.array([np.cos(screw.angle), np.sin(screw.angle)])
     below = screw.height - screw.diameter / 2
     return (
-        ThinWall("set screw and disc", below, place),
-        ThinWall("set screw and the hub's end", hub.length - screw.height - screw.diameter / 2, place),
+        ThinWall(Message("set screw and disc"), below, place),
+        ThinWall(Message("set screw and the hub's end"), hub.length - screw.height - screw.diameter / 2, place),
     )
 
 
 def _to_rim(inner: Contour, name: str, profile: Outline) -> ThinWall:
-    return replace(_enclosed(inner, name, profile, "profile"), at_rim=True)
+    return replace(_enclosed(inner, name, profile, Message("profile")), at_rim=True)
 
 
 def _enclosed(inner: Contour, name: str, outer: Outline, outer_name: str) -> ThinWall:
@@ -240,11 +250,11 @@ def _enclosed(inner: Contour, name: str, outer: Outline, outer_name: str) -> Thi
     beyond = _beyond(points, outer)
     worst = int(np.argmax(beyond))
     if beyond[worst] >= 0:
-        return ThinWall(f"{name} and {outer_name}", -float(beyond[worst]), points[worst])
+        return ThinWall(joined((name, outer_name), " and "), -float(beyond[worst]), points[worst])
     near = outer.points[_may_be_nearest(inner, outer.points)]
     distance = _distance(inner, near)
     nearest = int(np.argmin(distance))
-    return ThinWall(f"{name} and {outer_name}", float(distance[nearest]), near[nearest])
+    return ThinWall(joined((name, outer_name), " and "), float(distance[nearest]), near[nearest])
 
 
 def _may_be_nearest(contour: Contour, points: Array) -> NDArray[np.bool_]:

@@ -152,6 +152,9 @@ def _require_nested(height: float, rings: list[Loop]) -> None:
     for outer, inner in pairwise(rings):
         if inner.radii[1] >= outer.radii[0]:
             raise DesignError(
-                f"the outlines of {2 * outer.radii[0]:.4g} mm and {2 * inner.radii[1]:.4g} mm diameter cross"
-                f" at {height:g} mm along the axis; make the inner one smaller or the outer one larger"
+                "the outlines of {outer:.4g} mm and {inner:.4g} mm diameter cross at {height:g} mm along the axis; "
+                "make the inner one smaller or the outer one larger",
+                outer=2 * outer.radii[0],
+                inner=2 * inner.radii[1],
+                height=height,
             )

@@ -56,8 +56,9 @@ class Keyway:
             if above < bore_diameter <= up_to:
                 return cls(width=width, depth=depth)
         raise DesignError(
-            f"no keyway is standardised for a bore of {bore_diameter:g} mm; give a bore above 6 up to 110 mm,"
-            " or the keyway's own width and depth"
+            "no keyway is standardised for a bore of {bore:g} mm; give a bore above 6 up to 110 mm, or "
+            "the keyway's own width and depth",
+            bore=bore_diameter,
         )
 
 

@@ -377,6 +377,9 @@ def bezier_poles(curve: Curve, tolerance: float) -> Points:
         if deviation <= tolerance:
             return np.asarray(poles)
     raise DesignError(
-        f"a tooth curve cannot be drawn within {tolerance * 1e3:g} µm (degree {HIGHEST_DEGREE} leaves"
-        f" {deviation * 1e3:g} µm); choose a smaller module"
+        "a tooth curve cannot be drawn within {tolerance:g} µm (degree {highest_degree} leaves {deviation:g} "
+        "µm); choose a smaller module",
+        tolerance=tolerance * 1e3,
+        highest_degree=HIGHEST_DEGREE,
+        deviation=deviation * 1e3,
     )

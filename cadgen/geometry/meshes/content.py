@@ -94,14 +94,14 @@ def _loop(mesh: Mesh, edges: Triangles, height: float) -> Array:
     """Corners of the loop of directed edges that holds the point farthest from the axis, counterclockwise."""
     after = dict(edges.tolist())
     if not after:
-        raise FileError(f"the mesh has no face at z = {height:g}: export it again")
+        raise FileError("the mesh has no face at z = {height:g}: export it again", height=height)
     boundary = np.array(list(after))
     first = int(boundary[np.argmax(np.linalg.norm(mesh.vertices[boundary], axis=1))])
     loop = [first]
     while (following := after.pop(loop[-1], None)) not in (first, None):
         loop.append(following)
     if following is None:
-        raise FileError(f"the outline of the mesh at z = {height:g} is open: export it again")
+        raise FileError("the outline of the mesh at z = {height:g} is open: export it again", height=height)
     corners = mesh.vertices[loop][:, :2]
     if np.sum(cross(corners, np.roll(corners, -1, axis=0))) < 0:
         corners = corners[::-1]

@@ -17,6 +17,7 @@ from cadgen.gears.stage import CONTRADICTION, PLAY_LIMIT_UM, Stage, Wheel
 from cadgen.gears.train import Train, TrainPlay, thinned
 from cadgen.geometry.meshes.mesh import body_mesh
 from cadgen.geometry.meshes.teeth import MeasuredPair, measured_pair, return_error
+from cadgen.messages import Message, joined
 from cadgen.parts.blank import Blank
 
 # Parts of which a volume in mm³ below this is common only touch: the rounding of the meshes.
@@ -29,8 +30,10 @@ def gear_checks(layout: TrainLayout, chords: Sequence[float]) -> tuple[Check, ..
     checks = [*_bodies(layout, chords), *_worst([_of_stage(stage) for stage in cut])]
     if meshes(cut):
         error = return_error_um(cut, [_built(stage, stage.centre_distance) for stage in cut])
-        code, name = CheckCode.RETURN_ERROR, "return error - computed"
-        checks.append(Check(code, name, abs(error), "µm", PLAY_LIMIT_UM, Bound.MAX, "whole train", CONTRADICTION))
+        code, name = CheckCode.RETURN_ERROR, Message("return error - computed")
+        checks.append(
+            Check(code, name, abs(error), "µm", PLAY_LIMIT_UM, Bound.MAX, Message("whole train"), CONTRADICTION)
+        )
     return tuple(checks)
 
 
@@ -77,15 +80,17 @@ def _bodies(layout: TrainLayout, chords: Sequence[float]) -> list[Check]:
         for part, chord in zip(layout.parts, chords, strict=True)
     ]
     shared = [
-        ((first ^ second).volume(), f"{layout.parts[i].name}, {layout.parts[j].name}")
+        ((first ^ second).volume(), joined((layout.parts[i].name, layout.parts[j].name)))
         for i, first in enumerate(solids)
         for j, second in enumerate(solids)
         if i < j
     ]
     worst, place = max(shared)
-    advice = "give a longer collar, smaller hubs, or more thinning"
+    advice = Message("give a longer collar, smaller hubs, or more thinning")
     met = place if worst > 0 else ""
-    return [Check(CheckCode.BODIES_OVERLAP, "bodies overlap", worst, "mm3", OVERLAP_LIMIT, Bound.MAX, met, advice)]
+    return [
+        Check(CheckCode.BODIES_OVERLAP, Message("bodies overlap"), worst, "mm3", OVERLAP_LIMIT, Bound.MAX, met, advice)
+    ]
 
 
 def _worst(stages: Sequence[Sequence[Check]]) -> list[Check]:
@@ -96,7 +101,8 @@ def _worst(stages: Sequence[Sequence[Check]]) -> list[Check]:
     worst: dict[StrEnum, Check] = {}
     for number, checks in enumerate(stages, 1):
         for check in checks:
-            placed = replace(check, place=", ".join(filter(None, (f"stage {number}", check.place))))
+            stage = Message("stage {number}", number=number)
+            placed = replace(check, place=joined((stage, check.place)) if check.place else stage)
             nearest = worst.setdefault(check.code, placed)
             if _reserve(check, nearest.limit) < _reserve(nearest, check.limit):
                 worst[check.code] = placed
@@ -168,8 +174,12 @@ def _require_meshable(layout: TrainLayout, chords: Sequence[float]) -> None:
     if corners > MOST_CORNERS:
         shortest = min(chords) * 1e3
         raise DesignError(
-            f"export.mesh_chord_um is {shortest:.4g}; with it the meshes of all gears have {corners} corners, and at "
-            f"most {MOST_CORNERS} are made: raise it to {1.05 * shortest * (corners / MOST_CORNERS) ** 2:.2g}"
+            "export.mesh_chord_um is {shortest:.4g}; with it the meshes of all gears have {corners} corners, and "
+            "at most {most} are made: raise it to {least:.2g}",
+            shortest=shortest,
+            corners=corners,
+            most=MOST_CORNERS,
+            least=1.05 * shortest * (corners / MOST_CORNERS) ** 2,
         )
 
 
@@ -179,4 +189,4 @@ def _inspect(train: Train) -> None:
         try:
             stage.wheel_facts()
         except DesignError as error:
-            raise DesignError(f"in stage {number}, {error}") from error
+            raise DesignError("in stage {number}, {error}", number=number, error=error.message) from error

@@ -47,7 +47,9 @@ class Mesh(NamedTuple):
         """
         solid = self.manifold()
         if solid.status() != Error.NoError:
-            raise FileError(f"the mesh of a gear is not closed ({solid.status().name}); choose another chord tolerance")
+            raise FileError(
+                "the mesh of a gear is not closed ({name}); choose another chord tolerance", name=solid.status().name
+            )
         return solid
 
 

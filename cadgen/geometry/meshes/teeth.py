@@ -23,6 +23,7 @@ import numpy as np
 
 from cadgen.errors import CheckError
 from cadgen.gears.stage import LEAST_OVERLAP, Stage, Wheel
+from cadgen.messages import Message
 from cadgen.parts.loop import Points
 
 # Greatest distance of a section's chords from the tooth curves, in mm.
@@ -128,9 +129,11 @@ class MeasuredPair:
         middle = self.middle(driver_angle)
         free, blocked = 0.0, pi / self.driven.teeth
         if self.overlap_midway(driver_angle) > LEAST_OVERLAP:
-            raise CheckError(self._fault("overlap midway between their flanks; thin the teeth, or set the axes apart"))
+            raise CheckError(
+                self._fault(Message("overlap midway between their flanks; thin the teeth, or set the axes apart"))
+            )
         if self.overlap_tooth_on_tooth(driver_angle) <= LEAST_OVERLAP:
-            raise CheckError(self._fault("pass each other freely; set the axes closer"))
+            raise CheckError(self._fault(Message("pass each other freely; set the axes closer")))
         while blocked - free > ANGLE_STEP:
             turned = (free + blocked) / 2
             if self.overlap(driver_angle, middle + side * turned) > LEAST_OVERLAP:
@@ -154,9 +157,14 @@ class MeasuredPair:
             self.centre_distance - self.driven.tip_radius - self.driver.root_radius,
         )
 
-    def _fault(self, fault: str) -> str:
-        teeth = f"{self.driver.teeth} and {self.driven.teeth} teeth"
-        return f"the sections with {teeth} at {self.centre_distance:g} mm {fault}"
+    def _fault(self, fault: Message) -> Message:
+        return Message(
+            "the sections with {driver} and {driven} teeth at {apart:g} mm {fault}",
+            driver=self.driver.teeth,
+            driven=self.driven.teeth,
+            apart=self.centre_distance,
+            fault=fault,
+        )
 
 
 def section_of(wheel: Wheel, chord_tolerance: float = CHORD_TOLERANCE) -> ToothSection:

@@ -273,8 +273,9 @@ def cam_part(profile: ClosedCurve, blank: Blank, thickness: float, *, name: str,
     bodies = solids(shape)
     if len(bodies) != 1 or not is_valid(bodies[0]):
         raise FileError(
-            f"the CAD kernel made {len(bodies)} solids of the cam, or an invalid one, where one valid solid "
-            "was wanted: check the profile and the design's [blank]"
+            "the CAD kernel made {bodies} solids of the cam, or an invalid one, where one valid solid was "
+            "wanted: check the profile and the design's [blank]",
+            bodies=len(bodies),
         )
     return SolidPart(solid=bodies[0], name=name, description=description, colour=_COLOUR)
 

@@ -151,7 +151,9 @@ def _drilled(sides: list[TopoDS_Shape], ends: list[TopoDS_Shape], hole: RadialHo
     slab = _closed([face for side in sides for face in faces(side)] + ends)
     cut = BRepAlgoAPI_Cut(slab, drill(hole))
     if not cut.IsDone():
-        raise FileError(f"the kernel cannot drill the set screw of {hole.diameter:g} mm; change its diameter")
+        raise FileError(
+            "the kernel cannot drill the set screw of {diameter:g} mm; change its diameter", diameter=hole.diameter
+        )
     return [face for face in faces(with_exact_crossings(cut.Shape())) if not any(face.IsSame(end) for end in ends)]
 
 
@@ -254,7 +256,7 @@ def read_assembly(path: Path) -> tuple[AssembledPart, ...]:
     roots, uses = Sequence_TDF_Label(), Sequence_TDF_Label()
     tool.GetFreeShapes(roots)
     if roots.Length() != 1 or not XCAFDoc_ShapeTool.GetComponents_s(roots.First(), uses):
-        raise FileError(f"{path.name} is not one assembly: export it again")
+        raise FileError("{name} is not one assembly: export it again", name=path.name)
     placed = []
     for use in (uses.Value(number) for number in range(1, uses.Length() + 1)):
         label = TDF_Label()

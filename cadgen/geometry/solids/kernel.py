@@ -156,8 +156,12 @@ def closed_wire(edges: Sequence[CurveEdge]) -> TopoDS_Wire:
         gap = before.curve.Value(before.last).Distance(start)
         if gap > TOLERANCE:
             raise FileError(
-                f"an outline is open by {gap:.2g} mm at ({start.X():.3f}, {start.Y():.3f}) mm, more than the "
-                f"CAD kernel's {TOLERANCE:g} mm: close the curve before making a solid of it"
+                "an outline is open by {gap:.2g} mm at ({x:.3f}, {y:.3f}) mm, more than the CAD kernel's "
+                "{tolerance:g} mm: close the curve before making a solid of it",
+                gap=gap,
+                x=start.X(),
+                y=start.Y(),
+                tolerance=TOLERANCE,
             )
         vertex = TopoDS_Vertex()
         builder.MakeVertex(vertex, start, TOLERANCE)

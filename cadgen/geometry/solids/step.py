@@ -112,7 +112,9 @@ def add_part(document: TDocStd_Document, part: SolidPart) -> TDF_Label:
     """
     if not (part.name + part.description).isascii():
         raise FileError(
-            f"{part.name!r} and {part.description!r} must be ASCII in a STEP file: the CAD kernel garbles other letters"
+            "{name!r} and {description!r} must be ASCII in a STEP file: the CAD kernel garbles other letters",
+            name=part.name,
+            description=part.description,
         )
     tool = XCAFDoc_DocumentTool
     label = tool.ShapeTool_s(document.Main()).AddShape(part.solid, False)
@@ -146,7 +148,7 @@ def document_bytes(document: TDocStd_Document, name: str, description: str) -> b
     _write_header(writer.Writer().Model(), name, description)
     stream = io.BytesIO()
     if not done or writer.WriteStream(stream) != IFSelect_RetDone:
-        raise FileError(f"the CAD kernel cannot write {name!r} as STEP: check the solid")
+        raise FileError("the CAD kernel cannot write {name!r} as STEP: check the solid", name=name)
     return _with_sorted_colours(stream.getvalue())
 
 
@@ -169,7 +171,7 @@ def read_document(path: Path) -> tuple[TDocStd_Document, list[StepBasic_Product]
     unhealed.Bind(TCollection_AsciiString("FixShape.FixSolidMode"), TCollection_AsciiString("0"))
     reader.SetShapeFixParameters(unhealed)
     if not read or not reader.Transfer(document):
-        raise FileError(f"the CAD kernel cannot read {path.name}: the file is damaged, export it again")
+        raise FileError("the CAD kernel cannot read {name}: the file is damaged, export it again", name=path.name)
     return document, _of_type(reader.Reader().WS(), StepBasic_Product)
 
 
@@ -215,7 +217,9 @@ def read_step(path: Path, step: float, land: tuple[float, float] | None = None) 
     rim, *rims = (read_rim(path, step, height) for height in land or (0.0,))
     for upper in rims:
         if not _are_alike(rim, upper):
-            raise FileError(f"the land between the broken edges in {path.name} is not upright: export it again")
+            raise FileError(
+                "the land between the broken edges in {name} is not upright: export it again", name=path.name
+            )
     return StepContent(rim=rim, **asdict(read_part(path)))
 
 
@@ -230,7 +234,12 @@ def read_part(path: Path) -> PartContent:
     labels = Sequence_TDF_Label()
     shapes.GetFreeShapes(labels)
     if labels.Length() != 1 or len(products) != 1:
-        raise FileError(f"{path.name} holds {labels.Length()} shapes and {len(products)} products, not one of each")
+        raise FileError(
+            "{name} holds {shapes} shapes and {products} products, not one of each",
+            name=path.name,
+            shapes=labels.Length(),
+            products=len(products),
+        )
     read = shapes.GetShape_s(labels.First())
     bodies = solids(read)
     shape = completed(read)
@@ -281,7 +290,9 @@ def _write_header(model: StepData_StepModel, name: str, description: str) -> Non
     try:
         stamp = datetime.fromtimestamp(int(seconds), UTC)
     except (ValueError, OverflowError, OSError) as error:
-        raise FileError(f"SOURCE_DATE_EPOCH is {seconds!r}; it must be a number of seconds since 1970") from error
+        raise FileError(
+            "SOURCE_DATE_EPOCH is {seconds!r}; it must be a number of seconds since 1970", seconds=seconds
+        ) from error
     header = APIHeaderSection_MakeHeader(model)
     header.SetName(_text(name))
     header.SetDescriptionValue(1, _text(description))

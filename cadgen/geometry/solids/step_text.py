@@ -51,18 +51,23 @@ def read_rim(path: Path, step: float, height: float = 0.0) -> Outline:
     try:
         text = path.read_text(encoding="ascii")
     except (OSError, UnicodeError) as error:
-        raise FileError(f"cannot read {path.name}: {error}") from error
+        raise FileError("cannot read {name}: {error}", name=path.name, error=str(error)) from error
     if not text.rstrip().endswith("END-ISO-10303-21;"):
-        raise FileError(f"{path.name} is not a whole STEP file: export it again")
+        raise FileError("{name} is not a whole STEP file: export it again", name=path.name)
     if not _UNIT.search(text):
-        raise FileError(f"{path.name} is not in millimetres: export it again")
+        raise FileError("{name} is not in millimetres: export it again", name=path.name)
     instances = {int(number): (kind, arguments) for number, kind, arguments in _INSTANCE.findall(text)}
     try:
         rims = _rims(instances, step, height)
     except (KeyError, IndexError, ValueError) as error:
-        raise FileError(f"{path.name} is damaged: export it again") from error
+        raise FileError("{name} is damaged: export it again", name=path.name) from error
     if len(rims) != 1:
-        raise FileError(f"{path.name} has {len(rims)} closed rims of B-splines at z = {height:g} where one was wanted")
+        raise FileError(
+            "{name} has {rims} closed rims of B-splines at z = {height:g} where one was wanted",
+            name=path.name,
+            rims=len(rims),
+            height=height,
+        )
     return _outline(rims[0], path)
 
 
@@ -103,7 +108,7 @@ def _points(instances: Instances, arguments: str, forward: bool, step: float) ->
 def _outline(edges: list[Array], path: Path) -> Outline:
     gaps = [np.linalg.norm(a[-1] - b[0]) for a, b in zip(edges, edges[1:] + edges[:1], strict=True)]
     if max(gaps) > _JOINT:
-        raise FileError(f"the rim in {path.name} is open by {max(gaps):.2g} mm: export it again")
+        raise FileError("the rim in {name} is open by {gap:.2g} mm: export it again", name=path.name, gap=max(gaps))
     points = np.concatenate(edges)[:, :2]
     piece = np.repeat(np.arange(len(edges)), [len(edge) for edge in edges])
     clockwise = np.sum(cross(points, np.roll(points, -1, axis=0))) < 0
@@ -177,10 +182,10 @@ def read_gear(path: Path, gears: Sequence[Wheel], starts: Sequence[float]) -> Ge
     try:
         bare = "".join(path.read_text(encoding="ascii").split())
     except (OSError, UnicodeError) as error:
-        raise FileError(f"cannot read {path.name}: {error}") from error
+        raise FileError("cannot read {name}: {error}", name=path.name, error=str(error)) from error
     solids = solids_in(bare)
     if not bare.endswith("END-ISO-10303-21;") or len(solids) != 1 or "SI_UNIT(.MILLI.,.METRE.)" not in bare:
-        raise FileError(f"{path.name} is not a whole STEP file of one solid in mm: export it again")
+        raise FileError("{name} is not a whole STEP file of one solid in mm: export it again", name=path.name)
     curves = _curves(bare, path)
     sections: list[ToothSection] = []
     errors: dict[type[Curve], float] = {}
@@ -218,7 +223,7 @@ def _rim_error(outline: Loop, bare: str, heights: tuple[float, float], path: Pat
             ]
         ).reshape(-1, 4)
     except (KeyError, ValueError) as error:
-        raise FileError(f"{path.name} is damaged: export it again") from error
+        raise FileError("{name} is damaged: export it again", name=path.name) from error
     worst = 0.0
     for arc in (curve for curve in outline.curves if isinstance(curve, Arc)):
         for centre in arc.centre * outline.turns:
@@ -242,7 +247,7 @@ def _curves(bare: str, path: Path) -> list[_Curves]:
             flat = np.all(z == z[:, :1], axis=1)  # where a set screw meets a hub, curves rise
             groups.append(_Curves((x + 1j * y)[flat], z[flat, 0]))
     except (KeyError, ValueError) as error:
-        raise FileError(f"{path.name} is damaged: export it again") from error
+        raise FileError("{name} is damaged: export it again", name=path.name) from error
     return groups
 
 
@@ -268,9 +273,13 @@ def _matched(
             copies = poles[near] / turns[tooth[near], None]
             spread = float(np.abs(copies - copies[0]).max())
             if spread > _SAME_END:
-                raise FileError(f"{path.name} has teeth that differ by {spread:.2g} mm: export it again")
+                raise FileError(
+                    "{name} has teeth that differ by {spread:.2g} mm: export it again", name=path.name, spread=spread
+                )
             return by_tooth
-    raise FileError(f"{path.name} does not have all the flanks and roots of {teeth} teeth: export it again")
+    raise FileError(
+        "{name} does not have all the flanks and roots of {teeth} teeth: export it again", name=path.name, teeth=teeth
+    )
 
 
 def _deviation(exact: Curve, poles: NDArray[np.complex128]) -> float:

@@ -34,7 +34,7 @@ from cadgen.inference.measurement.verdict import Judgement, Verdict
 from cadgen.jobs.calibration.new_cam import Built, agreed_places, expected_of, placed, with_joint_effect
 from cadgen.jobs.calibration.sources import Source, stated_form_error
 from cadgen.jobs.cam.cam_plan import plan_cam
-from cadgen.messages import joined
+from cadgen.messages import Message, joined
 from cadgen.progress import Progress, silent
 
 # A closed path is refused with these.
@@ -314,7 +314,7 @@ def _train(design: Design) -> tuple[tuple[float, ...], tuple[int, ...]]:
     if design.train is None:
         return (), ()
     train = arrange(gear_model.train(design), Order(design.optimize.order))[0].train
-    pairs = spur_pairs(train, "a calibration is")
+    pairs = spur_pairs(train, Message("a calibration is"))
     return tuple(float(pair.ratio) for pair in pairs), tuple(pair.driven.form.teeth for pair in pairs)
 
 

@@ -405,7 +405,7 @@ def _joint_notes(design: TrainDesign, play: TrainPlay) -> tuple[str, ...]:
 
 def _notes(design: TrainDesign, designed: Train, limits: SearchLimits) -> tuple[str, ...]:
     """Limits of the search, and the keys that searched trains do not take over from the stages given, in words."""
-    gears = [gear for pair in spur_pairs(designed, "the search is") for gear in (pair.driver, pair.driven)]
+    gears = [gear for pair in spur_pairs(designed, Message("the search is")) for gear in (pair.driver, pair.driven)]
     notes = [Message("searched: {limits}", limits=limits)]
     if left := gear_model.limits_left_out(design):
         notes.append(

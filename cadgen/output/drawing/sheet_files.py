@@ -327,16 +327,25 @@ def read_dimensions(path: Path) -> dict[str, float]:
         document = ezdxf.readfile(path)
         faults = document.audit().errors
         if faults:
-            raise FileError(f"{path.name} has {len(faults)} faults, the first: {faults[0].message}: write it again")
+            raise FileError(
+                "{name} has {faults} faults, the first: {message}: write it again",
+                name=path.name,
+                faults=len(faults),
+                message=faults[0].message,
+            )
         lengths = {}
         for entity in document.modelspace().query("DIMENSION"):
             name = next(value for code, value in entity.get_xdata(APP) if code == 1000)
             if name in lengths:
-                raise FileError(f"{path.name} has two dimensions named {name}: write it again")
+                raise FileError(
+                    "{name} has two dimensions named {dimension}: write it again", name=path.name, dimension=name
+                )
             factor = document.dimstyles.get(entity.dxf.dimstyle).dxf.dimlfac
             lengths[name] = float(entity.get_measurement()) * factor
     except (OSError, ezdxf.DXFError, StopIteration) as error:
-        raise FileError(f"{path.name} is no whole DXF of a drawing ({error}): write it again") from error
+        raise FileError(
+            "{name} is no whole DXF of a drawing ({error}): write it again", name=path.name, error=str(error)
+        ) from error
     return lengths
 
 
@@ -387,8 +396,9 @@ def know_far_eastern(letters: frozenset[str]) -> str:
             return file.name
     lacking = " ".join(sorted(letters, reverse=True)[:3])
     raise NoFontError(
-        f"no font of this system has {lacking}: install one with Chinese letters, such as Noto Sans CJK, or write "
-        "drawing.title and drawing.finish in Latin letters"
+        "no font of this system has {lacking}: install one with Chinese letters, such as Noto Sans CJK, or "
+        "write drawing.title and drawing.finish in Latin letters",
+        lacking=lacking,
     )
 
 
