@@ -12,8 +12,9 @@ from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import drive, start_pose
 from cadgen.design import cam_model, gear_model, variation
 from cadgen.design.schema import Design
+from cadgen.messages import Message, joined
 
-FIELD_NOTICE = (
+FIELD_NOTICE = Message(
     "[field] is drawn and checks nothing: with the field's size in [course.field], and posts, walls and gates in "
     "[course], every run is checked against them."
 )
@@ -65,31 +66,52 @@ class DriveWheel:
     blend: BlendEnd | None
     laps: tuple[int, int] | None = None
 
-    def sentence(self) -> str:
+    def sentence(self) -> Message:
         """Radius of the wheel and end of the run, in words."""
-        going = f"the car goes {self.turn:.0f} mm in a turn of the cam"
         if self.radius is None:
-            first = f"Drive wheel: {going}; its radius follows from the ratio of [train], which the design lacks."
+            first = Message(
+                "Drive wheel: the car goes {turn:.0f} mm in a turn of the cam; its radius follows from the ratio of "
+                "[train], which the design lacks.",
+                turn=self.turn,
+            )
         else:
             digits = 3 if self.laps is None else 4  # of a closed path all four are needed to give it in the design
-            radius = f"{self.radius:.{digits}f} mm"
-            first = f"Drive wheel: radius {radius}, {going}; the cam is right for this wheel alone."
+            first = Message(
+                "Drive wheel: radius {radius} mm, the car goes {turn:.0f} mm in a turn of the cam; the cam is right "
+                "for this wheel alone.",
+                radius=f"{self.radius:.{digits}f}",
+                turn=self.turn,
+            )
+        return joined((first, self._end()), " ")
+
+    def _end(self) -> Message:
+        """End of the run: of laps, of a path that is driven whole, or of one that the blend steers at last."""
         if self.laps is not None:
             in_turn, in_run = self.laps
-            turn = "a lap" if in_turn == 1 else f"{in_turn} laps of {self.turn / in_turn:.0f} mm"
-            return (
-                f"{first} The path is closed and a turn of the cam is {turn}; nothing is blended, and runs are judged "
-                f"after {'a lap' if in_run == 1 else f'{in_run} laps'}."
+            turn = (
+                Message("a lap")
+                if in_turn == 1
+                else Message("{laps} laps of {length:.0f} mm", laps=in_turn, length=self.turn / in_turn)
+            )
+            return Message(
+                "The path is closed and a turn of the cam is {turn}; nothing is blended, and runs are judged after "
+                "{run}.",
+                turn=turn,
+                run=Message("a lap") if in_run == 1 else Message("{laps} laps", laps=in_run),
             )
         if self.blend is None:
-            return (
-                f"{first} The whole path is driven by cam angle {degrees(self.finish):.2f}°, before the closing blend."
+            return Message(
+                "The whole path is driven by cam angle {finish:.2f}°, before the closing blend.",
+                finish=degrees(self.finish),
             )
-        return (
-            f"{first} The path takes the whole turn, so the closing blend steers the last {self.blend.stretch:.0f} mm: "
-            f"runs are judged to {degrees(self.finish):.2f}°, and at the end of the blend the car stands "
-            f"{self.blend.off:.1f} mm and {degrees(abs(self.blend.turned)):.2f}° off the path's end "
-            "(car.drive_wheel_radius_mm puts the blend behind the path)."
+        return Message(
+            "The path takes the whole turn, so the closing blend steers the last {stretch:.0f} mm: runs are judged to "
+            "{finish:.2f}°, and at the end of the blend the car stands {off:.1f} mm and {turned:.2f}° off the path's "
+            "end (car.drive_wheel_radius_mm puts the blend behind the path).",
+            stretch=self.blend.stretch,
+            finish=degrees(self.finish),
+            off=self.blend.off,
+            turned=degrees(abs(self.blend.turned)),
         )
 
     def facts(self) -> dict[str, Any]:

@@ -109,7 +109,7 @@ class PathPlanning:
                 )
             )
         if cam.laps is not None:
-            said = [cam.drive_wheel.sentence()]
+            said: list[str] = [cam.drive_wheel.sentence()]
             if cam.comparison is not None:
                 said += cam.laps.sentences(cam.comparison.run, cam.comparison.before, cam.comparison.chosen)
             lines += [sentence.removesuffix(".") for sentence in said]
