@@ -1,4 +1,4 @@
-"""One job from a design to verified files; the command line and other programs call these.
+"""Jobs from a design to verified files; the command line and other programs call these.
 
 | module        | what it holds                                            |
 |---------------|----------------------------------------------------------|

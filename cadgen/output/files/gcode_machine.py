@@ -62,7 +62,7 @@ class Work:
 
 @dataclass(frozen=True)
 class Move:
-    """One straight or circular move with its feed, in mm and mm/min; `sweep` is counterclockwise, rad."""
+    """A straight or circular move with its feed, in mm and mm/min; `sweep` is counterclockwise, rad."""
 
     line: int
     motion: str

@@ -49,7 +49,7 @@ class FittedConsole(Console):
 
 
 def _bound(text: Text) -> Text:
-    """The same text, held together where no line may end."""
+    """Text held together where no line may end."""
     text = text.copy()
     text.plain = _TOGETHER.sub(_BOND, text.plain)
     return text

@@ -48,7 +48,7 @@ class Field:
 
 @dataclass(frozen=True, kw_only=True)
 class TrackPanel:
-    """One picture of the field: a run, and the ends of the drive wheel for other plays, shape (k, 2), mm."""
+    """Picture of the field: a run, and the ends of the drive wheel for other plays, shape (k, 2), mm."""
 
     title: str
     run: Run
@@ -125,7 +125,7 @@ def _ends(axes: "Axes", track: Array, across: float) -> None:
 
 @dataclass(frozen=True, kw_only=True)
 class ErrorLine:
-    """One profile's errors along the run: at the play shown, and at the ends of the band."""
+    """Errors of a profile along the run: at the play shown, and at the ends of the band."""
 
     label: str
     at_play: RunError

@@ -22,12 +22,12 @@ def with_item(text: str, name: str, index: int, item: object) -> Iterator[str]:
 
 
 def without_item(text: str, name: str, index: int) -> Iterator[str]:
-    """The same without one of the items."""
+    """Text without one of the items."""
     return _edited(text, name, lambda written: _without(written, index))
 
 
 def with_exchange(text: str, name: str, index: int) -> Iterator[str]:
-    """The same with an item and the next one exchanged, with the comments on their lines where each has its own."""
+    """Text with an item and the next one exchanged; comments on their lines go with them where each has its own."""
     yield from _edited(text, name, lambda written: _exchanged(written, index, whole_lines=True))
     yield from _edited(text, name, lambda written: _exchanged(written, index, whole_lines=False))
 

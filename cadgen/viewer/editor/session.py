@@ -1,4 +1,4 @@
-"""One design that is edited: its text, the changes made and undone, and its file."""
+"""A design that is edited: its text, the changes made and undone, and its file."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
@@ -238,7 +238,7 @@ class Session:
 
 
 def _renamed(version: Version, name: str) -> Version:
-    """The same design under another name, whether its text has a name or leaves it to the file.
+    """Design under another name, whether its text has a name or leaves it to the file.
 
     Raises:
         DesignError: the name cannot be written into the text.

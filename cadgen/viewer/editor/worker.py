@@ -32,7 +32,7 @@ def computed(job: Job, progress: Progress) -> Result:
 
 
 class Worker:
-    """One process, begun when it is first needed and again after it was ended."""
+    """A process, begun when it is first needed and again after it was ended."""
 
     def __init__(self, work: Compute = computed, limit_s: float = LIMIT_S) -> None:
         """Make a worker.

@@ -139,7 +139,7 @@ class Part:
 
     @cached_property
     def shades(self) -> tuple[Shaded, Shaded]:
-        """Both meshes with normals and edges."""
+        """Fine and coarse mesh, each with normals and edges."""
         return shaded(self.mesh), shaded(self.coarse)
 
 

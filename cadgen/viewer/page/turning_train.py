@@ -38,7 +38,7 @@ class Stand(NamedTuple):
     side: float
 
     def mesh(self, chord: float) -> Mesh:
-        """Its mesh about its own axis at the height where it stands, mm.
+        """Mesh of the part about its own axis, at the height where it stands, mm.
 
         Args:
             chord: greatest distance of a chord from a curve, mm.
@@ -73,7 +73,7 @@ class TurningPart:
     lead: float
 
     def angle_at(self, motor: float, share: float) -> float:
-        """Its angle, rad.
+        """Angle of the part, rad.
 
         Args:
             motor: motor position in cam units, rad.
@@ -83,7 +83,7 @@ class TurningPart:
 
     @property
     def stand(self) -> Stand:
-        """Its body where it stands along its shaft."""
+        """Body of the part where it stands along its shaft."""
         return Stand(self.part.body, self.part.height + self.lift, -1.0 if self.part.flipped else 1.0)
 
     @property
