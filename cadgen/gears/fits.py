@@ -22,7 +22,6 @@ import re
 from math import acos
 
 from cadgen.errors import DesignError, brief
-from cadgen.gears.tolerances import standard_tolerance
 
 STEPS = (3.0, 6.0, 10.0, 18.0, 30.0, 50.0)  # upper limits of the steps of sizes, mm
 # How far the zone of a clearance fit keeps from the nominal size, um.
@@ -116,6 +115,8 @@ def clearance(fit: str, size: float) -> tuple[float, float]:
     Raises:
         DesignError: not a fit of this table, or a size beyond it.
     """
+    from cadgen.gears.tolerances import standard_tolerance  # loads numpy, which the table alone does without
+
     hole, hole_grade, shaft, shaft_grade = zones_of(fit, size)
     step = next(number for number, most in enumerate(STEPS) if size <= most)
     width, own = (float(standard_tolerance(size, grade)) * 1e3 for grade in (hole_grade, shaft_grade))
