@@ -105,7 +105,8 @@ def test_laps_have_the_errors_of_a_car_that_is_driven_all_of_them_by_other_code(
     played = [replace(each, end_with_play=each.spacing / 100) for each in card.computed.drawn]
     said = "the car is on the last lap at most 4 mm off the path, with posts 420 mm apart"
     assert said in settings_words.sentences(played, (0.01, 0.02), 3)[-1]
-    design, cam = card.computed.design, card.computed.cam
+    cam = card.cam
+    design = cam.car.design
     car, given = design.car, design.cam
     angles = np.radians(360 / truth.STEPS) * np.arange(truth.STEPS)
     for row in card.settings:
