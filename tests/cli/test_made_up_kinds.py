@@ -15,15 +15,15 @@ CAR = packaged_designs()["carbon_free_car"].read_text(encoding="utf-8")
 def shown(page: str) -> str:
     """The program that a page shows, down to the line that registers its kind, and the command line."""
     text = max((block.text for block in blocks(DOCS / page) if block.language == "python"), key=len)
-    registered = re.match(r".*^table\.register\(\w+\)\n", text, re.M | re.S)
+    registered = re.match(r".*^\w+\.register\(\w+\)\n", text, re.M | re.S)
     assert registered
     return f"{registered[0]}\n{MAIN}"
 
 
-def roller_car() -> str:
-    """The paper's car with a sliding roller in place of its rod."""
-    roller = '[follower]\nkind = "sliding_roller"\nradius_mm = 8.0\narm_mm = 25.0\n'
-    return re.sub(r"^\[follower\].*?(?=^\[)", f"{roller}\n", CAR, flags=re.M | re.S)
+def feeder() -> str:
+    """The page's own design: a roller with a motion, and no car."""
+    text = (DOCS / "how-to/followers.md").read_text(encoding="utf-8")
+    return text.partition('Design.from_toml("""')[2].partition('"""')[0].lstrip()
 
 
 def friction_car() -> str:
@@ -46,7 +46,7 @@ creep_deg = 0.2
 
 CASES = {
     "how-to/followers.md": (
-        roller_car,
+        feeder,
         (
             ("check", "car.toml", "--profile", "actual"),
             ("cam", "car.toml", "--profile", "actual", "--out", "out"),
