@@ -41,6 +41,7 @@ from cadgen.inference.measurement.reservations import (
 from cadgen.inference.measurement.runs_left_out import diagnose_logged
 from cadgen.inference.measurement.search import find
 from cadgen.inference.measurement.verdict import Judgement, Verdict, judge
+from cadgen.messages import Message
 from cadgen.progress import Progress, silent
 
 # A subset less likely than this does not change what is expected of the car.
@@ -384,7 +385,7 @@ def calibrate(
 
 
 def _contradicted(diagnosis: EvidenceDiagnosis) -> EvidenceDiagnosis:
-    limit = (
+    limit = Message(
         "the records contradict each other: they are likelier of several cars than of one, and so they were judged "
         "apart; make sure that they are of one car in one state"
     )

@@ -23,6 +23,7 @@ from cadgen.inference.measurement.model import Model, highest_order, repeating
 from cadgen.inference.measurement.record import Record, instrument
 from cadgen.inference.measurement.search import MOST_CAUSES
 from cadgen.inference.measurement.verdict import SIGMAS, Judgement, Verdict, unclaimed, within_error, within_words
+from cadgen.messages import Message, joined
 
 # What is left after the best subset, over what noise and the stated form error make: no part is so far off that was
 # made to the design at all, and no effect stands beside such a rest with a name.
@@ -121,9 +122,10 @@ def doubted(
     left = float(np.sqrt(np.mean(after**2)))
     judgement = replace(judgement, limits=(*judgement.limits, *_too_little(record, model)))
     if left > DWARFED * allowed:
-        sentence = (
-            f"What the best effects leave is {left / allowed:.0f} times what noise and the stated form error make, and "
-            "dwarfs every effect: check that the design and the profile belong to this file, and the file's units."
+        sentence = Message(
+            "What the best effects leave is {times:.0f} times what noise and the stated form error make, and dwarfs "
+            "every effect: check that the design and the profile belong to this file, and the file's units.",
+            times=left / allowed,
         )
         return replace(judgement, verdict=Verdict.UNEXPLAINED, sentence=sentence, claimed=())
     if no_noise := _no_noise(record, model, noise):
@@ -131,12 +133,16 @@ def doubted(
     if not judgement.claimed:
         return judgement
     if left > LARGE * allowed:
-        why = f"what remains is {left / allowed:.1f} times what noise and the stated form error make"
+        why = Message(
+            "what remains is {times:.1f} times what noise and the stated form error make", times=left / allowed
+        )
         return unclaimed(judgement, judgement.claimed, why)
     if causes(best.effects) >= MOST_CAUSES and chance < UNFIT:
-        sentence = (
-            f"Consistent with {' and '.join(e.name for e in best.effects)}, but what they leave is more than noise and "
-            f"form error: there are more than {MOST_CAUSES} effects, so sizes are not sure and nothing is claimed."
+        sentence = Message(
+            "Consistent with {names}, but what they leave is more than noise and form error: there are more than "
+            "{most} effects, so sizes are not sure and nothing is claimed.",
+            names=joined((Message(e.name) for e in best.effects), " and "),
+            most=MOST_CAUSES,
         )
         return replace(judgement, verdict=Verdict.AMBIGUOUS, sentence=sentence, claimed=())
     # That there is no friction is as sure a finding as that there is some.
@@ -144,7 +150,7 @@ def doubted(
     named = [e for e in best.effects if not e.shape and e.name not in free]
     stuck = {e.name: p.name for e in named for p in e.parameters if p.name in best.at_bound}
     for name, value in stuck.items():
-        judgement = unclaimed(judgement, [name], f"{value} of {name} is on the bound of what can be")
+        judgement = unclaimed(judgement, [name], _on_bound(value, name))
     unsure = [
         e.name
         for e, values, sigma in best.values()
@@ -153,38 +159,54 @@ def doubted(
     return unclaimed(judgement, unsure, within_words())
 
 
-def _no_noise(record: Record, model: Model, noise: Noise) -> str:
-    """Why what differs between runs is not the instrument's noise; empty if it may be."""
+def _on_bound(number: str, name: str) -> Message:
+    return Message("{number} of {name} is on the bound of what can be", number=number, name=Message(name))
+
+
+def _no_noise(record: Record, model: Model, noise: Noise) -> Message | None:
+    """Reason why what differs between runs is not the instrument's noise; None if it may be."""
     # With one run noise also holds what repeats, which neighbours share.
     if noise.runs > 1 and abs(noise.correlation) > OUT_OF_ORDER:
-        return (
-            f"The noise of neighbouring rows is correlated by {noise.correlation:.2f}, which no instrument's is: write "
-            "the rows in the order in which they were measured."
+        return Message(
+            "The noise of neighbouring rows is correlated by {correlation:.2f}, which no instrument's is: write the "
+            "rows in the order in which they were measured.",
+            correlation=noise.correlation,
         )
     stated = instrument(record)
     if stated and noise.runs > 1 and noise.rms > BEYOND_INSTRUMENT * stated.noise * UNITS[stated.unit]:
-        return (
-            f"The runs differ by {noise.rms / UNITS[model.unit]:.3g} {model.unit}, but the file says that the "
-            f"instrument's noise is {stated.noise:g} {stated.unit}: write the rows in the order in which they were "
-            "measured, and give runs of one part in one state."
+        return Message(
+            "The runs differ by {rms:.3g} {unit}, but the file says that the instrument's noise is {stated:g} "
+            "{stated_unit}: write the rows in the order in which they were measured, and give runs of one part in one "
+            "state.",
+            rms=noise.rms / UNITS[model.unit],
+            unit=model.unit,
+            stated=stated.noise,
+            stated_unit=stated.unit,
         )
-    return ""
+    return None
 
 
-def _too_little(record: Record, model: Model) -> list[str]:
+def _too_little(record: Record, model: Model) -> list[Message]:
     """Effects that these rows cannot show, in words."""
-    rows, limits = model.rows, []
+    rows = model.rows
+    limits: list[Message] = []
     if "direction" in record.columns and len(set(record.columns["direction"].tolist())) == 1:
-        limits.append("measured in one direction only: backlash and friction cannot be told from an offset or a phase")
+        limits.append(
+            Message("measured in one direction only: backlash and friction cannot be told from an offset or a phase")
+        )
     if not record.kind.around:
         return limits
     orders = highest_order(rows.place, rows.run)
     if orders < LEAST_ORDERS:
-        limits.append(f"too few points for fine shapes: the spacing resolves up to {orders} waves round the cam")
+        limits.append(
+            Message(
+                "too few points for fine shapes: the spacing resolves up to {orders} waves round the cam", orders=orders
+            )
+        )
     around = np.sort(np.degrees(rows.place) % 360.0)
     turn = 360.0 - float(np.max(np.diff(around, append=around[0] + 360.0)))
     if turn < LEAST_TURN_DEG:
-        limits.append(f"only {turn:.0f} degrees of the turn were measured: the rest is not judged")
+        limits.append(Message("only {turn:.0f} degrees of the turn were measured: the rest is not judged", turn=turn))
     return limits
 
 
@@ -212,10 +234,12 @@ def with_known_play(joint: Joint, best: Hypothesis, known: tuple[float, float] |
     (value,), (error,) = next((v, s) for e, v, s in best.values() if e == play)
     if abs(value - known[0]) > ANOTHER * (error**2 + known[1] ** 2) ** 0.5:
         (number,) = play.parameters
-        return best, (
-            f"the play measured apart, {known[0] / number.scale:.3f}°, is not the {value / number.scale:.3f} ± "
-            f"{error / number.scale:.3f}° that these data show beside friction, and was not used: make sure that it "
-            "is of the same car"
+        return best, Message(
+            "the play measured apart, {apart:.3f}°, is not the {value:.3f} ± {error:.3f}° that these data show beside "
+            "friction, and was not used: make sure that it is of the same car",
+            apart=known[0] / number.scale,
+            value=value / number.scale,
+            error=error / number.scale,
         )
     again = fit(joint, best.effects, best.active, Search(joint.rows), {play.key: known})
     return replace(again, penalty=best.penalty, spectrum=best.spectrum), ""
@@ -234,17 +258,27 @@ def with_friction_judged(judgement: Judgement, best: Hypothesis, *, play_known: 
         return judgement
     play, friction = pair
     if play.name not in judgement.claimed:
-        return unclaimed(judgement, [friction.name], f"{friction.name} shows only with a {play.name} that is sure")
+        why = Message(
+            "{friction} shows only with a {play} that is sure", friction=Message(friction.name), play=Message(play.name)
+        )
+        return unclaimed(judgement, [friction.name], why)
     numbers = {e.key: (float(v[0]), float(s[0])) for e, v, s in best.values()}
     (value, error), (holds, unsure) = numbers[play.key], numbers[friction.key]
     sure = (play_known or error <= APART_PLAY * value) and unsure <= APART_FRICTION
     if friction.name not in judgement.claimed or sure:
         return judgement
     scale = play.parameters[0].scale
-    limit = (
-        f"{play.name} and {friction.name} are not told apart: more play with more friction, {value / scale:.2f} ± "
-        f"{error / scale:.2f}° with {holds:.2f} ± {unsure:.2f}, does nearly the same to this cam; to tell them apart, "
-        f"{MEASURE_FRICTION}; set play.measured_deg, or give a transmission's file, and calibrate again"
+    limit = Message(
+        "{play} and {friction} are not told apart: more play with more friction, {value:.2f} ± {error:.2f}° with "
+        "{holds:.2f} ± {unsure:.2f}, does nearly the same to this cam; to tell them apart, {how}; set "
+        "play.measured_deg, or give a transmission's file, and calibrate again",
+        play=Message(play.name),
+        friction=Message(friction.name),
+        value=value / scale,
+        error=error / scale,
+        holds=holds,
+        unsure=unsure,
+        how=Message(MEASURE_FRICTION),
     )
     return replace(judgement, limits=(*judgement.limits, limit))
 

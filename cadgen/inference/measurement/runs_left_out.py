@@ -22,6 +22,7 @@ from cadgen.inference.measurement.findings import Finding, PathCandidate, PathDi
 from cadgen.inference.measurement.model import Model, slopes
 from cadgen.inference.measurement.record import Record
 from cadgen.inference.measurement.verdict import Judgement, Verdict, sigmas_of, unclaimed, within_words
+from cadgen.messages import Message, joined
 from cadgen.progress import Progress, silent
 
 LARGEST_SUBSET = 3
@@ -267,24 +268,31 @@ def _judgement(left_out: LeftOut) -> Judgement:
     common = set(names).intersection(*({e.name for e in t.effects} for t in rivals))
     verdict: Verdict
     if not names or gained < LEAST_GAIN:
-        verdict, common, sentence = Verdict.NONE, set(), "No effect lowers the path error on runs left out."
+        verdict, common = Verdict.NONE, set()
+        sentence = Message("No effect lowers the path error on runs left out.")
     elif runs < LEAST_RUNS:
         verdict, common = Verdict.AMBIGUOUS, set()
-        sentence = f"Consistent with {_names(chosen)}, but too few runs to tell it from chance."
+        sentence = Message("Consistent with {names}, but too few runs to tell it from chance.", names=_names(chosen))
     elif rivals:
         verdict = Verdict.AMBIGUOUS
-        sentence = f"Consistent with {_names(chosen)}; or {'; or '.join(_names(t) for t in rivals)}."
+        sentence = Message(
+            "Consistent with {names}; or {others}.", names=_names(chosen), others=joined(map(_names, rivals), "; or ")
+        )
     else:
         verdict = Verdict.TRACED if len(names) == 1 else Verdict.COMBINATION
-        sentence = (
-            f"Traced to {_names(chosen)}: the path error on runs left out falls from "
-            f"{before:.0f} to {chosen.error:.0f} mm."
+        sentence = Message(
+            "Traced to {names}: the path error on runs left out falls from {before:.0f} to {after:.0f} mm.",
+            names=_names(chosen),
+            before=before,
+            after=chosen.error,
         )
     likely = [chosen, *rivals] if verdict != Verdict.NONE else []
     limits: tuple[str, ...] = ()
     if runs < LEAST_RUNS:
-        given = "one run" if runs == 1 else f"{runs} runs"
-        limits = (f"{given} only: give at least {LEAST_RUNS}, to judge on runs left out",)
+        given = Message("one run") if runs == 1 else Message("{count} runs", count=runs)
+        limits = (
+            Message("{given} only: give at least {least}, to judge on runs left out", given=given, least=LEAST_RUNS),
+        )
     separate = {e.name: e.separated_by for t in likely for e in t.effects}
     judgement = Judgement(
         verdict=verdict,
@@ -292,18 +300,23 @@ def _judgement(left_out: LeftOut) -> Judgement:
         claimed=tuple(sorted(common)),
         reported=tuple(sorted({e.name for t in likely for e in t.effects})),
         rivals=tuple(tuple(e.name for e in t.effects) for t in rivals),
-        separate=tuple(f"{name}: {how}" for name, how in separate.items()),
+        separate=tuple(Message("{name}: {how}", name=Message(n), how=Message(how)) for n, how in separate.items()),
         limits=limits,
     )
     findings = _findings(chosen)
     for finding in findings:
         if finding.at_bound:
-            verb = "is" if len(finding.at_bound) == 1 else "are"
-            why = f"{' and '.join(finding.at_bound)} of {finding.effect} {verb} on the bound of what can be"
+            stuck = {"number": joined(finding.at_bound, " and "), "name": Message(finding.effect)}
+            why = (
+                Message("{number} of {name} is on the bound of what can be", **stuck)
+                if len(finding.at_bound) == 1
+                else Message("{number} of {name} are on the bound of what can be", **stuck)
+            )
             judgement = unclaimed(judgement, [finding.effect], why)
     unsure = [finding.effect for finding in findings if finding.within_error]
-    return unclaimed(judgement, unsure, f"{within_words(chosen.sigmas)}, which {runs} runs cannot tell from chance")
+    why = Message("{within}, which {runs} runs cannot tell from chance", within=within_words(chosen.sigmas), runs=runs)
+    return unclaimed(judgement, unsure, why)
 
 
-def _names(trial: LeftOutFit) -> str:
-    return " and ".join(e.name for e in trial.effects)
+def _names(trial: LeftOutFit) -> Message:
+    return joined((Message(e.name) for e in trial.effects), " and ")

@@ -17,6 +17,7 @@ from cadgen.inference.measurement.evidence import registered
 from cadgen.inference.measurement.hypothesis import Hypothesis
 from cadgen.inference.measurement.joint import Joint, Part
 from cadgen.inference.measurement.model import fourier, per_run, repeating
+from cadgen.messages import Message, joined
 
 # Runs disagree if the chi-square of their smooth differences has this chance or less.
 DISAGREE = 1e-6
@@ -142,13 +143,13 @@ def sigmas_of(freedom: float, choices: int = 1) -> float:
     return float(student.isf(norm.sf(SIGMAS) / choices, freedom)) if freedom > 0 else float("inf")
 
 
-def within_words(sigmas: float = SIGMAS) -> str:
-    """Why a number is not claimed.
+def within_words(sigmas: float = SIGMAS) -> Message:
+    """Reason why a number is not claimed.
 
     Args:
         sigmas: number of standard deviations.
     """
-    return f"within {sigmas:.3g} standard deviations of nothing"
+    return Message("within {sigmas:.3g} standard deviations of nothing", sigmas=sigmas)
 
 
 def within_error(
@@ -175,7 +176,8 @@ def unclaimed(judgement: Judgement, names: Sequence[str], why: str) -> Judgement
     dropped = [name for name in dict.fromkeys(names) if name in judgement.claimed]
     if not dropped:
         return judgement
-    limit = f"{why}, and so not claimed: {'; '.join(dropped)}"
+    names_dropped = [Message(name) for name in dropped]
+    limit = Message("{why}, and so not claimed: {names}", why=why, names=joined(names_dropped, "; "))
     judgement = replace(
         judgement,
         claimed=tuple(name for name in judgement.claimed if name not in dropped),
@@ -183,7 +185,12 @@ def unclaimed(judgement: Judgement, names: Sequence[str], why: str) -> Judgement
     )
     if judgement.verdict not in (Verdict.TRACED, Verdict.COMBINATION):
         return judgement
-    sentence = f"Consistent with {' and '.join(judgement.reported)}, but not sure of {' and '.join(dropped)}: {why}."
+    sentence = Message(
+        "Consistent with {reported}, but not sure of {names}: {why}.",
+        reported=joined(map(Message, judgement.reported), " and "),
+        names=joined(names_dropped, " and "),
+        why=why,
+    )
     return replace(judgement, verdict=Verdict.AMBIGUOUS, sentence=sentence)
 
 
@@ -198,20 +205,29 @@ def judge(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hypothesis]
         judgement, best = _beyond_floor(joint, loose, found)
     left, where = max((left_over(part, joint, best), part.record.source) for part in joint.parts)
     if judgement.verdict in (Verdict.UNTRACED_SHAPE, Verdict.PARTIAL, Verdict.NONE) and left > LEFT_OVER:
-        sentence = (
-            f"What remains is {left:.1f} times the noise and neither an effect of the catalogue nor a shape that "
-            "repeats: check that the design belongs to this file, and the file's units."
+        sentence = Message(
+            "What remains is {left:.1f} times the noise and neither an effect of the catalogue nor a shape that "
+            "repeats: check that the design belongs to this file, and the file's units.",
+            left=left,
         )
         return replace(judgement, verdict=Verdict.UNEXPLAINED, sentence=sentence, claimed=()), best
     if left > LEFT_OVER:
-        limit = f"what remains in {where} is {left:.1f} times its noise and has no name: something else is at work too"
+        limit = Message(
+            "what remains in {where} is {left:.1f} times its noise and has no name: something else is at work too",
+            where=where,
+            left=left,
+        )
         judgement = replace(judgement, limits=(*judgement.limits, limit))
     if judgement.verdict != Verdict.NONE and any(runs_disagree(part, best) for part in joint.parts):
-        sentence = "The runs differ from each other by more than the noise within them: nothing is claimed."
+        sentence = Message("The runs differ from each other by more than the noise within them: nothing is claimed.")
         return replace(judgement, verdict=Verdict.RUNS_DISAGREE, sentence=sentence, claimed=()), best
     if all(part.noise.runs == 1 for part in joint.parts):
-        limit = "one run only: noise cannot be told from what repeats, so no name is certain; repeat the measurement"
-        words = f"One run only: consistent with {_names(best)}, but noise cannot be told from what repeats."
+        limit = Message(
+            "one run only: noise cannot be told from what repeats, so no name is certain; repeat the measurement"
+        )
+        words = Message(
+            "One run only: consistent with {names}, but noise cannot be told from what repeats.", names=_names(best)
+        )
         if judgement.verdict != Verdict.NONE:
             judgement = replace(judgement, verdict=Verdict.AMBIGUOUS, sentence=words)
         return replace(judgement, claimed=(), limits=(limit, *judgement.limits)), best
@@ -222,7 +238,7 @@ def _less_single_runs(joint: Joint, judgement: Judgement, best: Hypothesis) -> J
     """A judgement that claims nothing which only records of one run show, of which the noise is not known."""
     several = [part for part in joint.parts if part.noise.runs > 1]
     alone = [e.name for e in best.effects if not any(e.key in part.names for part in several)]
-    return unclaimed(judgement, alone, "of one run only, whose noise cannot be told from what repeats")
+    return unclaimed(judgement, alone, Message("of one run only, whose noise cannot be told from what repeats"))
 
 
 def _within_floor(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hypothesis]:
@@ -318,17 +334,26 @@ def _beyond_floor(joint: Joint, loose: Hypothesis, found: list[Hypothesis]) -> t
     beyond = best.at(joint, loose=True)
     _, place, size, part = max((largest(part, joint, beyond) for part in joint.parts), key=lambda found: found[0])
     unit = part.model.unit
-    words = (
-        f"what remains is no effect of the catalogue: a smooth shape beyond the stated form error, largest "
-        f"({size / UNITS[unit]:+.3g} {unit}) at {np.degrees(place):.0f} deg"
-    )
-    if len(joint.parts) > 1:
-        words += f" in {part.record.source}"
+    stated = {"size": size / UNITS[unit], "unit": unit, "place": np.degrees(place)}
+    where = Message(" in {source}", source=part.record.source) if len(joint.parts) > 1 else ""
     if best.claims:
-        words = f"partly consistent with {_names(best)}; {words}"
+        sentence = Message(
+            "Partly consistent with {names}; what remains is no effect of the catalogue: a smooth shape beyond the "
+            "stated form error, largest ({size:+.3g} {unit}) at {place:.0f} deg{where}.",
+            names=_names(best),
+            where=where,
+            **stated,
+        )
+    else:
+        sentence = Message(
+            "What remains is no effect of the catalogue: a smooth shape beyond the stated form error, largest "
+            "({size:+.3g} {unit}) at {place:.0f} deg{where}.",
+            where=where,
+            **stated,
+        )
     judgement = Judgement(
         verdict=verdict,
-        sentence=words[0].upper() + words[1:] + ".",
+        sentence=sentence,
         claimed=tuple(sorted(claimed)),
         reported=tuple(sorted(reported)),
         rivals=tuple(tuple(e.name for e in h.effects) for h in rivals),
@@ -355,33 +380,52 @@ def _sure(best: Hypothesis, distinct: list[Hypothesis], scores: list[float]) -> 
     return frozenset(n for n, together in chance.items() if together >= sure_of(len(best.claims)) * weight.sum())
 
 
-def _sentence(verdict: Verdict, best: Hypothesis, rivals: list[Hypothesis], possible: list[str]) -> str:
+def _sentence(verdict: Verdict, best: Hypothesis, rivals: list[Hypothesis], possible: list[str]) -> Message:
     if verdict == Verdict.NONE:
-        return "No effect beyond noise and the stated form error."
+        return Message("No effect beyond noise and the stated form error.")
     if verdict == Verdict.RUNS_DISAGREE:
-        return "The runs differ from each other by more than the noise within them: nothing is claimed."
+        return Message("The runs differ from each other by more than the noise within them: nothing is claimed.")
     names = _names(best)
     if verdict in (Verdict.TRACED, Verdict.COMBINATION):
-        names = f"Traced to {names}{' together' if verdict == Verdict.COMBINATION else ''}"
-        twins = [f"{e.name} from {' or '.join(e.twins)}" for e in best.effects if e.twins]
-        names += f"; this data cannot tell {' nor '.join(twins)}" if twins else ""
-        return f"{names}; less likely but not ruled out: {', '.join(possible)}." if possible else f"{names}."
+        traced = (
+            Message("Traced to {names} together", names=names)
+            if verdict == Verdict.COMBINATION
+            else Message("Traced to {names}", names=names)
+        )
+        twins = [
+            Message("{name} from {twins}", name=Message(e.name), twins=joined(map(Message, e.twins), " or "))
+            for e in best.effects
+            if e.twins
+        ]
+        if twins:
+            traced = Message("{traced}; this data cannot tell {twins}", traced=traced, twins=joined(twins, " nor "))
+        if possible:
+            others = joined(map(Message, possible))
+            return Message("{traced}; less likely but not ruled out: {others}.", traced=traced, others=others)
+        return Message("{traced}.", traced=traced)
     if verdict == Verdict.UNTRACED_SHAPE:
-        return f"A shape that no effect of the catalogue makes: {names} ({_numbers(best)})."
+        return Message(
+            "A shape that no effect of the catalogue makes: {names} ({numbers}).", names=names, numbers=_numbers(best)
+        )
     if verdict == Verdict.PARTIAL:
         named = [e for e in best.effects if not e.shape]
         rest = [e for e in best.effects if e.shape]
-        return (
-            f"Partly traced to {' and '.join(e.name for e in named)}; beside it, {' and '.join(e.name for e in rest)}."
+        return Message(
+            "Partly traced to {named}; beside it, {rest}.",
+            named=joined((Message(e.name) for e in named), " and "),
+            rest=joined((Message(e.name) for e in rest), " and "),
         )
     if not rivals:
-        return f"Consistent with {names}, but not sure of each: of so many names none may be likely to be wrong."
-    others = "; or ".join(_names(h) for h in rivals)
-    return f"Consistent with {names}; or {others}: this data cannot tell."
+        return Message(
+            "Consistent with {names}, but not sure of each: of so many names none may be likely to be wrong.",
+            names=names,
+        )
+    others = joined(map(_names, rivals), "; or ")
+    return Message("Consistent with {names}; or {others}: this data cannot tell.", names=names, others=others)
 
 
-def _names(h: Hypothesis) -> str:
-    return " and ".join(e.name for e in h.effects) or "no effect"
+def _names(h: Hypothesis) -> Message:
+    return joined((Message(e.name) for e in h.effects), " and ") or Message("no effect")
 
 
 def _numbers(h: Hypothesis) -> str:
@@ -395,4 +439,4 @@ def _numbers(h: Hypothesis) -> str:
 
 def _separate(hypotheses: list[Hypothesis]) -> tuple[str, ...]:
     said = {e.name: e.separated_by for h in hypotheses for e in h.effects if e.separated_by}
-    return tuple(f"{name}: {how}" for name, how in said.items())
+    return tuple(Message("{name}: {how}", name=Message(name), how=Message(how)) for name, how in said.items())

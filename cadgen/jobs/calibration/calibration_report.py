@@ -29,33 +29,46 @@ from cadgen.inference.measurement.verdict import Verdict
 from cadgen.jobs.calibration.calibration import CalibrationPlan, ZoneMeans
 from cadgen.jobs.calibration.new_cam import Built
 from cadgen.jobs.calibration.sources import Source
+from cadgen.messages import Message, joined
 from cadgen.output.report.terminal import Block, Heading
 
 SIGNS = {"um": "µm", "deg": "°", "%": "%", "mm": "mm", "s": "s", "": ""}
 PLACES = {
-    Place.CAR: "stays with the car: simulate predicts with it, and a new cam is made for it",
-    Place.PROCESS: "every disc made this way has it: simulate predicts with it, and a new cam is cut to come right",
-    Place.PART: "belongs to the disc that was measured: simulate predicts with it, and a new cam has it no more",
-    Place.NOTED: "recorded only: it may be the instrument's, or it is nothing that a cam can take out",
+    Place.CAR: Message("Stays with the car: simulate predicts with it, and a new cam is made for it"),
+    Place.PROCESS: Message(
+        "Every disc made this way has it: simulate predicts with it, and a new cam is cut to come right"
+    ),
+    Place.PART: Message(
+        "Belongs to the disc that was measured: simulate predicts with it, and a new cam has it no more"
+    ),
+    Place.NOTED: Message("Recorded only: it may be the instrument's, or it is nothing that a cam can take out"),
 }
 _SHOWN_CANDIDATES = 6
-_CLAIMED = "what is claimed"
-_TOGETHER = "what is claimed, and for effects that are not sure by name but that the run shows together,"
+_CLAIMED = Message("what is claimed")
+_TOGETHER = Message("what is claimed, and for effects that are not sure by name but that the run shows together,")
 
 
 def report(calibration: CalibrationPlan) -> list[Block]:
     """Report of a calibration, in paragraphs and tables."""
     c = calibration
-    floor = f"; form error of the disc {c.form_error_um:g} µm rms ({c.form_error_from})" if c.track_length else ""
     every = all(built.claim.sure for built in c.built)
     blocks: list[Block] = [expected(c.outlook, _CLAIMED if every else _TOGETHER)] if c.outlook else []
-    blocks.append(f"{c.against.name}, {c.profile} profile{floor}.")
+    stated = {"name": c.against.name, "profile": c.profile, "error": c.form_error_um, "source": c.form_error_from}
+    blocks.append(
+        Message("{name}, {profile} profile; form error of the disc {error:g} µm rms ({source}).", **stated)
+        if c.track_length
+        else Message("{name}, {profile} profile.", name=c.against.name, profile=c.profile)
+    )
     if c.wheelbase is not None:
-        by = "a file says so" if c.wheelbase[1] else "the design's, since no file says it"
+        by = Message("a file says so") if c.wheelbase[1] else Message("the design's, since no file says it")
         blocks.append(
-            f"Wheelbase of the logged car {c.wheelbase[0]:g} mm ({by}); the design's cam plays no part in it."
+            Message(
+                "Wheelbase of the logged car {wheelbase:g} mm ({by}); the design's cam plays no part in it.",
+                wheelbase=c.wheelbase[0],
+                by=by,
+            )
         )
-    blocks += [f"Warning: {text}." for text in c.warnings]
+    blocks += [Message("Warning: {text}.", text=text) for text in c.warnings]
     for diagnosis in c.diagnoses:
         blocks += _record(diagnosis, c.files(diagnosis.kind))
     if c.zones is not None:
@@ -65,23 +78,33 @@ def report(calibration: CalibrationPlan) -> list[Block]:
     return blocks
 
 
-def expected(o: Outlook, made_for: str = _CLAIMED) -> str:
+def expected(o: Outlook, made_for: str = _CLAIMED) -> Message:
     """Sentences on the expected run with a new cam, and reasons not to cut it."""
-    words = (
-        f"A new cam made for {made_for} is expected to end the run {_length(o.new)} mm off ({_length(o.least)} to "
-        f"{_length(o.most)} mm in 90 %), the old one {_length(o.old)} mm; it is worse with a chance of {o.worse:.1%}."
+    words = Message(
+        "A new cam made for {made_for} is expected to end the run {new} mm off ({least} to {most} mm in 90 %), the old "
+        "one {old} mm; it is worse with a chance of {worse:.1%}.",
+        made_for=made_for,
+        new=_length(o.new),
+        least=_length(o.least),
+        most=_length(o.most),
+        old=_length(o.old),
+        worse=o.worse,
     )
     why = []
     if o.contradicted:
-        words = f"The records contradict each other: this goes by the track, where one was measured. {words}"
-    if o.explained is False:
-        why.append("what is found does not explain the measured runs" if not o.contradicted else "not all is explained")
+        words = Message(
+            "The records contradict each other: this goes by the track, where one was measured. {words}", words=words
+        )
+    if o.explained is False and o.contradicted:
+        why.append(Message("not all is explained"))
+    elif o.explained is False:
+        why.append(Message("what is found does not explain the measured runs"))
     if o.worse > WORSE:
-        why.append("it may be worse than the old one")
+        why.append(Message("it may be worse than the old one"))
     if why:
-        return f"Do not cut it: {listed(why, 'and')}; see what to measure below. {words}"
+        return Message("Do not cut it: {why}; see what to measure below. {words}", why=listed(why, "and"), words=words)
     if o.explained is None:
-        return f"{words} No track was measured, so what else the car has is not in this."
+        return Message("{words} No track was measured, so what else the car has is not in this.", words=words)
     return words
 
 
@@ -106,9 +129,11 @@ def summary(each: Sequence[CalibrationPlan]) -> list[Block]:
         "",
         Sheet("effects", "", ("file", "effects and sizes"), tuple(effects), words=2),
         "",
-        "Left out: each run with the effects fitted to the others; less form: with what the other runs say of the form "
-        "error taken away too.",
-        *(f"Warning: {text}." for c in each for text in c.warnings),
+        Message(
+            "Left out: each run with the effects fitted to the others; less form: with what the other runs say of the "
+            "form error taken away too."
+        ),
+        *(Message("Warning: {text}.", text=text) for c in each for text in c.warnings),
     ]
 
 
@@ -143,46 +168,63 @@ def _sizes(finding: Finding) -> str:
 def _record(diagnosis: Diagnosis, files: Sequence[Source]) -> list[Block]:
     j = diagnosis.judgement
     rows = sum(len(source.record.run) for source in files)
-    counts = f"{_plural(diagnosis.runs, 'run')}, {_plural(rows, 'row')}"
+    runs = Message("1 run") if diagnosis.runs == 1 else Message("{count} runs", count=diagnosis.runs)
     blocks: list[Block] = [
-        Heading(f"{diagnosis.kind.code}: {diagnosis.source} ({counts})"),
-        f"Verdict: {diagnosis.verdict}. {j.sentence}",
+        Heading(
+            Message(
+                "{kind}: {source} ({runs}, {rows} rows)",
+                kind=diagnosis.kind.code,
+                source=diagnosis.source,
+                runs=runs,
+                rows=rows,
+            )
+        ),
+        Message("Verdict: {verdict}. {sentence}", verdict=Message(str(diagnosis.verdict)), sentence=j.sentence),
     ]
     for finding in diagnosis.findings:
-        claimed = "" if finding.effect in j.claimed else " (not claimed)"
-        blocks.append(f"  {finding.effect}{claimed}: {_sizes(finding)}")
+        form = "  {effect}: {sizes}" if finding.effect in j.claimed else "  {effect} (not claimed): {sizes}"
+        blocks.append(Message(form, effect=Message(finding.effect), sizes=_sizes(finding)))
     if isinstance(diagnosis, EvidenceDiagnosis):
         blocks += ["", _residuals(diagnosis, files), "", _noise(diagnosis)]
     elif isinstance(diagnosis, PathDiagnosis):
         blocks += ["", _path_errors(diagnosis, files), ""]
-    blocks.append(f"Fitted and never claimed: {_datum(diagnosis)}.")
+    blocks.append(Message("Fitted and never claimed: {datum}.", datum=_datum(diagnosis)))
     if isinstance(diagnosis, EvidenceDiagnosis) and diagnosis.discrepancy:
-        blocks.append(f"Beside the effects, and never claimed: {sizes([diagnosis.discrepancy])}.")
-    verb = "decide" if diagnosis.verdict == Verdict.AMBIGUOUS else "make sure"
-    if diagnosis.verdict not in (Verdict.UNEXPLAINED, Verdict.RUNS_DISAGREE):
-        blocks += [f"To {verb}, {text}." for text in j.separate]
-    blocks += [f"Limit: {text}." for text in j.limits]
+        blocks.append(Message("Beside the effects, and never claimed: {sizes}.", sizes=sizes([diagnosis.discrepancy])))
+    if diagnosis.verdict == Verdict.AMBIGUOUS:
+        blocks += [Message("To decide, {text}.", text=text) for text in j.separate]
+    elif diagnosis.verdict not in (Verdict.UNEXPLAINED, Verdict.RUNS_DISAGREE):
+        blocks += [Message("To make sure, {text}.", text=text) for text in j.separate]
+    blocks += [Message("Limit: {text}.", text=text) for text in j.limits]
     blocks += ["", _candidates(diagnosis, files)]
     return blocks
 
 
-def _noise(diagnosis: EvidenceDiagnosis) -> str:
+def _noise(diagnosis: EvidenceDiagnosis) -> Message:
     unit = SIGNS[diagnosis.unit]
-    space = "" if unit == "°" else " "
-    alike = f", correlated by {diagnosis.correlation:.2f} between neighbours" if diagnosis.correlation else ""
-    return f"Noise between runs {_number(diagnosis.residual.noise)}{space}{unit}{alike}."
+    noise = f"{_number(diagnosis.residual.noise)}{'' if unit == '°' else ' '}{unit}"
+    if not diagnosis.correlation:
+        return Message("Noise between runs {noise}.", noise=noise)
+    return Message(
+        "Noise between runs {noise}, correlated by {correlation:.2f} between neighbours.",
+        noise=noise,
+        correlation=diagnosis.correlation,
+    )
 
 
 def _residuals(diagnosis: EvidenceDiagnosis, files: Sequence[Source]) -> Sheet:
     """Residual before, after and on runs left out: root mean squares over runs."""
     p, left = diagnosis.per_run, diagnosis.residual.left_out
-    head = [f"residual, rms in {SIGNS[diagnosis.unit]}", "before", "after", "left out"]
+    head: list[str] = [
+        Message("residual, rms in {unit}", unit=SIGNS[diagnosis.unit]),
+        *map(Message, ("before", "after", "left out")),
+    ]
     rows = [
         [name, *(_number(None if x is None else float(np.sqrt(np.mean(x[part] ** 2)))) for x in _columns(p))]
         for name, part in _parts(files).items()
     ]
     if left is not None:
-        head.append("less form error")
+        head.append(Message("less form error"))
         rows = [[*row, _number(left.repeating) if k == 0 else ""] for k, row in enumerate(rows)]
     return Sheet("residuals", "", tuple(head), tuple(tuple(row) for row in rows))
 
@@ -194,7 +236,8 @@ def _columns(p: PerRun | PathErrors) -> tuple[Array | None, ...]:
 def _path_errors(diagnosis: PathDiagnosis, files: Sequence[Source]) -> Sheet:
     """Path error before, after and on runs left out: means over runs."""
     p = diagnosis.per_run
-    head = (f"path error, rms in {SIGNS[diagnosis.unit]}", "before", "after", "left out", "before, start as logged")
+    names = map(Message, ("before", "after", "left out", "before, start as logged"))
+    head = (Message("path error, rms in {unit}", unit=SIGNS[diagnosis.unit]), *names)
     rows = [
         (name, *(_number(float(np.mean(x[part]))) for x in (p.before, p.after, p.held_out, p.as_logged)))
         for name, part in _parts(files).items()
@@ -202,7 +245,7 @@ def _path_errors(diagnosis: PathDiagnosis, files: Sequence[Source]) -> Sheet:
     return Sheet("path-errors", "", head, tuple(rows))
 
 
-def _datum(diagnosis: Diagnosis) -> str:
+def _datum(diagnosis: Diagnosis) -> Message:
     """Name of the datum and the range of its values, in words."""
     spans: dict[str, list[Value]] = {}
     for finding in diagnosis.datum if isinstance(diagnosis, EvidenceDiagnosis) else ():
@@ -211,30 +254,36 @@ def _datum(diagnosis: Diagnosis) -> str:
     numbers = []
     for name, values in spans.items():
         low, high = (end(values, key=lambda v: v.value) for end in (min, max))
-        several = f"{shown(low)[0]} to {shown(high)[0]}" if len(values) > 1 else " ± ".join(shown(low))
-        numbers.append(f"{name} {several}")
-    held = f", {diagnosis.held}" if isinstance(diagnosis, EvidenceDiagnosis) and diagnosis.held else ""
-    return diagnosis.kind.datum.words + held + (f" ({'; '.join(numbers)})" if numbers else "")
+        if len(values) > 1:
+            numbers.append(Message("{name} {low} to {high}", name=name, low=shown(low)[0], high=shown(high)[0]))
+        else:
+            numbers.append(Message("{name} {value}", name=name, value=" ± ".join(shown(low))))
+    held = diagnosis.held if isinstance(diagnosis, EvidenceDiagnosis) else ""
+    words = Message(diagnosis.kind.datum.words)
+    if held:
+        words = Message("{datum}, {held}", datum=words, held=held)
+    return Message("{datum} ({numbers})", datum=words, numbers=joined(numbers, "; ")) if numbers else words
 
 
 def _candidates(diagnosis: Diagnosis, files: Sequence[Source]) -> Sheet:
     best = diagnosis.candidates[:_SHOWN_CANDIDATES]
     rows = [*best, *(c for c in diagnosis.candidates if not c.effects and c not in best)]
     if not isinstance(diagnosis, PathDiagnosis):
-        return Sheet("candidates", "", ("candidates", "worse by"), tuple((_subset(c), f"{c.score:.1f}") for c in rows))
+        head = Message("candidates"), Message("worse by")
+        return Sheet("candidates", "", head, tuple((_subset(c), f"{c.score:.1f}") for c in rows))
     parts = _parts(files)
     by_path = [c for c in rows if isinstance(c, PathCandidate)]
     cells = [(_subset(c), *(_number(float(np.mean(c.held_out[p]))) for p in parts.values())) for c in by_path]
-    return Sheet("candidates", "", ("candidates, mm on runs left out", *parts), tuple(cells))
+    return Sheet("candidates", "", (Message("candidates, mm on runs left out"), *parts), tuple(cells))
 
 
 def _subset(candidate: Candidate) -> str:
-    return ", ".join(candidate.effects) or "no effect"
+    return joined(map(Message, candidate.effects)) or Message("no effect")
 
 
 def _parts(files: Sequence[Source]) -> dict[str, slice]:
     """All runs, and the runs of each file if there are several."""
-    parts = {"all runs": slice(None)}
+    parts: dict[str, slice] = {Message("all runs"): slice(None)}
     ends = np.cumsum([0, *(source.record.runs for source in files)]).tolist()
     if len(files) > 1:
         parts |= {s.record.source: slice(a, b) for s, (a, b) in zip(files, pairwise(ends), strict=True)}
@@ -242,123 +291,176 @@ def _parts(files: Sequence[Source]) -> dict[str, slice]:
 
 
 def _zones(means: ZoneMeans) -> list[Block]:
-    z = means.zones
+    z, why = means.zones, means.shortfall
     blocks: list[Block] = [
         Heading(f"{means.kind.code}: {means.source}"),
-        f"Verdict: {means.judgement.verdict}. {means.judgement.sentence}",
-        "A run over a smooth zone turns the cam by m, over a jump by m + B, over a wait by m - B. "
-        f"B = {z.return_error_deg:.3f} ± {z.sigma_deg:.3f}°; left over {z.misfit:+.2f} standard errors.",
+        Message(
+            "Verdict: {verdict}. {sentence}",
+            verdict=Message(str(means.judgement.verdict)),
+            sentence=means.judgement.sentence,
+        ),
+        Message(
+            "A run over a smooth zone turns the cam by m, over a jump by m + B, over a wait by m - B. B = {error:.3f} "
+            "± {sigma:.3f}°; left over {misfit:+.2f} standard errors.",
+            error=z.return_error_deg,
+            sigma=z.sigma_deg,
+            misfit=z.misfit,
+        ),
     ]
     for (order, tabled), compared in zip(means.tabled.items(), z.compared, strict=True):
-        where = "inside the interval" if compared.inside else "outside the interval"
         blocks.append(
-            f"The greatest return error of the {order} train by [train] is {tabled:.3f}°: {where}, B is "
-            f"{abs(compared.apart):.1f} standard errors {'above' if compared.apart > 0 else 'below'} it."
+            Message(
+                "The greatest return error of the {order} train by [train] is {tabled:.3f}°: {where}, B is {apart:.1f} "
+                "standard errors {side} it.",
+                order=order,
+                tabled=tabled,
+                where=Message("inside the interval") if compared.inside else Message("outside the interval"),
+                apart=abs(compared.apart),
+                side=Message("above") if compared.apart > 0 else Message("below"),
+            )
         )
     if not means.tabled:
-        blocks.append("The design has no [train], so there is no tabled return error to compare with.")
-    return [*blocks, *_shortfall(means)]
-
-
-def _shortfall(means: ZoneMeans) -> list[Block]:
-    z, why = means.zones, means.shortfall
+        blocks.append(Message("The design has no [train], so there is no tabled return error to compare with."))
     if why is None:
-        return [
-            f"The smooth zone turned {z.smooth_deg:.2f}°. What it should have turned is not known: the file's remarks "
-            'must say speed and time, as in "motor 60 rpm, 15 s a trial", and the design its [train].'
-        ]
-    less = "less" if why.missing_deg > 0 else "more"
-    return [
-        f"The smooth zone turned {z.smooth_deg:.2f} ± {z.smooth_sigma_deg:.2f}° and not {why.expected_deg:.2f}°: "
-        f"{abs(why.missing_deg):.2f}° {less}. Play taken up once costs no more than {z.return_error_deg:.1f}°, so it "
-        "is not the cause. Each of these alone would do, and one mean cannot choose: a mean motor speed of "
-        f"{why.speed_rpm:.1f} rpm; {why.lost_time_s:.2f} s of full speed lost in starting and stopping; a ratio of "
-        f"{why.ratio:.2f}. To decide: an encoder on the motor, or two run times. The difference between zones does not "
-        "depend on it, as long as it is the same in all of them."
-    ]
+        blocks.append(
+            Message(
+                "The smooth zone turned {turned:.2f}°. What it should have turned is not known: the file's remarks "
+                'must say speed and time, as in "motor 60 rpm, 15 s a trial", and the design its [train].',
+                turned=z.smooth_deg,
+            )
+        )
+        return blocks
+    blocks.append(
+        Message(
+            "The smooth zone turned {turned:.2f} ± {sigma:.2f}° and not {expected:.2f}°: {missing:.2f}° {less}. Play "
+            "taken up once costs no more than {error:.1f}°, so it is not the cause. Each of these alone would do, and "
+            "one mean cannot choose: a mean motor speed of {speed:.1f} rpm; {lost:.2f} s of full speed lost in "
+            "starting and stopping; a ratio of {ratio:.2f}. To decide: an encoder on the motor, or two run times. The "
+            "difference between zones does not depend on it, as long as it is the same in all of them.",
+            turned=z.smooth_deg,
+            sigma=z.smooth_sigma_deg,
+            expected=why.expected_deg,
+            missing=abs(why.missing_deg),
+            less=Message("less") if why.missing_deg > 0 else Message("more"),
+            error=z.return_error_deg,
+            speed=why.speed_rpm,
+            lost=why.lost_time_s,
+            ratio=why.ratio,
+        )
+    )
+    return blocks
 
 
 def _together(c: CalibrationPlan) -> list[Block]:
-    if not c.shared:
-        return []
-    blocks: list[Block] = [Heading("together")]
+    blocks: list[Block] = [Heading(Message("together"))] if c.shared else []
     for common in c.shared:
-        sources = listed(common.sources, "and")
+        name, sources = Message(common.deviation.name), listed(common.sources, "and")
         if common.agrees:
             values = ", ".join(f"{v.name} {' ± '.join(shown(v))}" for v in common.values)
-            blocks.append(f"{common.deviation.name} shows in {sources}, and they agree: {values} together.")
+            blocks.append(
+                Message(
+                    "{name} shows in {sources}, and they agree: {values} together.",
+                    name=name,
+                    sources=sources,
+                    values=values,
+                )
+            )
         else:
             best = at_work([claim for claim in c.claims if claim.deviation == common.deviation])[0]
             blocks.append(
-                f"{common.deviation.name} shows in {sources}, but not with one size (chance {common.chance:.0e}): it "
-                "is not one effect, or something else hides in one of them. That of the "
-                f"{best.kind.code} is taken, which is nearest to what the car drives with."
+                Message(
+                    "{name} shows in {sources}, but not with one size (chance {chance:.0e}): it is not one effect, or "
+                    "something else hides in one of them. That of the {kind} is taken, which is nearest to what the "
+                    "car drives with.",
+                    name=name,
+                    sources=sources,
+                    chance=common.chance,
+                    kind=best.kind.code,
+                )
             )
     return blocks
 
 
 def _built(c: CalibrationPlan) -> list[Block]:
     if not c.built:
-        return [Heading("as built"), "Nothing is claimed, so there is no as-built design."]
-    return [Heading("as built"), *map(sentence, c.built), *_waiting(c), *_held(c)]
+        return [Heading(Message("as built")), Message("Nothing is claimed, so there is no as-built design.")]
+    blocks: list[Block] = [Heading(Message("as built")), *map(sentence, c.built)]
+    if (o := c.outlook_agreed) is not None:  # once the user agrees to all that a new cam can take out
+        names = [
+            Message("{effect}, from {kind}", effect=Message(b.claim.finding.effect), kind=b.claim.kind.code)
+            for b in c.built
+            if b.waits
+        ]
+        blocks.append(
+            Message(
+                'With place = "car" for {names}, the run is expected to end {new} mm off ({least} to {most} mm in 90 '
+                "%), the new cam to be worse with a chance of {worse:.1%}.",
+                names=listed(names, "and"),
+                new=_length(o.new),
+                least=_length(o.least),
+                most=_length(o.most),
+                worse=o.worse,
+            )
+        )
+    if c.holds is not None:  # a car without play may be held by friction or drag
+        friction, angle = c.holds
+        drag = Message("drag")
+        if c.against.drag:
+            drag = Message("the drag of up to {drag:g} N·mm that the design has", drag=c.against.drag)
+        blocks.append(
+            Message(
+                "No play shows on this track, though the design allows some. Either the gears have none, or the cam is "
+                "held: sliding friction above {friction:.2f} does that everywhere (at {angle:.0f}° it takes most), or "
+                "{drag}, and oil or shaking would set it free. To know, {how}.",
+                friction=friction,
+                angle=np.degrees(angle),
+                drag=drag,
+                how=Message(MEASURE_FRICTION),
+            )
+        )
+    return blocks
 
 
-def _waiting(c: CalibrationPlan) -> list[Block]:
-    """Sentence on what is expected once the user agrees to all that a new cam can take out."""
-    if (o := c.outlook_agreed) is None:
-        return []
-    names = listed([f"{b.claim.finding.effect}, from {b.claim.kind.code}" for b in c.built if b.waits], "and")
-    return [
-        f'With place = "car" for {names}, the run is expected to end {_length(o.new)} mm off ({_length(o.least)} to '
-        f"{_length(o.most)} mm in 90 %), the new cam to be worse with a chance of {o.worse:.1%}."
-    ]
-
-
-def _held(c: CalibrationPlan) -> list[Block]:
-    """Sentence that a car without play may be held by friction or drag."""
-    if c.holds is None:
-        return []
-    friction, angle = c.holds
-    most = c.against.drag
-    drag = f"the drag of up to {most:g} N·mm that the design has" if most else "drag"
-    return [
-        f"No play shows on this track, though the design allows some. Either the gears have none, or the cam is held: "
-        f"sliding friction above {friction:.2f} does that everywhere (at {np.degrees(angle):.0f}° it takes most), or "
-        f"{drag}, and oil or shaking would set it free. To know, {MEASURE_FRICTION}."
-    ]
-
-
-def sentence(built: Built) -> str:
-    """A claimed effect, the sense of its numbers, and what becomes of it."""
-    finding, place = built.claim.finding, PLACES[built.place]
+def sentence(built: Built) -> Message:
+    """Sentence on a claimed effect, the sense of its numbers, and what becomes of it."""
+    finding, kind = built.claim.finding, built.claim.kind
+    place = PLACES[built.place]
     if built.instead is not None:
-        place = f"recorded only: the {built.instead.finding.effect} from {built.instead.kind.code} stands for it"
-    name = f"no {finding.effect}" if built.claim.absent else finding.effect
-    signs = "; ".join(p.meaning for p in built.claim.kind.named(finding.effect, dict(finding.indices)).parameters)
-    if built.place == Place.NOTED and built.instead is None:
+        place = Message(
+            "Recorded only: the {effect} from {kind} stands for it",
+            effect=Message(built.instead.finding.effect),
+            kind=built.instead.kind.code,
+        )
+    elif built.place == Place.NOTED:
         place = _of_train(finding) or place
-    of = f", the mean of {listed(built.mean_of, 'and')}" if built.mean_of else ""
-    unsure = "" if built.claim.sure else " The name is not sure; what it does to the run together with the others is."
-    words = f"{place[0].upper()}{place[1:]}.{unsure}"
-    return f"{name}, from {built.claim.kind.code}: {_sizes(finding)}{of} ({signs}). {words}"
+    name = Message(finding.effect)
+    words = Message(
+        "{name}, from {kind}: {sizes} ({signs}). {place}.",
+        name=Message("no {effect}", effect=name) if built.claim.absent else name,
+        kind=kind.code,
+        sizes=Message("{sizes}, the mean of {sources}", sizes=_sizes(finding), sources=listed(built.mean_of, "and"))
+        if built.mean_of
+        else _sizes(finding),
+        signs=joined((Message(p.meaning) for p in kind.named(finding.effect, dict(finding.indices)).parameters), "; "),
+        place=place,
+    )
+    if built.claim.sure:
+        return words
+    return Message("{words} The name is not sure; what it does to the run together with the others is.", words=words)
 
 
-def _of_train(finding: Finding) -> str:
-    """Why an effect of the train is only noted, and what a cam can do about it; empty for another effect."""
+def _of_train(finding: Finding) -> Message | None:
+    """Reason why an effect of the train is only noted, and what a cam can do about it; None for another effect."""
     turns = dict(finding.indices).get("turns_per_turn")
     if turns is not None and turns != round(turns):
-        return "recorded only: it does not repeat with every turn of the cam, and no cam takes it out"
+        return Message("Recorded only: it does not repeat with every turn of the cam, and no cam takes it out")
     if turns is None and finding.effect != WIND_UP.name:
-        return ""
-    return (
-        'recorded only, as it may be the instrument\'s; it repeats with every turn of the cam, so with place = "car" '
-        "a new cam takes it out, and every wheel must then stay on its shaft and in mesh as it was measured"
+        return None
+    return Message(
+        'Recorded only, as it may be the instrument\'s; it repeats with every turn of the cam, so with place = "car" a '
+        "new cam takes it out, and every wheel must then stay on its shaft and in mesh as it was measured"
     )
 
 
 def _number(value: float | None) -> str:
     return "-" if value is None or not isfinite(value) else f"{value:.4g}"
-
-
-def _plural(count: int, name: str) -> str:
-    return f"{count} {name}{'' if count == 1 else 's'}"

@@ -33,6 +33,7 @@ from cadgen.deviations.transmission import MESH, RATIO, Turned
 from cadgen.inference.measurement.model import Cache, Discrepancy, Rolled, elapsed, fourier
 from cadgen.inference.measurement.nominal import Nominal
 from cadgen.inference.measurement.record import Abscissa, Column, Datum, Kind, Record, Span, refuse_twice, said_of_runs
+from cadgen.messages import Message, joined
 
 # A car set by hand against a line, where no file says how: mm and rad, standard deviations.
 BY_HAND_MM, BY_HAND_RAD = 5.0, radians(0.5)
@@ -55,9 +56,12 @@ class StartSpread:
         """Standard deviations of x, y and heading, shape (3,)."""
         return np.array([self.place, self.place, self.heading])
 
-    def __str__(self) -> str:
-        source = "as the file says" if self.stated else "no file says how it was set"
-        return f"{self.place:g} mm and {np.degrees(self.heading):.3g}°, {source}"
+    @property
+    def words(self) -> Message:
+        """Spread of place and heading, and who says so."""
+        source = Message("as the file says") if self.stated else Message("no file says how it was set")
+        degrees = np.degrees(self.heading)
+        return Message("{place:g} mm and {heading:.3g}°, {source}", place=self.place, heading=degrees, source=source)
 
 
 StartSpreads = tuple[StartSpread, ...]  # one for each run
@@ -74,12 +78,13 @@ def settings(record: Record) -> StartSpreads:
     )
 
 
-def held(used: StartSpreads) -> str:
+def held(used: StartSpreads) -> Message:
     """Spreads that the start poses are held to, in words; runs of several files each by its own."""
     groups = _alike(used)
     if len(groups) == 1:
-        return f"held to {used[0]}"
-    return "held to " + "; ".join(f"{setting} ({_runs(runs)})" for setting, runs in groups.items())
+        return Message("held to {spread}", spread=used[0].words)
+    spreads = (Message("{spread} ({runs})", spread=one.words, runs=_runs(runs)) for one, runs in groups.items())
+    return Message("held to {spread}", spread=joined(spreads, "; "))
 
 
 def _alike(stated: StartSpreads) -> dict[StartSpread, list[int]]:
@@ -90,13 +95,13 @@ def _alike(stated: StartSpreads) -> dict[StartSpread, list[int]]:
     return groups
 
 
-def _runs(runs: list[int]) -> str:
+def _runs(runs: list[int]) -> Message:
     """Runs in words, counted from 1."""
     if len(runs) == 1:
-        return f"run {runs[0] + 1}"
+        return Message("run {number}", number=runs[0] + 1)
     if runs == list(range(runs[0], runs[-1] + 1)):
-        return f"runs {runs[0] + 1} to {runs[-1] + 1}"
-    return f"runs {', '.join(str(run + 1) for run in runs)}"
+        return Message("runs {first} to {last}", first=runs[0] + 1, last=runs[-1] + 1)
+    return Message("runs {numbers}", numbers=joined(str(run + 1) for run in runs))
 
 
 class Starts:
@@ -185,21 +190,36 @@ def doubts(used: StartSpreads, stated: StartSpreads, values: Array, sigmas: Arra
     """
     found, groups = [], _alike(stated)
     for setting, runs in groups.items():
-        here, shown = "" if len(groups) == 1 else f" of {_runs(runs)}", used[runs[0]]
+        here = "" if len(groups) == 1 else Message(" of {runs}", runs=_runs(runs))
+        shown = used[runs[0]]
         if shown != setting:
             found.append(
-                f"the starts{here} scatter by {shown.place:.3g} mm and {np.degrees(shown.heading):.3g}°, not by "
-                f"{setting}: they were judged with the scatter that they show; set the car against a stop"
+                Message(
+                    "the starts{here} scatter by {place:.3g} mm and {heading:.3g}°, not by {stated}: they were judged "
+                    "with the scatter that they show; set the car against a stop",
+                    here=here,
+                    place=shown.place,
+                    heading=np.degrees(shown.heading),
+                    stated=setting.words,
+                )
             )
         mean = values[runs].mean(axis=0)
         error = np.sqrt((shown.spread**2 + np.mean(sigmas[runs] ** 2, axis=0)) / len(runs))
         if chi2.sf(np.sum((mean / error) ** 2), 3) < CHANCE:
-            which = "all runs" if len(groups) == 1 else _runs(runs)
-            starts = "start off together" if len(runs) > 1 else "starts off"
+            which = Message("all runs") if len(groups) == 1 else _runs(runs)
             found.append(
-                f"{which if len(values) > 1 else 'the run'} {starts}, by ({mean[0]:.1f}, {mean[1]:.1f}) mm and "
-                f"{np.degrees(mean[2]):.2f}°, where {shown.place:.3g} mm and {np.degrees(shown.heading):.3g}° were "
-                "expected: make sure of the camera's frame, and of the line from which the car starts"
+                Message(
+                    "{which} {start}, by ({x:.1f}, {y:.1f}) mm and {turned:.2f}°, where {place:.3g} mm and "
+                    "{heading:.3g}° were expected: make sure of the camera's frame, and of the line from which the car "
+                    "starts",
+                    which=which if len(values) > 1 else Message("the run"),
+                    start=Message("start off together") if len(runs) > 1 else Message("starts off"),
+                    x=mean[0],
+                    y=mean[1],
+                    turned=np.degrees(mean[2]),
+                    place=shown.place,
+                    heading=np.degrees(shown.heading),
+                )
             )
     return tuple(found)
 

@@ -17,7 +17,7 @@ from cadgen.errors import FileError
 from cadgen.inference.measurement.findings import Finding, Value
 from cadgen.inference.measurement.record import Column, Datum, Kind, Method, Record
 from cadgen.inference.measurement.verdict import Judgement, Verdict, sigmas_of
-from cadgen.messages import joined
+from cadgen.messages import Message, joined
 
 
 class Zone(StrEnum):
@@ -130,20 +130,27 @@ def return_error(record: Record, tabled_deg: tuple[float, ...] = ()) -> Zones:
 def judged(record: Record, zones: Zones) -> tuple[Judgement, Finding]:
     """The verdict on zones, and the return error as a finding."""
     low, high = zones.interval_deg
-    size = f"{zones.return_error_deg:.3f}°, {100 * CONFIDENCE:g} % from {low:.3f} to {high:.3f}°"
+    size = Message(
+        "{error:.3f}°, {confidence:g} % from {low:.3f} to {high:.3f}°",
+        error=zones.return_error_deg,
+        confidence=100 * CONFIDENCE,
+        low=low,
+        high=high,
+    )
     value = Value("return_error_deg", zones.return_error_deg, zones.sigma_deg, "deg")
     finding = Finding(RETURN_ERROR.name, (value,), (), (), sigmas=sigmas_of(zones.freedom))
     verdict: Verdict
     if abs(zones.misfit) > MOST_MISFIT:
         verdict = Verdict.UNEXPLAINED
-        sentence = (
-            f"The three zones do not agree with one return error, by {abs(zones.misfit):.1f} standard errors: "
-            "check that all runs were started and stopped alike."
+        sentence = Message(
+            "The three zones do not agree with one return error, by {misfit:.1f} standard errors: check that all runs "
+            "were started and stopped alike.",
+            misfit=abs(zones.misfit),
         )
     elif low <= 0.0 or finding.within_error:
-        verdict, sentence = Verdict.NONE, f"No return error beyond chance: {size}."
+        verdict, sentence = Verdict.NONE, Message("No return error beyond chance: {size}.", size=size)
     else:
-        verdict, sentence = Verdict.TRACED, f"Traced to return error: {size}."
+        verdict, sentence = Verdict.TRACED, Message("Traced to return error: {size}.", size=size)
     names = (finding.effect,) if verdict == Verdict.TRACED else ()
     judgement = Judgement(verdict=verdict, sentence=sentence, claimed=names, reported=names, rivals=(), separate=())
     return judgement, finding
