@@ -103,7 +103,7 @@ def keys() -> tuple[Key, ...]:
     schema["properties"]["follower"] = follower
     # Those of a stage are those of spur gears.
     stage = stage_section(None).model_json_schema()
-    defs = {**schema["$defs"], **follower["$defs"], **stage["$defs"], "Stage": stage}
+    defs = {**schema["$defs"], **follower["$defs"], **stage["$defs"], "StageSection": stage}
     return tuple(_walk(schema, defs, ()))
 
 
