@@ -37,17 +37,17 @@ def import_of_build123d() -> float:
 
 
 def step_file(plan: CamPlan, folder) -> None:
-    part = cam_part(plan.curve, plan.blank, plan.rod.land, name="cam", description="benchmark")
+    part = cam_part(plan.curve, plan.blank, plan.follower_as_built.land, name="cam", description="benchmark")
     (folder / "cam.step").write_bytes(step_bytes(part))
-    roll(read_step(folder / "cam.step", STEP).rim, plan.rod, cam_angles(plan.steering))
+    roll(read_step(folder / "cam.step", STEP).rim, plan.follower_as_built, cam_angles(plan.application.steering))
 
 
 def mesh_files(plan: CamPlan, folder) -> None:
-    mesh = cam_mesh(plan.curve, plan.blank, plan.rod.land, CHORD)
+    mesh = cam_mesh(plan.curve, plan.blank, plan.follower_as_built.land, CHORD)
     (folder / "cam.stl").write_bytes(stl_bytes(mesh, "cam"))
     (folder / "cam.3mf").write_bytes(threemf_bytes(mesh, "cam", "benchmark"))
     for again in (read_stl(folder / "cam.stl"), read_3mf(folder / "cam.3mf")[0]):
-        roll(inspect(again, STEP).rim, plan.rod, cam_angles(plan.steering))
+        roll(inspect(again, STEP).rim, plan.follower_as_built, cam_angles(plan.application.steering))
 
 
 # Shares of `import build123d` that leave the whole command, with all its formats and imports, under twice it.

@@ -15,12 +15,14 @@ from cadgen.car.path_motion import PathMotion
 from cadgen.design.schema import Design as DesignValues
 from cadgen.design.schema import MotionDesign
 from cadgen.errors import CheckError
-from cadgen.jobs.cam.built_car import outlook_sentence
 from cadgen.jobs.cam.cam_facts import cam_facts
-from cadgen.jobs.cam.cam_plan import CamPlan, CarUse, SegmentUse
+from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.comparison import PAPER_PERCENT as PAPER_PERCENT
+from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.jobs.cam.cures import Cures as Cures
 from cadgen.jobs.cam.cures import find_cures
+from cadgen.jobs.cam.motion_cam import SegmentUse
+from cadgen.jobs.cam.steering_cam import CarUse
 from cadgen.output.files.publisher import Written, folder_of, refusal
 from cadgen.progress import Progress, silent
 
@@ -65,7 +67,7 @@ class Lift:
             DesignError: an angle is not a finite number.
         """
         angle = numbers("cam_angle", cam_angle, "rad") % TURN
-        return np.asarray(self.computed.rod.lift(self.computed.motion.q(angle)))
+        return np.asarray(self.computed.follower_as_built.lift(self.computed.motion.q(angle)))
 
     @cached_property
     def _extrema(self) -> tuple[Array, Array]:
@@ -172,9 +174,22 @@ class Cam(CamPlan):
     @property
     def design(self) -> "DesignValues | MotionDesign":
         """Values of the design that it was planned from."""
-        use = self.application
-        assert isinstance(use, CarUse | SegmentUse)
-        return use.design
+        assert isinstance(self.application, CarUse | SegmentUse)
+        return self.application.design
+
+    @property
+    def car(self) -> CarUse:
+        """Car that the cam steers, with its track, course and laps; mm and rad.
+
+        Raises:
+            DesignError: the cam is of a design with [motion].
+        """
+        return CarUse.of(self)
+
+    @property
+    def comparison(self) -> PlayComparison | None:
+        """Comparison under play; None for a profile that is not for play, and without a car."""
+        return self.application.comparison if isinstance(self.application, CarUse) else None
 
     @cached_property
     def lift(self) -> Lift:
@@ -204,13 +219,12 @@ class Cam(CamPlan):
     @property
     def wheel(self) -> str:
         """Radius of the drive wheel that the cam is for, and what the closing blend does to the path, in words."""
-        return self.drive_wheel.sentence() if isinstance(self.application, CarUse) else ""
+        return self.application.wheel
 
     @property
     def expected(self) -> str:
         """Expected run of the car on a cam of an as-built design, in a sentence; empty if nothing was measured."""
-        use = self.application
-        return outlook_sentence(use.design) if isinstance(use, CarUse) else ""
+        return self.application.expected
 
     @property
     def notes(self) -> tuple[str, ...]:

@@ -62,7 +62,8 @@ class Design(LoadedDesign):
             CheckError: no profile keeps the limits of [optimize].
         """
         from cadgen.api.cam import Cam
-        from cadgen.jobs.cam.cam_plan import plan_cam, plan_motion_cam
+        from cadgen.jobs.cam.motion_cam import plan_motion_cam
+        from cadgen.jobs.cam.steering_cam import plan_cam
 
         if isinstance(self.values, MotionDesign):
             return Cam.of(plan_motion_cam(self.values, profile, progress))
@@ -99,7 +100,7 @@ class Design(LoadedDesign):
             CheckError: no profile keeps the limits of [optimize].
         """
         from cadgen.api.cam import Cam
-        from cadgen.jobs.cam.cam_plan import plan_cam
+        from cadgen.jobs.cam.steering_cam import plan_cam
         from cadgen.jobs.simulation import simulated
 
         play = optional("play_deg", play_deg, 0, 180, "degrees")
@@ -117,8 +118,8 @@ class Design(LoadedDesign):
         """
         from cadgen.api.cam import Cam
         from cadgen.api.runs import Comparison
-        from cadgen.jobs.cam.cam_plan import comparison_of, plan_cam
         from cadgen.jobs.cam.remedies import remedies
+        from cadgen.jobs.cam.steering_cam import comparison_of, plan_cam
 
         design = self.complete()
         plan = plan_cam(design, "optimized", progress, all_trains=True)
@@ -154,7 +155,7 @@ class Design(LoadedDesign):
             FileError: the memory does not suffice for so many cars.
         """
         from cadgen.api.cam import Cam
-        from cadgen.jobs.cam.cam_plan import plan_cam
+        from cadgen.jobs.cam.steering_cam import plan_cam
         from cadgen.jobs.tolerance import CarSample, tolerance_of
 
         sample = CarSample(
@@ -309,9 +310,9 @@ class Design(LoadedDesign):
     def card(self, profile: str | None = None, *, progress: Progress = silent) -> "Card[Cam]":
         """Find what to set, by [settings], for each spacing of [course.spacing]; arguments and errors as in `cam`."""
         from cadgen.api.cam import Cam
-        from cadgen.jobs.cam.cam_plan import plan_cam
+        from cadgen.jobs.cam.steering_cam import plan_cam
         from cadgen.jobs.card import card_of, draw_of
 
         design = self.complete()
         draw = draw_of(design)
-        return card_of(Cam.of(plan_cam(design, profile, progress)), draw, progress)
+        return card_of(design, Cam.of(plan_cam(design, profile, progress)), draw, progress)

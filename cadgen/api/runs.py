@@ -32,7 +32,7 @@ class Comparison:
     remedies: tuple[Remedy, ...]
 
     def __repr__(self) -> str:
-        return f"<Comparison for {self.cam.design.name}, {len(self.compared)} compared, best {self.cam.profile}>"
+        return f"<Comparison for {self.cam.origin.name}, {len(self.compared)} compared, best {self.cam.profile}>"
 
     @property
     def compared(self) -> tuple[Evaluation, ...]:

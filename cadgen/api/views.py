@@ -15,7 +15,8 @@ from cadgen.errors import DesignError, FileError
 from cadgen.output.files.publisher import Written, folder_of
 from cadgen.progress import Progress, silent
 from cadgen.viewer.editor.session import Session
-from cadgen.viewer.page.page_plan import plan_motion_page, plan_page
+from cadgen.viewer.page.car_page import plan_page
+from cadgen.viewer.page.page_plan import plan_motion_page
 
 if TYPE_CHECKING:
     from cadgen.jobs.calibration.sources import Source

@@ -122,26 +122,26 @@ def checks(cam: "Cam", cures: "Cures") -> None:
     for sentence in filter(None, [cam.expected, cam.wheel]):
         Output().print(sentence)
     friction(cam)
-    figures(_of_profile(cam), (*cam.checks, *filter(None, [cam.edges])))
+    figures(_of_profile(cam), cam.figures)
     for line in cures.sentences():
         Output().print(line)
 
 
 def friction(cam: "Cam") -> None:
     """Print the effect that friction would have on the result, if it was computed without friction."""
-    if cam.comparison is not None and cam.comparison.rubbing:
-        Output().print(Text(shown(cam.comparison.rubbing), "yellow"))
+    for sentence in cam.application.warnings():
+        Output().print(Text(shown(sentence), "yellow"))
 
 
 def failures(cam: "Cam") -> None:
     """Print the checks that fail, with their advice; nothing if all pass."""
     if cam.failed:
-        title = Message("{name}: the {profile} profile fails its checks", name=cam.design.name, profile=cam.profile)
+        title = Message("{name}: the {profile} profile fails its checks", name=cam.origin.name, profile=cam.profile)
         figures(title, cam.failed, gap=True)
 
 
 def _of_profile(cam: "Cam") -> Message:
-    return Message("{name}, {profile} profile", name=cam.design.name, profile=cam.profile)
+    return Message("{name}, {profile} profile", name=cam.origin.name, profile=cam.profile)
 
 
 def figures(title: str, checks: "Sequence[Check]", *, gap: bool = False) -> None:

@@ -24,7 +24,7 @@ def comparison(cam: "Cam") -> None:
     chosen, before = comparison.chosen, comparison.before
     low, high = map(degrees, comparison.band.ends)
     text: str = ""  # of laps the notes say it
-    if cam.computed.laps is None and chosen is before:
+    if cam.car.laps is None and chosen is before:
         text = Message(
             "{profile} profile: over the band of {low:.3f} to {high:.3f}° the run ends {worst:.0f} mm off at most. ",
             profile=Message(chosen.profile.code),
@@ -32,7 +32,7 @@ def comparison(cam: "Cam") -> None:
             high=high,
             worst=chosen.band.worst_distance,
         )
-    elif cam.computed.laps is None:
+    elif cam.car.laps is None:
         first = Message("the cam as measured")
         if not before.measured:
             first = Message("the {profile} profile", profile=Message(before.profile.code))
@@ -117,7 +117,7 @@ def methods(cam: "Cam") -> None:
     if measured is not None:
         known = Message(", measured {play:.3f}°", play=degrees(measured))
     laps: str = ""
-    if cam.computed.laps is not None:
+    if cam.car.laps is not None:
         laps = Message("; positions are the greatest on the last turn of the cam")
     title = Message(
         "return error {low:.3f} to {high:.3f}°{measured}; errors at the end of the run with the play that each is cut "
@@ -218,7 +218,7 @@ def runs(simulation: "Simulation[Cam]") -> None:
         )
     begin = Message(
         "{name}, return error {play:.3f}°{forces}",
-        name=simulation.cam.design.name,
+        name=simulation.cam.origin.name,
         play=degrees(simulation.play),
         forces=forces,
     )
@@ -285,19 +285,18 @@ def fleet(run: "ToleranceRun[Cam]") -> None:
     console = Output()
     result = run.computed
     friction(run.cam)
-    design = result.cam.car.design
     for text in run.notes:
         console.print(text)
     title = Message(
         "{name}, {profile} profile: {cars} cars, seed {seed}, {law} law",
-        name=design.name,
+        name=result.cam.origin.name,
         profile=Message(str(result.cam.kind)),
         cars=result.samples,
         seed=result.seed,
-        law=Message(design.tolerances.law),
+        law=Message(result.law),
     )
     console.print(title, style="bold")
-    if result.cam.laps is not None:
+    if result.cam.car.laps is not None:
         console.print(
             Message(
                 "Position and heading are those where the last lap ends; a lap that turns about its start is right "

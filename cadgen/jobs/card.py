@@ -13,6 +13,7 @@ from cadgen.design import cam_model, draw_model
 from cadgen.design.schema import Design
 from cadgen.errors import CheckError
 from cadgen.figures import Sheet
+from cadgen.jobs.cam.steering_cam import CarUse
 from cadgen.jobs.settings_maker import TRIES, Maker
 from cadgen.jobs.simulation import C
 from cadgen.messages import Message, joined
@@ -32,11 +33,19 @@ class Card(Generic[C]):
         cam: cam, with its checks at the spacing that the course is stated at.
         draw: spacings that can be drawn.
         drawn: settings, in the order of the spacings.
+        settings: the settings of each spacing with error and room, as in the table; the unit stands in each name.
+        legend: meaning of the columns of the printed card.
+        sheet: the printed card's table; a spacing that is not kept is marked.
+        start_of: point of the car that the start is the place of, in words.
     """
 
     cam: C
     draw: Draw
     drawn: tuple[DrawnSpacing, ...]
+    settings: list[dict[str, Any]]
+    legend: list[str]
+    sheet: Sheet
+    start_of: str
 
     def __repr__(self) -> str:
         state = "passed" if self.passed else "failed"
@@ -46,6 +55,11 @@ class Card(Generic[C]):
     def computed(self) -> Self:
         """The whole result, for figures that are not named here: this object itself."""
         return self
+
+    @property
+    def use(self) -> CarUse:
+        """Car that the cam steers."""
+        return CarUse.of(self.cam)
 
     @property
     def passed(self) -> bool:
@@ -60,7 +74,7 @@ class Card(Generic[C]):
     @property
     def sentences(self) -> tuple[str, ...]:
         """The result in words, the most important first."""
-        comparison, laps = self.cam.comparison, self.cam.laps
+        comparison, laps = self.use.comparison, self.use.laps
         lines = settings_card.sentences(
             self.drawn,
             None if comparison is None else comparison.band.ends,
@@ -71,43 +85,24 @@ class Card(Generic[C]):
         names = joined(Message(check.name) for check in self.cam.failed)
         return (Message("the cam itself fails its checks ({names}): see cadgen check", names=names), *lines)
 
-    @property
-    def settings(self) -> list[dict[str, Any]]:
-        """The settings of each spacing with error and room, as in the table; the unit stands in each name."""
-        return settings_card.rows(self._design, self.drawn)
-
-    @property
-    def legend(self) -> list[str]:
-        """Meaning of the columns of the printed card."""
-        return settings_card.legend(self._design, self.drawn, self.draw.stated)
-
-    @property
-    def sheet(self) -> Sheet:
-        """The printed card's table; a spacing that is not kept is marked."""
-        return settings_card.sheet(self._design, self.drawn)
-
-    @property
-    def _design(self) -> Design:
-        return self.cam.car.design
-
     def table(self) -> tuple[list[str], list[list[str]]]:
         """The printed card's table as texts: headings, and the cells of each row."""
         return list(self.sheet.heads), [[cell.text for cell in row] for row in self.sheet.cells]
 
     def facts(self) -> dict[str, Any]:
         """The result as plain values, as in the manifest and with `--json`."""
-        origin, comparison = self.cam.origin, self.cam.comparison
+        origin, comparison = self.cam.origin, self.use.comparison
         return {
             "design": origin.name,
             "design_sha256": origin.content_hash,
             "overrides": list(origin.overrides),
             "cadgen": __version__,
             "profile": self.cam.kind.code,
-            "drive_wheel": self.cam.drive_wheel.facts(),
+            "drive_wheel": self.use.drive_wheel.facts(),
             "passed": self.passed,
             "failed": [check.code for check in self.cam.failed],
             "stated_spacing_mm": self.draw.stated,
-            "start_of": settings_card.planned_point(self._design),
+            "start_of": self.start_of,
             "worst_error_mm": self.worst.error,
             "worst_error_at_mm": self.worst.spacing,
             "return_error_deg": None if comparison is None else [degrees(end) for end in comparison.band.ends],
@@ -162,18 +157,27 @@ def draw_of(design: Design) -> Draw:
     return draw
 
 
-def card_of(cam: C, draw: Draw, progress: Progress = silent, *, tries: int = TRIES) -> Card[C]:
+def card_of(design: Design, cam: C, draw: Draw, progress: Progress = silent, *, tries: int = TRIES) -> Card[C]:
     """Settings for every spacing with a cam that is planned.
 
     Args:
-        cam: plan of the cam.
+        design: loaded design.
+        cam: plan of its cam.
         draw: the spacings.
         progress: function that is called with a few words on each step.
         tries: settings that are sought for a spacing at which the course is not kept.
     """
-    maker = Maker(cam, draw, tries)
+    maker = Maker(design, cam, draw, tries)
     rows = []
     for spacing in draw.spacings:
         progress(Message("settings for posts {spacing:g} mm apart", spacing=spacing))
         rows.append(maker.drawn(spacing))
-    return Card(cam=cam, draw=draw, drawn=tuple(rows))
+    return Card(
+        cam=cam,
+        draw=draw,
+        drawn=tuple(rows),
+        settings=settings_card.rows(design, rows),
+        legend=settings_card.legend(design, rows, draw.stated),
+        sheet=settings_card.sheet(design, rows),
+        start_of=settings_card.planned_point(design),
+    )

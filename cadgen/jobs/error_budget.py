@@ -5,8 +5,6 @@ from dataclasses import dataclass
 from math import degrees
 from typing import Any
 
-from cadgen.design import variation
-from cadgen.design.schema import Design
 from cadgen.deviations.deviation import Deviation
 from cadgen.inference.monte_carlo.budget import Budget, Cost, Process, by_process, error_budget
 from cadgen.inference.monte_carlo.cars import Cars
@@ -105,17 +103,15 @@ def _costs(budget: Budget) -> dict[str, Any]:
     }
 
 
-def budget_sheet(design: Design, fleet: Cars, tolerances: Tolerances) -> BudgetSheet:
+def budget_sheet(play_zones: Mapping[str, float], fleet: Cars, tolerances: Tolerances) -> BudgetSheet:
     """The error budget of a design.
 
     Args:
-        design: loaded design.
+        play_zones: half of the zone of each part of the play, rad.
         fleet: nominal car of the design.
         tolerances: tolerances of its cars.
     """
-    return BudgetSheet(
-        budget=error_budget(fleet, tolerances.half_widths, variation.play_zones(design)), processes=by_process(fleet)
-    )
+    return BudgetSheet(budget=error_budget(fleet, tolerances.half_widths, play_zones), processes=by_process(fleet))
 
 
 def unit_of(name: Deviation) -> tuple[str, float]:

@@ -11,11 +11,11 @@ from cadgen.car.course.body import place_of
 from cadgen.car.course.judge import Passage, turned_by
 from cadgen.car.running.drive import STEPS
 from cadgen.car.running.mechanics import Mechanics
-from cadgen.design import variation
 from cadgen.inference.monte_carlo.cars import Cars, Poses, nominal_cars
 from cadgen.inference.monte_carlo.course_margins import ClearanceItem, Complex, GateItem
-from cadgen.jobs.cam.cam_plan import CamPlan, comparison_of
+from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.course import CourseRun
+from cadgen.jobs.cam.steering_cam import CarUse, comparison_of
 
 _OUTLINE_STEP = 0.06  # mm; rolling errs by 0.01 um of lift
 _WINDOW = 600.0  # mm of the planned track to either side of a gate, in which a car may be early or late
@@ -36,19 +36,19 @@ def fleet_of(
         play: return error of the nominal car, rad.
         grid: cam angles of a turn on which the cars are integrated.
     """
-    task = comparison_of(plan).task
+    use, task = CarUse.of(plan), comparison_of(plan).task
     return nominal_cars(
         task.as_built.roll_new(plan.curve, task.follower, np.linspace(0.0, TURN, grid, endpoint=False), _OUTLINE_STEP),
         task.follower,
         task.car,
         task.length,
-        plan.steering,
+        use.steering,
         task.planned(),
-        wheel_radius=variation.wheel_radius(plan.car.design, task.length),
+        wheel_radius=use.wheel_radius,
         play=play,
         stations=stations,
         mechanics=mechanics,
-        expansion=variation.expansion(plan.car.design),
+        expansion=use.expansion,
     )
 
 

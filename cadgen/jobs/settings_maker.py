@@ -25,7 +25,8 @@ from cadgen.design.course import layout_of
 from cadgen.design.schema import Design
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.comparison import PlayComparison
-from cadgen.jobs.cam.course import CourseRun, OnCourse, play_checks
+from cadgen.jobs.cam.course import CourseRun, play_checks
+from cadgen.jobs.cam.steering_cam import CarUse
 
 _STATIONS = 3600  # at which the rod is rolled, an even number; the run then errs by 0.02 mm
 TRIES = 3  # settings that are sought for a spacing at which the course is not kept
@@ -39,11 +40,13 @@ class Maker:
     """Makes the settings of a cam.
 
     Attributes:
-        cam: plan of the cam.
+        design: loaded design.
+        cam: plan of its cam.
         draw: spacings that can be drawn.
         tries: settings that are sought for a spacing at which the course is not kept.
     """
 
+    design: Design
     cam: CamPlan
     draw: Draw
     tries: int = TRIES
@@ -54,7 +57,7 @@ class Maker:
         Args:
             spacing: spacing that is drawn, mm.
         """
-        design, track = self._design, self.cam.track
+        design, track = self.design, self._use.track
         target = draw_model.target(design, track, self.draw, spacing, self._nodes, self._motor, self._steering)
         knobs = draw_model.knobs(design, track, self._start(spacing))
         weights = np.ones(len(self._motor))
@@ -76,23 +79,23 @@ class Maker:
         return min(rows, key=lambda each: each.merit)
 
     def _start(self, spacing: float) -> tuple[float, float, float]:
-        return draw_model.start_of(self.draw, self.cam.track, spacing / self.draw.stated)
+        return draw_model.start_of(self.draw, self._use.track, spacing / self.draw.stated)
 
     @property
-    def _design(self) -> Design:
-        return self.cam.car.design
+    def _use(self) -> CarUse:
+        return CarUse.of(self.cam)
 
     @cached_property
     def _course(self) -> Course:
         """The course as stated; where the car starts the setting says."""
-        course = layout_of(self._design.course)
+        course = layout_of(self.design.course)
         assert course is not None  # it has spacings
         return replace(course, start=None)
 
     @property
     def _wanted(self) -> PathMotion:
         """Lift wanted, without play."""
-        return self.cam.steering if self.cam.comparison is None else self.cam.comparison.task.lift
+        return self._use.wanted
 
     @cached_property
     def _rod(self) -> LeaningRod:
@@ -101,9 +104,9 @@ class Maker:
     @cached_property
     def _plain(self) -> ClosedCurve:
         """Curve to be cut of the disc that gives the wanted lift without play."""
-        if self.cam.comparison is None:
+        if self._use.comparison is None:
             return self.cam.curve
-        return cam_model.as_built(self._design).precompensated(ACTUAL.curve(self._wanted, self._rod).curve)
+        return cam_model.as_built(self.design).precompensated(ACTUAL.curve(self._wanted, self._rod).curve)
 
     @cached_property
     def _stations(self) -> Array:
@@ -124,11 +127,11 @@ class Maker:
 
     @cached_property
     def _steering(self) -> Steering:
-        knobs = draw_model.knobs(self._design, self.cam.track, self._start(self.draw.stated))
+        knobs = draw_model.knobs(self.design, self._use.track, self._start(self.draw.stated))
         return Steering.of(self._rod, knobs.disc, knobs.head, lambda rod: self._contact(self._plain, rod).q)
 
     def _contact(self, cut: ClosedCurve, rod: LeaningRod) -> Contact:
-        return draw_model.contact(self._design, cut, rod, self._stations)
+        return draw_model.contact(self.design, cut, rod, self._stations)
 
     def _driven(self, spacing: float, target: Target, setting: CarSetting) -> tuple[DrawnSpacing, list[float]]:
         """The setting as it drives, and motor positions, rad, at which it does not keep the course."""
@@ -136,7 +139,8 @@ class Maker:
         contact = self._contact(self._plain, rod)
         lift = rolled_lift(contact, self._wanted, blend_start=self._wanted.blend_start)
         start, length = target.start(setting.values), target.rim * setting.travel
-        on = OnCourse(self._design, self.cam.track, self._wanted, self.draw.course(self._course, spacing))
+        assert self._use.course is not None  # it has spacings
+        on = replace(self._use.course, lift=self._wanted, course=self.draw.course(self._course, spacing))
 
         def driving(stop: float, steps: int) -> Run:
             return drive(lift, target.car, length, start=start, stop=stop, steps=steps, at_joints=True)
@@ -145,14 +149,14 @@ class Maker:
         off = self._off(held.run, spacing)
         checks = [*held.checks(), steering_check(lift, self._nodes, target.car)]
         with_play = None
-        if self.cam.comparison is not None:
+        if self._use.comparison is not None:
             contact = self._contact(self.cam.curve, rod)
-            lift = rolled_lift(contact, self.cam.steering, blend_start=self._wanted.blend_start)
-            comparison = _moved(self.cam.comparison, lift, start, length)
+            lift = rolled_lift(contact, self._use.steering, blend_start=self._wanted.blend_start)
+            comparison = _moved(self._use.comparison, lift, start, length)
             with_play = self._end_with_play(comparison, spacing)
             if self._course.judged == Judged.PLAY:
                 checks += play_checks(on, comparison)
-        checks += riding_checks(lift, rod, contact, self.cam.blank, cam_model.check_limits(self._design))
+        checks += riding_checks(lift, rod, contact, self.cam.blank, cam_model.check_limits(self.design))
         worst = int(np.argmax(off))
         place = planned_point(np.array([start.x + 1j * start.y]), np.array([start.heading]), target.offset)[0]
         row = DrawnSpacing(
@@ -171,15 +175,15 @@ class Maker:
         """Distance of the planned point of the car from the scaled path, as far as runs are judged, shape (n,), mm."""
         judged = int(np.searchsorted(run.motor, self._wanted.blend_start, side="right"))
         wheel = run.drive_wheel[:, 0] + 1j * run.drive_wheel[:, 1]
-        place = planned_point(wheel, run.heading, self._design.path.offset_mm)
-        wanted = draw_model.places(self._design, self.cam.track, self.draw, run.motor, spacing)
+        place = planned_point(wheel, run.heading, self.design.path.offset_mm)
+        wanted = draw_model.places(self.design, self._use.track, self.draw, run.motor, spacing)
         return np.asarray(np.abs(place - wanted)[:judged])
 
     def _end_with_play(self, comparison: PlayComparison, spacing: float) -> float:
         """Greatest distance from the path, at the end of the run or on its last lap, over the band of play, mm."""
         measured, band = comparison.band.measured, comparison.chosen.band.plays
         plays = band if measured is None else np.array([measured])
-        track, stop = self.cam.track, self._wanted.blend_start
+        track, stop = self._use.track, self._wanted.blend_start
         last = stop - (TURN / track.turn_laps if track.closed else 0.0)
         runs = (comparison.run(comparison.chosen, play) for play in plays.tolist())
         return max(float(self._off(run, spacing)[run.motor[run.motor <= stop] >= last].max()) for run in runs)

@@ -12,25 +12,20 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.car.against_play.evaluate import Evaluation
-from cadgen.car.course.layout import Shape
 from cadgen.car.running.drive import Run
 from cadgen.car.running.run_errors import Event, EventKind, RunError, deflected, deflection_sum, deflections, run_error
-from cadgen.design import cam_model
-from cadgen.design.course import body_of, layout_of
 from cadgen.design.schema import Design
-from cadgen.jobs.cam.built_car import as_built_sentences, assumed_play
 from cadgen.jobs.cam.cam_facts import cam_facts
-from cadgen.jobs.cam.cam_plan import CamPlan, comparison_of, plan_cam
-from cadgen.jobs.cam.car_facts import as_built_facts, mechanics_facts
+from cadgen.jobs.cam.cam_plan import CamPlan
+from cadgen.jobs.cam.car_facts import mechanics_facts
 from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.jobs.cam.course import CourseRun
 from cadgen.jobs.cam.cures import Cures, find_cures
-from cadgen.jobs.cam.mechanics import joint_sentences
-from cadgen.jobs.cam.wheel import field_notice
+from cadgen.jobs.cam.steering_cam import CarUse, comparison_of, plan_cam
 from cadgen.output.files.publisher import Artifact, Written, folder_of, publish
 from cadgen.output.files.tables import write_tracks
 from cadgen.output.report.cam_pictures import LiftPicture, draw_events, draw_lift
-from cadgen.output.report.tracks import ErrorLine, Field, TrackPanel, draw_run_errors, draw_tracks
+from cadgen.output.report.tracks import ErrorLine, TrackPanel, draw_run_errors, draw_tracks
 from cadgen.progress import Progress, silent
 
 # Cam of a result: its plan, or the plan with its verbs.
@@ -67,6 +62,11 @@ class Simulation(Generic[C]):
         """The whole result, for figures that are not named here: this object itself."""
         return self
 
+    @property
+    def use(self) -> CarUse:
+        """Car that the cam steers."""
+        return CarUse.of(self.cam)
+
     @cached_property
     def on_course(self) -> tuple[CourseRun, CourseRun] | None:
         """The planned run and the run with play, held against the course; None without [course].
@@ -74,7 +74,7 @@ class Simulation(Generic[C]):
         Raises:
             DesignError: no car can keep the course.
         """
-        course = self.cam.course
+        course = self.use.course
         return None if course is None else (course.planned, course.played(self.comparison, self.play))
 
     @cached_property
@@ -90,15 +90,15 @@ class Simulation(Generic[C]):
     @property
     def notes(self) -> tuple[str, ...]:
         """Sentences on what was assumed of the car, and what was measured."""
-        return car_notes(self.cam.car.design, float(self.planned.motor[-1]))
+        return self.use.run_notes(float(self.planned.motor[-1]))
 
     def facts(self) -> dict[str, Any]:
         """The runs as plain values, as in the manifest and with `--json`."""
-        plan, comparison, laps = self.cam, self.comparison, self.cam.laps
+        plan, use, comparison, laps = self.cam, self.use, self.comparison, self.use.laps
         runs = {"before": self.before, "after": self.after}
         return {
             **plan.origin.facts(),
-            "drive_wheel": plan.drive_wheel.facts(),
+            "drive_wheel": use.drive_wheel.facts(),
             "profile": plan.kind.code,
             "passed": plan.passed,
             "failed_checks": [check.name for check in plan.failed],
@@ -107,7 +107,7 @@ class Simulation(Generic[C]):
             "cut_for_deg": degrees(comparison.chosen.made_for),
             "mechanics": mechanics_facts(comparison.task.mechanics, comparison.chosen.lift),
             "friction_note": comparison.rubbing,
-            "as_built": as_built_facts(plan.car.design, float(self.planned.motor[-1])),
+            "as_built": use.as_built_facts(float(self.planned.motor[-1])),
             "events": [{"kind": event.kind, **event.figures.facts()} for event in self.events],
             "deflection_sum_deg": degrees(deflection_sum(self.events)),
             "before": self.before_error.figures.facts(),
@@ -131,10 +131,10 @@ class Simulation(Generic[C]):
         Raises:
             FileError: a file cannot be written, or holds something else when it is read back.
         """
-        comparison, design = self.comparison, self.cam.car.design
-        stem = f"{design.name}_{self.cam.kind}_simulation"
+        comparison, name, use = self.comparison, self.cam.origin.name, self.use
+        stem = f"{name}_{self.cam.kind}_simulation"
         runs = {"planned": self.planned, "before": self.before, "after": self.after}
-        named = design.name if design.as_built is None else f"{design.name}, as built"
+        named = name if use.record is None else f"{name}, as built"
         title = f"{named}, return error {degrees(self.play):.3f}°"
         both = (("before", comparison.before), ("after", comparison.chosen))
         panels = [
@@ -153,8 +153,7 @@ class Simulation(Generic[C]):
             yield Artifact(f"{stem}_tracks.csv")
             progress("drawing")
             yield from map(Artifact, draw_lift(lift_picture(self), staging, f"{stem}_lift"))
-            field = _field(design)
-            yield from map(Artifact, draw_tracks(panels, self.planned, field, staging, f"{stem}_tracks"))
+            yield from map(Artifact, draw_tracks(panels, self.planned, use.floor, staging, f"{stem}_tracks"))
             lines = [
                 ErrorLine(label=f"{when}: {evaluation.title}", at_play=error, at_ends=_at_ends(self, evaluation))
                 for (when, evaluation), error in zip(both, (self.before_error, self.after_error), strict=True)
@@ -162,21 +161,6 @@ class Simulation(Generic[C]):
             yield from map(Artifact, draw_run_errors(title, lines, comparison.task.length, staging, f"{stem}_errors"))
 
         return publish(stem, folder_of(folder), files, self.facts())
-
-
-def car_notes(design: Design, stop: float) -> tuple[str, ...]:
-    """Sentences on what was assumed of a car that runs, and what was measured.
-
-    Args:
-        design: loaded design.
-        stop: cam angle at which the run ends, rad.
-    """
-    return (
-        *field_notice(design),
-        *assumed_play(design),
-        *joint_sentences(design),
-        *as_built_sentences(design, stop),
-    )
 
 
 def simulate(
@@ -258,7 +242,7 @@ def write_comparison(plan: CamPlan, out: Path, progress: Progress = silent, *, c
         progress("drawing")
         title = f"{plan.origin.name}: deflection error by event"
         yield from map(Artifact, draw_events(title, bars, folder, f"{stem}_events"))
-        planned, field = comparison.task.planned(), _field(plan.car.design)
+        planned, field = comparison.task.planned(), CarUse.of(plan).floor
         yield from map(Artifact, draw_tracks(panels, planned, field, folder, f"{stem}_tracks"))
         yield from map(Artifact, draw_tracks(_alone(comparison), planned, field, folder, f"{stem}_tracks_by_event"))
 
@@ -286,7 +270,7 @@ def lift_picture(simulation: Simulation[C]) -> LiftPicture:
     waits = [event for event in simulation.events if event.kind == EventKind.REVERSE]
     comparison = simulation.comparison
     return LiftPicture(
-        title=simulation.cam.origin.name + ("" if simulation.cam.car.design.as_built is None else ", as built"),
+        title=simulation.cam.origin.name + ("" if simulation.use.record is None else ", as built"),
         follower=comparison.task.follower,
         wanted=comparison.task.lift,
         before=comparison.following(comparison.before, simulation.play),
@@ -311,24 +295,3 @@ def _at_ends(simulation: Simulation[C], evaluation: Evaluation) -> tuple[RunErro
 
 def _ends(comparison: PlayComparison, evaluation: Evaluation) -> Array:
     return np.array([comparison.run(evaluation, play).drive_wheel[-1] for play in evaluation.band.plays])
-
-
-def _field(design: Design) -> Field:
-    course, field = layout_of(design.course), design.field
-    body = body_of(design.car.outline, cam_model.car(design))
-    car = np.array(body.corners or [wheel.centre for wheel in body.wheels])
-    if course is not None:
-        return Field(
-            edge=None if course.edge is None else np.array(course.edge.points),
-            obstacles=[obstacle.shape for obstacle in course.obstacles],
-            gates=[gate.place for gate in course.gates],
-            car=car,
-        )
-    if field is None:
-        return Field(car=car)
-    (x, y), (width, height) = field.corner_mm, field.size_mm
-    return Field(
-        edge=np.array([[x, y], [x + width, y], [x + width, y + height], [x, y + height]]),
-        obstacles=[Shape.disc(centre, field.obstacle_radius_mm) for centre in field.obstacles_mm],
-        car=car,
-    )

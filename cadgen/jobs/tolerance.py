@@ -10,9 +10,9 @@ from typing import Any, Generic, Self
 
 import numpy as np
 
-from cadgen.arrays import TURN, Array
+from cadgen.arrays import Array
 from cadgen.car.running.drive import STEPS, turns_of
-from cadgen.design import cam_model, variation
+from cadgen.design.play import GATE_WIDTH_MM
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.deviations.deviation import RETURN_ERROR, Deviation
@@ -20,11 +20,11 @@ from cadgen.errors import DesignError, FileError
 from cadgen.gears.choices import Law
 from cadgen.inference.monte_carlo.cars import Cars
 from cadgen.inference.monte_carlo.random_cars import CarEnds, Map, Sensitivity, sensitivities, tolerance_run
-from cadgen.jobs.cam.cam_plan import CamPlan, comparison_of, plan_cam
-from cadgen.jobs.cam.car_facts import as_built_facts
+from cadgen.jobs.cam.cam_plan import CamPlan
+from cadgen.jobs.cam.steering_cam import CarUse, comparison_of, plan_cam
 from cadgen.jobs.error_budget import BudgetSheet, budget_sheet, unit_of
 from cadgen.jobs.nominal_car import fleet_of, watching
-from cadgen.jobs.simulation import C, car_notes
+from cadgen.jobs.simulation import C
 from cadgen.output.files.publisher import Artifact, Written, folder_of, publish
 from cadgen.output.report.cars import FleetPicture, draw_budget, draw_fleet
 from cadgen.processes import in_processes
@@ -104,7 +104,7 @@ class ToleranceRun(Generic[C]):
     @property
     def watched(self) -> str:
         """Parts of the course that the cars must keep, in words; empty without a course."""
-        course = self.cam.course
+        course = CarUse.of(self.cam).course
         if course is None:
             return ""
         kinds = [obstacle.kind for obstacle in course.course.obstacles]
@@ -136,21 +136,22 @@ class ToleranceRun(Generic[C]):
     @property
     def notes(self) -> tuple[str, ...]:
         """Sentences on what was assumed of the car, and what was measured."""
-        return car_notes(self.cam.car.design, self.cam.steering.blend_start)
+        use = CarUse.of(self.cam)
+        return use.run_notes(use.steering.blend_start)
 
     def facts(self) -> dict[str, Any]:
         """The run as plain values, as in the manifest and with `--json`; the number of processes does not show."""
-        plan = self.cam
+        plan, use = self.cam, CarUse.of(self.cam)
         position, heading = self.end_position, self.end_heading_deg
         return {
             **plan.origin.facts(),
-            "drive_wheel": plan.drive_wheel.facts(),
+            "drive_wheel": use.drive_wheel.facts(),
             "cadgen": __version__,
             "profile": plan.kind.code,
             "friction_note": comparison_of(plan).rubbing,
             "passed": plan.passed,
             "failed_checks": [check.name for check in plan.failed],
-            "as_built": as_built_facts(plan.car.design, plan.steering.blend_start),
+            "as_built": use.as_built_facts(use.steering.blend_start),
             "samples": self.samples,
             "seed": self.seed,
             "law": self.law,
@@ -268,8 +269,8 @@ def tolerance_of(plan: C, sample: CarSample, progress: Progress = silent) -> Tol
         DesignError: the profile was not compared under play, or nothing varies.
         FileError: the memory does not suffice for so many cars.
     """
-    design = plan.car.design
-    tolerances = variation.tolerances(design, comparison_of(plan).task.mechanics)
+    use, (low, high) = CarUse.of(plan), comparison_of(plan).band.ends
+    tolerances = use.tolerances()
     fleet = watched_fleet(plan)
     progress("finding sensitivities")
     ranked = sensitivities(fleet, tolerances)
@@ -298,16 +299,16 @@ def tolerance_of(plan: C, sample: CarSample, progress: Progress = silent) -> Tol
     sheet = None
     if sample.with_budget:
         progress("ranking what may be off")
-        sheet = budget_sheet(design, fleet, tolerances)
-    low, high = comparison_of(plan).band.ends
-    own_gates = plan.course is not None and plan.course.course.gates
+        sheet = budget_sheet(use.play_zones(), fleet, tolerances)
+    own_gates = use.course is not None and use.course.course.gates
+    width = GATE_WIDTH_MM if use.gate_width is None else use.gate_width
     return ToleranceRun(
         cam=plan,
         seed=sample.seed,
         ends=ends,
         gates=_count(plan),
-        gate_width=None if own_gates else design.tolerances.gate_width,
-        law=design.tolerances.law,
+        gate_width=None if own_gates else width,
+        law=tolerances.law,
         half_widths={**tolerances.half_widths, RETURN_ERROR: (high - low) / 2},
         sensitivities=ranked,
         budget=sheet,
@@ -323,11 +324,13 @@ def watched_fleet(plan: CamPlan) -> Cars:
     comparison = comparison_of(plan)
     mechanics = None if comparison.task.mechanics is None else comparison.task.mechanics.nominal
     fleet = fleet_of(plan, _gates(plan), mechanics, comparison.chosen.play)
-    return fleet if plan.course is None else watching(fleet, plan.course.planned)
+    course = CarUse.of(plan).course
+    return fleet if course is None else watching(fleet, course.planned)
 
 
 def _count(plan: CamPlan) -> int:
-    passed = () if plan.course is None else plan.course.planned.driven.passages
+    course = CarUse.of(plan).course
+    passed = () if course is None else course.planned.driven.passages
     return len(passed) or len(_gates(plan))
 
 
@@ -336,13 +339,11 @@ def _gates(plan: CamPlan) -> list[int]:
 
     On a closed path the car passes its waypoints, and its start, on every lap.
     """
-    stop = plan.steering.blend_start
+    use = CarUse.of(plan)
+    stop = use.steering.blend_start
     last = STEPS * turns_of(stop)
-    if plan.course is not None and plan.course.course.gates:
+    if use.course is not None and use.course.course.gates:
         return [last]
-    motor = cam_model.cam_angle(plan.car.design, plan.track, plan.track.waypoint_arc[1:])
-    if plan.track.closed:
-        laps = np.arange(plan.car.design.path.run_laps) * TURN / plan.track.turn_laps
-        motor = (laps[:, None] + motor).ravel()
+    motor = use.waypoints
     steps = np.unique(np.rint(motor[motor < stop] / stop * last).astype(int))
     return [*steps[(steps > 0) & (steps < last)].tolist(), last]

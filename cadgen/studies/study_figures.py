@@ -19,8 +19,9 @@ from cadgen.car.steering import track_curvature, travel_ratio
 from cadgen.design import cam_model, variation
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
-from cadgen.jobs.cam.cam_plan import CamPlan, comparison_of, plan_cam
+from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.comparison import known_trains
+from cadgen.jobs.cam.steering_cam import comparison_of, plan_cam
 from cadgen.jobs.tolerance import CarSample, ToleranceRun, tolerance_of
 from cadgen.messages import Message
 from cadgen.output.files.nc import drilling_minutes, milling_minutes
@@ -138,7 +139,7 @@ def _energy(evaluated: Evaluated) -> float:
 def _minutes(evaluated: Evaluated) -> float:
     """Cuts, leads, plunges, tabs and drills, by their own moves."""
     plan = evaluated.plan
-    machining, (inner, outer), material = plan.car.design.machining, plan.faces, plan.making.material
+    machining, (inner, outer), material = plan.making.machining, plan.faces, plan.making.material
     milled = milling_minutes(plan.curve.length(), machining, outer - inner, material)
     return milled + drilling_minutes(plan.made_blank, machining, outer - inner, material)
 

@@ -15,8 +15,8 @@ from cadgen.design.cam_model import lift
 from cadgen.design.load import load_design, load_train
 from cadgen.errors import DesignError
 from cadgen.jobs.cam import cures as cures_module
-from cadgen.jobs.cam.cam_plan import plan_cam
 from cadgen.jobs.cam.cures import find_cures
+from cadgen.jobs.cam.steering_cam import plan_cam
 
 
 @pytest.mark.parametrize(
@@ -80,11 +80,11 @@ def test_a_rod_too_thin_is_refused_by_its_key():
 def test_cures_are_not_sought_at_very_many_kinks(monkeypatch):
     plan = plan_cam(load_design("appendix_car"), "actual")
     assert plan.lost
-    monkeypatch.setattr(cures_module, "MOST_KINKS_CURED", len(plan.steering.kinks) - 1)
+    monkeypatch.setattr(cures_module, "MOST_KINKS_CURED", len(plan.application.steering.kinks) - 1)
     cures = find_cures(plan)
     assert cures.proved == ()
     (said,) = cures.sentences()
-    assert f"the lift has {len(plan.steering.kinks)} kinks" in said
+    assert f"the lift has {len(plan.application.steering.kinks)} kinks" in said
     assert 'set path.spline = "quintic"' in said
 
 

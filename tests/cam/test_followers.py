@@ -26,8 +26,8 @@ from cadgen.design.load import load_design
 from cadgen.errors import DesignError
 from cadgen.jobs.calibration.calibration import nominal_of
 from cadgen.jobs.cam.cam_files import write_cam
-from cadgen.jobs.cam.cam_plan import plan_cam
 from cadgen.jobs.cam.cures import find_cures
+from cadgen.jobs.cam.steering_cam import plan_cam
 from cadgen.parts.blank import Blank
 from tests.cam.sliding_roller import SLIDING_ROLLER, SlidingRoller
 
@@ -141,7 +141,7 @@ def test_a_design_names_it_and_gets_its_files(registered, tmp_path):
     plan = plan_cam(design, "actual")
     assert isinstance(plan.follower, SlidingRoller)
     assert plan.passed
-    assert plan.edges is None
+    assert plan.shown == ()
     written = write_cam(plan, tmp_path, formats=["dxf", "csv"], cures=find_cures(plan))
     assert {path.suffix for path in tmp_path.iterdir()} >= {".dxf", ".csv"}
     facts = written.entry

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from cadgen.design.load import load_design
-from cadgen.jobs.cam.cam_plan import plan_cam
+from cadgen.jobs.cam.steering_cam import plan_cam
 from tests.studies.paths import KINDS, case_of, verdict
 
 SEED = 3

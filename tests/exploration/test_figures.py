@@ -96,7 +96,7 @@ def test_a_figure_from_outside():
 @pytest.mark.long
 def test_figures_with_forces_and_cars():
     rubbing = evaluated_of(overrides=OVERRIDES)
-    comparison = rubbing.plan.comparison
+    comparison = rubbing.plan.application.comparison
     theta = np.linspace(0, 2 * pi, 20_000)
     torque = comparison.task.mechanics.at(0.0, 0.0).torque(comparison.chosen.lift, theta).max()
     # A drag of 1.25 times that torque, once round.

@@ -18,8 +18,7 @@ from cadgen.errors import DesignError
 from cadgen.jobs.calibration.calibration import nominal_of
 from cadgen.jobs.cam.built_car import as_built_sentences, outlook_checks, outlook_sentence
 from cadgen.jobs.cam.cam_files import write_cam
-from cadgen.jobs.cam.cam_plan import plan_cam
-from cadgen.jobs.cam.car_facts import as_built_facts
+from cadgen.jobs.cam.steering_cam import plan_cam
 from cadgen.jobs.simulation import simulate
 from cadgen.jobs.tolerance import CarSample, run_tolerance
 from cadgen.output.files.dxf import read_dxf
@@ -90,14 +89,14 @@ def test_the_new_cam_takes_the_end_error_off(built, carbon_free_car, tmp_path):
     assert plan.passed
     out = tmp_path / "out"
     entry = write_cam(plan, out, formats="dxf").entry
-    stop = plan.comparison.task.lift.blend_start
+    stop = plan.application.comparison.task.lift.blend_start
     wheels = Wheels(zero=np.radians(ZERO), radius=1 + RADIUS / 100, play=np.radians(PLAY))
     goal = complex(*carbon_free_car.track.position(carbon_free_car.track.length * (1 - 12 / 360)))
     before = abs(end_of_run(carbon_free_car.actual.curve.outline(0.05), wheels, carbon_free_car, stop) - goal)
-    print(f"before {before:.1f} mm, as reckoned {plan.comparison.before.error.end_distance:.1f} mm")
-    assert plan.comparison.before.error.end_distance == pytest.approx(before, rel=0.01)
+    print(f"before {before:.1f} mm, as reckoned {plan.application.comparison.before.error.end_distance:.1f} mm")
+    assert plan.application.comparison.before.error.end_distance == pytest.approx(before, rel=0.01)
     for suffix in ("arcs", "spline"):
-        name = f"{plan.car.design.name}_optimized_{suffix}.dxf"
+        name = f"{plan.application.design.name}_optimized_{suffix}.dxf"
         outline = read_dxf(out / name, 0.05).profile
         after = abs(end_of_run(outline, wheels, carbon_free_car, stop) - goal)
         print(f"{name}: {after:.2f} mm, {100 * (1 - after / before):.2f} % off")
@@ -189,10 +188,10 @@ def test_a_slipping_car_with_another_lever(built, carbon_free_car):
         effect("track", "driven wheel's offset", "car", drive_wheel_offset_mm=3.0),
     )
     plan = plan_cam(design, "actual")
-    goal = complex(*carbon_free_car.track.position(plan.path_end))
+    goal = complex(*carbon_free_car.track.position(plan.application.path_end))
     wheels = Wheels(slip=0.06, gain=0.97, offset=3.0)
     before, after = (
-        abs(end_of_run(curve.outline(0.05), wheels, carbon_free_car, plan.steering.blend_start) - goal)
+        abs(end_of_run(curve.outline(0.05), wheels, carbon_free_car, plan.application.steering.blend_start) - goal)
         for curve in (carbon_free_car.actual.curve, plan.curve)
     )
     print(f"before {before:.1f} mm, after {after:.2f} mm")
@@ -227,9 +226,9 @@ def test_files_of_a_precompensated_cam_are_judged_on_the_finished_disc(built, tm
     plan = plan_cam(design, "compensated")
     entry = write_cam(plan, tmp_path / "out").entry
     ends = {name: facts["end_position_mm"] for name, facts in entry["files"].items() if "end_position_mm" in facts}
-    print(ends, plan.comparison.before.error.end_distance)
+    print(ends, plan.application.comparison.before.error.end_distance)
     assert len(ends) == 8
-    assert max(ends.values()) < 0.02 * plan.comparison.before.error.end_distance
+    assert max(ends.values()) < 0.02 * plan.application.comparison.before.error.end_distance
 
 
 def test_the_key_takes_the_phase_out(built):
@@ -238,8 +237,9 @@ def test_the_key_takes_the_phase_out(built):
     assert np.degrees(cam_model.blank(design).key.angle) == pytest.approx(28.5)
     assert np.degrees(cam_model.blank(design.as_designed()).key.angle) == pytest.approx(30.0)
     plan = plan_cam(design, "actual")
-    assert as_built_facts(plan.car.design, plan.steering.blend_start)["key_turned_deg"] == pytest.approx(-1.5)
-    (line,) = (text for text in as_built_sentences(design, plan.steering.blend_start) if "key" in text)
+    use = plan.application
+    assert use.as_built_facts(use.steering.blend_start)["key_turned_deg"] == pytest.approx(-1.5)
+    (line,) = (text for text in as_built_sentences(design, use.steering.blend_start) if "key" in text)
     assert line == "The key of the new cam is turned by -1.500°, which takes out the cam's phase."
 
 
@@ -293,7 +293,7 @@ def test_tolerances_are_about_the_car_as_built(built):
         effect("track", "lever gain", "car", gain_percent=2.0),
     )
     run = run_tolerance(design, "compensated", CarSample(samples=40))
-    nominal = run.cam.comparison.chosen.error.end_distance
+    nominal = run.cam.application.comparison.chosen.error.end_distance
     median = run.end_position.quantiles[0.5]
     print(f"{nominal:.2f} mm, median {median:.1f} mm")
     assert nominal < 10

@@ -14,7 +14,7 @@ from cadgen.design.load import load_design
 from cadgen.deviations.deviation import COLUMNS
 from cadgen.inference.monte_carlo.cars import run_cars
 from cadgen.inference.monte_carlo.course_margins import margins_at
-from cadgen.jobs.cam.cam_plan import plan_cam
+from cadgen.jobs.cam.steering_cam import plan_cam
 from cadgen.jobs.nominal_car import fleet_of, watching
 
 pytestmark = pytest.mark.slow
@@ -36,7 +36,7 @@ def of(checks, code):
 @pytest.mark.slow
 def test_the_papers_car_passes_its_gates_as_planned_and_misses_some_with_play(plan):
     """Eleven within 1.6 mm before the blend, the last within 5 by it; with play the figures are shown, not judged."""
-    planned = plan.course.planned
+    planned = plan.application.course.planned
     margins = {passage.gate.key: passage.off for passage in planned.driven.passages}
     print({key: round(off, 2) for key, off in margins.items()})
     assert len(margins) == 11
@@ -60,9 +60,12 @@ def test_a_post_on_the_wrong_side_fails_and_is_named(plan):
 
 def test_with_play_the_course_is_judged_where_that_is_asked(plan):
     """The same figures with a limit: no second computation of the profile is needed to see it."""
-    on = plan.course
+    on = plan.application.course
     judged = replace(on, course=replace(on.course, judged="play"))
-    free, held = (one.played(plan.comparison, plan.comparison.chosen.band.plays[-1]).checks() for one in (on, judged))
+    free, held = (
+        one.played(plan.application.comparison, plan.application.comparison.chosen.band.plays[-1]).checks()
+        for one in (on, judged)
+    )
     assert [check.value for check in free] == [check.value for check in held]
     assert not of(held, CheckCode.COURSE_GATES_PLAY).passed
     assert of(held, CheckCode.COURSE_POST_PLAY).passed
@@ -70,7 +73,7 @@ def test_with_play_the_course_is_judged_where_that_is_asked(plan):
 
 def test_many_cars_are_held_against_the_course_as_one_car_is(plan):
     """Cars that differ in play and start alone, each driven exactly and judged by the sweep."""
-    comparison, planned = plan.comparison, plan.course.planned
+    comparison, planned = plan.application.comparison, plan.application.course.planned
     fleet = watching(fleet_of(plan, [STEPS], None, comparison.chosen.play), planned)
     rng, column = np.random.default_rng(1), {name: k for k, name in enumerate(COLUMNS)}
     deviations = np.zeros((12, len(COLUMNS)))
@@ -88,7 +91,7 @@ def test_many_cars_are_held_against_the_course_as_one_car_is(plan):
         heading = start.heading + row[column["start_heading"]]
         moved = replace(start, x=start.x + ahead.real, y=start.y + ahead.imag, heading=heading)
         task = replace(comparison.task, start=moved)
-        run = plan.course.played(replace(comparison, task=task), fleet.play + row[column["play"]])
+        run = plan.application.course.played(replace(comparison, task=task), fleet.play + row[column["play"]])
         gates = passages(run.poses, run.on.car, run.on.course.gates[:11])
         clear = [there.clearance for _, there in run.driven.approaches]
         exact.append(min([passage.margin for passage in gates] + clear))
@@ -103,24 +106,26 @@ def test_with_a_wheel_the_run_is_judged_to_the_finish():
     design = load_design(None, ["car.drive_wheel_radius_mm=70", "course.finish={at_mm=[6703.79, 7200], radius_mm=5}"])
     plan = plan_cam(design, "actual")
     assert plan.passed
-    assert plan.drive_wheel.blend is None
-    assert plan.steering.blend_start == pytest.approx(plan.track.length / (70.0 * 45.0))
-    assert plan.course.stop == plan.steering.blend_start
-    assert plan.drive_wheel.sentence().startswith("Drive wheel: radius 70.000 mm, the car goes 19792 mm in a turn")
+    assert plan.application.drive_wheel.blend is None
+    assert plan.application.steering.blend_start == pytest.approx(plan.application.track.length / (70.0 * 45.0))
+    assert plan.application.course.stop == plan.application.steering.blend_start
+    assert plan.application.drive_wheel.sentence().startswith(
+        "Drive wheel: radius 70.000 mm, the car goes 19792 mm in a turn"
+    )
     assert of(plan.checks, CheckCode.COURSE_FINISH).value == pytest.approx(1.5, abs=0.01)
     # The lift at the finish is that of the path's end: nothing of it is left to the blend.
     bare = plan_cam(load_design(None, ["car.drive_wheel_radius_mm=70", "course="]), "actual")
-    end = cam_model.cam_angle(design, plan.track, np.array([plan.track.length]))[0]
+    end = cam_model.cam_angle(design, plan.application.track, np.array([plan.application.track.length]))[0]
     print(f"finish at {degrees(end):.2f} degrees")
-    assert end == pytest.approx(plan.steering.blend_start)
-    assert bare.steering.blend_start == plan.steering.blend_start
+    assert end == pytest.approx(plan.application.steering.blend_start)
+    assert bare.application.steering.blend_start == plan.application.steering.blend_start
 
 
 def test_without_a_radius_the_wheel_is_that_of_the_whole_turn(plan):
-    wheel = plan.drive_wheel
-    assert wheel.radius == pytest.approx(plan.track.length / (2 * np.pi * 45.0))
+    wheel = plan.application.drive_wheel
+    assert wheel.radius == pytest.approx(plan.application.track.length / (2 * np.pi * 45.0))
     assert wheel.sentence().startswith("Drive wheel: radius 63.683 mm")
-    assert wheel.blend.stretch == pytest.approx(plan.track.length * 12 / 360)
+    assert wheel.blend.stretch == pytest.approx(plan.application.track.length * 12 / 360)
     assert wheel.blend.off < 10
 
 
@@ -144,9 +149,9 @@ def test_a_mirrored_car_has_the_same_cam_on_its_other_side():
     )
     a, b = plan_cam(plain, "compensated"), plan_cam(mirrored, "compensated")
     angle = np.linspace(0, 2 * np.pi, 1000)
-    np.testing.assert_allclose(a.steering.q(angle), b.steering.q(angle), atol=1e-12)
+    np.testing.assert_allclose(a.application.steering.q(angle), b.application.steering.q(angle), atol=1e-12)
     for wheel in ("drive_wheel", "front_wheel", "idle_wheel"):
-        runs = [getattr(each.comparison.chosen.run, wheel) for each in (a, b)]
+        runs = [getattr(each.application.comparison.chosen.run, wheel) for each in (a, b)]
         np.testing.assert_allclose(runs[0] * [1, -1], runs[1], atol=1e-6)
     # On the car the hub is on the outer face; files show the disc from the car's left, where that is behind.
     assert (b.blank.hub.side, b.made_blank.hub.side) == ("outer", "inner")

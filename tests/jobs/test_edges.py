@@ -7,7 +7,7 @@ import pytest
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
 from cadgen.jobs.cam.cam_files import write_cam
-from cadgen.jobs.cam.cam_plan import plan_cam
+from cadgen.jobs.cam.steering_cam import plan_cam
 from cadgen.output.files.dxf import edges_note
 
 FILES = {".step", ".stl", ".3mf", "_arcs.dxf", "_spline.dxf", ".nc", ".xyz", ".csv"}

@@ -23,7 +23,8 @@ from cadgen.errors import DesignError
 from cadgen.inference.monte_carlo.cars import run_cars
 from cadgen.jobs.adjustment.plan import Wanted, adjust
 from cadgen.jobs.calibration.calibration import calibrate
-from cadgen.jobs.cam.cam_plan import CamPlan, plan_cam
+from cadgen.jobs.cam.cam_plan import CamPlan
+from cadgen.jobs.cam.steering_cam import plan_cam
 from cadgen.jobs.nominal_car import fleet_of
 from cadgen.jobs.planning.task import task_of
 from tests.car.running.laps_truth import laps_with_play
@@ -162,9 +163,11 @@ def test_the_first_point_may_stand_at_the_end_again():
 @pytest.mark.slow
 def test_the_optimized_cam_keeps_its_laps_at_the_play_it_is_cut_for(plan):
     """At least 95 % less than the plain cam over ten laps, in position and heading; its band beside the bound."""
-    comparison = plan.comparison
+    comparison = plan.application.comparison
     play = comparison.chosen.made_for
-    plain, own = (plan.laps.of(comparison.run(each, play)) for each in (comparison.before, comparison.chosen))
+    plain, own = (
+        plan.application.laps.of(comparison.run(each, play)) for each in (comparison.before, comparison.chosen)
+    )
     worst, bound = comparison.chosen.band, comparison.bound
     print(
         f"ten laps at {degrees(play):.3f} deg: plain {plain.end[0]:.1f} mm {degrees(plain.end[1]):.2f} deg, "
@@ -194,7 +197,7 @@ def test_a_course_is_checked_on_every_lap(plan):
     (gates,) = (check for check in on_course.checks if check.code == CheckCode.COURSE_GATES)
     assert gates.passed
     assert gates.limit == 20
-    played = on_course.course.played(on_course.comparison, radians(1.0))
+    played = on_course.application.course.played(on_course.application.comparison, radians(1.0))
     gate = "course.gates.1, lap "
     margins = [where.margin for where in played.driven.passages if where.gate.key.startswith(gate)]
     print([round(margin, 1) for margin in margins])
@@ -212,12 +215,16 @@ def test_a_course_is_checked_on_every_lap(plan):
 def test_many_cars_drive_all_laps(plan):
     """The nominal car of a fleet and one with more play, against runs of their own."""
     more = radians(0.1)
-    fleet = fleet_of(plan, [36_000], None, plan.comparison.chosen.play)
+    fleet = fleet_of(plan, [36_000], None, plan.application.comparison.chosen.play)
     deviations = np.zeros((2, len(COLUMNS)))
     deviations[1, list(COLUMNS).index("play")] = more
     ends = run_cars(fleet, deviations)
     for car, play in enumerate((0.0, more)):
-        found = plan.laps.of(plan.comparison.run(plan.comparison.chosen, plan.comparison.chosen.play + play))
+        found = plan.application.laps.of(
+            plan.application.comparison.run(
+                plan.application.comparison.chosen, plan.application.comparison.chosen.play + play
+            )
+        )
         print(f"{degrees(ends.heading[car, -1]):.4f} deg, {abs(ends.position[car, -1]):.3f} mm")
         assert degrees(ends.heading[car, -1] - found.end[1]) == pytest.approx(0.0, abs=0.02)
         assert abs(ends.position[car, -1]) == pytest.approx(found.end[0], abs=0.5)

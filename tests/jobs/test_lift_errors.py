@@ -12,7 +12,7 @@ from cadgen.design.load import load_design
 from cadgen.geometry.meshes.content import inspect
 from cadgen.geometry.solids.step_text import read_rim
 from cadgen.jobs.cam.cam_files import write_cam
-from cadgen.jobs.cam.cam_plan import plan_cam
+from cadgen.jobs.cam.steering_cam import plan_cam
 from cadgen.output.files.dxf import read_dxf
 from cadgen.output.files.gcode_reader import read_gcode
 from cadgen.output.files.stl import read_stl
@@ -85,7 +85,7 @@ def test_stated_lift_errors_are_those_of_a_dense_rolling(name, tmp_path):
         ".3mf": lambda step: inspect(read_3mf(file(".3mf"))[0], step).rim,
         "_arcs.dxf": lambda step: read_dxf(file("_arcs.dxf"), step).profile,
         "_spline.dxf": lambda step: read_dxf(file("_spline.dxf"), step).profile,
-        ".nc": lambda step: read_gcode(file(".nc"), design.machining, plan.rod.land, step).outline,
+        ".nc": lambda step: read_gcode(file(".nc"), design.machining, plan.follower_as_built.land, step).outline,
         ".xyz": lambda step: read_xyz(file(".xyz"), step),
         ".csv": lambda step: contact_outline(read_csv(file(".csv")), step),
     }

@@ -9,9 +9,9 @@ from cadgen.car.against_play.profile_kinds import ACTUAL, COMPENSATED
 from cadgen.design import cam_model, variation
 from cadgen.design.load import load_design
 from cadgen.errors import CheckError, DesignError
-from cadgen.jobs.cam.cam_plan import plan_cam
 from cadgen.jobs.cam.car_facts import comparison_facts, remedy_facts
 from cadgen.jobs.cam.remedies import remedies
+from cadgen.jobs.cam.steering_cam import plan_cam
 
 FRICTION = ["mechanics.friction_least=0.05", "mechanics.friction_greatest=0.3", "optimize.max_lift_error_um="]
 
@@ -34,21 +34,21 @@ def rubbing():
 @pytest.mark.slow
 def test_the_workshop_s_car_does_not_mind_its_play(workshop):
     assert workshop.passed
-    assert workshop.comparison.chosen.profile is ACTUAL
-    assert workshop.comparison.chosen.band.worst_distance < 1.0
-    assert workshop.comparison.rubbing == ""
+    assert workshop.application.comparison.chosen.profile is ACTUAL
+    assert workshop.application.comparison.chosen.band.worst_distance < 1.0
+    assert workshop.application.comparison.rubbing == ""
     checks = {check.name: check for check in workshop.checks}
     assert checks["cam runs ahead"].value == 0.0
     assert checks["cam holds"].value == pytest.approx(42.0 / 32.4, rel=5e-3)
-    assert workshop.car.design.blank.edge_break_mm == 0.2
-    facts = comparison_facts(workshop.comparison)["mechanics"]
+    assert workshop.application.design.blank.edge_break_mm == 0.2
+    facts = comparison_facts(workshop.application.comparison)["mechanics"]
     assert facts["friction"] == [0.05, 0.20]
     assert facts["drag_Nmm"] == [42.0, 60.0]
 
 
 @pytest.mark.slow
 def test_a_cam_for_a_rod_that_rubs(rubbing):
-    comparison = rubbing.comparison
+    comparison = rubbing.application.comparison
     assert comparison.chosen.profile is COMPENSATED
     assert comparison.chosen.band.worst_distance <= 510.0
     assert comparison.chosen.band.worst.friction == pytest.approx(0.3)
@@ -62,7 +62,7 @@ def test_a_cam_for_a_rod_that_rubs(rubbing):
 
 @pytest.mark.slow
 def test_the_sheet_of_remedies(rubbing):
-    sheet = {remedy.name: remedy for remedy in remedies(rubbing.car.design, rubbing.comparison)}
+    sheet = {remedy.name: remedy for remedy in remedies(rubbing.application.design, rubbing.application.comparison)}
     ends = {name: remedy.worst_end for name, remedy in sheet.items()}
     assert ends["plain cam"] > ends["plain cam, reordered"] > ends["compensated for all"]
     assert ends["compensated for all"] <= 510.0
@@ -78,10 +78,10 @@ def test_the_sheet_of_remedies(rubbing):
 @pytest.mark.slow
 def test_a_design_that_says_nothing_of_friction_is_told_what_a_rod_would_make_of_it():
     plan = plan_cam(load_design("carbon_free_car"))
-    assert plan.comparison.chosen.made_for == plan.comparison.chosen.play  # as without friction
-    assert "up to 814 mm off" in plan.comparison.rubbing
-    assert "1207 mm" in plan.comparison.rubbing
-    assert comparison_facts(plan.comparison)["friction_note"] == plan.comparison.rubbing
+    assert plan.application.comparison.chosen.made_for == plan.application.comparison.chosen.play  # as without friction
+    assert "up to 814 mm off" in plan.application.comparison.rubbing
+    assert "1207 mm" in plan.application.comparison.rubbing
+    assert comparison_facts(plan.application.comparison)["friction_note"] == plan.application.comparison.rubbing
 
 
 @pytest.mark.slow
@@ -93,8 +93,8 @@ def test_hardware_that_the_design_allows():
     assert kept.drag == (50.0, 50.0)
     assert band(*FRICTION).drag == (0.0, 0.0)
     trimmed = plan_cam(load_design("carbon_free_car", [*FRICTION, 'optimize.hardware=["trim"]']), "optimized")
-    assert trimmed.comparison.chosen.profile is ACTUAL
-    assert any("after a trial run" in reason for reason in trimmed.comparison.reasons)
+    assert trimmed.application.comparison.chosen.profile is ACTUAL
+    assert any("after a trial run" in reason for reason in trimmed.application.comparison.reasons)
 
 
 def test_a_brake_that_the_program_dimensions_is_on_the_disc():
@@ -122,7 +122,7 @@ def test_with_a_measured_play_the_friction_is_not_known_either(rubbing):
 def test_a_remedy_that_cannot_be_built_is_no_number():
     small = ["cam.base_radius_mm=17", "blank.lightening=", "blank.keyway=", "blank.bore_diameter_mm=2"]
     plan = plan_cam(load_design("carbon_free_car", [*FRICTION, *small]), "optimized", all_trains=True)
-    facts = [remedy_facts(remedy) for remedy in remedies(plan.car.design, plan.comparison)]
+    facts = [remedy_facts(remedy) for remedy in remedies(plan.application.design, plan.application.comparison)]
     json.dumps(facts, allow_nan=False)
     (bearing,) = (fact for fact in facts if fact["remedy"].startswith("ball bearing"))
     assert bearing["worst_end_position_mm"] is None
@@ -133,8 +133,8 @@ def test_a_remedy_that_cannot_be_built_is_no_number():
 def test_friction_alone_is_never_counted_on(rubbing):
     steep = ["mechanics.friction_least=0.55", "mechanics.friction_greatest=0.6", "optimize.max_lift_error_um="]
     plan = plan_cam(load_design("carbon_free_car", steep), "optimized")
-    assert any("friction alone holds the cam" in reason for reason in plan.comparison.reasons)
-    assert not any("friction alone" in reason for reason in rubbing.comparison.reasons)
+    assert any("friction alone holds the cam" in reason for reason in plan.application.comparison.reasons)
+    assert not any("friction alone" in reason for reason in rubbing.application.comparison.reasons)
 
 
 def test_the_plain_profile_has_its_torques_too():

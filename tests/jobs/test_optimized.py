@@ -17,7 +17,7 @@ from cadgen.car.running.sampled import sampled_lift
 from cadgen.design.load import load_design
 from cadgen.errors import CheckError, DesignError
 from cadgen.jobs.cam.cam_files import write_cam
-from cadgen.jobs.cam.cam_plan import default_profile, plan_cam
+from cadgen.jobs.cam.steering_cam import default_profile, plan_cam
 from cadgen.output.files.dxf import read_dxf
 
 PAPER = 0.4531  # what both of the paper's methods take off
@@ -62,7 +62,7 @@ def test_takes_play_out_on_the_exported_profile(exported, optimized, carbon_free
     bound = entry["play"]["bound_with_same_peaks_and_valleys"]["worst_position_percent_off"]
     outline = read_back(name, out, optimized)
     bare = carbon_free_car.actual.curve.outline(0.05)
-    band, made_for = optimized.comparison.band.ends, optimized.comparison.chosen.play
+    band, made_for = optimized.application.comparison.band.ends, optimized.application.comparison.chosen.play
 
     def off(play):
         before = error_of_run(bare, optimized, play, carbon_free_car)
@@ -87,7 +87,7 @@ def test_takes_play_out_on_the_exported_profile(exported, optimized, carbon_free
 
 @pytest.mark.slow
 def test_every_file_takes_99_percent_off(exported, optimized):
-    before = optimized.comparison.before.error.end_distance
+    before = optimized.application.comparison.before.error.end_distance
     ends = {name: facts["end_position_mm"] for name, facts in exported[1]["files"].items() if "csv" not in name}
     assert len(ends) == 7
     print({name: round(end, 2) for name, end in ends.items()}, f"of {before:.0f} mm")
@@ -126,7 +126,7 @@ def test_passes_every_check_and_says_why_it_was_chosen(exported, optimized):
 def test_the_wanted_lift_stays_the_planned_one(optimized, carbon_free_car):
     """The cam's own lift is another: it agrees with its checks, and not with the planned one."""
     theta = np.linspace(0.0, 2 * np.pi, 500)
-    wanted, cut = optimized.comparison.task.lift, optimized.steering
+    wanted, cut = optimized.application.comparison.task.lift, optimized.application.steering
     np.testing.assert_array_equal(wanted.q(theta), carbon_free_car.lift.q(theta))
     assert np.abs(cut.q(theta) - wanted.q(theta)).max() > 0.01
 
@@ -138,8 +138,8 @@ def test_the_wanted_lift_stays_the_planned_one(optimized, carbon_free_car):
 )
 def test_the_papers_return_errors_come_from_the_train_of_table_2(play, order, heading_deg, position_mm):
     plan = plan_cam(load_design("carbon_free_car", [f"optimize.order={order}"]), "compensated")
-    bare = next(one for one in plan.comparison.evaluations if one.profile is ACTUAL and one.train == order)
-    assert f"{np.degrees(plan.comparison.band.greatest):.3f}" == f"{play}"
+    bare = next(one for one in plan.application.comparison.evaluations if one.profile is ACTUAL and one.train == order)
+    assert f"{np.degrees(plan.application.comparison.band.greatest):.3f}" == f"{play}"
     assert np.degrees(bare.band.worst_heading) == pytest.approx(heading_deg, rel=1e-3)
     assert bare.band.worst_distance == pytest.approx(position_mm, rel=1e-3)
 
@@ -147,18 +147,18 @@ def test_the_papers_return_errors_come_from_the_train_of_table_2(play, order, he
 @pytest.mark.slow
 def test_a_measured_play_is_what_it_is_cut_for():
     plan = plan_cam(load_design("carbon_free_car", ["play.measured_deg=0.6"]), "optimized")
-    assert plan.comparison.chosen.play == radians(0.6)
-    assert np.degrees(plan.comparison.band.ends) == pytest.approx([0.512, 0.962], abs=5e-4)
+    assert plan.application.comparison.chosen.play == radians(0.6)
+    assert np.degrees(plan.application.comparison.band.ends) == pytest.approx([0.512, 0.962], abs=5e-4)
     outside = plan_cam(load_design("carbon_free_car", ["play.measured_deg=1.1"]), "compensated")
-    assert np.degrees(outside.comparison.band.ends[1]) == pytest.approx(1.1)
+    assert np.degrees(outside.application.comparison.band.ends[1]) == pytest.approx(1.1)
 
 
 @pytest.mark.slow
 def test_a_band_in_the_design_overrides_the_trains():
     design = load_design("carbon_free_car", ["play.least_deg=0.6", "play.greatest_deg=0.962"])
     plan = plan_cam(design, "compensated")
-    assert np.degrees(plan.comparison.band.ends) == pytest.approx([0.6, 0.962])
-    assert np.degrees(plan.comparison.chosen.play) == pytest.approx(0.781, abs=1e-3)
+    assert np.degrees(plan.application.comparison.band.ends) == pytest.approx([0.6, 0.962])
+    assert np.degrees(plan.application.comparison.chosen.play) == pytest.approx(0.781, abs=1e-3)
 
 
 @pytest.mark.slow
@@ -166,17 +166,17 @@ def test_the_next_best_is_taken_if_the_best_fails_a_check():
     """A cutter too large for the compensated valley, but not for the actual one."""
     tight = ["machining.cutter_diameter_mm=8", "optimize.max_lift_error_um="]
     plan = plan_cam(load_design("carbon_free_car", tight), "optimized")
-    assert plan.comparison.chosen.profile is ACTUAL
+    assert plan.application.comparison.chosen.profile is ACTUAL
     assert plan.passed
-    assert plan.comparison.reasons[0] == "compensated refused: it fails largest cutter radius"
+    assert plan.application.comparison.reasons[0] == "compensated refused: it fails largest cutter radius"
 
 
 @pytest.mark.slow
 def test_if_all_fail_a_check_the_failing_best_is_shown():
     plan = plan_cam(load_design("appendix_car"), "optimized")
-    assert plan.comparison.chosen.profile is COMPENSATED
+    assert plan.application.comparison.chosen.profile is COMPENSATED
     assert not plan.passed
-    assert "lost lift, undercut" in plan.comparison.reasons[0]
+    assert "lost lift, undercut" in plan.application.comparison.reasons[0]
 
 
 @pytest.mark.slow
@@ -192,8 +192,8 @@ def test_smoothing_fails_the_lift_check_and_is_made_without_it():
     assert [check.name for check in failing.checks if not check.passed] == ["lift error with play"]
     free = plan_cam(load_design("carbon_free_car", ["optimize.max_lift_error_um="]), "smoothed")
     assert free.passed
-    assert free.comparison.chosen.error.end_distance > free.comparison.before.error.end_distance
-    sums = [one.deflection_sum for one in free.comparison.evaluations]
+    assert free.application.comparison.chosen.error.end_distance > free.application.comparison.before.error.end_distance
+    sums = [one.deflection_sum for one in free.application.comparison.evaluations]
     assert 1 - sums[1] / sums[0] == pytest.approx(0.2715, abs=1e-4)
 
 

@@ -7,7 +7,7 @@ import pytest
 from scipy.interpolate import BSpline
 
 from cadgen.design.load import course_of, load_design, packaged_designs
-from cadgen.jobs.cam.cam_plan import plan_cam
+from cadgen.jobs.cam.steering_cam import plan_cam
 
 PLANNED = ("figure_eight", "posts_and_walls", "s_course")
 # mm and degrees at the end of the run, worst over the band; of the figure 8 on and after the tenth lap.
@@ -74,17 +74,19 @@ def test_they_keep_their_margin_by_a_sweep_of_its_own(name):
 
 @pytest.mark.slow
 def test_they_pass_every_check_with_every_play_of_the_band(plan):
-    band, name = plan.comparison.chosen.band, plan.car.design.name
+    band, name = plan.application.comparison.chosen.band, plan.application.design.name
     print(f"{name}: {band.worst_distance:.1f} mm, {degrees(band.worst_heading):.2f} deg")
     assert plan.passed, [check.name for check in plan.failed]
     distance, heading = WORST[name]
     assert band.worst_distance < distance
     assert degrees(band.worst_heading) < heading
     if name == "figure_eight":
-        assert degrees(plan.comparison.bound.heading) == pytest.approx(degrees(band.worst_heading), rel=0.01)
-        drift = plan.laps.of(plan.comparison.chosen.run)
+        bound = plan.application.comparison.bound
+        assert degrees(bound.heading) == pytest.approx(degrees(band.worst_heading), rel=0.01)
+        drift = plan.application.laps.of(plan.application.comparison.chosen.run)
         assert drift.end[0] < 0.05
         assert degrees(abs(drift.end[1])) < 0.01
     else:
-        x, y = plan.track.planned(plan.track.length) - plan.car.design.course.finish.at_mm
-        assert hypot(x, y) < plan.car.design.course.finish.radius_mm
+        track, finish = plan.application.track, plan.application.design.course.finish
+        x, y = track.planned(track.length) - finish.at_mm
+        assert hypot(x, y) < finish.radius_mm

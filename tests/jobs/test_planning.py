@@ -57,9 +57,11 @@ def test_the_papers_course_with_gates_of_50_mm():
     today = Design.load()
     planned = Design.load(None, GATES).plan(calm_as=today, reserve=0)
     assert planned.passed
-    band = planned.cam.comparison.chosen.band
+    band = planned.cam.application.comparison.chosen.band
     reordered = planned.design.with_({"optimize.order": "reordered"}).cam()
-    print(f"{band.worst_distance:.1f} mm, reordered {reordered.comparison.chosen.band.worst_distance:.1f} mm")
+    print(
+        f"{band.worst_distance:.1f} mm, reordered {reordered.application.comparison.chosen.band.worst_distance:.1f} mm"
+    )
     assert band.worst_distance <= 173
     assert reordered.comparison.chosen.band.worst_distance <= 130
     assert reordered.passed
@@ -78,7 +80,7 @@ def test_the_papers_path_improved_within_25_mm():
     """By a linear programme on the lateral shift it was 205 mm."""
     today = Design.load()
     planned = today.plan(today, 25, reserve=0)
-    distance = planned.cam.comparison.chosen.band.worst_distance
+    distance = planned.cam.application.comparison.chosen.band.worst_distance
     print(f"{distance:.1f} mm")
     assert distance <= 205
     new, old = (cam_model.track(design.values) for design in (planned.design, today))
@@ -113,8 +115,10 @@ def test_most_cars_keep_the_course_on_the_plan_that_is_chosen():
     tried = {each["reserve"]: each for each in chosen["tried"]}
     assert list(tried) == [0, 1, 2, 3]
     assert max(each["kept"] for each in tried.values()) - tried[chosen["reserve"]]["kept"] <= 0.002
-    assert tried[0]["worst_end_position_mm"] == pytest.approx(alone.cam.comparison.chosen.band.worst_distance)
-    assert plan.cam.comparison.chosen.band.worst_distance < 1.1 * tried[0]["worst_end_position_mm"]
+    assert tried[0]["worst_end_position_mm"] == pytest.approx(
+        alone.cam.application.comparison.chosen.band.worst_distance
+    )
+    assert plan.cam.application.comparison.chosen.band.worst_distance < 1.1 * tried[0]["worst_end_position_mm"]
 
 
 @pytest.mark.slow

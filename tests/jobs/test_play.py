@@ -14,8 +14,8 @@ from cadgen.car.running.run_errors import run_error
 from cadgen.design.load import load_design
 from cadgen.errors import CheckError, FileError
 from cadgen.jobs import tolerance
-from cadgen.jobs.cam.cam_plan import comparison_of, plan_cam
 from cadgen.jobs.cam.car_facts import comparison_facts
+from cadgen.jobs.cam.steering_cam import comparison_of, plan_cam
 from cadgen.jobs.simulation import simulate
 
 ROOT = Path(__file__).parents[2]
@@ -93,7 +93,7 @@ def bound_row(comparison):
 def test_the_documentation_has_the_figures_of_the_command(compared):
     """A regression: the tables are our own output."""
     reordered = plan_cam(load_design("carbon_free_car", ["optimize.order=reordered"]), "compensated").comparison
-    true = {name: {*rows(plan.comparison)} for name, plan in compared.items()}
+    true = {name: {*rows(plan.application.comparison)} for name, plan in compared.items()}
     true["carbon_free_car"].add(bound_row(reordered))
     text = (ROOT / "docs/decisions/0027-profiles-against-play.md").read_text()
     table = text[text.index("| profile and train |") :].split("\n\n")[0].splitlines()[2:]
@@ -165,12 +165,13 @@ def test_without_play_no_share_of_it_can_be_off(overrides):
 @pytest.mark.slow
 def test_with_a_measured_play_limits_and_choice_go_by_the_errors_with_it(carbon_free_car):
     plan = plan_cam(with_play(0.74, "optimize.max_end_position_mm=100", "optimize.max_end_heading_deg=1"), "optimized")
-    assert plan.comparison.chosen.profile is COMPENSATED
+    assert plan.application.comparison.chosen.profile is COMPENSATED
     assert any(
-        "least position error at the end with the measured play, 0.6" in text for text in plan.comparison.reasons
+        "least position error at the end with the measured play, 0.6" in text
+        for text in plan.application.comparison.reasons
     )
     # The band of other cars is told all the same.
-    assert plan.comparison.chosen.band.worst_distance > 300
+    assert plan.application.comparison.chosen.band.worst_distance > 300
     with pytest.raises(
         CheckError, match=r"compensated, has a position error at the end with the measured play of 0\.6"
     ):
@@ -206,7 +207,7 @@ def test_says_so_if_another_order_of_the_stages_keeps_the_limits():
         plan_cam(load_design("carbon_free_car", [limit]), "optimized")
     plan = plan_cam(load_design("carbon_free_car", [limit, "optimize.order=reordered"]), "optimized")
     assert plan.passed
-    assert plan.comparison.chosen.band.worst_distance < 250
+    assert plan.application.comparison.chosen.band.worst_distance < 250
 
 
 @pytest.mark.slow

@@ -9,7 +9,7 @@ from cadgen.cam.checks import LOST_LIFT
 from cadgen.check import CheckCode
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
-from cadgen.jobs.cam.cam_plan import plan_cam
+from cadgen.jobs.cam.steering_cam import plan_cam
 
 BASE = load_design("carbon_free_car")
 OURS = {

@@ -24,7 +24,7 @@ from cadgen.cam.contact import roll
 from cadgen.design.load import load_design
 from cadgen.inference.adjustment import Settings, Trial
 from cadgen.jobs.adjustment.plan import Bench, Wanted
-from cadgen.jobs.cam.cam_plan import comparison_of, plan_cam
+from cadgen.jobs.cam.steering_cam import comparison_of, plan_cam
 from tests.studies.command import PAGES, options, tell
 from tests.studies.friction_truth import CELLS, DEG, TURN, FrictionCar, World
 from tests.studies.journal import outcomes, share, stamp
@@ -56,10 +56,14 @@ class Field:
         self.comparison = comparison_of(plan)
         task = self.comparison.task
         self.plan, self.rod, self.division = plan, task.follower, division
-        self.world = World(SimpleNamespace(lift=plan.steering, follower=task.follower, car=task.car, track=plan.track))
+        self.world = World(
+            SimpleNamespace(
+                lift=plan.application.steering, follower=task.follower, car=task.car, track=plan.application.track
+            )
+        )
         self.outline = plan.curve.outline(0.05)
         self.bench = Bench.of(plan, Wanted(division=division))
-        self.end = np.degrees(plan.steering.blend_start)
+        self.end = np.degrees(plan.application.steering.blend_start)
         planned = task.planned()
         self.start, self.heading = complex(*planned.drive_wheel[0]), float(planned.heading[0])
         self.finish = self.local(complex(*planned.drive_wheel[-1]))

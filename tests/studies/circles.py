@@ -136,7 +136,7 @@ def go_round(seed: int, number: int) -> Outcome:
     from cadgen.jobs.calibration.as_built_file import as_built_text
     from cadgen.jobs.calibration.calibration import calibrate
     from cadgen.jobs.calibration.sources import Source
-    from cadgen.jobs.cam.cam_plan import plan_cam
+    from cadgen.jobs.cam.steering_cam import plan_cam
     from tests.inference.measurement.synthetic import Car as Bed
 
     drawn, rng = draw(seed, number), np.random.default_rng([seed, number, 1])
@@ -163,7 +163,7 @@ def go_round(seed: int, number: int) -> Outcome:
             disc = SimpleNamespace(outline=lambda step: outline)
             bed = Bed(SimpleNamespace(actual=SimpleNamespace(curve=disc), follower=built.follower))
             goal = complex(*built.track.position(built.track.length * stop / TURN))
-            stop = cam.comparison.task.lift.blend_start if cam.comparison else cam.steering.blend_start
+            stop = cam.application.wanted.blend_start
             after = abs(_end(World(built, bed, form), drawn.on_new, stop) - goal)
     return Outcome(
         number=number,

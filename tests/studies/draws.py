@@ -168,12 +168,12 @@ def judges(name, spacings=None):
     cam = card.computed.cam
     values = tomllib.loads((DATA / f"{name}.toml").read_text())
     points = cam.curve.outline(0.01).points
-    turn = cam.track.turn
+    turn = cam.car.track.turn
 
     def path(angle):
-        return cam.track.planned(angle / TURN * turn) @ [1, 1j]
+        return cam.car.track.planned(angle / TURN * turn) @ [1, 1j]
 
-    rows = [{**row, "finish_rad": cam.steering.blend_start} for row in card.settings]
+    rows = [{**row, "finish_rad": cam.car.steering.blend_start} for row in card.settings]
     return card, [Judge(values, points, path, row) for row in rows]
 
 

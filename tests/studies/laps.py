@@ -20,7 +20,7 @@ MOST_MM, MOST_DEG, LEAST_OFF = 0.01, 0.001, 0.95
 def row(profile: str) -> tuple[str, bool]:
     """A line of the table, and whether the bars are kept."""
     plan = Design.load("figure_eight").cam(profile).computed
-    laps, comparison = plan.laps, plan.comparison
+    laps, comparison = plan.application.laps, plan.application.comparison
     play, chosen, bound = comparison.chosen.made_for, comparison.chosen, comparison.bound
     none = laps.of(laps.planned).lap
     plain, own = (laps.of(comparison.run(each, play)) for each in (comparison.before, chosen))

@@ -26,7 +26,8 @@ from cadgen.curves.spline import splines
 from cadgen.design.load import load_design
 from cadgen.errors import CadgenError
 from cadgen.jobs.cam.cam_files import write_cam
-from cadgen.jobs.cam.cam_plan import CamPlan, plan_cam
+from cadgen.jobs.cam.cam_plan import CamPlan
+from cadgen.jobs.cam.steering_cam import plan_cam
 from cadgen.output.files.xyz import read_xyz, write_xyz
 from tests.studies.command import PAGES, options, tell
 from tests.studies.paths_truth import TURN, Truth
@@ -195,7 +196,7 @@ def verdict(case: Case, number: int, *, write: bool = False) -> str:
 
 def _fit(plan: CamPlan, folder: Path) -> None:
     """The curve as arcs, as splines and as a cloud that can be read again."""
-    export = plan.car.design.export
+    export = plan.application.design.export
     arcs(plan.curve, export.arc_tolerance_um * 1e-3)
     splines(plan.curve, 1e-5, 5)
     write_xyz(folder / "cloud.xyz", plan.curve, export.point_count)

@@ -37,7 +37,7 @@ def gates(radius: float) -> Design:
 def figures(design: Design) -> tuple[float, float, bool]:
     """Worst end over the band: position, mm, and heading, degrees; whether all checks pass."""
     cam = design.cam()
-    band = cam.comparison.chosen.band
+    band = cam.car.comparison.chosen.band
     return band.worst_distance, float(np.degrees(band.worst_heading)), cam.passed
 
 

@@ -11,7 +11,6 @@ with the greatest share of the variance at the end.
 import numpy as np
 
 from cadgen import Design, __version__
-from cadgen.design import variation
 from cadgen.inference.monte_carlo.random_cars import margins_of_cars
 from cadgen.jobs.tolerance import ToleranceRun, comparison_of, watched_fleet
 from tests.studies.command import PAGES, options, tell
@@ -26,7 +25,7 @@ FEW = 1000  # cars that are held against each gate alone
 def each_alone(run: ToleranceRun, seed: int) -> dict[str, float]:
     """Share of the cars that keep each gate alone, and the edge."""
     fleet, plan = watched_fleet(run.cam), run.cam
-    tolerances = variation.tolerances(plan.car.design, comparison_of(plan).task.mechanics)
+    tolerances = plan.application.tolerances()
     margins = margins_of_cars(fleet, tolerances, FEW, seed=seed).margins
     return {
         watch.key.removeprefix("course."): float(np.mean(each >= 0))

@@ -84,6 +84,10 @@ class ProfileKind:
     def __str__(self) -> str:
         return self.code
 
+    def rolling(self, follower: Follower) -> Follower:
+        """Follower that rolls on a profile of this kind: the cam's own, or its reference point."""
+        return follower.point() if self.by_axis else follower
+
 
 def _axis_curve(lift: Motion, follower: Follower) -> ActualProfile:
     from cadgen.cam.envelope import ActualProfile

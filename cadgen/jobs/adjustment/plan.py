@@ -12,7 +12,7 @@ from cadgen.arrays import Array
 from cadgen.car.running.drive import STEPS, start_pose
 from cadgen.car.running.friction import USUAL
 from cadgen.car.running.mechanics import Mechanics
-from cadgen.design import cam_model, variation
+from cadgen.design import cam_model
 from cadgen.design.schema import Design
 from cadgen.deviations.deviation import (
     BASE_RADIUS,
@@ -38,7 +38,8 @@ from cadgen.inference.adjustment import (
 )
 from cadgen.inference.monte_carlo.cars import Cars
 from cadgen.inference.records.load import read_trials, settings_line, trials_of
-from cadgen.jobs.cam.cam_plan import CamPlan, comparison_of, plan_cam
+from cadgen.jobs.cam.cam_plan import CamPlan
+from cadgen.jobs.cam.steering_cam import CarUse, comparison_of, plan_cam
 from cadgen.jobs.nominal_car import fleet_of
 from cadgen.messages import Message
 from cadgen.progress import Progress, silent
@@ -63,16 +64,6 @@ class Point(Enum):
     FORK = "fork"
     IDLE_WHEEL = "idle-wheel"
     PATH = "path"
-
-    def lever(self, design: Design) -> complex:
-        """Place of the point in the car's frame from the drive wheel, ahead + i left, mm."""
-        car = design.car
-        return {
-            Point.DRIVE_WHEEL: 0j,
-            Point.FORK: car.wheelbase_mm - 1j * car.drive_wheel_offset_mm,
-            Point.IDLE_WHEEL: -1j * (car.drive_wheel_offset_mm + car.idle_wheel_offset_mm),
-            Point.PATH: -1j * design.path.offset_mm,
-        }[self]
 
 
 class Knob(Enum):
@@ -264,7 +255,8 @@ def adjust(
     cam_model.refuse_laps(design, "an adjustment by trial runs", "adjust the car on a design with an open path")
     records = read_trials(files)
     plan = plan_cam(design, profile, progress, with_play=True)
-    trials = trials_of(records, start_pose(plan.track), plan.steering.blend_start)
+    use = CarUse.of(plan)
+    trials = trials_of(records, start_pose(use.track), use.steering.blend_start)
     progress("explaining the trial runs")
     return Bench.of(plan, wanted).adjustment(trials)
 
@@ -323,21 +315,21 @@ class Bench:
         fine, coarse = (
             fleet_of(plan, list(range(0, STEPS + 1, apart)), mechanics, play, grid=_GRID) for apart in (FINE, COARSE)
         )
-        design, course = plan.car.design, plan.course
-        width = design.tolerances.gate_width_mm
+        use, origin = CarUse.of(plan), plan.origin
+        course, width = use.course, use.gate_width
         reaches = [gate.place.reach for gate in course.course.gates if gate.place.reach] if course else []
         return cls(
             plan=plan,
             described={
-                "design": design.name,
-                "design_sha256": design.content_hash,
-                "overrides": list(design.overrides),
-                "drive_wheel": plan.drive_wheel.facts(),
+                "design": origin.name,
+                "design_sha256": origin.content_hash,
+                "overrides": list(origin.overrides),
+                "drive_wheel": use.drive_wheel.facts(),
                 "cadgen": __version__,
                 "profile": plan.kind.code,
             },
-            stem=f"{design.name}_{plan.kind.code}_adjustment".replace("+", "_"),
-            lever=wanted.point.lever(design),
+            stem=f"{origin.name}_{plan.kind.code}_adjustment".replace("+", "_"),
+            lever=use.points[wanted.point.value],
             allowed=min(reaches, default=WORTH if width is None else width / 2),
             wanted=wanted,
             prior=CarPrior(sigma=ordered, grid=grid, noise=noise),
@@ -381,7 +373,7 @@ class Bench:
 def _spreads(plan: CamPlan) -> dict[Deviation, float]:
     """Standard deviations of what the car may differ by, but for play, friction and the start."""
     sigma = dict(_LEAST)
-    for name, width in variation.half_widths(plan.car.design, comparison_of(plan).task.mechanics).items():
+    for name, width in CarUse.of(plan).half_widths().items():
         # Deviations of the start are in each run's own settings and noise.
         if name not in (*STARTS, SLIDING_FRICTION):
             # A value that is anywhere within the zone, or one direction of such a size.

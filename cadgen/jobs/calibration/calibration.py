@@ -33,7 +33,7 @@ from cadgen.inference.measurement.record import Kind, Method, Record, join, said
 from cadgen.inference.measurement.verdict import Judgement, Verdict
 from cadgen.jobs.calibration.new_cam import Built, agreed_places, expected_of, placed, with_joint_effect
 from cadgen.jobs.calibration.sources import Source, stated_form_error
-from cadgen.jobs.cam.cam_plan import plan_cam
+from cadgen.jobs.cam.steering_cam import CarUse, plan_cam
 from cadgen.messages import Message, joined
 from cadgen.progress import Progress, silent
 
@@ -276,7 +276,8 @@ def nominal_of(design: Design, profile: str, progress: Progress = silent) -> Nom
     rod = cam_model.rod(bare, "a calibration")
     plan = plan_cam(design, profile, progress)
     follower = rod.point() if plan.kind.by_axis else rod
-    lift = cut = plan.steering
+    use = CarUse.of(plan)
+    lift = cut = use.steering
     if design.as_built is not None or not plan.kind.gives_lift:
         # What is cut gives the rod of the designed car another lift than the planned one.
         angle = np.linspace(0.0, 2 * pi, _STATIONS, endpoint=False)
@@ -291,7 +292,7 @@ def nominal_of(design: Design, profile: str, progress: Progress = silent) -> Nom
         follower=follower,
         profile=plan.on_shaft,
         car=cam_model.car(bare),
-        track=plan.track,
+        track=use.track,
         ratios=ratios,
         teeth=teeth,
     )

@@ -2,7 +2,9 @@
 
 | module       | what it holds                                                                |
 |--------------|------------------------------------------------------------------------------|
-| `cam_plan`   | design -> motion, profile and checks of a cam, and what the cam is for       |
+| `cam_plan`   | a cam that is computed and checked, how it is made, and what it is for       |
+| `motion_cam` | a cam by its motion: its use, plan and checks                                |
+| `steering_cam` | a car's cam: the car as its use, plan and checks                           |
 | `cures`      | changes of one key that cure lost lift, each proved                          |
 | `cam_facts`  | plan and cures as plain values                                               |
 | `cam_files`  | a checked cam -> every file, read back, rolled, published                    |

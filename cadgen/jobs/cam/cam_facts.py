@@ -20,7 +20,7 @@ def cam_facts(plan: CamPlan, cures: Cures) -> dict[str, Any]:
             for cure in cures.proved
         ],
         "edge_break_mm": plan.blank.edge_break,
-        "carrying_planes_mm": list(plan.rod.planes),
+        "carrying_planes_mm": list(plan.follower_as_built.planes),
         "lift_extrema": _extrema_facts(plan),
         "profile_area_mm2": plan.area,
         **plan.application.facts(plan),
@@ -51,7 +51,7 @@ def _extrema_facts(plan: CamPlan) -> list[dict[str, Any]]:
         {
             "kind": kind,
             "cam_angle_deg": degrees(angle),
-            "lift_mm": float(plan.rod.lift(plan.motion.q(angle))),
+            "lift_mm": float(plan.follower_as_built.lift(plan.motion.q(angle))),
         }
         for kind, angles in (("peak", peaks), ("valley", valleys))
         for angle in angles

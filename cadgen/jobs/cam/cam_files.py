@@ -1,4 +1,4 @@
-"""From a checked cam to files on disk, each read back and rolled against the rod before it is published."""
+"""From a checked cam to files on disk, each read back and rolled against its follower before it is published."""
 
 from collections.abc import Iterable, Iterator
 from functools import partial
@@ -8,12 +8,11 @@ from typing import TYPE_CHECKING
 from cadgen.cam.checks import cam_angles
 from cadgen.errors import CheckError
 from cadgen.jobs.cam.cam_facts import cam_facts
-from cadgen.jobs.cam.cam_plan import CamPlan, CarUse
+from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.cures import Cures, find_cures
 from cadgen.output.files.exports import CamExport
 from cadgen.output.files.formats import CAM
 from cadgen.output.files.publisher import Artifact, Written, publish
-from cadgen.parts.face import Face
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
@@ -67,22 +66,8 @@ def write_cam(
         part,
         out,
         files,
-        {**facts, **chosen, "frame": frame(plan)},
+        {**facts, **chosen, "frame": plan.application.frame(plan)},
         lambda _: {"omitted": omitted, "warnings": warnings},
-    )
-
-
-def frame(plan: CamPlan) -> str:
-    """Axes of the files, in words."""
-    if isinstance(plan.application, CarUse):
-        return (
-            "mm; z = 0 is the disc's inner face (the one nearer to the fork axis), +z points to the outer face; at cam "
-            "angle theta the rod stands at polar angle theta, counterclockwise from +X seen from the outer face"
-        )
-    other = Face.INNER if plan.seen == Face.OUTER else Face.OUTER
-    return (
-        f"mm; z = 0 is the disc's {other} face, +z points to the {plan.seen} face, seen on which the disc turns "
-        f"clockwise; at cam angle theta the {plan.follower.noun} stands at polar angle theta, counterclockwise from +X"
     )
 
 

@@ -11,7 +11,7 @@ from cadgen.arrays import TURN
 from cadgen.car.course.approach import Approach
 from cadgen.car.course.body import CarBody, RunPoses
 from cadgen.car.course.judge import CourseVerdict, EndDeviation, Passage, judge, judge_laps, passages
-from cadgen.car.course.layout import Course, Judged, ObstacleKind
+from cadgen.car.course.layout import Course, Judged, ObstacleKind, Shape
 from cadgen.car.course.refuse import refuse_course
 from cadgen.car.path.wheel_track import Track
 from cadgen.car.path_motion import PathMotion
@@ -23,6 +23,7 @@ from cadgen.design import cam_model
 from cadgen.design.course import STAND_RADIUS, body_of, layout_of
 from cadgen.design.schema import Design
 from cadgen.jobs.cam.comparison import PlayComparison
+from cadgen.output.report.tracks import Field
 
 _STEP = 2.5  # mm of travel between poses: straight lines between them then err by 2 um on turns of 400 mm
 _MOST_STEPS = 40_000
@@ -45,26 +46,24 @@ class OnCourse:
     closed path every lap of the run is held against the course.
 
     Attributes:
-        design: loaded design.
+        car: car in plan view.
+        body: its outline and wheels.
+        travel: travel of the drive wheel's rim for one turn of the cam, mm.
+        known_wheel: whether the design gives the radius of the drive wheel.
+        run_laps: laps of a closed path in a run.
         track: track of the drive wheel.
         lift: lift wanted.
         course: course of the design.
     """
 
-    design: Design
+    car: Car
+    body: CarBody
+    travel: float
+    known_wheel: bool
+    run_laps: int
     track: Track
     lift: PathMotion
     course: Course
-
-    @cached_property
-    def car(self) -> Car:
-        """The car in plan view."""
-        return cam_model.car(self.design)
-
-    @cached_property
-    def body(self) -> CarBody:
-        """Outline and wheels of the car."""
-        return body_of(self.design.car.outline, cam_model.car(self.design))
 
     @property
     def stop(self) -> float:
@@ -74,7 +73,7 @@ class OnCourse:
     @property
     def all_driven(self) -> bool:
         """Whether the whole path is driven before a closing blend, or is closed and needs none."""
-        return self.track.closed or self.design.car.drive_wheel_radius_mm is not None
+        return self.track.closed or self.known_wheel
 
     def run(self, driving: Callable[[float, int], Run]) -> "CourseRun":
         """Hold a run against the course.
@@ -84,7 +83,7 @@ class OnCourse:
         """
         if self.track.closed:
             return self._run_laps(driving)
-        steps = min(max(STEPS, ceil(cam_model.travel(self.design, self.track) / _STEP)), _MOST_STEPS)
+        steps = min(max(STEPS, ceil(self.travel / _STEP)), _MOST_STEPS)
         run = driving(self.stop, steps)
         poses, end = poses_of(run, self.car), len(run.motor)
         if self.all_driven:
@@ -105,7 +104,7 @@ class OnCourse:
         return CourseRun(self, run, poses, driven, blend)
 
     def _run_laps(self, driving: Callable[[float, int], Run]) -> "CourseRun":
-        laps = self.design.path.run_laps
+        laps = self.run_laps
         steps = min(max(_LEAST_STEPS, ceil(self.track.length / _STEP)), _MOST_STEPS // laps)
         run = driving(self.stop, steps * laps)
         poses, lap = poses_of(run, self.car), TURN / self.track.turn_laps
@@ -119,10 +118,10 @@ class OnCourse:
         Raises:
             DesignError: no car can keep the course.
         """
-        travel, start = cam_model.travel(self.design, self.track), start_pose(self.track)
+        start = start_pose(self.track)
 
         def driving(stop: float, steps: int) -> Run:
-            return drive(self.lift, self.car, travel, start=start, stop=stop, steps=steps, at_joints=True)
+            return drive(self.lift, self.car, self.travel, start=start, stop=stop, steps=steps, at_joints=True)
 
         first = poses_of(driving(self.stop * 1e-9, 1), self.car)
         refuse_course(self.course, self.body, first)
@@ -358,7 +357,45 @@ def on_course(design: Design, track: Track, lift: PathMotion) -> OnCourse | None
         lift: lift wanted.
     """
     course = layout_of(design.course)
-    return None if course is None else OnCourse(design, track, lift, course)
+    if course is None:
+        return None
+    car = cam_model.car(design)
+    return OnCourse(
+        car=car,
+        body=body_of(design.car.outline, car),
+        travel=cam_model.travel(design, track),
+        known_wheel=design.car.drive_wheel_radius_mm is not None,
+        run_laps=design.path.run_laps,
+        track=track,
+        lift=lift,
+        course=course,
+    )
+
+
+def floor_with(design: Design, body: CarBody) -> Field:
+    """Course or field of a design with the car, for pictures.
+
+    Args:
+        design: loaded design.
+        body: outline and wheels of the car.
+    """
+    course, field = layout_of(design.course), design.field
+    car = np.array(body.corners or [wheel.centre for wheel in body.wheels])
+    if course is not None:
+        return Field(
+            edge=None if course.edge is None else np.array(course.edge.points),
+            obstacles=[obstacle.shape for obstacle in course.obstacles],
+            gates=[gate.place for gate in course.gates],
+            car=car,
+        )
+    if field is None:
+        return Field(car=car)
+    (x, y), (width, height) = field.corner_mm, field.size_mm
+    return Field(
+        edge=np.array([[x, y], [x + width, y], [x + width, y + height], [x, y + height]]),
+        obstacles=[Shape.disc(centre, field.obstacle_radius_mm) for centre in field.obstacles_mm],
+        car=car,
+    )
 
 
 def course_checks(on: OnCourse | None, comparison: PlayComparison | None = None) -> tuple[Check, ...]:

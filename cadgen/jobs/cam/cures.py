@@ -97,7 +97,7 @@ def _tried(plan: CamPlan) -> Iterator[Cure]:
     for changes in plan.application.changes(plan):
         yield from next(filter(None, (_proved(plan, override, now) for override, now in changes)), [])
     limit = plan.limits.lost_lift
-    for change in undercut_cures(plan.motion, plan.rod, limit):
+    for change in undercut_cures(plan.motion, plan.follower_as_built, limit):
         # Three digits, rounded to the safe side.
         unit = 10.0 ** (floor(log10(change.value)) - 2)
         safe = (ceil if change.value > change.now else floor)(change.value / unit) * unit

@@ -9,11 +9,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from cadgen.design import variation
 from cadgen.design.schema import Design
 from cadgen.errors import CadgenError
 from cadgen.inference.monte_carlo.random_cars import margins_of_cars
-from cadgen.jobs.cam.cam_plan import CamPlan, plan_cam
+from cadgen.jobs.cam.cam_plan import CamPlan
+from cadgen.jobs.cam.steering_cam import CarUse, plan_cam
 from cadgen.jobs.tolerance import CarSample, ToleranceRun, tolerance_of, watched_fleet
 from cadgen.progress import Progress
 
@@ -93,12 +93,13 @@ def tried(cam: CamPlan, factor: float) -> Tried | None:
     Raises:
         DesignError: a tolerance is too large to reckon with.
     """
-    if cam.comparison is None or cam.course is None:
+    use = CarUse.of(cam)
+    if use.comparison is None or use.course is None:
         return None
     fleet = watched_fleet(cam)
     if not fleet.items:
         return None
-    seen = margins_of_cars(fleet, variation.tolerances(cam.car.design, cam.comparison.task.mechanics), _FEW, seed=_SEED)
+    seen = margins_of_cars(fleet, use.tolerances(), _FEW, seed=_SEED)
     alone: dict[str, float] = {}
     scatter: dict[str, float] = {}
     margins = seen.margins
@@ -109,7 +110,7 @@ def tried(cam: CamPlan, factor: float) -> Tried | None:
     if not any(scatter.values()):
         return None
     kept = float(np.mean(margins.min(axis=0) >= 0))
-    return Tried(factor, kept, alone, scatter, cam.comparison.chosen.band.worst_distance)
+    return Tried(factor, kept, alone, scatter, use.comparison.chosen.band.worst_distance)
 
 
 def saturated(paths: Sequence[Tried]) -> bool:

@@ -17,6 +17,7 @@ from cadgen.design.schema import Design
 from cadgen.errors import CheckError, FileError
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.comparison import PlayComparison
+from cadgen.jobs.cam.steering_cam import CarUse
 from cadgen.jobs.planning.cars import CarsOnPaths
 from cadgen.messages import Message, joined
 from cadgen.output.files.publisher import Artifact, Written, folder_of, publish, refusal, text_file
@@ -72,11 +73,13 @@ class PathPlanning:
         """The result in words, the most important first."""
         if self.reasons or self.cam is None:
             return tuple(self._refusal())
-        plan, cam = self.plan, self.cam
+        plan, use = self.plan, CarUse.of(self.cam)
         lines: list[str] = [] if self.cars is None else [_kept(self.cars)]
-        if cam.comparison is not None:
-            low, high = (degrees(end) for end in cam.comparison.band.ends)
-            before = None if self.cars is None or self.cars.before is None else self.cars.before.cam.comparison
+        if use.comparison is not None:
+            low, high = (degrees(end) for end in use.comparison.band.ends)
+            before = (
+                None if self.cars is None or self.cars.before is None else CarUse.of(self.cars.before.cam).comparison
+            )
             was = "" if before is None else Message(", and on the path before {ends}", ends=_ends(before))
             lines.append(
                 Message(
@@ -84,9 +87,9 @@ class PathPlanning:
                     "({profile} profile, by the exact chain)",
                     low=low,
                     high=high,
-                    ends=_ends(cam.comparison),
+                    ends=_ends(use.comparison),
                     was=was,
-                    profile=cam.comparison.chosen.profile,
+                    profile=use.comparison.chosen.profile,
                 )
             )
         if self.cars is not None:
@@ -108,10 +111,10 @@ class PathPlanning:
                     radius=radius,
                 )
             )
-        if cam.laps is not None:
-            said: list[str] = [cam.drive_wheel.sentence()]
-            if cam.comparison is not None:
-                said += cam.laps.sentences(cam.comparison.run, cam.comparison.before, cam.comparison.chosen)
+        if use.laps is not None:
+            said: list[str] = [use.drive_wheel.sentence()]
+            if use.comparison is not None:
+                said += use.laps.sentences(use.comparison.run, use.comparison.before, use.comparison.chosen)
             lines += [sentence.removesuffix(".") for sentence in said]
         if self.drawn:
             lines += [*settings.sentences(self.drawn, None), Message("cadgen card has the settings for every spacing")]
@@ -148,7 +151,7 @@ class PathPlanning:
     def facts(self) -> dict[str, Any]:
         """The result as plain values, as in the manifest and with `--json`."""
         design, plan, cam = self.asked, self.plan, self.cam
-        comparison = None if cam is None else cam.comparison
+        comparison = None if cam is None else CarUse.of(cam).comparison
         return {
             "design": design.name,
             "design_sha256": design.content_hash,
@@ -259,7 +262,7 @@ def _cars_facts(cars: CarsOnPaths | None) -> dict[str, Any] | None:
     if cars is None:
         return None
     (key, share), before = cars.binding, cars.before
-    known = None if before is None else before.cam.comparison
+    known = None if before is None else CarUse.of(before.cam).comparison
     return {
         "cars": cars.after.samples,
         "profile": cars.after.cam.kind.code,

@@ -26,7 +26,8 @@ from cadgen.design.load import design_of
 from cadgen.design.planned import planned_text, rounded
 from cadgen.design.schema import Design
 from cadgen.errors import CheckError, DesignError
-from cadgen.jobs.cam.cam_plan import CamPlan, plan_cam
+from cadgen.jobs.cam.cam_plan import CamPlan
+from cadgen.jobs.cam.steering_cam import CarUse, plan_cam
 from cadgen.jobs.card import card_of
 from cadgen.jobs.planning.cars import ALL, REFINED, Tried, best, cars_on, saturated, tried
 from cadgen.jobs.planning.path_planning import PathPlanning
@@ -170,7 +171,8 @@ def _planned(
         written = planned_text(design, asked.text, result.path.points, radius)
         progress("checking the planned cam")
         try:
-            cam = plan_cam(design_of(written, Path(f"{design.name}.toml")), None, progress)
+            made = design_of(written, Path(f"{design.name}.toml"))
+            cam = plan_cam(made, None, progress)
         except CheckError as error:
             return PathPlanning(asked=design, task=task, plan=result, text="", cam=None, failed=error.message)
         except DesignError:
@@ -179,7 +181,7 @@ def _planned(
                 raise
             tightening, begin = replace(tightening, blend=tightening.blend + 1), rounded(result.path.points)
             continue
-        settings = _settings(task, cam, progress)
+        settings = _settings(made, task, cam, progress)
         path = PathPlanning(
             asked=design,
             task=task,
@@ -199,14 +201,15 @@ def _planned(
     return path
 
 
-def _settings(task: PathTask, cam: CamPlan, progress: Progress) -> tuple[DrawnSpacing, ...]:
+def _settings(design: Design, task: PathTask, cam: CamPlan, progress: Progress) -> tuple[DrawnSpacing, ...]:
     """Settings at the ends of what is drawn and between, if a spacing is drawn."""
     if task.draw is None:
         return ()
-    draw_model.refuse_range(cam.car.design, task.draw, cam.track, cam_model.rod(cam.car.design, "a card of settings"))
+    rod = cam_model.rod(design, "a card of settings")
+    draw_model.refuse_range(design, task.draw, CarUse.of(cam).track, rod)
     low, high = task.draw.spacings[0], task.draw.spacings[-1]
     few = replace(task.draw, spacings=tuple(np.linspace(low, high, _SPACINGS).tolist()))
-    return card_of(cam, few, progress, tries=1).drawn
+    return card_of(design, cam, few, progress, tries=1).drawn
 
 
 def _refuse_course(design: Design) -> None:

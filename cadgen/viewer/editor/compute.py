@@ -14,9 +14,10 @@ from cadgen.output.files.manifest import Origin
 from cadgen.progress import Progress
 from cadgen.viewer.editor.course_items import points_of
 from cadgen.viewer.editor.job import Job, Result, Stage, State, refusal
+from cadgen.viewer.page.car_page import plan_edited, plan_preview
 from cadgen.viewer.page.data import data_of
 from cadgen.viewer.page.html import floor_html, pieces_of
-from cadgen.viewer.page.page_plan import PagePlan, plan_edited, plan_preview
+from cadgen.viewer.page.page_plan import PagePlan
 from cadgen.viewer.page.report import page_of
 from cadgen.viewer.page.scene import floor_of
 

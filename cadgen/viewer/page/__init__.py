@@ -2,7 +2,8 @@
 
 | module          | what it holds                                                     |
 |-----------------|-------------------------------------------------------------------|
-| `page_plan`     | cam, gears, runs, tolerance and calibration, each computed once   |
+| `page_plan`     | cam and gears, each computed once, and what stands on their page  |
+| `car_page`      | a car's page: runs, random cars and calibration besides           |
 | `document`      | content of a page: sheets, curves, meshes, motion                 |
 | `turning_train` | the train beside its cam, and how its shafts turn                 |
 | `charts`        | curves over the cam angle                                         |

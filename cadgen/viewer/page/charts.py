@@ -1,6 +1,5 @@
 """Curves over the cam angle: lift, steering, pressure angle, curvature, torque; and the marked places of the turn."""
 
-from dataclasses import dataclass
 from math import degrees
 
 import numpy as np
@@ -10,6 +9,7 @@ from cadgen.cam.contact import roll_curve
 from cadgen.cam.follower import Contact
 from cadgen.car.against_play.evaluate import Evaluation
 from cadgen.car.path_motion import PathMotion
+from cadgen.car.running.mechanics import MechanicsBand
 from cadgen.curves.closed import ClosedCurve
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.simulation import Simulation
@@ -20,25 +20,12 @@ STATIONS = 720  # of a chart: one each half degree; a curve on a phone has fewer
 _POINTS_OF_A_PIECE = 400  # at which the curvature of the profile is computed
 
 
-@dataclass(frozen=True)
-class Charted:
-    """Charts and marks of a cam."""
-
-    charts: tuple[Chart, ...]
-    marks: tuple[Mark, ...]
-
-
-def charts_of(plan: CamPlan, simulation: Simulation[CamPlan] | None) -> Charted:
-    """Charts of a cam that is planned, and the marks of its lift."""
+def charts_of(plan: CamPlan) -> tuple[Chart, ...]:
+    """Lift, pressure angle and curvature of a cam that is planned."""
     theta = np.linspace(0.0, TURN, STATIONS + 1)
-    wanted = plan.curve if plan.comparison is None else plan.comparison.chosen.wanted.curve
-    contact, _ = roll_curve(wanted, plan.follower, theta[:-1])
-    charts = [_lift(plan, theta, contact), _pressure(plan, theta, contact), _curvature(plan, wanted, theta, contact)]
-    if simulation is not None:
-        charts.append(_off(simulation))
-    if (torque := _torque(plan, theta)) is not None:
-        charts.append(torque)
-    return Charted(tuple(charts), tuple(_marks(plan)))
+    curve = plan.application.envelope(plan)
+    contact, _ = roll_curve(curve, plan.follower, theta[:-1])
+    return _lift(plan, theta, contact), _pressure(plan, theta, contact), _curvature(plan, curve, theta, contact)
 
 
 def _closed(values: Array) -> Array:
@@ -48,9 +35,10 @@ def _closed(values: Array) -> Array:
 def _lift(plan: CamPlan, theta: Array, contact: Contact) -> Chart:
     """Lift wanted, and the lift that the follower gets."""
     curves = [Curve(Message("lift given"), _closed(contact.lift))]
-    if plan.comparison is not None:
-        wanted = plan.comparison.task.lift
-        curves.append(Curve(Message("lift wanted"), np.asarray(plan.rod.lift(wanted.q(theta % TURN))), dashed=True))
+    wanted = plan.application.planned(plan)
+    if wanted is not None:
+        values = np.asarray(plan.follower_as_built.lift(wanted.q(theta % TURN)))
+        curves.append(Curve(Message("lift wanted"), values, dashed=True))
     return Chart("lift", Message("Lift"), "mm", theta, tuple(curves))
 
 
@@ -96,7 +84,7 @@ def name_before(before: Evaluation) -> Message:
     return Message("measured cam, with play" if before.measured else "plain profile, with play")
 
 
-def _off(simulation: Simulation[CamPlan]) -> Chart:
+def drift_chart(simulation: Simulation[CamPlan]) -> Chart:
     """Distance from the planned place, with play."""
     motor = simulation.planned.motor
     theta = np.linspace(0.0, TURN, STATIONS + 1)
@@ -111,13 +99,15 @@ def _off(simulation: Simulation[CamPlan]) -> Chart:
     return Chart("off", Message("Distance from the planned place"), "mm", theta, tuple(curves))
 
 
-def _torque(plan: CamPlan, theta: Array) -> Chart | None:
-    """Torque by which the rod turns the cam ahead; None without [mechanics]."""
-    band = None if plan.comparison is None else plan.comparison.task.mechanics
-    if band is None or plan.comparison is None:
-        return None
-    nominal, lift = band.nominal, plan.comparison.chosen.lift
-    values = nominal.torque(lift, theta % TURN)
+def torque_chart(band: MechanicsBand, lift: PathMotion) -> Chart:
+    """Torque by which the follower turns the cam ahead.
+
+    Args:
+        band: range of the forces on the cam.
+        lift: lift that the cam is cut for.
+    """
+    theta = np.linspace(0.0, TURN, STATIONS + 1)
+    values = band.nominal.torque(lift, theta % TURN)
     free = band.at(0.0, 0.0).torque(lift, theta % TURN)
     return Chart(
         "torque",
@@ -132,11 +122,10 @@ def _torque(plan: CamPlan, theta: Array) -> Chart | None:
     )
 
 
-def _marks(plan: CamPlan) -> list[Mark]:
+def marks_of(plan: CamPlan) -> tuple[Mark, ...]:
+    """Peaks and valleys of the motion."""
     peaks, valleys = plan.motion.extrema()
     marks = [Mark(MarkKind.PEAK, float(angle)) for angle in peaks] + [
         Mark(MarkKind.VALLEY, float(angle)) for angle in valleys
     ]
-    if isinstance(plan.motion, PathMotion) and plan.motion.blended:
-        marks.append(Mark(MarkKind.BLEND, plan.motion.blend_start))
-    return sorted(marks, key=lambda mark: mark.angle)
+    return tuple(sorted(marks, key=lambda mark: mark.angle))

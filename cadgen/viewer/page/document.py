@@ -299,6 +299,11 @@ class Scene:
     parts: tuple[Part, ...]
     wheel: tuple[int, float, float] | None = None
 
+    @property
+    def moves(self) -> bool:
+        """Whether the page's script moves it: a car, and the cam with it."""
+        return self.car is not None
+
 
 @dataclass(frozen=True)
 class Failure:

@@ -33,8 +33,8 @@ EDITING_NEEDS_SCRIPTS = Message("Editing needs scripts: allow them for this addr
 
 def html_of(page: Page) -> str:
     """The whole page of a report."""
-    if page.scene.car is None:
-        return shell(page.name, pieces_of(page), car=False)
+    if not page.scene.moves:
+        return shell(page.name, pieces_of(page), moves=False)
     document, block = data_of(page)
     data = Markup(
         f'<script type="application/json" id="data">{document}</script>'
@@ -45,7 +45,7 @@ def html_of(page: Page) -> str:
 
 def pieces_of(page: Page) -> dict[str, Markup]:
     """Everything on the page that depends on its content, by the id of the element that it fills."""
-    charts = "charts" if page.scene.car is not None else "plots"
+    charts = "charts" if page.scene.moves else "plots"
     return {
         **{code: _piece(code, page) for code in ("verdict", "links", "top", "notes", "tables", "origin")},
         "charts": _piece(charts, page),
@@ -70,7 +70,7 @@ def table_html(sheet: Sheet) -> Markup:
     return _piece("table", sheet)
 
 
-def shell(name: str, pieces: Mapping[str, str], data: str = "", *, edited: bool = False, car: bool = True) -> str:
+def shell(name: str, pieces: Mapping[str, str], data: str = "", *, edited: bool = False, moves: bool = True) -> str:
     """The page around its content.
 
     Args:
@@ -78,7 +78,7 @@ def shell(name: str, pieces: Mapping[str, str], data: str = "", *, edited: bool 
         pieces: content by the id of the element that it fills; what is missing stays empty.
         data: HTML with the data of the script.
         edited: whether the design can be edited: the page then has a second script, which asks its own server.
-        car: whether the cam steers a car, which the page's script moves.
+        moves: whether the page's script moves a car and its cam.
     """
     codes = ("verdict", "links", "top", "cam-box", "course-box", "legend", "notes", "charts", "tables", "origin")
     return (
@@ -89,7 +89,7 @@ def shell(name: str, pieces: Mapping[str, str], data: str = "", *, edited: bool 
             pieces={code: pieces.get(code, "") for code in codes},
             data=data,
             edited=edited,
-            car=car,
+            moves=moves,
             policy=policy(edited=edited),
             styles=[Markup(_static(f"{file}.css")) for file in _FILES[edited]],
             scripts=[Markup(_static(f"{file}.js")) for file in _FILES[edited]],

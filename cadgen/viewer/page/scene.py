@@ -11,15 +11,14 @@ from cadgen.arrays import TURN
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.car.course.body import place_of
 from cadgen.car.course.layout import CarPoint, Course, Gate, Shape, Side
-from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import drive, start_pose
 from cadgen.car.running.play import Following, follow
-from cadgen.design import cam_model
-from cadgen.design.course import body_of, layout_of
+from cadgen.design.course import layout_of
 from cadgen.design.schema import Design
 from cadgen.errors import CadgenError
 from cadgen.geometry.meshes.mesh import Mesh, cam_mesh
 from cadgen.jobs.cam.cam_plan import CamPlan
+from cadgen.jobs.cam.steering_cam import CarUse
 from cadgen.jobs.gears.gear_train import GearTrain
 from cadgen.messages import Message
 from cadgen.parts.face import Face
@@ -72,11 +71,6 @@ class Bodies:
     notes: tuple[str, ...]
 
 
-def rolled_lift_of(plan: CamPlan) -> PathMotion:
-    """Lift that the follower gets on the cam that is made."""
-    return plan.steering if plan.comparison is None else plan.comparison.chosen.rolled
-
-
 def scene_of(plan: CamPlan, gears: GearTrain | None) -> tuple[Scene, tuple[str, ...]]:
     """Everything that moves, and remarks on what is drawn otherwise than it will be built.
 
@@ -86,24 +80,25 @@ def scene_of(plan: CamPlan, gears: GearTrain | None) -> tuple[Scene, tuple[str, 
     """
     outline = plan.curve.outline(_OUTLINE).points
     bodies = bodies_of(plan, gears, float(np.hypot(*outline.T).max()))
-    tan_beta = rolled_lift_of(plan).q(np.linspace(0.0, TURN, LIFTS + 1) % TURN)
+    use = CarUse.of(plan)
+    tan_beta = use.rolled(plan).q(np.linspace(0.0, TURN, LIFTS + 1) % TURN)
     scene = Scene(
         outline=outline,
         openings=tuple(contour.polygon(_HOLE_CHORD) for contour in plan.made_blank.inner_contours()),
         follower=_rod(plan, bodies),
-        base=float(plan.rod.base_radius),
-        lift=Lift(lift=np.asarray(plan.rod.lift(tan_beta)), tan_beta=np.asarray(tan_beta)),
-        stop=plan.steering.blend_start if plan.comparison is None else plan.comparison.task.lift.blend_start,
+        base=float(plan.follower_as_built.base_radius),
+        lift=Lift(lift=np.asarray(plan.follower_as_built.lift(tan_beta)), tan_beta=np.asarray(tan_beta)),
+        stop=use.wanted.blend_start,
         goings=tuple(_goings(plan)),
-        floor=floor_of(plan.car.design),
-        car=_car(plan),
+        floor=figures_of(use.layout),
+        car=_car(use),
         shafts=bodies.shafts,
         parts=bodies.parts,
         wheel=bodies.wheel,
     )
     noted = (
         ()
-        if plan.car.design.as_built is None
+        if use.record is None
         else (
             Message(
                 "The disc is drawn as it is cut and centred on its shaft; the runs count in what [as_built] says of "
@@ -121,8 +116,8 @@ def still_scene(plan: CamPlan) -> Scene:
         outline=plan.curve.outline(_OUTLINE).points,
         openings=tuple(contour.polygon(_HOLE_CHORD) for contour in plan.made_blank.inner_contours()),
         follower=None,
-        base=float(plan.rod.base_radius),
-        lift=Lift(lift=np.asarray(plan.rod.lift(q)), tan_beta=np.asarray(q)),
+        base=float(plan.follower_as_built.base_radius),
+        lift=Lift(lift=np.asarray(plan.follower_as_built.lift(q)), tan_beta=np.asarray(q)),
         stop=TURN,
         goings=(),
         floor=(),
@@ -133,7 +128,7 @@ def still_scene(plan: CamPlan) -> Scene:
 
 
 def _rod(plan: CamPlan, bodies: Bodies) -> RodShape | None:
-    rod, (inner, outer) = plan.rod, plan.faces
+    rod, (inner, outer) = plan.follower_as_built, plan.faces
     if not isinstance(rod, LeaningRod):
         return None
     return RodShape(
@@ -148,27 +143,27 @@ def _rod(plan: CamPlan, bodies: Bodies) -> RodShape | None:
 
 def _goings(plan: CamPlan) -> Iterator[Going]:
     """Runs: planned, this cam without and with play, the plain profile with play."""
-    lift, comparison = rolled_lift_of(plan), plan.comparison
+    use = CarUse.of(plan)
+    lift, comparison = use.rolled(plan), use.comparison
     if comparison is None:
-        yield _going(plan, "free", Message("this cam, without play"), follow(lift, 0.0), 0.0)
+        yield _going(use, "free", Message("this cam, without play"), follow(lift, 0.0), 0.0)
         return
     chosen, before, task = comparison.chosen, comparison.before, comparison.task
-    yield _going(plan, "planned", Message("planned"), task.following(task.lift, 0.0), 0.0)
-    yield _going(plan, "free", Message("this cam, without play"), comparison.following(chosen, 0.0), 0.0)
-    yield _going(plan, "played", Message("this cam, with play"), comparison.following(chosen, chosen.play), chosen.play)
+    yield _going(use, "planned", Message("planned"), task.following(task.lift, 0.0), 0.0)
+    yield _going(use, "free", Message("this cam, without play"), comparison.following(chosen, 0.0), 0.0)
+    yield _going(use, "played", Message("this cam, with play"), comparison.following(chosen, chosen.play), chosen.play)
     if chosen is not before:
-        yield _going(plan, "before", name_before(before), comparison.following(before, chosen.play), chosen.play)
+        yield _going(use, "before", name_before(before), comparison.following(before, chosen.play), chosen.play)
 
 
-def _going(plan: CamPlan, code: str, label: str, following: Following, play: float) -> Going:
+def _going(use: CarUse, code: str, label: str, following: Following, play: float) -> Going:
     """A run at even motor positions, and to either side of each place where the cam jumps, stops or goes on."""
-    design, track = plan.car.design, plan.track
-    stop = TURN if design.car.drive_wheel_radius_mm is None else plan.steering.blend_start
+    stop = use.steering.blend_start if use.drive_wheel.known else TURN
     run = drive(
         following.lift,
-        cam_model.car(design),
-        cam_model.travel(design, track),
-        start=start_pose(track),
+        use.car,
+        use.travel,
+        start=start_pose(use.track),
         stop=stop,
         steps=POSITIONS,
         following=following,
@@ -181,8 +176,8 @@ def _going(plan: CamPlan, code: str, label: str, following: Following, play: flo
     return Going(code=code, label=label, motor=motor, cam_angle=cam_angle, x=x, y=y, heading=heading, play=play)
 
 
-def _car(plan: CamPlan) -> CarShape:
-    car, body = cam_model.car(plan.car.design), body_of(plan.car.design.car.outline, cam_model.car(plan.car.design))
+def _car(use: CarUse) -> CarShape:
+    car, body = use.car, use.body
     drive_wheel = place_of(CarPoint.DRIVE_WHEEL, car)
 
     def seen(point: tuple[float, float]) -> tuple[float, float]:
@@ -193,14 +188,18 @@ def _car(plan: CamPlan) -> CarShape:
         idle=seen(place_of(CarPoint.IDLE_WHEEL, car)),
         middle=seen(place_of(CarPoint.MIDDLE, car)),
         corners=tuple(seen(corner) for corner in body.corners),
-        wheel=plan.drive_wheel.radius,
+        wheel=use.drive_wheel.radius,
         steering=1 if car.steering_gain > 0 else -1,
     )
 
 
 def floor_of(design: Design) -> tuple[FloorShape, ...]:
-    """Everything on the floor."""
-    course = layout_of(design.course)
+    """Everything on the floor of a design that need not be a car."""
+    return figures_of(layout_of(design.course))
+
+
+def figures_of(course: Course | None) -> tuple[FloorShape, ...]:
+    """Everything on a course; nothing without one."""
     return () if course is None else tuple(_figures(course))
 
 
@@ -232,20 +231,21 @@ def bodies_of(plan: CamPlan, gears: GearTrain | None, cam_radius: float) -> Bodi
         gears: plan of the train; None without one.
         cam_radius: greatest radius of the disc, mm.
     """
-    (inner, outer), side = plan.faces, -1 if plan.car.design.cam.side == Side.RIGHT else 1
+    (inner, outer), use = plan.faces, CarUse.of(plan)
+    side = -1 if use.side == Side.RIGHT else 1
     fork = -inner if side > 0 else outer
     train = None if gears is None else _train(plan, gears, side)
     notes: list[str] = []
     parts = _parts(plan, train, notes)
     shafts, wheel = [_camshaft(plan, train)], None
     if train is not None:
-        reach = fork + cam_model.car(plan.car.design).drive_wheel_offset
+        reach = fork + use.car.drive_wheel_offset
         for number, turning in enumerate(reversed(train.parts)):
             # The drive's shaft goes on to its wheel.
             last = turning is train.parts[0]
-            shafts.append(_shaft(turning, reach if last and plan.drive_wheel.radius else None, drawn=number > 0))
-        if plan.drive_wheel.radius:
-            wheel = (len(train.parts), reach, plan.drive_wheel.radius)
+            shafts.append(_shaft(turning, reach if last and use.drive_wheel.radius else None, drawn=number > 0))
+        if use.drive_wheel.radius:
+            wheel = (len(train.parts), reach, use.drive_wheel.radius)
         notes += _notes(plan, train, cam_radius)
     return Bodies(tuple(shafts), tuple(parts), wheel, fork, side, tuple(notes))
 
@@ -261,7 +261,7 @@ def _train(plan: CamPlan, gears: GearTrain, side: int) -> TurningTrain:
 
 def _behind(plan: CamPlan) -> float:
     """Distance of the rear axle behind the camshaft, mm."""
-    return max(cam_model.car(plan.car.design).wheelbase - plan.rod.base_radius, 0.0)
+    return max(CarUse.of(plan).car.wheelbase - plan.follower_as_built.base_radius, 0.0)
 
 
 def _parts(plan: CamPlan, train: TurningTrain | None, notes: list[str]) -> list[Part]:
@@ -309,7 +309,7 @@ def _camshaft(plan: CamPlan, train: TurningTrain | None) -> Shaft:
     if train is not None:
         ends = train.parts[-1].range
         low, high = min(low, ends[0] - _BEYOND), max(high, ends[1] + _BEYOND)
-    return Shaft(Message("camshaft"), (0.0, 0.0), plan.car.design.blank.bore_diameter_mm, low, high, 0.0, -1.0, 0.0)
+    return Shaft(Message("camshaft"), (0.0, 0.0), plan.blank.bore_diameter, low, high, 0.0, -1.0, 0.0)
 
 
 def _shaft(turning: TurningPart, reach: float | None, *, drawn: bool) -> Shaft:
@@ -330,6 +330,7 @@ def _shaft(turning: TurningPart, reach: float | None, *, drawn: bool) -> Shaft:
 def _notes(plan: CamPlan, train: TurningTrain, cam_radius: float) -> list[str]:
     """Remarks on the place of the train in the car."""
     notes: list[str] = []
+    use = CarUse.of(plan)
     behind, drive = _behind(plan), train.parts[0]
     if train.reach < behind:
         notes.append(
@@ -341,7 +342,7 @@ def _notes(plan: CamPlan, train: TurningTrain, cam_radius: float) -> list[str]:
             )
         )
     room = hypot(drive.axis.real, drive.axis.imag) - drive.part.blank.bore_diameter / 2 - cam_radius
-    if room < 0 and plan.drive_wheel.radius:
+    if room < 0 and use.drive_wheel.radius:
         notes.append(
             Message(
                 "As laid out, the shaft of the drive wheel runs through the circle that the cam sweeps, {depth:.1f} mm "

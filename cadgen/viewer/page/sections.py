@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from cadgen.check import Bound, Check
+from cadgen.design.as_built import AsBuiltSection
 from cadgen.deviations.deviation import Place
 from cadgen.figures import Cell, Figures, Sheet, State, number
 from cadgen.gears.layout import TrainLayout
@@ -16,6 +17,7 @@ from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.jobs.cam.remedies import Remedy
 from cadgen.jobs.error_budget import shown_value
 from cadgen.jobs.gears.assembly import parts_facts
+from cadgen.jobs.gears.gear_train import GearTrain
 from cadgen.jobs.simulation import Simulation
 from cadgen.jobs.tolerance import Spread, ToleranceRun
 from cadgen.messages import Message
@@ -23,7 +25,6 @@ from cadgen.parts.features import Keyway
 from cadgen.viewer.page.charts import name_before
 from cadgen.viewer.page.check_words import check_name, place_words
 from cadgen.viewer.page.document import Section
-from cadgen.viewer.page.page_plan import PagePlan
 from cadgen.viewer.page.sentences import generated
 
 if TYPE_CHECKING:
@@ -39,11 +40,11 @@ _STEP_DEG = 10
 _LEAD = 4  # paragraphs of a calibration above its tables: expectation, warnings and verdict come first
 
 
-def checks_section(plan: PagePlan) -> Section:
+def checks_section(cam: CamPlan, train: GearTrain | None) -> Section:
     """Every check of cam and gears, failures first."""
-    tables = [_checks("cam-checks", Message("Cam and course"), plan.cam.figures)]
-    if plan.gears is not None:
-        tables.append(_checks("gear-checks", Message("Gears"), plan.gears.checks))
+    tables = [_checks("cam-checks", Message("Cam and course"), cam.figures)]
+    if train is not None:
+        tables.append(_checks("gear-checks", Message("Gears"), train.checks))
     return Section(
         "checks",
         Message("Checks"),
@@ -71,9 +72,16 @@ def _check(check: Check) -> tuple[Cell | str, ...]:
     return check_name(check), verdict, value, limit, place_words(check.place)
 
 
-def play_section(plan: PagePlan) -> Section:
-    """Methods against play, runs, events, room on the course, remedies."""
-    comparison, simulation = plan.cam.comparison, plan.simulation
+def play_section(
+    comparison: PlayComparison | None, simulation: Simulation[CamPlan] | None, remedies: tuple[Remedy, ...]
+) -> Section:
+    """Methods against play, runs, events, room on the course, remedies; a sentence without play.
+
+    Args:
+        comparison: comparison under play; None for a profile that is not for play.
+        simulation: runs with play; None without play.
+        remedies: further remedies against play.
+    """
     if comparison is None or simulation is None:
         return Section(
             "play",
@@ -99,8 +107,8 @@ def play_section(plan: PagePlan) -> Section:
         tables.append(_events(simulation))
     if simulation.on_course is not None:
         tables.append(_course(simulation))
-    if plan.remedies:
-        tables.append(_remedies(plan.remedies))
+    if remedies:
+        tables.append(_remedies(remedies))
     notes = tuple(map(generated, (*comparison.reasons, *filter(None, [comparison.rubbing]))))
     return Section(
         "play",
@@ -262,10 +270,15 @@ def _sensitivities(run: ToleranceRun[CamPlan]) -> Sheet:
     return Sheet("sensitivities", Message("What matters most"), heads, tuple(rows), words=3)
 
 
-def inspection_section(plan: PagePlan) -> Section:
+def parts_sections(cam: CamPlan, train: GearTrain | None) -> tuple[Section, Section]:
+    """Inspection sheet and parts list of a cam and its train, if it has one."""
+    return _inspection(cam, train), _parts(cam, train)
+
+
+def _inspection(cam: CamPlan, train: GearTrain | None) -> Section:
     """Figures to measure the cam and the gears by, with room for what is measured."""
-    tables = [_cam_sizes(plan.cam), _lift_table(plan.cam)]
-    if plan.gears is not None and (gears := _gear_sizes(parts_facts(plan.gears.layout))) is not None:
+    tables = [_cam_sizes(cam), _lift_table(cam)]
+    if train is not None and (gears := _gear_sizes(parts_facts(train.layout))) is not None:
         tables.append(gears)
     return Section(
         "inspection",
@@ -303,9 +316,9 @@ def _cam_sizes(plan: CamPlan) -> Sheet:
 
 def _lift_table(plan: CamPlan) -> Sheet:
     """Lift each ten degrees, by which a dial gauge on the follower proves the disc."""
-    rolled = plan.motion if plan.comparison is None else plan.comparison.chosen.rolled
+    rolled = plan.application.rolled(plan)
     angles = np.arange(0, 360, _STEP_DEG)
-    lift = plan.rod.lift(rolled.q(np.radians(angles)))
+    lift = plan.follower_as_built.lift(rolled.q(np.radians(angles)))
     half = len(angles) // 2
     rows = [
         (
@@ -360,9 +373,8 @@ def _gear_sizes(parts: list[dict[str, Any]]) -> Sheet | None:
     )
 
 
-def parts_section(plan: PagePlan) -> Section:
+def _parts(cam: CamPlan, train: GearTrain | None) -> Section:
     """Parts list."""
-    cam = plan.cam
     rows: list[tuple[Cell | str, ...]] = [
         (
             Message("cam"),
@@ -377,8 +389,8 @@ def parts_section(plan: PagePlan) -> Section:
             else number(None),
         )
     ]
-    if plan.gears is not None:
-        rows += _gear_rows(plan.gears.layout)
+    if train is not None:
+        rows += _gear_rows(train.layout)
     heads = (
         Message("part"),
         Message("material"),
@@ -390,9 +402,9 @@ def parts_section(plan: PagePlan) -> Section:
         Message("volume"),
     )
     tables = [Sheet("parts", Message("Parts"), heads, tuple(rows), words=2)]
-    if plan.gears is not None:
-        tables.append(_stages(plan.gears.layout))
-    notes = () if plan.gears is None else tuple(map(generated, plan.gears.notes))
+    if train is not None:
+        tables.append(_stages(train.layout))
+    notes = () if train is None else tuple(map(generated, train.notes))
     return Section("parts", Message("Parts list"), (), tuple(tables), notes)
 
 
@@ -441,19 +453,19 @@ def _stages(layout: TrainLayout) -> Sheet:
     return Sheet("stages", Message("Stages"), heads, tuple(rows), words=2)
 
 
-def calibration_section(plan: PagePlan, reason: str) -> Section:
+def calibration_section(calibration: "CalibrationPlan | None", record: AsBuiltSection | None, reason: str) -> Section:
     """Measurements: verdicts on files, or the effects of an as-built design; a sentence without either.
 
     Args:
-        plan: computed report.
+        calibration: verdict on measured files; None without any.
+        record: section [as_built]; None of a car as designed.
         reason: why the measured data are left out; empty if they are not.
     """
     if reason:
         left_out = Message("The measured data are left out: {reason}.", reason=reason)
         return Section("calibration", Message("Calibration"), (left_out,))
-    if plan.calibration is not None:
-        return _measured(plan.calibration)
-    record = plan.design.as_built
+    if calibration is not None:
+        return _measured(calibration)
     if record is None:
         return Section(
             "calibration",

@@ -15,8 +15,8 @@ from cadgen.cli.options import profile_option
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
 from cadgen.jobs.cam.cam_facts import cam_facts
-from cadgen.jobs.cam.cam_plan import plan_cam
 from cadgen.jobs.cam.cures import find_cures
+from cadgen.jobs.cam.steering_cam import plan_cam
 
 GROUND = 0.01  # mm by which the made-up rod is thicker: the cam is as much smaller all round
 
@@ -49,7 +49,7 @@ def test_a_profile_from_outside_is_planned_by_its_code(registered):
     angle = np.linspace(0.0, 2 * np.pi, 720, endpoint=False)
     thicker = replace(plan.follower, radius=plan.follower.radius + GROUND)
     lift = roll_curve(plan.curve, thicker, angle)[0].lift
-    assert np.abs(lift - plan.follower.lift(plan.steering.q(angle))).max() < 1e-4
+    assert np.abs(lift - plan.follower.lift(plan.application.steering.q(angle))).max() < 1e-4
     assert "rod-falls-short" in [check.code for check in plan.failed]
     facts = cam_facts(plan, find_cures(plan))
     assert facts["profile"] == "ground"

@@ -123,7 +123,9 @@ def test_laps_have_the_errors_of_a_car_that_is_driven_all_of_them_by_other_code(
             (start, heading),
             (car.wheelbase_mm, car.drive_wheel_offset_mm),
         )
-        planned = cam.track.planned(np.append(np.tile(angles[::2], 3), 0.0) / (2 * np.pi) * cam.track.length) @ [1, 1j]
+        planned = cam.car.track.planned(
+            np.append(np.tile(angles[::2], 3), 0.0) / (2 * np.pi) * cam.car.track.length
+        ) @ [1, 1j]
         off = np.abs(wheel - 1j * offset * np.exp(1j * turned) - row["spacing_mm"] / 400 * planned)
         print(row["spacing_mm"], row["error_mm"], off.max(), row["end_error_mm"], off[-1])
         assert off.max() == pytest.approx(row["error_mm"], abs=0.05)

@@ -11,7 +11,7 @@ from cadgen.car.course.layout import Course, Draw, Obstacle, Shape
 from cadgen.car.draws.best_settings import Minimax
 from cadgen.car.draws.setting_ranges import SettingRange, Wheels
 from cadgen.design import draw_model
-from cadgen.jobs.cam.cam_plan import plan_cam
+from cadgen.jobs.cam.steering_cam import plan_cam
 from cadgen.jobs.settings_maker import Maker
 
 SIMILAR = """
@@ -60,9 +60,9 @@ def test_similar_paths_need_the_lever_and_the_wheel_alone():
     """
     factor = 0.7
     design = Design.from_toml(SIMILAR).values
-    maker = Maker(plan_cam(design, "actual"), draw_model.draw(design))
+    maker = Maker(design, plan_cam(design, "actual"), draw_model.draw(design))
     row = maker.drawn(1000 * factor)
-    stated = maker.cam.track.turn / (2 * pi * 5)
+    stated = maker.cam.application.track.turn / (2 * pi * 5)
     print(row.error, row.setting)
     assert row.error < 0.7
     assert row.setting.disc == pytest.approx(30 * (factor - 1), abs=0.05)

@@ -56,7 +56,7 @@ def draw_all(simulation, folder):
     return [
         *draw_lift(lift_picture(simulation), folder, "lift"),
         *draw_tracks([TrackPanel(title="run", run=simulation.before)], simulation.planned, field, folder, "tracks"),
-        *draw_run_errors("errors", lines, simulation.cam.track.length, folder, "run"),
+        *draw_run_errors("errors", lines, simulation.cam.application.track.length, folder, "run"),
         *draw_events("events", {"actual": simulation.events}, folder, "events"),
         *draw_fleet(fleet, folder, "fleet"),
         *draw_budget("costs", {"taper": (65.0, 3.0), "start heading": (23.0, 23.0)}, folder, "budget"),

@@ -3,8 +3,8 @@
 import pytest
 
 from cadgen.design.load import load_design
+from cadgen.viewer.page.car_page import plan_page
 from cadgen.viewer.page.html import html_of
-from cadgen.viewer.page.page_plan import plan_page
 from cadgen.viewer.page.report import page_of
 from tests.viewer.page.chromium import chromium_path
 

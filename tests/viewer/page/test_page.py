@@ -16,10 +16,10 @@ from cadgen.figures import Cell, Sheet, number
 from cadgen.geometry.meshes.mesh import Mesh
 from cadgen.geometry.meshes.teeth import measured_pair
 from cadgen.messages import CHINESE, shown
+from cadgen.viewer.page.car_page import plan_page
 from cadgen.viewer.page.check_words import check_name, place_words
 from cadgen.viewer.page.html import html_of, table_html
 from cadgen.viewer.page.mesh_block import shaded
-from cadgen.viewer.page.page_plan import plan_page
 from cadgen.viewer.page.report import page_facts, page_of
 from cadgen.viewer.page.sentences import generated
 from cadgen.viewer.page.turning_train import turning_train

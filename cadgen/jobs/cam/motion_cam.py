@@ -1,0 +1,163 @@
+"""A cam by its motion: its use, its plan and its checks."""
+
+from dataclasses import dataclass
+from math import degrees
+from typing import Any
+
+import numpy as np
+
+from cadgen.arrays import TURN
+from cadgen.cam.checks import check_cam
+from cadgen.car.against_play.profile_kinds import ACTUAL, profile_of
+from cadgen.check import Check
+from cadgen.design import cam_model
+from cadgen.design.load import with_overrides
+from cadgen.design.motion import DiscSense, motion_of
+from cadgen.design.schema import MotionDesign
+from cadgen.errors import DesignError
+from cadgen.jobs.cam.cam_plan import Application, CamPlan, Making
+from cadgen.laws.motion import Motion
+from cadgen.laws.segments import Seam, SegmentMotion
+from cadgen.messages import Message
+from cadgen.output.files.manifest import Origin
+from cadgen.parts.face import Face
+from cadgen.progress import Progress, silent
+
+_DENSE = 7201  # stations at which the greatest velocity and acceleration are sought
+
+
+@dataclass(frozen=True)
+class SegmentUse(Application):
+    """Application of a cam by its motion, of which a design says the sense and the speed.
+
+    Attributes:
+        design: design with [motion].
+    """
+
+    design: MotionDesign
+
+    @property
+    def turns(self) -> DiscSense:
+        """Sense in which the disc turns, seen on its outer face."""
+        return self.design.motion.turns
+
+    @property
+    def speed(self) -> float | None:
+        """Speed of the camshaft, rad/s; None where the design does not say."""
+        rpm = self.design.motion.speed_rpm
+        return None if rpm is None else rpm * TURN / 60
+
+    def replanned(self, cam: "CamPlan", override: str) -> tuple[Check, ...]:
+        """Checks of the same cam with a change of its design."""
+        return plan_motion_cam(with_overrides(self.design, [override]), cam.kind.code).checks
+
+    def facts(self, cam: "CamPlan") -> dict[str, Any]:
+        """Sense, speed, and greatest velocity and acceleration of the follower."""
+        unit = cam.motion.unit.symbol
+        peaks = {} if self.speed is None else self._peaks(cam)
+        return {
+            "motion": {
+                "unit": unit,
+                "turns": self.turns.value,
+                "speed_rpm": None if self.speed is None else self.speed / TURN * 60,
+                **{f"greatest_{name}_{unit}_per_{time}": value for name, (value, time) in peaks.items()},
+                "jumps": [
+                    {"cam_angle_deg": degrees(seam.cam_angle), "derivative": seam.order} for seam in _seams(cam.motion)
+                ],
+            }
+        }
+
+    def notes(self, cam: "CamPlan") -> tuple[str, ...]:
+        """Sense of the disc, greatest velocity and acceleration, and where the acceleration jumps."""
+        seen = "outer" if self.turns == DiscSense.CLOCKWISE else "inner"
+        said = [
+            Message(
+                "The disc turns {turns}, seen on its outer face; files show its {seen} face, on which it turns "
+                "clockwise.",
+                turns=Message(self.turns.value),
+                seen=Message(seen),
+            )
+        ]
+        if self.speed is not None:
+            (velocity, _), (acceleration, _) = self._peaks(cam).values()
+            said.append(
+                Message(
+                    "At {speed:g} rev/min the follower moves at up to {velocity:.4g} {unit}/s and {acceleration:.4g} "
+                    "{unit}/s².",
+                    speed=self.speed / TURN * 60,
+                    velocity=velocity,
+                    acceleration=acceleration,
+                    unit=cam.motion.unit.symbol,
+                )
+            )
+        said += [
+            Message(
+                "At {angle:.4g}° of cam angle the acceleration jumps from {before:.4g} to {after:.4g} {unit}/rad²: "
+                "take a law that fits its neighbour, or go slowly.",
+                angle=degrees(seam.cam_angle),
+                before=seam.before,
+                after=seam.after,
+                unit=cam.motion.unit.symbol,
+            )
+            for seam in _seams(cam.motion)
+        ]
+        return tuple(said)
+
+    def drawing_notes(self, cam: "CamPlan") -> tuple[str, ...]:
+        """Sense in which the disc turns."""
+        return (Message("Turns clockwise, seen on this face."),)
+
+    def _peaks(self, cam: "CamPlan") -> dict[str, tuple[float, str]]:
+        """Greatest velocity and acceleration, by the second, with the unit of time."""
+        theta, speed = np.linspace(0.0, TURN, _DENSE), self.speed or 0.0
+        return {
+            name: (float(np.abs(cam.motion.q(theta, nu=order)).max()) * speed**order, time)
+            for order, name, time in ((1, "velocity", "s"), (2, "acceleration", "s2"))
+        }
+
+
+def _seams(motion: Motion) -> tuple[Seam, ...]:
+    return motion.seams if isinstance(motion, SegmentMotion) else ()
+
+
+def plan_motion_cam(design: MotionDesign, profile: str | None = None, progress: Progress = silent) -> CamPlan:
+    """Compute the profile of a cam by its motion and check it.
+
+    Args:
+        design: loaded design with [motion].
+        profile: code of a profile that needs no car; the actual one if left out.
+        progress: function that is called with a few words on each step.
+
+    Raises:
+        DesignError: the follower leaves no disc, or there is no such profile for a cam without a car.
+    """
+    kind = ACTUAL if profile is None else profile_of(profile)
+    if kind.for_play:
+        raise DesignError(
+            'the profile "{profile}" is against the play of a car\'s gears, and the design has [motion]: take '
+            "--profile actual",
+            profile=kind.code,
+        )
+    registered = design.follower.registered
+    motion = motion_of(design.motion, registered)
+    follower = registered.build(design.follower.keys, design.seat)
+    blank, limits = cam_model.blank(design), cam_model.check_limits(design)
+    progress(Message("computing the {profile} profile", profile=kind))
+    wanted = kind.curve(motion, follower)
+    progress("checking the profile")
+    checks = check_cam(motion, kind.rolling(follower), wanted.curve, wanted.trims, blank, limits)
+    return CamPlan(
+        origin=Origin.of(design),
+        kind=kind,
+        motion=motion,
+        follower_as_built=follower,
+        curve=wanted.curve,
+        trims=wanted.trims,
+        blank=blank,
+        faces=design.cam.faces_mm,
+        seen=Face.OUTER if design.motion.turns == DiscSense.CLOCKWISE else Face.INNER,
+        limits=limits,
+        making=Making.of(design),
+        checks=checks,
+        application=SegmentUse(design),
+    )
