@@ -63,4 +63,4 @@ def test_bad_input(overrides, message):
 
 def test_the_widest_break_that_is_named_is_allowed():
     design = load_design("carbon_free_car", ["blank.edge_break_mm=1.45"])
-    assert plan_cam(design, "published").rod.land == pytest.approx(0.1)
+    assert plan_cam(design, "published").follower_as_built.land == pytest.approx(0.1)
