@@ -92,7 +92,9 @@ def bound_row(comparison):
 @pytest.mark.slow
 def test_the_documentation_has_the_figures_of_the_command(compared):
     """A regression: the tables are our own output."""
-    reordered = plan_cam(load_design("carbon_free_car", ["optimize.order=reordered"]), "compensated").comparison
+    reordered = plan_cam(
+        load_design("carbon_free_car", ["optimize.order=reordered"]), "compensated"
+    ).application.comparison
     true = {name: {*rows(plan.application.comparison)} for name, plan in compared.items()}
     true["carbon_free_car"].add(bound_row(reordered))
     text = (ROOT / "docs/decisions/0027-profiles-against-play.md").read_text()
@@ -153,7 +155,7 @@ def test_smoothed_and_compensated_is_cut_for_its_own_best_play(compared):
     "overrides", [["play.least_deg=0", "play.greatest_deg=0"], ["play.measured_deg=0"]], ids=["band", "measured"]
 )
 def test_without_play_no_share_of_it_can_be_off(overrides):
-    comparison = plan_cam(load_design("carbon_free_car", overrides), "optimized").comparison
+    comparison = plan_cam(load_design("carbon_free_car", overrides), "optimized").application.comparison
     figures = {one["profile"]: one for one in comparison_facts(comparison)["compared"]}
     assert set(figures) == {"actual", "compensated", "smoothed", "smoothed+compensated"}
     for one in figures.values():
@@ -250,7 +252,7 @@ def test_a_play_wider_than_events_are_apart_is_driven_and_what_is_lost_is_said()
     """Of 80 degrees of play one dip of the paper's lift is narrower."""
     found = simulate(load_design("carbon_free_car"), "compensated", 30.0)
     assert found.before_error.end_distance > 10_000
-    lost = simulate(with_play(80), "compensated").comparison
+    lost = simulate(with_play(80), "compensated").application.comparison
     assert len(lost.chosen.lost) == 1
     assert "narrower than the return error of 80.000° and cannot be driven" in lost.reasons[-1]
 

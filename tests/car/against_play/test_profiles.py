@@ -58,7 +58,7 @@ def test_a_profile_from_outside_is_planned_by_its_code(registered):
 
 @pytest.mark.slow
 def test_a_profile_from_outside_takes_part_in_the_choice(registered):
-    comparison = plan_cam(load_design("carbon_free_car"), "optimized").comparison
+    comparison = plan_cam(load_design("carbon_free_car"), "optimized").application.comparison
     assert [str(one.profile) for one in comparison.evaluations] == [
         "actual",
         "compensated",
@@ -78,7 +78,7 @@ def test_a_profile_that_cannot_be_made_is_left_out_with_its_reason(registered):
 
     for code in ("vain", "vainer"):
         profile_kinds.register(ProfileKind(code=code, meaning="none", for_play=True, lift=refused))
-    comparison = plan_cam(load_design("carbon_free_car"), "optimized").comparison
+    comparison = plan_cam(load_design("carbon_free_car"), "optimized").application.comparison
     assert [reason for reason in comparison.reasons if "vain" in reason] == [
         "vain refused: it cannot be made of this lift"
     ]
