@@ -15,6 +15,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass, fields
 from enum import StrEnum
+from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,8 +24,9 @@ from cadgen.arrays import Array
 from cadgen.cam.limits import CheckLimits
 from cadgen.check import Check
 from cadgen.curves.closed import ClosedCurve, Jet, cross
+from cadgen.errors import DesignError
 from cadgen.laws.motion import Motion
-from cadgen.laws.unit import MM, Unit
+from cadgen.laws.unit import MM, TAN, Unit
 from cadgen.messages import Message
 from cadgen.parts.blank import Blank
 
@@ -271,7 +273,7 @@ class Follower(ABC):
         flatter: advice where an outline overhangs, in words.
         unit: unit of its motion q: lift in mm, swing in rad, or the tangent of a car's steering angle.
         base_radius: distance of its reference point from the camshaft along the ray where q is 0, mm.
-        leans: whether it leans on an edge of the rim, as the rod does for which play and friction are worked out.
+        leans: whether it leans on an edge of the rim, as an `EdgeFollower` does; play and friction go by that.
         offset: distance of the reference point from the ray, mm, positive in the sense of growing polar angle.
         radius: least radius of curvature of the curve that touches the disc, mm; infinite for a straight one. Zero
             stands for a point that moves along the ray, or beside it by the offset.
@@ -413,3 +415,143 @@ class Follower(ABC):
     def checks(self, cam: RolledCam) -> tuple[Check, ...]:
         """The checks of its own kind."""
         return ()
+
+
+@dataclass(frozen=True)
+class FirstOrder:
+    """Derivatives of T = tan(beta) at n cam angles.
+
+    Attributes:
+        height: h, half the rod's height at the contact, shape (n,), mm.
+        root: sqrt(1 + T^2), shape (n,).
+        lean: sqrt(1 + T^2) y / h, shape (n,).
+        divisor: D, shape (n,), mm.
+        face: dT/dw, shape (n,), 1/mm.
+        thicker: dT/dr, shape (n,), 1/mm.
+    """
+
+    height: Array
+    root: Array
+    lean: Array
+    divisor: Array
+    face: Array
+    thicker: Array
+
+    def displaced(self, along: Array, across: Array) -> Array:
+        """Change of T with a displacement of the point along the ray and across it, both in mm, shape (n,).
+
+        Args:
+            along: displacements outwards along the ray, mm, shape (n,).
+            across: displacements across it, mm, shape (n,).
+        """
+        return np.asarray((along - self.lean * across) / self.divisor)
+
+
+@dataclass(frozen=True, kw_only=True)
+class EdgeFollower(Follower):
+    """Follower on a car's fork that leans with the steering, so that it rides on an edge of the rim.
+
+    That is an edge of a face or, where the edges are broken by chamfers, of the land between them
+    (`cadgen.parts.blank.Blank.carrying`). Its motion is T = tan(beta).
+
+    Attributes:
+        base_radius: a, distance of the camshaft from the fork axis, mm.
+        inner: lateral distance from A of the carrying plane nearer to it, mm.
+        outer: lateral distance of the farther carrying plane, mm.
+        radius: half its thickness, mm; zero stands for its axis (a knife edge).
+        length: from the fork axis to its end, mm.
+    """
+
+    unit = TAN
+    leans = True
+
+    base_radius: float
+    inner: float
+    outer: float
+    radius: float
+    length: float = inf
+
+    @property
+    def land(self) -> float:
+        """Width of the rim between the carrying planes, mm."""
+        return self.outer - self.inner
+
+    def contact_face(self, q: Array) -> Array:
+        """Lateral distance of the plane that carries it, mm: inner for beta >= 0, outer below (eq. 15).
+
+        Args:
+            q: tangents of the steering angle, shape (n,).
+        """
+        return np.where(np.asarray(q) >= 0, self.inner, self.outer)
+
+    def lift(self, q: Array) -> Array:
+        """Lift s = w_contact tan(beta), mm (eq. 16).
+
+        Args:
+            q: tangents of the steering angle, shape (n,).
+        """
+        return self.contact_face(q) * q
+
+    @property
+    def planes(self) -> tuple[float, float]:
+        """The inner and the outer carrying plane, mm from the fork axis."""
+        return self.inner, self.outer
+
+    def of_lift(self, lift: Array) -> tuple[Array, Array, Array]:
+        """tan(beta), the carrying face and the margin by lift of the axis, mm.
+
+        Args:
+            lift: lifts of the axis, mm, shape (n,).
+        """
+        face = self.contact_face(lift)
+        q = lift / face
+        return q, face, self.land * np.abs(q)
+
+    def distance(self, q: Array, face: Array) -> Array:
+        """Distance of the axis from the camshaft in a plane, mm.
+
+        Args:
+            q: tangents of the steering angle, shape (n,).
+            face: distance of the plane from the fork axis, mm.
+        """
+        return np.asarray(self.base_radius + face * q)
+
+    def margin(self, apart: Array, face: Array) -> Array:
+        """Lift of a difference of tan(beta), mm.
+
+        Args:
+            apart: differences of tan(beta) between two planes, shape (n,).
+            face: distance of the plane from the fork axis, mm.
+        """
+        return face * apart
+
+    @abstractmethod
+    def point(self) -> EdgeFollower:
+        """Follower of radius zero at the axis, or at another point."""
+
+    @abstractmethod
+    def first_order(self, contact: Contact) -> FirstOrder:
+        """Derivatives of T at the contacts with a disc, or at those of a point at the axis."""
+
+
+def edge_follower(follower: Follower, job: str, instead: str = "") -> EdgeFollower:
+    """The follower as one that rides on an edge of the rim, for a job that is worked out for those alone.
+
+    Args:
+        follower: follower of any kind.
+        job: name of the job, as it begins a sentence.
+        instead: alternative for a design with this follower, as it ends a sentence.
+
+    Raises:
+        DesignError: the follower does not lean.
+    """
+    if isinstance(follower, EdgeFollower):
+        return follower
+    way_out = Message(", or {instead}", instead=instead) if instead else ""
+    raise DesignError(
+        "follower.kind names a {follower}, and {job} is worked out for the leaning rod alone: "
+        'set follower.kind = "rod" with its keys{way_out}',
+        follower=follower.noun,
+        job=job,
+        way_out=way_out,
+    )

@@ -9,8 +9,7 @@ from math import ceil, degrees, radians
 import numpy as np
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.follower import Follower
-from cadgen.cam.followers.rod import LeaningRod, rod_of
+from cadgen.cam.follower import EdgeFollower, Follower, edge_follower
 from cadgen.cam.followers.rod_kind import RodKeys
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
 from cadgen.car.course.layout import Side
@@ -149,7 +148,7 @@ def as_built(design: Design) -> AsBuilt:
             sigma = (effect.values[0].sigma or 0.0) * known.parameters[0].scale
             placed.append(Placed(known, values, effect.place, sigma, effect.kind_of_data.rod_on))
     nominal = design.follower.registered.build(design.follower.keys, design.seat)
-    return AsBuilt(tuple(placed), nominal if isinstance(nominal, LeaningRod) else None)
+    return AsBuilt(tuple(placed), nominal if isinstance(nominal, EdgeFollower) else None)
 
 
 def car(design: Design) -> Car:
@@ -173,10 +172,10 @@ def follower(design: Design) -> Follower:
     nominal = design.follower.registered.build(design.follower.keys, design.seat)
     if design.as_built is None:
         return nominal
-    return as_built(design).follower(rod_of(nominal, "what [as_built] says of a car", "remove [as_built]"))
+    return as_built(design).follower(edge_follower(nominal, "what [as_built] says of a car", "remove [as_built]"))
 
 
-def rod(design: Design, job: str) -> LeaningRod:
+def rod(design: Design, job: str) -> EdgeFollower:
     """Follower of a design, for a job that is worked out for the leaning rod alone.
 
     Args:
@@ -186,7 +185,7 @@ def rod(design: Design, job: str) -> LeaningRod:
     Raises:
         DesignError: the design has another follower, or as `follower`.
     """
-    return rod_of(follower(design), job)
+    return edge_follower(follower(design), job)
 
 
 def rod_keys(design: Design) -> RodKeys | None:

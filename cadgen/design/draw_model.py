@@ -6,8 +6,7 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import rolling_step
-from cadgen.cam.follower import Contact
-from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.follower import Contact, EdgeFollower
 from cadgen.car.course.layout import Draw
 from cadgen.car.draws.setting_ranges import SettingRange, SettingRanges, Wheels
 from cadgen.car.draws.target import Complex, Steering, Target
@@ -100,7 +99,7 @@ def wheels(design: Design, track: Track) -> Wheels:
     return Wheels(given.wheel_radii_mm or (wheel_radius(track.turn, ratio),), ratios)
 
 
-def refuse_range(design: Design, spacings: Draw, track: Track, rod: LeaningRod) -> None:
+def refuse_range(design: Design, spacings: Draw, track: Track, rod: EdgeFollower) -> None:
     """Refuse settings with which the disc meets the fork or leaves the rod, or that cannot reach the spacings.
 
     Args:
@@ -150,7 +149,7 @@ def refuse_range(design: Design, spacings: Draw, track: Track, rod: LeaningRod) 
             )
 
 
-def _refuse_ends(given: SettingsSection, rod: LeaningRod) -> None:
+def _refuse_ends(given: SettingsSection, rod: EdgeFollower) -> None:
     inner, outer = rod.inner + given.disc_from_mm, rod.outer + given.disc_to_mm
     if inner <= rod.radius:
         raise DesignError(
@@ -240,7 +239,7 @@ def target(
     )
 
 
-def contact(design: Design, cut: ClosedCurve, rod: LeaningRod, cam_angle: Array) -> Contact:
+def contact(design: Design, cut: ClosedCurve, rod: EdgeFollower, cam_angle: Array) -> Contact:
     """Roll a rod on a disc of a design that is cut to a curve; arguments and errors as of `AsBuilt.roll_new`.
 
     Args:

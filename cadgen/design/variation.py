@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN
-from cadgen.cam.follower import Follower
-from cadgen.cam.followers.rod import rod_of
+from cadgen.cam.follower import Follower, edge_follower
 from cadgen.cam.followers.rod_kind import RodMaterial
 from cadgen.car.against_play.band import PlayBand
 from cadgen.car.against_play.remedies import holding
@@ -108,7 +107,7 @@ def mechanics(design: Design, follower: Follower, lift: PathMotion) -> Mechanics
         given = MechanicsSection()  # their friction follows from the materials
     if given is None and known.friction is not None and not hardware:
         return MechanicsBand(
-            follower=rod_of(follower, "friction", "remove [as_built]"), friction=_measured(known.friction)
+            follower=edge_follower(follower, "friction", "remove [as_built]"), friction=_measured(known.friction)
         )
     if given is None:
         if hardware:
@@ -130,7 +129,7 @@ def mechanics(design: Design, follower: Follower, lift: PathMotion) -> Mechanics
     else:
         friction = given.friction_least, given.friction_greatest
     band = MechanicsBand(
-        follower=rod_of(follower, "friction", "remove [mechanics] and blank.material"),
+        follower=edge_follower(follower, "friction", "remove [mechanics] and blank.material"),
         rod_force=given.rod_force_N,
         rod_rate=given.rod_rate_N_per_mm,
         friction=friction,

@@ -18,8 +18,7 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll, rolling_step
-from cadgen.cam.follower import Contact
-from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.follower import Contact, EdgeFollower
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import Running, drive, turns_of
 from cadgen.car.running.sampled import rolled_lift
@@ -101,13 +100,13 @@ class AsBuilt:
     """
 
     effects: tuple[Placed, ...] = ()
-    rod: LeaningRod | None = None
+    rod: EdgeFollower | None = None
 
     def car(self, nominal: Car) -> Car:
         """The car in plan view: offset of the drive wheel, steering zero, gain of the lever and slip."""
         return through(RUNNING, Running(car=nominal, length=TURN), self._of_car, None).car
 
-    def follower(self, nominal: LeaningRod) -> LeaningRod:
+    def follower(self, nominal: EdgeFollower) -> EdgeFollower:
         """The rod and the faces.
 
         Raises:
@@ -193,7 +192,7 @@ class AsBuilt:
                 height += 2 * float(np.hypot(placed.values[0], placed.values[1]))
         return height
 
-    def roll_measured(self, curve: ClosedCurve, follower: LeaningRod, cam_angle: Array, step: float) -> Contact:
+    def roll_measured(self, curve: ClosedCurve, follower: EdgeFollower, cam_angle: Array, step: float) -> Contact:
         """Contact of the rod with the cam that was measured.
 
         Args:
@@ -219,7 +218,7 @@ class AsBuilt:
         contact = roll(_outline_of(disc), follower, cam_angle + self.phase)
         return replace(contact, cam_angle=cam_angle)
 
-    def roll_new(self, curve: ClosedCurve, follower: LeaningRod, cam_angle: Array, step: float) -> Contact:
+    def roll_new(self, curve: ClosedCurve, follower: EdgeFollower, cam_angle: Array, step: float) -> Contact:
         """The rod on a new cam that is cut to `curve`; arguments as for `roll_measured`.
 
         Args:
@@ -333,7 +332,7 @@ def _disc_of(outline: Outline) -> Disc:
 
 
 def led(
-    disc: Disc, effects: Sequence[tuple[Effect, tuple[float, ...]]], ahead: float, rod: LeaningRod, asking: Disc
+    disc: Disc, effects: Sequence[tuple[Effect, tuple[float, ...]]], ahead: float, rod: EdgeFollower, asking: Disc
 ) -> Disc:
     """The disc that gives on a true shaft the lift that a disc gives on a shaft that leads.
 
@@ -374,13 +373,13 @@ def led(
     return replace(disc, points=np.stack([c * x + s * y, c * y - s * x], axis=1))
 
 
-def _contact(disc: Disc, rod: LeaningRod) -> tuple[Array, Array]:
+def _contact(disc: Disc, rod: EdgeFollower) -> tuple[Array, Array]:
     """Cam angles at which the rod rests on a disc's points, rad, and distances of its middle there, mm."""
     x, y = (disc.points + rod.radius * disc.normal).T
     return np.arctan2(y, x), np.hypot(x, y)
 
 
-def _slope(disc: Disc, ahead: float, rod: LeaningRod) -> Array:
+def _slope(disc: Disc, ahead: float, rod: EdgeFollower) -> Array:
     """Slope of tan(beta) on the grid, over its greatest: the torque of the shaft as `transmission.Turned` has it."""
     contact, reach = _contact(disc, rod)
     place = (contact - ahead) % TURN
@@ -392,7 +391,7 @@ def _slope(disc: Disc, ahead: float, rod: LeaningRod) -> Array:
 
 
 def edges_check(
-    lift: PathMotion, follower: LeaningRod, cut: ClosedCurve, as_built: AsBuilt, car: Car, travel: float
+    lift: PathMotion, follower: EdgeFollower, cut: ClosedCurve, as_built: AsBuilt, car: Car, travel: float
 ) -> Check:
     """Error at the end of the run with both edges broken by `MORE` beyond the design, before and after a trim.
 

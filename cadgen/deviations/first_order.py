@@ -21,8 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import Array
-from cadgen.cam.follower import Contact
-from cadgen.cam.followers.rod import FirstOrder, LeaningRod
+from cadgen.cam.follower import Contact, EdgeFollower, FirstOrder
 from cadgen.car.running.friction import DiscMaterial
 from cadgen.deviations.deviation import (
     BASE_RADIUS,
@@ -74,7 +73,7 @@ class OtherEdge:
     COLUMNS: ClassVar[list[int]] = [*TAPER.columns, *WOBBLE.columns]
 
     @classmethod
-    def of(cls, contact: Contact, follower: LeaningRod) -> "OtherEdge":
+    def of(cls, contact: Contact, follower: EdgeFollower) -> "OtherEdge":
         """The edge opposite a contact of the nominal rod on the nominal disc."""
         opposite = replace(contact, face=follower.inner + follower.outer - contact.face)
         carrying, other = (steering_derivatives(edge, follower) for edge in (contact, opposite))
@@ -125,7 +124,7 @@ def displaced(first: FirstOrder, cam_angle: Array, x: Array | float, y: Array | 
 
 
 def steering_derivatives(
-    contact: Contact, follower: LeaningRod, gain: float = 1.0, expansion: Expansion | None = None
+    contact: Contact, follower: EdgeFollower, gain: float = 1.0, expansion: Expansion | None = None
 ) -> Array:
     """Derivatives of tan(beta) at each cam angle by the dimensions of cam and rod.
 
@@ -142,7 +141,7 @@ def steering_derivatives(
         of a deviation with a direction, towards the polar angles 0 and 90 degrees.
     """
     T, w, y = contact.q, contact.face, contact.across
-    first = FirstOrder.of(contact, follower)
+    first = follower.first_order(contact)
     root, height, divisor = first.root, first.height, first.divisor
     raised, face = first.thicker, first.face
     inner = w == follower.inner

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.follower import EdgeFollower
 from cadgen.deviations import deviation
 from cadgen.deviations.deviation import Place
 from cadgen.deviations.disc import ECCENTRIC_BORE
@@ -36,7 +36,7 @@ class Readings(Rows):
 class Seat:
     """The rod and how far the disc's faces stand off by cam angle: cos and sin amplitude, mm."""
 
-    follower: LeaningRod
+    follower: EdgeFollower
     wobble: tuple[float, float] = (0.0, 0.0)
 
 

@@ -8,8 +8,7 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.checks import riding_checks
-from cadgen.cam.follower import Contact
-from cadgen.cam.followers.rod import LeaningRod, rod_of
+from cadgen.cam.follower import Contact, EdgeFollower, edge_follower
 from cadgen.car.against_play.profile_kinds import ACTUAL
 from cadgen.car.course.layout import Course, Draw, Judged
 from cadgen.car.draws.best_settings import best_settings, first_guess
@@ -98,8 +97,8 @@ class Maker:
         return self._use.wanted
 
     @cached_property
-    def _rod(self) -> LeaningRod:
-        return rod_of(self.cam.follower, "a card of settings")
+    def _rod(self) -> EdgeFollower:
+        return edge_follower(self.cam.follower, "a card of settings")
 
     @cached_property
     def _plain(self) -> ClosedCurve:
@@ -130,7 +129,7 @@ class Maker:
         knobs = draw_model.knobs(self.design, self._use.track, self._start(self.draw.stated))
         return Steering.of(self._rod, knobs.disc, knobs.head, lambda rod: self._contact(self._plain, rod).q)
 
-    def _contact(self, cut: ClosedCurve, rod: LeaningRod) -> Contact:
+    def _contact(self, cut: ClosedCurve, rod: EdgeFollower) -> Contact:
         return draw_model.contact(self.design, cut, rod, self._stations)
 
     def _driven(self, spacing: float, target: Target, setting: CarSetting) -> tuple[DrawnSpacing, list[float]]:

@@ -31,7 +31,6 @@ where dx, dy and dw are how far the point itself is displaced.
 
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,14 +38,24 @@ from numpy.typing import NDArray
 from cadgen.arrays import TURN, Array
 from cadgen.cam.checks import cam_place
 from cadgen.cam.contact import ROLLING_TOLERANCE
-from cadgen.cam.follower import Branch, Contact, Follower, LossRemedy, OwnSection, RolledCam, Swept, span_jets, turned
+from cadgen.cam.follower import (
+    Branch,
+    Contact,
+    EdgeFollower,
+    FirstOrder,
+    LossRemedy,
+    OwnSection,
+    RolledCam,
+    Swept,
+    span_jets,
+    turned,
+)
 from cadgen.cam.lowest import SAME
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.curves.closed import ClosedCurve, Jet, Piece
 from cadgen.curves.piecewise import zeros
 from cadgen.errors import DesignError
 from cadgen.laws.motion import Motion
-from cadgen.laws.unit import TAN
 from cadgen.messages import Message
 from cadgen.parts.blank import Blank
 
@@ -99,12 +108,12 @@ class PolarPiece:
         )
 
 
-def theoretical_profile(motion: Motion, follower: "LeaningRod") -> ClosedCurve:
+def theoretical_profile(motion: Motion, follower: EdgeFollower) -> ClosedCurve:
     """R = a + s: where the rod's axis crosses the plane of the face it rests on (paper, section 2.5)."""
     return _polar_profile(motion, follower, rod_radius=0.0)
 
 
-def published_profile(motion: Motion, follower: "LeaningRod") -> ClosedCurve:
+def published_profile(motion: Motion, follower: EdgeFollower) -> ClosedCurve:
     """The profile by the formula of the paper's appendix.
 
     It is not the envelope: the rod touches beside the ray, not on it, so it rides up to 0.30 mm too high on the
@@ -113,7 +122,7 @@ def published_profile(motion: Motion, follower: "LeaningRod") -> ClosedCurve:
     return _polar_profile(motion, follower, rod_radius=follower.radius)
 
 
-def _polar_profile(motion: Motion, follower: "LeaningRod", *, rod_radius: float) -> ClosedCurve:
+def _polar_profile(motion: Motion, follower: EdgeFollower, *, rod_radius: float) -> ClosedCurve:
     inside = _face_changes(motion, follower)
     joints = np.unique(np.concatenate([[0.0], motion.kinks, inside[(inside > 0) & (inside < TURN)], [TURN]]))
     nodes, _ = motion.stations
@@ -126,7 +135,7 @@ def _polar_profile(motion: Motion, follower: "LeaningRod", *, rod_radius: float)
     return ClosedCurve(tuple(pieces))
 
 
-def _face_changes(motion: Motion, follower: "LeaningRod") -> Array:
+def _face_changes(motion: Motion, follower: EdgeFollower) -> Array:
     """Cam angles at which the rod goes over to the other face, rad.
 
     Where the steering is straight over a stretch tan(beta) changes its sign by rounding: a change counts if between
@@ -394,74 +403,23 @@ def _hub(rod: "LeaningRod", theta: Array, steering: Array, blank: Blank) -> list
 
 
 @dataclass(frozen=True, kw_only=True)
-class LeaningRod(Follower):
+class LeaningRod(EdgeFollower):
     """The rod and the two planes in which the disc carries it.
 
     The rod leans, so it rides on an edge of the rim: on that of a face or, where the edges are broken by chamfers, on
     that of the land between them (`cadgen.parts.blank.Blank.carrying`).
-
-    Attributes:
-        base_radius: a, distance of the camshaft from the fork axis, mm.
-        inner: lateral distance from A of the carrying plane nearer to it, mm.
-        outer: lateral distance of the farther carrying plane, mm.
-        radius: r_t, of the rod, mm; zero stands for the rod's axis (a knife edge).
-        length: from the fork axis to the rod's end, mm.
     """
 
     noun = Message("rod")
-    unit = TAN
-    leans = True
     flatter = Message(
         "raise cam.base_radius_mm, widen the turn there, or raise cam.blend_deg if the closing blend steers there"
     )
     milder = Message("lower follower.radius_mm or raise cam.base_radius_mm")
 
-    base_radius: float
-    inner: float
-    outer: float
-    radius: float
-    length: float = inf
-
-    @property
-    def land(self) -> float:
-        """Width of the rim between the carrying planes, mm."""
-        return self.outer - self.inner
-
-    def contact_face(self, q: Array) -> Array:
-        """Lateral distance of the plane the rod rests in, mm: inner for beta >= 0, outer below (eq. 15).
-
-        Args:
-            q: tangents of the rod's steering angle, shape (n,).
-        """
-        return np.where(np.asarray(q) >= 0, self.inner, self.outer)
-
-    def lift(self, q: Array) -> Array:
-        """Lift s = w_contact tan(beta), mm (eq. 16).
-
-        Args:
-            q: tangents of the rod's steering angle, shape (n,).
-        """
-        return self.contact_face(q) * q
-
-    @property
-    def planes(self) -> tuple[float, float]:
-        """The inner and the outer carrying plane, mm from the fork axis."""
-        return self.inner, self.outer
-
     @property
     def reach(self) -> float:
         """The rod's radius, mm."""
         return self.radius
-
-    def of_lift(self, lift: Array) -> tuple[Array, Array, Array]:
-        """tan(beta), the carrying face and the margin by lift of the axis, mm.
-
-        Args:
-            lift: lifts of the axis, mm, shape (n,).
-        """
-        face = self.contact_face(lift)
-        q = lift / face
-        return q, face, self.land * np.abs(q)
 
     def refuse(self, motion: Motion) -> None:
         """Refuse a lift for which the rod is too thick."""
@@ -531,15 +489,6 @@ class LeaningRod(Follower):
         """
         return np.asarray(np.arcsin(np.clip(across / self.radius, -1.0, 1.0)))
 
-    def distance(self, q: Array, face: Array) -> Array:
-        """Distance of the rod's axis from the camshaft in a plane, mm.
-
-        Args:
-            q: tangents of the rod's steering angle, shape (n,).
-            face: distance of the plane from the fork axis, mm.
-        """
-        return np.asarray(self.base_radius + face * q)
-
     def ahead(self, q: Array, face: Array, across: Array) -> Array:
         """How far ahead of the camshaft the rod touches, mm.
 
@@ -551,14 +500,15 @@ class LeaningRod(Follower):
         half = np.sqrt(np.maximum(self.radius**2 - across**2, 0.0) * (1 + q**2))
         return np.asarray(self.base_radius + face * q - half)
 
-    def margin(self, apart: Array, face: Array) -> Array:
-        """Lift of a difference of tan(beta), mm.
-
-        Args:
-            apart: differences of tan(beta) between two planes, shape (n,).
-            face: distance of the plane from the fork axis, mm.
-        """
-        return face * apart
+    def first_order(self, contact: Contact) -> FirstOrder:
+        """Derivatives of T at the contacts of the rod, or of a point at its axis, with a disc (see the module)."""
+        T, w, y = contact.q, contact.face, contact.across
+        root, height = np.sqrt(1 + T**2), np.sqrt(self.radius**2 - y**2)
+        thick = self.radius > 0
+        stretch = self.radius / height if thick else np.ones_like(T)
+        lean = root * y / height if thick else np.zeros_like(T)
+        divisor = w - height * T / root
+        return FirstOrder(height, root, lean, divisor, -T / divisor, root * stretch / divisor)
 
     def checks(self, cam: RolledCam) -> tuple[Check, ...]:
         """Carrying face, rim, chamfers and hub."""
@@ -575,67 +525,3 @@ def _under(y: Array, radius: float) -> tuple[NDArray[np.bool_], Array]:
     """Whether points lie under the rod, and the rod's half-height h there, mm; 0 beside it."""
     under = np.abs(y) < radius
     return under, np.sqrt(np.where(under, radius**2 - y**2, 0.0))
-
-
-def rod_of(follower: Follower, job: str, instead: str = "") -> LeaningRod:
-    """The follower as the leaning rod, for a job that is worked out for the rod alone.
-
-    Args:
-        follower: follower of any kind.
-        job: name of the job, as it begins a sentence.
-        instead: alternative for a design with this follower, as it ends a sentence.
-
-    Raises:
-        DesignError: the follower is of another kind.
-    """
-    if isinstance(follower, LeaningRod):
-        return follower
-    way_out = Message(", or {instead}", instead=instead) if instead else ""
-    raise DesignError(
-        "follower.kind names a {follower}, and {job} is worked out for the leaning rod alone: "
-        'set follower.kind = "rod" with its keys{way_out}',
-        follower=follower.noun,
-        job=job,
-        way_out=way_out,
-    )
-
-
-@dataclass(frozen=True)
-class FirstOrder:
-    """Derivatives of T = tan(beta) at n cam angles.
-
-    Attributes:
-        height: h, half the rod's height at the contact, shape (n,), mm.
-        root: sqrt(1 + T^2), shape (n,).
-        lean: sqrt(1 + T^2) y / h, shape (n,).
-        divisor: D, shape (n,), mm.
-        face: dT/dw, shape (n,), 1/mm.
-        thicker: dT/dr, shape (n,), 1/mm.
-    """
-
-    height: Array
-    root: Array
-    lean: Array
-    divisor: Array
-    face: Array
-    thicker: Array
-
-    @classmethod
-    def of(cls, contact: Contact, follower: "LeaningRod") -> "FirstOrder":
-        """At the contacts of a rod, or of a point at its axis, with a disc."""
-        T, w, y = contact.q, contact.face, contact.across
-        root, height = np.sqrt(1 + T**2), np.sqrt(follower.radius**2 - y**2)
-        thick = follower.radius > 0
-        stretch = follower.radius / height if thick else np.ones_like(T)
-        lean = root * y / height if thick else np.zeros_like(T)
-        divisor = w - height * T / root
-        return cls(height, root, lean, divisor, -T / divisor, root * stretch / divisor)
-
-    def displaced(self, along: Array, across: Array) -> Array:
-        """Change of T with a displacement of the point along the ray and across it, both in mm, shape (n,).
-
-        Args:
-            along: displacements outwards along the ray, mm, shape (n,).
-            across: displacements across it, mm, shape (n,).
-        """
-        return np.asarray((along - self.lean * across) / self.divisor)

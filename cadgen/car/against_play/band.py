@@ -13,7 +13,7 @@ import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.follower import EdgeFollower
 from cadgen.car.against_play.compensation import compensated_lift, lost_dips
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import drive, turns_of
@@ -95,7 +95,7 @@ class EndBound:
 
 def best_for_band(
     lift: PathMotion,
-    follower: LeaningRod,
+    follower: EdgeFollower,
     car: Car,
     length: float,
     band: tuple[float, float],
@@ -158,7 +158,7 @@ def best_for_band(
 
 def _best_with_friction(
     lift: PathMotion,
-    follower: LeaningRod,
+    follower: EdgeFollower,
     car: Car,
     length: float,
     band: tuple[float, float],

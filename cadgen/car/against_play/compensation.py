@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.follower import EdgeFollower
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.play import falls
 from cadgen.curves.piecewise import quintic_hermite
@@ -273,7 +273,7 @@ class _Valley:
 
 def compensated_lift(
     lift: PathMotion,
-    follower: LeaningRod,
+    follower: EdgeFollower,
     play: float,
     *,
     plateau_fall: float = PLATEAU_FALL,
@@ -327,7 +327,7 @@ def compensated_lift(
 
 
 def _valley(
-    lift: PathMotion, follower: LeaningRod, play: float, pairs: Array, number: int, fall: float, blend: float
+    lift: PathMotion, follower: EdgeFollower, play: float, pairs: Array, number: int, fall: float, blend: float
 ) -> _Valley | None:
     """The profile around a valley, from the peak before it to the one after it; None if there is no room."""
     peak, valley = (float(angle) for angle in pairs[number])
@@ -357,7 +357,7 @@ def _crossing(lift: PathMotion, play: float, peak: float, valley: float, next_pe
 
 
 def _plateau(
-    lift: PathMotion, follower: LeaningRod, play: float, peak: float, valley: float, fall: float
+    lift: PathMotion, follower: EdgeFollower, play: float, peak: float, valley: float, fall: float
 ) -> tuple[float, tuple[Array, Array], bool]:
     """Cam angle at which the shifted fall takes over, nodes of the plateau, and whether it falls enough.
 

@@ -5,8 +5,7 @@ from functools import cached_property
 from typing import Protocol
 
 from cadgen.arrays import Array
-from cadgen.cam.follower import Contact
-from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.follower import Contact, EdgeFollower
 from cadgen.car.against_play.band import EndBound, PlayBand, best_for_band, fixed_profile_bound
 from cadgen.car.against_play.smoothing import smooth_to
 from cadgen.car.path_motion import PathMotion
@@ -24,7 +23,7 @@ class FinishedDisc(Protocol):
     def precompensated(self, wanted: ClosedCurve) -> ClosedCurve:
         """Curve to be cut, mm, so that the finished disc has the profile wanted."""
 
-    def roll_new(self, curve: ClosedCurve, follower: LeaningRod, cam_angle: Array, step: float) -> Contact:
+    def roll_new(self, curve: ClosedCurve, follower: EdgeFollower, cam_angle: Array, step: float) -> Contact:
         """Contact of the follower with the finished disc of a curve that is cut.
 
         Args:
@@ -34,7 +33,7 @@ class FinishedDisc(Protocol):
             step: step of the outline, mm.
         """
 
-    def roll_measured(self, curve: ClosedCurve, follower: LeaningRod, cam_angle: Array, step: float) -> Contact:
+    def roll_measured(self, curve: ClosedCurve, follower: EdgeFollower, cam_angle: Array, step: float) -> Contact:
         """Contact of the follower with the disc that was measured; arguments as for `roll_new`.
 
         Args:
@@ -71,7 +70,7 @@ class PlayTask:
     """
 
     lift: PathMotion
-    follower: LeaningRod
+    follower: EdgeFollower
     car: Car
     length: float
     aim: float

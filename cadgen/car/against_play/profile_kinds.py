@@ -104,9 +104,10 @@ def _axis_curve(lift: Motion, follower: Follower) -> ActualProfile:
 
 def _published_curve(lift: Motion, follower: Follower) -> ActualProfile:
     from cadgen.cam.envelope import ActualProfile
-    from cadgen.cam.followers.rod import published_profile, rod_of
+    from cadgen.cam.follower import edge_follower
+    from cadgen.cam.followers.rod import published_profile
 
-    rod = rod_of(follower, "the formula of the paper", "take --profile actual")
+    rod = edge_follower(follower, "the formula of the paper", "take --profile actual")
     return ActualProfile(published_profile(lift, rod), ())
 
 

@@ -18,7 +18,7 @@ import numpy as np
 from scipy.interpolate import PPoly
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.follower import EdgeFollower
 from cadgen.car.against_play.play_task import PlayTask
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import Run, drive, turns_of
@@ -170,7 +170,7 @@ def worst_on_way(
     return max(float(run_error(run, planned).distance.max()) for run in runs)
 
 
-def touched_width(lift: PathMotion, follower: LeaningRod) -> float:
+def touched_width(lift: PathMotion, follower: EdgeFollower) -> float:
     """Length of the follower, along its axis, that touches the disc somewhere in a turn, mm.
 
     The contact lies (w - r sin(beta)) / cos(beta) along the axis from the fork axis, on the face that carries.
@@ -200,7 +200,7 @@ BEARINGS = tuple(
 )
 
 
-def bearing_for(lift: PathMotion, follower: LeaningRod) -> tuple[Bearing, int] | None:
+def bearing_for(lift: PathMotion, follower: EdgeFollower) -> tuple[Bearing, int] | None:
     """The smallest bearing that fits on the rod, and the number needed side by side; None if no bearing fits."""
     for bearing in sorted(BEARINGS, key=lambda b: b.outside):
         needed = touched_width(lift, replace(follower, radius=bearing.outside / 2))

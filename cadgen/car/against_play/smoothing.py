@@ -20,7 +20,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.follower import EdgeFollower
 from cadgen.car.against_play.compensation import closed_lift, nodes_between
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.play import falls
@@ -70,7 +70,7 @@ def smoothed_lift(lift: PathMotion, depth: float) -> PathMotion:
 
 
 def smooth_to(
-    lift: PathMotion, follower: LeaningRod, car: Car, length: float, play: float, *, aim: float = PAPER_AIM
+    lift: PathMotion, follower: EdgeFollower, car: Car, length: float, play: float, *, aim: float = PAPER_AIM
 ) -> PathMotion:
     """Smooth the lift until its sum of deflection errors has fallen by a share `aim`.
 

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.follower import EdgeFollower
 from cadgen.car.draws.setting_ranges import COUNT, DISC, HEAD, HEADING, TRAVEL, SettingRange, SettingRanges, X, Y
 from cadgen.car.running.drive import MIDPOINT, Pose, driven
 from cadgen.car.steering import Car, wheel_tangent
@@ -20,10 +20,10 @@ from cadgen.car.steering import Car, wheel_tangent
 _DISC_PLACES, _HEAD_PLACES = 6, 3
 
 # Follower -> tan(beta) at the stations, shape (n,).
-Rolling = Callable[[LeaningRod], Array]
+Rolling = Callable[[EdgeFollower], Array]
 
 
-def moved_rod(rod: LeaningRod, disc: float, head: float) -> LeaningRod:
+def moved_rod(rod: EdgeFollower, disc: float, head: float) -> EdgeFollower:
     """The rod on a disc that was moved on its shaft, with another base radius.
 
     Args:
@@ -45,13 +45,13 @@ class Steering:
         lifts: tan(beta) times the distance of the inner plane, shape (k, l, n), mm.
     """
 
-    rod: LeaningRod
+    rod: EdgeFollower
     discs: Array
     heads: Array
     lifts: Array
 
     @classmethod
-    def of(cls, rod: LeaningRod, disc: SettingRange, head: SettingRange, rolling: Rolling) -> "Steering":
+    def of(cls, rod: EdgeFollower, disc: SettingRange, head: SettingRange, rolling: Rolling) -> "Steering":
         """Roll the rod at the places between which it is interpolated.
 
         Args:

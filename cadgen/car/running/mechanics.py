@@ -32,7 +32,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.follower import EdgeFollower
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.play import LEAST_SWING, Following, falls, follow
 
@@ -66,7 +66,7 @@ class Levers:
     lift: Array
 
 
-def levers(lift: PathMotion, follower: LeaningRod, theta: Array) -> Levers:
+def levers(lift: PathMotion, follower: EdgeFollower, theta: Array) -> Levers:
     """Levers of the rod's force on a cam at cam angles, rad.
 
     Args:
@@ -99,7 +99,7 @@ def levers(lift: PathMotion, follower: LeaningRod, theta: Array) -> Levers:
     )
 
 
-def holding_friction(lift: PathMotion, follower: LeaningRod) -> tuple[float, float]:
+def holding_friction(lift: PathMotion, follower: EdgeFollower) -> tuple[float, float]:
     """Least coefficient of friction with which a cam without drag never leads, and the cam angle (rad) that decides."""
     theta = np.arange(0.0, TURN, _STEP)
     at = levers(lift, follower, theta)
@@ -121,7 +121,7 @@ class Mechanics:
         behind: play between brake and cam, rad; 0 if the disc itself is braked.
     """
 
-    follower: LeaningRod
+    follower: EdgeFollower
     rod_force: float = 1.0
     rod_rate: float = 0.0
     friction: float = 0.0
@@ -258,7 +258,7 @@ class MechanicsBand:
         drag: least and greatest drag, N mm.
     """
 
-    follower: LeaningRod
+    follower: EdgeFollower
     rod_force: float = 1.0
     rod_rate: float = 0.0
     friction: tuple[float, float] = (0.0, 0.0)

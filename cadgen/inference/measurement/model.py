@@ -17,8 +17,7 @@ from scipy.interpolate import CubicSpline, PPoly
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll
-from cadgen.cam.follower import Contact
-from cadgen.cam.followers.rod import FirstOrder, LeaningRod
+from cadgen.cam.follower import Contact, EdgeFollower
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.sampled import sampled_lift
 from cadgen.curves.closed import Outline
@@ -112,7 +111,7 @@ class _Roll:
             inner = np.abs(contact.face - contact.face.min()) < np.abs(contact.face - contact.face.max())
             theta = contact.cam_angle
             follower = self.setting.follower
-            first = FirstOrder.of(contact, follower)
+            first = follower.first_order(contact)
             ahead = follower.base_radius + contact.face * contact.q - first.height * first.root
             place = theta + np.arctan2(contact.across, ahead)
             at = angle[0] + (place - angle[0]) % TURN
@@ -132,7 +131,7 @@ class Rolled:
 
     stages = (DISC, FOLLOWER)
 
-    def __init__(self, lift: PathMotion, follower: LeaningRod, disc: Disc) -> None:
+    def __init__(self, lift: PathMotion, follower: EdgeFollower, disc: Disc) -> None:
         self._lift, self._follower, self._disc = lift, follower, disc
         self._grid = np.linspace(0.0, TURN, GRID, endpoint=False)
         self._rolls: Cache[bytes, _Roll] = Cache(_KEPT)
@@ -192,7 +191,8 @@ class Rolled:
             ends.append((there[number], disc.points, through(FOLLOWER, Seat(self._follower), others, rows)))
         (low, before, less), (high, after, more) = ends
         by = high - low
-        follower = LeaningRod(
+        follower = replace(
+            self._follower,
             base_radius=0.0,
             inner=(more.follower.inner - less.follower.inner) / by,
             outer=(more.follower.outer - less.follower.outer) / by,
@@ -245,13 +245,8 @@ def _plus(change: PPoly | None, slope: PPoly, by: float) -> PPoly:
     return PPoly.construct_fast(coefficients, slope.x, extrapolate="periodic")
 
 
-def _shifted(follower: LeaningRod, by: float) -> LeaningRod:
-    return LeaningRod(
-        base_radius=follower.base_radius,
-        inner=follower.inner + by,
-        outer=follower.outer + by,
-        radius=follower.radius,
-    )
+def _shifted(follower: EdgeFollower, by: float) -> EdgeFollower:
+    return replace(follower, inner=follower.inner + by, outer=follower.outer + by)
 
 
 SMALL = 0.1  # of the step of a parameter

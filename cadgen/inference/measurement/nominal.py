@@ -7,7 +7,7 @@ from math import pi
 import numpy as np
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.follower import EdgeFollower
 from cadgen.car.path.wheel_track import Track
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.mechanics import Leads, Mechanics
@@ -92,7 +92,7 @@ class Nominal:
     """
 
     lift: PathMotion
-    follower: LeaningRod
+    follower: EdgeFollower
     profile: ClosedCurve
     car: Car
     track: Track

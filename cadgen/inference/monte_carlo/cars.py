@@ -20,8 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.follower import Contact
-from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.follower import Contact, EdgeFollower
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import Run
 from cadgen.car.running.mechanics import Mechanics, levers
@@ -261,7 +260,7 @@ class Cars(Steered):
 
 def nominal_cars(
     contact: Contact,
-    follower: LeaningRod,
+    follower: EdgeFollower,
     car: Car,
     length: float,
     lift: PathMotion,

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from cadgen.cam.contact import roll_curve
-from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.follower import EdgeFollower
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.mechanics import Mechanics, holding_friction
 from cadgen.car.running.sampled import rolled_lift
@@ -298,7 +298,7 @@ def nominal_of(design: Design, profile: str, progress: Progress = silent) -> Nom
     )
 
 
-def _forces(design: Design, rod: LeaningRod, lift: PathMotion) -> Mechanics | None:
+def _forces(design: Design, rod: EdgeFollower, lift: PathMotion) -> Mechanics | None:
     """Rod force and drag by [mechanics]; None without it."""
     band = variation.mechanics(design, rod, lift)
     return None if band is None else band.nominal

@@ -8,8 +8,7 @@ import numpy as np
 
 from cadgen.arrays import TURN
 from cadgen.cam.checks import check_cam
-from cadgen.cam.follower import Follower
-from cadgen.cam.followers.rod import rod_of
+from cadgen.cam.follower import Follower, edge_follower
 from cadgen.car.against_play.band import EndBound, PlayBand, over_band
 from cadgen.car.against_play.evaluate import (
     Evaluation,
@@ -191,7 +190,7 @@ def task_of(design: Design, track: Track, lift: PathMotion, follower: Follower) 
     Raises:
         DesignError: the follower is not the leaning rod.
     """
-    rod = rod_of(follower, "what the play of the gears does to a cam", "take --profile actual")
+    rod = edge_follower(follower, "what the play of the gears does to a cam", "take --profile actual")
     return PlayTask(
         lift=lift,
         follower=rod,

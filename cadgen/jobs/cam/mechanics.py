@@ -4,8 +4,7 @@ from math import degrees, inf
 
 import numpy as np
 
-from cadgen.cam.follower import Follower
-from cadgen.cam.followers.rod import rod_of
+from cadgen.cam.follower import Follower, edge_follower
 from cadgen.car.against_play.band import PlayBand, over_band
 from cadgen.car.against_play.evaluate import Evaluation
 from cadgen.car.against_play.play_task import PlayTask
@@ -83,7 +82,7 @@ def mechanics_checks(
             Check(
                 CheckCode.BEARING_WIDTH,
                 "bearing width",
-                touched_width(lift, rod_of(follower, "the width of a bearing")),
+                touched_width(lift, edge_follower(follower, "the width of a bearing")),
                 "mm",
                 keys.width_mm,
                 Bound.MAX,

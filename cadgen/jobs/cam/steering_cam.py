@@ -11,8 +11,7 @@ import numpy as np
 from cadgen.arrays import TURN, Array
 from cadgen.cam.checks import cam_angles, check_cam
 from cadgen.cam.contact import roll
-from cadgen.cam.follower import Contact, Follower, Trim
-from cadgen.cam.followers.rod import rod_of
+from cadgen.cam.follower import Contact, Follower, Trim, edge_follower
 from cadgen.car.against_play.evaluate import evaluate
 from cadgen.car.against_play.laps import Laps
 from cadgen.car.against_play.play_task import TrainTask
@@ -243,7 +242,7 @@ class CarUse(Application):
         """Cost at the finish of edges broken more than designed; of the leaning rod, which alone rides on an edge."""
         if not cam.follower.leans:
             return ()
-        rod = rod_of(cam.follower, "what a broken edge costs")
+        rod = edge_follower(cam.follower, "what a broken edge costs")
         as_built = cam_model.as_built(self.design)
         return (edges_check(self.steering, rod, cam.curve, as_built, self.car, self.travel),)
 

@@ -6,7 +6,7 @@ from math import inf, radians, tan
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.cam.followers.rod import rod_of
+from cadgen.cam.follower import edge_follower
 from cadgen.car.course.layout import CarPoint, Course, Gate, Shape
 from cadgen.car.path.wheel_track import Track
 from cadgen.car.planner.constraints import curvature_limits
@@ -135,7 +135,7 @@ def _vehicle(design: Design, free: bool) -> Vehicle:
     if band is not None and band.measured is None:
         low, high = band.ends
         spread = max((high - low) / 2, radians(0.01))
-    rod = rod_of(cam_model.follower(design), "planning a path", "plan with the rod")
+    rod = edge_follower(cam_model.follower(design), "planning a path", "plan with the rod")
     share = 1.0 - design.cam.blend_deg / 360
     laps, travel = bool(design.path.closed), _given_travel(design)
     return Vehicle(
@@ -177,7 +177,7 @@ def _limits(
     """Limits of steering and cam; the path is driven at its `smallest` too, a share of what is planned."""
     checks = cam_model.check_limits(design)
     left, right = curvature_limits(vehicle, smallest)
-    rod = rod_of(cam_model.follower(design), "planning a path")
+    rod = edge_follower(cam_model.follower(design), "planning a path")
     least_radius = max(checks.min_convex_radius, design.blank.edge_break_mm or 0.0)
     valley, band = inf, variation.play_bands(design).get(design.optimize.order)
     if design.optimize.max_lift_error_um is not None and band is not None and band.ends[1] > 0:

@@ -8,7 +8,7 @@ from math import hypot
 import numpy as np
 
 from cadgen.arrays import TURN
-from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.follower import EdgeFollower
 from cadgen.car.course.body import place_of
 from cadgen.car.course.layout import CarPoint, Course, Gate, Shape, Side
 from cadgen.car.running.drive import drive, start_pose
@@ -129,7 +129,7 @@ def still_scene(plan: CamPlan) -> Scene:
 
 def _rod(plan: CamPlan, bodies: Bodies) -> RodShape | None:
     rod, (inner, outer) = plan.follower_as_built, plan.faces
-    if not isinstance(rod, LeaningRod):
+    if not isinstance(rod, EdgeFollower):
         return None
     return RodShape(
         base=rod.base_radius,
