@@ -223,6 +223,12 @@ READING = Stage[Array]("reading")
 Active = Sequence[tuple[Effect, Array]]
 
 
+def activated(effects: Sequence[Effect], values: Array) -> list[tuple[Effect, Array]]:
+    """Effects, each with its own of their values in a row, shape (sum of parameters,), internal units (mm, rad)."""
+    cuts = np.cumsum([len(e.parameters) for e in effects])[:-1]
+    return list(zip(effects, np.split(values, cuts), strict=True)) if effects else []
+
+
 def causes(effects: Iterable[Effect]) -> int:
     """How many causes effects have: what acts beside another adds none."""
     return sum(not effect.beside for effect in effects)

@@ -55,8 +55,9 @@ class Merged:
         several = len(records) > 1
         taken: dict[str, int] = {}
         leaders: list[tuple[Effect, int, dict[int, Effect]]] = []
-        for members in sorted(groups.values(), key=lambda m: min(_nearness(records, n) for n in m)):
-            number = min(members, key=lambda n: _nearness(records, n))
+        nearness = [kind.nearness for kind, _ in records]
+        for members in sorted(groups.values(), key=lambda m: min(nearness[n] for n in m)):
+            number = min(members, key=lambda n: nearness[n])
             effect = members[number]
             if several and taken.setdefault(effect.name, number) != number:
                 effect = replace(effect, name=f"{effect.name} ({records[number][0]})")
@@ -70,7 +71,11 @@ class Merged:
                     names[other][effect.key] = members[other]
                 elif effect.stage in model.behind and not (effect.instrument or effect.shape):
                     names[other][effect.key] = members[number]
-        shapes = [(_of_kind(e, kind, several), n, e) for n, (kind, m) in enumerate(records) for e in m.shapes]
+        shapes = [
+            (replace(e, name=f"{e.name} ({kind})") if several else e, n, e)
+            for n, (kind, model) in enumerate(records)
+            for e in model.shapes
+        ]
         datum = [(e, n, e) for n, (_, m) in enumerate(records) for e in m.datum]
         for effect, number, own in (*shapes, *datum):
             names[number][effect.key] = own
@@ -85,14 +90,6 @@ class Merged:
             kinds={e.key: records[n][0] for e, n in every},
             names=names,
         )
-
-
-def _nearness(records: Sequence[tuple[Kind, Model]], number: int) -> int:
-    return records[number][0].nearness
-
-
-def _of_kind(effect: Effect, kind: Kind, several: bool) -> Effect:
-    return replace(effect, name=f"{effect.name} ({kind})") if several else effect
 
 
 def _identity(kind: Kind, model: Model, effect: Effect) -> tuple[str, ...]:
@@ -178,16 +175,13 @@ class Part:
         steps = np.concatenate([np.empty(0), *(e.steps for e, _ in active)])
         values = np.concatenate([np.empty(0), *(v for _, v in active)])
         where = tuple(e.key for e, _ in active)
-        anew = tuple(e for e in effects if not self._near((e.key, *where), values, _NEAR * steps))
+        known = {e.key: self._leant[e.key, *where][0] for e in effects if (e.key, *where) in self._leant}
+        anew = tuple(e for e in effects if e.key not in known or (np.abs(values - known[e.key]) > _NEAR * steps).any())
         columns = slopes(self.model, anew, active, residual)
         ends = np.cumsum([0, *(len(e.parameters) for e in anew)])
         for effect, (a, b) in zip(anew, pairwise(ends), strict=True):
             self._leant[effect.key, *where] = values, columns[:, a:b]
         return np.hstack([np.empty((len(columns), 0)), *(self._leant[e.key, *where][1] for e in effects)])
-
-    def _near(self, key: tuple[str, ...], values: Array, reach: Array) -> bool:
-        """Are slopes known for values so near by?"""
-        return key in self._leant and bool((np.abs(values - self._leant[key][0]) <= reach).all())
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -277,10 +271,6 @@ class Joint:
             out[span, columns] = slopes(part.model, own, part.own(active))
         return out
 
-    def _searched(self, part: Part, effect: Effect) -> bool:
-        """Numerous effects are searched for in the record that shows them best; the others join in the exact fit."""
-        return not effect.numerous or self.kinds[effect.key] is part.kind
-
     def own_name(self, effect: Effect) -> str:
         """Name of an effect in the kind of data whose catalogue it stands in."""
         part = next(part for part in self.parts if part.kind is self.kinds[effect.key])
@@ -357,8 +347,15 @@ class Joint:
     def _here(
         self, part: Part, effects: tuple[Effect, ...], widths: NDArray[np.intp]
     ) -> tuple[tuple[Effect, ...], NDArray[np.intp]]:
-        """Effects that are searched for in a part, as they are there, and their columns among all."""
-        here = [i for i, e in enumerate(effects) if e.key in part.names and self._searched(part, e)]
+        """Effects that are searched for in a part, as they are there, and their columns among all.
+
+        Those of a family are searched for in the record that shows them best; the others join in the exact fit.
+        """
+        here = [
+            i
+            for i, e in enumerate(effects)
+            if e.key in part.names and (not e.numerous or self.kinds[e.key] is part.kind)
+        ]
         columns = [np.arange(widths[i], widths[i + 1]) for i in here]
         return tuple(part.names[effects[i].key] for i in here), np.concatenate([*columns, np.empty(0, dtype=np.intp)])
 

@@ -89,8 +89,9 @@ class _Roll:
         if a == 0 and b == 0:
             return cls(outline, setting, (roll(outline, setting.follower, grid),), np.ones((1, len(grid))))
         # A wobbling disc offers its faces at w + a cos + b sin: three rolls, and a parabola through them.
-        size = float(np.hypot(a, b))
-        contacts = tuple(roll(outline, _shifted(setting.follower, k * size), grid) for k in (-1.0, 0.0, 1.0))
+        size, rod = float(np.hypot(a, b)), setting.follower
+        rods = (replace(rod, inner=rod.inner + by, outer=rod.outer + by) for by in (-size, 0.0, size))
+        contacts = tuple(roll(outline, each, grid) for each in rods)
         x = (a * np.cos(grid) + b * np.sin(grid)) / size
         return cls(outline, setting, contacts, np.stack([(x**2 - x) / 2, 1 - x**2, (x**2 + x) / 2]))
 
@@ -177,16 +178,15 @@ class Rolled:
             active: about which; an effect that is not among them, about its start, where it does nothing.
             rows: of the model.
         """
-        moved = self._of(active)
-        base = self._roll(moved, rows)
-        values = next((v for e, v in moved if e.key == effect.key), effect.start)
+        here = self._of(active)
+        base = self._roll(here, rows)
+        values = next((v for e, v in here if e.key == effect.key), effect.start)
         step = effect.steps[number]
         ends = []
         for sign in (-1.0, 1.0):
-            there = np.array(values, dtype=float)
-            there[number] = np.clip(there[number] + sign * step, effect.bounds[0][number], effect.bounds[1][number])
-            others = [(e, there if e.key == effect.key else v) for e, v in moved]
-            if len(others) == len(moved) and all(e.key != effect.key for e, _ in moved):
+            there = moved(effect, np.asarray(values, dtype=float), number, sign * step)
+            others = [(e, there if e.key == effect.key else v) for e, v in here]
+            if all(e.key != effect.key for e, _ in here):
                 others.append((effect, there))
             disc = through(DISC, self._disc, others, rows)
             ends.append((there[number], disc.points, through(FOLLOWER, Seat(self._follower), others, rows)))
@@ -198,8 +198,9 @@ class Rolled:
             outer=(more.follower.outer - less.follower.outer) / by,
             radius=(more.follower.radius - less.follower.radius) / by,
         )
-        wobble = tuple((m - w) / by for m, w in zip(more.wobble, less.wobble, strict=True))
-        slope = self._closed(base.answer((after - before) / by, Seat(follower, (wobble[0], wobble[1]))))
+        (a, b), (a_less, b_less) = more.wobble, less.wobble
+        seat = Seat(follower, ((a - a_less) / by, (b - b_less) / by))
+        slope = self._closed(base.answer((after - before) / by, seat))
         return Effect(
             name=effect.name,
             variant=f"{effect.variant} {number} {hash(slope.c.tobytes())}",
@@ -245,15 +246,6 @@ def _plus(change: PPoly | None, slope: PPoly, by: float) -> PPoly:
     return PPoly.construct_fast(coefficients, slope.x, extrapolate="periodic")
 
 
-def _shifted(follower: LeaningRod, by: float) -> LeaningRod:
-    return LeaningRod(
-        base_radius=follower.base_radius,
-        inner=follower.inner + by,
-        outer=follower.outer + by,
-        radius=follower.radius,
-    )
-
-
 SMALL = 0.1  # of the step of a parameter
 
 
@@ -279,10 +271,6 @@ class Discrepancy:
         return cls(columns=np.empty((rows, 0)))
 
 
-# Of an effect, the place of one of its numbers and what is active: the answer, shape (n,), or None if it is not known.
-Tangent = Callable[[Effect, int, Active], Array | None]
-
-
 class Model(Protocol):
     """A forward model with its data."""
 
@@ -295,8 +283,8 @@ class Model(Protocol):
         """The lift that effects on disc and rod change; None where they act otherwise, or not at all."""
 
     @property
-    def tangent(self) -> "Tangent | None":
-        """How what is expected answers some numbers, to first order; None where differences do for all."""
+    def tangent(self) -> Callable[[Effect, int, Active], Array | None] | None:
+        """Answer of the readings to a number of an effect, shape (n,); None where differences do."""
 
     @property
     def resolved(self) -> int | None:

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import Array
-from cadgen.deviations.effect import Active, Effect, causes
+from cadgen.deviations.effect import Active, Effect, activated, causes
 from cadgen.errors import DesignError
 from cadgen.inference.measurement.hypothesis import Hypothesis, Search, fit
 from cadgen.inference.measurement.joint import Joint
@@ -269,7 +269,10 @@ def _promising(
     free = tangents(joint, core, best)
     datum = joint.slopes(joint.datum, best.active)
     # What the residual would be without the active effects follows from their own tangents.
-    known = [_value_in(best, e)[: s.stop - s.start] for e, s in zip(free.effects, free.spans, strict=True)]
+    known = [
+        next((v for e, v in best.active if e is effect), np.zeros(len(effect.parameters)))[: s.stop - s.start]
+        for effect, s in zip(free.effects, free.spans, strict=True)
+    ]
     bare = joint.residual(best.active) + (free.values @ np.concatenate(known) if known else 0.0)
     white = joint.whiten(np.column_stack([free.values, datum, bare]))
     halves = joint.halves(white)
@@ -305,7 +308,7 @@ def _promising(
     if companions:
         chosen += [r for r in beside[:NAMED] if r not in chosen]
     starts = [_accompanied(effect, core, beside, best) for effect in companions]
-    return [*starts, *((r.effects, [*datum_start, *_cut(r.effects, r.estimate)]) for r in chosen)]
+    return [*starts, *((r.effects, [*datum_start, *activated(r.effects, r.estimate)]) for r in chosen)]
 
 
 def _keyed(rated: Rated) -> frozenset[str]:
@@ -316,7 +319,7 @@ def _accompanied(companion: Effect, core: tuple[Effect, ...], beside: list[Rated
     """The best subset less its anonymous shapes, with what acts beside another, and that other."""
     wanted = {e.key for e in (*best.effects, companion, companion.beside) if e and not e.shape}
     near = next((r for r in beside if companion in r.effects), None)
-    values = _cut(near.effects, near.estimate) if near else []
+    values = activated(near.effects, near.estimate) if near else []
     datum = [(e, v) for e, v in best.active if e not in best.effects]
     known = {e.key: (e, v) for e, v in (*values, *best.active) if e.key in wanted}
     return tuple(e for e in core if e.key in wanted), [*datum, *known.values()]
@@ -339,9 +342,8 @@ def _rate_free(this: Round, subsets: Iterable[tuple[int, ...]], search: Search) 
         width = sum(free.spans[i].stop - free.spans[i].start for i in subset)
         bundles.setdefault(width, []).append(subset)
     for width, subsets in bundles.items():
-        columns = np.array(
-            [np.concatenate([_range(free.spans[i]) for i in subset] or [_range(slice(0, 0))]) for subset in subsets]
-        )
+        every = np.arange(free.values.shape[1], dtype=np.intp)
+        columns = np.array([np.concatenate([every[:0], *(every[free.spans[i]] for i in subset)]) for subset in subsets])
         index = np.hstack([columns, np.broadcast_to(this.always, (len(subsets), len(this.always)))])
         gram = this.products[:, index[:, :, None], index[:, None, :]]
         score, estimate, sound = _solve(gram, this.products[:, index, -1], this.constant + this.products[:, -1, -1])
@@ -428,10 +430,6 @@ def _solve(gram: Array, right: Array, base: Array, size: Array | None = None) ->
     return misfit[least, rows], (estimate[..., 0] / size)[least, rows], smallest > 1 - COLLINEAR
 
 
-def _range(span: slice) -> Index:
-    return np.arange(span.start, span.stop)
-
-
 def _compatible(effects: list[Effect]) -> bool:
     """At most one of each group."""
     groups = [e.group for e in effects if e.group is not None]
@@ -449,18 +447,9 @@ def _completed(effects: tuple[Effect, ...], estimate: Array, spans: list[slice])
     return np.concatenate(parts) if parts else np.empty(0)
 
 
-def _cut(effects: tuple[Effect, ...], values: Array) -> list[tuple[Effect, Array]]:
-    cuts = np.cumsum([len(e.parameters) for e in effects])[:-1]
-    return list(zip(effects, np.split(values, cuts), strict=True)) if effects else []
-
-
-def _value_in(best: Hypothesis, effect: Effect) -> Array:
-    return next((values for active, values in best.active if active is effect), np.zeros(len(effect.parameters)))
-
-
 def _possible(effects: tuple[Effect, ...], values: Array) -> bool:
     """A linear estimate may overshoot a bound by a difference step; more is physically impossible."""
-    for effect, part in _cut(effects, values):
+    for effect, part in activated(effects, values):
         lower, upper = effect.bounds
         if np.any(part < lower - effect.steps) or np.any(part > upper + effect.steps):
             return False
