@@ -82,18 +82,18 @@ class Wheels:
         Args:
             travel: travel wanted for one turn of the cam, mm.
         """
-        choices = {(radius, ratio) for ratio in self.ratios for radius in self._radii(travel / (TURN * ratio))}
+        radii = SettingRange(min(self.radii), max(self.radii), self.step)
+        choices = {
+            (radius, ratio)
+            for ratio in self.ratios
+            for radius in (
+                radii.near(min(max(travel / (TURN * ratio), radii.low), radii.high)) if self.made else self.radii
+            )
+        }
         below = [each for each in choices if TURN * each[0] * each[1] <= travel]
         above = [each for each in choices if TURN * each[0] * each[1] > travel]
         best = [max(below, key=_product)] if below else []
         return (*best, *([min(above, key=_product)] if above else []))
-
-    def _radii(self, wanted: float) -> tuple[float, ...]:
-        if not self.made:
-            return self.radii
-        return SettingRange(min(self.radii), max(self.radii), self.step).near(
-            min(max(wanted, min(self.radii)), max(self.radii))
-        )
 
 
 def _product(choice: tuple[float, float]) -> float:

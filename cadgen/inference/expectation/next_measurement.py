@@ -305,7 +305,11 @@ class _State:
         weight = np.exp(np.array(score) - np.max(score, axis=0))
         weight /= weight.sum(axis=0)
         by_key = np.stack([weight[self._of == number].sum(axis=0) for number in range(len(self._keys))])
-        best = self._reported(np.log(np.maximum(by_key, 1e-300)))
+        # The smallest subset nested in the likeliest one and as good as likely: see `verdict`.
+        logs = np.log(np.maximum(by_key, 1e-300))
+        close = self._nested[np.argmax(logs, axis=0)].T & (logs > np.max(logs, axis=0) - MARGIN / 2)
+        sizes = np.array([len(key) for key in self._keys])[:, None]
+        best = np.argmin(np.where(close, sizes - logs / 1e3, np.inf), axis=0)
         error = np.empty(DRAWS, dtype=complex)
         for number in range(len(self._keys)):
             if (mine := best == number).any():
@@ -318,14 +322,6 @@ class _State:
         least, most = np.percentile(size, RANGE)
         sure = float(np.mean(by_key.max(axis=0) >= SURE))
         return EndRange(float(size.mean()), float(least), float(most)), sure
-
-    def _reported(self, score: Array) -> NDArray[np.intp]:
-        """The smallest subset nested in the likeliest one and as good as likely: see `verdict`."""
-        best = np.argmax(score, axis=0)
-        close = self._nested[best].T & (score > np.max(score, axis=0) - MARGIN / 2)
-        sizes = np.array([len(key) for key in self._keys])[:, None]
-        rank = np.where(close, sizes - score / 1e3, np.inf)
-        return np.asarray(np.argmin(rank, axis=0), dtype=np.intp)
 
     def _error(
         self,

@@ -27,7 +27,7 @@ from cadgen.inference.measurement.findings import (
 )
 from cadgen.inference.measurement.hypothesis import Hypothesis, Search, fit, sized
 from cadgen.inference.measurement.joint import Build, Joint, Part
-from cadgen.inference.measurement.model import Model, repeating, slopes
+from cadgen.inference.measurement.model import Model, repeating, rms_by_run, slopes
 from cadgen.inference.measurement.nominal import LoggedCar, Nominal
 from cadgen.inference.measurement.record import Datum, Record, join, refuse_many_together, refuse_wrong_units
 from cadgen.inference.measurement.reservations import (
@@ -170,8 +170,8 @@ def _told(result: Weighed, part: Part, progress: Progress) -> EvidenceDiagnosis:
         ),
         residual=Residual(_rms(before) / scale, _rms(after) / scale, noise.rms / scale, left_out),
         per_run=PerRun(
-            _by_run(before, model) / scale,
-            _by_run(after, model) / scale,
+            rms_by_run(before, model.rows.run) / scale,
+            rms_by_run(after, model.rows.run) / scale,
             np.array([_rms(rest) for rest in whole]) / scale if held_out else None,
         ),
         correlation=noise.correlation,
@@ -313,10 +313,6 @@ def _held_out(joint: Joint, part: Part, best: Hypothesis, runs: NDArray[np.intp]
         less = own - repeating(test.model) @ repeats
         out.append((registered(test.model, test.noise, own, turned), registered(test.model, test.noise, less, turned)))
     return out
-
-
-def _by_run(residual: Array, model: Model) -> Array:
-    return np.array([_rms(residual[model.rows.run == run]) for run in range(model.rows.runs)])
 
 
 def _rms(values: Array) -> float:

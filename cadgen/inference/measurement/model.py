@@ -391,6 +391,16 @@ def per_run(run: NDArray[np.intp]) -> Array:
     return np.asarray((run[:, None] == np.arange(run.max() + 1)).astype(float))
 
 
+def rms_by_run(residual: Array, run: NDArray[np.intp]) -> Array:
+    """Root mean square of a residual in each run, shape (runs,), in its unit.
+
+    Args:
+        residual: residual, shape (n,), mm or rad.
+        run: number of the run of each row, shape (n,).
+    """
+    return np.array([np.sqrt(np.mean(residual[run == number] ** 2)) for number in range(int(run.max()) + 1)])
+
+
 def elapsed(run: NDArray[np.intp]) -> Array:
     """Place of each row within its run, -1/2 to 1/2."""
     out = np.empty(len(run))

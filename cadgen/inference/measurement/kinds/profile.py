@@ -40,15 +40,11 @@ def _polar(points: Array) -> tuple[Array, Array]:
     return np.arctan2(points[:, 1], points[:, 0]) % TURN, np.hypot(points[:, 0], points[:, 1])
 
 
-def _clock(angle: Array, p: Array, at: Rows) -> Array:
-    return np.asarray(angle - p[0])
-
-
 CLOCKING = Effect(
     name="clocking",
     stage=CLOCK,
     parameters=(Parameter(name="clocking_deg", unit="deg", lower=-10.0, upper=10.0, step=0.02),),
-    act=_clock,
+    act=lambda angle, p, at: np.asarray(angle - p[0]),
 )
 
 

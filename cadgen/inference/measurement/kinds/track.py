@@ -14,7 +14,7 @@ sin((k - 1/2) pi s / l).
 """
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import pi, radians
 
 import numpy as np
@@ -167,17 +167,13 @@ def scattered(poses: Array, stated: StartSpreads) -> StartSpreads:
     used = list(stated)
     for setting, runs in _alike(stated).items():
         if len(runs) > 1:
-            shown = _scattered(poses[runs], setting)
+            spread, freedom = np.std(poses[runs], axis=0, ddof=1), len(runs) - 1
+            beyond = spread > setting.spread * np.sqrt(chi2.isf(CHANCE, freedom) / freedom)
+            place = float(spread[:2].max()) if beyond[:2].any() else setting.place
+            shown = replace(setting, place=place, heading=float(spread[2]) if beyond[2] else setting.heading)
             for run in runs:
                 used[run] = shown
     return tuple(used)
-
-
-def _scattered(poses: Array, stated: StartSpread) -> StartSpread:
-    spread, freedom = np.std(poses, axis=0, ddof=1), len(poses) - 1
-    beyond = spread > stated.spread * np.sqrt(chi2.isf(CHANCE, freedom) / freedom)
-    place = float(spread[:2].max()) if beyond[:2].any() else stated.place
-    return StartSpread(place, float(spread[2]) if beyond[2] else stated.heading, stated.stated)
 
 
 def doubts(used: StartSpreads, stated: StartSpreads, values: Array, sigmas: Array) -> tuple[str, ...]:
@@ -404,10 +400,6 @@ class TrackModel:
 PLANNED_ROWS = 36
 
 
-def _check(record: Record) -> None:
-    refuse_twice(record, np.stack([record.run, record["cam_angle_deg"]]), "cam_angle_deg")
-
-
 def _extent(x: Array, y: Array) -> float:
     return float(np.hypot(np.ptp(x), np.ptp(y)))
 
@@ -416,10 +408,6 @@ def _spans(record: Record, nominal: Nominal) -> Iterable[Span]:
     share = np.radians(record["cam_angle_deg"]) / (2 * pi)
     path = nominal.track.position(np.clip(share * nominal.track.turn, 0.0, nominal.track.length))
     yield Span("x_mm, y_mm", _extent(record["x_mm"], record["y_mm"]), _extent(*path.T), "mm")
-
-
-def _starts(model: TrackModel, values: Array, sigmas: Array) -> tuple[str, tuple[str, ...]]:
-    return held(model.used), doubts(model.used, model.stated, values, sigmas)
 
 
 KIND = Kind(
@@ -436,10 +424,10 @@ KIND = Kind(
         words="the start pose of each run",
         name="start pose",
         numbers=NUMBERS,
-        notes=_starts,
+        notes=lambda model, values, sigmas: (held(model.used), doubts(model.used, model.stated, values, sigmas)),
     ),
     model=TrackModel,
-    check=_check,
+    check=lambda record: refuse_twice(record, np.stack([record.run, record["cam_angle_deg"]]), "cam_angle_deg"),
     spans=_spans,
     absences=(deviation.RETURN_ERROR, deviation.SLIDING_FRICTION),
     noise=3.0,

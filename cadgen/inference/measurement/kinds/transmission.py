@@ -83,7 +83,9 @@ class TransmissionModel:
         self.datum: tuple[Effect, ...] = ()
         self.offsets = per_run(run)
         self.spread = unknown(self.offsets)
-        self.discrepancy = _cogging(turned, motor)
+        waves = turned[:, None] * motor
+        columns, sigma = np.hstack([np.cos(waves), np.sin(waves)]), np.full(2 * len(motor), COGGING)
+        self.discrepancy = Discrepancy("what repeats with the motor's turns", columns, sigma)
         self.form, self.order = fourier(turned, min(FORM_ORDERS, highest))
         self.floor = nominal.train_error
         self.slip = np.empty(0)
@@ -108,13 +110,6 @@ class TransmissionModel:
             return asked
         drawn = None if play.friction is None else self._forces.drawn(play.friction)
         return follow(asked, self._run_all, play.width, drawn)
-
-
-def _cogging(turned: Array, orders: Array) -> Discrepancy:
-    """Errors that repeat with every turn of the motor, or several times in it: poles, and teeth of the first pinion."""
-    waves = turned[:, None] * orders
-    columns = np.hstack([np.cos(waves), np.sin(waves)])
-    return Discrepancy("what repeats with the motor's turns", columns, np.full(columns.shape[1], COGGING))
 
 
 def follow(asked: Array, run: NDArray[np.intp], width: float, drawn: tuple[Array, Array] | None = None) -> Array:
