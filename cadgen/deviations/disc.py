@@ -3,7 +3,6 @@
 All act at the stage `DISC`, on a `Disc`; the points are those of the outline about the bore.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -220,13 +219,6 @@ OUT_OF_SQUARE = Effect(
 )
 
 
-def _harmonic(order: int) -> Callable[[Disc, Array, object], Disc]:
-    def act(disc: Disc, p: Array, at: object) -> Disc:
-        return disc.moved(p[0] * np.cos(order * disc.angle) + p[1] * np.sin(order * disc.angle))
-
-    return act
-
-
 PROFILE_EFFECTS = (
     ECCENTRIC_BORE,
     CUTTER_COMPENSATION,
@@ -249,7 +241,7 @@ def undulation(order: int) -> Effect:
             _um(f"{sort}_cos_um", "+: outwards where cos(n phi) = 1, phi the polar angle"),
             _um(f"{sort}_sin_um", "+: outwards where sin(n phi) = 1"),
         ),
-        act=_harmonic(order),
+        act=lambda disc, p, at: disc.moved(p[0] * np.cos(order * disc.angle) + p[1] * np.sin(order * disc.angle)),
         deviation=deviation.UNDULATION,
         cause=sort,
         places=(Place.PART,),
