@@ -245,7 +245,7 @@ def undulation(order: int) -> Effect:
         deviation=deviation.UNDULATION,
         cause=sort,
         places=(Place.PART,),
-        numerous=True,
+        member=True,
         confused_with="anisotropic scale" if order == 2 else "the stylus or spindle of the measuring machine",
         separated_by="measure again with the disc turned by 90 degrees on the machine: what turns is the disc's",
     )
@@ -298,7 +298,7 @@ def worn_nose(number: int, width_deg: float) -> Effect:
         group=Group("worn nose"),
         variant=f"at {number} from {width_deg:g}",
         indices=(("nose_number", number + 1),),
-        numerous=True,
+        member=True,
         confused_with="a dent, or a local error of the cutter's path",
         separated_by="compare with a new cam, or look at the nose under a lens: wear is polished",
     )

@@ -64,7 +64,7 @@ def rubbing(play: Effect, friction: Effect, start: float) -> Effect:
         act=lambda state, p, at: friction.act(play.act(state, p[:1], at), p[1:], at),
         group=play.group,
         variant=f"from {start:g}",
-        numerous=True,
+        member=True,
         separated_by=friction.separated_by,
         parts=(play, friction),
     )

@@ -159,7 +159,7 @@ def steering_bump(centre_deg: float, width_deg: float) -> Effect:
         parameters=(Parameter.of("steering_bump_percent", 20.0, 0.02),),
         act=act,
         shape=True,
-        numerous=True,
+        member=True,
         separated_by="measure the lift there",
     )
 
@@ -173,7 +173,7 @@ def _form(name: str, act: Callable[[Array, Array, Array], Array], unit: str, lim
         parameters=(number,),
         act=act,
         shape=True,
-        numerous=True,
+        member=True,
         separated_by="look at the linkage, and drive the same path twice on end",
     )
 

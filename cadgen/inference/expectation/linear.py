@@ -109,7 +109,7 @@ class Linear:
         """Effects that are weighed: all that combine freely, and what is likely beside them."""
         wanted = {e.key for _, active in self.likely for e, _ in active}
         every = (*self.merged.catalogue, *self.merged.shapes)
-        return tuple(e for e in every if e.key in wanted or not (e.numerous or e.shape))
+        return tuple(e for e in every if e.key in wanted or not (e.member or e.shape))
 
     @property
     def best(self) -> Active:
@@ -432,7 +432,7 @@ class Knowledge:
         inner = np.linalg.inv(known[np.ix_(at, at)] + np.diag(np.where(at < first, WIDE**-2, 1.0)))
         out: list[Effect] = []
         for effect, span in self._effects:
-            if effect.key in inside or effect.numerous or effect.shape:
+            if effect.key in inside or effect.member or effect.shape:
                 continue
             if effect.beside and effect.beside.key not in inside | {e.key for e in out}:
                 continue

@@ -257,7 +257,7 @@ class _State:
         self._draw()
         self.by_hand = np.zeros((size, size))
         for effect, span in self._effects:
-            if effect.deviation == deviation.RETURN_ERROR and not effect.numerous:
+            if effect.deviation == deviation.RETURN_ERROR and not effect.member:
                 self.by_hand[span, span] = (linear.scale[span] / BY_HAND) ** 2
 
     def _draw(self) -> None:

@@ -104,7 +104,7 @@ def weigh(
         noise = resolved(record, estimate_noise(model, model.residual([(e, e.start) for e in model.datum])))
         parts.append(Part(record, build, model, noise, Evidence(model, noise, grid)))
     joint = Joint.of(parts)
-    progress(f"{joint.source}: comparing all small subsets of {len(joint.core) + len(joint.numerous)} effects")
+    progress(f"{joint.source}: comparing all small subsets of {len(joint.core) + len(joint.members)} effects")
     found = find(joint)
     quieter = []
     for part in joint.parts:

@@ -96,10 +96,10 @@ def _identity(kind: Kind, model: Model, effect: Effect) -> tuple[str, ...]:
     """Identity of an effect across kinds of data: its quantity, and its number among many of one sort."""
     if effect.parts:
         return (*(name for part in effect.parts for name in _identity(kind, model, part)), effect.variant)
-    alike = [e for e in model.catalogue if e.deviation == effect.deviation and not e.numerous]
-    if effect.deviation is None or (not effect.numerous and len(alike) > 1):
+    alike = [e for e in model.catalogue if e.deviation == effect.deviation and not e.member]
+    if effect.deviation is None or (not effect.member and len(alike) > 1):
         return (kind.code, effect.key)
-    return (effect.deviation.name, effect.key if effect.numerous else "")
+    return (effect.deviation.name, effect.key if effect.member else "")
 
 
 Build = Callable[[Record], Model]
@@ -191,7 +191,7 @@ class Joint:
     Attributes:
         parts: the records.
         core: effects that combine freely.
-        numerous: effects that enter a subset one at a time.
+        members: effects of families, which enter a subset one at a time.
         shapes: forms without a name, each of one part.
         datum: effects that are always fitted.
         kinds: by the keys of effects, the kind of data whose catalogue they stand in.
@@ -199,7 +199,7 @@ class Joint:
 
     parts: tuple[Part, ...]
     core: tuple[Effect, ...]
-    numerous: tuple[Effect, ...]
+    members: tuple[Effect, ...]
     shapes: tuple[Effect, ...]
     datum: tuple[Effect, ...]
     kinds: dict[str, Kind]
@@ -210,8 +210,8 @@ class Joint:
         merged = Merged.of([(part.kind, part.model) for part in parts])
         return cls(
             parts=tuple(replace(part, names=names) for part, names in zip(parts, merged.names, strict=True)),
-            core=tuple(e for e in merged.catalogue if not e.numerous),
-            numerous=tuple(e for e in merged.catalogue if e.numerous),
+            core=tuple(e for e in merged.catalogue if not e.member),
+            members=tuple(e for e in merged.catalogue if e.member),
             shapes=merged.shapes,
             datum=merged.datum,
             kinds=merged.kinds,
@@ -352,9 +352,7 @@ class Joint:
         Those of a family are searched for in the record that shows them best; the others join in the exact fit.
         """
         here = [
-            i
-            for i, e in enumerate(effects)
-            if e.key in part.names and (not e.numerous or self.kinds[e.key] is part.kind)
+            i for i, e in enumerate(effects) if e.key in part.names and (not e.member or self.kinds[e.key] is part.kind)
         ]
         columns = [np.arange(widths[i], widths[i + 1]) for i in here]
         return tuple(part.names[effects[i].key] for i in here), np.concatenate([*columns, np.empty(0, dtype=np.intp)])

@@ -300,7 +300,7 @@ class Model(Protocol):
 
     @property
     def catalogue(self) -> tuple[Effect, ...]:
-        """The effects that can show, numerous ones included."""
+        """The effects that can show, members of families included."""
 
     @property
     def shapes(self) -> tuple[Effect, ...]:
@@ -416,7 +416,7 @@ def slopes(model: Model, effects: tuple[Effect, ...], active: Active, known: Arr
     Central differences over each parameter's own step; one-sided where a bound is in the way. An effect that is
     active is varied about its value, any other about its start. In place of an effect on disc or rod its change of the
     lift to first order is varied, so that the rod is rolled once and not for every difference; what follows the lift
-    is smooth, so that a small step to one side will do. So does a step for the numerous ones that are not active: they
+    is smooth, so that a small step to one side will do. So does a step for members of families that are not active: they
     are small, and looked at to first order alone. `known` is the residual with what is active, where it is at hand.
 
     Args:
@@ -444,7 +444,7 @@ def slopes(model: Model, effects: tuple[Effect, ...], active: Active, known: Arr
             if model.tangent and (column := model.tangent(effect, k, active)) is not None:
                 columns.append(column)
                 continue
-            one_sided = effect.numerous and effect.key not in values
+            one_sided = effect.member and effect.key not in values
             low, high = (middle if one_sided else moved(effect, middle, k, -step)), moved(effect, middle, k, step)
             before = base() if one_sided else model.residual([*others, (effect, low)])
             columns.append((before - model.residual([*others, (effect, high)])) / (high[k] - low[k]))

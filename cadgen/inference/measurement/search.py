@@ -1,8 +1,8 @@
 """Compare every small subset of the catalogue by its linearised misfit, and hand the best to the exact fit.
 
-Subsets of up to three freely combining causes are all tried, each with and without what acts beside it. The numerous
-ones (orders of waviness, places of bumps and steps) are tried beside the best of these, one at a time; one that wins
-joins the free ones in the next round.
+Subsets of up to three freely combining causes are all tried, each with and without what acts beside it. Members of
+families (orders of waviness, places of bumps and steps) are tried beside the best of these, one at a time; one that
+wins joins the free ones in the next round.
 After each round the catalogue is linearised anew about the best exact fit, until that no longer changes; then about the
 best one without an anonymous shape, if that has one. At last the subsets within the best one are fitted.
 """
@@ -74,7 +74,7 @@ _HIDDEN = 1e-12
 
 @dataclass(frozen=True)
 class Alike:
-    """Some of the numerous effects, k of them, that have the same number of columns.
+    """Members of families, k of them, that have the same number of columns.
 
     Attributes:
         effects: numbers of the effects, shape (k,).
@@ -89,8 +89,8 @@ class Alike:
     size: Array
 
 
-class Numerous:
-    """The many effects that enter one at a time: whitened once, with their products among their own columns."""
+class Families:
+    """Members of all families, which enter one at a time: whitened once, with products of their own columns."""
 
     def __init__(self, joint: Joint, columns: Columns) -> None:
         self.effects, self.spans = columns.effects, columns.spans
@@ -119,7 +119,7 @@ Start = tuple[tuple[Effect, ...], Active]  # a subset, and values to begin from
 # Causes of which all subsets are tried, and that a subset may have which grows from the best one while that leaves more
 # than noise and form error.
 LARGEST_SUBSET, MOST_CAUSES = 3, 6
-# Subsets that get an exact fit in each round, and that the numerous effects are tried beside.
+# Subsets that get an exact fit in each round, and that members of families are tried beside.
 REFINED = 5
 NAMED = 2
 BASES = 20
@@ -156,7 +156,7 @@ class Round:
     Attributes:
         free: the freely combining effects.
         products: shape (g, f, f); after the effects' columns come the datum's, and last the residual.
-        cross: products of these with the numerous columns, shape (g, f, m).
+        cross: products of these with the members' columns, shape (g, f, m).
         constant: log det C, shape (g,).
         always: columns of the datum, in every subset.
     """
@@ -170,17 +170,17 @@ class Round:
 
 def find(joint: Joint) -> list[Hypothesis]:
     """Fit the most likely subsets exactly; best first by score, the empty one always among them."""
-    core, named = told_apart(joint), joint.numerous
+    core, named = distinguishable(joint), joint.members
     entries = Counter(e.sort for e in (*core, *named) if not (e.shape or e.parts or e.beside))
     anonymous = len(joint.shapes) + sum(e.shape for e in named)
     search = Search(joint.rows, entries, max(anonymous, 1))
     none = fit(joint, (), [], search)
     fitted = {none.key: none}
     best = about = none
-    # Numerous effects are small and many: their tangents at the bare design serve for all rounds.
-    many = Numerous(joint, side_by_side(tangents(joint, named, none), of_shapes(joint)))
+    # Members of families are small and many: their tangents at the bare design serve for all rounds.
+    families = Families(joint, side_by_side(tangents(joint, named, none), of_shapes(joint)))
     for _ in range(ROUNDS):
-        _fit_new(joint, _promising(joint, about, core, many, search, fitted), fitted, search)
+        _fit_new(joint, _promising(joint, about, core, families, search, fitted), fitted, search)
         leader = min(fitted.values(), key=lambda h: h.score)
         if leader is not best:
             best = about = leader
@@ -230,7 +230,7 @@ def _misfit(joint: Joint, active: Active) -> float:
     return float(joint.misfit(active)[joint.within].min())
 
 
-def told_apart(joint: Joint) -> tuple[Effect, ...]:
+def distinguishable(joint: Joint) -> tuple[Effect, ...]:
     """The freely combining effects, less those of the instrument that are another's twins in these data.
 
     Two are told apart if their responses, less the datum, enclose an angle that `APART` is the sine of.
@@ -259,13 +259,13 @@ def _promising(
     joint: Joint,
     best: Hypothesis,
     core: tuple[Effect, ...],
-    many: Numerous,
+    families: Families,
     search: Search,
     fitted: Collection[frozenset[str]],
 ) -> list[Start]:
     """The subsets of least linearised score about the best one so far, with estimates to begin from."""
-    # Numerous effects that have entered combine freely from now on.
-    core = core + tuple(e for e in best.effects if e.numerous)
+    # Members of families that have entered combine freely from now on.
+    core = core + tuple(e for e in best.effects if e.member)
     free = tangents(joint, core, best)
     datum = joint.slopes(joint.datum, best.active)
     # What the residual would be without the active effects follows from their own tangents.
@@ -280,7 +280,7 @@ def _promising(
     this = Round(
         free,
         white.T @ white - np.swapaxes(halves, 1, 2) @ halves,
-        white.T @ many.white - np.swapaxes(halves, 1, 2) @ many.halves,
+        white.T @ families.white - np.swapaxes(halves, 1, 2) @ families.halves,
         joint.constant[joint.within],
         np.arange(width, width + datum.shape[1]),
     )
@@ -289,9 +289,9 @@ def _promising(
     rated = sorted(_rate_free(this, subsets, search), key=lambda r: r.score)
     most = MOST_CAUSES if leaves_more else LARGEST_SUBSET
     bases = [r for r in rated if causes(r.effects) < most][:BASES]
-    # In the best subset a numerous effect may stand in another's place.
+    # In the best subset a member of a family may stand in another's place.
     bases += [r for r in rated if r not in bases and _keyed(r) < best.key and len(best.key) - len(r.effects) == 1]
-    rated += [r for base in bases for r in _rate_beside(this, base, many, search)]
+    rated += [r for base in bases for r in _rate_beside(this, base, families, search)]
     rated.sort(key=lambda r: r.score)
     # Anonymous shapes come in so many places and widths that they linearise well: names keep places of their own.
     datum_start = [(e, v) for e, v in best.active if e in joint.datum]
@@ -385,23 +385,23 @@ def _grown(effects: tuple[Effect, ...], best: Hypothesis) -> Iterator[tuple[int,
                     yield subset
 
 
-def _rate_beside(this: Round, base: Rated, many: Numerous, search: Search) -> Iterator[Rated]:
-    """A subset with each of the numerous effects in turn, by the Schur complement; the best few of each group."""
+def _rate_beside(this: Round, base: Rated, families: Families, search: Search) -> Iterator[Rated]:
+    """A subset with each member of a family in turn, by the Schur complement; the best few of each group."""
     held = np.concatenate([base.columns, this.always])
     inner = this.products[:, held[:, None], held]
     right = np.concatenate([this.cross[:, held], this.products[:, held, -1:]], axis=2)
     solved = np.linalg.solve(inner, right) if len(held) else right
-    # Products of numerous columns with the residual, and its square, once the base is taken out.
+    # Products of the members' columns with the residual, and its square, once the base is taken out.
     left = np.swapaxes(right, 1, 2)
     target = this.cross[:, -1] - np.einsum("gkm,gk->gm", this.cross[:, held], solved[:, :, -1])
     square = this.products[:, -1, -1] - np.einsum("gk,gk->g", right[:, :, -1], solved[:, :, -1])
-    for alike in many.groups:
+    for alike in families.groups:
         columns, width = alike.columns, alike.columns.shape[1]
         a, b = columns[:, :, None], columns[:, None, :]
         taken = alike.products - np.sum(left[:, a] * np.moveaxis(solved, 1, 2)[:, b], axis=-1)
         score, estimate, sound = _solve(taken, target[:, columns], this.constant + square, alike.size)
         for row in np.argsort(np.where(sound, score, np.inf))[:3]:
-            effects = (*base.effects, many.effects[alike.effects[row]])
+            effects = (*base.effects, families.effects[alike.effects[row]])
             tail = effects[-1].start.copy()
             tail[:width] = estimate[row]
             values = np.concatenate([base.estimate, tail])
