@@ -224,7 +224,12 @@ Active = Sequence[tuple[Effect, Array]]
 
 
 def activated(effects: Sequence[Effect], values: Array) -> list[tuple[Effect, Array]]:
-    """Effects, each with its own of their values in a row, shape (sum of parameters,), internal units (mm, rad)."""
+    """Effects, each with its own of their values.
+
+    Args:
+        effects: effects.
+        values: values of all in a row, internal units (mm, rad), shape (sum of parameters,).
+    """
     cuts = np.cumsum([len(e.parameters) for e in effects])[:-1]
     return list(zip(effects, np.split(values, cuts), strict=True)) if effects else []
 

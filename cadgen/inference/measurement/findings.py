@@ -28,7 +28,12 @@ class Value:
 
     @classmethod
     def of(cls, number: tuple[str, str], value: float, sigma: float) -> "Value":
-        """Value of a number, which is a name and a unit, from internal units (mm, rad, 1)."""
+        """Value of a number in its own unit.
+
+        Args:
+            number: name and unit.
+            value, sigma: value and standard deviation, internal units (mm, rad, 1).
+        """
         name, unit = number
         return cls(name, float(value / UNITS[unit]), float(sigma / UNITS[unit]), unit)
 
@@ -57,7 +62,7 @@ class Finding:
             effect: effect.
             values, sigma: fitted values and their standard deviations, internal units (mm, rad), shape (k,).
             at_bound: names of numbers that stand on a bound, those of other effects among them.
-            sigmas: see the class.
+            sigmas: number of standard deviations, as of the class.
         """
         numbers = tuple(
             Value.of((p.name, p.unit), v, s) for p, v, s in zip(effect.parameters, values, sigma, strict=True)

@@ -413,11 +413,10 @@ def elapsed(run: NDArray[np.intp]) -> Array:
 def slopes(model: Model, effects: tuple[Effect, ...], active: Active, known: Array | None = None) -> Array:
     """How the expected value answers each parameter of some effects, shape (n, sum of parameters).
 
-    Central differences over each parameter's own step; one-sided where a bound is in the way. An effect that is
-    active is varied about its value, any other about its start. In place of an effect on disc or rod its change of the
-    lift to first order is varied, so that the rod is rolled once and not for every difference; what follows the lift
-    is smooth, so that a small step to one side will do. So does a step for members of families that are not active: they
-    are small, and looked at to first order alone. `known` is the residual with what is active, where it is at hand.
+    Central differences over each parameter's own step, one-sided where a bound is in the way, about the value of an
+    active effect or the start of any other. In place of an effect on disc or rod its change of the lift to first order
+    is varied, by a small step to one side: the rod is rolled once, and what follows the lift is smooth. Members of
+    families that are not active are small, and a step to one side does for them, too.
 
     Args:
         model: model of the record.
