@@ -70,7 +70,7 @@ class Linear:
         cls,
         nominal: Nominal,
         records: Sequence[Record],
-        told: Sequence[EvidenceDiagnosis],
+        diagnoses: Sequence[EvidenceDiagnosis],
         others: Mapping[Kind, Record],
         spread: Mapping[str, float],
     ) -> "Linear":
@@ -79,7 +79,7 @@ class Linear:
         Args:
             nominal: the design.
             records: measured, one of each kind.
-            told: what they show by one verdict, in the same order.
+            diagnoses: what they show by one verdict, in the same order.
             others: a record of each kind that was not measured.
             spread: see `Linear.spread`.
         """
@@ -87,7 +87,7 @@ class Linear:
         models = tuple(nominal.model(record) for record in (*records, *others.values()))
         noises = tuple(
             resolved(record, estimate_noise(model, model.residual(d.active)))
-            for record, model, d in zip(records, models, told, strict=False)
+            for record, model, d in zip(records, models, diagnoses, strict=False)
         )
         merged = Merged.of(list(zip(kinds, models, strict=True)))
         known = {
@@ -98,10 +98,12 @@ class Linear:
         }
         likely = [
             (one.weight, [(known[*name, e.variant], v) for name, e, v in one.effects])
-            for d in told[:1]
+            for d in diagnoses[:1]
             for one in d.likely
         ]
-        named = all(d.verdict in (*SOUND, Verdict.AMBIGUOUS) and not any(e.shape for e, _ in d.active) for d in told)
+        named = all(
+            d.verdict in (*SOUND, Verdict.AMBIGUOUS) and not any(e.shape for e, _ in d.active) for d in diagnoses
+        )
         return cls(nominal, kinds, len(records), models, noises, merged, spread, tuple(likely or [(1.0, [])]), named)
 
     @cached_property

@@ -202,20 +202,20 @@ class Next:
 
 
 def next_measurement(
-    nominal: Nominal, records: Sequence[Record], told: Sequence[EvidenceDiagnosis], prior: PriorKnowledge
+    nominal: Nominal, records: Sequence[Record], diagnoses: Sequence[EvidenceDiagnosis], prior: PriorKnowledge
 ) -> Next:
     """Rank what could be measured.
 
     Args:
         nominal: the design.
         records: measured so far, one of each kind; none is right.
-        told: what they show, in the same order.
+        diagnoses: what they show, in the same order.
         prior: what is known without them.
     """
     measured = [record.kind for record in records]
     first = {p.kind: p.record for p in proposals(nominal, [], measured) if p.kind and p.record}
     others = {kind: record for kind, record in first.items() if kind not in measured}
-    linear = Linear.of(nominal, records, told, others, prior.spread)
+    linear = Linear.of(nominal, records, diagnoses, others, prior.spread)
     state = _State(linear, prior)
     rows = state.proposed(proposals(nominal, linear.own(TRACK, state.about), measured))
     now, names_sure = state.expected(np.zeros((linear.size, linear.size)), measured)

@@ -66,21 +66,21 @@ class Outlook:
 
 
 def outlook(
-    told: tuple[EvidenceDiagnosis, ...], nominal: Nominal, taken: Mapping[Name, Array], gone: frozenset[Name]
+    diagnoses: tuple[EvidenceDiagnosis, ...], nominal: Nominal, taken: Mapping[Name, Array], gone: frozenset[Name]
 ) -> Outlook:
     """Predict the end of the run on the old cam and on a new one.
 
     Args:
-        told: what the records of the car show, by one verdict.
+        diagnoses: what the records of the car show, by one verdict.
         nominal: the design that they were measured against.
         taken: what the new cam is made for, with the values, internal units.
         gone: what goes with the old disc.
     """
     model = run_of(nominal)
-    track = next((d for d in told if d.kind is KIND), None)
+    track = next((d for d in diagnoses if d.kind is KIND), None)
     beside, spread = (0j, 0.0) if track is None else track.beside
     # All records have one judgement, but where they contradict each other: then the track knows best how the car runs.
-    likeliest = (track or told[0]).likely
+    likeliest = (track or diagnoses[0]).likely
     rng = np.random.default_rng(0)
     counts = rng.multinomial(DRAWS, [likely.weight for likely in likeliest])
     draws = [
@@ -98,8 +98,8 @@ def outlook(
         least=float(least),
         most=float(most),
         worse=float(np.mean(new > old + SAME)),
-        explained=(False if told[0].contradicted else None) if track is None else _explained(track),
-        contradicted=told[0].contradicted,
+        explained=(False if diagnoses[0].contradicted else None) if track is None else _explained(track),
+        contradicted=diagnoses[0].contradicted,
     )
 
 

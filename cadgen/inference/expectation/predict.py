@@ -47,20 +47,20 @@ class Prediction:
 
 
 def predict(
-    nominal: Nominal, records: Sequence[Record], told: Sequence[EvidenceDiagnosis], unseen: Record
+    nominal: Nominal, records: Sequence[Record], diagnoses: Sequence[EvidenceDiagnosis], unseen: Record
 ) -> Prediction:
     """Predict a record of any kind with the effects that others show.
 
     Args:
         nominal: the design.
         records: that were judged, one of each kind.
-        told: what they show, in the same order.
+        diagnoses: what they show, in the same order.
         unseen: record that was not used.
     """
     kinds = [record.kind for record in records]
     joined = [unseen if record.kind is unseen.kind else record for record in records]
     others = {} if unseen.kind in kinds else {unseen.kind: unseen}
-    linear = Linear.of(nominal, joined, told, others, {})
+    linear = Linear.of(nominal, joined, diagnoses, others, {})
     model = linear.models[linear.kinds.index(unseen.kind)]
     effects = [(e, v) for e, v in linear.own(unseen.kind, linear.best) if not e.one_run]
     run, unit = model.rows.run, UNITS[model.unit]
@@ -73,19 +73,19 @@ def predict(
     )
 
 
-def predict_logged(record: Record, told: PathDiagnosis, wheelbase: float, unseen: Record) -> Prediction:
+def predict_logged(record: Record, diagnosis: PathDiagnosis, wheelbase: float, unseen: Record) -> Prediction:
     """Predict logged runs with all effects at usual sizes, fitted to other logged runs.
 
     Args:
         record: the logged runs that are fitted.
-        told: what they show.
+        diagnosis: what they show.
         wheelbase: of the car, mm.
         unseen: runs that were not used.
     """
     build = record.kind.model
     assert build is not None
     fitted, model = (build(one, LoggedCar(wheelbase)) for one in (record, unseen))
-    active = _probable(fitted, told.residual.after / np.sqrt(2))
+    active = _probable(fitted, diagnosis.residual.after / np.sqrt(2))
     before, after, *logged = (
         np.sqrt(2) * rms_by_run(residual, model.rows.run)
         for residual in (

@@ -31,12 +31,12 @@ from cadgen.inference.measurement.model import Model, repeating, rms_by_run, slo
 from cadgen.inference.measurement.nominal import LoggedCar, Nominal
 from cadgen.inference.measurement.record import Datum, Record, join, refuse_many_together, refuse_wrong_units
 from cadgen.inference.measurement.reservations import (
-    doubted,
     refuse_too_few,
     resolved,
     unfit,
     with_friction_judged,
     with_known_play,
+    with_reservations,
 )
 from cadgen.inference.measurement.runs_left_out import diagnose_logged
 from cadgen.inference.measurement.search import find
@@ -64,7 +64,7 @@ def diagnose(
     Returns:
         What each record shows by the joint verdict.
     """
-    return weigh(records, build, progress, play).told(progress)
+    return weigh(records, build, progress, play).diagnoses(progress)
 
 
 @dataclass(frozen=True)
@@ -77,9 +77,9 @@ class Weighed:
     found: list[Hypothesis]
     play_known: bool
 
-    def told(self, progress: Progress = silent) -> tuple[EvidenceDiagnosis, ...]:
+    def diagnoses(self, progress: Progress = silent) -> tuple[EvidenceDiagnosis, ...]:
         """Diagnosis of each record by the joint verdict, with the residual of runs left out."""
-        return tuple(_told(self, part, progress) for part in self.joint.parts)
+        return tuple(_diagnosis(self, part, progress) for part in self.joint.parts)
 
 
 def weigh(
@@ -121,14 +121,14 @@ def weigh(
     for part in joint.parts:
         after = registered(part.model, part.noise, part.residual(best.active) - _discrepancy(part, joint, best)[0])
         chance = unfit(part.model, part.evidence, part.noise, best, part.residual(best.active))
-        judgement = doubted(judgement, part.record, part.model, part.noise, best, after, chance)
+        judgement = with_reservations(judgement, part.record, part.model, part.noise, best, after, chance)
     judgement = with_friction_judged(judgement, best, play_known=best is not found_alone)
     if another:
         judgement = replace(judgement, limits=(*judgement.limits, another))
     return Weighed(joint, judgement, best, found, best is not found_alone)
 
 
-def _told(result: Weighed, part: Part, progress: Progress) -> EvidenceDiagnosis:
+def _diagnosis(result: Weighed, part: Part, progress: Progress) -> EvidenceDiagnosis:
     """Diagnosis of one record by the joint verdict."""
     joint, best, record, model, noise = result.joint, result.best, part.record, part.model, part.noise
     none = next(h for h in result.found if not h.effects)
@@ -342,11 +342,11 @@ def calibrate(
         refuse_wrong_units(record, nominal)
     together = weigh(joined, nominal.model, progress, nominal.play)
     if len(joined) == 1 or together.judgement.verdict in SOUND:
-        return together.told(progress)
+        return together.diagnoses(progress)
     # What no car of one kind shows may be of two cars, or of one in two states: then the records are likelier apart.
     apart = [weigh([record], nominal.model, progress, nominal.play) for record in joined]
     if together.best.score < sum(alone.best.score for alone in apart) + CONTRADICTED:
-        return together.told(progress)
+        return together.diagnoses(progress)
     limit = Message(
         "the records contradict each other: they are likelier of several cars than of one, and so they were judged "
         "apart; make sure that they are of one car in one state"
@@ -354,7 +354,7 @@ def calibrate(
     return tuple(
         replace(each, judgement=replace(each.judgement, limits=(*each.judgement.limits, limit)), contradicted=True)
         for alone in apart
-        for each in alone.told(progress)
+        for each in alone.diagnoses(progress)
     )
 
 

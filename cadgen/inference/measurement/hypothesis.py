@@ -246,7 +246,7 @@ def fit(
         fits = []
         for size in np.unique(joint.beside[allowed])[::-1]:
             spectrum = _least(misfit, allowed & (joint.beside == size))
-            x, covariance, fitting = problem.settled(x, spectrum, level)
+            x, covariance, fitting = problem.solved(x, spectrum, level)
             misfit = problem.misfit(x)
             fits.append((float(misfit[allowed].min()), spectrum, x, covariance, misfit))
             if not fitting:
@@ -257,7 +257,7 @@ def fit(
             before, spectrum = spectrum, _least(misfit, allowed)
             if spectrum == before or not fitting:
                 break
-            x, covariance, fitting = problem.settled(x, spectrum, level)
+            x, covariance, fitting = problem.solved(x, spectrum, level)
             misfit = problem.misfit(x)
         if stepwise.any():
             x, variance = _tried(problem.misfit, x, stepwise, bounds, _FINE)
@@ -294,7 +294,7 @@ class _Problem:
         """-2 log L for every spectrum."""
         return self._joint.misfit(self.active(values))
 
-    def settled(self, x: Array, spectrum: int, level: float) -> tuple[Array, Array, bool]:
+    def solved(self, x: Array, spectrum: int, level: float) -> tuple[Array, Array, bool]:
         """Values of least squares for one spectrum, their covariance, and whether they settled."""
 
         def half(values: Array) -> float:

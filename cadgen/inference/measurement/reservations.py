@@ -105,7 +105,7 @@ def unfit(model: Model, evidence: Evidence, noise: Noise, best: Hypothesis, resi
     return float(f_distribution.sf(ratio, extra, noise.freedom))
 
 
-def doubted(
+def with_reservations(
     judgement: Judgement,
     record: Record,
     model: Model,

@@ -176,7 +176,7 @@ def scattered(poses: Array, stated: StartSpreads) -> StartSpreads:
     return tuple(used)
 
 
-def doubts(used: StartSpreads, stated: StartSpreads, values: Array, sigmas: Array) -> tuple[str, ...]:
+def start_reservations(used: StartSpreads, stated: StartSpreads, values: Array, sigmas: Array) -> tuple[str, ...]:
     """Warnings about the starts: runs that scatter by more than was stated, or start off together.
 
     Args:
@@ -424,7 +424,10 @@ KIND = Kind(
         words="the start pose of each run",
         name="start pose",
         numbers=NUMBERS,
-        notes=lambda model, values, sigmas: (held(model.used), doubts(model.used, model.stated, values, sigmas)),
+        notes=lambda model, values, sigmas: (
+            held(model.used),
+            start_reservations(model.used, model.stated, values, sigmas),
+        ),
     ),
     model=TrackModel,
     check=lambda record: refuse_twice(record, np.stack([record.run, record["cam_angle_deg"]]), "cam_angle_deg"),
