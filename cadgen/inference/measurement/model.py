@@ -6,10 +6,11 @@ first is rolled; the second follows from the contacts of that roll, for to first
 of the disc (`cadgen.cam.followers.rod`).
 """
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
-from typing import Any, Generic, Protocol, TypeVar
+from typing import Any, Generic, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -271,77 +272,52 @@ class Discrepancy:
         return cls(columns=np.empty((rows, 0)))
 
 
-class Model(Protocol):
-    """A forward model with its data."""
+class Model(ABC):
+    """A forward model with its data; the model of a kind brings what has no default.
 
-    @property
-    def behind(self) -> tuple[Stage[Any], ...]:
-        """Stages at which effects that other kinds of data show change this one too."""
+    Attributes:
+        unit: key of `UNITS` of residuals as they are reported.
+        rows: place of each number.
+        catalogue: effects that can show, members of families included.
+        offsets: linear datum freedoms as columns, shape (n, d).
+        spread: standard deviation of each datum freedom beforehand, shape (d,); infinite where nothing is known.
+        discrepancy: repeating errors beside effects and form error.
+        form: response to each harmonic of the form error, for one unit of amplitude, shape (n, q).
+        order: order of each column of `form`, shape (q,).
+        floor: stated form error, rms, in the unit of amplitude of `form`.
+        slip: response to an error of the abscissa that a whole run shares, shape (n,); empty if none can be.
+        datum: effects that are always fitted and never claimed.
+        behind: stages at which effects that other kinds of data show change this one too.
+        rolled: lift that effects on disc and rod change; None where they act otherwise, or not at all.
+        tangent: answer of the readings to a number of an effect about what is active, shape (n,), or None for a number
+            for which differences do; None where they do for all.
+        resolved: highest order that the spacing of the rows resolves; None where no catalogue goes by it.
+        measured: coordinate of each row of a track, mm; None for what is no track.
+    """
 
-    @property
-    def rolled(self) -> Rolled | None:
-        """The lift that effects on disc and rod change; None where they act otherwise, or not at all."""
-
-    @property
-    def tangent(self) -> Callable[[Effect, int, Active], Array | None] | None:
-        """Answer of the readings to a number of an effect, shape (n,); None where differences do."""
-
-    @property
-    def resolved(self) -> int | None:
-        """The highest order that the spacing of the rows resolves; None where no catalogue goes by it."""
-
-    @property
-    def unit(self) -> str:
-        """Key of `UNITS` of residuals as they are reported."""
-
-    @property
-    def rows(self) -> Rows:
-        """Where each number belongs."""
-
-    @property
-    def catalogue(self) -> tuple[Effect, ...]:
-        """The effects that can show, members of families included."""
+    unit: str
+    rows: Rows
+    catalogue: tuple[Effect, ...]
+    offsets: Array
+    spread: Array
+    discrepancy: Discrepancy
+    form: Array
+    order: Array
+    floor: float
+    slip: Array
+    datum: tuple[Effect, ...] = ()
+    behind: tuple[Stage[Any], ...] = ()
+    rolled: Rolled | None = None
+    tangent: Callable[[Effect, int, Active], Array | None] | None = None
+    resolved: int | None = None
+    measured: Array | None = None
 
     @property
     def shapes(self) -> tuple[Effect, ...]:
-        """The anonymous forms that compete with the catalogue and act on the reading alone."""
+        """Anonymous forms that compete with the catalogue and act on the reading alone."""
+        return ()
 
-    @property
-    def datum(self) -> tuple[Effect, ...]:
-        """Effects that are always fitted and never claimed."""
-
-    @property
-    def offsets(self) -> Array:
-        """Linear datum freedoms as columns, shape (n, d)."""
-
-    @property
-    def spread(self) -> Array:
-        """Standard deviation of each datum freedom beforehand, shape (d,); infinite where nothing is known."""
-
-    @property
-    def discrepancy(self) -> Discrepancy:
-        """Repeating errors beside effects and form error."""
-
-    @property
-    def form(self) -> Array:
-        """Response to each harmonic of the form error, for one unit of amplitude, shape (n, q)."""
-
-    @property
-    def order(self) -> Array:
-        """Order of each column of `form`, shape (q,)."""
-
-    @property
-    def floor(self) -> float:
-        """Stated form error, rms, in the unit of amplitude of `form`."""
-
-    @property
-    def slip(self) -> Array:
-        """Response to an error of the abscissa that a whole run shares, shape (n,); empty if none can be."""
-
-    @property
-    def measured(self) -> Array | None:
-        """Coordinate of each row of a track, mm; None for what is no track."""
-
+    @abstractmethod
     def residual(self, active: Active) -> Array:
         """Measured less expected with some effects active, shape (n,), internal units."""
 

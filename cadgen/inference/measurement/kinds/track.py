@@ -27,10 +27,10 @@ from cadgen.car.running.drive import MIDPOINT, Running, driven, start_pose
 from cadgen.car.steering import wheel_tangent
 from cadgen.deviations import deviation
 from cadgen.deviations.catalogue import TRACK
-from cadgen.deviations.effect import Active, Effect, Rows, through
+from cadgen.deviations.effect import Active, Rows, through
 from cadgen.deviations.track import RUNNING, STEERING, track_forms
 from cadgen.deviations.transmission import MESH, RATIO, Turned
-from cadgen.inference.measurement.model import Cache, Discrepancy, Rolled, elapsed, fourier
+from cadgen.inference.measurement.model import Cache, Discrepancy, Model, Rolled, elapsed, fourier
 from cadgen.inference.measurement.nominal import Nominal
 from cadgen.inference.measurement.record import Abscissa, Column, Datum, Kind, Record, Span, refuse_twice, said_of_runs
 from cadgen.messages import Message, joined
@@ -262,7 +262,7 @@ _KEPT = 8  # tangents at the steps of a turn
 BLEND_MARGIN = np.radians(4.0)  # the cam may lead the motor by phase and play
 
 
-class TrackModel:
+class TrackModel(Model):
     """Where the drive wheel is at each motor position; each run's start pose is a datum.
 
     Rows hold first the x and then the y of a run. The form error of the cam is one of the lift, `floor` mm rms, and
@@ -270,8 +270,9 @@ class TrackModel:
     """
 
     unit = "mm"
-    tangent = resolved = None
     behind = (*Rolled.stages, RATIO, MESH)
+    rolled: Rolled
+    measured: Array
 
     def __init__(self, record: Record, nominal: Nominal) -> None:
         self.rolled, self._lift, self._forces = nominal.rolled, nominal.lift, nominal.forces
@@ -300,8 +301,6 @@ class TrackModel:
             cell=np.unique(key, return_inverse=True)[1].astype(np.intp),
         )
         self.catalogue = (*TRACK.effects, *track_forms())
-        self.shapes: tuple[Effect, ...] = ()
-        self.datum: tuple[Effect, ...] = ()
         self.floor = nominal.form_error / self._forces.mechanics.follower.inner
         self.slip = np.empty(0)
         self._starts = Starts(run, axis, self.measured)
