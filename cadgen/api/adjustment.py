@@ -8,14 +8,14 @@ from os import PathLike
 from cadgen.api.cam import Cam
 from cadgen.api.values import paths, real, word
 from cadgen.design.schema import Design as DesignValues
+from cadgen.deviations.deviation import SETTINGS, ByHand
 from cadgen.errors import DesignError, brief
 from cadgen.jobs.adjustment.files import adjustment_facts, write_adjustment
-from cadgen.jobs.adjustment.plan import AdjustmentPlan, Knob, Point, Wanted, adjust
+from cadgen.jobs.adjustment.plan import AdjustmentPlan, Point, Wanted, adjust
 from cadgen.output.files.publisher import Written, folder_of
 from cadgen.progress import Progress, silent
 
 POINTS = tuple(point.value for point in Point)
-KNOBS = tuple(knob.value for knob in Knob)
 NOISE_MM, DIVISION_UM = (0.1, 1000.0), (0.1, 1000.0)
 
 
@@ -58,21 +58,21 @@ def adjusted(
     trials: "str | PathLike[str] | Iterable[str | PathLike[str]]",
     profile: str,
     point: str,
-    knobs: Iterable[str],
+    settings: Iterable[str],
     noise_mm: float,
     division_um: float,
     progress: Progress,
 ) -> Adjustment:
     """Result of `Design.adjust`; arguments and errors as there."""
     files = paths("trials", trials)
-    if isinstance(knobs, str) or not isinstance(knobs, Iterable):
-        raise DesignError("knobs is {given}; it must be several, such as [{given}]", given=brief(repr(knobs), 40))
-    named = list(dict.fromkeys(word("knobs", knob, KNOBS) for knob in knobs))
+    if isinstance(settings, str) or not isinstance(settings, Iterable):
+        raise DesignError("settings is {given}; it must be several, such as [{given}]", given=brief(repr(settings), 40))
+    named = dict.fromkeys(word("settings", setting, tuple(SETTINGS)) for setting in settings)
     if not named:
-        raise DesignError("knobs is empty; name at least one of {knobs}", knobs=", ".join(KNOBS))
+        raise DesignError("settings is empty; name at least one of {settings}", settings=", ".join(SETTINGS))
     wanted = Wanted(
         point=Point(word("point", point, POINTS)),
-        knobs=tuple(Knob(knob) for knob in named),
+        settings=tuple(map(ByHand, named)),
         noise=real("noise_mm", noise_mm, *NOISE_MM, "mm"),
         division=real("division_um", division_um, *DIVISION_UM, "µm") * 1e-3,
     )

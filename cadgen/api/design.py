@@ -230,7 +230,7 @@ class Design(LoadedDesign):
         *,
         profile: str = "optimized",
         point: str = "drive-wheel",
-        knobs: Iterable[str] = ("head", "start"),
+        settings: Iterable[str] = ("head", "start"),
         noise_mm: float = 10.0,
         division_um: float = 10.0,
         progress: Progress = silent,
@@ -242,18 +242,18 @@ class Design(LoadedDesign):
             profile: of the cam on the car.
             point: of the car that was measured: `drive-wheel`, `fork`, `idle-wheel`, or `path`, the point that is to
                 follow the waypoints.
-            knobs: what may be set: `head`, `key`, `start`.
+            settings: what may be set: `head`, `key`, `start`.
             noise_mm: standard deviation of a measured coordinate, mm, 0.1 to 1000.
             division_um: of the micrometer head, µm, 0.1 to 1000.
             progress: function that is called with a few words on each step.
 
         Raises:
-            DesignError: as `tolerance`, or no such point, knob, noise or division.
+            DesignError: as `tolerance`, or no such point, setting, noise or division.
             FileError: files that cannot be read or are no trial runs.
         """
         from cadgen.api.adjustment import adjusted
 
-        return adjusted(self.complete(), trials, profile, point, knobs, noise_mm, division_um, progress)
+        return adjusted(self.complete(), trials, profile, point, settings, noise_mm, division_um, progress)
 
     def plan(
         self,

@@ -257,6 +257,7 @@ def _more(
     help="Point of the car that was measured; path is the point that follows the waypoints.",
 )
 @click.option(
+    "--settings",
     "--knobs",
     default="head,start",
     show_default=True,
@@ -280,7 +281,7 @@ def adjust(
     arguments: tuple[str, ...],
     profile: str,
     point: str,
-    knobs: str,
+    settings: str,
     noise_mm: float,
     division_um: float,
     overrides: tuple[str, ...],
@@ -308,7 +309,7 @@ def adjust(
             files,
             profile=profile,
             point=point,
-            knobs=[knob.strip() for knob in knobs.split(",")],
+            settings=[setting.strip() for setting in settings.split(",")],
             noise_mm=noise_mm,
             division_um=division_um,
             progress=progress,

@@ -60,9 +60,6 @@ class _Part:
         speed = np.linalg.norm(piece.jet(t).velocity, axis=1)
         return cls(piece, start, stop, CubicSpline(t, speed).antiderivative())
 
-    def first_point(self) -> Array:
-        return np.asarray(self.piece.jet(np.array([self.start])).point[0])
-
 
 def splines(curve: ClosedCurve, tolerance: float, degree: Degree) -> tuple[SplineArc, ...]:
     """Return B-splines, end to end, that are nowhere further than `tolerance` mm from the curve.
@@ -77,8 +74,11 @@ def splines(curve: ClosedCurve, tolerance: float, degree: Degree) -> tuple[Splin
         tolerance: greatest distance from the curve, mm.
         degree: degree of the splines, 3 or 5.
     """
-    parts = [part for piece in curve.pieces for part in _parts(piece)]
-    joints = [part.first_point() for part in parts]
+    parts = []
+    for piece in curve.pieces:
+        edges = np.linspace(piece.start, piece.stop, max(1, int(np.ceil(turning(piece) / _LONGEST_TURN))) + 1)
+        parts += [_Part.of(piece, float(a), float(b)) for a, b in pairwise(edges)]
+    joints = [np.asarray(part.piece.jet(np.array([part.start])).point[0]) for part in parts]
     return tuple(
         _fit(part, first, last, tolerance, degree)
         for part, first, last in zip(parts, joints, joints[1:] + joints[:1], strict=True)
@@ -164,12 +164,6 @@ def _fit_both(
             control_points[:] = side.point
         arcs[at] = SplineArc(degree, spline.t, control_points)
     return arcs[0], arcs[1]
-
-
-def _parts(piece: Piece) -> list[_Part]:
-    count = max(1, int(np.ceil(turning(piece) / _LONGEST_TURN)))
-    edges = np.linspace(piece.start, piece.stop, count + 1)
-    return [_Part.of(piece, float(a), float(b)) for a, b in pairwise(edges)]
 
 
 def _fit(part: _Part, first: Array, last: Array, tolerance: float, degree: Degree) -> SplineArc:

@@ -17,6 +17,7 @@ from cadgen.design import cam_model, gear_model
 from cadgen.design.course import spacings_of
 from cadgen.design.schema import Design
 from cadgen.design.settings import SettingsSection
+from cadgen.deviations.deviation import BASE_RADIUS, INNER_FACE, START_HEADING, START_X, START_Y
 from cadgen.errors import DesignError
 
 # Share of steering or travel that may be missing at the end of a range; with more no turn comes out right.
@@ -55,7 +56,7 @@ def draw(design: Design) -> Draw:
     return spacings
 
 
-def knobs(design: Design, track: Track, start: tuple[float, float, float]) -> SettingRanges:
+def setting_ranges(design: Design, track: Track, start: tuple[float, float, float]) -> SettingRanges:
     """Quantities that can be set, at a start of the scaled path.
 
     Args:
@@ -68,15 +69,13 @@ def knobs(design: Design, track: Track, start: tuple[float, float, float]) -> Se
     """
     given = settings(design)
     x, y, heading = start
-    within, turn = given.start_within_mm, radians(given.start_heading_within_deg)
-    turn_step = radians(given.start_heading_step_deg)
     return SettingRanges(
-        disc=SettingRange(given.disc_from_mm, given.disc_to_mm, given.disc_step_mm),
-        head=SettingRange(given.head_from_mm, given.head_to_mm, given.head_step_mm),
+        disc=SettingRange(*given.range_of(INNER_FACE)),
+        head=SettingRange(*given.range_of(BASE_RADIUS)),
         wheels=wheels(design, track),
-        x=SettingRange(-within, within, given.start_step_mm, x),
-        y=SettingRange(-within, within, given.start_step_mm, y),
-        heading=SettingRange(-turn, turn, turn_step, heading),
+        x=SettingRange(*given.range_of(START_X), x),
+        y=SettingRange(*given.range_of(START_Y), y),
+        heading=SettingRange(*given.range_of(START_HEADING), heading),
     )
 
 

@@ -1,11 +1,13 @@
 """The section of what a team can set on its car when the spacing of a course is drawn."""
 
+from math import radians
 from typing import Annotated
 
 from annotated_types import Ge, Gt, Le
 from pydantic import Field, Strict, model_validator
 
 from cadgen.design.section import DesignSection
+from cadgen.deviations.deviation import Deviation
 from cadgen.messages import Message
 
 MOST_AT_HAND = 50
@@ -52,6 +54,22 @@ class SettingsSection(DesignSection):
         default=0.0, ge=0, le=180, description="how far the heading at the start may be turned to either side"
     )
     start_heading_step_deg: float = Field(default=0.0, ge=0, le=10, description="to which it is set; 0 for any")
+
+    def range_of(self, deviation: Deviation) -> tuple[float, float, float]:
+        """Least and greatest change of a deviation by hand, and its division, mm or rad.
+
+        Args:
+            deviation: one whose keys the catalogue says (`Hand.keys`).
+        """
+        assert deviation.hand is not None
+        stem, unit, internal = deviation.hand.keys, *(("deg", radians) if deviation.unit == "rad" else ("mm", float))
+
+        def value(end: str) -> float:
+            return internal(getattr(self, f"{stem}_{end}_{unit}"))
+
+        if hasattr(self, f"{stem}_within_{unit}"):
+            return -value("within"), value("within"), value("step")
+        return value("from"), value("to"), value("step")
 
     @model_validator(mode="after")
     def _wheels_are_listed_or_made(self) -> "SettingsSection":

@@ -238,7 +238,11 @@ class AsBuilt:
         """Outline on this car's shaft of a disc cut to an outline, such as one read back from a file, mm."""
         if not self.shapes_discs:
             return outline
-        return _outline_of(self._of_new(_disc_of(outline)))
+        pieces = (outline.points[outline.piece == k] for k in np.unique(outline.piece))
+        tangent = np.concatenate([np.gradient(points, axis=0, edge_order=2) for points in pieces])
+        # A joint's two points get one normal, so that the outline stays closed.
+        normal = joined_normals(outline.points, -left_normal(tangent))
+        return _outline_of(self._of_new(Disc(outline.points, normal, outline.angle, np.empty(0), outline.piece)))
 
     def precompensated(self, wanted: ClosedCurve) -> ClosedCurve:
         """The curve to be cut, so that the finished disc on the car's shaft is the one wanted.
@@ -320,15 +324,6 @@ def _outline_of(disc: Disc) -> Outline:
     back = np.maximum.accumulate(angle) - angle
     keep = (back <= 0) | (back > _OVERLAP)
     return Outline(disc.points[keep], disc.piece[keep])
-
-
-def _disc_of(outline: Outline) -> Disc:
-    """An outline with normals from its own points; a joint's two points get one normal, so that it stays closed."""
-    points = outline.points
-    tangent = np.concatenate(
-        [np.gradient(points[outline.piece == k], axis=0, edge_order=2) for k in np.unique(outline.piece)]
-    )
-    return Disc(points, joined_normals(points, -left_normal(tangent)), outline.angle, np.empty(0), outline.piece)
 
 
 def led(

@@ -25,12 +25,12 @@ class Family:
     Attributes:
         examples: effects that stand for all of them on the page of effects.
         pattern: regular expression of their names.
-        member: function of a matched name and the numbers with it that returns the effect; None if there is none.
+        member: function of a matched name and the numbers with it that returns the effect; one of another name is none.
     """
 
     examples: tuple[Effect, ...]
     pattern: re.Pattern[str]
-    member: Callable[[re.Match[str], Mapping[str, float]], Effect | None]
+    member: Callable[[re.Match[str], Mapping[str, float]], Effect]
 
 
 class Catalogue:
@@ -91,7 +91,8 @@ class Catalogue:
             if effect.name == name:
                 return effect
         matched = ((family, family.pattern.fullmatch(name)) for family in self.families)
-        return next((family.member(match, indices) for family, match in matched if match), None)
+        members = (family.member(match, indices) for family, match in matched if match)
+        return next((effect for effect in members if effect.name == name), None)
 
 
 @dataclass(frozen=True)
@@ -123,18 +124,15 @@ def _register_plugin(brought: object) -> None:
     brought.catalogue.register(brought.effect)
 
 
-def _nose(match: re.Match[str], indices: Mapping[str, float]) -> Effect:
-    return worn_nose(int(indices.get("nose_number", 1)) - 1, NOSE_WIDTHS_DEG[0])
-
-
-def _undulation(match: re.Match[str], indices: Mapping[str, float]) -> Effect | None:
-    effect = undulation(int(match[1]))
-    return effect if effect.name == match[0] else None
-
-
-_NOSES = Family((worn_nose(0, NOSE_WIDTHS_DEG[0]),), re.compile(r"worn nose"), _nose)
+_NOSES = Family(
+    (worn_nose(0, NOSE_WIDTHS_DEG[0]),),
+    re.compile(r"worn nose"),
+    lambda match, indices: worn_nose(int(indices.get("nose_number", 1)) - 1, NOSE_WIDTHS_DEG[0]),
+)
 _UNDULATIONS = Family(
-    (undulation(2), undulation(LAST_LOBE + 1)), re.compile(r"(?:lobing|waviness), order (\d{1,3})"), _undulation
+    (undulation(2), undulation(LAST_LOBE + 1)),
+    re.compile(r"(?:lobing|waviness), order (\d{1,3})"),
+    lambda match, indices: undulation(int(match[1])),
 )
 # Orders are those of the train; what is only noted does not need them.
 _RUNOUTS = Family(

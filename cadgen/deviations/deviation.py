@@ -44,20 +44,32 @@ class Zone:
     optional: bool = True
 
 
+class ByHand(StrEnum):
+    """Part of a car that a hand sets without a new part."""
+
+    DISC = "disc"
+    HEAD = "head"
+    WHEEL = "wheel"
+    KEY = "key"
+    START = "start"
+
+
 @dataclass(frozen=True)
 class Hand:
     """Setting by hand, without a new part.
 
     Attributes:
         setting: name of the setting.
-        knob: name under which settings are made together, as those of the start.
+        part: what is set; settings of one part, as those of the start, are made together.
+        keys: beginning of its keys in `[settings]`; empty where no card sets it.
         limit: greatest change either way that `adjust` asks for, mm or rad; 0 where `card` alone sets it.
         probe: change from which a derivative is taken, mm or rad: a hundredth of what moves the end of the paper's car
             by a metre.
     """
 
     setting: str
-    knob: str
+    part: ByHand
+    keys: str = ""
     limit: float = 0.0
     probe: float = 0.0
 
@@ -117,21 +129,21 @@ BASE_RADIUS = Deviation(
     "mm",
     fleeting=True,
     zone=Zone(10, "a, camshaft to fork axis, after adjustment", optional=False),
-    hand=Hand("head", "head", 1.0, 5e-4),
+    hand=Hand("head", ByHand.HEAD, "head", 1.0, 5e-4),
 )
 INNER_FACE = Deviation(
     "inner face",
     "inner_face",
     "mm",
     zone=Zone(10, "place of the disc's inner face", optional=False),
-    hand=Hand("disc", "disc"),
+    hand=Hand("disc", ByHand.DISC, "disc"),
 )
 OUTER_FACE = Deviation(
     "outer face",
     "outer_face",
     "mm",
     zone=Zone(10, "place of the disc's outer face", optional=False),
-    hand=Hand("disc", "disc"),
+    hand=Hand("disc", ByHand.DISC, "disc"),
 )
 ROD_RADIUS = Deviation("rod radius", "rod_radius", "mm", zone=Zone(10, "r_t, of the rod", optional=False))
 # The disc cut too large all round, along its normal.
@@ -152,7 +164,7 @@ WHEEL_RADIUS = Deviation(
     "wheel_radius",
     "mm",
     zone=Zone(10, "R_h, of the drive wheel as it rolls under load; needs [train]", optional=False),
-    hand=Hand("wheel", "wheel"),
+    hand=Hand("wheel", ByHand.WHEEL, "wheel"),
 )
 # The cam set ahead on its shaft, or the run started late.
 CAM_PHASE = Deviation(
@@ -161,7 +173,7 @@ CAM_PHASE = Deviation(
     "rad",
     fleeting=True,
     zone=Zone(10, "cam on its shaft against the start of the run", optional=False),
-    hand=Hand("key", "key", radians(5.0), radians(0.02)),
+    hand=Hand("key", ByHand.KEY, "", radians(5.0), radians(0.02)),
 )
 START_X = Deviation(
     "start x",
@@ -169,7 +181,7 @@ START_X = Deviation(
     "mm",
     fleeting=True,
     zone=Zone(100, "place at the start, along the planned heading", optional=False),
-    hand=Hand("start_x", "start", 100.0, 1.0),
+    hand=Hand("start_x", ByHand.START, "start", 100.0, 1.0),
 )
 START_Y = Deviation(
     "start y",
@@ -177,7 +189,7 @@ START_Y = Deviation(
     "mm",
     fleeting=True,
     zone=Zone(100, "place at the start, across it", optional=False),
-    hand=Hand("start_y", "start", 100.0, 1.0),
+    hand=Hand("start_y", ByHand.START, "start", 100.0, 1.0),
 )
 START_HEADING = Deviation(
     "start heading",
@@ -185,7 +197,7 @@ START_HEADING = Deviation(
     "rad",
     fleeting=True,
     zone=Zone(45, "heading at the start", optional=False),
-    hand=Hand("start_heading", "start", radians(3.0), radians(0.02)),
+    hand=Hand("start_heading", ByHand.START, "start_heading", radians(3.0), radians(0.02)),
 )
 # B, of the gears at the camshaft; many cars vary it within the band of [play] or [train].
 RETURN_ERROR = Deviation("return error", "play", "rad")
@@ -276,6 +288,11 @@ COLUMNS = {f"{each.key}{part}": each.unit for each in VARIED for part in (("_0",
 TOLERANCES = tuple(sorted((each for each in VARIED if each != RETURN_ERROR), key=lambda each: each.directed))
 # What a hand sets after a trial run.
 SETTABLE = tuple(each for each in VARIED if each.hand and each.hand.limit)
+# The same by the part that is set.
+SETTINGS = {
+    part: tuple(each for each in SETTABLE if each.hand and each.hand.part == part)
+    for part in dict.fromkeys(each.hand.part for each in SETTABLE if each.hand)
+}
 STARTS = (START_X, START_Y, START_HEADING)
 
 

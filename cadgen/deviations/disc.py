@@ -3,7 +3,6 @@
 All act at the stage `DISC`, on a `Disc`; the points are those of the outline about the bore.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -220,13 +219,6 @@ OUT_OF_SQUARE = Effect(
 )
 
 
-def _harmonic(order: int) -> Callable[[Disc, Array, object], Disc]:
-    def act(disc: Disc, p: Array, at: object) -> Disc:
-        return disc.moved(p[0] * np.cos(order * disc.angle) + p[1] * np.sin(order * disc.angle))
-
-    return act
-
-
 PROFILE_EFFECTS = (
     ECCENTRIC_BORE,
     CUTTER_COMPENSATION,
@@ -249,11 +241,11 @@ def undulation(order: int) -> Effect:
             _um(f"{sort}_cos_um", "+: outwards where cos(n phi) = 1, phi the polar angle"),
             _um(f"{sort}_sin_um", "+: outwards where sin(n phi) = 1"),
         ),
-        act=_harmonic(order),
+        act=lambda disc, p, at: disc.moved(p[0] * np.cos(order * disc.angle) + p[1] * np.sin(order * disc.angle)),
         deviation=deviation.UNDULATION,
         cause=sort,
         places=(Place.PART,),
-        numerous=True,
+        member=True,
         confused_with="anisotropic scale" if order == 2 else "the stylus or spindle of the measuring machine",
         separated_by="measure again with the disc turned by 90 degrees on the machine: what turns is the disc's",
     )
@@ -306,7 +298,7 @@ def worn_nose(number: int, width_deg: float) -> Effect:
         group=Group("worn nose"),
         variant=f"at {number} from {width_deg:g}",
         indices=(("nose_number", number + 1),),
-        numerous=True,
+        member=True,
         confused_with="a dent, or a local error of the cutter's path",
         separated_by="compare with a new cam, or look at the nose under a lens: wear is polished",
     )

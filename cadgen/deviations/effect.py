@@ -149,7 +149,7 @@ class Effect:
         confused_with: causes that look like it.
         separated_by: the measurement that tells them apart.
         shape: True for a form without a name in the catalogue.
-        numerous: True if it is one of many of its sort (orders, places): they enter a subset one at a time.
+        member: True for a member of a family (orders, places); members enter a subset one at a time.
         includes: effect that this one becomes for some values.
         places: where the effect may be, the likeliest first; any effect may be `noted`.
         indices: numbers that say which of several alike it is, by their keys, as `nose_number`; they are not fitted.
@@ -173,7 +173,7 @@ class Effect:
     confused_with: str = ""
     separated_by: str = ""
     shape: bool = False
-    numerous: bool = False
+    member: bool = False
     variant: str = ""
     cause: str = ""
     one_run: bool = False
@@ -221,6 +221,17 @@ class Effect:
 READING = Stage[Array]("reading")
 
 Active = Sequence[tuple[Effect, Array]]
+
+
+def activated(effects: Sequence[Effect], values: Array) -> list[tuple[Effect, Array]]:
+    """Effects, each with its own of their values.
+
+    Args:
+        effects: effects.
+        values: values of all in a row, internal units (mm, rad), shape (sum of parameters,).
+    """
+    cuts = np.cumsum([len(e.parameters) for e in effects])[:-1]
+    return list(zip(effects, np.split(values, cuts), strict=True)) if effects else []
 
 
 def causes(effects: Iterable[Effect]) -> int:

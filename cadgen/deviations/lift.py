@@ -49,9 +49,10 @@ def _um(name: str, meaning: str, usual: float, limit: float, lower: float | None
     return Parameter(name=name, unit="um", lower=low, upper=limit, step=limit / 50, usual=usual, meaning=meaning)
 
 
-def _axial(setting: Seat, p: Array, at: Readings) -> Seat:
-    moved = replace(setting.follower, inner=setting.follower.inner + p[0], outer=setting.follower.outer + p[0])
-    return replace(setting, follower=moved)
+def _moved_rod(seat: Seat, **by: float) -> Seat:
+    """Seat with dimensions of the rod that are greater by some lengths, mm."""
+    rod = seat.follower
+    return replace(seat, follower=replace(rod, **{name: getattr(rod, name) + more for name, more in by.items()}))
 
 
 RETURN_ERROR = Effect(
@@ -103,9 +104,7 @@ LIFT_EFFECTS = (
         name="rod radius",
         stage=FOLLOWER,
         parameters=(_um("rod_radius_um", "+: the rod is too thick", 5.0, 1500.0),),
-        act=lambda setting, p, at: replace(
-            setting, follower=replace(setting.follower, radius=setting.follower.radius + p[0])
-        ),
+        act=lambda seat, p, at: _moved_rod(seat, radius=p[0]),
         deviation=deviation.ROD_RADIUS,
         places=(Place.CAR,),
         twins=("cutter compensation",),
@@ -125,7 +124,7 @@ LIFT_EFFECTS = (
         name="axial offset",
         stage=FOLLOWER,
         parameters=(_um("axial_offset_um", "+: the disc stands too far from the fork axis", 50.0, 4000.0),),
-        act=_axial,
+        act=lambda seat, p, at: _moved_rod(seat, inner=p[0], outer=p[0]),
         deviation=deviation.INNER_FACE,
         places=(Place.CAR,),
         confused_with="lever gain",

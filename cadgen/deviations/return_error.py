@@ -4,11 +4,8 @@ Friction and drag hold the cam on the gentler parts of each fall, where it would
 They do nothing without it, and act beside it.
 """
 
-from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
 
-from cadgen.arrays import Array
 from cadgen.deviations.effect import Effect, Parameter
 
 # At which a search begins. The play is found about each in proportion; between two of them the exact fit finds its way.
@@ -52,12 +49,11 @@ def friction(step: float, *, stepwise: bool = False) -> Parameter:
     )
 
 
-def rubbing(play: Effect, friction: Effect, act: Callable[[Any, Array, Any], Any], start: float) -> Effect:
+def rubbing(play: Effect, friction: Effect, start: float) -> Effect:
     """Return error and friction as one effect to begin a search from: without play friction shows nothing.
 
     Args:
         play, friction: effects that it stands for.
-        act: function by which both act together.
         start: coefficient of friction to begin from.
     """
     (number,) = friction.parameters
@@ -65,10 +61,10 @@ def rubbing(play: Effect, friction: Effect, act: Callable[[Any, Array, Any], Any
         name=f"{play.name} with {friction.name}",
         stage=play.stage,
         parameters=(*play.parameters, replace(number, start=start)),
-        act=act,
+        act=lambda state, p, at: friction.act(play.act(state, p[:1], at), p[1:], at),
         group=play.group,
         variant=f"from {start:g}",
-        numerous=True,
+        member=True,
         separated_by=friction.separated_by,
         parts=(play, friction),
     )

@@ -25,23 +25,11 @@ RUNNING = Stage[Running]("running")
 STEERING = Stage[Array]("steering")
 
 
-def _play(run: Running, p: Array, at: object) -> Running:
-    return replace(run, play=float(p[0]))
-
-
-def _friction(run: Running, p: Array, at: object) -> Running:
-    return replace(run, friction=float(p[0]))
-
-
-def _rubbing(run: Running, p: Array, at: object) -> Running:
-    return _friction(_play(run, p[:1], at), p[1:], at)
-
-
 RETURN_ERROR = Effect(
     name="backlash",
     stage=RUNNING,
     parameters=(return_error("whole play at the camshaft, between two stops", 4.0, 0.02),),
-    act=_play,
+    act=lambda run, p, at: replace(run, play=float(p[0])),
     deviation=deviation.RETURN_ERROR,
     places=(Place.CAR,),
     group=Group("play"),
@@ -52,7 +40,7 @@ SLIDING_FRICTION = Effect(
     name="sliding friction",
     stage=RUNNING,
     parameters=(friction(step=0.002),),
-    act=_friction,
+    act=lambda run, p, at: replace(run, friction=float(p[0])),
     deviation=deviation.SLIDING_FRICTION,
     places=(Place.CAR,),
     beside=RETURN_ERROR,
@@ -171,7 +159,7 @@ def steering_bump(centre_deg: float, width_deg: float) -> Effect:
         parameters=(Parameter.of("steering_bump_percent", 20.0, 0.02),),
         act=act,
         shape=True,
-        numerous=True,
+        member=True,
         separated_by="measure the lift there",
     )
 
@@ -185,7 +173,7 @@ def _form(name: str, act: Callable[[Array, Array, Array], Array], unit: str, lim
         parameters=(number,),
         act=act,
         shape=True,
-        numerous=True,
+        member=True,
         separated_by="look at the linkage, and drive the same path twice on end",
     )
 
@@ -212,7 +200,7 @@ def track_forms() -> tuple[Effect, ...]:
     """Play at several frictions for a search to begin from, and the local forms that compete."""
     bumps = [steering_bump(c, w) for w in (5.0, 15.0) for c in np.arange(w / 2, 360.0, w)]
     return (
-        *(rubbing(RETURN_ERROR, SLIDING_FRICTION, _rubbing, mu) for mu in FRICTIONS),
+        *(rubbing(RETURN_ERROR, SLIDING_FRICTION, mu) for mu in FRICTIONS),
         *SMOOTH_FORMS,
         WHEEL_THAT_SHRINKS,
         *bumps,

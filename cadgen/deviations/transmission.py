@@ -56,18 +56,6 @@ def _deg(name: str, meaning: str, limit: float, usual: float) -> Parameter:
     return Parameter(name=name, unit="deg", lower=-limit, upper=limit, step=limit / 200, usual=usual, meaning=meaning)
 
 
-def _play(play: Play, p: Array, at: Turned) -> Play:
-    return replace(play, width=float(p[0]))
-
-
-def _friction(play: Play, p: Array, at: Turned) -> Play:
-    return replace(play, friction=float(p[0]))
-
-
-def _rubbing(play: Play, p: Array, at: Turned) -> Play:
-    return _friction(_play(play, p[:1], at), p[1:], at)
-
-
 def _periodic(order: float) -> Callable[[Array, Array, Turned], Array]:
     def act(angle: Array, p: Array, at: Turned) -> Array:
         return np.asarray(angle + p[0] * np.cos(order * at.turned) + p[1] * np.sin(order * at.turned))
@@ -79,7 +67,7 @@ RETURN_ERROR = Effect(
     name="return error",
     stage=PLAY,
     parameters=(return_error("whole play at the camshaft, between two stops", 5.0, 0.025),),
-    act=_play,
+    act=lambda play, p, at: replace(play, width=float(p[0])),
     deviation=deviation.RETURN_ERROR,
     places=(Place.CAR,),
     group=Group("play"),
@@ -91,7 +79,7 @@ SLIDING_FRICTION = Effect(
     name="sliding friction",
     stage=PLAY,
     parameters=(friction(step=0.02, stepwise=True),),
-    act=_friction,
+    act=lambda play, p, at: replace(play, friction=float(p[0])),
     deviation=deviation.SLIDING_FRICTION,
     places=(Place.CAR,),
     beside=RETURN_ERROR,
@@ -177,7 +165,7 @@ def train_orders(ratios: tuple[float, ...], teeth: tuple[int, ...], highest: int
     # Rounded, so that a whole order is whole.
     orders = [round(float(np.prod(ratios[k:])), 9) for k in range(len(ratios) + 1)]
     names = ["the motor shaft", *(f"shaft {k}" for k in range(1, len(ratios))), "the camshaft"]
-    effects = [rubbing(RETURN_ERROR, SLIDING_FRICTION, _rubbing, start) for start in (0.0, *FRICTIONS)]
+    effects = [rubbing(RETURN_ERROR, SLIDING_FRICTION, start) for start in (0.0, *FRICTIONS)]
     effects += [runout(n, o) for n, o in zip(names, orders, strict=True) if o <= highest]
     meshes = [(k + 1, z * orders[k + 1]) for k, z in enumerate(teeth)]
     return tuple(effects + [tooth_mesh(stage, order) for stage, order in meshes if order <= highest])

@@ -228,7 +228,7 @@ def pair_departures(pair: Pair, number: int) -> tuple[Departure, ...]:
     for role, gear in ((Message("driver"), pair.driver), (Message("driven gear"), pair.driven)):
         sizes = (gear.form.reference_diameter, gear.form.normal_module, gear.form.width, gear.grade)
         where = Message("stage {number}, {role} of {teeth} teeth", number=number, role=role, teeth=gear.form.teeth)
-        for symbol, used in gear.overrides.given().items():
+        for symbol, used in gear.overrides.overridden().items():
             standard = _standard(gear_tolerance, symbol, *sizes)
             departures.append(Departure(where=where, symbol=symbol, used=used, standard=standard))
     if pair.centre_distance_deviation is not None:

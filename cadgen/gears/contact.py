@@ -65,7 +65,12 @@ def contact_ratios(rack: GearForm, teeth: tuple[Array, Array], x_E: tuple[Array,
     for z, x in zip(teeth, x_E, strict=True):
         base = z / 2 * cos(angle)
         tips.append(np.sqrt(np.maximum((z / 2 + rack.addendum_factor - chamfer) ** 2 - base**2, 0.0)))
-        roots.append(base * _root_form_roll(rack, z, x))
+        # Roll angle at which the involute begins: at the root's tangent, or, undercut, where the trochoid crosses it.
+        roll = _tangent_roll(rack, z, x)
+        under = np.flatnonzero(roll < -TANGENT_ROLL)
+        roll = np.abs(roll)
+        roll[under] = _crossing_roll(rack, z[under], x[under])
+        roots.append(base * roll)
     start, end = np.maximum(line - tips[1], roots[0]), np.minimum(tips[0], line - roots[1])
     return np.asarray(np.maximum(end - start, 0.0) / (pi * cos(angle)))
 
@@ -81,15 +86,6 @@ def _tangent_roll(rack: GearForm, teeth: ArrayLike, x_E: ArrayLike) -> Array:
     angle, (_, rounding) = rack.transverse_pressure_angle, _tip_of(rack)
     depth = rack.dedendum_factor - np.asarray(x_E) - rounding * (1 - sin(angle))
     return np.asarray(tan(angle) - depth / (np.asarray(teeth) / 2 * sin(angle) * cos(angle)))
-
-
-def _root_form_roll(rack: GearForm, teeth: Array, x_E: Array) -> Array:
-    """Roll angle at which the involute begins."""
-    roll = _tangent_roll(rack, teeth, x_E)
-    under = np.flatnonzero(roll < -TANGENT_ROLL)
-    roll = np.abs(roll)
-    roll[under] = _crossing_roll(rack, teeth[under], x_E[under])
-    return roll
 
 
 def _crossing_roll(rack: GearForm, teeth: Array, x_E: Array) -> Array:

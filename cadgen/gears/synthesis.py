@@ -337,6 +337,8 @@ def fit_of(pairs: Pairs, limits: SearchLimits, blanks: Blanks, clearance: float)
         """Room that the axes of a stage leave beside a body of a radius on one shaft; any if there is no body."""
         return np.where(np.asarray(size) > 0, pairs.axes - size - clearance + ROOM_SLACK, inf)
 
+    ends = sum(blank.hub.length for blank in (blanks.drive, blanks.output) if blank.hub)
+    collars = (stages - 1) * (collar.length if collar else collar_length(clearance))
     allowed = _places(pairs, limits, blanks)
     for place in range(stages):
         for shaft, other in ((place, place + 1), (place + 1, place)):
@@ -350,15 +352,8 @@ def fit_of(pairs: Pairs, limits: SearchLimits, blanks: Blanks, clearance: float)
         after=np.array([past(np.maximum(bore, rubbing)) for bore in bores[2:]]).reshape(-1, wheel.size),
         before=np.array([past(bore) for bore in bores[:-2]]).reshape(-1, wheel.size),
         height=pairs.width,
-        most_height=limits.bearing_span - _length_of_hubs(blanks, stages, clearance),
+        most_height=limits.bearing_span - (ends + collars),
     )
-
-
-def _length_of_hubs(blanks: Blanks, stages: int, clearance: float) -> float:
-    """Share of the bearing span that hubs and collars take, in mm."""
-    ends = sum(blank.hub.length for blank in (blanks.drive, blanks.output) if blank.hub)
-    collar = blanks.intermediate.hub
-    return ends + (stages - 1) * (collar.length if collar else collar_length(clearance))
 
 
 def _places(pairs: Pairs, limits: SearchLimits, blanks: Blanks) -> BoolArray:

@@ -202,13 +202,13 @@ class ToleranceOverrides:
     F_i_radial: float | None = None
 
     def __post_init__(self) -> None:
-        for name, value in self.given().items():
+        for name, value in self.overridden().items():
             if not 0 <= value < np.inf:
                 raise DesignError(
                     "the override {name} = {value:g} mm is no tolerance; give 0 or more", name=name, value=value
                 )
 
-    def given(self) -> dict[str, float]:
+    def overridden(self) -> dict[str, float]:
         """The overridden values by symbol."""
         values = {field.name: getattr(self, field.name) for field in fields(self)}
         return {name: value for name, value in values.items() if value is not None}
@@ -232,7 +232,7 @@ def gear_tolerances(
     An overridden one is not looked up. Raises `DesignError` when d, m, b or the grade is outside the rule of
     one that is.
     """
-    values: dict[str, Any] = dict(overrides.given()) if overrides else {}
+    values: dict[str, Any] = dict(overrides.overridden()) if overrides else {}
     for symbol in (field.name for field in fields(GearTolerances)):
         if symbol not in values:
             values[symbol] = gear_tolerance(symbol, diameter, module, width, grade)

@@ -58,13 +58,13 @@ class Maker:
         """
         design, track = self.design, self._use.track
         target = draw_model.target(design, track, self.draw, spacing, self._nodes, self._motor, self._steering)
-        knobs = draw_model.knobs(design, track, self._start(spacing))
+        ranges = draw_model.setting_ranges(design, track, self._start(spacing))
         weights = np.ones(len(self._motor))
         middle = (self._rod.inner + self._rod.outer) / 2
-        begin = first_guess(knobs, middle, track.turn, spacing / self.draw.stated)
+        begin = first_guess(ranges, middle, track.turn, spacing / self.draw.stated)
         rows: list[DrawnSpacing] = []
         for _ in range(self.tries):
-            near = best_settings(target, knobs, begin, weights)
+            near = best_settings(target, ranges, begin, weights)
             wrong: list[float] = []  # of the best
             for found in near:
                 row, places = self._driven(spacing, target, found.setting)
@@ -126,8 +126,8 @@ class Maker:
 
     @cached_property
     def _steering(self) -> Steering:
-        knobs = draw_model.knobs(self.design, self._use.track, self._start(self.draw.stated))
-        return Steering.of(self._rod, knobs.disc, knobs.head, lambda rod: self._contact(self._plain, rod).q)
+        ranges = draw_model.setting_ranges(self.design, self._use.track, self._start(self.draw.stated))
+        return Steering.of(self._rod, ranges.disc, ranges.head, lambda rod: self._contact(self._plain, rod).q)
 
     def _contact(self, cut: ClosedCurve, rod: EdgeFollower) -> Contact:
         return draw_model.contact(self.design, cut, rod, self._stations)

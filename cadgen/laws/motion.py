@@ -126,7 +126,7 @@ class Motion:
             taylor.append((-1) ** order * value / factorial(order))
             derivative = derivative[:-1] * np.arange(len(derivative) - 1, 0, -1)[:, None]
         curve = PPoly(np.stack(taylor[::-1])[:, ::-1], TURN - x[::-1], extrapolate="periodic")
-        level = None if self.known_level is None else _mirrored(self.known_level)
+        level = None if self.known_level is None else mirrored(self.known_level)
         return replace(self, q=curve, kinks=(-self.kinks) % TURN, known_level=level)
 
     def extrema(self) -> tuple[Array, Array]:
@@ -150,6 +150,11 @@ def _level_from(height: Array, sure: int, within: float) -> int:
             return int(np.argmax(outside)) if outside.any() else len(part)
 
 
-def _mirrored(stretches: Array) -> Array:
+def mirrored(stretches: Array) -> Array:
+    """Stretches of a turn at minus their cam angles, rad, shape (m, 2), each beginning in [0, 2 pi).
+
+    Args:
+        stretches: begin and end of each, rad, shape (m, 2).
+    """
     begin = (-stretches[:, 1]) % TURN
     return np.stack([begin, begin + stretches[:, 1] - stretches[:, 0]], axis=1)

@@ -319,17 +319,16 @@ def loop_of(contour: Contour) -> Loop:
     Args:
         contour: contour, counterclockwise.
     """
-    count = len(contour.bulges)
-    return Loop(tuple(_side(contour, number % count) for number in range(1, count + 1)))
-
-
-def _side(contour: Contour, number: int) -> Segment | Arc:
-    start, end = (complex(*contour.vertices[k % len(contour.vertices)]) for k in (number, number + 1))
-    if contour.bulges[number] == 0:
-        return Segment(start, end)
-    centre = complex(*np.round(contour.centers[number], ARC_DECIMALS))
-    radius = round(float(contour.radii[number]), ARC_DECIMALS)
-    return Arc(radius, float(np.angle(start - centre)), float(contour.sweeps[number]), centre)
+    count, sides = len(contour.bulges), list[Segment | Arc]()
+    for number in (*range(1, count), 0):
+        start, end = (complex(*contour.vertices[k % len(contour.vertices)]) for k in (number, number + 1))
+        if contour.bulges[number] == 0:
+            sides.append(Segment(start, end))
+            continue
+        centre = complex(*np.round(contour.centers[number], ARC_DECIMALS))
+        radius = round(float(contour.radii[number]), ARC_DECIMALS)
+        sides.append(Arc(radius, float(np.angle(start - centre)), float(contour.sweeps[number]), centre))
+    return Loop(tuple(sides))
 
 
 # Degree 5 carries a whole flank and degree 8 a whole root of usual size; beyond 20 the pole matrix loses digits.

@@ -64,7 +64,7 @@ REFUSED = {
     "a design named after a device": (lambda car: car.with_({"name": "com1"}), "on Windows com1 is a device"),
     "no trial runs": (lambda car: car.adjust(None), "trials is None; it must be the path of a file, or several"),
     "trial runs as a number": (lambda car: car.adjust(3), "trials is 3; it must be the path of a file"),
-    "a knob as a number": (lambda car: car.adjust("a.csv", knobs=3), "knobs is 3; it must be several"),
+    "a setting as a number": (lambda car: car.adjust("a.csv", settings=3), "settings is 3; it must be several"),
     "a path to improve as a name": (lambda car: car.plan("carbon_free_car"), "it must be a Design"),
     "a calm path as a name": (lambda car: car.plan(calm_as="x"), "calm_as is 'x'; it must be a Design"),
     "a report on a name": (

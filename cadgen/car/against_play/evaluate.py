@@ -13,10 +13,9 @@ import numpy as np
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import rolling_step
 from cadgen.cam.envelope import ActualProfile
-from cadgen.cam.follower import Contact
 from cadgen.car.against_play.band import BAND_PLAYS, BandResult, over_band
 from cadgen.car.against_play.compensation import LostDip, lost_dips
-from cadgen.car.against_play.play_task import PlayTask, TrainTask
+from cadgen.car.against_play.play_task import TrainTask
 from cadgen.car.against_play.profile_kinds import CutLift, ProfileKind
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import Run
@@ -112,9 +111,7 @@ def evaluate(work: TrainTask, profile: ProfileKind) -> Evaluation:
     task = work.task
     cut_lift = profile.lift(work)
     wanted = profile.curve(cut_lift.lift, task.follower)
-    cut = task.as_built.precompensated(wanted.curve)
-    contact = task.as_built.roll_new(cut, task.follower, _stations(), _step(cut, task))
-    return _evaluation(work, _Cam(profile, cut_lift, wanted, cut, contact))
+    return _evaluation(work, profile, cut_lift, wanted, task.as_built.precompensated(wanted.curve))
 
 
 def evaluate_measured(work: TrainTask, profile: ProfileKind, lift: PathMotion, cut: ClosedCurve) -> Evaluation:
@@ -129,51 +126,37 @@ def evaluate_measured(work: TrainTask, profile: ProfileKind, lift: PathMotion, c
     Raises:
         DesignError: the band of play does not run upwards from 0 or more.
     """
-    task = work.task
-    contact = task.as_built.roll_measured(cut, task.follower, _stations(), _step(cut, task))
-    cam = _Cam(profile, CutLift(lift, work.window), ActualProfile(cut, ()), cut, contact, measured=True)
-    return _evaluation(work, cam)
+    return _evaluation(work, profile, CutLift(lift, work.window), ActualProfile(cut, ()), cut, measured=True)
 
 
-@dataclass(frozen=True)
-class _Cam:
-    """A cam before its run; as in `Evaluation`, with the rod's contact on the finished disc."""
-
-    profile: ProfileKind
-    cut_lift: CutLift
-    wanted: ActualProfile
-    cut: ClosedCurve
-    contact: Contact
-    measured: bool = False
-
-
-def _step(cut: ClosedCurve, task: PlayTask) -> float:
-    return rolling_step(cut, task.follower, _OUTLINE_STEP)
-
-
-def _stations() -> Array:
-    return np.linspace(0.0, TURN, STATIONS, endpoint=False)
-
-
-def _evaluation(work: TrainTask, cam: _Cam) -> Evaluation:
-    task, band, planned = work.task, work.band, work.planned
-    lift, made_for = cam.cut_lift.lift, cam.cut_lift.made_for
+def _evaluation(
+    work: TrainTask,
+    profile: ProfileKind,
+    cut_lift: CutLift,
+    wanted: ActualProfile,
+    cut: ClosedCurve,
+    *,
+    measured: bool = False,
+) -> Evaluation:
+    task, band, planned, follower = work.task, work.band, work.planned, work.task.follower
+    lift, made_for = cut_lift.lift, cut_lift.made_for
+    roll = task.as_built.roll_measured if measured else task.as_built.roll_new
+    stations, step = np.linspace(0.0, TURN, STATIONS, endpoint=False), rolling_step(cut, follower, _OUTLINE_STEP)
+    rolled = rolled_lift(roll(cut, follower, stations, step), lift, blend_start=task.lift.blend_start)
     play = work.run_at(made_for)
-    rolled = rolled_lift(cam.contact, lift, blend_start=task.lift.blend_start)
-    least_swing = max(LEAST_SWING, task.as_built.unevenness(measured=cam.measured) / task.follower.inner)
+    least_swing = max(LEAST_SWING, task.as_built.unevenness(measured=measured) / follower.inner)
     run = task.run(rolled, play, least_swing=least_swing, cut=lift)
-    wanted, got = (task.follower.lift(tangents) for tangents in (planned.tan_beta, run.tan_beta))
-    dips = lost_dips(task.lift, made_for) if cam.profile.dilated and not cam.measured else ()
+    dips = lost_dips(task.lift, made_for) if profile.dilated and not measured else ()
     return Evaluation(
-        profile=cam.profile,
+        profile=profile,
         train=work.train,
         play=play,
         made_for=made_for,
         lift=lift,
-        wanted=cam.wanted,
-        cut=cam.cut,
+        wanted=wanted,
+        cut=cut,
         rolled=rolled,
-        events=deflections(lift, task.follower, task.car, task.length, band.ends[1]),
+        events=deflections(lift, follower, task.car, task.length, band.ends[1]),
         run=run,
         error=run_error(run, planned),
         deviation=run_error(task.run(rolled, 0.0, least_swing=least_swing), planned),
@@ -188,10 +171,10 @@ def _evaluation(work: TrainTask, cam: _Cam) -> Evaluation:
             mechanics=task.mechanics.cases if task.mechanics else (),
             cut=lift,
         ),
-        lift_error=got - wanted,
+        lift_error=follower.lift(run.tan_beta) - follower.lift(planned.tan_beta),
         least_swing=least_swing,
         lost=tuple(dip for dip in dips if dip.whole),
-        measured=cam.measured,
+        measured=measured,
     )
 
 

@@ -111,17 +111,10 @@ def _published_curve(lift: Motion, follower: Follower) -> ActualProfile:
     return ActualProfile(published_profile(lift, rod), ())
 
 
-def _compensated(work: TrainTask) -> CutLift:
+def _dilated(work: TrainTask, lift: PathMotion, window: float) -> CutLift:
     from cadgen.car.against_play.compensation import compensated_lift
 
-    return CutLift(compensated_lift(work.task.lift, work.task.follower, work.window), work.window)
-
-
-def _smoothed_compensated(work: TrainTask) -> CutLift:
-    from cadgen.car.against_play.compensation import compensated_lift
-
-    window = work.window_of(work.smoothed)
-    return CutLift(compensated_lift(work.smoothed, work.task.follower, window), window)
+    return CutLift(compensated_lift(lift, work.task.follower, window), window)
 
 
 ACTUAL = ProfileKind(code="actual", meaning="the exact envelope of the rod")
@@ -135,7 +128,7 @@ COMPENSATED = ProfileKind(
     code="compensated",
     meaning="cut so that the play takes itself out",
     for_play=True,
-    lift=_compensated,
+    lift=lambda work: _dilated(work, work.task.lift, work.window),
     dilated=True,
 )
 SMOOTHED = ProfileKind(
@@ -148,7 +141,7 @@ SMOOTHED_COMPENSATED = ProfileKind(
     code="smoothed+compensated",
     meaning="both",
     for_play=True,
-    lift=_smoothed_compensated,
+    lift=lambda work: _dilated(work, work.smoothed, work.window_of(work.smoothed)),
     dilated=True,
 )
 THEORETICAL = ProfileKind(

@@ -289,7 +289,13 @@ def _worst_lap(laps: Sequence[CourseVerdict], course: Course) -> CourseVerdict:
         approaches=tuple(
             (course.obstacles[thing], _nearest([lap.approaches[thing][1] for lap in laps])) for thing in things
         ),
-        sides=tuple(_side(course.obstacles[thing].side, [lap.sides[thing] for lap in laps]) for thing in things),
+        sides=tuple(  # the wrong one, if it is on any lap
+            next(
+                (lap.sides[thing] for lap in laps if course.obstacles[thing].side not in (None, lap.sides[thing])), None
+            )
+            or laps[0].sides[thing]
+            for thing in things
+        ),
         edge=_nearest(edges) if edges else None,
         passages=every,
         start=laps[0].start,

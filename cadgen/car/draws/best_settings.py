@@ -53,7 +53,7 @@ class Minimax:
         """Greatest weighted error with settings of shape (6,), mm.
 
         Args:
-            values: settings of the knobs, shape (6,), mm and rad.
+            values: settings, shape (6,), mm and rad.
         """
         return float(np.abs(self._base + self._slopes @ ((values - self.at) / self._scale)).max())
 
@@ -141,33 +141,33 @@ class Found:
     error: float
 
 
-def first_guess(knobs: SettingRanges, middle: float, travel: float, factor: float) -> Array:
+def first_guess(ranges: SettingRanges, middle: float, travel: float, factor: float) -> Array:
     """Settings by the law of similar paths, as far as they can be set, shape (6,).
 
     Args:
-        knobs: what can be set.
+        ranges: what can be set.
         middle: distance of the disc's middle from the fork axis, mm.
         travel: travel in a turn of the cam at the stated spacing, mm.
         factor: ratio of the spacing to the stated one.
     """
     values = np.zeros(COUNT)
     values[DISC], values[TRAVEL] = middle * (factor - 1), travel * factor
-    low, high = knobs.bounds.T
+    low, high = ranges.bounds.T
     return np.asarray(np.clip(values, low, high))
 
 
-def best_settings(target: Target, knobs: SettingRanges, begin: Array, weights: Array | None = None) -> list[Found]:
+def best_settings(target: Target, ranges: SettingRanges, begin: Array, weights: Array | None = None) -> list[Found]:
     """Settings with the least greatest distance of the car from the scaled path, the best first, and nearly as good.
 
     Args:
         target: path and car.
-        knobs: what can be set.
+        ranges: what can be set.
         begin: settings to begin with, shape (6,), mm and rad.
         weights: what the distance counts at each node, shape (n,); 1 if left out.
     """
     weights = np.ones(len(target.nodes)) if weights is None else weights
     values, reached = begin, _worst(target, begin, weights)
-    problem = _linearised(target, values, knobs, weights)
+    problem = _linearised(target, values, ranges, weights)
     for _ in range(_MOST_LINEARISED):
         step = problem.best({})
         moved = _worst(target, step, weights)
@@ -178,30 +178,30 @@ def best_settings(target: Target, knobs: SettingRanges, begin: Array, weights: A
             break
         done = moved > reached * (1 - _SETTLED)
         values, reached = step, moved
-        problem = _linearised(target, values, knobs, weights)
+        problem = _linearised(target, values, ranges, weights)
         if done:
             break
     ranked = sorted(
         (_worst(target, each, weights), number, each)
-        for number, each in enumerate(_to_divisions(problem, knobs, values))
+        for number, each in enumerate(_to_divisions(problem, ranges, values))
     )
     return [
-        Found(setting_of(each, knobs.wheels), float(np.abs(target.errors(each)).max()))
+        Found(setting_of(each, ranges.wheels), float(np.abs(target.errors(each)).max()))
         for worst, _, each in ranked
         if worst <= ranked[0][0] * _NEARLY
     ]
 
 
-def _linearised(target: Target, values: Array, knobs: SettingRanges, weights: Array) -> Minimax:
+def _linearised(target: Target, values: Array, ranges: SettingRanges, weights: Array) -> Minimax:
     errors = target.errors(values)
-    return Minimax(errors, target.derivatives(values, errors, knobs), values, knobs.bounds, weights)
+    return Minimax(errors, target.derivatives(values, errors, ranges), values, ranges.bounds, weights)
 
 
 def _worst(target: Target, values: Array, weights: Array) -> float:
     return float((weights * np.abs(target.errors(values))).max())
 
 
-def _to_divisions(problem: Minimax, knobs: SettingRanges, values: Array) -> list[Array]:
+def _to_divisions(problem: Minimax, ranges: SettingRanges, values: Array) -> list[Array]:
     """Settings that can be set with nearly the least error to first order, and first those rounded one by one.
 
     Branch and bound: what is not set to its division yet is free, so its least error is a bound from below.
@@ -209,12 +209,12 @@ def _to_divisions(problem: Minimax, knobs: SettingRanges, values: Array) -> list
     divided = [
         (division * float(np.abs(problem.by[:, number]).max()), number)
         for number in range(COUNT)
-        if (division := knobs.division(number, float(values[number]))) > 0
+        if (division := ranges.division(number, float(values[number]))) > 0
     ]
     numbers = [number for _, number in sorted(divided, reverse=True)]
     first, fixed = values, dict[int, float]()
     for number in numbers:
-        choices = [problem.best({**fixed, number: value}) for value in knobs.near(number, float(first[number]))]
+        choices = [problem.best({**fixed, number: value}) for value in ranges.adjacent(number, float(first[number]))]
         first = min(choices, key=problem.worst)
         fixed[number] = float(first[number])
     found, least = [first], problem.worst(first)
@@ -228,7 +228,7 @@ def _to_divisions(problem: Minimax, knobs: SettingRanges, values: Array) -> list
             least = min(bound, least)
             continue
         number = numbers[len(fixed)]
-        for value in knobs.about(number, float(best[number])):
+        for value in ranges.about(number, float(best[number])):
             moved = problem.best(chosen := {**fixed, number: value})
             if (error := problem.worst(moved)) < least * _NEARLY:
                 heappush(rows, (error, -len(fixed) * _MOST_BRANCHES - count, chosen, moved))

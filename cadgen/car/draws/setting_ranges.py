@@ -36,8 +36,8 @@ class SettingRange:
         """Whether there is a choice."""
         return self.high > self.low
 
-    def near(self, value: float) -> tuple[float, ...]:
-        """Values that can be set, on either side of a value, in the knob's unit: mm or rad.
+    def adjacent(self, value: float) -> tuple[float, ...]:
+        """Values that can be set, on either side of a value, mm or rad.
 
         Args:
             value: value wanted, mm or rad.
@@ -76,24 +76,24 @@ class Wheels:
         """Whether every travel between the ends can be had."""
         return self.made and self.step == 0 and len(self.ratios) == 1
 
-    def near(self, travel: float) -> tuple[tuple[float, float], ...]:
+    def adjacent(self, travel: float) -> tuple[tuple[float, float], ...]:
         """Radius and ratio of the travels that can be had on either side of a travel, mm.
 
         Args:
             travel: travel wanted for one turn of the cam, mm.
         """
-        choices = {(radius, ratio) for ratio in self.ratios for radius in self._radii(travel / (TURN * ratio))}
+        radii = SettingRange(min(self.radii), max(self.radii), self.step)
+        choices = {
+            (radius, ratio)
+            for ratio in self.ratios
+            for radius in (
+                radii.adjacent(min(max(travel / (TURN * ratio), radii.low), radii.high)) if self.made else self.radii
+            )
+        }
         below = [each for each in choices if TURN * each[0] * each[1] <= travel]
         above = [each for each in choices if TURN * each[0] * each[1] > travel]
         best = [max(below, key=_product)] if below else []
         return (*best, *([min(above, key=_product)] if above else []))
-
-    def _radii(self, wanted: float) -> tuple[float, ...]:
-        if not self.made:
-            return self.radii
-        return SettingRange(min(self.radii), max(self.radii), self.step).near(
-            min(max(wanted, min(self.radii)), max(self.radii))
-        )
 
 
 def _product(choice: tuple[float, float]) -> float:
@@ -122,32 +122,32 @@ class SettingRanges:
     @property
     def bounds(self) -> Array:
         """Least and greatest value of each, shape (6, 2)."""
-        ranges = [(knob.low, knob.high) for knob in map(self._plain, range(COUNT))]
+        ranges = [(each.low, each.high) for each in map(self._plain, range(COUNT))]
         ranges[TRAVEL] = self.wheels.travels
         return np.array(ranges)
 
-    def near(self, number: int, value: float) -> tuple[float, ...]:
-        """Values of a knob that can be set, on either side of a value, mm or rad.
+    def adjacent(self, number: int, value: float) -> tuple[float, ...]:
+        """Values of a setting that can be made, on either side of a value, mm or rad.
 
         Args:
-            number: number of the knob, counted from 0.
+            number: number of the setting, counted from 0.
             value: value wanted, mm or rad.
         """
         if number == TRAVEL:
-            return tuple(TURN * radius * ratio for radius, ratio in self.wheels.near(value))
-        return self._plain(number).near(value)
+            return tuple(TURN * radius * ratio for radius, ratio in self.wheels.adjacent(value))
+        return self._plain(number).adjacent(value)
 
     def about(self, number: int, value: float) -> tuple[float, ...]:
-        """Values of a knob that can be set, the five nearest on either side of a value.
+        """Values of a setting that can be made, the five nearest on either side of a value.
 
         Args:
-            number: number of the knob.
+            number: number of the setting.
             value: the value, mm or rad.
         """
         (low, high), division = self.bounds[number], self.division(number, value)
         apart: list[float] = []
         for shift in division * np.arange(-_ABOUT, _ABOUT + 1):
-            for each in self.near(number, value + shift):
+            for each in self.adjacent(number, value + shift):
                 if low <= each <= high and all(abs(each - other) > _APART * division for other in apart):
                     apart.append(each)
         return tuple(apart)
@@ -156,14 +156,14 @@ class SettingRanges:
         """Distance of settings about a value, mm or rad; 0 where any can be made, or where there is no choice.
 
         Args:
-            number: number of the knob, counted from 0.
+            number: number of the setting, counted from 0.
             value: value about which it is asked, mm or rad.
         """
         low, high = self.bounds[number]
         if high <= low or (number == TRAVEL and self.wheels.free):
             return 0.0
         if number == TRAVEL:
-            travels = self.near(TRAVEL, value)
+            travels = self.adjacent(TRAVEL, value)
             return max(travels) - min(travels) or value * _LEAST_SHARE
         return self._plain(number).step
 
@@ -207,12 +207,12 @@ def setting_of(values: Array, wheels: Wheels) -> CarSetting:
     """Setting of a vector of shape (6,), mm and rad, with the wheel whose travel can be had.
 
     Args:
-        values: settings of the knobs, shape (6,), mm and rad.
+        values: settings, shape (6,), mm and rad.
         wheels: wheels and ratios that can be had.
     """
     travel = float(values[TRAVEL])
     radius, ratio = (travel / (TURN * wheels.ratios[0]), wheels.ratios[0])
     if not wheels.free:
-        radius, ratio = min(wheels.near(travel), key=lambda choice: abs(TURN * _product(choice) - travel))
+        radius, ratio = min(wheels.adjacent(travel), key=lambda choice: abs(TURN * _product(choice) - travel))
     disc, head, _, x, y, heading = values.tolist()
     return CarSetting(disc=disc, head=head, radius=radius, ratio=ratio, x=x, y=y, heading=heading)

@@ -77,10 +77,10 @@ class Steering:
         return np.asarray(np.tensordot(weights, self.lifts, axes=2) / (self.rod.inner + disc))
 
 
-def _chebyshev(knob: SettingRange, count: int) -> Array:
-    if not knob.turns:
-        return np.array([knob.low])
-    middle, half = (knob.low + knob.high) / 2, (knob.high - knob.low) / 2
+def _chebyshev(span: SettingRange, count: int) -> Array:
+    if not span.turns:
+        return np.array([span.low])
+    middle, half = (span.low + span.high) / 2, (span.high - span.low) / 2
     return np.asarray(middle + half * np.cos(np.pi * (np.arange(count) + 0.5) / count))
 
 
@@ -128,7 +128,7 @@ class Target:
         """Pose of the drive wheel at the start, mm and rad, with settings of shape (6,).
 
         Args:
-            values: settings of the knobs, shape (6,), mm and rad.
+            values: settings, shape (6,), mm and rad.
         """
         heading = self.heading + float(values[HEADING])
         place = complex(self.places[0]) + complex(values[X], values[Y]) + 1j * self.offset * np.exp(1j * heading)
@@ -138,7 +138,7 @@ class Target:
         """Error of the planned point against that of the path at the same motor position, x + iy, shape (m,), mm.
 
         Args:
-            values: settings of the knobs, shape (6,), mm and rad.
+            values: settings, shape (6,), mm and rad.
         """
         tangent = wheel_tangent(self.steering.tan_beta(float(values[DISC]), float(values[HEAD])), self.car)
         middles = tangent[1 : 2 * len(self.nodes) - 2 : 2, None]
@@ -158,15 +158,15 @@ class Target:
         turns = np.maximum(np.ceil(self.motor / TURN - _ROUNDING) - 1, 0).astype(int)
         return turns, np.searchsorted(self.nodes, self.motor - TURN * turns - _ROUNDING)
 
-    def derivatives(self, values: Array, errors: Complex, knobs: SettingRanges) -> Complex:
+    def derivatives(self, values: Array, errors: Complex, ranges: SettingRanges) -> Complex:
         """Derivatives of the errors (mm) by the settings, shape (m, 6); 0 for what cannot be set.
 
         Args:
-            values: settings of the knobs, shape (6,), mm and rad.
+            values: settings, shape (6,), mm and rad.
             errors: errors with these settings, x + iy, shape (m,), mm.
-            knobs: knobs that can be set.
+            ranges: what can be set.
         """
-        bounds, by = knobs.bounds, np.zeros((len(errors), COUNT), dtype=complex)
+        bounds, by = ranges.bounds, np.zeros((len(errors), COUNT), dtype=complex)
         for number in range(COUNT):
             low, high = bounds[number]
             if high <= low:

@@ -108,55 +108,32 @@ class BSplineKeys:
     ]
 
 
-def _quintic(keys: QuinticKeys) -> PlannedPath:
-    from cadgen.car.path.spline import SplineKind, plan_path
+def _splines() -> Any:
+    """Module of the curves, imported when one is built."""
+    from cadgen.car.path import spline
 
-    return plan_path(keys.waypoints_mm, SplineKind.QUINTIC)
-
-
-def _quintic_lap(keys: QuinticKeys) -> PlannedPath:
-    from cadgen.car.path.spline import plan_lap
-
-    return plan_lap(keys.waypoints_mm)
-
-
-def _cubic(keys: CubicKeys) -> PlannedPath:
-    from cadgen.car.path.spline import SplineKind, plan_path
-
-    return plan_path(keys.waypoints_mm, SplineKind.CUBIC)
-
-
-def _b_spline(keys: BSplineKeys) -> PlannedPath:
-    from cadgen.car.path.spline import control_path
-
-    return control_path(keys.control_points_mm)
-
-
-def _b_spline_lap(keys: BSplineKeys) -> PlannedPath:
-    from cadgen.car.path.spline import closed_control_path
-
-    return closed_control_path(keys.control_points_mm)
+    return spline
 
 
 QUINTIC = PathKind(
     code="quintic",
     meaning="the sixth-order natural spline of the paper's text through waypoints",
     keys=QuinticKeys,
-    build=_quintic,
-    build_closed=_quintic_lap,
+    build=lambda keys: _splines().plan_path(keys.waypoints_mm, "quintic"),
+    build_closed=lambda keys: _splines().plan_lap(keys.waypoints_mm),
 )
 CUBIC = PathKind(
     code="cubic",
     meaning="the cubic of its appendix, whose curvature has kinks",
     keys=CubicKeys,
-    build=_cubic,
+    build=lambda keys: _splines().plan_path(keys.waypoints_mm, "cubic"),
 )
 B_SPLINE = PathKind(
     code="b_spline",
     meaning="a B-spline of degree 5 by control points, which `cadgen plan` writes",
     keys=BSplineKeys,
-    build=_b_spline,
-    build_closed=_b_spline_lap,
+    build=lambda keys: _splines().control_path(keys.control_points_mm),
+    build_closed=lambda keys: _splines().closed_control_path(keys.control_points_mm),
 )
 
 _KINDS = Registry(Message("path"), (QUINTIC, CUBIC, B_SPLINE))

@@ -54,7 +54,15 @@ def passing_places(motion: Kinematics, gates: tuple[Gate, ...], vehicle: Vehicle
     place, places = len(u) - 1, []
     for number in reversed(range(len(gates))):
         place = int(chosen[number][place])
-        places.append(_crossing(motion, gates[number], vehicle, place) or _between(u, off[number], place))
+        at = float(u[place])
+        if crossing := _crossing(motion, gates[number], vehicle, place):
+            at = crossing
+        elif 0 < place < len(u) - 1:  # least of a parabola through the distances there and at its neighbours
+            before, here, after = off[number][place - 1 : place + 2]
+            bend = before - 2 * here + after
+            shift = 0.5 * (before - after) / bend if bend > 0 else 0.0
+            at = float(u[place] + np.clip(shift, -1, 1) * (u[1] - u[0]))
+        places.append(at)
     return np.array(places[::-1])
 
 
@@ -81,16 +89,6 @@ def _off(motion: Kinematics, gate: Gate, vehicle: Vehicle) -> Array:
     along = b - a
     share = np.clip((track - a) @ along / max(float(along @ along), 1e-12), 0.0, 1.0)
     return np.asarray(np.linalg.norm(track - a - share[:, None] * along, axis=1))
-
-
-def _between(u: Array, off: Array, place: int) -> float:
-    """Parameter of the least distance about a place, by a parabola through it and its neighbours."""
-    if not 0 < place < len(u) - 1:
-        return float(u[place])
-    before, here, after = off[place - 1 : place + 2]
-    bend = before - 2 * here + after
-    shift = 0.5 * (before - after) / bend if bend > 0 else 0.0
-    return float(u[place] + np.clip(shift, -1, 1) * (u[1] - u[0]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,20 +145,14 @@ def _through(
     track, along = motion.point(x, y)[0], _along(motion, x, y)
     rows = []
 
-    def hold(direction: Array, off: float, most: float, slopes: Array | None = None) -> None:
-        by = motion.moved(direction[None], x, y)[0] if slopes is None else slopes
+    columns, u = np.repeat(motion.places.both, 2, axis=0), np.repeat(motion.places.u, 2)
+
+    def within(kind: LimitKind, off: float, most: float, weight: float, by: Array) -> Constraint:
         values = np.array([off - most, -off - most])
-        columns = np.repeat(motion.places.both, 2, axis=0)
-        rows.append(
-            Constraint(
-                PathLimit(LimitKind.GATE, gate.key),
-                values,
-                _PER_MM,
-                columns,
-                np.stack([by, -by]),
-                np.repeat(motion.places.u, 2),
-            )
-        )
+        return Constraint(PathLimit(kind, gate.key), values, weight, columns, np.stack([by, -by]), u)
+
+    def hold(direction: Array, off: float, most: float) -> None:
+        rows.append(within(LimitKind.GATE, off, most, _PER_MM, motion.moved(direction[None], x, y)[0]))
         if (more := min(spare, most)) > 0:
             rows.append(rows[-1].tightened(more))
 
@@ -193,12 +185,7 @@ def _through(
         turned = (heading - gate.heading + pi) % TURN - pi
         most = 0.95 * gate.heading_tolerance
         if most < pi:
-            by = motion.turning[0]
-            values = np.array([turned - most, -turned - most])
-            columns, u = np.repeat(motion.places.both, 2, axis=0), np.repeat(motion.places.u, 2)
-            rows.append(
-                Constraint(PathLimit(LimitKind.HEADING, gate.key), values, _PER_RAD, columns, np.stack([by, -by]), u)
-            )
+            rows.append(within(LimitKind.HEADING, turned, most, _PER_RAD, motion.turning[0]))
     return rows
 
 

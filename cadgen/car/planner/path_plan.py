@@ -75,10 +75,9 @@ class PathPlan:
     @property
     def missed(self) -> dict[PathLimit, float]:
         """Limits that are not kept, with the greatest excess of each."""
-        violated = self.path.violated.items()
         return {
             limit: most
-            for limit, most in violated
+            for limit, most in self.path.violated.items()
             if most > left(limit) and limit.kind not in UNEVEN and not limit.spare
         }
 
@@ -129,8 +128,11 @@ def _searched(task: PathTask, begin: Array | None, report: Callable[[str], None]
             for calmness in (*_CALMNESS[first:], *_CALMNESS[:first])
         ]
     else:
-        points, basis = _from_track(task.corridor, vehicle)
-        begins = [points]
+        along = np.gradient(task.corridor, axis=0)
+        along /= np.linalg.norm(along, axis=1, keepdims=True)
+        planned = task.corridor + vehicle.path_offset * np.stack([along[:, 1], -along[:, 0]], axis=1)
+        basis = _basis(float(np.linalg.norm(np.diff(planned, axis=0), axis=1).sum()) / _SPAN, vehicle)
+        begins = [fitted_to(basis, planned)]
     if task.corridor is not None:  # the ends stay as they are
         place, ahead = basis.at(np.array([0.0, basis.stop])).jets(begins[0])[:2]
         start, finish = (End(place[k], float(np.arctan2(ahead[k, 1], ahead[k, 0]))) for k in (0, 1))
@@ -143,19 +145,6 @@ def _searched(task: PathTask, begin: Array | None, report: Callable[[str], None]
     return min(plans, key=_merit)
 
 
-def search_of(task: PathTask, count: int, loose: PathLimit | None = None) -> PathSearch:
-    """Search of a task from scratch with a given number of control points.
-
-    Args:
-        task: what is planned.
-        count: number of control points.
-        loose: limit that may be violated at little cost; None if there is none.
-    """
-    vehicle, course = task.vehicle, task.course
-    ends = planned_end(course.start, vehicle), planned_end(course.finish, vehicle)
-    return replace(_search(task, Basis(count, vehicle.closed), *ends), loose=loose)
-
-
 def _search(task: PathTask, basis: Basis, start: End, finish: End) -> PathSearch:
     ends = [(end.place is not None, end.heading) for end in (start, finish)]
     fixed = fixed_start(basis, ends[0]) if basis.closed else fixed_ends(basis.count, *ends)
@@ -165,16 +154,6 @@ def _search(task: PathTask, basis: Basis, start: End, finish: End) -> PathSearch
 def _basis(spans: float, vehicle: Vehicle) -> Basis:
     count = int(np.clip(spans, _LEAST_SPANS, _MOST_SPANS))
     return Basis(count if vehicle.closed else count + DEGREE, vehicle.closed)
-
-
-def _from_track(track: Array, vehicle: Vehicle) -> tuple[Array, Basis]:
-    """Control points of the path of a track, with their B-splines."""
-    along = np.gradient(track, axis=0)
-    along /= np.linalg.norm(along, axis=1, keepdims=True)
-    planned = track + vehicle.path_offset * np.stack([along[:, 1], -along[:, 0]], axis=1)
-    length = float(np.linalg.norm(np.diff(planned, axis=0), axis=1).sum())
-    basis = _basis(length / _SPAN, vehicle)
-    return fitted_to(basis, planned), basis
 
 
 def _course_constraints(task: PathTask, basis: Basis, start: End, finish: End) -> Callable[[Array], list[Constraint]]:
@@ -236,7 +215,9 @@ def reasons(plan: PathPlan) -> tuple[Reason, ...]:
 def _loosened(plan: PathPlan, limit: PathLimit) -> Reason | None:
     """Reason by a limit, with the amount by which it must give way when all others are kept; None if it need not."""
     vehicle = replace(plan.task.vehicle, spread=plan.task.vehicle.spread * _QUIET)
-    search = search_of(replace(plan.task, vehicle=vehicle), len(plan.path.points), loose=limit)
+    task, basis = replace(plan.task, vehicle=vehicle), Basis(len(plan.path.points), vehicle.closed)
+    ends = (planned_end(end, vehicle) for end in (task.course.start, task.course.finish))
+    search = replace(_search(task, basis, *ends), loose=limit)
     path = search.best(plan.begin, rounds=_ROUNDS)  # the best path may be crumpled
     violated = path.violated
     others = [

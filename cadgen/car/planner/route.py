@@ -234,20 +234,19 @@ def _stops(course: Course, vehicle: Vehicle) -> tuple[Array, Array]:
     for number, gate in enumerate(gates):
         heading = gate.heading if gate.heading is not None else float(np.arctan2(along[number, 1], along[number, 0]))
         middles[number] -= _turned(*planned_place(gate, vehicle), heading)
-    return middles, np.array([_along(gate) for gate in gates])
+    ahead = [
+        (0.0, 0.0)
+        if gate.heading is None or gate.heading_tolerance > np.pi / 2
+        else (float(np.cos(gate.heading)), float(np.sin(gate.heading)))
+        for gate in gates
+    ]
+    return middles, np.array(ahead)
 
 
 def _half_widths(vehicle: Vehicle) -> tuple[float, float]:
     """How far the car reaches to the left and to the right of the planned point, mm."""
     every = np.vstack([corners for corners, _ in parts_of(vehicle)])
     return float(every[:, 1].max()), float(-every[:, 1].min())
-
-
-def _along(gate: Gate) -> tuple[float, float]:
-    """Unit vector along the direction of a gate; 0 where it may be passed in any."""
-    if gate.heading is None or gate.heading_tolerance > np.pi / 2:
-        return 0.0, 0.0
-    return float(np.cos(gate.heading)), float(np.sin(gate.heading))
 
 
 def _beside_posts(

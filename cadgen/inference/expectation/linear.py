@@ -70,7 +70,7 @@ class Linear:
         cls,
         nominal: Nominal,
         records: Sequence[Record],
-        told: Sequence[EvidenceDiagnosis],
+        diagnoses: Sequence[EvidenceDiagnosis],
         others: Mapping[Kind, Record],
         spread: Mapping[str, float],
     ) -> "Linear":
@@ -79,7 +79,7 @@ class Linear:
         Args:
             nominal: the design.
             records: measured, one of each kind.
-            told: what they show by one verdict, in the same order.
+            diagnoses: what they show by one verdict, in the same order.
             others: a record of each kind that was not measured.
             spread: see `Linear.spread`.
         """
@@ -87,7 +87,7 @@ class Linear:
         models = tuple(nominal.model(record) for record in (*records, *others.values()))
         noises = tuple(
             resolved(record, estimate_noise(model, model.residual(d.active)))
-            for record, model, d in zip(records, models, told, strict=False)
+            for record, model, d in zip(records, models, diagnoses, strict=False)
         )
         merged = Merged.of(list(zip(kinds, models, strict=True)))
         known = {
@@ -98,10 +98,12 @@ class Linear:
         }
         likely = [
             (one.weight, [(known[*name, e.variant], v) for name, e, v in one.effects])
-            for d in told[:1]
+            for d in diagnoses[:1]
             for one in d.likely
         ]
-        named = all(d.verdict in (*SOUND, Verdict.AMBIGUOUS) and not any(e.shape for e, _ in d.active) for d in told)
+        named = all(
+            d.verdict in (*SOUND, Verdict.AMBIGUOUS) and not any(e.shape for e, _ in d.active) for d in diagnoses
+        )
         return cls(nominal, kinds, len(records), models, noises, merged, spread, tuple(likely or [(1.0, [])]), named)
 
     @cached_property
@@ -109,7 +111,7 @@ class Linear:
         """Effects that are weighed: all that combine freely, and what is likely beside them."""
         wanted = {e.key for _, active in self.likely for e, _ in active}
         every = (*self.merged.catalogue, *self.merged.shapes)
-        return tuple(e for e in every if e.key in wanted or not (e.numerous or e.shape))
+        return tuple(e for e in every if e.key in wanted or not (e.member or e.shape))
 
     @property
     def best(self) -> Active:
@@ -432,7 +434,7 @@ class Knowledge:
         inner = np.linalg.inv(known[np.ix_(at, at)] + np.diag(np.where(at < first, WIDE**-2, 1.0)))
         out: list[Effect] = []
         for effect, span in self._effects:
-            if effect.key in inside or effect.numerous or effect.shape:
+            if effect.key in inside or effect.member or effect.shape:
                 continue
             if effect.beside and effect.beside.key not in inside | {e.key for e in out}:
                 continue

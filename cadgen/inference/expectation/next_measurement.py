@@ -202,20 +202,20 @@ class Next:
 
 
 def next_measurement(
-    nominal: Nominal, records: Sequence[Record], told: Sequence[EvidenceDiagnosis], prior: PriorKnowledge
+    nominal: Nominal, records: Sequence[Record], diagnoses: Sequence[EvidenceDiagnosis], prior: PriorKnowledge
 ) -> Next:
     """Rank what could be measured.
 
     Args:
         nominal: the design.
         records: measured so far, one of each kind; none is right.
-        told: what they show, in the same order.
+        diagnoses: what they show, in the same order.
         prior: what is known without them.
     """
     measured = [record.kind for record in records]
     first = {p.kind: p.record for p in proposals(nominal, [], measured) if p.kind and p.record}
     others = {kind: record for kind, record in first.items() if kind not in measured}
-    linear = Linear.of(nominal, records, told, others, prior.spread)
+    linear = Linear.of(nominal, records, diagnoses, others, prior.spread)
     state = _State(linear, prior)
     rows = state.proposed(proposals(nominal, linear.own(TRACK, state.about), measured))
     now, names_sure = state.expected(np.zeros((linear.size, linear.size)), measured)
@@ -257,7 +257,7 @@ class _State:
         self._draw()
         self.by_hand = np.zeros((size, size))
         for effect, span in self._effects:
-            if effect.deviation == deviation.RETURN_ERROR and not effect.numerous:
+            if effect.deviation == deviation.RETURN_ERROR and not effect.member:
                 self.by_hand[span, span] = (linear.scale[span] / BY_HAND) ** 2
 
     def _draw(self) -> None:
@@ -305,7 +305,11 @@ class _State:
         weight = np.exp(np.array(score) - np.max(score, axis=0))
         weight /= weight.sum(axis=0)
         by_key = np.stack([weight[self._of == number].sum(axis=0) for number in range(len(self._keys))])
-        best = self._reported(np.log(np.maximum(by_key, 1e-300)))
+        # The smallest subset nested in the likeliest one and as good as likely: see `verdict`.
+        logs = np.log(np.maximum(by_key, 1e-300))
+        close = self._nested[np.argmax(logs, axis=0)].T & (logs > np.max(logs, axis=0) - MARGIN / 2)
+        sizes = np.array([len(key) for key in self._keys])[:, None]
+        best = np.argmin(np.where(close, sizes - logs / 1e3, np.inf), axis=0)
         error = np.empty(DRAWS, dtype=complex)
         for number in range(len(self._keys)):
             if (mine := best == number).any():
@@ -318,14 +322,6 @@ class _State:
         least, most = np.percentile(size, RANGE)
         sure = float(np.mean(by_key.max(axis=0) >= SURE))
         return EndRange(float(size.mean()), float(least), float(most)), sure
-
-    def _reported(self, score: Array) -> NDArray[np.intp]:
-        """The smallest subset nested in the likeliest one and as good as likely: see `verdict`."""
-        best = np.argmax(score, axis=0)
-        close = self._nested[best].T & (score > np.max(score, axis=0) - MARGIN / 2)
-        sizes = np.array([len(key) for key in self._keys])[:, None]
-        rank = np.where(close, sizes - score / 1e3, np.inf)
-        return np.asarray(np.argmin(rank, axis=0), dtype=np.intp)
 
     def _error(
         self,

@@ -20,7 +20,9 @@ from numpy.typing import NDArray
 from cadgen.arrays import Array
 from cadgen.deviations.effect import Active, Effect
 from cadgen.inference.measurement.findings import EvidenceDiagnosis, Likely
+from cadgen.inference.measurement.kinds import kind_of
 from cadgen.inference.measurement.kinds.track import KIND, TrackModel, run_of
+from cadgen.inference.measurement.model import moved
 from cadgen.inference.measurement.nominal import Nominal
 from cadgen.inference.measurement.reservations import TYPICAL
 from cadgen.inference.measurement.verdict import Verdict
@@ -64,21 +66,21 @@ class Outlook:
 
 
 def outlook(
-    told: tuple[EvidenceDiagnosis, ...], nominal: Nominal, taken: Mapping[Name, Array], gone: frozenset[Name]
+    diagnoses: tuple[EvidenceDiagnosis, ...], nominal: Nominal, taken: Mapping[Name, Array], gone: frozenset[Name]
 ) -> Outlook:
     """Predict the end of the run on the old cam and on a new one.
 
     Args:
-        told: what the records of the car show, by one verdict.
+        diagnoses: what the records of the car show, by one verdict.
         nominal: the design that they were measured against.
         taken: what the new cam is made for, with the values, internal units.
         gone: what goes with the old disc.
     """
     model = run_of(nominal)
-    track = next((d for d in told if d.kind is KIND), None)
+    track = next((d for d in diagnoses if d.kind is KIND), None)
     beside, spread = (0j, 0.0) if track is None else track.beside
     # All records have one judgement, but where they contradict each other: then the track knows best how the car runs.
-    likeliest = (track or told[0]).likely
+    likeliest = (track or diagnoses[0]).likely
     rng = np.random.default_rng(0)
     counts = rng.multinomial(DRAWS, [likely.weight for likely in likeliest])
     draws = [
@@ -96,8 +98,8 @@ def outlook(
         least=float(least),
         most=float(most),
         worse=float(np.mean(new > old + SAME)),
-        explained=(False if told[0].contradicted else None) if track is None else _explained(track),
-        contradicted=told[0].contradicted,
+        explained=(False if diagnoses[0].contradicted else None) if track is None else _explained(track),
+        contradicted=diagnoses[0].contradicted,
     )
 
 
@@ -145,10 +147,13 @@ def _drawn(
     stays: Active = [(effect, values) for name, effect, values in here if effect and name not in gone]
     kept = np.array([e is not None and n not in gone for n, e, v in here for _ in v], dtype=bool)
     answers = np.concatenate([ways(model, effect, acting, len(values)) for _, effect, values in here] or [np.empty(0)])
-    known = [(name, effect) for name, effect, _ in here]
-    cut_for: Active = [(effect, taken[name]) for name, effect in known if effect and name in taken]
-    others = [name for name in taken if name not in {n for n, _ in known}]
-    cut_for = [*cut_for, *((e, taken[n]) for n in others if (e := _of_name(model, n)))]
+    cut_for = [(effect, taken[name]) for name, effect, _ in here if effect and name in taken]
+    # What only data that were judged apart show, such as the play of zones.
+    for name, values in taken.items():
+        if all(name != other for other, _, _ in here):
+            effect = kind_of(name[0]).catalogue.named(name[1])
+            if effect and (effect := _in_track(model, effect, name[0])):
+                cut_for.append((effect, values))
     drawn = np.zeros((count, len(answers)))
     if len(answers):
         drawn = rng.multivariate_normal(np.zeros(len(answers)), likely.covariance, count)
@@ -161,17 +166,13 @@ def ways(model: TrackModel, effect: Effect | None, active: Active, width: int) -
     """How the end answers each number of an effect, shape (numbers,), complex."""
     if effect is None:
         return np.zeros(width, dtype=complex)
-    values = next(v for e, v in active if e is effect)
+    values = next(np.asarray(v, dtype=float) for e, v in active if e is effect)
     others = [(e, v) for e, v in active if e is not effect]
     out = np.zeros(width, dtype=complex)
-    lower, upper = effect.bounds
     for k, step in enumerate(effect.steps):
-        ends = []
-        for sign in (-1.0, 1.0):
-            moved = np.array(values, dtype=float)
-            moved[k] = np.clip(moved[k] + sign * step, lower[k], upper[k])
-            ends.append((moved[k], model.finish([*others, (effect, moved)])))
-        out[k] = (ends[1][1] - ends[0][1]) / (ends[1][0] - ends[0][0])
+        low, high = moved(effect, values, k, -step), moved(effect, values, k, step)
+        before, after = (model.finish([*others, (effect, there)]) for there in (low, high))
+        out[k] = (after - before) / (high[k] - low[k])
     return out
 
 
@@ -184,11 +185,3 @@ def _in_track(model: TrackModel, effect: Effect, kind: str) -> Effect | None:
         if same is not None:
             return same
     return effect if effect.stage in model.behind and not (effect.instrument or effect.shape) else None
-
-
-def _of_name(model: TrackModel, name: Name) -> Effect | None:
-    """Effect in the track of what only data that were judged apart show, such as the play of zones."""
-    from cadgen.inference.measurement.kinds import kind_of
-
-    effect = kind_of(name[0]).catalogue.named(name[1])
-    return None if effect is None else _in_track(model, effect, name[0])

@@ -13,12 +13,12 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from cadgen.arrays import Array
-from cadgen.deviations.effect import UNITS, Active
+from cadgen.deviations.effect import UNITS, Active, activated
 from cadgen.inference.expectation.linear import Linear
 from cadgen.inference.measurement.evidence import Noise, registered
 from cadgen.inference.measurement.findings import EvidenceDiagnosis, PathDiagnosis
 from cadgen.inference.measurement.kinds.track import TrackModel
-from cadgen.inference.measurement.model import Model, slopes
+from cadgen.inference.measurement.model import Model, rms_by_run, slopes
 from cadgen.inference.measurement.nominal import LoggedCar, Nominal
 from cadgen.inference.measurement.record import Kind, Record
 
@@ -47,46 +47,47 @@ class Prediction:
 
 
 def predict(
-    nominal: Nominal, records: Sequence[Record], told: Sequence[EvidenceDiagnosis], unseen: Record
+    nominal: Nominal, records: Sequence[Record], diagnoses: Sequence[EvidenceDiagnosis], unseen: Record
 ) -> Prediction:
     """Predict a record of any kind with the effects that others show.
 
     Args:
         nominal: the design.
         records: that were judged, one of each kind.
-        told: what they show, in the same order.
+        diagnoses: what they show, in the same order.
         unseen: record that was not used.
     """
     kinds = [record.kind for record in records]
     joined = [unseen if record.kind is unseen.kind else record for record in records]
     others = {} if unseen.kind in kinds else {unseen.kind: unseen}
-    linear = Linear.of(nominal, joined, told, others, {})
+    linear = Linear.of(nominal, joined, diagnoses, others, {})
     model = linear.models[linear.kinds.index(unseen.kind)]
     effects = [(e, v) for e, v in linear.own(unseen.kind, linear.best) if not e.one_run]
-    before, after = (_by_run(model, _registered(model, active)) / UNITS[model.unit] for active in ([], effects))
+    run, unit = model.rows.run, UNITS[model.unit]
+    before, after = (rms_by_run(_registered(model, active), run) / unit for active in ([], effects))
     as_logged = None
     if isinstance(model, TrackModel):
-        as_logged = _by_run(model, model.as_logged([])), _by_run(model, model.as_logged(effects))
+        as_logged = rms_by_run(model.as_logged([]), run), rms_by_run(model.as_logged(effects), run)
     return Prediction(
         unseen.source, unseen.kind, model.unit, tuple(e.name for e, _ in effects), before, after, as_logged
     )
 
 
-def predict_logged(record: Record, told: PathDiagnosis, wheelbase: float, unseen: Record) -> Prediction:
+def predict_logged(record: Record, diagnosis: PathDiagnosis, wheelbase: float, unseen: Record) -> Prediction:
     """Predict logged runs with all effects at usual sizes, fitted to other logged runs.
 
     Args:
         record: the logged runs that are fitted.
-        told: what they show.
+        diagnosis: what they show.
         wheelbase: of the car, mm.
         unseen: runs that were not used.
     """
     build = record.kind.model
     assert build is not None
     fitted, model = (build(one, LoggedCar(wheelbase)) for one in (record, unseen))
-    active = _probable(fitted, told.residual.after / np.sqrt(2))
+    active = _probable(fitted, diagnosis.residual.after / np.sqrt(2))
     before, after, *logged = (
-        np.sqrt(2) * _by_run(model, residual)
+        np.sqrt(2) * rms_by_run(residual, model.rows.run)
         for residual in (
             _registered(model, []),
             _registered(model, active),
@@ -101,24 +102,20 @@ def predict_logged(record: Record, told: PathDiagnosis, wheelbase: float, unseen
 def _probable(model: Model, error: float) -> Active:
     """All effects of a logged car with their most probable numbers, the start pose of each run free."""
     effects = model.catalogue
-    cuts = np.cumsum([len(e.parameters) for e in effects])[:-1]
     spread = np.array([p.spread for e in effects for p in e.parameters])
     weight = np.sqrt(INDEPENDENT * model.rows.runs / len(model.rows.run)) / max(error, 1e-6)
     pose = np.linalg.qr(model.offsets)[0]
 
-    def active(values: Array) -> Active:
-        return list(zip(effects, np.split(values * spread, cuts), strict=True))
-
     def off(values: Array) -> Array:
-        left = model.residual(active(values))
+        left = model.residual(activated(effects, values * spread))
         return np.append(weight * (left - pose @ (pose.T @ left)), values)
 
     def tangents(values: Array) -> Array:
-        columns = slopes(model, effects, active(values)) * spread
+        columns = slopes(model, effects, activated(effects, values * spread)) * spread
         return np.vstack([-weight * (columns - pose @ (pose.T @ columns)), np.eye(len(values))])
 
     start = np.concatenate([e.start for e in effects]) / spread
-    return active(least_squares(off, start, jac=tangents, ftol=1e-7, max_nfev=30).x)
+    return activated(effects, least_squares(off, start, jac=tangents, ftol=1e-7, max_nfev=30).x * spread)
 
 
 def _registered(model: Model, active: Active) -> Array:
@@ -126,8 +123,3 @@ def _registered(model: Model, active: Active) -> Array:
     residual = model.residual([*active, *((e, e.start) for e in model.datum)])
     level = Noise(np.ones(len(residual)), 0.0, 0.0, model.rows.runs)
     return registered(model, level, residual, slopes(model, model.datum, active))
-
-
-def _by_run(model: Model, residual: Array) -> Array:
-    run = model.rows.run
-    return np.array([np.sqrt(np.mean(residual[run == k] ** 2)) for k in range(model.rows.runs)])

@@ -78,7 +78,13 @@ def claims(diagnosis: Diagnosis) -> tuple[Claim, ...]:
     claimed = set(diagnosis.judgement.claimed)
     if isinstance(diagnosis, EvidenceDiagnosis):
         claimed &= set(diagnosis.leads)
-    return tuple(_claim(diagnosis, f) for f in diagnosis.findings if f.effect in claimed)
+    known = isinstance(diagnosis, EvidenceDiagnosis) and diagnosis.play_known
+    kind = diagnosis.kind
+    return tuple(
+        Claim(diagnosis.source, kind, f, informed=known and kind.deviation(f.effect) == RETURN_ERROR)
+        for f in diagnosis.findings
+        if f.effect in claimed
+    )
 
 
 def no_play(source: str, kind: Kind, fitted: Finding, tabled_deg: float) -> Claim | None:
@@ -130,13 +136,6 @@ def shared(found: Sequence[Claim]) -> tuple[Shared, ...]:
             values, chance = _mean([claim.finding for claim in several])
             out.append(Shared(deviation, values, tuple(claim.source for claim in several), chance))
     return tuple(out)
-
-
-def _claim(diagnosis: Diagnosis, finding: Finding) -> Claim:
-    if not isinstance(diagnosis, EvidenceDiagnosis):
-        return Claim(diagnosis.source, diagnosis.kind, finding)
-    informed = diagnosis.play_known and diagnosis.kind.deviation(finding.effect) == RETURN_ERROR
-    return Claim(diagnosis.source, diagnosis.kind, finding, informed)
 
 
 def _mean(found: Sequence[Finding]) -> tuple[tuple[Value, ...], float]:

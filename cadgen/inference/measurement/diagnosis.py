@@ -13,7 +13,7 @@ from cadgen.arrays import Array
 from cadgen.deviations.deviation import Deviation
 from cadgen.deviations.effect import UNITS, Active, Effect
 from cadgen.deviations.lift import Readings
-from cadgen.inference.measurement.evidence import Evidence, Noise, estimate_noise, grid_of, registered
+from cadgen.inference.measurement.evidence import Evidence, estimate_noise, grid_of, registered
 from cadgen.inference.measurement.findings import (
     Candidate,
     EvidenceDiagnosis,
@@ -27,16 +27,16 @@ from cadgen.inference.measurement.findings import (
 )
 from cadgen.inference.measurement.hypothesis import Hypothesis, Search, fit, sized
 from cadgen.inference.measurement.joint import Build, Joint, Part
-from cadgen.inference.measurement.model import Model, repeating, slopes
+from cadgen.inference.measurement.model import Model, repeating, rms_by_run, slopes
 from cadgen.inference.measurement.nominal import LoggedCar, Nominal
 from cadgen.inference.measurement.record import Datum, Record, join, refuse_many_together, refuse_wrong_units
 from cadgen.inference.measurement.reservations import (
-    doubted,
     refuse_too_few,
     resolved,
     unfit,
     with_friction_judged,
     with_known_play,
+    with_reservations,
 )
 from cadgen.inference.measurement.runs_left_out import diagnose_logged
 from cadgen.inference.measurement.search import find
@@ -64,7 +64,7 @@ def diagnose(
     Returns:
         What each record shows by the joint verdict.
     """
-    return weigh(records, build, progress, play).told(progress)
+    return weigh(records, build, progress, play).diagnoses(progress)
 
 
 @dataclass(frozen=True)
@@ -77,9 +77,9 @@ class Weighed:
     found: list[Hypothesis]
     play_known: bool
 
-    def told(self, progress: Progress = silent) -> tuple[EvidenceDiagnosis, ...]:
+    def diagnoses(self, progress: Progress = silent) -> tuple[EvidenceDiagnosis, ...]:
         """Diagnosis of each record by the joint verdict, with the residual of runs left out."""
-        return tuple(_told(self, part, progress) for part in self.joint.parts)
+        return tuple(_diagnosis(self, part, progress) for part in self.joint.parts)
 
 
 def weigh(
@@ -104,9 +104,13 @@ def weigh(
         noise = resolved(record, estimate_noise(model, model.residual([(e, e.start) for e in model.datum])))
         parts.append(Part(record, build, model, noise, Evidence(model, noise, grid)))
     joint = Joint.of(parts)
-    progress(f"{joint.source}: comparing all small subsets of {len(joint.core) + len(joint.numerous)} effects")
+    progress(f"{joint.source}: comparing all small subsets of {len(joint.core) + len(joint.members)} effects")
     found = find(joint)
-    quieter = [_less_noise(part, found[0]) for part in joint.parts]
+    quieter = []
+    for part in joint.parts:
+        noise = resolved(part.record, estimate_noise(part.model, part.residual(found[0].active)))
+        less = noise.rms <= NOT_NOISE * part.noise.rms
+        quieter.append(replace(part, noise=noise, evidence=Evidence(part.model, noise, grid)) if less else part)
     if any(new is not old for new, old in zip(quieter, joint.parts, strict=True)):
         # Runs that were taken differently differ by an effect, and not by noise alone.
         joint = replace(joint, parts=tuple(quieter))
@@ -117,22 +121,14 @@ def weigh(
     for part in joint.parts:
         after = registered(part.model, part.noise, part.residual(best.active) - _discrepancy(part, joint, best)[0])
         chance = unfit(part.model, part.evidence, part.noise, best, part.residual(best.active))
-        judgement = doubted(judgement, part.record, part.model, part.noise, best, after, chance)
+        judgement = with_reservations(judgement, part.record, part.model, part.noise, best, after, chance)
     judgement = with_friction_judged(judgement, best, play_known=best is not found_alone)
     if another:
         judgement = replace(judgement, limits=(*judgement.limits, another))
     return Weighed(joint, judgement, best, found, best is not found_alone)
 
 
-def _less_noise(part: Part, best: Hypothesis) -> Part:
-    """A part with the noise that is left of it by the likeliest effects, if that is much less."""
-    noise = resolved(part.record, estimate_noise(part.model, part.residual(best.active)))
-    if noise.rms > NOT_NOISE * part.noise.rms:
-        return part
-    return replace(part, noise=noise, evidence=Evidence(part.model, noise, part.evidence.grid))
-
-
-def _told(result: Weighed, part: Part, progress: Progress) -> EvidenceDiagnosis:
+def _diagnosis(result: Weighed, part: Part, progress: Progress) -> EvidenceDiagnosis:
     """Diagnosis of one record by the joint verdict."""
     joint, best, record, model, noise = result.joint, result.best, part.record, part.model, part.noise
     none = next(h for h in result.found if not h.effects)
@@ -143,15 +139,12 @@ def _told(result: Weighed, part: Part, progress: Progress) -> EvidenceDiagnosis:
         which = f"run {runs[0] + 1}" if len(runs) == 1 else f"runs {runs[0] + 1} to {runs[-1] + 1}"
         progress(f"{record.source}: {which} left out")
         held_out += _held_out(joint, part, best, runs)
-    residual, per_run = _figures(model, noise, before, after, held_out)
-    entries = [(part.names[e.key], v, s) for e, v, s in best.values() if e.key in part.names]
-    twins = {e.key: e.twins for e in best.effects}
-    findings = tuple(
-        replace(_finding(best, part.names[e.key], v, s), twins=twins[e.key])
-        for e, v, s in best.values()
-        if e.key in part.names
-    )
-    here = {e.name: part.names[e.key].name for e in best.effects if e.key in part.names}
+    scale = UNITS[model.unit]
+    whole, less = ([pair[k] for pair in held_out] for k in (0, 1))
+    left_out = HeldOut(*(_rms(np.concatenate(rest)) / scale for rest in (whole, less))) if held_out else None
+    entries = [(e, part.names[e.key], v, s) for e, v, s in best.values() if e.key in part.names]
+    findings = tuple(replace(Finding.of(own, v, s, best.at_bound), twins=e.twins) for e, own, v, s in entries)
+    here = {e.name: own.name for e, own, _, _ in entries}
     judgement = replace(
         result.judgement,
         claimed=tuple(here[name] for name in result.judgement.claimed if name in here),
@@ -171,18 +164,22 @@ def _told(result: Weighed, part: Part, progress: Progress) -> EvidenceDiagnosis:
             Candidate(
                 tuple(e.name for e in h.effects),
                 h.score - result.found[0].score,
-                tuple(_finding(h, *entry) for entry in h.values()),
+                tuple(Finding.of(*entry, h.at_bound) for entry in h.values()),
             )
             for h in result.found
         ),
-        residual=residual,
-        per_run=per_run,
+        residual=Residual(_rms(before) / scale, _rms(after) / scale, noise.rms / scale, left_out),
+        per_run=PerRun(
+            rms_by_run(before, model.rows.run) / scale,
+            rms_by_run(after, model.rows.run) / scale,
+            np.array([_rms(rest) for rest in whole]) / scale if held_out else None,
+        ),
         correlation=noise.correlation,
         place=model.rows.place,
         run=model.rows.run.astype(float),
         before=before,
         after=after,
-        active=[(e, v) for e, v, _ in entries],
+        active=[(own, v) for _, own, v, _ in entries],
         measured=model.measured,
         backwards=model.rows.direction < 0 if isinstance(model.rows, Readings) else None,
         unnamed=_unnamed(part, result),
@@ -226,20 +223,6 @@ def _beside(part: Part, result: Weighed) -> tuple[complex, float]:
     return complex(x, y), float(np.sqrt(spread))
 
 
-def _figures(
-    model: Model, noise: Noise, before: Array, after: Array, held_out: list[tuple[Array, Array]]
-) -> tuple[Residual, PerRun]:
-    """Root mean squares of all rows and of each run, in the record's unit; `held_out` as of `_held_out`."""
-    scale = UNITS[model.unit]
-    whole, less = ([pair[k] for pair in held_out] for k in (0, 1))
-    left_out = HeldOut(*(_rms(np.concatenate(parts)) / scale for parts in (whole, less))) if held_out else None
-    return Residual(_rms(before) / scale, _rms(after) / scale, noise.rms / scale, left_out), PerRun(
-        _by_run(before, model) / scale,
-        _by_run(after, model) / scale,
-        np.array([_rms(part) for part in whole]) / scale if held_out else None,
-    )
-
-
 def _unnamed(part: Part, result: Weighed) -> dict[Deviation, Finding]:
     """How much of some quantities there could be where several runs and a sound verdict name none.
 
@@ -265,17 +248,10 @@ def _unnamed(part: Part, result: Weighed) -> dict[Deviation, Finding]:
         # With the effects found free beside it, what they could hide of it widens its error.
         others = tuple(e for e in best.effects if deviation not in (e.deviation, e.beside and e.beside.deviation))
         beside = fit(joint, (*others, effect), best.active, Search(1))
-        unnamed[deviation] = next(_finding(beside, *entry) for entry in beside.values() if entry[0] == effect)
+        unnamed[deviation] = next(
+            Finding.of(*entry, beside.at_bound) for entry in beside.values() if entry[0] == effect
+        )
     return unnamed
-
-
-def _finding(best: Hypothesis, effect: Effect, values: Array, sigma: Array) -> Finding:
-    numbers = tuple(
-        Value(p.name, float(v / p.scale), float(s / p.scale), p.unit)
-        for p, v, s in zip(effect.parameters, values, sigma, strict=True)
-    )
-    at_bound = tuple(p.name for p in effect.parameters if p.name in best.at_bound)
-    return Finding(effect.name, numbers, effect.twins, at_bound, effect.indices)
 
 
 def _discrepancy(part: Part, joint: Joint, best: Hypothesis) -> tuple[Array, Finding | None]:
@@ -285,10 +261,7 @@ def _discrepancy(part: Part, joint: Joint, best: Hypothesis) -> tuple[Array, Fin
     spectrum = joint.grid.index(best.spectrum)
     values = evidence.repeating(evidence.whiten(part.residual(best.active)), spectrum)[orders:]
     sigma = np.sqrt(np.diag(evidence.unsure(spectrum))[orders:])
-    shown = tuple(
-        Value(name, float(v / UNITS[unit]), float(s / UNITS[unit]), unit)
-        for (name, unit), v, s in zip(of.numbers, values, sigma, strict=False)
-    )
+    shown = tuple(map(Value.of, of.numbers, values, sigma))
     sure = any(abs(v.value) > SURE_SIGMAS * v.sigma for v in shown)
     return of.columns @ values, Finding(of.words, shown, (), ()) if sure else None
 
@@ -304,10 +277,7 @@ def _datum(datum: Datum, part: Part, best: Hypothesis) -> tuple[tuple[Finding, .
     found = tuple(
         Finding(
             f"{datum.name}, run {run + 1}",
-            tuple(
-                Value(name, float(v / UNITS[unit]), float(s / UNITS[unit]), unit)
-                for v, s, (name, unit) in zip(values, sigmas, datum.numbers, strict=True)
-            ),
+            tuple(Value.of(*each) for each in zip(datum.numbers, values, sigmas, strict=True)),
             (),
             (),
         )
@@ -345,10 +315,6 @@ def _held_out(joint: Joint, part: Part, best: Hypothesis, runs: NDArray[np.intp]
     return out
 
 
-def _by_run(residual: Array, model: Model) -> Array:
-    return np.array([_rms(residual[model.rows.run == run]) for run in range(model.rows.runs)])
-
-
 def _rms(values: Array) -> float:
     return float(np.sqrt(np.mean(values**2)))
 
@@ -376,21 +342,20 @@ def calibrate(
         refuse_wrong_units(record, nominal)
     together = weigh(joined, nominal.model, progress, nominal.play)
     if len(joined) == 1 or together.judgement.verdict in SOUND:
-        return together.told(progress)
+        return together.diagnoses(progress)
     # What no car of one kind shows may be of two cars, or of one in two states: then the records are likelier apart.
     apart = [weigh([record], nominal.model, progress, nominal.play) for record in joined]
     if together.best.score < sum(alone.best.score for alone in apart) + CONTRADICTED:
-        return together.told(progress)
-    return tuple(_contradicted(diagnosis) for alone in apart for diagnosis in alone.told(progress))
-
-
-def _contradicted(diagnosis: EvidenceDiagnosis) -> EvidenceDiagnosis:
+        return together.diagnoses(progress)
     limit = Message(
         "the records contradict each other: they are likelier of several cars than of one, and so they were judged "
         "apart; make sure that they are of one car in one state"
     )
-    judgement = replace(diagnosis.judgement, limits=(*diagnosis.judgement.limits, limit))
-    return replace(diagnosis, judgement=judgement, contradicted=True)
+    return tuple(
+        replace(each, judgement=replace(each.judgement, limits=(*each.judgement.limits, limit)), contradicted=True)
+        for alone in apart
+        for each in alone.diagnoses(progress)
+    )
 
 
 def calibrate_logged(records: Sequence[Record], wheelbase: float, progress: Progress = silent) -> PathDiagnosis:

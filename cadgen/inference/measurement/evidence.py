@@ -78,18 +78,17 @@ def estimate_noise(model: Model, residual: Array) -> Noise:
     own = [per_run(rows.run) * model.slip[:, None]] if slipping else []
     count = np.bincount(rows.cell) if rows.cell.min() >= 0 else np.ones(len(residual), dtype=np.intp)
     if rows.runs > 1 and np.count_nonzero(count) <= MOST_CELLS * len(residual):
-        free = np.hstack([model.offsets, *own])
-        centred = _less_mean(np.column_stack([free, residual]), rows.cell, count)
+        columns = np.column_stack([model.offsets, *own, residual])
+        means = np.stack([np.bincount(rows.cell, weights=column) for column in columns.T], axis=1)
+        centred = np.asarray(columns - (means / np.maximum(count, 1)[:, None])[rows.cell])
         freedom = len(residual) - int(np.count_nonzero(count))
     else:
         # What all runs share is no noise, the mean least of all: a disc too large all round errs in size.
-        free = np.hstack([model.offsets, np.ones((len(residual), 1)), repeating(model), *own])
-        centred = np.column_stack([free, residual])
+        centred = np.column_stack([model.offsets, np.ones(len(residual)), repeating(model), *own, residual])
         freedom = len(residual)
     basis, target = centred[:, :-1], centred[:, -1]
     fit, _, rank, _ = np.linalg.lstsq(basis, target, rcond=1e-9)
     deviation = np.asarray(target - basis @ fit, dtype=float)
-    coefficients: Array = np.asarray(fit, dtype=np.float64)
     freedom = max(freedom - int(rank), 1)
     variance = float(np.sum(deviation**2)) / freedom
     if variance == 0:  # an instrument whose steps are coarser than its noise
@@ -97,17 +96,12 @@ def estimate_noise(model: Model, residual: Array) -> Noise:
     sigma: Array = np.full(len(residual), variance**0.5)
     if model.slip.size:
         sigma = _scattered_abscissa(deviation, model.slip, variance)
-    slip = _run_slip(coefficients[-rows.runs :], model.slip, sigma, rows.run) if slipping else 0.0
+    slip = _run_slip(np.asarray(fit[-rows.runs :], dtype=float), model.slip, sigma, rows.run) if slipping else 0.0
     standard = deviation / sigma
     follows = rows.run[1:] == rows.run[:-1]
     lag = float(np.sum((standard[1:] * standard[:-1])[follows]) / np.sum(standard**2))
     correlation = lag if abs(lag) > CORRELATION_SIGMAS / np.sqrt(len(residual)) else 0.0
     return Noise(sigma, correlation, slip, rows.runs, freedom)
-
-
-def _less_mean(columns: Array, cell: Index, count: Index) -> Array:
-    means = np.stack([np.bincount(cell, weights=column) for column in columns.T], axis=1)
-    return np.asarray(columns - (means / np.maximum(count, 1)[:, None])[cell])
 
 
 def _scattered_abscissa(deviation: Array, slope: Array, variance: float) -> Array:
@@ -207,9 +201,7 @@ class Evidence:
             # Every residual is weighed by every spectrum: the factors are inverted once.
             inverse.append(solve_triangular(factor, np.eye(len(factor)), lower=True, check_finite=False))
             self.prior.append(precision)
-        self._inverse = np.array(inverse)
-        self.constant = np.array(constants)
-        self._flat = flat
+        self._inverse, self.constant, self._flat = np.array(inverse), np.array(constants), flat
 
     def whiten(self, columns: Array) -> Array:
         """Divide by the noise and take out its correlation between neighbours of a run (first-order).

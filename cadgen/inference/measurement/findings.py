@@ -4,6 +4,7 @@ Two methods choose effects (`record.Method`), and each has a diagnosis of its ow
 noise, and a form error that repeats; by runs left out there are path errors alone.
 """
 
+from collections.abc import Collection
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import Array
 from cadgen.deviations.deviation import Deviation
-from cadgen.deviations.effect import Active, Effect
+from cadgen.deviations.effect import UNITS, Active, Effect
 from cadgen.inference.measurement.record import Kind
 from cadgen.inference.measurement.verdict import SIGMAS, Judgement, Verdict, within_error
 
@@ -24,6 +25,17 @@ class Value:
     value: float
     sigma: float
     unit: str
+
+    @classmethod
+    def of(cls, number: tuple[str, str], value: float, sigma: float) -> "Value":
+        """Value of a number in its own unit.
+
+        Args:
+            number: name and unit.
+            value, sigma: value and standard deviation, internal units (mm, rad, 1).
+        """
+        name, unit = number
+        return cls(name, float(value / UNITS[unit]), float(sigma / UNITS[unit]), unit)
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,11 +52,28 @@ class Finding:
     indices: tuple[tuple[str, float], ...] = ()
     sigmas: float = SIGMAS
 
+    @classmethod
+    def of(
+        cls, effect: Effect, values: Array, sigma: Array, at_bound: Collection[str], sigmas: float = SIGMAS
+    ) -> "Finding":
+        """Finding of an effect.
+
+        Args:
+            effect: effect.
+            values, sigma: fitted values and their standard deviations, internal units (mm, rad), shape (k,).
+            at_bound: names of numbers that stand on a bound, those of other effects among them.
+            sigmas: number of standard deviations, as of the class.
+        """
+        numbers = tuple(
+            Value.of((p.name, p.unit), v, s) for p, v, s in zip(effect.parameters, values, sigma, strict=True)
+        )
+        stuck = tuple(p.name for p in effect.parameters if p.name in at_bound)
+        return cls(effect.name, numbers, effect.twins, stuck, effect.indices, sigmas)
+
     @property
     def within_error(self) -> bool:
         """Whether one of its numbers may be nothing: see `verdict.within_error`."""
-        columns = zip(*((v.unit, v.value, v.sigma) for v in self.values), strict=True)
-        units, values, sigma = columns
+        units, values, sigma = zip(*((v.unit, v.value, v.sigma) for v in self.values), strict=True)
         return within_error(units, values, sigma, self.sigmas)
 
 

@@ -7,7 +7,7 @@ where it would end, in any combination of values, whatever their units. General 
 spend most of their steps past it.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from math import inf, log
@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import Array
-from cadgen.deviations.effect import Active, Effect
+from cadgen.deviations.effect import Active, Effect, activated
 from cadgen.errors import DesignError
 from cadgen.inference.measurement.evidence import Spectrum
 from cadgen.inference.measurement.joint import Joint
@@ -246,7 +246,7 @@ def fit(
         fits = []
         for size in np.unique(joint.beside[allowed])[::-1]:
             spectrum = _least(misfit, allowed & (joint.beside == size))
-            x, covariance, fitting = problem.settled(x, spectrum, level)
+            x, covariance, fitting = problem.solved(x, spectrum, level)
             misfit = problem.misfit(x)
             fits.append((float(misfit[allowed].min()), spectrum, x, covariance, misfit))
             if not fitting:
@@ -257,7 +257,7 @@ def fit(
             before, spectrum = spectrum, _least(misfit, allowed)
             if spectrum == before or not fitting:
                 break
-            x, covariance, fitting = problem.settled(x, spectrum, level)
+            x, covariance, fitting = problem.solved(x, spectrum, level)
             misfit = problem.misfit(x)
         if stepwise.any():
             x, variance = _tried(problem.misfit, x, stepwise, bounds, _FINE)
@@ -274,7 +274,7 @@ def fit(
         within=spectrum,
         beyond=_least(misfit, ~joint.within),
         spectrum=joint.grid[spectrum],
-        at_bound=_on_bounds(chosen, x, bounds),
+        at_bound=numbers_on_bound(chosen, x),
     )
 
 
@@ -285,17 +285,16 @@ class _Problem:
         self._joint, self.chosen, self._prior = joint, chosen, _Prior(chosen, known)
         self.bounds = np.concatenate([e.bounds for e in chosen], axis=1) if chosen else np.empty((2, 0))
         self.stepwise = np.array([p.stepwise for e in chosen for p in e.parameters], dtype=bool)
-        self._cuts = np.cumsum([len(e.parameters) for e in chosen])[:-1]
 
     def active(self, values: Array) -> Active:
         """The subset with values."""
-        return list(zip(self.chosen, np.split(values, self._cuts), strict=True)) if self.chosen else []
+        return activated(self.chosen, values)
 
     def misfit(self, values: Array) -> Array:
         """-2 log L for every spectrum."""
         return self._joint.misfit(self.active(values))
 
-    def settled(self, x: Array, spectrum: int, level: float) -> tuple[Array, Array, bool]:
+    def solved(self, x: Array, spectrum: int, level: float) -> tuple[Array, Array, bool]:
         """Values of least squares for one spectrum, their covariance, and whether they settled."""
 
         def half(values: Array) -> float:
@@ -361,10 +360,17 @@ def _covariance(information: Array, bounds: Array, smooth: NDArray[np.bool_]) ->
     return out
 
 
-def _on_bounds(effects: tuple[Effect, ...], values: Array, bounds: Array) -> tuple[str, ...]:
-    """Names of the parameters whose values stand on a bound of what can be."""
-    parameters = (p for e in effects for p in e.parameters)
-    return tuple(p.name for p, stuck in zip(parameters, on_bound(values, bounds), strict=True) if stuck)
+def numbers_on_bound(effects: Sequence[Effect], values: Array) -> tuple[str, ...]:
+    """Names of the numbers that stand on a bound of what can be.
+
+    Args:
+        effects: effects.
+        values: their values in a row, internal units (mm, rad), shape (p,).
+    """
+    if not effects:
+        return ()
+    stuck = on_bound(values, np.concatenate([e.bounds for e in effects], axis=1))
+    return tuple(p.name for p, on in zip((p for e in effects for p in e.parameters), stuck, strict=True) if on)
 
 
 def on_bound(values: Array, bounds: Array) -> NDArray[np.bool_]:

@@ -55,8 +55,9 @@ class Merged:
         several = len(records) > 1
         taken: dict[str, int] = {}
         leaders: list[tuple[Effect, int, dict[int, Effect]]] = []
-        for members in sorted(groups.values(), key=lambda m: min(_nearness(records, n) for n in m)):
-            number = min(members, key=lambda n: _nearness(records, n))
+        nearness = [kind.nearness for kind, _ in records]
+        for members in sorted(groups.values(), key=lambda m: min(nearness[n] for n in m)):
+            number = min(members, key=lambda n: nearness[n])
             effect = members[number]
             if several and taken.setdefault(effect.name, number) != number:
                 effect = replace(effect, name=f"{effect.name} ({records[number][0]})")
@@ -70,7 +71,11 @@ class Merged:
                     names[other][effect.key] = members[other]
                 elif effect.stage in model.behind and not (effect.instrument or effect.shape):
                     names[other][effect.key] = members[number]
-        shapes = [(_of_kind(e, kind, several), n, e) for n, (kind, m) in enumerate(records) for e in m.shapes]
+        shapes = [
+            (replace(e, name=f"{e.name} ({kind})") if several else e, n, e)
+            for n, (kind, model) in enumerate(records)
+            for e in model.shapes
+        ]
         datum = [(e, n, e) for n, (_, m) in enumerate(records) for e in m.datum]
         for effect, number, own in (*shapes, *datum):
             names[number][effect.key] = own
@@ -87,22 +92,14 @@ class Merged:
         )
 
 
-def _nearness(records: Sequence[tuple[Kind, Model]], number: int) -> int:
-    return records[number][0].nearness
-
-
-def _of_kind(effect: Effect, kind: Kind, several: bool) -> Effect:
-    return replace(effect, name=f"{effect.name} ({kind})") if several else effect
-
-
 def _identity(kind: Kind, model: Model, effect: Effect) -> tuple[str, ...]:
     """Identity of an effect across kinds of data: its quantity, and its number among many of one sort."""
     if effect.parts:
         return (*(name for part in effect.parts for name in _identity(kind, model, part)), effect.variant)
-    alike = [e for e in model.catalogue if e.deviation == effect.deviation and not e.numerous]
-    if effect.deviation is None or (not effect.numerous and len(alike) > 1):
+    alike = [e for e in model.catalogue if e.deviation == effect.deviation and not e.member]
+    if effect.deviation is None or (not effect.member and len(alike) > 1):
         return (kind.code, effect.key)
-    return (effect.deviation.name, effect.key if effect.numerous else "")
+    return (effect.deviation.name, effect.key if effect.member else "")
 
 
 Build = Callable[[Record], Model]
@@ -178,16 +175,13 @@ class Part:
         steps = np.concatenate([np.empty(0), *(e.steps for e, _ in active)])
         values = np.concatenate([np.empty(0), *(v for _, v in active)])
         where = tuple(e.key for e, _ in active)
-        anew = tuple(e for e in effects if not self._near((e.key, *where), values, _NEAR * steps))
+        known = {e.key: self._leant[e.key, *where][0] for e in effects if (e.key, *where) in self._leant}
+        anew = tuple(e for e in effects if e.key not in known or (np.abs(values - known[e.key]) > _NEAR * steps).any())
         columns = slopes(self.model, anew, active, residual)
         ends = np.cumsum([0, *(len(e.parameters) for e in anew)])
         for effect, (a, b) in zip(anew, pairwise(ends), strict=True):
             self._leant[effect.key, *where] = values, columns[:, a:b]
         return np.hstack([np.empty((len(columns), 0)), *(self._leant[e.key, *where][1] for e in effects)])
-
-    def _near(self, key: tuple[str, ...], values: Array, reach: Array) -> bool:
-        """Are slopes known for values so near by?"""
-        return key in self._leant and bool((np.abs(values - self._leant[key][0]) <= reach).all())
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -197,7 +191,7 @@ class Joint:
     Attributes:
         parts: the records.
         core: effects that combine freely.
-        numerous: effects that enter a subset one at a time.
+        members: effects of families, which enter a subset one at a time.
         shapes: forms without a name, each of one part.
         datum: effects that are always fitted.
         kinds: by the keys of effects, the kind of data whose catalogue they stand in.
@@ -205,7 +199,7 @@ class Joint:
 
     parts: tuple[Part, ...]
     core: tuple[Effect, ...]
-    numerous: tuple[Effect, ...]
+    members: tuple[Effect, ...]
     shapes: tuple[Effect, ...]
     datum: tuple[Effect, ...]
     kinds: dict[str, Kind]
@@ -216,8 +210,8 @@ class Joint:
         merged = Merged.of([(part.kind, part.model) for part in parts])
         return cls(
             parts=tuple(replace(part, names=names) for part, names in zip(parts, merged.names, strict=True)),
-            core=tuple(e for e in merged.catalogue if not e.numerous),
-            numerous=tuple(e for e in merged.catalogue if e.numerous),
+            core=tuple(e for e in merged.catalogue if not e.member),
+            members=tuple(e for e in merged.catalogue if e.member),
             shapes=merged.shapes,
             datum=merged.datum,
             kinds=merged.kinds,
@@ -276,10 +270,6 @@ class Joint:
             own, columns = self._here(part, effects, widths)
             out[span, columns] = slopes(part.model, own, part.own(active))
         return out
-
-    def _searched(self, part: Part, effect: Effect) -> bool:
-        """Numerous effects are searched for in the record that shows them best; the others join in the exact fit."""
-        return not effect.numerous or self.kinds[effect.key] is part.kind
 
     def own_name(self, effect: Effect) -> str:
         """Name of an effect in the kind of data whose catalogue it stands in."""
@@ -357,8 +347,13 @@ class Joint:
     def _here(
         self, part: Part, effects: tuple[Effect, ...], widths: NDArray[np.intp]
     ) -> tuple[tuple[Effect, ...], NDArray[np.intp]]:
-        """Effects that are searched for in a part, as they are there, and their columns among all."""
-        here = [i for i, e in enumerate(effects) if e.key in part.names and self._searched(part, e)]
+        """Effects that are searched for in a part, as they are there, and their columns among all.
+
+        Those of a family are searched for in the record that shows them best; the others join in the exact fit.
+        """
+        here = [
+            i for i, e in enumerate(effects) if e.key in part.names and (not e.member or self.kinds[e.key] is part.kind)
+        ]
         columns = [np.arange(widths[i], widths[i + 1]) for i in here]
         return tuple(part.names[effects[i].key] for i in here), np.concatenate([*columns, np.empty(0, dtype=np.intp)])
 

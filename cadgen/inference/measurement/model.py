@@ -6,10 +6,11 @@ first is rolled; the second follows from the contacts of that roll, for to first
 of the disc (`cadgen.cam.followers.rod`).
 """
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
-from typing import Any, Generic, Protocol, TypeVar
+from typing import Any, Generic, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -88,8 +89,9 @@ class _Roll:
         if a == 0 and b == 0:
             return cls(outline, setting, (roll(outline, setting.follower, grid),), np.ones((1, len(grid))))
         # A wobbling disc offers its faces at w + a cos + b sin: three rolls, and a parabola through them.
-        size = float(np.hypot(a, b))
-        contacts = tuple(roll(outline, _shifted(setting.follower, k * size), grid) for k in (-1.0, 0.0, 1.0))
+        size, rod = float(np.hypot(a, b)), setting.follower
+        rods = (replace(rod, inner=rod.inner + by, outer=rod.outer + by) for by in (-size, 0.0, size))
+        contacts = tuple(roll(outline, each, grid) for each in rods)
         x = (a * np.cos(grid) + b * np.sin(grid)) / size
         return cls(outline, setting, contacts, np.stack([(x**2 - x) / 2, 1 - x**2, (x**2 + x) / 2]))
 
@@ -176,16 +178,15 @@ class Rolled:
             active: about which; an effect that is not among them, about its start, where it does nothing.
             rows: of the model.
         """
-        moved = self._of(active)
-        base = self._roll(moved, rows)
-        values = next((v for e, v in moved if e.key == effect.key), effect.start)
+        here = self._of(active)
+        base = self._roll(here, rows)
+        values = next((v for e, v in here if e.key == effect.key), effect.start)
         step = effect.steps[number]
         ends = []
         for sign in (-1.0, 1.0):
-            there = np.array(values, dtype=float)
-            there[number] = np.clip(there[number] + sign * step, effect.bounds[0][number], effect.bounds[1][number])
-            others = [(e, there if e.key == effect.key else v) for e, v in moved]
-            if len(others) == len(moved) and all(e.key != effect.key for e, _ in moved):
+            there = moved(effect, np.asarray(values, dtype=float), number, sign * step)
+            others = [(e, there if e.key == effect.key else v) for e, v in here]
+            if all(e.key != effect.key for e, _ in here):
                 others.append((effect, there))
             disc = through(DISC, self._disc, others, rows)
             ends.append((there[number], disc.points, through(FOLLOWER, Seat(self._follower), others, rows)))
@@ -198,8 +199,9 @@ class Rolled:
             outer=(more.follower.outer - less.follower.outer) / by,
             radius=(more.follower.radius - less.follower.radius) / by,
         )
-        wobble = tuple((m - w) / by for m, w in zip(more.wobble, less.wobble, strict=True))
-        slope = self._closed(base.answer((after - before) / by, Seat(follower, (wobble[0], wobble[1]))))
+        (a, b), (a_less, b_less) = more.wobble, less.wobble
+        seat = Seat(follower, ((a - a_less) / by, (b - b_less) / by))
+        slope = self._closed(base.answer((after - before) / by, seat))
         return Effect(
             name=effect.name,
             variant=f"{effect.variant} {number} {hash(slope.c.tobytes())}",
@@ -245,10 +247,6 @@ def _plus(change: PPoly | None, slope: PPoly, by: float) -> PPoly:
     return PPoly.construct_fast(coefficients, slope.x, extrapolate="periodic")
 
 
-def _shifted(follower: EdgeFollower, by: float) -> EdgeFollower:
-    return replace(follower, inner=follower.inner + by, outer=follower.outer + by)
-
-
 SMALL = 0.1  # of the step of a parameter
 
 
@@ -274,81 +272,52 @@ class Discrepancy:
         return cls(columns=np.empty((rows, 0)))
 
 
-# Of an effect, the place of one of its numbers and what is active: the answer, shape (n,), or None if it is not known.
-Tangent = Callable[[Effect, int, Active], Array | None]
+class Model(ABC):
+    """A forward model with its data; the model of a kind brings what has no default.
 
+    Attributes:
+        unit: key of `UNITS` of residuals as they are reported.
+        rows: place of each number.
+        catalogue: effects that can show, members of families included.
+        offsets: linear datum freedoms as columns, shape (n, d).
+        spread: standard deviation of each datum freedom beforehand, shape (d,); infinite where nothing is known.
+        discrepancy: repeating errors beside effects and form error.
+        form: response to each harmonic of the form error, for one unit of amplitude, shape (n, q).
+        order: order of each column of `form`, shape (q,).
+        floor: stated form error, rms, in the unit of amplitude of `form`.
+        slip: response to an error of the abscissa that a whole run shares, shape (n,); empty if none can be.
+        datum: effects that are always fitted and never claimed.
+        behind: stages at which effects that other kinds of data show change this one too.
+        rolled: lift that effects on disc and rod change; None where they act otherwise, or not at all.
+        tangent: answer of the readings to a number of an effect about what is active, shape (n,), or None for a number
+            for which differences do; None where they do for all.
+        resolved: highest order that the spacing of the rows resolves; None where no catalogue goes by it.
+        measured: coordinate of each row of a track, mm; None for what is no track.
+    """
 
-class Model(Protocol):
-    """A forward model with its data."""
-
-    @property
-    def behind(self) -> tuple[Stage[Any], ...]:
-        """Stages at which effects that other kinds of data show change this one too."""
-
-    @property
-    def rolled(self) -> Rolled | None:
-        """The lift that effects on disc and rod change; None where they act otherwise, or not at all."""
-
-    @property
-    def tangent(self) -> "Tangent | None":
-        """How what is expected answers some numbers, to first order; None where differences do for all."""
-
-    @property
-    def resolved(self) -> int | None:
-        """The highest order that the spacing of the rows resolves; None where no catalogue goes by it."""
-
-    @property
-    def unit(self) -> str:
-        """Key of `UNITS` of residuals as they are reported."""
-
-    @property
-    def rows(self) -> Rows:
-        """Where each number belongs."""
-
-    @property
-    def catalogue(self) -> tuple[Effect, ...]:
-        """The effects that can show, numerous ones included."""
+    unit: str
+    rows: Rows
+    catalogue: tuple[Effect, ...]
+    offsets: Array
+    spread: Array
+    discrepancy: Discrepancy
+    form: Array
+    order: Array
+    floor: float
+    slip: Array
+    datum: tuple[Effect, ...] = ()
+    behind: tuple[Stage[Any], ...] = ()
+    rolled: Rolled | None = None
+    tangent: Callable[[Effect, int, Active], Array | None] | None = None
+    resolved: int | None = None
+    measured: Array | None = None
 
     @property
     def shapes(self) -> tuple[Effect, ...]:
-        """The anonymous forms that compete with the catalogue and act on the reading alone."""
+        """Anonymous forms that compete with the catalogue and act on the reading alone."""
+        return ()
 
-    @property
-    def datum(self) -> tuple[Effect, ...]:
-        """Effects that are always fitted and never claimed."""
-
-    @property
-    def offsets(self) -> Array:
-        """Linear datum freedoms as columns, shape (n, d)."""
-
-    @property
-    def spread(self) -> Array:
-        """Standard deviation of each datum freedom beforehand, shape (d,); infinite where nothing is known."""
-
-    @property
-    def discrepancy(self) -> Discrepancy:
-        """Repeating errors beside effects and form error."""
-
-    @property
-    def form(self) -> Array:
-        """Response to each harmonic of the form error, for one unit of amplitude, shape (n, q)."""
-
-    @property
-    def order(self) -> Array:
-        """Order of each column of `form`, shape (q,)."""
-
-    @property
-    def floor(self) -> float:
-        """Stated form error, rms, in the unit of amplitude of `form`."""
-
-    @property
-    def slip(self) -> Array:
-        """Response to an error of the abscissa that a whole run shares, shape (n,); empty if none can be."""
-
-    @property
-    def measured(self) -> Array | None:
-        """Coordinate of each row of a track, mm; None for what is no track."""
-
+    @abstractmethod
     def residual(self, active: Active) -> Array:
         """Measured less expected with some effects active, shape (n,), internal units."""
 
@@ -398,6 +367,16 @@ def per_run(run: NDArray[np.intp]) -> Array:
     return np.asarray((run[:, None] == np.arange(run.max() + 1)).astype(float))
 
 
+def rms_by_run(residual: Array, run: NDArray[np.intp]) -> Array:
+    """Root mean square of a residual in each run, shape (runs,), in its unit.
+
+    Args:
+        residual: residual, shape (n,), mm or rad.
+        run: number of the run of each row, shape (n,).
+    """
+    return np.array([np.sqrt(np.mean(residual[run == number] ** 2)) for number in range(int(run.max()) + 1)])
+
+
 def elapsed(run: NDArray[np.intp]) -> Array:
     """Place of each row within its run, -1/2 to 1/2."""
     out = np.empty(len(run))
@@ -410,11 +389,10 @@ def elapsed(run: NDArray[np.intp]) -> Array:
 def slopes(model: Model, effects: tuple[Effect, ...], active: Active, known: Array | None = None) -> Array:
     """How the expected value answers each parameter of some effects, shape (n, sum of parameters).
 
-    Central differences over each parameter's own step; one-sided where a bound is in the way. An effect that is
-    active is varied about its value, any other about its start. In place of an effect on disc or rod its change of the
-    lift to first order is varied, so that the rod is rolled once and not for every difference; what follows the lift
-    is smooth, so that a small step to one side will do. So does a step for the numerous ones that are not active: they
-    are small, and looked at to first order alone. `known` is the residual with what is active, where it is at hand.
+    Central differences over each parameter's own step, one-sided where a bound is in the way, about the value of an
+    active effect or the start of any other. In place of an effect on disc or rod its change of the lift to first order
+    is varied, by a small step to one side: the rod is rolled once, and what follows the lift is smooth. Members of
+    families that are not active are small, and a step to one side does for them, too.
 
     Args:
         model: model of the record.
@@ -441,7 +419,7 @@ def slopes(model: Model, effects: tuple[Effect, ...], active: Active, known: Arr
             if model.tangent and (column := model.tangent(effect, k, active)) is not None:
                 columns.append(column)
                 continue
-            one_sided = effect.numerous and effect.key not in values
+            one_sided = effect.member and effect.key not in values
             low, high = (middle if one_sided else moved(effect, middle, k, -step)), moved(effect, middle, k, step)
             before = base() if one_sided else model.residual([*others, (effect, low)])
             columns.append((before - model.residual([*others, (effect, high)])) / (high[k] - low[k]))

@@ -6,7 +6,7 @@ from math import pi
 
 import numpy as np
 
-from cadgen.arrays import TURN, Array
+from cadgen.arrays import Array
 from cadgen.cam.follower import EdgeFollower
 from cadgen.car.path.wheel_track import Track
 from cadgen.car.path_motion import PathMotion
@@ -17,6 +17,7 @@ from cadgen.deviations.disc import Disc, nominal_disc
 from cadgen.errors import DesignError
 from cadgen.inference.measurement.model import Cache, Model, Rolled
 from cadgen.inference.measurement.record import Method, Record
+from cadgen.laws.motion import mirrored
 
 _KEPT = 256  # fits go back and forth between few frictions
 
@@ -63,10 +64,8 @@ class Forces:
             Cam angles between which it does, shape (k, 2) each, rad, begins in [0, 2 pi) and in order: the first draw
             to their ends, the second to their begins.
         """
-        ahead, mirrored = self.leads(friction).intervals, self.leads(friction, back=True).intervals
-        begin = (-mirrored[:, 1]) % TURN
-        back = np.stack([begin, begin + mirrored[:, 1] - mirrored[:, 0]], axis=1)
-        return ahead, back[np.argsort(back[:, 0])]
+        back = mirrored(self.leads(friction, back=True).intervals)
+        return self.leads(friction).intervals, back[np.argsort(back[:, 0])]
 
 
 MACHINED_UM = 2.0

@@ -108,15 +108,6 @@ class Datum:
     notes: Callable[[Any, Array, Array], tuple[str, tuple[str, ...]]] | None = None
 
 
-def _no_check(record: "Record") -> None:
-    """Nothing beside what every record must be."""
-
-
-def _no_spans(record: "Record", against: Any) -> Iterable[Span]:
-    """Nothing to compare with."""
-    return ()
-
-
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Kind:
     """A kind of measured data: everything that reading, judging and showing it need to know.
@@ -156,8 +147,8 @@ class Kind:
     method: Method = Method.EVIDENCE
     datum: Datum
     model: Callable[["Record", Any], Model] | None = None
-    check: Callable[["Record"], None] = _no_check
-    spans: Callable[["Record", Any], Iterable[Span]] = _no_spans
+    check: Callable[["Record"], None] = lambda record: None
+    spans: Callable[["Record", Any], Iterable[Span]] = lambda record, against: ()
     most_rows: int = MOST_ROWS
     least_rows: int = LEAST_ROWS
     counts: int = 0
@@ -497,12 +488,8 @@ def refuse_wrong_units(record: Record, against: Any) -> None:
     Raises:
         FileError: they are those of another unit.
     """
-    for span in record.kind.spans(record, against):
-        _refuse(record, span)
-
-
-def _refuse(record: Record, span: Span) -> None:
-    for other, factor in SLIPS.get(span.unit, {}).items():
+    slips = ((span, *slip) for span in record.kind.spans(record, against) for slip in SLIPS.get(span.unit, {}).items())
+    for span, other, factor in slips:
         if span.expected > 0 and factor / NEAR < span.measured / span.expected < factor * NEAR:
             raise FileError(
                 "{file}: {column} is {how} than the design lets expect by a factor of {factor:g}, so it seems to be "

@@ -22,8 +22,16 @@ from cadgen.inference.measurement.joint import Joint
 from cadgen.inference.measurement.model import Model, highest_order, repeating
 from cadgen.inference.measurement.record import Record, instrument
 from cadgen.inference.measurement.search import MOST_CAUSES
-from cadgen.inference.measurement.verdict import SIGMAS, Judgement, Verdict, unclaimed, within_error, within_words
-from cadgen.messages import Message, joined
+from cadgen.inference.measurement.verdict import (
+    SIGMAS,
+    Judgement,
+    Verdict,
+    names_of,
+    unclaimed,
+    within_error,
+    within_words,
+)
+from cadgen.messages import Message
 
 # What is left after the best subset, over what noise and the stated form error make: no part is so far off that was
 # made to the design at all, and no effect stands beside such a rest with a name.
@@ -97,7 +105,7 @@ def unfit(model: Model, evidence: Evidence, noise: Noise, best: Hypothesis, resi
     return float(f_distribution.sf(ratio, extra, noise.freedom))
 
 
-def doubted(
+def with_reservations(
     judgement: Judgement,
     record: Record,
     model: Model,
@@ -141,7 +149,7 @@ def doubted(
         sentence = Message(
             "Consistent with {names}, but what they leave is more than noise and form error: there are more than "
             "{most} effects, so sizes are not sure and nothing is claimed.",
-            names=joined((Message(e.name) for e in best.effects), " and "),
+            names=names_of(best.effects),
             most=MOST_CAUSES,
         )
         return replace(judgement, verdict=Verdict.AMBIGUOUS, sentence=sentence, claimed=())
@@ -150,17 +158,14 @@ def doubted(
     named = [e for e in best.effects if not e.shape and e.name not in free]
     stuck = {e.name: p.name for e in named for p in e.parameters if p.name in best.at_bound}
     for name, value in stuck.items():
-        judgement = unclaimed(judgement, [name], _on_bound(value, name))
+        why = Message("{number} of {name} is on the bound of what can be", number=value, name=Message(name))
+        judgement = unclaimed(judgement, [name], why)
     unsure = [
         e.name
         for e, values, sigma in best.values()
         if e in named and within_error([p.unit for p in e.parameters], values, sigma)
     ]
     return unclaimed(judgement, unsure, within_words())
-
-
-def _on_bound(number: str, name: str) -> Message:
-    return Message("{number} of {name} is on the bound of what can be", number=number, name=Message(name))
 
 
 def _no_noise(record: Record, model: Model, noise: Noise) -> Message | None:

@@ -17,11 +17,20 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from cadgen.arrays import Array
-from cadgen.deviations.effect import Active, Effect
-from cadgen.inference.measurement.findings import Finding, PathCandidate, PathDiagnosis, PathError, PathErrors, Value
+from cadgen.deviations.effect import Active, Effect, activated
+from cadgen.inference.measurement.findings import Finding, PathCandidate, PathDiagnosis, PathError, PathErrors
+from cadgen.inference.measurement.hypothesis import numbers_on_bound
 from cadgen.inference.measurement.model import Model, slopes
 from cadgen.inference.measurement.record import Record
-from cadgen.inference.measurement.verdict import Judgement, Verdict, sigmas_of, unclaimed, within_words
+from cadgen.inference.measurement.verdict import (
+    Judgement,
+    Verdict,
+    names_of,
+    separations,
+    sigmas_of,
+    unclaimed,
+    within_words,
+)
 from cadgen.messages import Message, joined
 from cadgen.progress import Progress, silent
 
@@ -31,8 +40,6 @@ LEAST_RUNS = 4
 STANDARD_ERRORS = 1.0
 # Path errors within this share of each other are the same, however steadily they differ: models err by more.
 SAME = 0.05
-# Share of its range within which a number is on its bound.
-AT_BOUND = 1e-3
 
 
 @dataclass(frozen=True)
@@ -105,17 +112,17 @@ def leave_runs_out(record: Record, build: Callable[[Record], Model]) -> LeftOut:
 
 
 def _as_good(trial: LeftOutFit, best: LeftOutFit) -> bool:
-    """Whether a subset predicts as well as another one, by the standard error or but for a few per cent."""
-    return _excess(trial, best) <= STANDARD_ERRORS or trial.error <= best.error * (1 + SAME)
+    """Whether a subset predicts as well as another one, but for a few per cent or the standard error.
 
-
-def _excess(trial: LeftOutFit, best: LeftOutFit) -> float:
-    """How much worse than the best, in standard errors of the paired difference over runs."""
-    difference = trial.held_out - best.held_out
-    if len(difference) < 2:
-        return np.inf if difference.any() else 0.0
-    error = float(difference.std(ddof=1)) / np.sqrt(len(difference))
-    return float(difference.mean()) / error if error > 0 else 0.0
+    The standard error is that of the paired difference over runs.
+    """
+    difference, runs = trial.held_out - best.held_out, len(best.held_out)
+    if trial.error <= best.error * (1 + SAME):
+        return True
+    if runs < 2:
+        return not difference.any()
+    error = float(difference.std(ddof=1)) / np.sqrt(runs)
+    return not error > 0 or float(difference.mean()) / error <= STANDARD_ERRORS
 
 
 @dataclass(frozen=True)
@@ -145,17 +152,13 @@ class _LoggedRun:
 
 
 def _trial(runs: list[_LoggedRun], effects: tuple[Effect, ...], sigmas: float) -> LeftOutFit:
-    cuts = np.cumsum([len(e.parameters) for e in effects])[:-1]
     bounds = np.concatenate([e.bounds for e in effects], axis=1)
 
-    def active(values: Array) -> Active:
-        return list(zip(effects, np.split(values, cuts), strict=True))
-
     def off(values: Array) -> Array:
-        return np.concatenate([run.residual(active(values)) for run in runs])
+        return np.concatenate([run.residual(activated(effects, values)) for run in runs])
 
     def tangents(values: Array) -> Array:
-        return np.concatenate([run.tangents(effects, active(values)) for run in runs])
+        return np.concatenate([run.tangents(effects, activated(effects, values)) for run in runs])
 
     # Not by `hypothesis.least_squares`: in logs that say little, the place in a valley where a fit stops decides.
     x = least_squares(
@@ -169,27 +172,26 @@ def _trial(runs: list[_LoggedRun], effects: tuple[Effect, ...], sigmas: float) -
     ).x
     # One Gauss-Newton step from the fit to all runs gives the fit to all but one; the run left out is then driven
     # exactly with it.
-    jacobians = [run.tangents(effects, active(x)) for run in runs]
+    active = activated(effects, x)
+    jacobians = [run.tangents(effects, active) for run in runs]
     grams = [j.T @ j for j in jacobians]
-    pulls = [j.T @ run.residual(active(x)) for j, run in zip(jacobians, runs, strict=True)]
+    pulls = [j.T @ run.residual(active) for j, run in zip(jacobians, runs, strict=True)]
     whole = np.sum(grams, axis=0)
     left = np.array(
         [x + np.linalg.lstsq(whole - gram, pull, rcond=1e-10)[0] for gram, pull in zip(grams, pulls, strict=True)]
     )
     # Before they are held within their bounds: held there, all would agree.
     spread = left - np.mean(left, axis=0)
-    reach = AT_BOUND * (bounds[1] - bounds[0])
-    stuck = (x < bounds[0] + reach) | (x > bounds[1] - reach)
     return LeftOutFit(
         effects=effects,
         values=x,
         sigma=np.sqrt((len(runs) - 1) / len(runs) * np.sum(spread**2, axis=0)),
         sigmas=sigmas,
-        at_bound=tuple(p.name for p, on in zip((p for e in effects for p in e.parameters), stuck, strict=True) if on),
+        at_bound=numbers_on_bound(effects, x),
         held_out=np.array(
-            [run.error(active(values)) for run, values in zip(runs, np.clip(left, *bounds), strict=True)]
+            [run.error(activated(effects, values)) for run, values in zip(runs, np.clip(left, *bounds), strict=True)]
         ),
-        fitted=np.array([run.error(active(x)) for run in runs]),
+        fitted=np.array([run.error(active) for run in runs]),
     )
 
 
@@ -204,7 +206,7 @@ def diagnose_logged(record: Record, build: Callable[[Record], Model], progress: 
     left_out = leave_runs_out(record, build)
     chosen = left_out.chosen
     findings = _findings(chosen)
-    active = _active(chosen)
+    active = activated(chosen.effects, chosen.values)
     as_logged = model.residual([])
     return PathDiagnosis(
         source=record.source,
@@ -232,25 +234,11 @@ def diagnose_logged(record: Record, build: Callable[[Record], Model], progress: 
     )
 
 
-def _active(trial: LeftOutFit) -> Active:
-    cuts = np.cumsum([len(e.parameters) for e in trial.effects])[:-1]
-    return list(zip(trial.effects, np.split(trial.values, cuts), strict=True)) if trial.effects else []
-
-
 def _findings(trial: LeftOutFit) -> tuple[Finding, ...]:
-    sigmas = np.split(trial.sigma, np.cumsum([len(e.parameters) for e in trial.effects])[:-1])
+    values, sigmas = (activated(trial.effects, each) for each in (trial.values, trial.sigma))
     return tuple(
-        Finding(
-            effect.name,
-            tuple(
-                Value(p.name, float(v / p.scale), float(s / p.scale), p.unit)
-                for p, v, s in zip(effect.parameters, value, sigma, strict=True)
-            ),
-            effect.twins,
-            tuple(p.name for p in effect.parameters if p.name in trial.at_bound),
-            sigmas=trial.sigmas,
-        )
-        for (effect, value), sigma in zip(_active(trial), sigmas, strict=False)
+        Finding.of(effect, value, sigma, trial.at_bound, trial.sigmas)
+        for (effect, value), (_, sigma) in zip(values, sigmas, strict=True)
     )
 
 
@@ -272,17 +260,21 @@ def _judgement(left_out: LeftOut) -> Judgement:
         sentence = Message("No effect lowers the path error on runs left out.")
     elif runs < LEAST_RUNS:
         verdict, common = Verdict.AMBIGUOUS, set()
-        sentence = Message("Consistent with {names}, but too few runs to tell it from chance.", names=_names(chosen))
+        sentence = Message(
+            "Consistent with {names}, but too few runs to tell it from chance.", names=names_of(chosen.effects)
+        )
     elif rivals:
         verdict = Verdict.AMBIGUOUS
         sentence = Message(
-            "Consistent with {names}; or {others}.", names=_names(chosen), others=joined(map(_names, rivals), "; or ")
+            "Consistent with {names}; or {others}.",
+            names=names_of(chosen.effects),
+            others=joined((names_of(t.effects) for t in rivals), "; or "),
         )
     else:
         verdict = Verdict.TRACED if len(names) == 1 else Verdict.COMBINATION
         sentence = Message(
             "Traced to {names}: the path error on runs left out falls from {before:.0f} to {after:.0f} mm.",
-            names=_names(chosen),
+            names=names_of(chosen.effects),
             before=before,
             after=chosen.error,
         )
@@ -293,14 +285,13 @@ def _judgement(left_out: LeftOut) -> Judgement:
         limits = (
             Message("{given} only: give at least {least}, to judge on runs left out", given=given, least=LEAST_RUNS),
         )
-    separate = {e.name: e.separated_by for t in likely for e in t.effects}
     judgement = Judgement(
         verdict=verdict,
         sentence=sentence,
         claimed=tuple(sorted(common)),
         reported=tuple(sorted({e.name for t in likely for e in t.effects})),
         rivals=tuple(tuple(e.name for e in t.effects) for t in rivals),
-        separate=tuple(Message("{name}: {how}", name=Message(n), how=Message(how)) for n, how in separate.items()),
+        separate=separations(e for t in likely for e in t.effects),
         limits=limits,
     )
     findings = _findings(chosen)
@@ -316,7 +307,3 @@ def _judgement(left_out: LeftOut) -> Judgement:
     unsure = [finding.effect for finding in findings if finding.within_error]
     why = Message("{within}, which {runs} runs cannot tell from chance", within=within_words(chosen.sigmas), runs=runs)
     return unclaimed(judgement, unsure, why)
-
-
-def _names(trial: LeftOutFit) -> Message:
-    return joined((Message(e.name) for e in trial.effects), " and ")

@@ -1,8 +1,8 @@
 """Compare every small subset of the catalogue by its linearised misfit, and hand the best to the exact fit.
 
-Subsets of up to three freely combining causes are all tried, each with and without what acts beside it. The numerous
-ones (orders of waviness, places of bumps and steps) are tried beside the best of these, one at a time; one that wins
-joins the free ones in the next round.
+Subsets of up to three freely combining causes are all tried, each with and without what acts beside it. Members of
+families (orders of waviness, places of bumps and steps) are tried beside the best of these, one at a time; one that
+wins joins the free ones in the next round.
 After each round the catalogue is linearised anew about the best exact fit, until that no longer changes; then about the
 best one without an anonymous shape, if that has one. At last the subsets within the best one are fitted.
 """
@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import Array
-from cadgen.deviations.effect import Active, Effect, causes
+from cadgen.deviations.effect import Active, Effect, activated, causes
 from cadgen.errors import DesignError
 from cadgen.inference.measurement.hypothesis import Hypothesis, Search, fit
 from cadgen.inference.measurement.joint import Joint
@@ -74,7 +74,7 @@ _HIDDEN = 1e-12
 
 @dataclass(frozen=True)
 class Alike:
-    """Some of the numerous effects, k of them, that have the same number of columns.
+    """Members of families, k of them, that have the same number of columns.
 
     Attributes:
         effects: numbers of the effects, shape (k,).
@@ -89,8 +89,8 @@ class Alike:
     size: Array
 
 
-class Numerous:
-    """The many effects that enter one at a time: whitened once, with their products among their own columns."""
+class Families:
+    """Members of all families, which enter one at a time: whitened once, with products of their own columns."""
 
     def __init__(self, joint: Joint, columns: Columns) -> None:
         self.effects, self.spans = columns.effects, columns.spans
@@ -119,7 +119,7 @@ Start = tuple[tuple[Effect, ...], Active]  # a subset, and values to begin from
 # Causes of which all subsets are tried, and that a subset may have which grows from the best one while that leaves more
 # than noise and form error.
 LARGEST_SUBSET, MOST_CAUSES = 3, 6
-# Subsets that get an exact fit in each round, and that the numerous effects are tried beside.
+# Subsets that get an exact fit in each round, and that members of families are tried beside.
 REFINED = 5
 NAMED = 2
 BASES = 20
@@ -156,7 +156,7 @@ class Round:
     Attributes:
         free: the freely combining effects.
         products: shape (g, f, f); after the effects' columns come the datum's, and last the residual.
-        cross: products of these with the numerous columns, shape (g, f, m).
+        cross: products of these with the members' columns, shape (g, f, m).
         constant: log det C, shape (g,).
         always: columns of the datum, in every subset.
     """
@@ -170,17 +170,17 @@ class Round:
 
 def find(joint: Joint) -> list[Hypothesis]:
     """Fit the most likely subsets exactly; best first by score, the empty one always among them."""
-    core, named = told_apart(joint), joint.numerous
+    core, named = distinguishable(joint), joint.members
     entries = Counter(e.sort for e in (*core, *named) if not (e.shape or e.parts or e.beside))
     anonymous = len(joint.shapes) + sum(e.shape for e in named)
     search = Search(joint.rows, entries, max(anonymous, 1))
     none = fit(joint, (), [], search)
     fitted = {none.key: none}
     best = about = none
-    # Numerous effects are small and many: their tangents at the bare design serve for all rounds.
-    many = Numerous(joint, side_by_side(tangents(joint, named, none), of_shapes(joint)))
+    # Members of families are small and many: their tangents at the bare design serve for all rounds.
+    families = Families(joint, side_by_side(tangents(joint, named, none), of_shapes(joint)))
     for _ in range(ROUNDS):
-        _fit_new(joint, _promising(joint, about, core, many, search, fitted), fitted, search)
+        _fit_new(joint, _promising(joint, about, core, families, search, fitted), fitted, search)
         leader = min(fitted.values(), key=lambda h: h.score)
         if leader is not best:
             best = about = leader
@@ -230,7 +230,7 @@ def _misfit(joint: Joint, active: Active) -> float:
     return float(joint.misfit(active)[joint.within].min())
 
 
-def told_apart(joint: Joint) -> tuple[Effect, ...]:
+def distinguishable(joint: Joint) -> tuple[Effect, ...]:
     """The freely combining effects, less those of the instrument that are another's twins in these data.
 
     Two are told apart if their responses, less the datum, enclose an angle that `APART` is the sine of.
@@ -259,17 +259,20 @@ def _promising(
     joint: Joint,
     best: Hypothesis,
     core: tuple[Effect, ...],
-    many: Numerous,
+    families: Families,
     search: Search,
     fitted: Collection[frozenset[str]],
 ) -> list[Start]:
     """The subsets of least linearised score about the best one so far, with estimates to begin from."""
-    # Numerous effects that have entered combine freely from now on.
-    core = core + tuple(e for e in best.effects if e.numerous)
+    # Members of families that have entered combine freely from now on.
+    core = core + tuple(e for e in best.effects if e.member)
     free = tangents(joint, core, best)
     datum = joint.slopes(joint.datum, best.active)
     # What the residual would be without the active effects follows from their own tangents.
-    known = [_value_in(best, e)[: s.stop - s.start] for e, s in zip(free.effects, free.spans, strict=True)]
+    known = [
+        next((v for e, v in best.active if e is effect), np.zeros(len(effect.parameters)))[: s.stop - s.start]
+        for effect, s in zip(free.effects, free.spans, strict=True)
+    ]
     bare = joint.residual(best.active) + (free.values @ np.concatenate(known) if known else 0.0)
     white = joint.whiten(np.column_stack([free.values, datum, bare]))
     halves = joint.halves(white)
@@ -277,7 +280,7 @@ def _promising(
     this = Round(
         free,
         white.T @ white - np.swapaxes(halves, 1, 2) @ halves,
-        white.T @ many.white - np.swapaxes(halves, 1, 2) @ many.halves,
+        white.T @ families.white - np.swapaxes(halves, 1, 2) @ families.halves,
         joint.constant[joint.within],
         np.arange(width, width + datum.shape[1]),
     )
@@ -286,9 +289,9 @@ def _promising(
     rated = sorted(_rate_free(this, subsets, search), key=lambda r: r.score)
     most = MOST_CAUSES if leaves_more else LARGEST_SUBSET
     bases = [r for r in rated if causes(r.effects) < most][:BASES]
-    # In the best subset a numerous effect may stand in another's place.
+    # In the best subset a member of a family may stand in another's place.
     bases += [r for r in rated if r not in bases and _keyed(r) < best.key and len(best.key) - len(r.effects) == 1]
-    rated += [r for base in bases for r in _rate_beside(this, base, many, search)]
+    rated += [r for base in bases for r in _rate_beside(this, base, families, search)]
     rated.sort(key=lambda r: r.score)
     # Anonymous shapes come in so many places and widths that they linearise well: names keep places of their own.
     datum_start = [(e, v) for e, v in best.active if e in joint.datum]
@@ -305,7 +308,7 @@ def _promising(
     if companions:
         chosen += [r for r in beside[:NAMED] if r not in chosen]
     starts = [_accompanied(effect, core, beside, best) for effect in companions]
-    return [*starts, *((r.effects, [*datum_start, *_cut(r.effects, r.estimate)]) for r in chosen)]
+    return [*starts, *((r.effects, [*datum_start, *activated(r.effects, r.estimate)]) for r in chosen)]
 
 
 def _keyed(rated: Rated) -> frozenset[str]:
@@ -316,7 +319,7 @@ def _accompanied(companion: Effect, core: tuple[Effect, ...], beside: list[Rated
     """The best subset less its anonymous shapes, with what acts beside another, and that other."""
     wanted = {e.key for e in (*best.effects, companion, companion.beside) if e and not e.shape}
     near = next((r for r in beside if companion in r.effects), None)
-    values = _cut(near.effects, near.estimate) if near else []
+    values = activated(near.effects, near.estimate) if near else []
     datum = [(e, v) for e, v in best.active if e not in best.effects]
     known = {e.key: (e, v) for e, v in (*values, *best.active) if e.key in wanted}
     return tuple(e for e in core if e.key in wanted), [*datum, *known.values()]
@@ -339,9 +342,8 @@ def _rate_free(this: Round, subsets: Iterable[tuple[int, ...]], search: Search) 
         width = sum(free.spans[i].stop - free.spans[i].start for i in subset)
         bundles.setdefault(width, []).append(subset)
     for width, subsets in bundles.items():
-        columns = np.array(
-            [np.concatenate([_range(free.spans[i]) for i in subset] or [_range(slice(0, 0))]) for subset in subsets]
-        )
+        every = np.arange(free.values.shape[1], dtype=np.intp)
+        columns = np.array([np.concatenate([every[:0], *(every[free.spans[i]] for i in subset)]) for subset in subsets])
         index = np.hstack([columns, np.broadcast_to(this.always, (len(subsets), len(this.always)))])
         gram = this.products[:, index[:, :, None], index[:, None, :]]
         score, estimate, sound = _solve(gram, this.products[:, index, -1], this.constant + this.products[:, -1, -1])
@@ -383,23 +385,23 @@ def _grown(effects: tuple[Effect, ...], best: Hypothesis) -> Iterator[tuple[int,
                     yield subset
 
 
-def _rate_beside(this: Round, base: Rated, many: Numerous, search: Search) -> Iterator[Rated]:
-    """A subset with each of the numerous effects in turn, by the Schur complement; the best few of each group."""
+def _rate_beside(this: Round, base: Rated, families: Families, search: Search) -> Iterator[Rated]:
+    """A subset with each member of a family in turn, by the Schur complement; the best few of each group."""
     held = np.concatenate([base.columns, this.always])
     inner = this.products[:, held[:, None], held]
     right = np.concatenate([this.cross[:, held], this.products[:, held, -1:]], axis=2)
     solved = np.linalg.solve(inner, right) if len(held) else right
-    # Products of numerous columns with the residual, and its square, once the base is taken out.
+    # Products of the members' columns with the residual, and its square, once the base is taken out.
     left = np.swapaxes(right, 1, 2)
     target = this.cross[:, -1] - np.einsum("gkm,gk->gm", this.cross[:, held], solved[:, :, -1])
     square = this.products[:, -1, -1] - np.einsum("gk,gk->g", right[:, :, -1], solved[:, :, -1])
-    for alike in many.groups:
+    for alike in families.groups:
         columns, width = alike.columns, alike.columns.shape[1]
         a, b = columns[:, :, None], columns[:, None, :]
         taken = alike.products - np.sum(left[:, a] * np.moveaxis(solved, 1, 2)[:, b], axis=-1)
         score, estimate, sound = _solve(taken, target[:, columns], this.constant + square, alike.size)
         for row in np.argsort(np.where(sound, score, np.inf))[:3]:
-            effects = (*base.effects, many.effects[alike.effects[row]])
+            effects = (*base.effects, families.effects[alike.effects[row]])
             tail = effects[-1].start.copy()
             tail[:width] = estimate[row]
             values = np.concatenate([base.estimate, tail])
@@ -428,10 +430,6 @@ def _solve(gram: Array, right: Array, base: Array, size: Array | None = None) ->
     return misfit[least, rows], (estimate[..., 0] / size)[least, rows], smallest > 1 - COLLINEAR
 
 
-def _range(span: slice) -> Index:
-    return np.arange(span.start, span.stop)
-
-
 def _compatible(effects: list[Effect]) -> bool:
     """At most one of each group."""
     groups = [e.group for e in effects if e.group is not None]
@@ -449,18 +447,9 @@ def _completed(effects: tuple[Effect, ...], estimate: Array, spans: list[slice])
     return np.concatenate(parts) if parts else np.empty(0)
 
 
-def _cut(effects: tuple[Effect, ...], values: Array) -> list[tuple[Effect, Array]]:
-    cuts = np.cumsum([len(e.parameters) for e in effects])[:-1]
-    return list(zip(effects, np.split(values, cuts), strict=True)) if effects else []
-
-
-def _value_in(best: Hypothesis, effect: Effect) -> Array:
-    return next((values for active, values in best.active if active is effect), np.zeros(len(effect.parameters)))
-
-
 def _possible(effects: tuple[Effect, ...], values: Array) -> bool:
     """A linear estimate may overshoot a bound by a difference step; more is physically impossible."""
-    for effect, part in _cut(effects, values):
+    for effect, part in activated(effects, values):
         lower, upper = effect.bounds
         if np.any(part < lower - effect.steps) or np.any(part > upper + effect.steps):
             return False

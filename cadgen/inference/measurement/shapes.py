@@ -116,7 +116,7 @@ def _shape(
         parameters=parameters,
         act=act,
         shape=True,
-        numerous=True,
+        member=True,
         separated_by="look at the part and the set-up there",
     )
 

@@ -1,6 +1,6 @@
 """The verdict: what the rivals and what remains allow to be claimed, in one sentence."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from itertools import chain, combinations
@@ -12,7 +12,7 @@ from scipy.stats import norm
 from scipy.stats import t as student
 
 from cadgen.arrays import Array
-from cadgen.deviations.effect import UNITS, Active
+from cadgen.deviations.effect import UNITS, Effect
 from cadgen.inference.measurement.evidence import registered
 from cadgen.inference.measurement.hypothesis import Hypothesis
 from cadgen.inference.measurement.joint import Joint, Part
@@ -22,6 +22,17 @@ from cadgen.messages import Message, joined
 # Runs disagree if the chi-square of their smooth differences has this chance or less.
 DISAGREE = 1e-6
 SMOOTH_ORDERS = 6
+
+
+def names_of(effects: Iterable[Effect]) -> Message:
+    """Names of effects, as in "A and B"; empty without any."""
+    return joined((Message(e.name) for e in effects), " and ")
+
+
+def separations(effects: Iterable[Effect]) -> tuple[Message, ...]:
+    """For each effect the measurement that tells it apart, as "A: how", each once."""
+    how = {e.name: e.separated_by for e in effects if e.separated_by}
+    return tuple(Message("{name}: {how}", name=Message(name), how=Message(text)) for name, text in how.items())
 
 
 def _repeating(part: Part, joint: Joint, best: Hypothesis) -> tuple[Array, Array]:
@@ -231,14 +242,10 @@ def judge(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hypothesis]
         if judgement.verdict != Verdict.NONE:
             judgement = replace(judgement, verdict=Verdict.AMBIGUOUS, sentence=words)
         return replace(judgement, claimed=(), limits=(limit, *judgement.limits)), best
-    return _less_single_runs(joint, judgement, best), best
-
-
-def _less_single_runs(joint: Joint, judgement: Judgement, best: Hypothesis) -> Judgement:
-    """A judgement that claims nothing which only records of one run show, of which the noise is not known."""
     several = [part for part in joint.parts if part.noise.runs > 1]
     alone = [e.name for e in best.effects if not any(e.key in part.names for part in several)]
-    return unclaimed(judgement, alone, Message("of one run only, whose noise cannot be told from what repeats"))
+    why = Message("of one run only, whose noise cannot be told from what repeats")
+    return unclaimed(judgement, alone, why), best
 
 
 def _within_floor(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hypothesis]:
@@ -276,7 +283,7 @@ def _within_floor(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hyp
         claimed=tuple(sorted(common)),
         reported=tuple(sorted(reported)),
         rivals=tuple(tuple(e.name for e in h.effects) for h in rivals),
-        separate=_separate([best, *rivals]),
+        separate=separations(e for h in (best, *rivals) for e in h.effects),
     )
     return judgement, best.at(joint, loose=False)
 
@@ -296,15 +303,13 @@ def _below_floor(joint: Joint, h: Hypothesis) -> bool:
     """
     for some in chain.from_iterable(combinations(h.key, size) for size in range(1, len(h.key) + 1)):
         rest = [(e, v) for e, v in h.active if e.key not in some]
-        if not any(_shows(part, h.active, rest) for part in joint.parts):
+        for part in joint.parts:
+            change = registered(part.model, part.noise, part.residual(h.active) - part.residual(rest))
+            if np.sqrt(np.mean(change**2)) >= LEAST_OF_FLOOR * part.model.floor:
+                break
+        else:
             return True
     return False
-
-
-def _shows(part: Part, whole: Active, rest: Active) -> bool:
-    """Do the effects that `rest` lacks change a record by more than a share of its floor?"""
-    change = registered(part.model, part.noise, part.residual(whole) - part.residual(rest))
-    return bool(np.sqrt(np.mean(change**2)) >= LEAST_OF_FLOOR * part.model.floor)
 
 
 def _explained(joint: Joint, found: list[Hypothesis], best: Hypothesis) -> float:
@@ -357,7 +362,7 @@ def _beyond_floor(joint: Joint, loose: Hypothesis, found: list[Hypothesis]) -> t
         claimed=tuple(sorted(claimed)),
         reported=tuple(sorted(reported)),
         rivals=tuple(tuple(e.name for e in h.effects) for h in rivals),
-        separate=_separate([best, *rivals]),
+        separate=separations(e for h in (best, *rivals) for e in h.effects),
     )
     return judgement, beyond
 
@@ -404,16 +409,19 @@ def _sentence(verdict: Verdict, best: Hypothesis, rivals: list[Hypothesis], poss
             return Message("{traced}; less likely but not ruled out: {others}.", traced=traced, others=others)
         return Message("{traced}.", traced=traced)
     if verdict == Verdict.UNTRACED_SHAPE:
+        numbers = ", ".join(
+            f"{p.name} {v / p.scale:.4g}"
+            for effect, values, _ in best.values()
+            for p, v in zip(effect.parameters, values, strict=True)
+        )
         return Message(
-            "A shape that no effect of the catalogue makes: {names} ({numbers}).", names=names, numbers=_numbers(best)
+            "A shape that no effect of the catalogue makes: {names} ({numbers}).", names=names, numbers=numbers
         )
     if verdict == Verdict.PARTIAL:
-        named = [e for e in best.effects if not e.shape]
-        rest = [e for e in best.effects if e.shape]
         return Message(
             "Partly traced to {named}; beside it, {rest}.",
-            named=joined((Message(e.name) for e in named), " and "),
-            rest=joined((Message(e.name) for e in rest), " and "),
+            named=names_of(e for e in best.effects if not e.shape),
+            rest=names_of(e for e in best.effects if e.shape),
         )
     if not rivals:
         return Message(
@@ -425,18 +433,4 @@ def _sentence(verdict: Verdict, best: Hypothesis, rivals: list[Hypothesis], poss
 
 
 def _names(h: Hypothesis) -> Message:
-    return joined((Message(e.name) for e in h.effects), " and ") or Message("no effect")
-
-
-def _numbers(h: Hypothesis) -> str:
-    """Every parameter of every shape, in the unit its name ends in."""
-    return ", ".join(
-        f"{p.name} {v / p.scale:.4g}"
-        for effect, values, _ in h.values()
-        for p, v in zip(effect.parameters, values, strict=True)
-    )
-
-
-def _separate(hypotheses: list[Hypothesis]) -> tuple[str, ...]:
-    said = {e.name: e.separated_by for h in hypotheses for e in h.effects if e.separated_by}
-    return tuple(Message("{name}: {how}", name=Message(name), how=Message(how)) for name, how in said.items())
+    return names_of(h.effects) or Message("no effect")

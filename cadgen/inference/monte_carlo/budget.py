@@ -60,42 +60,15 @@ class Process(StrEnum):
 
 
 HALF_WIDTHS: dict[Process, dict[Deviation, float]] = {
-    Process.MILLED: {
-        PROFILE_OFFSET: 0.025,
-        TAPER: 0.01,
-        EDGE_BREAK: 0.05,
-        ECCENTRIC_BORE: 0.01,
-        WOBBLE: radians(0.05),
-        INNER_FACE: 0.05,
-        OUTER_FACE: 0.05,
-    },
-    Process.WIRE_CUT: {
-        PROFILE_OFFSET: 0.005,
-        TAPER: 0.005,
-        EDGE_BREAK: 0.01,
-        ECCENTRIC_BORE: 0.005,
-        WOBBLE: radians(0.05),
-        INNER_FACE: 0.05,
-        OUTER_FACE: 0.05,
-    },
-    Process.LASER_CUT: {
-        PROFILE_OFFSET: 0.1,
-        TAPER: 0.06,
-        EDGE_BREAK: 0.02,
-        ECCENTRIC_BORE: 0.05,
-        WOBBLE: radians(0.1),
-        INNER_FACE: 0.1,
-        OUTER_FACE: 0.1,
-    },
-    Process.PRINTED: {
-        PROFILE_OFFSET: 0.15,
-        TAPER: 0.1,
-        EDGE_BREAK: 0.1,
-        ECCENTRIC_BORE: 0.1,
-        WOBBLE: radians(0.2),
-        INNER_FACE: 0.1,
-        OUTER_FACE: 0.1,
-    },
+    process: dict(
+        zip((PROFILE_OFFSET, TAPER, EDGE_BREAK, ECCENTRIC_BORE, WOBBLE, INNER_FACE, OUTER_FACE), halves, strict=True)
+    )
+    for process, halves in {
+        Process.MILLED: (0.025, 0.01, 0.05, 0.01, radians(0.05), 0.05, 0.05),
+        Process.WIRE_CUT: (0.005, 0.005, 0.01, 0.005, radians(0.05), 0.05, 0.05),
+        Process.LASER_CUT: (0.1, 0.06, 0.02, 0.05, radians(0.1), 0.1, 0.1),
+        Process.PRINTED: (0.15, 0.1, 0.1, 0.1, radians(0.2), 0.1, 0.1),
+    }.items()
 }
 
 
@@ -190,12 +163,11 @@ def _cases(deviation: Deviation, half: float) -> Array:
     """Cars at the limits of one tolerance, in every direction if it has one; shape (k, columns)."""
     if deviation.directed:
         angle = TURN / _DIRECTIONS * np.arange(_DIRECTIONS)
-        cars = np.zeros((_DIRECTIONS, len(COLUMNS)))
-        cars[:, deviation.columns] = half * np.stack([np.cos(angle), np.sin(angle)], axis=1)
-        return cars
-    ends = [half] if deviation.one_sided else [-half, half]
+        ends = half * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    else:
+        ends = np.array([[half]] if deviation.one_sided else [[-half], [half]])
     cars = np.zeros((len(ends), len(COLUMNS)))
-    cars[:, deviation.column] = ends
+    cars[:, deviation.columns] = ends
     return cars
 
 

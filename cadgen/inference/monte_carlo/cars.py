@@ -341,8 +341,12 @@ def _run(cars: Cars, deviations: Array, stations: Array | None) -> Poses:
     phase = deviations[:, CAM_PHASE.column]
     first, last = float(phase.min()), float(cars.stations[-1] + phase.max() + play.max())
     track = Tracks.of(cars, deviations, rate, first, last)
-
-    stretch = _intervals(cars, deviations, play, phase, last)
+    if cars.forces is None:
+        stretch = lead_intervals(cars.falls[None, :, 0], cars.falls[None, :, 1], play, phase, last)
+    elif cars.forces.mechanics.behind > 0:
+        stretch = behind_a_brake(cars.forces, deviations, play, phase, last)
+    else:
+        stretch = lead_intervals(*cars.forces.leads(deviations), play, phase, last)
     turned, moved = track.between(stretch.cam, stretch.motor[:, 1:] - stretch.motor[:, :-1], stretch.waits)
     zero = np.zeros((len(play), 1))
     heading = deviations[:, START_HEADING.columns] + np.concatenate([zero, np.cumsum(turned, axis=1)], axis=1)
@@ -370,12 +374,3 @@ def _combined(cars: Cars, deviations: Array) -> Array:
     out[:, WHEELBASE.column] += cars.car.wheelbase * growth
     out[:, DRIVE_WHEEL_OFFSET.column] += cars.car.drive_wheel_offset * growth
     return out
-
-
-def _intervals(cars: Cars, deviations: Array, play: Array, phase: Array, last: float) -> LeadIntervals:
-    forces = cars.forces
-    if forces is None:
-        return lead_intervals(cars.falls[None, :, 0], cars.falls[None, :, 1], play, phase, last)
-    if forces.mechanics.behind > 0:
-        return behind_a_brake(forces, deviations, play, phase, last)
-    return lead_intervals(*forces.leads(deviations), play, phase, last)

@@ -5,7 +5,6 @@ the square of the way. So what stands on the course is moved back by the same, a
 """
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Protocol
 
 import numpy as np
@@ -94,16 +93,10 @@ class GateItem:
         square = float((across * along.conjugate()).imag / abs(across))
         return np.asarray((moved * along.conjugate()).imag / np.copysign(max(abs(square), _SQUARE), square))
 
-    @cached_property
-    def _pieces(self) -> tuple[Complex, Array]:
-        """Each piece of the track: conjugate of its direction, and its length, mm."""
+    def _disc(self, centre: Complex) -> Array:
         along = np.diff(self.track)
         length = np.abs(along)
-        return along.conj() / length, length
-
-    def _disc(self, centre: Complex) -> Array:
-        ahead, length = self._pieces
-        local = (centre[:, None] - self.track[:-1]) * ahead
+        local = (centre[:, None] - self.track[:-1]) * (along.conj() / length)
         beside = local.real - np.clip(local.real, 0.0, length)
         return np.asarray(self.reach - np.sqrt((beside**2 + local.imag**2).min(axis=1)))
 

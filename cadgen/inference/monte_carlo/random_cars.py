@@ -370,7 +370,9 @@ def _below(value: float) -> float:
 
 def sensitivities(cars: Cars, tolerances: Tolerances) -> tuple[Sensitivity, ...]:
     """Effect of each varying parameter on the end of the run, by central differences, greatest share first."""
-    spreads = _spreads(cars, tolerances)
+    spreads = {name: tolerances.zone(name).std for name in tolerances.half_widths}
+    play = tolerances.draw(np.random.default_rng(0), _SPREAD_SAMPLES, cars.play)[:, RETURN_ERROR.column]
+    spreads[RETURN_ERROR] = float(play.std())
     names = [name for name, spread in spreads.items() if spread > 0]
     if not names:
         return ()
@@ -397,10 +399,3 @@ def sensitivities(cars: Cars, tolerances: Tolerances) -> tuple[Sensitivity, ...]
         Sensitivity(deviation=name, step=step, heading=heading, along=along, across=across, share=variance / whole)
         for variance, name, step, heading, along, across in sorted(effects, key=lambda effect: -effect[0])
     )
-
-
-def _spreads(cars: Cars, tolerances: Tolerances) -> dict[Deviation, float]:
-    """Standard deviation of each tolerance; a sampler's from its own random numbers."""
-    spreads = {name: tolerances.zone(name).std for name in tolerances.half_widths}
-    play = tolerances.draw(np.random.default_rng(0), _SPREAD_SAMPLES, cars.play)[:, RETURN_ERROR.column]
-    return {**spreads, RETURN_ERROR: float(play.std())}

@@ -182,7 +182,7 @@ def _kind(header: list[str], name: str, known: Sequence[Kind] | None) -> Kind:
     if exact is not None:
         return exact
     known = kinds() if known is None else known
-    near = max(known, key=lambda kind: (len(_names(kind) & set(header)), -len(kind.columns)))
+    near = max(known, key=lambda kind: (sum(c.name in header for c in kind.columns), -len(kind.columns)))
     lacking = [c for c in near.header if c not in header]
     more = [c for c in header if c not in near.header]
     differs = [
@@ -196,10 +196,6 @@ def _kind(header: list[str], name: str, known: Sequence[Kind] | None) -> Kind:
         kind=near.code,
         differs=joined(differs, " and "),
     )
-
-
-def _names(kind: Kind) -> set[str]:
-    return {column.name for column in kind.columns}
 
 
 def _words(cells: Sequence[str], column: Column, lines: Sequence[int], name: str) -> NDArray[np.str_]:

@@ -119,7 +119,7 @@ def _polyline(content: bytes, name: str, layer: str | None, closed: bool) -> Poi
             unit=unit,
         )
     every = list(drawing.modelspace().query("LWPOLYLINE POLYLINE"))
-    lines = [line for line in every if _closed(line) == closed]
+    lines = [line for line in every if closed == bool(line.is_closed if line.dxftype() == "POLYLINE" else line.closed)]
     layers = sorted({line.dxf.layer for line in lines})
     if layer is not None:
         lines = [line for line in lines if line.dxf.layer == layer]
@@ -152,10 +152,6 @@ def _polyline(content: bytes, name: str, layer: str | None, closed: bool) -> Poi
         )
     places = tuple((x * _UNITS[unit], y * _UNITS[unit]) for x, y in _corners(lines[0], _SAG / _UNITS[unit]))
     return _enough(Points(places, (1.0,) * len(places)), name)
-
-
-def _closed(line: Any) -> bool:
-    return bool(line.is_closed if line.dxftype() == "POLYLINE" else line.closed)
 
 
 def _corners(line: Any, sag: float) -> list[tuple[float, float]]:

@@ -18,11 +18,12 @@ from cadgen.deviations.deviation import (
     BASE_RADIUS,
     CAM_PHASE,
     RETURN_ERROR,
-    SETTABLE,
+    SETTINGS,
     SLIDING_FRICTION,
     STARTS,
     STEERING_ZERO,
     VARIED,
+    ByHand,
     Deviation,
 )
 from cadgen.inference.adjustment import (
@@ -66,32 +67,19 @@ class Point(Enum):
     PATH = "path"
 
 
-class Knob(Enum):
-    """Settings that may be changed by hand."""
-
-    HEAD = "head"
-    KEY = "key"
-    START = "start"
-
-    @property
-    def deviations(self) -> tuple[Deviation, ...]:
-        """Deviations that it sets."""
-        return tuple(each for each in SETTABLE if each.hand and each.hand.knob == self.value)
-
-
 @dataclass(frozen=True, kw_only=True)
 class Wanted:
     """How trial runs were measured, and what may be set.
 
     Attributes:
         point: point of the car that was measured.
-        knobs: settings that a hand may change.
+        settings: parts of the car that a hand may set, keys of `SETTINGS` of the catalogue.
         noise: standard deviation of a measured coordinate, mm.
         division: division of the micrometer head, mm.
     """
 
     point: Point = Point.DRIVE_WHEEL
-    knobs: tuple[Knob, ...] = (Knob.HEAD, Knob.START)
+    settings: tuple[ByHand, ...] = (ByHand.HEAD, ByHand.START)
     noise: float = 10.0
     division: float = 0.01
 
@@ -185,9 +173,9 @@ class AdjustmentPlan:
 
     @property
     def steps(self) -> tuple[Message, ...]:
-        """Settings, a sentence for each knob."""
+        """Settings for the next run, a sentence for each that may be changed."""
         last, new, steps = self.trials[-1].settings, self.settings, []
-        if Knob.HEAD in self.wanted.knobs and self.divisions:
+        if ByHand.HEAD in self.wanted.settings and self.divisions:
             steps.append(
                 Message(
                     "micrometer head: base radius {way} by {count} × {division:g} µm (in all {all:+.0f} µm)",
@@ -197,12 +185,12 @@ class AdjustmentPlan:
                     all=new.head * 1e3,
                 )
             )
-        elif Knob.HEAD in self.wanted.knobs:
+        elif ByHand.HEAD in self.wanted.settings:
             steps.append(Message("micrometer head: leave it (in all {all:+.0f} µm)", all=new.head * 1e3))
-        if Knob.KEY in self.wanted.knobs:
+        if ByHand.KEY in self.wanted.settings:
             way = _turn(new.key - last.key, "ahead", "back")
             steps.append(Message("cam on its shaft: {way} (in all {all:+.2f}°)", way=way, all=degrees(new.key)))
-        if Knob.START in self.wanted.knobs:
+        if ByHand.START in self.wanted.settings:
             steps.append(
                 Message(
                     "start, from where it is planned: {along}, {across}, heading {heading}",
@@ -342,7 +330,7 @@ class Bench:
         wanted, noise, last = self.wanted, self.prior.noise, trials[-1].settings
         posterior = explain(self.fine, self.lever, self.prior, trials)
         cars = posterior.draw(np.random.default_rng(SEED), CARS)
-        free = [each for knob in wanted.knobs for each in knob.deviations]
+        free = [each for part in wanted.settings for each in SETTINGS[part]]
         settings = best_settings(
             self.coarse,
             cars,

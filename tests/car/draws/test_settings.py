@@ -115,17 +115,17 @@ def test_least_greatest_error_is_that_of_the_linear_programme(seed):
 
 
 def test_what_can_be_set_on_either_side():
-    assert SettingRange(-5.0, 5.0, 0.5).near(1.2) == (1.0, 1.5)
-    assert SettingRange(-5.0, 5.0, 0.5).near(1.5) == (1.5,)
-    assert SettingRange(-5.0, 5.0).near(1.23) == (1.23,)
+    assert SettingRange(-5.0, 5.0, 0.5).adjacent(1.2) == (1.0, 1.5)
+    assert SettingRange(-5.0, 5.0, 0.5).adjacent(1.5) == (1.5,)
+    assert SettingRange(-5.0, 5.0).adjacent(1.23) == (1.23,)
     # What is shown is 10.2 more, and set to whole numbers.
-    assert SettingRange(-5.0, 5.0, 1.0, 10.2).near(0.0) == pytest.approx((-0.2, 0.8))
+    assert SettingRange(-5.0, 5.0, 1.0, 10.2).adjacent(0.0) == pytest.approx((-0.2, 0.8))
     hand = Wheels((50.0, 60.0), (10.0, 11.0))
-    assert hand.near(2 * pi * 610) == ((60.0, 10.0), (60.0, 11.0))
-    assert hand.near(2 * pi * 400) == ((50.0, 10.0),)
+    assert hand.adjacent(2 * pi * 610) == ((60.0, 10.0), (60.0, 11.0))
+    assert hand.adjacent(2 * pi * 400) == ((50.0, 10.0),)
     assert not hand.free
     assert Wheels((50.0, 60.0), (10.0,), made=True).free
-    assert Wheels((50.0, 60.0), (10.0,), made=True, step=0.5).near(2 * pi * 552) == ((55.0, 10.0), (55.5, 10.0))
+    assert Wheels((50.0, 60.0), (10.0,), made=True, step=0.5).adjacent(2 * pi * 552) == ((55.0, 10.0), (55.5, 10.0))
 
 
 def test_what_moves_with_the_spacing():

@@ -6,8 +6,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from cadgen.deviations.deviation import ByHand
 from cadgen.inference.adjustment import Settings, Trial
-from cadgen.jobs.adjustment.plan import Bench, Knob, Wanted
+from cadgen.jobs.adjustment.plan import Bench, Wanted
 from tests.forks import MAIN
 from tests.studies.adjust import ALLOWED_MM, Field, case
 
@@ -44,7 +45,7 @@ def test_points_of_no_car_are_not_explained(field):
 @pytest.mark.slow
 def test_a_car_as_designed_is_left_alone(field):
     """Points on the planned track itself, on a car without play or friction worth a word: nothing large is set."""
-    bench = Bench.of(field.plan, Wanted(division=0.01, knobs=(Knob.HEAD,), noise=2.0))
+    bench = Bench.of(field.plan, Wanted(division=0.01, settings=(ByHand.HEAD,), noise=2.0))
     rng = np.random.default_rng(3)
     hand = field.draw(rng)
     place = field.run(hand, Settings(), rng, np.linspace(0, field.end, 16)[1:], 0.0)

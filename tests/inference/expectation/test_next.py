@@ -20,7 +20,7 @@ from tests.studies.circles_truth import Car, World, drawn_form
 
 @pytest.mark.parametrize("kind", ["LIFT", "PROFILE", "TRACK", "TRANSMISSION"])
 def test_every_number_of_the_catalogue_has_a_usual_size(kind):
-    orders = ("lobing", "waviness", "worn")  # numerous effects enter by what was found of them
+    orders = ("lobing", "waviness", "worn")  # members of families enter by what was found of them
     numbers = [p for effect in getattr(catalogue, kind).entries for p in effect.parameters]
     assert all(p.usual is not None for p in numbers if not p.name.startswith(orders))
 

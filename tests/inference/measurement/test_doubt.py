@@ -10,7 +10,7 @@ from cadgen.errors import FileError
 from cadgen.inference.measurement.diagnosis import calibrate, diagnose
 from cadgen.inference.measurement.evidence import Noise
 from cadgen.inference.measurement.nominal import Nominal
-from cadgen.inference.measurement.reservations import doubted, refuse_too_few, resolved
+from cadgen.inference.measurement.reservations import refuse_too_few, resolved, with_reservations
 from cadgen.inference.measurement.verdict import Judgement, runs_disagree
 from cadgen.inference.records.load import load
 
@@ -36,7 +36,7 @@ class _Best:
 def _limits(record, nominal):
     model = nominal.model(record)
     noise = Noise(np.full(len(model.rows.run), 4e-3), 0.0, 0.0, record.runs)
-    return doubted(CLEAR, record, model, noise, _Best(), np.full(len(model.rows.run), 4e-3)).limits
+    return with_reservations(CLEAR, record, model, noise, _Best(), np.full(len(model.rows.run), 4e-3)).limits
 
 
 def test_a_whole_turn_both_ways_has_no_limits(lift, nominal):
@@ -58,7 +58,7 @@ def test_a_rest_that_dwarfs_noise_and_form_error_names_nothing(lift, nominal):
     noise = Noise(np.full(rows, 4e-3), 0.0, 0.0, 3)
     # Noise of 4 um and form error of 2 um make 4.5 um together.
     for left, verdict, claimed in ((0.012, "traced", ("x",)), (0.025, "ambiguous", ()), (0.050, "unexplained", ())):
-        told = doubted(CLEAR, lift, model, noise, _Best(), np.full(rows, left))
+        told = with_reservations(CLEAR, lift, model, noise, _Best(), np.full(rows, left))
         assert told.verdict == verdict
         assert told.claimed == claimed
         assert any("and so not claimed" in limit for limit in told.limits) == (left == 0.025)
@@ -74,14 +74,14 @@ def test_a_value_on_its_physical_bound_is_not_claimed(lift, nominal):
 
     noise = Noise(np.full(len(model.rows.run), 4e-3), 0.0, 0.0, 3)
     judged = replace(CLEAR, claimed=("lever gain", "phase"))
-    told = doubted(judged, lift, model, noise, AtBound(), np.zeros(len(model.rows.run)))
+    told = with_reservations(judged, lift, model, noise, AtBound(), np.zeros(len(model.rows.run)))
     assert told.claimed == ("phase",)
     assert "gain_percent of lever gain" in told.limits[-1]
 
 
 def _judged(record, nominal, noise, best=None, chance=1.0):
     rows = len(noise.sigma)
-    return doubted(CLEAR, record, nominal.model(record), noise, best or _Best(), np.zeros(rows), chance)
+    return with_reservations(CLEAR, record, nominal.model(record), noise, best or _Best(), np.zeros(rows), chance)
 
 
 def test_noise_far_beyond_the_instruments_claims_nothing(lift, nominal):
@@ -121,7 +121,7 @@ def test_a_value_within_its_error_is_not_claimed(lift, nominal):
     judged = replace(CLEAR, claimed=("eccentric bore", "phase"))
     model = nominal.model(lift)
     for small.x, claimed in ((1.9e-3, ("phase",)), (2.1e-3, ("eccentric bore", "phase"))):
-        assert doubted(judged, lift, model, noise, small, np.zeros(len(lift.run))).claimed == claimed
+        assert with_reservations(judged, lift, model, noise, small, np.zeros(len(lift.run))).claimed == claimed
 
 
 def test_six_effects_that_leave_more_than_noise_are_not_sure(lift, nominal):

@@ -64,7 +64,7 @@ def test_up_to_two_names_need_the_same_chance_and_more_need_more():
 
 def test_subsets_about_the_best_one():
     """Of nine alike effects, four in the best subset: counted by hand from all subsets of the sizes that are grown."""
-    effects = tuple(SimpleNamespace(key=str(i), beside=None, group=None, numerous=False) for i in range(9))
+    effects = tuple(SimpleNamespace(key=str(i), beside=None, group=None, member=False) for i in range(9))
     inside = set(range(4))
     best = SimpleNamespace(key=frozenset(map(str, inside)))
 

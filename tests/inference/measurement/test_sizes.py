@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from cadgen.inference.measurement.hypothesis import Hypothesis, _covariance, sized
-from cadgen.inference.measurement.search import Columns, Numerous
+from cadgen.inference.measurement.search import Columns, Families
 
 
 def test_a_size_has_the_uncertainty_of_every_spectrum_by_its_chance():
@@ -65,7 +65,7 @@ def test_a_column_that_the_discrepancy_hides_is_no_candidate():
         halves=lambda white: np.array([[[0.6 * white[0, 0], (1 - 1e-16) * white[0, 1]]]]),
     )
     columns = Columns((effect, effect), (slice(0, 1), slice(1, 2)), np.stack([near, hidden], axis=1))
-    (alike,) = Numerous(joint, columns).groups
+    (alike,) = Families(joint, columns).groups
     assert (alike.columns.tolist(), alike.effects.tolist()) == ([[0], [1]], [0, 1])
     assert alike.products.shape == (1, 2, 1, 1)
     assert alike.size[0, 0] == pytest.approx(np.sqrt(25 - 1.8**2))

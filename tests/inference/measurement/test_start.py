@@ -5,7 +5,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cadgen.inference.measurement.kinds.track import BY_HAND_MM, StartSpread, doubts, floor, held, scattered, settings
+from cadgen.inference.measurement.kinds.track import (
+    BY_HAND_MM,
+    StartSpread,
+    floor,
+    held,
+    scattered,
+    settings,
+    start_reservations,
+)
 from cadgen.inference.measurement.model import slopes
 from cadgen.inference.measurement.record import join
 from tests.inference.measurement import synthetic_drive as drive
@@ -89,16 +97,16 @@ def test_a_start_off_in_all_runs_is_said():
     stated, sigmas = StartSpread(3.0, 0.15 * DEG, True), np.full((4, 3), 1e-9)
     near = np.array([[3.0, 0, 0], [-2.0, 1, 0], [1.0, -4, 0], [0.0, 2, 0]])
     alike = (stated,) * 4
-    assert doubts(alike, alike, near, sigmas) == ()
-    (together,) = doubts(alike, alike, near + np.array([0, 20.0, 0]), sigmas)
+    assert start_reservations(alike, alike, near, sigmas) == ()
+    (together,) = start_reservations(alike, alike, near + np.array([0, 20.0, 0]), sigmas)
     assert together.startswith("all runs start off together, by (0.5, 19.8) mm and 0.00°")
-    (scatter,) = doubts((replace(stated, heading=0.1),) * 4, alike, near, sigmas)
+    (scatter,) = start_reservations((replace(stated, heading=0.1),) * 4, alike, near, sigmas)
     assert "not by 3 mm and 0.15°, as the file says" in scatter
     tight = replace(stated, place=0.5)
     two = (tight, *alike[1:3], tight)
     off = near.copy()
     off[[0, 3]] = (0.0, 20.0, 0.0)
-    (some,) = doubts(two, two, off, sigmas)
+    (some,) = start_reservations(two, two, off, sigmas)
     assert some.startswith("runs 1, 4 start off together, by (0.0, 20.0) mm")
 
 

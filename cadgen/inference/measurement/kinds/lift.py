@@ -10,7 +10,7 @@ from cadgen.deviations.catalogue import LIFT
 from cadgen.deviations.disc import NOSE_WIDTHS_DEG, worn_nose
 from cadgen.deviations.effect import READING, Active, Effect, through
 from cadgen.deviations.lift import ANGLE, Readings
-from cadgen.inference.measurement.model import CHANGE, Discrepancy, Rolled, elapsed, fourier, per_run, unknown
+from cadgen.inference.measurement.model import CHANGE, Discrepancy, Model, Rolled, elapsed, fourier, per_run, unknown
 from cadgen.inference.measurement.nominal import Nominal
 from cadgen.inference.measurement.record import Column, Datum, Direction, Kind, Record, Span, refuse_twice
 from cadgen.inference.measurement.shapes import shapes
@@ -19,12 +19,12 @@ FORM_ORDERS = 90
 SHAPE_ORDERS = range(1, 61)
 
 
-class LiftModel:
+class LiftModel(Model):
     """Lift by cam angle, run and direction: reading = w_in tan(beta), the dial at the inner face's nominal place."""
 
     unit = "um"
-    measured = tangent = resolved = None
     behind = Rolled.stages
+    rolled: Rolled
 
     def __init__(self, record: Record, nominal: Nominal) -> None:
         self._lift, self._follower = lift, follower = nominal.lift, nominal.follower
@@ -46,7 +46,6 @@ class LiftModel:
             *LIFT.effects,
             *(worn_nose(k, width) for k in range(len(nominal.disc.noses)) for width in NOSE_WIDTHS_DEG),
         )
-        self.datum: tuple[Effect, ...] = ()
         self.offsets = per_run(record.run)
         self.spread, self.discrepancy = unknown(self.offsets), Discrepancy.none(len(angle))
         self.form, self.order = fourier(angle, FORM_ORDERS)

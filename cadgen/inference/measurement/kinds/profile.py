@@ -16,6 +16,7 @@ from cadgen.errors import FileError
 from cadgen.inference.measurement.model import (
     Cache,
     Discrepancy,
+    Model,
     elapsed,
     fourier,
     highest_order,
@@ -40,19 +41,15 @@ def _polar(points: Array) -> tuple[Array, Array]:
     return np.arctan2(points[:, 1], points[:, 0]) % TURN, np.hypot(points[:, 0], points[:, 1])
 
 
-def _clock(angle: Array, p: Array, at: Rows) -> Array:
-    return np.asarray(angle - p[0])
-
-
 CLOCKING = Effect(
     name="clocking",
     stage=CLOCK,
     parameters=(Parameter(name="clocking_deg", unit="deg", lower=-10.0, upper=10.0, step=0.02),),
-    act=_clock,
+    act=lambda angle, p, at: np.asarray(angle - p[0]),
 )
 
 
-class ProfileModel:
+class ProfileModel(Model):
     """Distance of each point from the outline along the normal, outwards positive; clocking is a datum of each run.
 
     A part may be clamped anew for each run or file. Every run is first turned back by the clocking that it has against
@@ -64,10 +61,8 @@ class ProfileModel:
         own: clocking of each run against the bare design, shape (runs,), rad.
     """
 
-    behind = ()
-    rolled = None
     unit = "um"
-    measured = None
+    datum = (CLOCKING,)
 
     def __init__(self, record: Record, nominal: Nominal) -> None:
         disc = nominal.disc
@@ -90,7 +85,6 @@ class ProfileModel:
             *(worn_nose(k, width) for k in range(len(self._disc.noses)) for width in NOSE_WIDTHS_DEG),
             *(undulation(order) for order in range(2, min(UNDULATIONS, last) + 1)),
         )
-        self.datum: tuple[Effect, ...] = (CLOCKING,)
         turned = slopes(self, self.datum, [])
         self.offsets = (turned * per_run(record.run))[:, 1:]
         self.spread, self.discrepancy = unknown(self.offsets), Discrepancy.none(len(place))

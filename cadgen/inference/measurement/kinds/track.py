@@ -14,7 +14,7 @@ sin((k - 1/2) pi s / l).
 """
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import pi, radians
 
 import numpy as np
@@ -27,10 +27,10 @@ from cadgen.car.running.drive import MIDPOINT, Running, driven, start_pose
 from cadgen.car.steering import wheel_tangent
 from cadgen.deviations import deviation
 from cadgen.deviations.catalogue import TRACK
-from cadgen.deviations.effect import Active, Effect, Rows, through
+from cadgen.deviations.effect import Active, Rows, through
 from cadgen.deviations.track import RUNNING, STEERING, track_forms
 from cadgen.deviations.transmission import MESH, RATIO, Turned
-from cadgen.inference.measurement.model import Cache, Discrepancy, Rolled, elapsed, fourier
+from cadgen.inference.measurement.model import Cache, Discrepancy, Model, Rolled, elapsed, fourier
 from cadgen.inference.measurement.nominal import Nominal
 from cadgen.inference.measurement.record import Abscissa, Column, Datum, Kind, Record, Span, refuse_twice, said_of_runs
 from cadgen.messages import Message, joined
@@ -167,20 +167,16 @@ def scattered(poses: Array, stated: StartSpreads) -> StartSpreads:
     used = list(stated)
     for setting, runs in _alike(stated).items():
         if len(runs) > 1:
-            shown = _scattered(poses[runs], setting)
+            spread, freedom = np.std(poses[runs], axis=0, ddof=1), len(runs) - 1
+            beyond = spread > setting.spread * np.sqrt(chi2.isf(CHANCE, freedom) / freedom)
+            place = float(spread[:2].max()) if beyond[:2].any() else setting.place
+            shown = replace(setting, place=place, heading=float(spread[2]) if beyond[2] else setting.heading)
             for run in runs:
                 used[run] = shown
     return tuple(used)
 
 
-def _scattered(poses: Array, stated: StartSpread) -> StartSpread:
-    spread, freedom = np.std(poses, axis=0, ddof=1), len(poses) - 1
-    beyond = spread > stated.spread * np.sqrt(chi2.isf(CHANCE, freedom) / freedom)
-    place = float(spread[:2].max()) if beyond[:2].any() else stated.place
-    return StartSpread(place, float(spread[2]) if beyond[2] else stated.heading, stated.stated)
-
-
-def doubts(used: StartSpreads, stated: StartSpreads, values: Array, sigmas: Array) -> tuple[str, ...]:
+def start_reservations(used: StartSpreads, stated: StartSpreads, values: Array, sigmas: Array) -> tuple[str, ...]:
     """Warnings about the starts: runs that scatter by more than was stated, or start off together.
 
     Args:
@@ -266,7 +262,7 @@ _KEPT = 8  # tangents at the steps of a turn
 BLEND_MARGIN = np.radians(4.0)  # the cam may lead the motor by phase and play
 
 
-class TrackModel:
+class TrackModel(Model):
     """Where the drive wheel is at each motor position; each run's start pose is a datum.
 
     Rows hold first the x and then the y of a run. The form error of the cam is one of the lift, `floor` mm rms, and
@@ -274,8 +270,9 @@ class TrackModel:
     """
 
     unit = "mm"
-    tangent = resolved = None
     behind = (*Rolled.stages, RATIO, MESH)
+    rolled: Rolled
+    measured: Array
 
     def __init__(self, record: Record, nominal: Nominal) -> None:
         self.rolled, self._lift, self._forces = nominal.rolled, nominal.lift, nominal.forces
@@ -304,8 +301,6 @@ class TrackModel:
             cell=np.unique(key, return_inverse=True)[1].astype(np.intp),
         )
         self.catalogue = (*TRACK.effects, *track_forms())
-        self.shapes: tuple[Effect, ...] = ()
-        self.datum: tuple[Effect, ...] = ()
         self.floor = nominal.form_error / self._forces.mechanics.follower.inner
         self.slip = np.empty(0)
         self._starts = Starts(run, axis, self.measured)
@@ -404,10 +399,6 @@ class TrackModel:
 PLANNED_ROWS = 36
 
 
-def _check(record: Record) -> None:
-    refuse_twice(record, np.stack([record.run, record["cam_angle_deg"]]), "cam_angle_deg")
-
-
 def _extent(x: Array, y: Array) -> float:
     return float(np.hypot(np.ptp(x), np.ptp(y)))
 
@@ -416,10 +407,6 @@ def _spans(record: Record, nominal: Nominal) -> Iterable[Span]:
     share = np.radians(record["cam_angle_deg"]) / (2 * pi)
     path = nominal.track.position(np.clip(share * nominal.track.turn, 0.0, nominal.track.length))
     yield Span("x_mm, y_mm", _extent(record["x_mm"], record["y_mm"]), _extent(*path.T), "mm")
-
-
-def _starts(model: TrackModel, values: Array, sigmas: Array) -> tuple[str, tuple[str, ...]]:
-    return held(model.used), doubts(model.used, model.stated, values, sigmas)
 
 
 KIND = Kind(
@@ -436,10 +423,13 @@ KIND = Kind(
         words="the start pose of each run",
         name="start pose",
         numbers=NUMBERS,
-        notes=_starts,
+        notes=lambda model, values, sigmas: (
+            held(model.used),
+            start_reservations(model.used, model.stated, values, sigmas),
+        ),
     ),
     model=TrackModel,
-    check=_check,
+    check=lambda record: refuse_twice(record, np.stack([record.run, record["cam_angle_deg"]]), "cam_angle_deg"),
     spans=_spans,
     absences=(deviation.RETURN_ERROR, deviation.SLIDING_FRICTION),
     noise=3.0,

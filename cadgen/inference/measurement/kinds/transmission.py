@@ -17,7 +17,16 @@ from cadgen.deviations.catalogue import TRANSMISSION
 from cadgen.deviations.effect import READING, Active, Effect, key_of, through
 from cadgen.deviations.transmission import MESH, PLAY, RATIO, Play, Turns, train_orders
 from cadgen.errors import DesignError, FileError
-from cadgen.inference.measurement.model import Cache, Discrepancy, elapsed, fourier, highest_order, per_run, unknown
+from cadgen.inference.measurement.model import (
+    Cache,
+    Discrepancy,
+    Model,
+    elapsed,
+    fourier,
+    highest_order,
+    per_run,
+    unknown,
+)
 from cadgen.inference.measurement.nominal import Nominal
 from cadgen.inference.measurement.record import Column, Datum, Kind, Record, Span
 from cadgen.inference.measurement.shapes import shapes
@@ -32,13 +41,10 @@ TAKE_UP_DEG = 5.0
 _KEPT = 16  # angles of the camshaft: forms without a name act on the reading alone
 
 
-class TransmissionModel:
+class TransmissionModel(Model):
     """Cam angle by motor angle, forward and back, the inclinometer's zero free in each run."""
 
-    behind = ()
-    rolled = tangent = None
     unit = "deg"
-    measured = None
 
     def __init__(self, record: Record, nominal: Nominal) -> None:
         """Take a record.
@@ -80,10 +86,11 @@ class TransmissionModel:
         motor = np.arange(1.0, MOTOR_HARMONICS + 1.0) * float(np.prod(ratios))
         motor = np.asarray(motor[(motor > FORM_ORDERS) & (motor <= highest)], dtype=float)
         self._shape_orders = np.union1d(np.arange(1, min(SHAPE_ORDERS, highest) + 1), motor)
-        self.datum: tuple[Effect, ...] = ()
         self.offsets = per_run(run)
         self.spread = unknown(self.offsets)
-        self.discrepancy = _cogging(turned, motor)
+        waves = turned[:, None] * motor
+        columns, sigma = np.hstack([np.cos(waves), np.sin(waves)]), np.full(2 * len(motor), COGGING)
+        self.discrepancy = Discrepancy("what repeats with the motor's turns", columns, sigma)
         self.form, self.order = fourier(turned, min(FORM_ORDERS, highest))
         self.floor = nominal.train_error
         self.slip = np.empty(0)
@@ -108,13 +115,6 @@ class TransmissionModel:
             return asked
         drawn = None if play.friction is None else self._forces.drawn(play.friction)
         return follow(asked, self._run_all, play.width, drawn)
-
-
-def _cogging(turned: Array, orders: Array) -> Discrepancy:
-    """Errors that repeat with every turn of the motor, or several times in it: poles, and teeth of the first pinion."""
-    waves = turned[:, None] * orders
-    columns = np.hstack([np.cos(waves), np.sin(waves)])
-    return Discrepancy("what repeats with the motor's turns", columns, np.full(columns.shape[1], COGGING))
 
 
 def follow(asked: Array, run: NDArray[np.intp], width: float, drawn: tuple[Array, Array] | None = None) -> Array:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from cadgen.arrays import TURN, Array
 from cadgen.deviations.catalogue import Catalogue
 from cadgen.deviations.effect import Active, Effect, through
-from cadgen.inference.measurement.model import Discrepancy, elapsed, unknown
+from cadgen.inference.measurement.model import Discrepancy, Model, elapsed, unknown
 from cadgen.inference.measurement.nominal import LoggedCar
 from cadgen.inference.measurement.record import Abscissa, Column, Datum, Kind, Method, Record, Span
 from cadgen_tricycle.effects import DELAY, EFFECTS, MARKER, STEERING, TRAVEL, WHEELBASE, Log
@@ -22,15 +22,14 @@ CATALOGUE = Catalogue(*EFFECTS)
 THINNED = 10
 
 
-class TricycleModel:
+class TricycleModel(Model):
     """Place of the rear axle's centre along each run; the start pose of each run is a datum.
 
     Rows hold first the x and then the y of a run.
     """
 
-    behind = ()
-    rolled = tangent = resolved = None
     unit = "mm"
+    measured: Array
 
     def __init__(self, record: Record, wheelbase: float) -> None:
         self._wheelbase = wheelbase
@@ -65,8 +64,6 @@ class TricycleModel:
             steering=steering[self._rows],
         )
         self.catalogue: tuple[Effect, ...] = CATALOGUE.effects
-        self.shapes: tuple[Effect, ...] = ()
-        self.datum: tuple[Effect, ...] = ()
         self.floor = 0.0
         self.slip = np.empty(0)
         self.form, self.order = np.empty((len(run), 0)), np.empty(0)
