@@ -7,7 +7,7 @@ with matplotlib, and one of the system's for Chinese, Japanese and Korean.
 import io
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from functools import cache, partial
+from functools import cache
 from pathlib import Path
 
 import ezdxf
@@ -88,7 +88,10 @@ def dxf_bytes(drawing: DrawingSheet, language: str = ENGLISH) -> bytes:
 
 def document_of(drawing: DrawingSheet, language: str = ENGLISH) -> Document:
     """The sheet as a document of ezdxf, with its texts in a language; names of dimensions stay English."""
-    say = partial(_said, language)
+
+    def say(text: str) -> str:
+        return str(translate(text, language))
+
     document = ezdxf.new("R2010", units=_MM)
     document.styles.add(_STYLE, font=FONT)
     for name, pattern in _PATTERNS.items():
@@ -114,25 +117,25 @@ def document_of(drawing: DrawingSheet, language: str = ENGLISH) -> Document:
     return document
 
 
-def _said(language: str, text: str) -> str:
-    return str(translate(text, language))
-
-
 def _dimension_style(document: Document, scale: float) -> None:
-    style = document.dimstyles.new(_STYLE)
-    style.dxf.dimtxsty = _STYLE
-    style.dxf.dimtxt = TEXT
-    style.dxf.dimasz = 2.5
-    style.dxf.dimexe = 1.0
-    style.dxf.dimexo = 0.5
-    style.dxf.dimgap = _DIMGAP
-    style.dxf.dimtad = 1
-    style.dxf.dimdec = 3
-    style.dxf.dimzin = 8  # no zeros at the end
-    style.dxf.dimdsep = ord(".")
-    style.dxf.dimlfac = 1.0 / scale
-    style.dxf.dimtih = 0
-    style.dxf.dimtoh = 0
+    document.dimstyles.new(
+        _STYLE,
+        dxfattribs={
+            "dimtxsty": _STYLE,
+            "dimtxt": TEXT,
+            "dimasz": 2.5,
+            "dimexe": 1.0,
+            "dimexo": 0.5,
+            "dimgap": _DIMGAP,
+            "dimtad": 1,
+            "dimdec": 3,
+            "dimzin": 8,
+            "dimdsep": ord("."),
+            "dimtih": 0,
+            "dimtoh": 0,  # 8: no last zeros
+            "dimlfac": 1.0 / scale,
+        },
+    )
 
 
 @dataclass(frozen=True)
@@ -413,7 +416,8 @@ def _face_with(file: Path, letters: frozenset[str]) -> int | None:
     """Number of a face of a file that has all letters, the simplified Chinese one if there is one; None without."""
     try:
         faces = TTCollection(file, lazy=True).fonts if file.suffix.lower() == ".ttc" else [TTFont(file, lazy=True)]
-        plain = [number for number, face in enumerate(faces) if _family(face).endswith((" SC", " CN"))]
+        families = [str(face["name"].getBestFamilyName()) for face in faces]
+        plain = [number for number, family in enumerate(families) if family.endswith((" SC", " CN"))]
         order: dict[int, None] = dict.fromkeys([*plain, *range(len(faces))])
         for number in order:
             known = faces[number].getBestCmap() or ()
@@ -422,10 +426,6 @@ def _face_with(file: Path, letters: frozenset[str]) -> int | None:
     except (OSError, TTLibError):
         pass
     return None
-
-
-def _family(face: TTFont) -> str:
-    return str(face["name"].getBestFamilyName())
 
 
 _INCH = 25.4

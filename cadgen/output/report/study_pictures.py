@@ -94,7 +94,7 @@ def _draw_parallel(content: ExplorationPicture, folder: Path, name: str) -> list
                     text, (at, place), xytext=(3, 0), textcoords="offset points", fontsize=7, va="center",
                     bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.8},
                 )  # fmt: skip
-        axes.set_xticks(across, [_broken(head) for head in heads], fontsize=8)
+        axes.set_xticks(across, [head.replace(".", ".\n") for head in heads], fontsize=8)  # beside each other
         axes.set_yticks([])
         axes.grid(visible=False)
         axes.spines[["left", "bottom"]].set_visible(False)
@@ -160,11 +160,6 @@ def _places(values: Sequence[Any]) -> tuple[Array, list[tuple[float, str]]]:
     where = {choice: at / max(len(choices) - 1, 1) for at, choice in enumerate(choices)}
     step = max(len(choices) // _MOST_TICKS, 1)
     return np.array([where[str(value)] for value in values]), [(where[c], c[:18]) for c in choices[::step]]
-
-
-def _broken(head: str) -> str:
-    """A key on lines of its own parts, so that heads do not run into each other."""
-    return head.replace(".", ".\n")
 
 
 def _spoken(code: str) -> str:
