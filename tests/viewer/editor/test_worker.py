@@ -7,8 +7,7 @@ import time
 
 import pytest
 
-from cadgen.viewer.editor.job import Job, Result, refusal
-from cadgen.viewer.editor.worker import Worker
+from cadgen.viewer.editor.worker import Job, Result, Worker, refusal
 
 
 def work(job, progress):
