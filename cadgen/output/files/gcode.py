@@ -349,18 +349,16 @@ def tabs_note(tabs: Tabs) -> str:
 def _span(centre: Contour, ends: Array, middle: float, apart: float) -> tuple[float, float]:
     """Lengths along the path, evenly to either side of `middle`, at which it is `apart` from itself, mm."""
 
+    def point(at: float) -> Array:
+        side = int(np.clip(np.searchsorted(ends, at, "right") - 1, 0, len(centre.bulges) - 1))
+        place: Array = centre.side(side, np.array([(at - ends[side]) / (ends[side + 1] - ends[side])]))[0]
+        return place
+
     def between(half: float) -> float:
-        points = [_point(centre, ends, middle + side * half) for side in (-1, 1)]
-        return float(np.linalg.norm(points[1] - points[0])) - apart
+        return float(np.linalg.norm(point(middle + half) - point(middle - half))) - apart
 
     half = float(brentq(between, apart / 4, min(apart, 0.49 * ends[-1]), xtol=1e-9))
     return middle - half, middle + half
-
-
-def _point(centre: Contour, ends: Array, at: float) -> Array:
-    side = int(np.clip(np.searchsorted(ends, at, "right") - 1, 0, len(centre.bulges) - 1))
-    point: Array = centre.side(side, np.array([(at - ends[side]) / (ends[side + 1] - ends[side])]))[0]
-    return point
 
 
 def _split(centre: Contour, ends: Array, spans: Array, lead: float) -> Slot:

@@ -171,7 +171,7 @@ class _Rounds:
         before = floor = np.zeros(len(plans[0]))
         for number, (plan, cuts) in enumerate(zip(plans, self.rounds, strict=True)):
             after = number >= self.before_stop
-            first = _begin_of(plan, plans[0]) if after else 0
+            first = int(np.argmax((plans[0] == plan[0]).all(axis=1))) if after else 0  # where the pass begins
             run = slice(first, first + len(plan))
             if not np.array_equal(plans[0][run], plan):
                 raise RefusedError("has passes that differ, so the disc's faces would too")
@@ -228,11 +228,6 @@ class _Rounds:
     def length(self) -> float:
         """Length of a round between its leads, mm."""
         return sum(move.length for move in self.rounds[0][1:-1])
-
-
-def _begin_of(plan: Array, whole: Array) -> int:
-    """Number of the cut of a round with which a pass begins; 0 if there is none."""
-    return int(np.argmax((whole == plan[0]).all(axis=1)))
 
 
 def _refuse_air(cuts: Sequence[Move], air: NDArray[np.bool_], lead: float) -> None:
@@ -324,7 +319,7 @@ class _Swept:
         """
         count = len(self.angle)
         reach = np.arcsin(self.radius / self.distance.min())
-        angle = self._thrice
+        angle = np.concatenate([self.angle - TURN, self.angle, self.angle + TURN])
         ray = (ray + pi) % TURN - pi
         first, last = np.searchsorted(angle, ray - reach), np.searchsorted(angle, ray + reach)
         if (first == last).any():
@@ -359,11 +354,6 @@ class _Swept:
         near = along - np.sqrt(np.maximum(under, 0.0))
         near[(under <= 0) | (along <= 0)] = np.inf
         return near, aside
-
-    @cached_property
-    def _thrice(self) -> Array:
-        """Polar angles with those before the first and after the last place, which stand again a turn away."""
-        return np.concatenate([self.angle - TURN, self.angle, self.angle + TURN])
 
     @cached_property
     def _centres(self) -> Array:
