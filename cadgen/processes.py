@@ -148,7 +148,7 @@ def _stand_by() -> int:
 
 
 @contextmanager
-def beside(function: Callable[[], T]) -> Iterator[Callable[[], T]]:
+def in_second_process(function: Callable[[], T]) -> Iterator[Callable[[], T]]:
     """Compute beside a block, which gets a function for the result; it raises the error that the computation raised.
 
     The process is a fork of this one, with all that was loaded. Where none can be forked, with a single processor, in a

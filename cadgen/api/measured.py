@@ -57,11 +57,11 @@ def sources_of(data: Data | Iterable[Data], *, each: bool = False, progress: Pro
     """
     from cadgen.jobs.calibration.sources import gathered
 
-    sources = (_source(item, number, progress) for number, item in enumerate(_several(data), 1))
+    sources = (_source(item, number, progress) for number, item in enumerate(_each_of(data), 1))
     return gathered(sources, each=each)
 
 
-def _several(data: Data | Iterable[Data]) -> list[Data]:
+def _each_of(data: Data | Iterable[Data]) -> list[Data]:
     if isinstance(data, (str, PathLike, Mapping, Measured)):
         return [data]
     try:

@@ -83,7 +83,7 @@ class _Level(NamedTuple):
                 vertices.append(vertices[-1])
                 continue
             vertex = TopoDS_Vertex()
-            _BUILDER.MakeVertex(vertex, _place(arc, z), TOLERANCE)
+            _BUILDER.MakeVertex(vertex, _start_point(arc, z), TOLERANCE)
             vertices.append(vertex)
         edges = [
             None if _is_point(arc) else edge_between(curve, start, end)
@@ -145,7 +145,7 @@ def _wall(low: _Level, high: _Level) -> list[TopoDS_Face]:
         if k and low.vertices[k].IsSame(low.vertices[k - 1]) and high.vertices[k].IsSame(high.vertices[k - 1]):
             sides.append(sides[-1])
             continue
-        start, end = _place(low.arcs[k], low.z), _place(high.arcs[k], high.z)
+        start, end = _start_point(low.arcs[k], low.z), _start_point(high.arcs[k], high.z)
         line: Geom_Curve = Geom_Line(start, _UP)
         if not same:
             line = Geom_BSplineCurve(filled(Array1_gp_Pnt, [start, end]), *knots_of(np.array([0.0, 0.0, 1.0, 1.0])), 1)
@@ -207,7 +207,7 @@ def _is_point(arc: SplineArc) -> bool:
     return bool((arc.control_points == arc.control_points[0]).all())
 
 
-def _place(arc: SplineArc, z: float) -> gp_Pnt:
+def _start_point(arc: SplineArc, z: float) -> gp_Pnt:
     x, y = arc.control_points[0].tolist()
     return gp_Pnt(x, y, z)
 

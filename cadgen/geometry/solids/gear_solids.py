@@ -50,7 +50,7 @@ from cadgen.geometry.solids.kernel import (
 from cadgen.geometry.solids.step import add_part, colour_of, completed, document_bytes, new_document, read_document
 from cadgen.parts.body import Body, Cap, RadialHole, SweptWall, caps_of, walls_of
 from cadgen.parts.loop import Arc, Curve, Involute, Loop, Points, Segment, bezier_poles
-from cadgen.processes import beside
+from cadgen.processes import in_second_process
 
 if TYPE_CHECKING:
     from build123d import Compound as Compound
@@ -254,7 +254,7 @@ def read_assembly(path: Path) -> tuple[AssembledPart, ...]:
         placed.append((label, XCAFDoc_ShapeTool.GetLocation_s(use).Transformation()))
     shapes = [tool.GetShape_s(label) for label, _ in placed]
     judged = [(False, 0.0)] * len(shapes)
-    with beside(partial(_judged, shapes[1::2])) as others:
+    with in_second_process(partial(_judged, shapes[1::2])) as others:
         judged[::2] = _judged(shapes[::2])
         judged[1::2] = others()
     parts = []

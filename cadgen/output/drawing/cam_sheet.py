@@ -10,8 +10,8 @@ import shapely
 from cadgen.arrays import TURN, Array
 from cadgen.curves.contour import Contour, circle
 from cadgen.messages import Message
-from cadgen.output.drawing.placement import placed
-from cadgen.output.drawing.section import Layer, ScrewHole, beyond, drawn, material
+from cadgen.output.drawing.placement import placed_dimensions
+from cadgen.output.drawing.section import Layer, ScrewHole, edges_behind_cut, material, outlines_and_hatches
 from cadgen.output.drawing.sheet import (
     EDGE,
     FIT_OPEN,
@@ -147,7 +147,7 @@ def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     plane, letters = cutting_plane(angle, end, scale)
     curves += plane
     labels += letters
-    dimensions = placed(_face_dimensions(cam, scale), curves, labels, scale)
+    dimensions = placed_dimensions(_face_dimensions(cam, scale), curves, labels, scale)
     return View(place=place, curves=tuple(curves), dimensions=dimensions, labels=tuple(labels))
 
 
@@ -217,8 +217,8 @@ def _section(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     areas = [_chamfered(area, cam) for area in material(layers, angle)]
     screw = _screw(cam)
     whole, areas = areas, screw.cut(areas, angle) if screw else areas
-    strokes, hatches = drawn(areas)
-    strokes += beyond(layers, whole)
+    strokes, hatches = outlines_and_hatches(areas)
+    strokes += edges_behind_cut(layers, whole)
     top = max(area.bounds[3] for area in areas)
     low = min(area.bounds[0] for area in areas)
     high = max(area.bounds[2] for area in areas)

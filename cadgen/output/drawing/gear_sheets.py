@@ -13,8 +13,8 @@ from cadgen.curves.contour import Contour
 from cadgen.gears.layout import TrainPart
 from cadgen.gears.stage import Stage
 from cadgen.messages import Message
-from cadgen.output.drawing.placement import Room, placed
-from cadgen.output.drawing.section import Layer, ScrewHole, beyond, drawn, material
+from cadgen.output.drawing.placement import Room, placed_dimensions
+from cadgen.output.drawing.section import Layer, ScrewHole, edges_behind_cut, material, outlines_and_hatches
 from cadgen.output.drawing.sheet import (
     EDGE,
     FIT_OPEN,
@@ -197,7 +197,12 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     plane, letters = cutting_plane(0.0, reach + 0.3 * gap, scale)
     curves += [*(screw.face() if screw else ()), *plane]
     labels = (Label(text=Message("from above"), at=(0.0, -reach - gap), height=3.5), *letters)
-    return View(place=place, curves=tuple(curves), dimensions=placed(dimensions, curves, labels, scale), labels=labels)
+    return View(
+        place=place,
+        curves=tuple(curves),
+        dimensions=placed_dimensions(dimensions, curves, labels, scale),
+        labels=labels,
+    )
 
 
 def _rims(body: Body) -> Iterator[Loop]:
@@ -226,8 +231,8 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     whole = material(layers, 0.0)
     screw = ScrewHole.of(blank, part.body.radial_hole)
     areas = screw.cut(whole, 0.0) if screw else whole
-    strokes, hatches = drawn(areas)
-    strokes += beyond(layers, whole)
+    strokes, hatches = outlines_and_hatches(areas)
+    strokes += edges_behind_cut(layers, whole)
     low, high = part.body.slabs[0].start, part.body.slabs[-1].end
     strokes.append(Stroke(np.array([[low - 0.5 * gap, 0.0], [high + 0.5 * gap, 0.0]]), LineKind.CENTRE))
     dimensions: list[Dimension] = []

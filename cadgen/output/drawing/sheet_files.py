@@ -201,7 +201,7 @@ class _Place:
                 text=text,
                 dimstyle=_STYLE,
                 override={"dimtad": 1, "dimtofl": 1, "dimtmove": 0},
-                location=self._outside(dimension),
+                location=self._diameter_place(dimension),
                 dxfattribs=attributes,
             )
         else:
@@ -209,7 +209,7 @@ class _Place:
                 base=self._on_paper(dimension.at),
                 p1=self._on_paper(dimension.start),
                 p2=self._on_paper(dimension.end),
-                location=self._beside(dimension) if dimension.beside else None,
+                location=self._number_place(dimension) if dimension.beside else None,
                 angle=90.0 - (90.0 - dimension.angle) % 180.0,  # so that no number stands on its head
                 text=text,
                 dimstyle=_STYLE,
@@ -219,7 +219,7 @@ class _Place:
         made.render()
         made.dimension.set_xdata(APP, [(1000, dimension.name)])
 
-    def _beside(self, dimension: LinearDimension) -> Vec2:
+    def _number_place(self, dimension: LinearDimension) -> Vec2:
         """Place of a number beside the middle of its dimension line, above that line."""
         along = Vec2.from_deg_angle(dimension.angle)
         base, *ends = (Vec2(self._on_paper(point)) for point in (dimension.at, dimension.start, dimension.end))
@@ -227,7 +227,7 @@ class _Place:
         upright = Vec2.from_deg_angle(180.0 - (90.0 - dimension.angle) % 180.0)
         return base + along * (middle + dimension.beside) + upright * (_DIMGAP + TEXT / 2)
 
-    def _outside(self, dimension: DiameterDimension) -> Vec2:
+    def _diameter_place(self, dimension: DiameterDimension) -> Vec2:
         """Place of the text of a diameter: outside the circle, on the dimension line's own side."""
         reach = dimension.reach or self.scale * dimension.diameter / 2 + 9.0
         return Vec2(self._on_paper(dimension.centre)) + Vec2.from_deg_angle(dimension.angle, reach)

@@ -99,7 +99,7 @@ def read_gcode(
         )
     try:
         _refuse_feeds(program, machining, material)
-        rounds = _Rounds.of(program)
+        rounds = _MilledRounds.of(program)
         tabs = rounds.tabs(machining, thickness)
         _refuse_tabs(tabs, machining, rounds.length)
         outline = _left_over(rounds.cuts(machining, thickness), machining.cutter_diameter_mm / 2, step)
@@ -121,7 +121,7 @@ def _refuse_feeds(program: Program, machining: Machining, material: DiscMaterial
 
 
 @dataclass(frozen=True)
-class _Rounds:
+class _MilledRounds:
     """Cuts of a program from one rapid move to the next, plunges apart.
 
     Attributes:
@@ -135,7 +135,7 @@ class _Rounds:
     before_stop: int
 
     @classmethod
-    def of(cls, program: Program) -> "_Rounds":
+    def of(cls, program: Program) -> "_MilledRounds":
         rounds: list[list[Move]] = []
         plunges, before_stop, cutting = [], None, False
         for number, move in enumerate(program.moves):
@@ -272,7 +272,7 @@ def _refuse_tabs(tabs: tuple[Tab, ...], machining: Machining, length: float) -> 
 
 
 @dataclass(frozen=True)
-class _Swept:
+class _CutterSweep:
     """Places that stand for the cutter's path, by polar angle.
 
     Attributes:
@@ -289,7 +289,7 @@ class _Swept:
     radius: float
 
     @classmethod
-    def of(cls, moves: list[Array], radius: float) -> "_Swept":
+    def of(cls, moves: list[Array], radius: float) -> "_CutterSweep":
         places = np.concatenate(moves)
         distance = np.linalg.norm(places, axis=1)
         if distance.min() <= radius:
@@ -363,7 +363,7 @@ class _Swept:
 
 def _left_over(cuts: list[Move], radius: float, step: float) -> Outline:
     """Outline of the stock that is left inside the cutter's sweep, by rays from the origin."""
-    swept = _Swept.of([move.places(np.sqrt(8 * _SCALLOP_MM * radius)) for move in cuts], radius)
+    swept = _CutterSweep.of([move.places(np.sqrt(8 * _SCALLOP_MM * radius)) for move in cuts], radius)
     count = ceil(TURN * (swept.distance.max() - radius) / step)
     spacing = TURN / count
     ray: Array = spacing * np.arange(count, dtype=np.float64)

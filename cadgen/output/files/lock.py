@@ -88,7 +88,7 @@ def unlock(descriptor: int) -> None:
     unlock_descriptor(descriptor)
 
 
-def held(file: Path) -> bool:
+def is_held(file: Path) -> bool:
     """Whether a process holds the lock of a file; False if there is no such file."""
     try:
         descriptor = os.open(file, _OPEN & ~os.O_CREAT)

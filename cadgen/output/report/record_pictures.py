@@ -84,7 +84,7 @@ def _three(value: float) -> str:
     return f"{float(f'{value:.3g}'):.12g}"
 
 
-def _place(diagnosis: Diagnosis, length: float | None) -> Array:
+def _abscissa(diagnosis: Diagnosis, length: float | None) -> Array:
     """Abscissa of each row, in its unit."""
     match diagnosis.kind.abscissa:
         case Abscissa.CAM_ANGLE:
@@ -129,7 +129,7 @@ def _residual(axes: "Axes", diagnosis: Diagnosis, residual: Array, length: float
     """Draw the residual of each run: readings as points, or the distance from a track as a line."""
     from matplotlib import colormaps
 
-    place, unit = _place(diagnosis, length), SIGNS[diagnosis.unit]
+    place, unit = _abscissa(diagnosis, length), SIGNS[diagnosis.unit]
     values = residual / UNITS[diagnosis.unit]
     scale = colormaps[_MANY_RUNS](np.linspace(0.0, 0.9, diagnosis.runs))
     for run in range(diagnosis.runs):

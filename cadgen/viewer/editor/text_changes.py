@@ -392,7 +392,7 @@ def with_table(text: str, name: str, index: int, item: Mapping[str, object], *, 
     if mine and index == 0:
         yield text[: mine[0].above] + table + line + text[mine[0].above :]
         return
-    at = mine[index - 1].end if mine else _place(text, name)
+    at = mine[index - 1].end if mine else _place_of_first_table(text, name)
     before, after = text[:at], text[at:]
     if before and not before.endswith("\n"):
         before += line
@@ -430,7 +430,7 @@ def with_tables_exchanged(text: str, name: str, index: int) -> Iterator[str]:
     yield text[:first] + tail + text[one.end : other.above] + text[first : one.end] + text[other.end :]
 
 
-def _place(text: str, name: str) -> int:
+def _place_of_first_table(text: str, name: str) -> int:
     """Where the first table of a name goes: behind the others of its section, else behind the path, else at the end."""
     tables = tables_of(text)
     for section in (name.partition(".")[0], "path"):
