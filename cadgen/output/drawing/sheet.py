@@ -322,7 +322,7 @@ def arrow(start: Array, end: Array, head: tuple[float, float], line: LineKind = 
 
     Args:
         start: point at which it begins, mm on the part.
-        end: its tip.
+        end: its tip, mm on the part.
         head: length and half the width of its head, mm.
         line: kind of line.
     """

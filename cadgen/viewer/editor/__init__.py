@@ -7,6 +7,7 @@
 | `text_changes` | a change of a design file's text, comments kept                           |
 | `saving`       | the file: read once, written in one step, never over another's changes    |
 | `session`      | one design being edited: changes, undo and redo, saving                   |
+| `job`          | a version to compute, and the answer                                      |
 | `compute`      | from a design's text to what the page shows                               |
 | `worker`       | a process that computes; the newest request wins                          |
 | `guard`        | refusal of requests that do not come from the page                        |

@@ -12,7 +12,7 @@ from cadgen.jobs.gears.gear_train import GearTrain, plan_gears
 from cadgen.output.files.manifest import Origin
 from cadgen.progress import Progress
 from cadgen.viewer.editor.course_items import points_of
-from cadgen.viewer.editor.worker import Job, Result, Stage, State, refusal
+from cadgen.viewer.editor.job import Job, Result, Stage, State, refusal
 from cadgen.viewer.page.data import data_of
 from cadgen.viewer.page.html import floor_html, pieces_of
 from cadgen.viewer.page.page_plan import PagePlan, plan_edited, plan_preview

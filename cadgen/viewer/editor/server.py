@@ -35,9 +35,10 @@ from starlette.types import ASGIApp
 
 from cadgen.errors import CadgenError, DesignError, FileError
 from cadgen.viewer.editor.guard import Address, Guard, refused
+from cadgen.viewer.editor.job import Job, Result, Stage, State, fault_sentence
 from cadgen.viewer.editor.session import Session
 from cadgen.viewer.editor.text_changes import read_changes, read_point
-from cadgen.viewer.editor.worker import Job, Result, Stage, State, Worker, fault_sentence
+from cadgen.viewer.editor.worker import Worker
 from cadgen.viewer.page.html import shell
 
 _STATUS = {State.DONE: 200, State.REFUSED: 422, State.SUPERSEDED: 409, State.FAULT: 503}

@@ -10,8 +10,8 @@ import pytest
 from cadgen.api.design import Design
 from cadgen.viewer.editor import guard
 from cadgen.viewer.editor.guard import Address
+from cadgen.viewer.editor.job import Result
 from cadgen.viewer.editor.server import Service, application
-from cadgen.viewer.editor.worker import Result
 from cadgen.viewer.page.html import policy
 from tests.viewer.editor.conftest import TEXT, Here
 

@@ -7,7 +7,8 @@ import time
 
 import pytest
 
-from cadgen.viewer.editor.worker import Job, Result, Worker, refusal
+from cadgen.viewer.editor.job import Job, Result, refusal
+from cadgen.viewer.editor.worker import Worker
 
 
 def work(job, progress):

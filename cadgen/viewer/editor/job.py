@@ -1,0 +1,79 @@
+"""A version of a design to compute, and the answer; light to import, for the process that only sends them."""
+
+import json
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Any
+
+from cadgen.errors import brief
+from cadgen.progress import Progress
+
+
+class Stage(StrEnum):
+    """Stage of a computation: the actual cam alone, or all."""
+
+    PREVIEW = "preview"
+    WHOLE = "whole"
+
+
+class State(StrEnum):
+    """State of an answer.
+
+    It is there; the design cannot be computed; a newer version was asked for meanwhile; or it failed in a way that is
+    none of the design's.
+    """
+
+    DONE = "done"
+    REFUSED = "refused"
+    SUPERSEDED = "superseded"
+    FAULT = "fault"
+
+
+@dataclass(frozen=True)
+class Job:
+    """A version of a design to compute.
+
+    Attributes:
+        revision: number of the version.
+        stage: what is computed of it.
+        text: TOML.
+        file: name of its file, for messages.
+    """
+
+    revision: int
+    stage: Stage
+    text: str
+    file: str
+
+
+@dataclass(frozen=True)
+class Result:
+    """Answer to a job.
+
+    Attributes:
+        state: whether the answer is there.
+        body: JSON.
+    """
+
+    state: State
+    body: bytes = b"{}"
+
+
+Compute = Callable[[Job, Progress], Result]
+
+
+def refusal(state: State, sentence: str, **more: Any) -> Result:
+    """Result that says in a sentence why there is none."""
+    return Result(state, json.dumps({"error": sentence, **more}, ensure_ascii=False).encode())
+
+
+def fault(error: Exception) -> Result:
+    """Result of a computation that failed in a way that is none of the design's."""
+    return refusal(State.FAULT, fault_sentence(error))
+
+
+def fault_sentence(error: Exception) -> str:
+    """Sentence on an error that no design or request should cause."""
+    summary = brief(f"{type(error).__name__}: {error}", 400)
+    return f"a fault in cadgen, please report it with your design file ({summary})"
