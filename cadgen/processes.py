@@ -67,14 +67,14 @@ def _begin(prepare: Callable[[], object], function: Callable[..., Any] | None, c
             os.close(closed)
     parent = multiprocessing.parent_process()
     if parent is not None:
-        threading.Thread(target=_end_with, args=(parent.sentinel,), daemon=True).start()
+
+        def end_with_parent(sentinel: int) -> None:
+            wait([sentinel])
+            os._exit(1)
+
+        threading.Thread(target=end_with_parent, args=(parent.sentinel,), daemon=True).start()
     prepare()
     _function = function
-
-
-def _end_with(sentinel: int) -> None:
-    wait([sentinel])
-    os._exit(1)
 
 
 def in_processes(
@@ -148,7 +148,7 @@ def _stand_by() -> int:
 
 
 @contextmanager
-def beside(function: Callable[[], T]) -> Iterator[Callable[[], T]]:
+def in_second_process(function: Callable[[], T]) -> Iterator[Callable[[], T]]:
     """Compute beside a block, which gets a function for the result; it raises the error that the computation raised.
 
     The process is a fork of this one, with all that was loaded. Where none can be forked, with a single processor, in a
@@ -157,7 +157,12 @@ def beside(function: Callable[[], T]) -> Iterator[Callable[[], T]]:
     Args:
         function: computation, without arguments; its result and its errors must be such as can be pickled.
     """
-    if not _worthwhile():
+    if (
+        sys.platform != "linux"
+        or threading.current_thread() is not threading.main_thread()
+        or multiprocessing.parent_process() is not None
+        or len(os.sched_getaffinity(0)) == 1
+    ):
         yield function
         return
     worker = WorkerProcess(function=function)
@@ -173,12 +178,3 @@ def beside(function: Callable[[], T]) -> Iterator[Callable[[], T]]:
         yield result
     finally:
         worker.end()
-
-
-def _worthwhile() -> bool:
-    return (
-        sys.platform == "linux"
-        and threading.current_thread() is threading.main_thread()
-        and multiprocessing.parent_process() is None
-        and len(os.sched_getaffinity(0)) > 1
-    )

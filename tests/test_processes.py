@@ -13,16 +13,16 @@ from pathlib import Path
 import pytest
 
 from cadgen.errors import CheckError, FileError
-from cadgen.processes import WorkerProcess, beside, call, in_processes
+from cadgen.processes import WorkerProcess, call, in_processes, in_second_process
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="elsewhere nothing is forked")
 WAITING = """
 import os, time
-from cadgen.processes import beside
+from cadgen.processes import in_second_process
 def wait():
     print(os.getpid(), flush=True)
     time.sleep(600)
-with beside(wait) as result:
+with in_second_process(wait) as result:
     result()
 """
 
@@ -46,14 +46,14 @@ def refuse():
 
 
 def test_a_result_comes_from_another_process():
-    with beside(lambda: (os.getpid(), [1.5, "text"])) as result:
+    with in_second_process(lambda: (os.getpid(), [1.5, "text"])) as result:
         process, values = result()
     assert process != os.getpid()
     assert values == [1.5, "text"]
 
 
 def test_an_error_is_raised_here_with_the_place_where_it_was_raised():
-    with beside(refuse) as result, pytest.raises(CheckError, match="the rod jams") as caught:
+    with in_second_process(refuse) as result, pytest.raises(CheckError, match="the rod jams") as caught:
         result()
     assert "in refuse" in str(caught.value.__cause__)
 
@@ -65,12 +65,12 @@ def die(here):
 
 
 def test_a_killed_process_is_done_without():
-    with beside(partial(die, os.getpid())) as result:
+    with in_second_process(partial(die, os.getpid())) as result:
         assert result() == "done here"
 
 
 def test_it_ends_with_its_block():
-    with pytest.raises(CheckError), beside(lambda: time.sleep(600)):
+    with pytest.raises(CheckError), in_second_process(lambda: time.sleep(600)):
         refuse()
     assert not multiprocessing.active_children()
 
@@ -93,12 +93,12 @@ def test_one_processor_and_a_process_of_a_pool_compute_by_themselves(monkeypatch
     (process,) = in_processes(1, beside_pid, [os.getpid()])
     assert process != os.getpid()
     monkeypatch.setattr(os, "sched_getaffinity", lambda process: {0})
-    with beside(os.getpid) as result:
+    with in_second_process(os.getpid) as result:
         assert result() == os.getpid()
 
 
 def beside_pid(other):
-    with beside(os.getpid) as result:
+    with in_second_process(os.getpid) as result:
         assert result() == os.getpid() != other
         return result()
 
@@ -112,7 +112,7 @@ def test_an_error_that_cannot_be_read_is_raised_here():
     def jam():
         raise JamError(3, "rod")
 
-    with beside(jam) as result, pytest.raises(JamError, match="the rod jams at 3"):
+    with in_second_process(jam) as result, pytest.raises(JamError, match="the rod jams at 3"):
         result()
 
 

@@ -13,10 +13,8 @@ from cadgen.api.values import name_or_path, whole
 from cadgen.errors import DesignError, FileError, brief
 from cadgen.output.files.publisher import Frozen, Written, folder_of, frozen
 from cadgen.progress import Progress, silent
-from cadgen.studies.engines import Cluster, Engine, Mapped, Processes, engine_of
-from cadgen.studies.journal import Journal
+from cadgen.studies.engines import Cluster, Processes, engine_of
 from cadgen.studies.results import Results, merged
-from cadgen.studies.study import Study
 from cadgen.studies.study_figures import StudyFigure as Figure
 from cadgen.studies.study_figures import register as register_figure
 from cadgen.studies.study_figures import remove as remove_figure
@@ -127,7 +125,10 @@ def explore(
         DesignError: the study, an argument, or a package that is missing.
         FileError: the journal cannot be written, is of another study or version, or the executor has gone.
     """
-    read, text, place, part = *_read(study), folder_of(folder), shard_of(shard)
+    source = name_or_path("study", study)
+    if source is None or not os.fspath(source):
+        raise DesignError("no study is named: give the path of its file")
+    read, text, place, part = *read_study(Path(source)), folder_of(folder), shard_of(shard)
     if part[1] > 1 and read.searches:
         raise DesignError(
             "a search needs the results of all designs before it goes on, so it has no shards: use processes or a "
@@ -137,7 +138,11 @@ def explore(
         raise DesignError("both an executor and a scheduler are given: leave one out")
     journal = open_journal(read, text, place, part)
     try:
-        engine = _engine(executor, scheduler, whole("processes", processes, 1, MOST_PROCESSES), journal)
+        count, engine = whole("processes", processes, 1, MOST_PROCESSES), None
+        if executor is not None:
+            engine = engine_of(executor)
+        else:
+            engine = Processes(count, journal.stream.fileno()) if scheduler is None else Cluster(scheduler)
         try:
             results = StudyRun(read, journal, engine, progress).run()
         finally:
@@ -186,16 +191,3 @@ def shard_of(shard: str | tuple[int, int] | None) -> tuple[int, int]:
             most=MOST_SHARDS,
         )
     return part, parts
-
-
-def _read(study: str | PathLike[str]) -> tuple[Study, str]:
-    source = name_or_path("study", study)
-    if source is None or not os.fspath(source):
-        raise DesignError("no study is named: give the path of its file")
-    return read_study(Path(source))
-
-
-def _engine(executor: Any, scheduler: str | None, processes: int, journal: Journal) -> Engine | Mapped:
-    if executor is not None:
-        return engine_of(executor)
-    return Cluster(scheduler) if scheduler is not None else Processes(processes, journal.stream.fileno())

@@ -15,7 +15,7 @@ from math import cos, pi, radians
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
-from cadgen.api.values import feature, optional, real, several, whole, word
+from cadgen.api.values import feature, optional, real, stage_angles, whole, word
 from cadgen.arrays import TURN
 from cadgen.check import Check
 from cadgen.design.file_names import name_fault
@@ -551,7 +551,7 @@ class Train(_ByNumbers):
                     number=number,
                     before=number - 1,
                 )
-        directions = None if self.directions is None else several("directions", self.directions, len(stages))
+        directions = None if self.directions is None else stage_angles("directions", self.directions, len(stages))
         for angle in directions or ():
             if angle is not None:
                 real("directions", angle, -2 * pi, 2 * pi, "rad")

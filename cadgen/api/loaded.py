@@ -92,11 +92,18 @@ class LoadedDesign:
         from cadgen.design.begin import begin, points_of, write_new
 
         radius = real("gate_radius_mm", gate_radius_mm, 0, 100_000, "mm", above=True)
-        field = None if field_mm is None else _size("field_mm", field_mm)
+        if field_mm is not None:
+            if not isinstance(field_mm, Sequence) or isinstance(field_mm, str) or len(field_mm) != 2:
+                raise DesignError(
+                    "{name} is {value}; it must be width and height, mm",
+                    name="field_mm",
+                    value=brief(repr(field_mm), 60),
+                )
+            field_mm = (real("field_mm", field_mm[0], 1, 1e6, "mm"), real("field_mm", field_mm[1], 1, 1e6, "mm"))
         source = None if points is None else paths("points", points)[0]
         path, changed = points_of(source, layer, closed=closed), overrides_of(changes)
         file = folder_of(folder) / f"{plain_text('name', name)}.toml"
-        text = begin(name, path, changed, radius, field, closed)
+        text = begin(name, path, changed, radius, field_mm, closed)
         write_new(text, file)
         return cls._checked(text, file, (), False)
 
@@ -137,14 +144,6 @@ class LoadedDesign:
         return known if isinstance(known, DesignValues) else load.design_of(self.text, self.file, known.overrides)
 
 
-def _size(name: str, value: object) -> tuple[float, float]:
-    """Width and height of a field, mm."""
-    if not isinstance(value, Sequence) or isinstance(value, str) or len(value) != 2:
-        raise DesignError("{name} is {value}; it must be width and height, mm", name=name, value=brief(repr(value), 60))
-    width, height = (real(name, side, 1, 1e6, "mm") for side in value)
-    return width, height
-
-
 def overrides_of(changes: Mapping[str, Any] | Iterable[str]) -> tuple[str, ...]:
     """Overrides as `--set` takes them.
 
@@ -155,7 +154,14 @@ def overrides_of(changes: Mapping[str, Any] | Iterable[str]) -> tuple[str, ...]:
         DesignError: the changes are neither, or a value has no form in TOML.
     """
     if isinstance(changes, Mapping):
-        return tuple(f"{_key(key)}={'' if value is None else _toml(key, value)}" for key, value in changes.items())
+        for key in changes:
+            # A key with an equals sign would be read as another key with the start of a value.
+            if not isinstance(key, str) or not key.isprintable() or {"=", " "} & set(key):
+                raise DesignError(
+                    '{key} is no key; write it as in the design file, such as "cam.thickness_mm"',
+                    key=brief(repr(key), 60),
+                )
+        return tuple(f"{key}={'' if value is None else _toml(key, value)}" for key, value in changes.items())
     changes = tuple(changes) if isinstance(changes, Iterable) and not isinstance(changes, str) else changes
     if not isinstance(changes, tuple) or not all(isinstance(text, str) for text in changes):
         raise DesignError(
@@ -163,15 +169,6 @@ def overrides_of(changes: Mapping[str, Any] | Iterable[str]) -> tuple[str, ...]:
             given=brief(repr(changes), 60),
         )
     return changes
-
-
-def _key(key: object) -> str:
-    """A key as it is; one with an equals sign would be read as another key with the start of a value."""
-    if isinstance(key, str) and key.isprintable() and not {"=", " "} & set(key):
-        return key
-    raise DesignError(
-        '{key} is no key; write it as in the design file, such as "cam.thickness_mm"', key=brief(repr(key), 60)
-    )
 
 
 def _toml(key: str, value: Any) -> str:

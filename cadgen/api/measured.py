@@ -57,11 +57,11 @@ def sources_of(data: Data | Iterable[Data], *, each: bool = False, progress: Pro
     """
     from cadgen.jobs.calibration.sources import gathered
 
-    sources = (_source(item, number, progress) for number, item in enumerate(_several(data), 1))
+    sources = (_source(item, number, progress) for number, item in enumerate(_each_of(data), 1))
     return gathered(sources, each=each)
 
 
-def _several(data: Data | Iterable[Data]) -> list[Data]:
+def _each_of(data: Data | Iterable[Data]) -> list[Data]:
     if isinstance(data, (str, PathLike, Mapping, Measured)):
         return [data]
     try:
@@ -75,15 +75,8 @@ def _several(data: Data | Iterable[Data]) -> list[Data]:
     return several
 
 
-def _measured(data: Measured) -> "Source":
-    from cadgen.jobs.calibration.sources import source_of
-
-    remarks = (data.remarks,) if isinstance(data.remarks, str) else data.remarks
-    return source_of(data.columns, remarks, str(data.name))
-
-
 def _source(data: Data, number: int, progress: Progress) -> "Source":
-    from cadgen.jobs.calibration.sources import read
+    from cadgen.jobs.calibration.sources import read, source_of
 
     if isinstance(data, (str, PathLike)):
         return read([Path(data)], progress, each=True)[0]
@@ -93,4 +86,5 @@ def _source(data: Data, number: int, progress: Progress) -> "Source":
         raise DesignError(
             "data has {given}; each must be a path, columns of values, or Measured", given=brief(repr(data), 60)
         )
-    return _measured(data)
+    remarks = (data.remarks,) if isinstance(data.remarks, str) else data.remarks
+    return source_of(data.columns, remarks, str(data.name))

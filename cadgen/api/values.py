@@ -155,7 +155,7 @@ def numbers(name: str, value: ArrayLike, unit: str) -> Array:
     return array
 
 
-def several(name: str, value: Iterable[float | None], count: int) -> list[float | None]:
+def stage_angles(name: str, value: Iterable[float | None], count: int) -> list[float | None]:
     """Require one value a stage, and return them.
 
     Args:

@@ -198,7 +198,7 @@ class Editor:
         """
         number = whole("port", port, 0, 65535)
         try:
-            from cadgen.viewer.editor.running import serve
+            from cadgen.viewer.editor.server import serve
         except ModuleNotFoundError as error:
             if (error.name or "").partition(".")[0] not in _EXTRA:
                 raise

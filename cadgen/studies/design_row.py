@@ -10,7 +10,7 @@ import os
 import signal
 import sys
 import threading
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from enum import StrEnum
@@ -18,13 +18,13 @@ from functools import cache
 from math import isfinite
 from pathlib import Path
 from time import thread_time
-from typing import Any
+from typing import Any, TypeVar
 
 from cadgen.design.load import design_of
 from cadgen.design.schema import Design
 from cadgen.errors import CadgenError, brief
-from cadgen.studies.sampling import REPLAN, Values, Variation
-from cadgen.studies.study import ALL, LimitKeys, Study
+from cadgen.studies.sampling import REPLAN, Values
+from cadgen.studies.study import ALL, Study
 from cadgen.studies.study_figures import Evaluated, StudyFigure
 
 _HARD = 2.0  # times the limit, of processor time: then the process ends, whatever library it is in
@@ -84,6 +84,27 @@ def limit_memory(more_mb: float) -> None:
 
 def _is_worker() -> bool:
     return multiprocessing.parent_process() is not None
+
+
+T = TypeVar("T")
+R = TypeVar("R")
+
+
+def timed(computed: Callable[[T], R], tasks: Sequence[T], memory_mb: float | None) -> list[tuple[R, float]]:
+    """Results of tasks, each with its processor time, s.
+
+    Args:
+        computed: function that computes one.
+        tasks: the tasks.
+        memory_mb: memory that the process may take more, megabytes of 1e6 bytes; None for any.
+    """
+    if memory_mb is not None:
+        limit_memory(memory_mb)
+    results = []
+    for task in tasks:
+        begun = thread_time()
+        results.append((computed(task), thread_time() - begun))
+    return results
 
 
 class DesignState(StrEnum):
@@ -154,57 +175,31 @@ class Task:
 
 @dataclass(frozen=True)
 class DesignJob:
-    """All that a process needs to compute designs of a study."""
+    """All that a process needs to compute designs of a study.
 
-    text: str
-    source: str
-    overrides: tuple[str, ...]
-    variations: tuple[Variation, ...]
-    profile: str | None
+    Attributes:
+        study: the study.
+        figures: its figures, which other processes do not find by their codes where a program has registered them.
+    """
+
+    study: Study
     figures: tuple[StudyFigure, ...]
-    limits: tuple[LimitKeys, ...]
-    checks: tuple[str, ...]
-    cars: int
-    seed: int
-    seconds: float
-    memory_mb: float | None
 
     @classmethod
     def of(cls, study: Study) -> "DesignJob":
         """The job of a study."""
-        file = study.file
-        return cls(
-            text=study.text,
-            source=study.source,
-            overrides=file.overrides,
-            variations=study.variations,
-            profile=file.profile,
-            figures=study.figures,
-            limits=file.limits,
-            checks=file.checks,
-            cars=file.cars,
-            seed=file.seed,
-            seconds=file.each.seconds,
-            memory_mb=file.each.memory_mb,
-        )
+        return cls(study, study.figures)
 
     def __call__(self, tasks: Sequence[Task]) -> list[tuple[Row, float]]:
         """Rows of designs, each with its processor time, s."""
-        if self.memory_mb is not None:
-            limit_memory(self.memory_mb)
-        return [self._timed(task) for task in tasks]
-
-    def _timed(self, task: Task) -> tuple[Row, float]:
-        begun = thread_time()
-        row = self.row(task)
-        return row, thread_time() - begun
+        return timed(self.row, tasks, self.study.file.each.memory_mb)
 
     def row(self, task: Task) -> Row:
         """Row of one design."""
         known: dict[str, float] = {}
         failed: list[str] = []
         try:
-            with within(self.seconds):
+            with within(self.study.file.each.seconds):
                 if task.fault:
                     raise CadgenError(task.fault)
                 state = self._judge(task, known, failed)
@@ -222,26 +217,27 @@ class DesignJob:
 
     def design(self, task: Task) -> Design:
         """The design of a task, read and checked."""
-        return design_of(self.text if task.text is None else task.text, Path(self.source), self.overrides_of(task))
+        text = self.study.text if task.text is None else task.text
+        return design_of(text, Path(self.study.source), self.overrides_of(task))
 
     def overrides_of(self, task: Task) -> tuple[str, ...]:
         """Overrides of the text that a task is read from; those of the base are in a planned text already."""
         planned = task.text is not None
-        pairs = zip(self.variations, task.values, strict=True)
+        pairs = zip(self.study.variations, task.values, strict=True)
         changed = [change for variation, value in pairs for change in variation.changes(value)]
         apart = (REPLAN, "path.") if planned else (REPLAN,)
         varied = tuple(override_of(key, value) for key, value in changed if not key.startswith(apart))
-        return varied if planned else (*self.overrides, *varied)
+        return varied if planned else (*self.study.file.overrides, *varied)
 
     def _judge(self, task: Task, known: dict[str, float], failed: list[str]) -> DesignState:
-        values = {each.key: value for each, value in zip(self.variations, task.values, strict=True)}
-        evaluated = Evaluated(values, lambda: self.design(task), self.profile, self.cars, self.seed)
+        file, values = self.study.file, dict(zip(self.study.keys, task.values, strict=True))
+        evaluated = Evaluated(values, lambda: self.design(task), file.profile, file.cars, file.seed)
         self._measure(evaluated, [figure for figure in self.figures if figure.cheap], known, failed)
         if failed:
             return DesignState.SCREENED
-        if self.checks:
+        if file.checks:
             codes = [check.code.value for check in evaluated.plan.failed]
-            failed += dict.fromkeys(code for code in codes if ALL in self.checks or code in self.checks)
+            failed += dict.fromkeys(code for code in codes if ALL in file.checks or code in file.checks)
         self._measure(evaluated, [figure for figure in self.figures if not figure.cheap], known, failed)
         return DesignState.OUTSIDE if failed else DesignState.KEPT
 
@@ -253,7 +249,7 @@ class DesignJob:
             if not isfinite(value):
                 raise CadgenError("{code} is {value}, not a finite number", code=figure.code, value=value)
             known[figure.code] = value
-            if any(limit.excess(value) > 0 for limit in self.limits if limit.figure == figure.code):
+            if any(limit.excess(value) > 0 for limit in self.study.file.limits if limit.figure == figure.code):
                 failed.append(figure.code)
 
 

@@ -74,7 +74,7 @@ class Processes:
         self._pool.shutdown(wait=True, cancel_futures=True)
 
 
-class Given:
+class ForeignExecutor:
     """An executor that somebody else has made, and will close; `workers` is their number, if it does not say it."""
 
     def __init__(self, executor: Any, workers: int | None = None) -> None:
@@ -99,7 +99,7 @@ class Given:
         """Leave the executor to its owner."""
 
 
-class Cluster(Given):
+class Cluster(ForeignExecutor):
     """Workers of a dask scheduler.
 
     Args:
@@ -169,8 +169,8 @@ def engine_of(executor: Any) -> Engine | Mapped:
     """
     if callable(getattr(executor, "submit", None)):
         if hasattr(executor, "get_executor"):  # a dask client, whose futures are of another kind
-            return Given(executor.get_executor(pure=False), sum(executor.nthreads().values()))
-        return Given(executor)
+            return ForeignExecutor(executor.get_executor(pure=False), sum(executor.nthreads().values()))
+        return ForeignExecutor(executor)
     function = mapping(executor)
     if function is not None:
         return Mapped(function)

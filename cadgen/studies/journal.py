@@ -108,7 +108,7 @@ class Journal:
                 return journal
             journal = cls(file, _header(content, file), stream)
             _refuse_other(journal.header, header, file)
-            journal._truncate(journal._read(len(first)))
+            stream.truncate(journal._read(len(first)))
         except BaseException:
             stream.close()
             raise
@@ -223,9 +223,6 @@ class Journal:
                 good = place + len(line)
             place += len(line)
         return good
-
-    def _truncate(self, place: int) -> None:
-        self.stream.truncate(place)
 
     def _append(self, content: bytes) -> int:
         """Write at the end, onto the disk; the place where it begins."""

@@ -4,16 +4,15 @@ import json
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from time import thread_time
 from typing import Any
 
 from cadgen.design import cam_model
 from cadgen.design.load import course_of
 from cadgen.errors import CadgenError, brief
 from cadgen.jobs.planning.plan import PlanRequest, plan_design
-from cadgen.studies.design_row import TooLongError, limit_memory, override_of, within
+from cadgen.studies.design_row import TooLongError, override_of, timed, within
 from cadgen.studies.sampling import REPLAN, Values
-from cadgen.studies.study import ANY, Study
+from cadgen.studies.study import ANY, ReplanKeys, Study
 
 _WITH_A_PATH = ("path.", "course.", REPLAN)
 
@@ -38,64 +37,39 @@ class Planner:
     """Plans paths of a study, in any process.
 
     Attributes:
-        text, source: base design.
-        overrides: of the base.
-        within_mm, reserve, seeds: where they do not vary.
-        seconds, memory_mb: limits for one path, those of one design.
+        study: the study; the limits for one path are those of one design.
+        replan: its settings, where they do not vary.
     """
 
-    text: str
-    source: str
-    overrides: tuple[str, ...]
-    within_mm: float | str
-    reserve: float
-    seeds: int
-    seconds: float
-    memory_mb: float | None
+    study: Study
+    replan: ReplanKeys
 
     @classmethod
     def of(cls, study: Study) -> "Planner | None":
         """The planner of a study; None if its paths are those of its designs."""
         replan = study.file.replan
-        if replan is None:
-            return None
-        each = study.file.each
-        return cls(
-            study.text,
-            study.source,
-            study.file.overrides,
-            replan.within_mm,
-            replan.reserve,
-            replan.seeds,
-            each.seconds,
-            each.memory_mb,
-        )
+        return None if replan is None else cls(study, replan)
 
     def __call__(self, keys: Sequence[str]) -> list[tuple[PlannedText, float]]:
         """Planned paths by their keys, each with its processor time, s."""
-        if self.memory_mb is not None:
-            limit_memory(self.memory_mb)
-        results = []
-        for key in keys:
-            begun = thread_time()
-            results.append((self.planned(key), thread_time() - begun))
-        return results
+        return timed(self.planned, keys, self.study.file.each.memory_mb)
 
     def planned(self, key: str) -> PlannedText:
         """Plan a path by its key."""
         changed: dict[str, Any] = dict(json.loads(key))
-        most = changed.pop(f"{REPLAN}within_mm", self.within_mm)
-        reserve = float(changed.pop(f"{REPLAN}reserve", self.reserve))
-        seeds = int(changed.pop(f"{REPLAN}seeds", self.seeds))
-        overrides = (*self.overrides, *(override_of(name, value) for name, value in changed.items()))
+        most = changed.pop(f"{REPLAN}within_mm", self.replan.within_mm)
+        reserve = float(changed.pop(f"{REPLAN}reserve", self.replan.reserve))
+        seeds = int(changed.pop(f"{REPLAN}seeds", self.replan.seeds))
+        study = self.study
+        overrides = (*study.file.overrides, *(override_of(name, value) for name, value in changed.items()))
         try:
-            with within(self.seconds):
-                design, drawn = course_of(self.text, Path(self.source), overrides)
+            with within(study.file.each.seconds):
+                design, drawn = course_of(study.text, Path(study.source), overrides)
                 own = cam_model.track(design) if drawn else None
                 wanted = PlanRequest(seeds=seeds, reserve=reserve)
                 if most != ANY:
                     wanted = replace(wanted, near=own, within=float(most), calm=own)
-                plan = plan_design(design, self.text, own, wanted)
+                plan = plan_design(design, study.text, own, wanted)
         except CadgenError as error:
             return PlannedText(key, "", brief(str(error)))
         except TooLongError as error:

@@ -43,10 +43,10 @@ class Results:
         Raises:
             FileError: there is none.
         """
-        journal = self._journal(number)
-        if journal is None:
+        place = int(self._holders[number])
+        if place < 0:
             raise FileError("design {number} has no result yet: run the study on", number=number)
-        return journal.row(number)
+        return self.journals[place].row(number)
 
     def rows(self) -> Iterator[Row]:
         """All rows, in order."""
@@ -55,10 +55,6 @@ class Results:
     def path(self, key: str) -> PlannedText:
         """A planned path."""
         return next(journal for journal in self.journals if key in journal.paths).path(key)
-
-    def _journal(self, number: int) -> Journal | None:
-        place = int(self._holders[number])
-        return None if place < 0 else self.journals[place]
 
     @cached_property
     def _holders(self) -> NDArray[np.int32]:
@@ -97,7 +93,8 @@ def merged(folders: Sequence[Path]) -> Results:
     Raises:
         FileError: no journal, journals of several studies or versions, or designs without a result.
     """
-    files = list(dict.fromkeys(file for folder in folders for file in _journals(folder)))
+    found = (sorted(folder.glob(f"*{ENDING}")) if folder.is_dir() else [folder] for folder in folders)
+    files = list(dict.fromkeys(file for every in found for file in every))
     if not files:
         raise FileError("there is no journal of cadgen explore in these folders: name those of the shards")
     _allow_open(len(files))
@@ -122,24 +119,16 @@ def merged(folders: Sequence[Path]) -> Results:
     results = Results(study, journals, count)
     missing = list(results.missing)
     if missing:
+        parts = first.shard[1]
         raise FileError(
             "{missing} of {count} designs have no result yet, the first is number {first}: run the shards "
             "on that are not done ({shards})",
             missing=len(missing),
             count=count,
             first=missing[0],
-            shards=_shards(journals, missing[0]),
+            shards=f"--shard {missing[0] % parts + 1}/{parts}" if parts > 1 else "cadgen explore",
         )
     return results
-
-
-def _shards(journals: Sequence[Journal], number: int) -> str:
-    parts = journals[0].header.shard[1]
-    return f"--shard {number % parts + 1}/{parts}" if parts > 1 else "cadgen explore"
-
-
-def _journals(folder: Path) -> list[Path]:
-    return sorted(folder.glob(f"*{ENDING}")) if folder.is_dir() else [folder]
 
 
 def _allow_open(count: int) -> None:

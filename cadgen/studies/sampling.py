@@ -7,6 +7,7 @@ journal again and comes to the same places. docs/decisions/0020-explore.md has w
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from math import floor, prod
 from typing import Any
 
@@ -160,7 +161,7 @@ def plan(kind: str, variations: Sequence[Variation], designs: int, seed: int) ->
         seed: seed of a plan by chance.
     """
     if kind == FACTORIAL:
-        return lambda number: _levels(variations, number)
+        return partial(_levels, variations)
     places = _SAMPLINGS.kind_of(kind).places(designs, len(variations), seed)
     return lambda number: values_at(variations, places[number].tolist())
 

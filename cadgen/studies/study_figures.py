@@ -119,6 +119,48 @@ DENSITY: dict[DiscMaterial, float] = {
 }
 
 
+_FIGURES: Registry[StudyFigure] = Registry(Message("figure"), ())
+register, remove, codes, kind_of, has = (
+    _FIGURES.register,
+    _FIGURES.remove,
+    _FIGURES.codes,
+    _FIGURES.kind_of,
+    _FIGURES.has,
+)
+_Computation = Callable[[Evaluated], float]
+
+
+def _figure(code: str, meaning: str, resolution: float = 0.0, **marks: bool) -> Callable[[_Computation], _Computation]:
+    """Register the decorated function as the figure of a code."""
+
+    def registered(of: _Computation) -> _Computation:
+        register(StudyFigure(code=code, meaning=meaning, of=of, resolution=resolution, **marks))
+        return of
+
+    return registered
+
+
+@_figure("worst_end_mm", "worst position error at the end over the band of play", 0.1)
+def _worst_end(evaluated: Evaluated) -> float:
+    return comparison_of(evaluated.plan).chosen.band.worst_distance
+
+
+@_figure("worst_end_heading_deg", "worst heading error at the end over the band of play", 1e-3)
+def _worst_heading(evaluated: Evaluated) -> float:
+    return degrees(comparison_of(evaluated.plan).chosen.band.worst_heading)
+
+
+@_figure("passed_percent", "share of random cars that keep the course", more=True)
+def _passed(evaluated: Evaluated) -> float:
+    return 100 * evaluated.tolerance.passed
+
+
+@_figure("disc_diameter_mm", "diameter of the circle about the camshaft that holds the disc", 0.01)
+def _diameter(evaluated: Evaluated) -> float:
+    return 2 * float(np.linalg.norm(evaluated.plan.curve.outline(_STEP).points, axis=1).max())
+
+
+@_figure("disc_mass_g", "mass of the disc without its hub", 0.01)
 def _mass(evaluated: Evaluated) -> float:
     """Area less bore and holes, times thickness and density."""
     plan = evaluated.plan
@@ -129,6 +171,7 @@ def _mass(evaluated: Evaluated) -> float:
     return plan.blank.disc_volume(plan.area, outer - inner) * DENSITY[material] * 1e-3
 
 
+@_figure("holding_energy_J", "energy in a turn of the cam that the drag takes which holds it", 1e-4)
 def _energy(evaluated: Evaluated) -> float:
     comparison = comparison_of(evaluated.plan)
     if comparison.task.mechanics is None:
@@ -136,6 +179,12 @@ def _energy(evaluated: Evaluated) -> float:
     return holding(comparison.chosen.lift, comparison.task.mechanics).energy
 
 
+@_figure("return_error_deg", "greatest return error at the camshaft", 1e-4, cheap=True)
+def _return_error(evaluated: Evaluated) -> float:
+    return degrees(evaluated.band.ends[1])
+
+
+@_figure("cutting_time_min", "time that the programs for the mill move at a feed", 0.01)
 def _minutes(evaluated: Evaluated) -> float:
     """Cuts, leads, plunges, tabs and drills, by their own moves."""
     plan = evaluated.plan
@@ -144,6 +193,7 @@ def _minutes(evaluated: Evaluated) -> float:
     return milled + drilling_minutes(plan.made_blank, machining, outer - inner, material)
 
 
+@_figure("drift_mm", "end of the run by half of the band of play, to first order", 0.1, cheap=True)
 def _drift(evaluated: Evaluated) -> float:
     """End of the run by play, to first order: closed, and so cheap enough to screen thousands of designs.
 
@@ -165,83 +215,3 @@ def _drift(evaluated: Evaluated) -> float:
     falling = np.diff(run.tan_beta) < 0
     low, high = evaluated.band.ends
     return (high - low) / 2 * float(abs(np.sum(np.diff(turning)[falling] * lever[falling])))
-
-
-def _worst_end(evaluated: Evaluated) -> float:
-    return comparison_of(evaluated.plan).chosen.band.worst_distance
-
-
-def _worst_heading(evaluated: Evaluated) -> float:
-    return degrees(comparison_of(evaluated.plan).chosen.band.worst_heading)
-
-
-def _passed(evaluated: Evaluated) -> float:
-    return 100 * evaluated.tolerance.passed
-
-
-def _diameter(evaluated: Evaluated) -> float:
-    return 2 * float(np.linalg.norm(evaluated.plan.curve.outline(_STEP).points, axis=1).max())
-
-
-def _return_error(evaluated: Evaluated) -> float:
-    return degrees(evaluated.band.ends[1])
-
-
-_FIGURES = Registry(
-    Message("figure"),
-    (
-        StudyFigure(
-            code="worst_end_mm",
-            meaning="worst position error at the end over the band of play",
-            of=_worst_end,
-            resolution=0.1,
-        ),
-        StudyFigure(
-            code="worst_end_heading_deg",
-            meaning="worst heading error at the end over the band of play",
-            of=_worst_heading,
-            resolution=1e-3,
-        ),
-        StudyFigure(code="passed_percent", meaning="share of random cars that keep the course", of=_passed, more=True),
-        StudyFigure(
-            code="disc_diameter_mm",
-            meaning="diameter of the circle about the camshaft that holds the disc",
-            of=_diameter,
-            resolution=0.01,
-        ),
-        StudyFigure(code="disc_mass_g", meaning="mass of the disc without its hub", of=_mass, resolution=0.01),
-        StudyFigure(
-            code="holding_energy_J",
-            meaning="energy in a turn of the cam that the drag takes which holds it",
-            of=_energy,
-            resolution=1e-4,
-        ),
-        StudyFigure(
-            code="return_error_deg",
-            meaning="greatest return error at the camshaft",
-            of=_return_error,
-            resolution=1e-4,
-            cheap=True,
-        ),
-        StudyFigure(
-            code="cutting_time_min",
-            meaning="time that the programs for the mill move at a feed",
-            of=_minutes,
-            resolution=0.01,
-        ),
-        StudyFigure(
-            code="drift_mm",
-            meaning="end of the run by half of the band of play, to first order",
-            of=_drift,
-            resolution=0.1,
-            cheap=True,
-        ),
-    ),
-)
-register, remove, codes, kind_of, has = (
-    _FIGURES.register,
-    _FIGURES.remove,
-    _FIGURES.codes,
-    _FIGURES.kind_of,
-    _FIGURES.has,
-)

@@ -44,19 +44,14 @@ def sentence(error: ValidationError, schema: type[BaseModel]) -> Message:
     """The first fault, and how many more there are."""
     every = error.errors(include_url=False)
     # A list with a faulty item also counts as one that is too short.
-    errors = [each for each in every if each["type"] != "too_short" or not any(_holds(each, other) for other in every)]
+    holders = {other["loc"][:depth] for other in every for depth in range(len(other["loc"]))}
+    errors = [each for each in every if each["type"] != "too_short" or each["loc"] not in holders]
     first = _one(min(errors, key=lambda item: item["type"] != "extra_forbidden"), schema)
     rest = len(errors) - 1
     if rest == 0:
         return first
     more = Message("{fault} (and 1 more fault)", fault=first)
     return more if rest == 1 else Message("{fault} (and {count} more faults)", fault=first, count=rest)
-
-
-def _holds(outer: Any, inner: Any) -> bool:
-    """Whether the place of a fault holds that of another."""
-    depth = len(outer["loc"])
-    return len(inner["loc"]) > depth and inner["loc"][:depth] == outer["loc"]
 
 
 def _one(item: Any, schema: type[BaseModel]) -> Message:

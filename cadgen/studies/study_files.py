@@ -55,7 +55,7 @@ def write_parquet(file: Path, study: Study, rows: Iterable[Row]) -> bool:
         from pyarrow import parquet
     except ImportError:
         return False
-    varied = [_kind(pa, variation.some) for variation in study.variations]
+    varied = [_column_type(pa, variation.some) for variation in study.variations]
     kinds = [pa.int64(), *varied, pa.string(), *([pa.float64()] * len(study.figures)), pa.string(), pa.string()]
     schema = pa.schema(list(zip(head(study), kinds, strict=True)))
     with parquet.ParquetWriter(file, schema) as writer:
@@ -63,7 +63,9 @@ def write_parquet(file: Path, study: Study, rows: Iterable[Row]) -> bool:
 
         def flush() -> None:
             columns = [
-                pa.array([_fitting(pa, value, kind) for value in column], kind)
+                pa.array([value if isinstance(value, str) else str(_plain(value)) for value in column])
+                if kind == pa.string()
+                else pa.array(column, kind)
                 for column, kind in zip(zip(*group, strict=True), kinds, strict=True)
             ]
             writer.write_table(pa.table(columns, schema=schema))
@@ -84,7 +86,7 @@ def _plain(value: object) -> object:
     return json.dumps(value, ensure_ascii=False) if isinstance(value, list) else value
 
 
-def _kind(pa: Any, values: Sequence[object]) -> Any:
+def _column_type(pa: Any, values: Sequence[object]) -> Any:
     """Type of a column that holds these values; of numbers of both kinds, and of a range, floats."""
     types = {type(value) for value in values}
     if types == {bool}:
@@ -92,10 +94,6 @@ def _kind(pa: Any, values: Sequence[object]) -> Any:
     if types == {int}:
         return pa.int64()
     return pa.float64() if types <= {int, float} else pa.string()
-
-
-def _fitting(pa: Any, value: Any, kind: Any) -> Any:
-    return str(_plain(value)) if kind == pa.string() and not isinstance(value, str) else value
 
 
 def write_best(results: Results, rows: Sequence[Row], folder: Path) -> list[str]:

@@ -64,15 +64,13 @@ class StudyRun:
             DesignError: the study searches, and pymoo is not installed.
             FileError: the journal cannot be written, or the engine takes no more work.
         """
-        count = self._search() if self.study.searches else self._fixed()
-        return Results(self.study, (self.journal,), count)
-
-    def _fixed(self) -> int:
         study, (part, parts) = self.study, self.journal.header.shard
-        values = sampling.plan(study.file.plan.kind, study.variations, study.count, study.file.seed)
-        self._total = len(range(part - 1, study.count, parts))
-        self._compute(range(part - 1, study.count, parts), values)
-        return study.count
+        if study.searches:
+            return Results(study, (self.journal,), self._search())
+        numbers = range(part - 1, study.count, parts)
+        self._total = len(numbers)
+        self._compute(numbers, sampling.plan(study.file.plan.kind, study.variations, study.count, study.file.seed))
+        return Results(study, (self.journal,), study.count)
 
     def _search(self) -> int:
         """Generation by generation; values that came before are not computed again."""

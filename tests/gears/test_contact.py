@@ -44,7 +44,7 @@ def pressed(made: SpurPair, interference: float) -> float:
         tooth = np.append(built.driver.corners[0], 0j)
 
         def touches(angle: float) -> bool:
-            driven = made.centre_distance + built.driven.near(built.middle(angle) + offset, pi)
+            driven = made.centre_distance + built.driven.teeth_towards(built.middle(angle) + offset, pi)
             return (cross(tooth * np.exp(1j * angle)) ^ cross(driven)).area() > LEAST_OVERLAP / 100
 
         step = 2 * pi / made.driver.form.teeth / 8

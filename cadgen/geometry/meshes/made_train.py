@@ -161,7 +161,11 @@ def make_train(
     layout = lay_out(thinned(play.train), blanks, directions, clearance)
     chords = [chord(part.gears) for part in layout.parts]
     _require_meshable(layout, chords)
-    _inspect(layout.train)
+    for number, stage in enumerate(layout.train.stages, 1):
+        try:
+            stage.wheel_facts()  # refuses gears that the shop could not measure
+        except DesignError as error:
+            raise DesignError("in stage {number}, {error}", number=number, error=error.message) from error
     return MadeTrain(play, layout, gear_checks(layout, chords))
 
 
@@ -181,12 +185,3 @@ def _require_meshable(layout: TrainLayout, chords: Sequence[float]) -> None:
             most=MOST_CORNERS,
             least=1.05 * shortest * (corners / MOST_CORNERS) ** 2,
         )
-
-
-def _inspect(train: Train) -> None:
-    """Refuse gears that the shop could not measure."""
-    for number, stage in enumerate(train.stages, 1):
-        try:
-            stage.wheel_facts()
-        except DesignError as error:
-            raise DesignError("in stage {number}, {error}", number=number, error=error.message) from error

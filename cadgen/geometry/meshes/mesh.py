@@ -106,9 +106,12 @@ def body_mesh(body: Body, chord_tolerance: float) -> Mesh:
         flat = _cap_triangles(cap, polygons, corners)
         triangles.append(flat if cap.up else flat[:, ::-1])
     mesh = Mesh(np.concatenate(vertices), np.concatenate(triangles))
-    if body.radial_hole:
-        return _drilled(mesh, body.radial_hole, chord_tolerance)
-    return mesh
+    if body.radial_hole is None:
+        return mesh
+    section = circle_loop(body.radial_hole.diameter).polygon(chord_tolerance)
+    # Made before the solid: the order in which both are made is that of their triangles in the result.
+    tool = drill(body.radial_hole, np.column_stack([section.real, section.imag]))
+    return mesh_of(mesh.solid() - tool)
 
 
 def _strip(low: int, high: int, count: int) -> NDArray[np.int64]:
@@ -150,14 +153,6 @@ def _cap_triangles(cap: Cap, polygons: dict[Loop, Points], corners: Corners) -> 
 def _triangulate(rings: list[Points]) -> NDArray[np.int64]:
     flat = [np.column_stack([ring.real, ring.imag]) for ring in rings]
     return np.asarray(manifold3d.triangulate(flat), dtype=np.int64)
-
-
-def _drilled(mesh: Mesh, hole: RadialHole, chord_tolerance: float) -> Mesh:
-    """The mesh less the radial hole, as a prism between axis and reach."""
-    section = circle_loop(hole.diameter).polygon(chord_tolerance)
-    # Made before the solid: the order in which both are made is that of their triangles in the result.
-    tool = drill(hole, np.column_stack([section.real, section.imag]))
-    return mesh_of(mesh.solid() - tool)
 
 
 def cam_mesh(

@@ -55,7 +55,7 @@ class ToothSection:
         """Least distance of a corner from the axis, in mm."""
         return float(np.abs(self.corners).min())
 
-    def near(self, angle: float, towards: float, beside: int = TEETH_BESIDE) -> Points:
+    def teeth_towards(self, angle: float, towards: float, beside: int = TEETH_BESIDE) -> Points:
         """Outline of the teeth that point `towards` (rad) when the gear stands at `angle`, closed over its axis.
 
         Args:
@@ -98,8 +98,8 @@ class MeasuredPair:
             driver_angle: angle of the driver, rad.
             driven_angle: angle of the driven gear, rad.
         """
-        driven = self.centre_distance + self.driven.near(driven_angle, pi)
-        return float((_held(self.driver, driver_angle) ^ _section(driven)).area())
+        driven = self.centre_distance + self.driven.teeth_towards(driven_angle, pi)
+        return float((_driver_section(self.driver, driver_angle) ^ _section(driven)).area())
 
     def overlap_midway(self, driver_angle: float) -> float:
         """Overlap in mm² with the teeth midway between the other's: above `LEAST_OVERLAP` they jam.
@@ -207,8 +207,8 @@ def return_error(stages: Sequence[MeasuredPair], drive_angle: float = 0.0) -> fl
 
 
 @lru_cache(maxsize=8)  # the driver is held while the driven gear is turned
-def _held(driver: ToothSection, angle: float) -> manifold3d.CrossSection:
-    return _section(driver.near(angle, 0.0))
+def _driver_section(driver: ToothSection, angle: float) -> manifold3d.CrossSection:
+    return _section(driver.teeth_towards(angle, 0.0))
 
 
 def _section(points: Points) -> manifold3d.CrossSection:

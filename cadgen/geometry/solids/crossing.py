@@ -18,14 +18,14 @@ from OCP.Geom import Geom_BSplineCurve, Geom_CylindricalSurface, Geom_Plane
 from OCP.Geom2d import Geom2d_BSplineCurve
 from OCP.GeomAbs import GeomAbs_BSplineCurve, GeomAbs_Ellipse
 from OCP.gp import gp_Dir, gp_Pnt, gp_Pnt2d
-from OCP.TopAbs import TopAbs_EDGE, TopAbs_FACE
-from OCP.TopExp import TopExp, TopExp_Explorer
+from OCP.TopAbs import TopAbs_EDGE
+from OCP.TopExp import TopExp
 from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
 from scipy.interpolate import BSpline, make_interp_spline
 
 from cadgen.arrays import TURN, Array
 from cadgen.errors import FileError
-from cadgen.geometry.solids.kernel import TOLERANCE, filled, knots_of
+from cadgen.geometry.solids.kernel import TOLERANCE, faces, filled, knots_of, parts_of
 
 _DEGREE = 5
 _ERROR = 1e-8  # mm; a tenth of the kernel's smallest distance
@@ -89,21 +89,17 @@ def with_exact_crossings(shape: TopoDS_Shape) -> TopoDS_Shape:
         FileError: the two are so nearly of one size that no spline follows where they meet.
     """
     edges: list[tuple[TopoDS_Edge, list[_Side]]] = []
-    faces = TopExp_Explorer(shape, TopAbs_FACE)
-    while faces.More():
-        face = TopoDS.Face(faces.Current())
+    for face in map(TopoDS.Face, faces(shape)):
         side = _Side.of(face)
-        explorer = TopExp_Explorer(face, TopAbs_EDGE)
-        while side and explorer.More():
-            edge = TopoDS.Edge(explorer.Current())
+        if side is None:
+            continue
+        for edge in map(TopoDS.Edge, parts_of(face, TopAbs_EDGE)):
             if BRepAdaptor_Curve(edge).GetType() in (GeomAbs_BSplineCurve, GeomAbs_Ellipse):
                 known = next((sides for earlier, sides in edges if earlier.IsSame(edge)), None)
                 if known is None:
                     edges.append((edge, [side]))
                 else:
                     known.append(side)
-            explorer.Next()
-        faces.Next()
     for edge, sides in edges:
         drill, wall = min(sides, key=lambda side: side.radius), max(sides, key=lambda side: side.radius)
         if len(sides) == 2 and drill.radius < np.inf and abs(drill.axis @ wall.axis) < _PARALLEL:

@@ -24,15 +24,13 @@ from OCP.Geom import (
 )
 from OCP.Geom2d import Geom2d_Line
 from OCP.gp import gp_Dir, gp_Dir2d, gp_Pln, gp_Pnt, gp_Pnt2d, gp_Vec
-from OCP.TopAbs import TopAbs_FACE, TopAbs_FORWARD, TopAbs_REVERSED
-from OCP.TopExp import TopExp_Explorer
+from OCP.TopAbs import TopAbs_FORWARD, TopAbs_REVERSED
 from OCP.TopLoc import TopLoc_Location
 from OCP.TopoDS import (
     TopoDS,
     TopoDS_Edge,
     TopoDS_Face,
     TopoDS_Shape,
-    TopoDS_Shell,
     TopoDS_Solid,
     TopoDS_Vertex,
     TopoDS_Wire,
@@ -51,12 +49,16 @@ from cadgen.geometry.solids.kernel import (
     closed_wire,
     contour_edges,
     drill,
+    edge_between,
+    faces,
     filled,
     is_valid,
     knots_of,
     prism,
+    solid_of,
     solids,
     spline_edges,
+    wire_of,
 )
 from cadgen.parts.blank import PROFILE_STEP, Blank, Boss
 
@@ -81,25 +83,20 @@ class _Level(NamedTuple):
                 vertices.append(vertices[-1])
                 continue
             vertex = TopoDS_Vertex()
-            _BUILDER.MakeVertex(vertex, _place(arc, z), TOLERANCE)
+            _BUILDER.MakeVertex(vertex, _start_point(arc, z), TOLERANCE)
             vertices.append(vertex)
         edges = [
-            None if _is_point(arc) else _edge(curve.curve, (curve.first, curve.last), start, end)
+            None if _is_point(arc) else edge_between(curve, start, end)
             for arc, curve, start, end in zip(
                 arcs, spline_edges(arcs, z), vertices, vertices[1:] + vertices[:1], strict=True
             )
         ]
         return cls(z, list(arcs), vertices, edges)
 
-    def wire(self) -> TopoDS_Wire:
-        """The loop of the edges, counterclockwise."""
-        wire = TopoDS_Wire()
-        _BUILDER.MakeWire(wire)
-        for edge in self.edges:
-            if edge is not None:
-                _BUILDER.Add(wire, edge)
-        wire.Closed(True)
-        return wire
+    def cap(self) -> BRepBuilderAPI_MakeFace:
+        """The plane face within the edges, which run counterclockwise."""
+        wire = wire_of(edge for edge in self.edges if edge is not None)
+        return BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0.0, 0.0, self.z), _UP), wire, True)
 
 
 def chamfered_disc(
@@ -127,32 +124,15 @@ def chamfered_disc(
     levels = [
         _Level.of(arcs, z) for arcs, z in ((inner, 0.0), (outer, leg), (outer, thickness - leg), (inner, thickness))
     ]
-    bottom, top = (_cap(levels[0]), _cap(levels[-1]))
-    shell = TopoDS_Shell()
-    _BUILDER.MakeShell(shell)
-    for low, high in pairwise(levels):
-        for face in _wall(low, high):
-            _BUILDER.Add(shell, face)
+    bottom, top = levels[0].cap(), levels[-1].cap()
+    around: list[TopoDS_Shape] = [face for low, high in pairwise(levels) for face in _wall(low, high)]
     for edges in holes:
         wire = closed_wire(edges)
         prism = BRepPrimAPI_MakePrism(wire, gp_Vec(0.0, 0.0, thickness))
-        explorer = TopExp_Explorer(prism.Shape(), TopAbs_FACE)
-        while explorer.More():
-            _BUILDER.Add(shell, explorer.Current())
-            explorer.Next()
+        around += faces(prism.Shape())
         bottom.Add(TopoDS.Wire(wire.Reversed()))
         top.Add(TopoDS.Wire(prism.LastShape().Reversed()))
-    _BUILDER.Add(shell, bottom.Face().Reversed())
-    _BUILDER.Add(shell, top.Face())
-    shell.Closed(True)
-    solid = TopoDS_Solid()
-    _BUILDER.MakeSolid(solid)
-    _BUILDER.Add(solid, shell)
-    return solid
-
-
-def _cap(level: _Level) -> BRepBuilderAPI_MakeFace:
-    return BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0.0, 0.0, level.z), _UP), level.wire(), True)
+    return solid_of([*around, bottom.Face().Reversed(), top.Face()])
 
 
 def _wall(low: _Level, high: _Level) -> list[TopoDS_Face]:
@@ -165,12 +145,12 @@ def _wall(low: _Level, high: _Level) -> list[TopoDS_Face]:
         if k and low.vertices[k].IsSame(low.vertices[k - 1]) and high.vertices[k].IsSame(high.vertices[k - 1]):
             sides.append(sides[-1])
             continue
-        start, end = _place(low.arcs[k], low.z), _place(high.arcs[k], high.z)
+        start, end = _start_point(low.arcs[k], low.z), _start_point(high.arcs[k], high.z)
         line: Geom_Curve = Geom_Line(start, _UP)
         if not same:
             line = Geom_BSplineCurve(filled(Array1_gp_Pnt, [start, end]), *knots_of(np.array([0.0, 0.0, 1.0, 1.0])), 1)
-        sides.append(_edge(line, (0.0, height), low.vertices[k], high.vertices[k]))
-    faces = []
+        sides.append(edge_between(CurveEdge(line, 0.0, height), low.vertices[k], high.vertices[k]))
+    walls = []
     for k in range(count):
         edges = low.edges[k], high.edges[k]
         if edges == (None, None):
@@ -197,17 +177,8 @@ def _wall(low: _Level, high: _Level) -> list[TopoDS_Face]:
             _BUILDER.Add(wire, edge.Oriented(TopAbs_REVERSED if backwards else TopAbs_FORWARD))
         wire.Closed(True)
         _BUILDER.Add(face, wire)
-        faces.append(face)
-    return faces
-
-
-def _edge(curve: Geom_Curve, ends: tuple[float, float], start: TopoDS_Vertex, end: TopoDS_Vertex) -> TopoDS_Edge:
-    edge = TopoDS_Edge()
-    _BUILDER.MakeEdge(edge, curve, TOLERANCE)
-    _BUILDER.Add(edge, start.Oriented(TopAbs_FORWARD))
-    _BUILDER.Add(edge, end.Oriented(TopAbs_REVERSED))
-    _BUILDER.Range(edge, *ends)
-    return edge
+        walls.append(face)
+    return walls
 
 
 def _pole(vertex: TopoDS_Vertex, ends: tuple[float, float]) -> TopoDS_Edge:
@@ -236,7 +207,7 @@ def _is_point(arc: SplineArc) -> bool:
     return bool((arc.control_points == arc.control_points[0]).all())
 
 
-def _place(arc: SplineArc, z: float) -> gp_Pnt:
+def _start_point(arc: SplineArc, z: float) -> gp_Pnt:
     x, y = arc.control_points[0].tolist()
     return gp_Pnt(x, y, z)
 

@@ -27,7 +27,7 @@ from OCP.TCollection import TCollection_ExtendedString
 from OCP.TDataStd import TDataStd_Name
 from OCP.TDF import TDF_Label
 from OCP.TopLoc import TopLoc_Location
-from OCP.TopoDS import TopoDS_Face, TopoDS_Shape, TopoDS_Shell, TopoDS_Solid
+from OCP.TopoDS import TopoDS_Face, TopoDS_Shape, TopoDS_Solid
 from OCP.XCAFDoc import XCAFDoc_DocumentTool, XCAFDoc_ShapeTool
 
 from cadgen.errors import FileError
@@ -43,13 +43,14 @@ from cadgen.geometry.solids.kernel import (
     filled,
     fits,
     is_valid,
+    solid_of,
     solids,
     volume,
 )
 from cadgen.geometry.solids.step import add_part, colour_of, completed, document_bytes, new_document, read_document
 from cadgen.parts.body import Body, Cap, RadialHole, SweptWall, caps_of, walls_of
 from cadgen.parts.loop import Arc, Curve, Involute, Loop, Points, Segment, bezier_poles
-from cadgen.processes import beside
+from cadgen.processes import in_second_process
 
 if TYPE_CHECKING:
     from build123d import Compound as Compound
@@ -82,7 +83,7 @@ def body_solid(body: Body) -> TopoDS_Solid:
         drilled = _drilled([side for wall, side in sides if wall.within(slab)], ends, hole)
         sides = [(wall, side) for wall, side in sides if not wall.within(slab)]
     walls = [face for _, side in sides for face in faces(side)]
-    return _closed([*walls, *drilled, *(_cap(cap, wires) for cap in caps_of(body.slabs))])
+    return solid_of([*walls, *drilled, *(_cap(cap, wires) for cap in caps_of(body.slabs))])
 
 
 def _side(wall: SweptWall, wires: Wires) -> TopoDS_Shape:
@@ -131,24 +132,13 @@ def _cap(cap: Cap, wires: Wires) -> TopoDS_Shape:
     return face if cap.up else face.Reversed()
 
 
-def _closed(faces: list[TopoDS_Shape]) -> TopoDS_Solid:
-    builder, shell, solid = BRep_Builder(), TopoDS_Shell(), TopoDS_Solid()
-    builder.MakeShell(shell)
-    for face in faces:
-        builder.Add(shell, face)
-    shell.Closed(True)
-    builder.MakeSolid(solid)
-    builder.Add(solid, shell)
-    return solid
-
-
 def _drilled(sides: list[TopoDS_Shape], ends: list[TopoDS_Shape], hole: RadialHole) -> list[TopoDS_Shape]:
     """The faces of one slab's walls after drilling.
 
     Only this slab, closed by its two end faces for the time of the cut, meets the drill: cutting the whole gear
     would take ten times longer. The end faces' edges stay as they are, so the result fits its neighbours.
     """
-    slab = _closed([face for side in sides for face in faces(side)] + ends)
+    slab = solid_of([face for side in sides for face in faces(side)] + ends)
     cut = BRepAlgoAPI_Cut(slab, drill(hole))
     if not cut.IsDone():
         raise FileError(
@@ -264,7 +254,7 @@ def read_assembly(path: Path) -> tuple[AssembledPart, ...]:
         placed.append((label, XCAFDoc_ShapeTool.GetLocation_s(use).Transformation()))
     shapes = [tool.GetShape_s(label) for label, _ in placed]
     judged = [(False, 0.0)] * len(shapes)
-    with beside(partial(_judged, shapes[1::2])) as others:
+    with in_second_process(partial(_judged, shapes[1::2])) as others:
         judged[::2] = _judged(shapes[::2])
         judged[1::2] = others()
     parts = []

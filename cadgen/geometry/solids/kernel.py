@@ -22,7 +22,7 @@ from OCP.GProp import GProp_GProps
 from OCP.ShapeAnalysis import ShapeAnalysis_ShapeTolerance
 from OCP.TopAbs import TopAbs_FACE, TopAbs_FORWARD, TopAbs_REVERSED, TopAbs_ShapeEnum, TopAbs_SOLID
 from OCP.TopExp import TopExp_Explorer
-from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Shape, TopoDS_Solid, TopoDS_Vertex, TopoDS_Wire
+from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Shape, TopoDS_Shell, TopoDS_Solid, TopoDS_Vertex, TopoDS_Wire
 
 from cadgen.arrays import Array
 from cadgen.curves.contour import Contour
@@ -147,10 +147,7 @@ def closed_wire(edges: Sequence[CurveEdge]) -> TopoDS_Wire:
     Raises:
         FileError: an edge does not begin where the one before it ends.
     """
-    builder = BRep_Builder()
-    wire = TopoDS_Wire()
-    builder.MakeWire(wire)
-    vertices = []
+    builder, vertices = BRep_Builder(), []
     for before, edge in zip([edges[-1], *edges], edges, strict=False):
         start = edge.curve.Value(edge.first)
         gap = before.curve.Value(before.last).Distance(start)
@@ -166,15 +163,39 @@ def closed_wire(edges: Sequence[CurveEdge]) -> TopoDS_Wire:
         vertex = TopoDS_Vertex()
         builder.MakeVertex(vertex, start, TOLERANCE)
         vertices.append(vertex)
-    for edge, start, end in zip(edges, vertices, vertices[1:] + vertices[:1], strict=True):
-        shape = TopoDS_Edge()
-        builder.MakeEdge(shape, edge.curve, TOLERANCE)
-        builder.Add(shape, start.Oriented(TopAbs_FORWARD))
-        builder.Add(shape, end.Oriented(TopAbs_REVERSED))
-        builder.Range(shape, edge.first, edge.last)
-        builder.Add(wire, shape)
+    return wire_of(map(edge_between, edges, vertices, vertices[1:] + vertices[:1]))
+
+
+def edge_between(edge: CurveEdge, start: TopoDS_Vertex, end: TopoDS_Vertex) -> TopoDS_Edge:
+    """Edge of the kernel on a curve, between two vertices."""
+    builder, shape = BRep_Builder(), TopoDS_Edge()
+    builder.MakeEdge(shape, edge.curve, TOLERANCE)
+    builder.Add(shape, start.Oriented(TopAbs_FORWARD))
+    builder.Add(shape, end.Oriented(TopAbs_REVERSED))
+    builder.Range(shape, edge.first, edge.last)
+    return shape
+
+
+def wire_of(edges: Iterable[TopoDS_Edge]) -> TopoDS_Wire:
+    """Closed wire of edges that follow each other."""
+    builder, wire = BRep_Builder(), TopoDS_Wire()
+    builder.MakeWire(wire)
+    for edge in edges:
+        builder.Add(wire, edge)
     wire.Closed(True)
     return wire
+
+
+def solid_of(faces: Iterable[TopoDS_Shape]) -> TopoDS_Solid:
+    """Solid within faces that enclose it and share their edges."""
+    builder, shell, solid = BRep_Builder(), TopoDS_Shell(), TopoDS_Solid()
+    builder.MakeShell(shell)
+    for face in faces:
+        builder.Add(shell, face)
+    shell.Closed(True)
+    builder.MakeSolid(solid)
+    builder.Add(solid, shell)
+    return solid
 
 
 def prism(outer: Sequence[CurveEdge], inner: Iterable[Sequence[CurveEdge]], height: float) -> TopoDS_Shape:
@@ -201,15 +222,16 @@ def drill(hole: RadialHole) -> TopoDS_Shape:
 
 def solids(shape: TopoDS_Shape) -> list[TopoDS_Solid]:
     """Return the solids in a shape."""
-    return [TopoDS.Solid(part) for part in _parts(shape, TopAbs_SOLID)]
+    return [TopoDS.Solid(part) for part in parts_of(shape, TopAbs_SOLID)]
 
 
 def faces(shape: TopoDS_Shape) -> list[TopoDS_Shape]:
     """Return the faces of a shape."""
-    return _parts(shape, TopAbs_FACE)
+    return parts_of(shape, TopAbs_FACE)
 
 
-def _parts(shape: TopoDS_Shape, kind: TopAbs_ShapeEnum) -> list[TopoDS_Shape]:
+def parts_of(shape: TopoDS_Shape, kind: TopAbs_ShapeEnum) -> list[TopoDS_Shape]:
+    """Return the parts of a kind in a shape, such as its edges."""
     parts = []
     explorer = TopExp_Explorer(shape, kind)
     while explorer.More():

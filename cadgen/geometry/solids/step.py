@@ -216,7 +216,9 @@ def read_step(path: Path, step: float, land: tuple[float, float] | None = None) 
     """
     rim, *rims = (read_rim(path, step, height) for height in land or (0.0,))
     for upper in rims:
-        if not _are_alike(rim, upper):
+        # The same points, wherever they begin.
+        a, b = (points[np.lexsort(points.round(_ROUNDING).T)] for points in (rim.points, upper.points))
+        if a.shape != b.shape or np.abs(a - b).max() >= 10.0**-_ROUNDING:
             raise FileError(
                 "the land between the broken edges in {name} is not upright: export it again", name=path.name
             )
@@ -251,12 +253,6 @@ def read_part(path: Path) -> PartContent:
         description=products[0].Description().ToCString(),
         colour=colour_of(document, bodies[0]) if bodies else None,
     )
-
-
-def _are_alike(first: Outline, second: Outline) -> bool:
-    """Whether two outlines have the same points, wherever they begin."""
-    a, b = (points[np.lexsort(points.round(_ROUNDING).T)] for points in (first.points, second.points))
-    return a.shape == b.shape and bool(np.abs(a - b).max() < 10.0**-_ROUNDING)
 
 
 def _with_sorted_colours(data: bytes) -> bytes:

@@ -7,7 +7,6 @@ from typing import Any
 from cadgen.design.override import override
 from cadgen.deviations.deviation import Place
 from cadgen.inference.expectation.outlook import Outlook
-from cadgen.inference.measurement.findings import Value
 from cadgen.jobs.calibration.calibration import CalibrationPlan
 from cadgen.jobs.calibration.calibration_report import sentence, shown
 from cadgen.jobs.calibration.new_cam import agreed_places
@@ -65,7 +64,11 @@ def _table(calibration: CalibrationPlan) -> str:
         lines += _effect("cut_for", known.effect, known.kind, known.place, values)
     for built in calibration.built:
         finding = built.claim.finding
-        values = [*map(_value, finding.values), *(_inline(name, repr(number)) for name, number in finding.indices)]
+        values = []
+        for value in finding.values:
+            number, sigma = (text if not text or set(text) & {".", "e"} else f"{text}.0" for text in shown(value))
+            values.append(_inline(value.name, number, sigma if isfinite(value.sigma) else None))
+        values += [_inline(name, repr(number)) for name, number in finding.indices]
         lines += _effect("effects", finding.effect, built.claim.kind.code, built.place, values, sentence(built))
     return "\n".join(lines) + "\n"
 
@@ -94,18 +97,8 @@ def _effect(table: str, effect: str, kind: str, place: str, values: list[str], w
     ]
 
 
-def _value(value: Value) -> str:
-    number, sigma = shown(value)
-    return _inline(value.name, _float(number), _float(sigma) if isfinite(value.sigma) and sigma else None)
-
-
 def _inline(name: str, value: str, sigma: str | float | None = None) -> str:
     return f'{{ name = "{name}", value = {value}{f", sigma = {sigma}" if sigma else ""} }}'
-
-
-def _float(number: str) -> str:
-    """A TOML float has a point or an exponent."""
-    return number if any(mark in number for mark in ".e") else f"{number}.0"
 
 
 def _text(words: str) -> str:

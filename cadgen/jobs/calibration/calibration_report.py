@@ -6,7 +6,6 @@ from math import floor, isfinite, log10
 
 import numpy as np
 
-from cadgen.arrays import Array
 from cadgen.design.section import listed
 from cadgen.deviations.deviation import Place
 from cadgen.deviations.return_error import MEASURE_FRICTION
@@ -21,8 +20,6 @@ from cadgen.inference.measurement.findings import (
     Finding,
     PathCandidate,
     PathDiagnosis,
-    PathErrors,
-    PerRun,
     Value,
 )
 from cadgen.inference.measurement.verdict import Verdict
@@ -118,7 +115,15 @@ def summary(each: Sequence[CalibrationPlan]) -> list[Block]:
     for c in each:
         name = c.sources[0].path.stem
         for diagnosis in c.diagnoses:
-            rows.append((name, diagnosis.verdict, SIGNS[diagnosis.unit], *map(_number, _figures(diagnosis))))
+            if isinstance(diagnosis, PathDiagnosis):
+                errors = diagnosis.residual
+                figures = (errors.before, errors.after, errors.held_out, None, None)
+            else:
+                assert isinstance(diagnosis, EvidenceDiagnosis)
+                r, left_out = diagnosis.residual, diagnosis.residual.left_out
+                left = (None, None) if left_out is None else (left_out.rms, left_out.repeating)
+                figures = (r.before, r.after, *left, r.noise)
+            rows.append((name, diagnosis.verdict, SIGNS[diagnosis.unit], *map(_number, figures)))
             effects.append((name, sizes(diagnosis.findings) or "-"))
         if c.zones is not None:
             rows.append((name, c.zones.judgement.verdict, SIGNS["deg"], *["-"] * 5))
@@ -135,16 +140,6 @@ def summary(each: Sequence[CalibrationPlan]) -> list[Block]:
         ),
         *(Message("Warning: {text}.", text=text) for c in each for text in c.warnings),
     ]
-
-
-def _figures(diagnosis: Diagnosis) -> tuple[float | None, ...]:
-    """Before, after, on runs left out, the same less form error, and noise."""
-    if isinstance(diagnosis, PathDiagnosis):
-        return diagnosis.residual.before, diagnosis.residual.after, diagnosis.residual.held_out, None, None
-    assert isinstance(diagnosis, EvidenceDiagnosis)
-    r = diagnosis.residual
-    left = (None, None) if r.left_out is None else (r.left_out.rms, r.left_out.repeating)
-    return r.before, r.after, *left, r.noise
 
 
 def shown(value: Value) -> tuple[str, str]:
@@ -219,18 +214,15 @@ def _residuals(diagnosis: EvidenceDiagnosis, files: Sequence[Source]) -> Sheet:
         Message("residual, rms in {unit}", unit=SIGNS[diagnosis.unit]),
         *map(Message, ("before", "after", "left out")),
     ]
+    columns = (p.before, p.after, p.held_out)
     rows = [
-        [name, *(_number(None if x is None else float(np.sqrt(np.mean(x[part] ** 2)))) for x in _columns(p))]
+        [name, *(_number(None if x is None else float(np.sqrt(np.mean(x[part] ** 2)))) for x in columns)]
         for name, part in _parts(files).items()
     ]
     if left is not None:
         head.append(Message("less form error"))
         rows = [[*row, _number(left.repeating) if k == 0 else ""] for k, row in enumerate(rows)]
     return Sheet("residuals", "", tuple(head), tuple(tuple(row) for row in rows))
-
-
-def _columns(p: PerRun | PathErrors) -> tuple[Array | None, ...]:
-    return p.before, p.after, p.held_out
 
 
 def _path_errors(diagnosis: PathDiagnosis, files: Sequence[Source]) -> Sheet:

@@ -16,7 +16,7 @@ from cadgen.design import variation
 from cadgen.design.schema import Design
 from cadgen.deviations import deviation
 from cadgen.deviations.deviation import Place
-from cadgen.deviations.effect import UNITS, Effect
+from cadgen.deviations.effect import UNITS
 from cadgen.deviations.track import RETURN_ERROR
 from cadgen.inference.expectation.outlook import Name, Outlook, outlook
 from cadgen.inference.measurement.claims import Claim, at_work
@@ -62,17 +62,11 @@ def placed(claims: Sequence[Claim]) -> tuple[Built, ...]:
         if best is not claim:
             built.append(Built(claim, Place.NOTED, best))
             continue
-        built.append(
-            Built(taken, _place(taken, alike), mean_of=() if taken is best else tuple(c.source for c in alike))
-        )
+        place = Place.NOTED  # of an effect that may be the instrument's in all kinds of data that show it
+        if not all(_instruments(other) for other in alike):
+            place = taken.kind.named(taken.finding.effect, dict(taken.finding.indices)).places[0]
+        built.append(Built(taken, place, mean_of=() if taken is best else tuple(c.source for c in alike)))
     return tuple(built)
-
-
-def _place(claim: Claim, alike: Sequence[Claim]) -> Place:
-    """Default place of a claim: none for an effect that may be the instrument's in all kinds of data that show it."""
-    if all(_instruments(other) for other in alike):
-        return Place.NOTED
-    return claim.kind.named(claim.finding.effect, dict(claim.finding.indices)).places[0]
 
 
 def agreed_places(built: Sequence[Built]) -> list[Place]:
@@ -97,7 +91,7 @@ def expected_of(
         diagnoses: what they show.
         placed: everything claimed, and what becomes of it.
     """
-    told = tuple(d for d in diagnoses if isinstance(d, EvidenceDiagnosis))
+    judged = tuple(d for d in diagnoses if isinstance(d, EvidenceDiagnosis))
     taken: dict[Name, Array] = {}
     gone: set[Name] = set()
     for claim, place in placed:
@@ -112,7 +106,7 @@ def expected_of(
     if assumed is not None and not any(claim.deviation == deviation.RETURN_ERROR for claim, _ in placed):
         # Where nothing is known of the play, a new cam is made for the tabled one.
         taken[TRACK.code, RETURN_ERROR.name] = np.array([assumed])
-    return outlook(told, nominal, taken, frozenset(gone))
+    return outlook(judged, nominal, taken, frozenset(gone))
 
 
 _UNSURE = (Verdict.AMBIGUOUS, Verdict.PARTIAL)
@@ -150,17 +144,18 @@ def _whole(diagnoses: Sequence[Diagnosis], claims: Sequence[Claim]) -> Iterator[
 
     A form without a name stays: no cam is made for it.
     """
-    told = [d for d in diagnoses if isinstance(d, EvidenceDiagnosis)]
-    track = next((d for d in told if d.kind is TRACK), None)
+    judged = [d for d in diagnoses if isinstance(d, EvidenceDiagnosis)]
+    track = next((d for d in judged if d.kind is TRACK), None)
     if track is None or track.contradicted or track.verdict not in _UNSURE or track.runs < 2:
         return
-    sources = {d.kind.code: d.source for d in told}
+    sources = {d.kind.code: d.source for d in judged}
     sure = {(c.kind.code, c.finding.effect): c for c in claims if c.kind.code in sources and not c.absent}
     # What was judged apart, and that there is none of something, is sure as well.
     apart = [c for c in claims if (c.kind.code, c.finding.effect) not in sure]
     for likely in track.likely:
         inside = {name for name, _, _ in likely.effects}
-        found = not any(_stuck(effect, values) for _, effect, values in likely.effects)
+        # A number that could go no further is none that was found.
+        found = not any(on_bound(values, np.array(effect.bounds)).any() for _, effect, values in likely.effects)
         if not (found and sure.keys() < inside):
             continue
         whole = list(_claims(likely, sources, sure))
@@ -182,7 +177,11 @@ def _claims(likely: Likely, sources: Mapping[str, str], sure: Mapping[tuple[str,
     sigma, first = np.sqrt(np.diag(likely.covariance)), 0
     for (kind, name), effect, values in likely.effects:
         last = first + len(values)
-        finding = Finding(name, _values(effect, values, sigma[first:last]), effect.twins, (), effect.indices)
+        numbers = tuple(
+            Value(p.name, float(v / p.scale), float(s / p.scale), p.unit)
+            for p, v, s in zip(effect.parameters, values, sigma[first:last], strict=True)
+        )
+        finding = Finding(name, numbers, effect.twins, (), effect.indices)
         first = last
         if effect.shape:
             continue
@@ -190,15 +189,3 @@ def _claims(likely: Likely, sources: Mapping[str, str], sure: Mapping[tuple[str,
             yield replace(known, finding=finding)
         elif kind_of(kind).named(name, dict(effect.indices)).places[0] in (Place.CAR, Place.PART):
             yield Claim(sources[kind], kind_of(kind), finding, sure=False)
-
-
-def _stuck(effect: Effect, values: Array) -> bool:
-    """Whether a number could go no further: then it is none that was found."""
-    return bool(on_bound(values, np.array(effect.bounds)).any())
-
-
-def _values(effect: Effect, values: Array, sigma: Array) -> tuple[Value, ...]:
-    return tuple(
-        Value(p.name, float(v / p.scale), float(s / p.scale), p.unit)
-        for p, v, s in zip(effect.parameters, values, sigma, strict=True)
-    )

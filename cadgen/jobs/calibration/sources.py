@@ -3,7 +3,7 @@
 import csv
 import hashlib
 import io
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -47,13 +47,12 @@ def read(paths: Sequence[Path], progress: Progress = silent, *, each: bool = Fal
     Raises:
         FileError: one is no measured data, the same data are given twice, or there are more than can be judged.
     """
-    return gathered(_loaded(paths, progress), each=each)
 
-
-def _loaded(paths: Iterable[Path], progress: Progress) -> Iterator[Source]:
-    for path in paths:
+    def loaded(path: Path) -> Source:
         progress(f"reading {brief(path.name)}")
-        yield Source(path, load(path), digest(path))
+        return Source(path, load(path), digest(path))
+
+    return gathered(map(loaded, paths), each=each)
 
 
 def gathered(sources: Iterable[Source], *, each: bool = False) -> tuple[Source, ...]:

@@ -10,10 +10,9 @@ import shapely
 from cadgen.arrays import TURN, Array
 from cadgen.curves.contour import Contour, circle
 from cadgen.messages import Message
-from cadgen.output.drawing.placement import placed
-from cadgen.output.drawing.section import Layer, ScrewHole, beyond, drawn, material
+from cadgen.output.drawing.placement import placed_dimensions
+from cadgen.output.drawing.section import Layer, ScrewHole, edges_behind_cut, material, outlines_and_hatches
 from cadgen.output.drawing.sheet import (
-    BEYOND,
     EDGE,
     FIT_OPEN,
     LEFT,
@@ -33,10 +32,12 @@ from cadgen.output.drawing.sheet import (
     View,
     across_axis,
     along_axis,
+    arrow,
     axial_diameter,
     centre_cross,
     chosen_sheet,
     cutting_plane,
+    keyway_width,
     ring,
     rounded,
     section_name,
@@ -133,7 +134,8 @@ def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
             height=3.5,
         ),
     ]
-    curves += _arrow((zero + _ARROW / scale, 0.0), (zero + 0.8 / scale, 0.0), 2.5 / scale)
+    start, tip = (np.array([zero + out / scale, 0.0]) for out in (_ARROW, 0.8))
+    curves += arrow(start, tip, (2.5 / scale, 2.5 / scale / 3))
     if blank.hub:
         seen = LineKind.VISIBLE if blank.hub.side == Face.OUTER else LineKind.HIDDEN
         curves.append(ring(blank.hub.diameter, seen))
@@ -145,7 +147,7 @@ def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     plane, letters = cutting_plane(angle, end, scale)
     curves += plane
     labels += letters
-    dimensions = placed(_face_dimensions(cam, scale), curves, labels, scale)
+    dimensions = placed_dimensions(_face_dimensions(cam, scale), curves, labels, scale)
     return View(place=place, curves=tuple(curves), dimensions=dimensions, labels=tuple(labels))
 
 
@@ -157,20 +159,19 @@ def _face_dimensions(cam: CamPart, scale: float) -> list[Dimension]:
         DiameterDimension(name="bore", centre=(0.0, 0.0), diameter=blank.bore_diameter, angle=aside, suffix=fit)
     ]
     match blank.key:
-        case Keyway(width=width, depth=depth, angle=angle):
-            out = blank.bore_diameter / 2 + depth
-            start, end = (_polar(out, angle, side * width / 2) for side in (-1, 1))
-            at, across = _polar(out + 0.7 * gap, angle, 0.0), degrees(angle) + 90.0
-            beside = scale * width / 2 + BEYOND
-            dimensions.append(
-                LinearDimension(name="keyway width", start=start, end=end, at=at, angle=across, beside=beside)
-            )
+        case Keyway():
+            dimensions.append(keyway_width(blank.key, blank.bore_diameter, 0.7 * gap, scale))
         case DFlat(depth=depth, angle=angle):
-            radius = blank.bore_diameter / 2
-            start, end = _polar(-radius, angle, 0.0), _polar(radius - depth, angle, 0.0)
-            at = _polar(0.0, angle, -radius - 0.7 * gap)
+            radius, c, s = blank.bore_diameter / 2, cos(angle), sin(angle)
+            off = radius + 0.7 * gap
             dimensions.append(
-                LinearDimension(name="across the flat", start=start, end=end, at=at, angle=degrees(angle))
+                LinearDimension(
+                    name="across the flat",
+                    start=(-radius * c, -radius * s),
+                    end=((radius - depth) * c, (radius - depth) * s),
+                    at=(off * s, -off * c),
+                    angle=degrees(angle),
+                )
             )
     if blank.mark:
         dimensions.append(
@@ -216,8 +217,8 @@ def _section(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     areas = [_chamfered(area, cam) for area in material(layers, angle)]
     screw = _screw(cam)
     whole, areas = areas, screw.cut(areas, angle) if screw else areas
-    strokes, hatches = drawn(areas)
-    strokes += beyond(layers, whole)
+    strokes, hatches = outlines_and_hatches(areas)
+    strokes += edges_behind_cut(layers, whole)
     top = max(area.bounds[3] for area in areas)
     low = min(area.bounds[0] for area in areas)
     high = max(area.bounds[2] for area in areas)
@@ -315,17 +316,12 @@ def _notes(cam: CamPart) -> Iterator[str]:
     if not cam.files:
         yield Message("   none lies in this folder: make one with cadgen cam.")
     if cam.profile_tolerance is not None:
-        zone = {"zone": 2 * cam.profile_tolerance}
+        text = "Outline: profile of a line {zone:g} mm to the bore (datum A)."
         if isinstance(blank.key, Keyway):
-            yield Message(
-                "Outline: profile of a line {zone:g} mm to the bore (datum A) and the keyway (datum B).", **zone
-            )
+            text = "Outline: profile of a line {zone:g} mm to the bore (datum A) and the keyway (datum B)."
         elif isinstance(blank.key, DFlat):
-            yield Message(
-                "Outline: profile of a line {zone:g} mm to the bore (datum A) and the flat (datum B).", **zone
-            )
-        else:
-            yield Message("Outline: profile of a line {zone:g} mm to the bore (datum A).", **zone)
+            text = "Outline: profile of a line {zone:g} mm to the bore (datum A) and the flat (datum B)."
+        yield Message(text, zone=2 * cam.profile_tolerance)
     if blank.key:
         angle = rounded(degrees(blank.key.angle))
         if isinstance(blank.key, Keyway):
@@ -376,17 +372,3 @@ def _notes(cam: CamPart) -> Iterator[str]:
             angle=degrees(screw.angle),
         )
     yield from cam.notes
-
-
-def _polar(radius: float, angle: float, aside: float) -> tuple[float, float]:
-    """A point at a radius in a direction, and a way to the left of it, mm."""
-    return radius * cos(angle) - aside * sin(angle), radius * sin(angle) + aside * cos(angle)
-
-
-def _arrow(start: tuple[float, float], end: tuple[float, float], head: float) -> list[Stroke]:
-    way = np.array(end) - np.array(start)
-    along = way / np.linalg.norm(way)
-    across = np.array([-along[1], along[0]])
-    tip = np.array(end)
-    barbs = [tip - head * along + side * head / 3 * across for side in (-1, 1)]
-    return [Stroke(np.array([start, end])), Stroke(np.array([barbs[0], tip, barbs[1]]))]

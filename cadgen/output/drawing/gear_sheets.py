@@ -13,10 +13,9 @@ from cadgen.curves.contour import Contour
 from cadgen.gears.layout import TrainPart
 from cadgen.gears.stage import Stage
 from cadgen.messages import Message
-from cadgen.output.drawing.placement import Room, placed
-from cadgen.output.drawing.section import Layer, ScrewHole, beyond, drawn, material
+from cadgen.output.drawing.placement import Room, placed_dimensions
+from cadgen.output.drawing.section import Layer, ScrewHole, edges_behind_cut, material, outlines_and_hatches
 from cadgen.output.drawing.sheet import (
-    BEYOND,
     EDGE,
     FIT_OPEN,
     LEFT,
@@ -41,6 +40,7 @@ from cadgen.output.drawing.sheet import (
     centre_cross,
     chosen_sheet,
     cutting_plane,
+    keyway_width,
     ring,
     rounded,
     section_name,
@@ -126,9 +126,7 @@ def gear_drawing(gear: GearPart, title: Title) -> DrawingSheet:
     face_at = (LEFT + 14.0 + scale * across / 2, middle)
     section_at = (face_at[0] + scale * across / 2 + 30.0, middle)
     tables, top = [], height - EDGE - 2.0
-    alone = len(gear.part.gears) == 1
-    names = [Message("gear")] if alone else [Message("lower gear"), Message("upper gear")]
-    for data, name in zip(gear.data, names, strict=True):
+    for data, name in zip(gear.data, _names(gear.part), strict=True):
         at = (width - EDGE - table_width, top)
         tables.append(SheetTable(title=name, at=at, widths=_TABLE, rows=data, headed=False))
         top -= tables[-1].height + 1.0
@@ -144,9 +142,9 @@ def gear_drawing(gear: GearPart, title: Title) -> DrawingSheet:
     )
 
 
-def _names(part: TrainPart) -> tuple[str, ...]:
-    """Names of a part's gears in those of its dimensions."""
-    return ("gear",) if len(part.gears) == 1 else ("lower gear", "upper gear")
+def _names(part: TrainPart) -> tuple[Message, ...]:
+    """Names of a part's gears."""
+    return (Message("gear"),) if len(part.gears) == 1 else (Message("lower gear"), Message("upper gear"))
 
 
 def _reach(body: Body) -> float:
@@ -180,17 +178,7 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     if blank.bore_diameter:
         dimensions.append(DiameterDimension(name="bore", centre=(0.0, 0.0), diameter=blank.bore_diameter, angle=125.0))
     if isinstance(blank.key, Keyway):
-        half, out = blank.key.width / 2, blank.bore_diameter / 2 + blank.key.depth
-        dimensions.append(
-            LinearDimension(
-                name="keyway width",
-                start=(out, -half),
-                end=(out, half),
-                at=(out + 0.7 * gap, 0.0),
-                angle=90.0,
-                beside=scale * half + BEYOND,
-            )
-        )
+        dimensions.append(keyway_width(blank.key, blank.bore_diameter, 0.7 * gap, scale))
     if holes:
         centres = [complex(_points(hole).mean(axis=0) @ np.array([1.0, 1.0j])) for hole in holes]
         first = centres[len(centres) // 3]
@@ -209,7 +197,12 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     plane, letters = cutting_plane(0.0, reach + 0.3 * gap, scale)
     curves += [*(screw.face() if screw else ()), *plane]
     labels = (Label(text=Message("from above"), at=(0.0, -reach - gap), height=3.5), *letters)
-    return View(place=place, curves=tuple(curves), dimensions=placed(dimensions, curves, labels, scale), labels=labels)
+    return View(
+        place=place,
+        curves=tuple(curves),
+        dimensions=placed_dimensions(dimensions, curves, labels, scale),
+        labels=labels,
+    )
 
 
 def _rims(body: Body) -> Iterator[Loop]:
@@ -238,17 +231,16 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     whole = material(layers, 0.0)
     screw = ScrewHole.of(blank, part.body.radial_hole)
     areas = screw.cut(whole, 0.0) if screw else whole
-    strokes, hatches = drawn(areas)
-    strokes += beyond(layers, whole)
+    strokes, hatches = outlines_and_hatches(areas)
+    strokes += edges_behind_cut(layers, whole)
     low, high = part.body.slabs[0].start, part.body.slabs[-1].end
     strokes.append(Stroke(np.array([[low - 0.5 * gap, 0.0], [high + 0.5 * gap, 0.0]]), LineKind.CENTRE))
     dimensions: list[Dimension] = []
-    for number, (wheel, start) in enumerate(zip(part.gears, part.starts, strict=True)):
+    keyed = isinstance(blank.key, Keyway)
+    for number, (wheel, start, name) in enumerate(zip(part.gears, part.starts, _names(part), strict=True)):
         tip, root, end = wheel.tip_diameter / 2, wheel.root_diameter / 2, start + wheel.width
         corners = np.array([(start, root), (start, tip), (end, tip), (end, root)])
         strokes += [Stroke(corners * [1.0, side]) for side in (1.0, -1.0)]
-        name = _names(part)[number]
-        keyed = isinstance(blank.key, Keyway)
         out = start - 0.9 * gap if number == 0 else end + (1.95 if keyed else 0.9) * gap
         dimensions += [
             axial_diameter(f"tip diameter, {name}", start if number == 0 else end, tip, out),
@@ -263,13 +255,12 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
         each.at[1] for each in dimensions if isinstance(each, LinearDimension) and not each.angle and each.at[1] < 0.0
     ]
     lowest = min(rows_below, default=-_reach(part.body))
-    label = Label(text=section_name(0.0), at=((low + high) / 2, lowest - 0.9 * gap), height=3.5)
     return View(
         place=place,
         curves=(*strokes, *(screw.section(0.0) if screw else ())),
         hatches=tuple(hatches),
         dimensions=tuple(dimensions),
-        labels=(label,),
+        labels=(Label(text=section_name(0.0), at=((low + high) / 2, lowest - 0.9 * gap), height=3.5),),
     )
 
 

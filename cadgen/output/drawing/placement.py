@@ -131,7 +131,7 @@ class Room:
         return _box(text, middle, placed.angle, TEXT, above=True), lines
 
 
-def placed(
+def placed_dimensions(
     dimensions: Sequence[Dimension], curves: Sequence[Closed | Stroke], labels: Sequence[Label], scale: float
 ) -> tuple[Dimension, ...]:
     """The dimensions of a view, its diameters and the numbers beside short lines written where there is room.
@@ -149,14 +149,14 @@ def placed(
     for line in lines.values():
         if not line.beside:
             room.take(line)
-    moved = {name: room.linear(_beside(each, scale)) for name, each in lines.items() if each.beside}
+    moved = {name: room.linear(_number_places(each, scale)) for name, each in lines.items() if each.beside}
     return tuple(
         room.diameter(each) if isinstance(each, DiameterDimension) else moved.get(each.name, each)
         for each in dimensions
     )
 
 
-def _beside(dimension: LinearDimension, scale: float) -> Iterator[LinearDimension]:
+def _number_places(dimension: LinearDimension, scale: float) -> Iterator[LinearDimension]:
     """A dimension with its number at either end of its line, and with the line farther off, mm on paper."""
     aside = _unit(dimension.angle - 90.0) / scale
     for off in (0.0, 2.5, 5.0, 7.5, 10.0, 12.5, 15.0):

@@ -62,7 +62,7 @@ def material(layers: Sequence[Layer], angle: float) -> list[shapely.Polygon]:
     return [piece for piece in shapely.get_parts(whole) if isinstance(piece, shapely.Polygon)]
 
 
-def beyond(layers: Sequence[Layer], areas: Sequence[shapely.Polygon]) -> list[Stroke]:
+def edges_behind_cut(layers: Sequence[Layer], areas: Sequence[shapely.Polygon]) -> list[Stroke]:
     """Edges seen beyond the cut: outlines of what is open between the outermost material of every layer."""
     boxes = []
     for layer in layers:
@@ -74,7 +74,7 @@ def beyond(layers: Sequence[Layer], areas: Sequence[shapely.Polygon]) -> list[St
     return [Stroke(np.asarray(void.exterior.coords)) for void in shapely.get_parts(voids)]
 
 
-def drawn(areas: Sequence[shapely.Polygon]) -> tuple[list[Stroke], list[Hatch]]:
+def outlines_and_hatches(areas: Sequence[shapely.Polygon]) -> tuple[list[Stroke], list[Hatch]]:
     """Outlines and hatches of areas of material."""
     strokes, hatches = [], []
     for area in areas:

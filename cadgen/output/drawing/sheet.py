@@ -10,6 +10,7 @@ import numpy as np
 from cadgen.arrays import Array
 from cadgen.curves.contour import Contour, circle
 from cadgen.messages import Message
+from cadgen.parts.features import Keyway
 
 SIZES = {"A4": (297.0, 210.0), "A3": (420.0, 297.0)}  # landscape, ISO 5457
 SCALES = (10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1)  # ISO 5455
@@ -316,6 +317,45 @@ def centre_cross(reach: float, centre: tuple[float, float] = (0.0, 0.0), angle: 
     return Stroke(first, LineKind.CENTRE), Stroke(second, LineKind.CENTRE)
 
 
+def arrow(start: Array, end: Array, head: tuple[float, float], line: LineKind = LineKind.VISIBLE) -> list[Stroke]:
+    """Arrow between two points, its head open.
+
+    Args:
+        start: point at which it begins, mm on the part.
+        end: its tip, mm on the part.
+        head: length and half the width of its head, mm.
+        line: kind of line.
+    """
+    along = (end - start) / np.linalg.norm(end - start)
+    across = np.array([-along[1], along[0]])
+    barbs = [end - head[0] * along + side * head[1] * across for side in (-1, 1)]
+    return [Stroke(np.array([start, end]), line), Stroke(np.array([barbs[0], end, barbs[1]]), line)]
+
+
+def keyway_width(key: Keyway, bore_diameter: float, gap: float, scale: float) -> LinearDimension:
+    """Dimension of the width of a keyway in the view along the axis.
+
+    Args:
+        key: keyway.
+        bore_diameter: diameter of the bore, mm.
+        gap: distance of the dimension line from the floor of the keyway, mm.
+        scale: mm on paper for a mm of the part.
+    """
+    out, c, s = bore_diameter / 2 + key.depth, np.cos(key.angle), np.sin(key.angle)
+
+    def point(radius: float, aside: float) -> tuple[float, float]:
+        return float(radius * c - aside * s), float(radius * s + aside * c)
+
+    return LinearDimension(
+        name="keyway width",
+        start=point(out, -key.width / 2),
+        end=point(out, key.width / 2),
+        at=point(out + gap, 0.0),
+        angle=np.degrees(key.angle) + 90.0,
+        beside=scale * key.width / 2 + BEYOND,
+    )
+
+
 def cutting_plane(angle: float, reach: float, scale: float) -> tuple[tuple[Stroke, ...], tuple[Label, Label]]:
     """The ends of the plane of section A-A in a view along the axis, with arrows the way it is looked at, and letters.
 
@@ -329,10 +369,8 @@ def cutting_plane(angle: float, reach: float, scale: float) -> tuple[tuple[Strok
     strokes, labels = [], []
     for way in (along, -along):
         corner = (reach + 5.0 / scale) * way
-        tip = corner + 6.0 / scale * look
-        barbs = [tip - 2.5 / scale * look + side * 0.8 / scale * along for side in (-1, 1)]
-        strokes += [Stroke(np.array([reach * way, corner])), Stroke(np.array([corner, tip]), LineKind.THIN)]
-        strokes.append(Stroke(np.array([barbs[0], tip, barbs[1]]), LineKind.THIN))
+        strokes.append(Stroke(np.array([reach * way, corner])))
+        strokes += arrow(corner, corner + 6.0 / scale * look, (2.5 / scale, 0.8 / scale), LineKind.THIN)
         x, y = (corner - 2.5 / scale * look).tolist()
         labels.append(Label(text="A", at=(x, y), height=3.5))
     if abs(np.sin(2 * angle)) > 1e-6:  # else a centre line is there already

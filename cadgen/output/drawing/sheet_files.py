@@ -7,7 +7,7 @@ with matplotlib, and one of the system's for Chinese, Japanese and Korean.
 import io
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from functools import cache, partial
+from functools import cache
 from pathlib import Path
 
 import ezdxf
@@ -88,7 +88,10 @@ def dxf_bytes(drawing: DrawingSheet, language: str = ENGLISH) -> bytes:
 
 def document_of(drawing: DrawingSheet, language: str = ENGLISH) -> Document:
     """The sheet as a document of ezdxf, with its texts in a language; names of dimensions stay English."""
-    say = partial(_said, language)
+
+    def say(text: str) -> str:
+        return str(translate(text, language))
+
     document = ezdxf.new("R2010", units=_MM)
     document.styles.add(_STYLE, font=FONT)
     for name, pattern in _PATTERNS.items():
@@ -114,25 +117,25 @@ def document_of(drawing: DrawingSheet, language: str = ENGLISH) -> Document:
     return document
 
 
-def _said(language: str, text: str) -> str:
-    return str(translate(text, language))
-
-
 def _dimension_style(document: Document, scale: float) -> None:
-    style = document.dimstyles.new(_STYLE)
-    style.dxf.dimtxsty = _STYLE
-    style.dxf.dimtxt = TEXT
-    style.dxf.dimasz = 2.5
-    style.dxf.dimexe = 1.0
-    style.dxf.dimexo = 0.5
-    style.dxf.dimgap = _DIMGAP
-    style.dxf.dimtad = 1
-    style.dxf.dimdec = 3
-    style.dxf.dimzin = 8  # no zeros at the end
-    style.dxf.dimdsep = ord(".")
-    style.dxf.dimlfac = 1.0 / scale
-    style.dxf.dimtih = 0
-    style.dxf.dimtoh = 0
+    document.dimstyles.new(
+        _STYLE,
+        dxfattribs={
+            "dimtxsty": _STYLE,
+            "dimtxt": TEXT,
+            "dimasz": 2.5,
+            "dimexe": 1.0,
+            "dimexo": 0.5,
+            "dimgap": _DIMGAP,
+            "dimtad": 1,
+            "dimdec": 3,
+            "dimzin": 8,
+            "dimdsep": ord("."),
+            "dimtih": 0,
+            "dimtoh": 0,  # 8: no last zeros
+            "dimlfac": 1.0 / scale,
+        },
+    )
 
 
 @dataclass(frozen=True)
@@ -198,7 +201,7 @@ class _Place:
                 text=text,
                 dimstyle=_STYLE,
                 override={"dimtad": 1, "dimtofl": 1, "dimtmove": 0},
-                location=self._outside(dimension),
+                location=self._diameter_place(dimension),
                 dxfattribs=attributes,
             )
         else:
@@ -206,7 +209,7 @@ class _Place:
                 base=self._on_paper(dimension.at),
                 p1=self._on_paper(dimension.start),
                 p2=self._on_paper(dimension.end),
-                location=self._beside(dimension) if dimension.beside else None,
+                location=self._number_place(dimension) if dimension.beside else None,
                 angle=90.0 - (90.0 - dimension.angle) % 180.0,  # so that no number stands on its head
                 text=text,
                 dimstyle=_STYLE,
@@ -216,7 +219,7 @@ class _Place:
         made.render()
         made.dimension.set_xdata(APP, [(1000, dimension.name)])
 
-    def _beside(self, dimension: LinearDimension) -> Vec2:
+    def _number_place(self, dimension: LinearDimension) -> Vec2:
         """Place of a number beside the middle of its dimension line, above that line."""
         along = Vec2.from_deg_angle(dimension.angle)
         base, *ends = (Vec2(self._on_paper(point)) for point in (dimension.at, dimension.start, dimension.end))
@@ -224,7 +227,7 @@ class _Place:
         upright = Vec2.from_deg_angle(180.0 - (90.0 - dimension.angle) % 180.0)
         return base + along * (middle + dimension.beside) + upright * (_DIMGAP + TEXT / 2)
 
-    def _outside(self, dimension: DiameterDimension) -> Vec2:
+    def _diameter_place(self, dimension: DiameterDimension) -> Vec2:
         """Place of the text of a diameter: outside the circle, on the dimension line's own side."""
         reach = dimension.reach or self.scale * dimension.diameter / 2 + 9.0
         return Vec2(self._on_paper(dimension.centre)) + Vec2.from_deg_angle(dimension.angle, reach)
@@ -413,7 +416,8 @@ def _face_with(file: Path, letters: frozenset[str]) -> int | None:
     """Number of a face of a file that has all letters, the simplified Chinese one if there is one; None without."""
     try:
         faces = TTCollection(file, lazy=True).fonts if file.suffix.lower() == ".ttc" else [TTFont(file, lazy=True)]
-        plain = [number for number, face in enumerate(faces) if _family(face).endswith((" SC", " CN"))]
+        families = [str(face["name"].getBestFamilyName()) for face in faces]
+        plain = [number for number, family in enumerate(families) if family.endswith((" SC", " CN"))]
         order: dict[int, None] = dict.fromkeys([*plain, *range(len(faces))])
         for number in order:
             known = faces[number].getBestCmap() or ()
@@ -422,10 +426,6 @@ def _face_with(file: Path, letters: frozenset[str]) -> int | None:
     except (OSError, TTLibError):
         pass
     return None
-
-
-def _family(face: TTFont) -> str:
-    return str(face["name"].getBestFamilyName())
 
 
 _INCH = 25.4

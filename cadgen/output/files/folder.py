@@ -28,7 +28,7 @@ from typing import Any, NoReturn
 from cadgen.errors import FileError, brief
 from cadgen.messages import Message
 from cadgen.output.files.lock import NAME as LOCK
-from cadgen.output.files.lock import drop, held, hold, locked
+from cadgen.output.files.lock import drop, hold, is_held, locked
 from cadgen.output.files.manifest import NAME as MANIFEST
 from cadgen.output.files.manifest import (
     file_hash,
@@ -155,7 +155,7 @@ def left_by_killed(out: Path) -> tuple[list[Path], list[Path]]:
         if not _STAGING.fullmatch(folder.name) or folder.is_symlink() or not folder.is_dir():
             continue
         with suppress(OSError):
-            if held(folder / _ALIVE):
+            if is_held(folder / _ALIVE):
                 continue
         (half if _is_half_moved(folder) else unmoved).append(folder)
     return half, unmoved

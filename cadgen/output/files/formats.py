@@ -22,7 +22,7 @@ from cadgen.output.files.stl import cam_stl, gear_stl, train_stl
 from cadgen.output.files.tables import cam_table, train_table
 from cadgen.output.files.threemf import cam_3mf
 from cadgen.output.files.xyz import cam_xyz
-from cadgen.processes import beside
+from cadgen.processes import in_second_process
 from cadgen.registry import Registry
 
 P = TypeVar("P")
@@ -150,7 +150,7 @@ class Offer(Generic[P]):
         else:
             # The kernel alone takes as long as all other formats: `cadgen cam carbon_free_car` takes 4.4 s so, and
             # 5.7 s by one process, 1.3 times as long. It stays loaded here, for the next part of a script.
-            with beside(write_others) as rest:
+            with in_second_process(write_others) as rest:
                 made = [*write_solids(), *rest()]
         return sorted(zip((*with_kernel, *others), made, strict=True), key=lambda pair: formats.index(pair[0]))
 

@@ -143,7 +143,7 @@ def write_gcode(
     passes = len(levels)
     slot = slot_with_tabs(centre, machining)
     height = machining.safe_height_mm + (hub.height if hub else 0.0)
-    program = _Rounds(slot, machining, machining.feed(material), height)
+    program = _RoundLines(slot, machining, machining.feed(material), height)
     spindle = f"S{machining.spindle_rpm:g} M3"
     tabs = machining.tabs
     lines = [
@@ -156,14 +156,17 @@ def write_gcode(
     top = 0.0 if tabs is None else tabs.height_mm - thickness
     floor = 0.0
     for number, level in enumerate(levels, 1):
-        lines += [f"(pass {number} of {passes})", *program.once(floor, level, top)]
+        lines += [f"(pass {number} of {passes})", *program.full_round(floor, level, top)]
         floor = level
     below = [level for level in levels if tabs and level < top]
     if below:
         lines += ["M5", "(clamp the part through its bore, then start again: the tabs are taken off)", "M0", spindle]
     for tab, sides in enumerate(slot.tabs, 1):
         for number, level in enumerate(below, 1):
-            lines += [f"(tab {tab} of {len(slot.tabs)}, pass {number} of {len(below)})", *program.off(sides, level)]
+            lines += [
+                f"(tab {tab} of {len(slot.tabs)}, pass {number} of {len(below)})",
+                *program.tab_pass(sides, level),
+            ]
     lines += ["M5", "M30"]
     path.write_text("\n".join(lines) + "\n", encoding="ascii", newline="\n")
 
@@ -225,7 +228,7 @@ def _head(
     ]
 
 
-class _Rounds:
+class _RoundLines:
     """Lines of the program for rounds of the cutter, and for its passes over a tab."""
 
     def __init__(self, slot: Slot, machining: Machining, feed: float, height: float) -> None:
@@ -233,7 +236,7 @@ class _Rounds:
         self.corners, self.sides = _sides(slot.centre, machining.lead_radius_mm)
         self.lifted = [False, *slot.lifted.tolist(), False]
 
-    def once(self, floor: float, level: float, top: float) -> Iterator[str]:
+    def full_round(self, floor: float, level: float, top: float) -> Iterator[str]:
         """A round at a level, over the tabs at their top if that is higher.
 
         Args:
@@ -256,7 +259,7 @@ class _Rounds:
                 feed = ""
         yield f"G0 {words(Z=self.height)}"
 
-    def off(self, tab: range, level: float) -> Iterator[str]:
+    def tab_pass(self, tab: range, level: float) -> Iterator[str]:
         """A pass that takes a tab off at a level: down in the slot before it, and up in the slot after it.
 
         Args:
@@ -349,18 +352,16 @@ def tabs_note(tabs: Tabs) -> str:
 def _span(centre: Contour, ends: Array, middle: float, apart: float) -> tuple[float, float]:
     """Lengths along the path, evenly to either side of `middle`, at which it is `apart` from itself, mm."""
 
+    def point(at: float) -> Array:
+        side = int(np.clip(np.searchsorted(ends, at, "right") - 1, 0, len(centre.bulges) - 1))
+        place: Array = centre.side(side, np.array([(at - ends[side]) / (ends[side + 1] - ends[side])]))[0]
+        return place
+
     def between(half: float) -> float:
-        points = [_point(centre, ends, middle + side * half) for side in (-1, 1)]
-        return float(np.linalg.norm(points[1] - points[0])) - apart
+        return float(np.linalg.norm(point(middle + half) - point(middle - half))) - apart
 
     half = float(brentq(between, apart / 4, min(apart, 0.49 * ends[-1]), xtol=1e-9))
     return middle - half, middle + half
-
-
-def _point(centre: Contour, ends: Array, at: float) -> Array:
-    side = int(np.clip(np.searchsorted(ends, at, "right") - 1, 0, len(centre.bulges) - 1))
-    point: Array = centre.side(side, np.array([(at - ends[side]) / (ends[side + 1] - ends[side])]))[0]
-    return point
 
 
 def _split(centre: Contour, ends: Array, spans: Array, lead: float) -> Slot:

@@ -99,7 +99,7 @@ def read_gcode(
         )
     try:
         _refuse_feeds(program, machining, material)
-        rounds = _Rounds.of(program)
+        rounds = _MilledRounds.of(program)
         tabs = rounds.tabs(machining, thickness)
         _refuse_tabs(tabs, machining, rounds.length)
         outline = _left_over(rounds.cuts(machining, thickness), machining.cutter_diameter_mm / 2, step)
@@ -121,7 +121,7 @@ def _refuse_feeds(program: Program, machining: Machining, material: DiscMaterial
 
 
 @dataclass(frozen=True)
-class _Rounds:
+class _MilledRounds:
     """Cuts of a program from one rapid move to the next, plunges apart.
 
     Attributes:
@@ -135,7 +135,7 @@ class _Rounds:
     before_stop: int
 
     @classmethod
-    def of(cls, program: Program) -> "_Rounds":
+    def of(cls, program: Program) -> "_MilledRounds":
         rounds: list[list[Move]] = []
         plunges, before_stop, cutting = [], None, False
         for number, move in enumerate(program.moves):
@@ -171,7 +171,7 @@ class _Rounds:
         before = floor = np.zeros(len(plans[0]))
         for number, (plan, cuts) in enumerate(zip(plans, self.rounds, strict=True)):
             after = number >= self.before_stop
-            first = _begin_of(plan, plans[0]) if after else 0
+            first = int(np.argmax((plans[0] == plan[0]).all(axis=1))) if after else 0  # where the pass begins
             run = slice(first, first + len(plan))
             if not np.array_equal(plans[0][run], plan):
                 raise RefusedError("has passes that differ, so the disc's faces would too")
@@ -230,11 +230,6 @@ class _Rounds:
         return sum(move.length for move in self.rounds[0][1:-1])
 
 
-def _begin_of(plan: Array, whole: Array) -> int:
-    """Number of the cut of a round with which a pass begins; 0 if there is none."""
-    return int(np.argmax((whole == plan[0]).all(axis=1)))
-
-
 def _refuse_air(cuts: Sequence[Move], air: NDArray[np.bool_], lead: float) -> None:
     """Refuse a pass after the stop that begins or ends in a tab, or goes farther through air than its leads, mm."""
     if not (air[0] and air[-1]):
@@ -277,7 +272,7 @@ def _refuse_tabs(tabs: tuple[Tab, ...], machining: Machining, length: float) -> 
 
 
 @dataclass(frozen=True)
-class _Swept:
+class _CutterSweep:
     """Places that stand for the cutter's path, by polar angle.
 
     Attributes:
@@ -294,7 +289,7 @@ class _Swept:
     radius: float
 
     @classmethod
-    def of(cls, moves: list[Array], radius: float) -> "_Swept":
+    def of(cls, moves: list[Array], radius: float) -> "_CutterSweep":
         places = np.concatenate(moves)
         distance = np.linalg.norm(places, axis=1)
         if distance.min() <= radius:
@@ -324,7 +319,7 @@ class _Swept:
         """
         count = len(self.angle)
         reach = np.arcsin(self.radius / self.distance.min())
-        angle = self._thrice
+        angle = np.concatenate([self.angle - TURN, self.angle, self.angle + TURN])
         ray = (ray + pi) % TURN - pi
         first, last = np.searchsorted(angle, ray - reach), np.searchsorted(angle, ray + reach)
         if (first == last).any():
@@ -361,11 +356,6 @@ class _Swept:
         return near, aside
 
     @cached_property
-    def _thrice(self) -> Array:
-        """Polar angles with those before the first and after the last place, which stand again a turn away."""
-        return np.concatenate([self.angle - TURN, self.angle, self.angle + TURN])
-
-    @cached_property
     def _centres(self) -> Array:
         """The places, mm, shape (2, n)."""
         return np.asarray(self.distance * np.stack([np.cos(self.angle), np.sin(self.angle)]))
@@ -373,7 +363,7 @@ class _Swept:
 
 def _left_over(cuts: list[Move], radius: float, step: float) -> Outline:
     """Outline of the stock that is left inside the cutter's sweep, by rays from the origin."""
-    swept = _Swept.of([move.places(np.sqrt(8 * _SCALLOP_MM * radius)) for move in cuts], radius)
+    swept = _CutterSweep.of([move.places(np.sqrt(8 * _SCALLOP_MM * radius)) for move in cuts], radius)
     count = ceil(TURN * (swept.distance.max() - radius) / step)
     spacing = TURN / count
     ray: Array = spacing * np.arange(count, dtype=np.float64)

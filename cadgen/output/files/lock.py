@@ -88,7 +88,7 @@ def unlock(descriptor: int) -> None:
     unlock_descriptor(descriptor)
 
 
-def held(file: Path) -> bool:
+def is_held(file: Path) -> bool:
     """Whether a process holds the lock of a file; False if there is no such file."""
     try:
         descriptor = os.open(file, _OPEN & ~os.O_CREAT)
@@ -107,8 +107,9 @@ def _acquire(file: Path, deadline: float) -> int | None:
             if not _lock(descriptor):
                 _wait(descriptor, file, deadline)
             # The run before may have removed the file that was waited for, and the next one made another.
-            if _still_there(descriptor, file):
-                return descriptor
+            with suppress(FileNotFoundError):
+                if os.path.samestat(os.fstat(descriptor), os.stat(file, follow_symlinks=False)):
+                    return descriptor
         except OSError as error:
             if error.errno in _UNSUPPORTED:
                 os.close(descriptor)
@@ -152,13 +153,6 @@ def _release(file: Path, descriptor: int | None) -> None:
         file.unlink()
     if sys.platform != "win32":
         os.close(descriptor)
-
-
-def _still_there(descriptor: int, file: Path) -> bool:
-    try:
-        return os.path.samestat(os.fstat(descriptor), os.stat(file, follow_symlinks=False))
-    except FileNotFoundError:
-        return False
 
 
 def _wait(descriptor: int, file: Path, deadline: float) -> None:

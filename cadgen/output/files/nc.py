@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator
 from math import pi
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from cadgen.arrays import TURN
-from cadgen.cam.cutter import CutterLimit, largest_cutter
+from cadgen.cam.cutter import largest_cutter
 from cadgen.car.running.friction import DiscMaterial
-from cadgen.curves.closed import ClosedCurve, Outline
+from cadgen.curves.closed import Outline
 from cadgen.design.machining import Machining
 from cadgen.output.files.drilling import drill_feed, drills_of, pecks, point_length, write_drilling
 from cadgen.output.files.dxf import edges_note
@@ -30,59 +29,16 @@ LIFT_LIMIT_UM = 1.0
 
 def cam_programs(cam: CamExport, folder: Path) -> Iterator[Artifact]:
     """Programs of a cam; the outline that the cutter leaves is judged."""
-    edges = edges_note(cam.blank.edge_break, cam.follower.noun)
-    disc = Disc(
-        name=cam.stem,
-        curve=cam.curve,
-        limit=largest_cutter(cam.curve),
-        blank=cam.blank,
-        thickness=cam.thickness,
-        material=cam.material,
-        notes=(*cam.notes, *([edges] if edges else [])),
-    )
-    for program, outline in programs(disc, cam.machining, folder, cam.export.arc_tolerance_um * 1e-3, cam.step):
+    for program, outline in programs(cam, folder, cam.step):
         yield program if outline is None else cam.judged(program.name, outline, LIFT_LIMIT_UM, program.facts)
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Disc:
-    """A disc that is milled.
-
-    Attributes:
-        name: stem of the programs' names.
-        curve: profile, counterclockwise, mm.
-        limit: largest cutter for the profile.
-        blank: bore, hub, holes and mark.
-        thickness: between its faces, mm.
-        material: its material; None if none is given.
-        notes: comments for the shop on the outline.
-    """
-
-    name: str
-    curve: ClosedCurve
-    limit: CutterLimit
-    blank: Blank
-    thickness: float
-    material: DiscMaterial | None
-    notes: Sequence[str]
-
-    @property
-    def above(self) -> RaisedHub | None:
-        """Hub on the outer face, over which rapid moves pass."""
-        hub = self.blank.hub
-        return RaisedHub(hub.diameter / 2, hub.length) if hub and hub.side == Face.OUTER else None
-
-
-def programs(
-    disc: Disc, machining: Machining, folder: Path, arc_tolerance: float, step: float
-) -> Iterator[tuple[Artifact, Outline | None]]:
+def programs(cam: CamExport, folder: Path, step: float) -> Iterator[tuple[Artifact, Outline | None]]:
     """Write and read back the program of the outline, with the outline that it leaves, and those of the drills.
 
     Args:
-        disc: disc to make.
-        machining: cutter, speeds, tabs, drills.
+        cam: cam to make.
         folder: folder for the programs.
-        arc_tolerance: greatest distance of the arcs from the exact path of the cutter, mm.
         step: distance of the points of the outline that is read back, mm.
 
     Raises:
@@ -90,23 +46,28 @@ def programs(
         DesignError: the tabs have no room.
         FileError: a program, read back, does something else.
     """
-    drilling, above = machining.drilling, disc.above
-    drills = drills_of(disc.blank, disc.thickness, drilling) if drilling else ()
-    centre = cutter_path(disc.curve, machining.cutter_diameter_mm / 2, disc.limit, arc_tolerance)
-    outline = folder / f"{disc.name}.nc"
+    machining, blank, hub = cam.machining, cam.blank, cam.blank.hub
+    drilling = machining.drilling
+    # Rapid moves pass over a hub on the outer face.
+    above = RaisedHub(hub.diameter / 2, hub.length) if hub and hub.side == Face.OUTER else None
+    drills = drills_of(blank, cam.thickness, drilling) if drilling else ()
+    tolerance = cam.export.arc_tolerance_um * 1e-3
+    centre = cutter_path(cam.curve, machining.cutter_diameter_mm / 2, largest_cutter(cam.curve), tolerance)
+    outline = folder / f"{cam.stem}.nc"
+    edges = edges_note(blank.edge_break, cam.follower.noun)
     write_gcode(
         outline,
         centre,
         machining,
-        disc.thickness,
-        name=disc.name,
-        material=disc.material,
+        cam.thickness,
+        name=cam.stem,
+        material=cam.material,
         hub=above,
-        drilled=[drill.file_name(disc.name) for drill in drills],
-        notes=disc.notes,
+        drilled=[drill.file_name(cam.stem) for drill in drills],
+        notes=(*cam.notes, *filter(None, [edges])),
     )
     height = above.height if above else 0.0
-    milled = read_gcode(outline, machining, disc.thickness, step, material=disc.material, hub_height=height)
+    milled = read_gcode(outline, machining, cam.thickness, step, material=cam.material, hub_height=height)
     facts: dict[str, Any] = {"arcs": len(centre.bulges), "cutter_diameter_mm": machining.cutter_diameter_mm}
     if milled.tabs:
         facts["tabs"] = [
@@ -116,17 +77,17 @@ def programs(
     yield Artifact(outline.name, facts), milled.outline
     for drill in drills:
         assert drilling is not None
-        path = folder / drill.file_name(disc.name)
-        write_drilling(path, drill, machining, drilling, name=disc.name, material=disc.material)
+        path = folder / drill.file_name(cam.stem)
+        write_drilling(path, drill, machining, drilling, name=cam.stem, material=cam.material)
         off = read_drilling(
             path,
             machining,
             drilling,
             diameter=drill.diameter,
             bore=drills[0].diameter,
-            holes=disc.blank.holes(),
-            thickness=disc.thickness,
-            hub=disc.blank.hub,
+            holes=blank.holes(),
+            thickness=cam.thickness,
+            hub=hub,
         )
         facts = {"drill_diameter_mm": drill.diameter, "holes": len(drill.holes), "place_error_um": off * 1e3}
         yield Artifact(path.name, facts), None

@@ -16,7 +16,7 @@ from cadgen.geometry.meshes.made_train import meshes, play_error_um, return_erro
 from cadgen.geometry.meshes.teeth import MeasuredPair, ToothSection
 from cadgen.messages import Message
 from cadgen.output.files.publisher import Artifact, require
-from cadgen.processes import beside
+from cadgen.processes import in_second_process
 
 if TYPE_CHECKING:
     from cadgen.geometry.solids.gear_solids import AssembledPart
@@ -117,7 +117,7 @@ def train_step(train: TrainExport, folder: Path) -> list[Artifact]:
     parts = train_parts(layout, train.stem, train.description)
     files = [folder / f"{part.name}.step" for part in parts]
     assembly.write_bytes(assembly_bytes(parts, layout, assembly.stem, train.description))
-    with beside(partial(_part_files, parts, layout, train.passed, assembly, files)) as texts:
+    with in_second_process(partial(_part_files, parts, layout, train.passed, assembly, files)) as texts:
         whole = assembly_facts(layout, assembly.name, read_assembly(assembly), parts)
         in_mesh, *of_parts = texts()
     return [

@@ -62,7 +62,7 @@ def write_xyz(path: Path, curve: ClosedCurve, count: int) -> None:
         if jumps[(number + 1) % len(curve.pieces)]:
             places = np.append(places, arc[-1] - step * _BESIDE_JOINTS)
         points.append(piece.jet(np.interp(np.sort(places)[:-1], arc, t)).point)
-    apart = _apart(points)
+    apart = _without_close_points(points)
     closed = np.concatenate([apart, apart[:1]])
     lines = (f"{x:.6f} {y:.6f} 0.000000" for x, y in (closed + 0.0).tolist())
     path.write_text("\n".join(lines) + "\n", encoding="ascii", newline="\n")
@@ -114,7 +114,7 @@ def _arc_length(curve: ClosedCurve, number: int) -> tuple[Array, Array]:
     return t, np.concatenate([[0.0], np.cumsum(chords)])
 
 
-def _apart(pieces: list[Array]) -> Array:
+def _without_close_points(pieces: list[Array]) -> Array:
     """The points of all pieces, closed, without those that stand too close to others; a piece begins with its joint."""
     points, joint = np.concatenate(pieces), np.zeros(sum(len(piece) for piece in pieces), dtype=bool)
     joint[np.cumsum([0] + [len(piece) for piece in pieces[:-1]])] = True

@@ -161,18 +161,14 @@ def draw_lift(content: LiftPicture, folder: Path, name: str) -> list[str]:
         ):
             off = _lift(content, following.tan_beta(motor)) - wanted
             worst = float(np.abs(off).max())
-            axes.plot(np.degrees(motor), off, color=color, linestyle=style, label=f"{label}: up to {_length(worst)}")
+            most = f"{worst:.3f} mm" if worst >= 0.01 else f"{1e3 * worst:.2g} µm"
+            axes.plot(np.degrees(motor), off, color=color, linestyle=style, label=f"{label}: up to {most}")
         zero_line(axes)
         axes.set(title="Lift with play, less the lift wanted", xlabel="motor, as cam angle (°)", ylabel="error (mm)")
         axes.set_xlim(0, 360)
         axes.set_xticks(range(0, 361, 30))
         axes.legend(loc="best")
         return save(picture, folder, name)
-
-
-def _length(value: float) -> str:
-    """A length (mm) in words, a small one in micrometres."""
-    return f"{value:.3f} mm" if value >= 0.01 else f"{1e3 * value:.2g} µm"
 
 
 def _lift(content: LiftPicture, tan_beta: Array) -> Array:

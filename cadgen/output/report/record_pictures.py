@@ -1,7 +1,7 @@
 """Pictures of one record's verdict: residual before and after, spectrum or plan view, candidates."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -49,9 +49,9 @@ def draw_record(diagnosis: Diagnosis, length: float | None, folder: Path, name: 
         name: name of the files, without ending.
     """
     with figure(11.5, 7.0) as picture:
-        picture.suptitle(
-            f"{diagnosis.kind.code}: {diagnosis.source}. {_short(diagnosis)}", x=0.01, ha="left", fontsize=10
-        )
+        claimed = ", ".join(diagnosis.judgement.claimed)
+        verdict = f"{diagnosis.verdict}: {claimed}" if claimed else diagnosis.verdict
+        picture.suptitle(f"{diagnosis.kind.code}: {diagnosis.source}. {verdict}", x=0.01, ha="left", fontsize=10)
         grid = picture.add_gridspec(2, 2, width_ratios=(1.5, 1.0))
         before = picture.add_subplot(grid[0, 0])
         after = picture.add_subplot(grid[1, 0], sharex=before)
@@ -60,7 +60,8 @@ def draw_record(diagnosis: Diagnosis, length: float | None, folder: Path, name: 
         without = _from_the_start(diagnosis) if plan else diagnosis.before
         _residual(before, diagnosis, without, length)
         _residual(after, diagnosis, diagnosis.after, length)
-        rms = _rms(diagnosis)
+        assert isinstance(diagnosis, EvidenceDiagnosis | PathDiagnosis)
+        rms = diagnosis.residual.before, diagnosis.residual.after
         several = f", {diagnosis.runs} runs, coloured from the first to the last" if _many(diagnosis) else ""
         space = "" if unit == "°" else " "
         unit = f"{space}{unit}{' per coordinate' if plan and isinstance(diagnosis, EvidenceDiagnosis) else ''}"
@@ -78,24 +79,12 @@ def draw_record(diagnosis: Diagnosis, length: float | None, folder: Path, name: 
         return save(picture, folder, name)
 
 
-def _short(diagnosis: Diagnosis) -> str:
-    """The verdict, and the effects claimed."""
-    names = ", ".join(diagnosis.judgement.claimed)
-    return f"{diagnosis.verdict}: {names}" if names else diagnosis.verdict
-
-
-def _rms(diagnosis: Diagnosis) -> tuple[float, float]:
-    """Root mean square of the residual, before and after."""
-    assert isinstance(diagnosis, EvidenceDiagnosis | PathDiagnosis)
-    return diagnosis.residual.before, diagnosis.residual.after
-
-
 def _three(value: float) -> str:
     """A number of three digits, without a power of ten."""
     return f"{float(f'{value:.3g}'):.12g}"
 
 
-def _place(diagnosis: Diagnosis, length: float | None) -> Array:
+def _abscissa(diagnosis: Diagnosis, length: float | None) -> Array:
     """Abscissa of each row, in its unit."""
     match diagnosis.kind.abscissa:
         case Abscissa.CAM_ANGLE:
@@ -117,22 +106,14 @@ def _runs_legend(axes: "Axes", diagnosis: Diagnosis) -> None:
             handles += axes.plot([], [], mark, color=BLACK, markersize=2.5)
             labels.append(way)
     if labels:
-        _headroom(axes)
+        low, high = axes.get_ylim()
+        axes.set_ylim(low, high + 0.12 * (high - low))  # room for the legend above the curves
         how = {"fontsize": 8, "frameon": True, "edgecolor": "none", "markerscale": 2.0}
         axes.legend(handles, labels, loc="upper right", ncols=len(labels), columnspacing=1.2, **how)
 
 
 def _many(diagnosis: Diagnosis) -> bool:
     return diagnosis.runs > len(_RUNS)
-
-
-def _colours(diagnosis: Diagnosis) -> "list[Any]":
-    """A colour for each run."""
-    if not _many(diagnosis):
-        return list(_RUNS[: diagnosis.runs])
-    from matplotlib import colormaps
-
-    return list(colormaps[_MANY_RUNS](np.linspace(0.0, 0.9, diagnosis.runs)))
 
 
 def _ways(diagnosis: Diagnosis) -> "list[tuple[NDArray[np.bool_], str, str]]":
@@ -146,9 +127,13 @@ def _ways(diagnosis: Diagnosis) -> "list[tuple[NDArray[np.bool_], str, str]]":
 
 def _residual(axes: "Axes", diagnosis: Diagnosis, residual: Array, length: float | None) -> None:
     """Draw the residual of each run: readings as points, or the distance from a track as a line."""
-    place, unit = _place(diagnosis, length), SIGNS[diagnosis.unit]
+    from matplotlib import colormaps
+
+    place, unit = _abscissa(diagnosis, length), SIGNS[diagnosis.unit]
     values = residual / UNITS[diagnosis.unit]
-    for run, color in enumerate(_colours(diagnosis)):
+    scale = colormaps[_MANY_RUNS](np.linspace(0.0, 0.9, diagnosis.runs))
+    for run in range(diagnosis.runs):
+        color = scale[run] if _many(diagnosis) else _RUNS[run]
         rows = diagnosis.run == run
         # Of many runs the first and the last are named.
         name = f"run {run + 1}" if not _many(diagnosis) or run in (0, diagnosis.runs - 1) else ""
@@ -177,12 +162,6 @@ def _residual(axes: "Axes", diagnosis: Diagnosis, residual: Array, length: float
     else:
         axes.set_ylim(bottom=0)
         axes.set_ylabel(f"distance from the path ({unit})")
-
-
-def _headroom(axes: "Axes") -> None:
-    """Make room for a legend above the curves."""
-    low, high = axes.get_ylim()
-    axes.set_ylim(low, high + 0.12 * (high - low))
 
 
 def _spectrum(axes: "Axes", diagnosis: Diagnosis) -> None:
@@ -255,7 +234,7 @@ def _candidates(axes: "Axes", diagnosis: Diagnosis) -> None:
     shown = sorted([*best, *(c for c in diagnosis.candidates if not c.effects)], key=lambda c: c.score)
     rows = np.arange(len(shown))
     bars = axes.barh(rows + 0.22, [c.score for c in shown], height=0.34, color=SKY)
-    axes.bar_label(bars, labels=[_score(c.score) for c in shown], padding=3, fontsize=8)
+    axes.bar_label(bars, fmt=lambda score: f"{score:.{1 if score < 1000 else 0}f}", padding=3, fontsize=8)
     for row, candidate in zip(rows, shown, strict=True):
         names = ", ".join(candidate.effects) or "no effect"
         shown_name = names if len(names) <= _NAME else f"{names[: _NAME - 1]}…"
@@ -269,7 +248,3 @@ def _candidates(axes: "Axes", diagnosis: Diagnosis) -> None:
     axes.set_xlabel(
         "path error on runs left out (mm)" if by_paths else "worse than the best by (information criterion)"
     )
-
-
-def _score(value: float) -> str:
-    return f"{value:.1f}" if value < 1000 else f"{value:.0f}"

@@ -94,7 +94,7 @@ def _draw_parallel(content: ExplorationPicture, folder: Path, name: str) -> list
                     text, (at, place), xytext=(3, 0), textcoords="offset points", fontsize=7, va="center",
                     bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.8},
                 )  # fmt: skip
-        axes.set_xticks(across, [_broken(head) for head in heads], fontsize=8)
+        axes.set_xticks(across, [head.replace(".", ".\n") for head in heads], fontsize=8)  # beside each other
         axes.set_yticks([])
         axes.grid(visible=False)
         axes.spines[["left", "bottom"]].set_visible(False)
@@ -113,7 +113,7 @@ def _draw_front(content: ExplorationPicture, folder: Path, name: str) -> list[st
             _draw_pair(axes, content, start + first, start + second)
             for place, direction in ((first, "x"), (second, "y")):
                 better = "more" if content.more[place] else "less"
-                axes.set(**{f"{direction}label": f"{_spoken(content.figures[place])}, {better} is better"})
+                axes.set(**{f"{direction}label": f"{_axis_label(content.figures[place])}, {better} is better"})
         return save(picture, folder, name)
 
 
@@ -141,7 +141,7 @@ def _draw_effects(content: ExplorationPicture, folder: Path, name: str) -> list[
             shares = [100 * content.effects[code][key] for key in keys]
             bars = axes.barh(keys, shares, color=BLUE if code in content.figures else SKY)
             axes.bar_label(bars, fmt="%.0f", fontsize=7, padding=2)
-            axes.set_title(_spoken(code), fontsize=9)
+            axes.set_title(_axis_label(code), fontsize=9)
             axes.set(xlabel="%", xlim=(0, 112))
             axes.grid(axis="y", visible=False)
         return save(picture, folder, name)
@@ -162,11 +162,6 @@ def _places(values: Sequence[Any]) -> tuple[Array, list[tuple[float, str]]]:
     return np.array([where[str(value)] for value in values]), [(where[c], c[:18]) for c in choices[::step]]
 
 
-def _broken(head: str) -> str:
-    """A key on lines of its own parts, so that heads do not run into each other."""
-    return head.replace(".", ".\n")
-
-
-def _spoken(code: str) -> str:
+def _axis_label(code: str) -> str:
     name, _, unit = code.rpartition("_")
     return f"{name.replace('_', ' ')} ({'%' if unit == 'percent' else '°' if unit == 'deg' else unit})"

@@ -16,7 +16,7 @@ from rich.segment import Segment
 from rich.table import Column, Table
 from rich.text import Text
 
-from cadgen.figures import Cell, Sheet, State, with_unit
+from cadgen.figures import Sheet, State, with_unit
 from cadgen.messages import ENGLISH, shown
 
 _GAP = 2  # columns of the terminal between two columns of the table
@@ -93,13 +93,16 @@ class FittedTable(Table):
 def _widths(columns: list[Column], room: int) -> list[int] | None:
     """Widths of columns that fit into a room, numbers whole and words folded; None if no widths fit."""
     numbers = [column.justify == "right" for column in columns]
-    narrowest = [_natural_cell(c) if number else 0 for c, number in zip(columns, numbers, strict=True)]
-    narrowest = [max(cells, _longest_word(c)) for cells, c in zip(narrowest, columns, strict=True)]
-    left = room - sum(narrowest)
+    widths = []
+    for column, number in zip(columns, numbers, strict=True):
+        cells = [column.header] if number else [column.header, *column.cells]
+        words = (word for cell in cells for word in _bound(_text(cell)).plain.split())
+        longest = max((min(cell_len(word), _FOLDED) for word in words), default=0)
+        widths.append(max(longest, _natural_cell(column) if number else 0))
+    left = room - sum(widths)
     if left < 0:
         return None
     # What is left goes to the columns of words, evenly, but to none more than it can use.
-    widths = narrowest
     while left > 0:
         folded = [k for k, column in enumerate(columns) if widths[k] < _natural(column)]
         folded = [k for k in folded if not numbers[k]] or folded
@@ -118,14 +121,6 @@ def _natural(column: Column) -> int:
 
 def _natural_cell(column: Column) -> int:
     return max((cell_len(line) for cell in column.cells for line in _text(cell).plain.split("\n")), default=0)
-
-
-def _longest_word(column: Column) -> int:
-    """Width in which no word is folded inside, but for very long ones; of a column of numbers, that of its head."""
-    cells = [column.header] if column.justify == "right" else [column.header, *column.cells]
-    return max(
-        (min(cell_len(word), _FOLDED) for cell in cells for word in _bound(_text(cell)).plain.split()), default=0
-    )
 
 
 def _text(cell: object, style: object = "") -> Text:
@@ -157,14 +152,10 @@ def table(sheet: Sheet, *, gap: bool = False, language: str | None = None) -> Fi
         )
     for row in sheet.cells:
         whole = row[0].state
-        made.add_row(*(_cell(cell, language, plain=cell.state == whole) for cell in row), style=_STYLES[whole] or None)
+        texts = (with_unit(shown(cell.text, language), shown(cell.unit, language)) for cell in row)
+        styles = ("" if cell.state == whole else _STYLES[cell.state] for cell in row)
+        made.add_row(*map(Text, texts, styles), style=_STYLES[whole] or None)  # Text(text, style)
     return made
-
-
-def _cell(cell: Cell, language: str | None, *, plain: bool) -> Text:
-    return Text(
-        with_unit(shown(cell.text, language), shown(cell.unit, language)), style="" if plain else _STYLES[cell.state]
-    )
 
 
 @dataclass(frozen=True)

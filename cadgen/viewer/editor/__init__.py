@@ -4,19 +4,15 @@
 |----------------|---------------------------------------------------------------------------|
 | `course_items` | points on the floor that can be moved; items that can be added and removed |
 | `controls`     | numbers of a design that can be changed, each with its range              |
-| `text`         | a change of a design file's text, comments kept                           |
-| `lists`        | a list in brackets with an item put in, taken out or exchanged            |
-| `tables`       | the same of tables under headings, comments kept                          |
-| `items`        | the same of points, posts, gates and so on, wherever they are written     |
+| `text_changes` | a change of a design file's text, comments kept                           |
 | `saving`       | the file: read once, written in one step, never over another's changes    |
 | `session`      | one design being edited: changes, undo and redo, saving                   |
 | `job`          | a version to compute, and the answer                                      |
 | `compute`      | from a design's text to what the page shows                               |
 | `worker`       | a process that computes; the newest request wins                          |
 | `guard`        | refusal of requests that do not come from the page                        |
-| `server`       | the page, its state and its results over HTTP                             |
-| `running`      | the server from its first line to Ctrl-C                                  |
+| `server`       | the page, its state and its results over HTTP, until Ctrl-C               |
 
-The page's second script has its sources in `page/src/edit`. `guard`, `server` and `running` alone import the libraries
-of the extra `edit`.
+The page's second script has its sources in `page/src/edit`. `guard` and `server` alone import the libraries of the
+extra `edit`.
 """

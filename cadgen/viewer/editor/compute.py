@@ -1,8 +1,7 @@
 """From a design's text to what the page shows, as the bytes that it gets."""
 
 import json
-from dataclasses import dataclass, replace
-from functools import lru_cache
+from dataclasses import replace
 from pathlib import Path
 
 from cadgen.design.load import design_of
@@ -43,13 +42,12 @@ def compute(job: Job, progress: Progress) -> Result:
         return Result(State.DONE, _laid_out(job, plan, progress))
     except CadgenError as error:
         # A design that cannot be driven is shown by its course alone, so that its points can be moved.
-        return refusal(State.REFUSED, str(error), floor=None if design is None else _floor(design))
+        floor = None
+        if design is not None:
+            floor = floor_html(floor_of(design), [(point.x, point.y) for point in points_of(design)])
+        return refusal(State.REFUSED, str(error), floor=floor)
     except MemoryError:
         return refusal(State.FAULT, "out of memory: close other programs, or take the last change back")
-
-
-def _floor(design: Design) -> str:
-    return floor_html(floor_of(design), [(point.x, point.y) for point in points_of(design)])
 
 
 def _laid_out(job: Job, plan: PagePlan, progress: Progress) -> bytes:
@@ -65,29 +63,16 @@ def _laid_out(job: Job, plan: PagePlan, progress: Progress) -> bytes:
     return f'{head[:-1]}, "document": {document}}}'.encode()
 
 
+_MOST_TRAINS = 8
+_trains: dict[str, GearTrain] = {}  # by the values that they depend on
+
+
 def gears_of(design: TrainDesign, order: Order, progress: Progress) -> GearTrain:
     """The train of a design; that of the version before, if nothing of it has changed."""
     values = {key: value for key, value in design.values().items() if key not in _NOT_GEARS}
-    train = _gears(_Known(json.dumps([values, order], sort_keys=True), design, order, progress))
+    key = json.dumps([values, order], sort_keys=True)
+    train = _trains.pop(key, None) or plan_gears(design, order, progress)
+    _trains[key] = train
+    if len(_trains) > _MOST_TRAINS:
+        del _trains[next(iter(_trains))]  # the one that was asked for longest ago
     return replace(train, origin=Origin.of(design), title=design.drawing)
-
-
-@dataclass(frozen=True)
-class _Known:
-    """A train to plan, equal to another one of the same values."""
-
-    key: str
-    design: TrainDesign
-    order: Order
-    progress: Progress
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Known) and self.key == other.key
-
-    def __hash__(self) -> int:
-        return hash(self.key)
-
-
-@lru_cache(maxsize=8)
-def _gears(known: _Known) -> GearTrain:
-    return plan_gears(known.design, known.order, known.progress)

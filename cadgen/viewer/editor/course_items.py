@@ -1,6 +1,6 @@
 """Points of the path and items on the course: what of them can be moved, added and removed."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from math import ceil, floor
 from typing import Any
@@ -158,24 +158,23 @@ def kinds_of(design: Design) -> tuple[Kind, ...]:
 
 def places_of(design: Design) -> frozenset[str]:
     """Keys that a new item can get."""
-    return frozenset(
-        key
-        for kind in kinds_of(design)
-        for key in ([kind.key] * (1 - kind.count) if kind.alone else _numbered(kind, kind.count + 1))
-    )
+    return _keys_of(design, 1)
 
 
 def items_of(design: Design) -> frozenset[str]:
     """Keys of all items on the course."""
-    return frozenset(
-        key
-        for kind in kinds_of(design)
-        for key in ([kind.key] * kind.count if kind.alone else _numbered(kind, kind.count))
-    )
+    return _keys_of(design, 0)
 
 
-def _numbered(kind: Kind, count: int) -> list[str]:
-    return [f"{kind.key}.{number}" for number in range(1, count + 1)]
+def _keys_of(design: Design, more: int) -> frozenset[str]:
+    """Keys of all items on the course and of so many `more` in each list; of what is alone, either it or its place."""
+    keys: set[str] = set()
+    for kind in kinds_of(design):
+        if not kind.alone:
+            keys.update(f"{kind.key}.{number}" for number in range(1, kind.count + more + 1))
+        elif kind.count + more == 1:
+            keys.add(kind.key)
+    return frozenset(keys)
 
 
 def new_item(design: Design, raw: dict[str, Any], key: str, at: tuple[float, float]) -> dict[str, Any]:
@@ -189,8 +188,14 @@ def new_item(design: Design, raw: dict[str, Any], key: str, at: tuple[float, flo
     """
     _, name, *number = key.split(".")
     if name == "field":
-        return _field_about([(point.x, point.y) for point in points_of(design)])
-    sizes = {**_SIZES[name], **_sizes_beside(raw.get("course", {}).get(name), number, _SIZES[name])}
+        axes = list(zip(*((point.x, point.y) for point in points_of(design)), strict=True))
+        low = [_ROUND_MM * floor((min(axis) - _ROOM_MM) / _ROUND_MM) for axis in axes]
+        high = [_ROUND_MM * ceil((max(axis) + _ROOM_MM) / _ROUND_MM) for axis in axes]
+        return {"corner_mm": low, "size_mm": [top - bottom for bottom, top in zip(low, high, strict=True)]}
+    sizes, items = _SIZES[name], raw.get("course", {}).get(name)
+    if isinstance(items, list) and items and number:  # those of the item before the new one, or of that after it
+        neighbour = items[max(int(number[0]) - 2, 0)]
+        sizes = {size: neighbour.get(size, value) for size, value in sizes.items()}
     sizes = {size: value for size, value in sizes.items() if value is not None}
     x, y = at
     if name == "walls":
@@ -199,17 +204,3 @@ def new_item(design: Design, raw: dict[str, Any], key: str, at: tuple[float, flo
         width, height = sizes["size_mm"]
         return {"corner_mm": [x - width / 2, y - height / 2], **sizes}
     return {"at_mm": [x, y], **sizes}
-
-
-def _sizes_beside(items: object, number: Sequence[str], names: dict[str, Any]) -> dict[str, Any]:
-    """Sizes of the item before a new one, or of that after it."""
-    if not isinstance(items, list) or not items or not number:
-        return {}
-    beside = items[max(int(number[0]) - 2, 0)]
-    return {name: beside[name] for name in names if name in beside}
-
-
-def _field_about(points: list[tuple[float, float]]) -> dict[str, Any]:
-    low = [_ROUND_MM * floor((min(axis) - _ROOM_MM) / _ROUND_MM) for axis in zip(*points, strict=True)]
-    high = [_ROUND_MM * ceil((max(axis) + _ROOM_MM) / _ROUND_MM) for axis in zip(*points, strict=True)]
-    return {"corner_mm": low, "size_mm": [top - bottom for bottom, top in zip(low, high, strict=True)]}

@@ -72,16 +72,6 @@ async def _read(receive: Receive) -> bytes | None:
             return body
 
 
-def _replayed(body: bytes, receive: Receive) -> Receive:
-    """A function that gives a body that was read already, and then what comes after it."""
-    pending = [{"type": "http.request", "body": body, "more_body": False}]
-
-    async def replay() -> Message:
-        return pending.pop() if pending else await receive()
-
-    return replay
-
-
 class Guard:
     """The server behind its guard: only requests from the page get through, and every answer has its headers."""
 
@@ -107,14 +97,17 @@ class Guard:
         if answer is None:
             body = await _read(receive)
             if body is not None:
-                await self._inside({**scope, "path": self._inner(request)}, _replayed(body, receive), headed)
+                pending = [{"type": "http.request", "body": body, "more_body": False}]
+
+                async def replayed() -> Message:
+                    """The body that was read already, and then what comes after it."""
+                    return pending.pop() if pending else await receive()
+
+                behind_token = request.url.path[len(self._address.token) + 1 :]
+                await self._inside({**scope, "path": behind_token}, replayed, headed)
                 return
             answer = _too_long()
         await answer(scope, receive, headed)
-
-    def _inner(self, request: Request) -> str:
-        """Path behind the token."""
-        return request.url.path[len(self._address.token) + 1 :]
 
     def _refusal(self, request: Request) -> Response | None:
         """Answer to a request that does not come from the page; None for one that does."""

@@ -16,7 +16,7 @@ _MARK = b"\xef\xbb\xbf"  # with which some editors begin a file
 
 
 @dataclass(frozen=True)
-class Origin:
+class EditedFile:
     """Where a design comes from and goes to.
 
     Attributes:
@@ -30,8 +30,8 @@ class Origin:
     content: bytes
 
     @classmethod
-    def of(cls, source: str | Path | None) -> "tuple[Origin, str, Path]":
-        """Origin, text and file of a design.
+    def of(cls, source: str | Path | None) -> "tuple[EditedFile, str, Path]":
+        """EditedFile, text and file of a design.
 
         Raises:
             DesignError: as `read_design`.
@@ -43,7 +43,7 @@ class Origin:
         content = (_MARK if _read(file).startswith(_MARK) else b"") + text.encode()
         return cls(file.absolute().parent, file.absolute(), content), text, file
 
-    def save(self, text: str) -> "Origin":
+    def save(self, text: str) -> "EditedFile":
         """Write the design's file.
 
         Raises:
@@ -59,7 +59,7 @@ class Origin:
             )
         content = (_MARK if self.content.startswith(_MARK) else b"") + text.encode()
         _write(self.file, content)
-        return Origin(self.folder, self.file, content)
+        return EditedFile(self.folder, self.file, content)
 
     def _unchanged(self, file: Path) -> bool:
         """Whether a file is as it was last read or written, or was removed: then it is written again.
@@ -78,7 +78,7 @@ class Origin:
             raise FileError(f"{brief(file.name)} is read-only: save under another name, or allow writing to it")
         return True
 
-    def save_as(self, name: str, text: str) -> "Origin":
+    def save_as(self, name: str, text: str) -> "EditedFile":
         """Write a new file in the design's folder.
 
         Args:
@@ -105,7 +105,7 @@ class Origin:
             with suppress(OSError):
                 file.unlink()
             raise
-        return Origin(self.folder, file, content)
+        return EditedFile(self.folder, file, content)
 
 
 def refuse_name(name: str) -> None:

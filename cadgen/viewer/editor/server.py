@@ -1,4 +1,4 @@
-"""The page, its state and its results over HTTP: what the page's second script asks for.
+"""Server of the page, its state and its results over HTTP, from its first line to Ctrl-C.
 
 | request                         | answer                                                              |
 |---------------------------------|---------------------------------------------------------------------|
@@ -16,10 +16,16 @@ Every refusal is `{"error": sentence}`: 4xx, with the sentences of the command l
 """
 
 import json
-from collections.abc import Callable
-from threading import Condition
+import signal
+import socket
+import sys
+import webbrowser
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from threading import Condition, Thread, current_thread, main_thread
 from typing import Any
 
+import uvicorn
 from starlette.applications import Starlette
 from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
@@ -27,15 +33,16 @@ from starlette.responses import HTMLResponse, JSONResponse, Response
 from starlette.routing import Route
 from starlette.types import ASGIApp
 
-from cadgen.errors import CadgenError, DesignError
+from cadgen.errors import CadgenError, DesignError, FileError
 from cadgen.viewer.editor.guard import Address, Guard, refused
 from cadgen.viewer.editor.job import Job, Result, Stage, State, fault_sentence
 from cadgen.viewer.editor.session import Session
-from cadgen.viewer.editor.text import read_changes, read_point
+from cadgen.viewer.editor.text_changes import read_changes, read_point
 from cadgen.viewer.editor.worker import Worker
 from cadgen.viewer.page.html import shell
 
 _STATUS = {State.DONE: 200, State.REFUSED: 422, State.SUPERSEDED: 409, State.FAULT: 503}
+_PATIENCE_S = 2  # for answers that are under way at the end
 _NEWER = "a newer version of the design is there: ask for that one"
 
 
@@ -139,26 +146,24 @@ def application(service: Service, address: Address) -> ASGIApp:
         return answer
 
     session = service.session
-    routes = [
-        Route("/", page),
-        Route("/state", state),
-        Route("/result", result),
-        Route("/change", action(lambda body: _change(session, body)), methods=["POST"]),
-        Route(
-            "/insert",
-            action(lambda body: session.insert(_text(body, "key"), read_point(body.get("at")))),
-            methods=["POST"],
-        ),
-        Route("/remove", action(lambda body: session.remove(_text(body, "key"))), methods=["POST"]),
-        Route("/exchange", action(lambda body: session.exchange(_text(body, "key"))), methods=["POST"]),
-        Route("/undo", action(lambda body: session.undo()), methods=["POST"]),
-        Route("/redo", action(lambda body: session.redo()), methods=["POST"]),
-        Route(
-            "/save",
-            action(lambda body: session.save(_text(body, "name") if body.get("name") is not None else None)),
-            methods=["POST"],
-        ),
-    ]
+
+    def change(body: dict[str, Any]) -> None:
+        gesture = body.get("gesture")
+        if gesture is not None and not (isinstance(gesture, str) and len(gesture) <= 100):
+            raise DesignError("gesture must be a text of at most 100 letters")
+        session.change(read_changes(body.get("changes")), gesture)
+
+    actions: dict[str, Callable[[dict[str, Any]], object]] = {
+        "change": change,
+        "insert": lambda body: session.insert(_text(body, "key"), read_point(body.get("at"))),
+        "remove": lambda body: session.remove(_text(body, "key")),
+        "exchange": lambda body: session.exchange(_text(body, "key")),
+        "undo": lambda body: session.undo(),
+        "redo": lambda body: session.redo(),
+        "save": lambda body: session.save(_text(body, "name") if body.get("name") is not None else None),
+    }
+    routes = [Route("/", page), Route("/state", state), Route("/result", result)]
+    routes += [Route(f"/{name}", action(act), methods=["POST"]) for name, act in actions.items()]
 
     async def not_there(request: Request, error: Exception) -> Response:
         return refused(404, "there is no such page: open the address that cadgen edit has printed")
@@ -173,15 +178,102 @@ def application(service: Service, address: Address) -> ASGIApp:
     return Guard(Starlette(routes=routes, exception_handlers=handlers), address)
 
 
-def _change(session: Session, body: dict[str, Any]) -> None:
-    gesture = body.get("gesture")
-    if gesture is not None and not (isinstance(gesture, str) and len(gesture) <= 100):
-        raise DesignError("gesture must be a text of at most 100 letters")
-    session.change(read_changes(body.get("changes")), gesture)
-
-
 def _text(body: dict[str, Any], name: str) -> str:
     value = body.get(name)
     if not isinstance(value, str):
         raise DesignError(f"the {name} must be a text")
     return value
+
+
+def serve(session: Session, port: int, show: Callable[[str], object], *, browser: bool) -> None:
+    """Serve a session on this machine's own address until the process is interrupted.
+
+    Args:
+        session: design that is edited.
+        port: port; 0 for any that is free.
+        show: function that is called once with the address, when it can be opened.
+        browser: whether to open the address in the user's browser.
+
+    Raises:
+        FileError: the port is taken.
+    """
+    listening = bound_socket(port)
+    address = Address.on(listening.getsockname()[1])
+    service = Service(session)
+
+    def ready() -> None:
+        show(address.url)
+        if browser:
+            Thread(target=webbrowser.open, args=(address.url,), daemon=True).start()  # some wait for their browser
+
+    config = uvicorn.Config(
+        application(service, address),
+        log_level="critical",
+        access_log=False,
+        server_header=False,
+        date_header=False,
+        lifespan="off",
+        ws="none",
+        timeout_graceful_shutdown=_PATIENCE_S,
+    )
+    try:
+        service.start()
+        _InterruptibleServer(config, ready, service.close).run(sockets=[listening])
+    finally:
+        service.close()
+        listening.close()
+
+
+class _InterruptibleServer(uvicorn.Server):
+    """A server that says when it is ready, and that Ctrl-C ends as it is meant to."""
+
+    def __init__(self, config: uvicorn.Config, ready: Callable[[], None], ending: Callable[[], None]) -> None:
+        super().__init__(config)
+        self._ready, self._ending = ready, ending
+
+    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+        """Begin to listen."""
+        await super().startup(sockets)
+        self._ready()
+
+    async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
+        """End what is being computed, and with it the requests that wait for it."""
+        self._ending()
+        await super().shutdown(sockets)
+
+    @contextmanager
+    def capture_signals(self) -> Iterator[None]:
+        """Take the signals that end a process for the end of the editing, which is no failure."""
+        if current_thread() is not main_thread():  # signals come to that one alone
+            yield
+            return
+        names = [name for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK") if hasattr(signal, name)]
+        before = {getattr(signal, name): signal.getsignal(getattr(signal, name)) for name in names}
+        for number in before:
+            if before[number] is not signal.SIG_IGN:
+                signal.signal(number, self.handle_exit)
+        try:
+            yield
+        finally:
+            for number, handler in before.items():
+                signal.signal(number, handler)
+
+
+def bound_socket(port: int) -> socket.socket:
+    """A socket on a port of this machine's own address.
+
+    Raises:
+        FileError: the port is taken, or may not be used.
+    """
+    listening = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+    try:
+        if sys.platform == "win32":
+            listening.setsockopt(socket.SOL_SOCKET, socket.SO_EXCLUSIVEADDRUSE, 1)
+        else:
+            listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        listening.bind(("127.0.0.1", port))
+    except OSError as error:
+        listening.close()
+        reason = error.strerror or error
+        raise FileError(f"port {port} cannot be used ({reason}): choose another one, or leave --port out") from None
+    return listening

@@ -21,9 +21,8 @@ from cadgen.viewer.editor.course_items import (
     places_of,
     points_of,
 )
-from cadgen.viewer.editor.items import exchanged, inserted, removed
-from cadgen.viewer.editor.saving import Origin, refuse_name
-from cadgen.viewer.editor.text import Value, applied, changed
+from cadgen.viewer.editor.saving import EditedFile, refuse_name
+from cadgen.viewer.editor.text_changes import Value, applied, changed, exchanged, inserted, removed
 from cadgen.viewer.page.data import both
 
 MOST_STEPS = 200  # that can be undone
@@ -66,7 +65,7 @@ class Session:
             DesignError: no such design, or it is none.
         """
         self._lock = Lock()
-        self._origin, text, self._file = Origin.of(source)
+        self._origin, text, self._file = EditedFile.of(source)
         self._opened = self._saved = self._now = Version(text, design_of(text, self._file))
         self._undo: list[Version] = []
         self._redo: list[Version] = []

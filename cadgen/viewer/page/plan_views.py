@@ -164,7 +164,11 @@ def course_view(
         car: the car that makes them.
         points: further places to have in the picture, mm.
     """
-    tracks = {going.code: _track(going, car) for going in goings if car is not None}
+    tracks = {}
+    middle = complex(*car.middle) if car is not None else 0j
+    for going in goings if car is not None else ():
+        at = (going.x + 1j * going.y + middle * np.exp(1j * going.heading))[::_TRACK]
+        tracks[going.code] = np.column_stack([at.real, at.imag])
     edges = [np.array(shape.points) for shape in floor if shape.kind == FloorKind.EDGE]
     places = [*tracks.values(), *(np.array(shape.points) for shape in floor), *(np.array([at]) for at in points)]
     seen = edges or places or [np.zeros((1, 2))]
@@ -184,9 +188,3 @@ def course_view(
         size=2.2 * max((abs(complex(*point)) for point in corners), default=0.0),
         wheel=((car and car.wheel) or _WHEEL[0], _WHEEL[1]),
     )
-
-
-def _track(going: Going, car: CarShape) -> Array:
-    """Track of the car's middle, shape (n, 2), mm."""
-    at = (going.x + 1j * going.y + complex(*car.middle) * np.exp(1j * going.heading))[::_TRACK]
-    return np.column_stack([at.real, at.imag])

@@ -149,7 +149,8 @@ def turning_train(layout: TrainLayout, behind: float, plane: float, side: int) -
         angles[number] += senses[number] * ahead
         ahead, lead = ahead / ratio - free / 2, lead / ratio + free
         leads.append(lead * senses[number + 1])
-    heights = [end for part in parts for end in _ends(part)]
+    ends = ((part, part.body.slabs[-1].end) for part in parts)
+    heights = [z for part, end in ends for z in (part.height, part.height + (-end if part.flipped else end))]
     raised = plane - (max(heights) if side > 0 else min(heights))
     return TurningTrain(
         tuple(
@@ -159,8 +160,3 @@ def turning_train(layout: TrainLayout, behind: float, plane: float, side: int) -
         tuple(direction + turn for direction in layout.directions),
         play,
     )
-
-
-def _ends(part: TrainPart) -> tuple[float, float]:
-    end = part.body.slabs[-1].end
-    return part.height, part.height + (-end if part.flipped else end)

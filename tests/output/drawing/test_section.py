@@ -6,7 +6,7 @@ from matplotlib.font_manager import FontProperties
 from matplotlib.textpath import TextToPath
 
 from cadgen.curves.contour import circle, keyway_bore
-from cadgen.output.drawing.section import Layer, beyond, material
+from cadgen.output.drawing.section import Layer, edges_behind_cut, material
 from cadgen.output.drawing.sheet import TEXT, chosen_scale, chosen_sheet, rounded, scale_text, width_of, wrapped
 
 
@@ -34,7 +34,7 @@ def test_a_hole_in_the_plane_and_a_recess():
 
 def test_edges_beyond_the_cut_bound_what_is_open():
     layers = [Layer(0.0, 2.0, (ring(60.0), ring(10.0)), (ring(8.0, (20.0, 0.0)),))]
-    open_at = beyond(layers, material(layers, 0.0))
+    open_at = edges_behind_cut(layers, material(layers, 0.0))
     heights = sorted(float(np.ptp(stroke.points[:, 1])) for stroke in open_at)
     assert heights == pytest.approx([8.0, 10.0], abs=2e-3)
 

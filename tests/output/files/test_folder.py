@@ -13,7 +13,7 @@ import pytest
 from cadgen.errors import FileError
 from cadgen.output.files import lock
 from cadgen.output.files.folder import abandon, folder_state, left_by_killed, publishing
-from cadgen.output.files.lock import held, locked
+from cadgen.output.files.lock import is_held, locked
 from cadgen.output.files.manifest import file_facts, write_manifest
 from tests.forks import MAIN
 
@@ -278,7 +278,7 @@ def test_staged_files_have_the_usual_rights(tmp_path):
     put(tmp_path, "part", a="new")
     (tmp_path / "by_hand").write_text("x")
     assert stat.S_IMODE((tmp_path / "a").stat().st_mode) == stat.S_IMODE((tmp_path / "by_hand").stat().st_mode)
-    assert not held(tmp_path / "no_such_file")
+    assert not is_held(tmp_path / "no_such_file")
 
 
 def test_each_state_is_told(tmp_path, cli):

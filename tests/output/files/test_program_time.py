@@ -4,12 +4,15 @@ import re
 from math import atan2, hypot, pi
 from pathlib import Path
 
+import numpy as np
 import pytest
 
-from cadgen.cam.cutter import largest_cutter
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.curves.contour import circle
 from cadgen.design.machining import Drilling, Machining, Tabs
-from cadgen.output.files.nc import Disc, drilling_minutes, milling_minutes, programs
+from cadgen.design.schema import Export
+from cadgen.output.files.exports import CamExport
+from cadgen.output.files.nc import drilling_minutes, milling_minutes, programs
 from tests.output.files.test_drilling import BLANK
 
 
@@ -43,17 +46,22 @@ def minutes_of(program: Path) -> float:
     ],
 )
 def test_the_time_is_that_of_the_moves(machining, tmp_path):
-    curve, blank = circle((4.0, 3.0), 60.0).curve(), BLANK
-    disc = Disc(
-        name="disc",
-        curve=curve,
-        limit=largest_cutter(curve),
+    blank = BLANK
+    cam = CamExport(
+        stem="disc",
+        description="",
+        curve=circle((4.0, 3.0), 60.0).curve(),
+        area=pi * 60.0**2,
+        follower=LeaningRod(base_radius=60.0, inner=30.0, outer=33.0, radius=2.5),
+        cam_angle=np.zeros(0),
         blank=blank,
         thickness=3.0,
         material="aluminium",
         notes=(),
+        export=Export(arc_tolerance_um=0.1),
+        machining=machining,
     )
-    outline, *drills = [minutes_of(tmp_path / each.name) for each, _ in programs(disc, machining, tmp_path, 1e-4, 0.1)]
+    outline, *drills = [minutes_of(tmp_path / each.name) for each, _ in programs(cam, tmp_path, 0.1)]
     # The way along a tab is reckoned as straight: on this circle 0.003 mm of 7 are left out.
     close = 1e-5 if machining.tabs is None else 5e-5
     assert milling_minutes(120 * pi, machining, 3.0, "aluminium") == pytest.approx(outline, rel=close)

@@ -18,7 +18,7 @@ from cadgen.errors import DesignError, FileError
 @pytest.fixture
 def no_server(monkeypatch):
     """An installation without the extra."""
-    monkeypatch.delitem(sys.modules, "cadgen.viewer.editor.running", raising=False)
+    monkeypatch.delitem(sys.modules, "cadgen.viewer.editor.server", raising=False)
     monkeypatch.setitem(sys.modules, "uvicorn", None)
 
 

@@ -15,8 +15,7 @@ def served(service, address):
     """The small design on a port of its own, computed in this process."""
     uvicorn = pytest.importorskip("uvicorn")
     from cadgen.viewer.editor.guard import Address
-    from cadgen.viewer.editor.running import bound_socket
-    from cadgen.viewer.editor.server import application
+    from cadgen.viewer.editor.server import application, bound_socket
 
     listening = bound_socket(0)
     own = Address(listening.getsockname()[1], address.token)
