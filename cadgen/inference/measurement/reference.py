@@ -2,9 +2,8 @@
 
 import re
 
-from cadgen.deviations.effect import Effect, Parameter
+from cadgen.deviations.effect import Effect
 from cadgen.inference.measurement.kinds import kinds
-from cadgen.inference.measurement.record import Kind
 
 _HEAD = """\
 # The effects that measured data are traced to
@@ -29,17 +28,13 @@ _MANY = ((re.compile(r", order \d+$"), ", order n"), (re.compile(r" of (the cams
 
 def page() -> str:
     """The reference page in Markdown, written from the catalogue."""
-    return _HEAD + "".join(map(_kind, kinds()))
+    return _HEAD + "".join(f"\n## {kind.title}\n{''.join(map(_effect, kind.catalogue.entries))}" for kind in kinds())
 
 
 _INDICES = {
     "nose_number": "which one, counted from 1 by polar angle",
     "turns_per_turn": "turns of that shaft for one of the cam; only a whole number may have the place `car`",
 }
-
-
-def _kind(kind: Kind) -> str:
-    return f"\n## {kind.title}\n{''.join(map(_effect, kind.catalogue.entries))}"
 
 
 def _effect(effect: Effect) -> str:
@@ -52,15 +47,13 @@ def _effect(effect: Effect) -> str:
         ("looks like", effect.confused_with),
         ("told apart by", effect.separated_by),
     )
-    lines = [_number(p) for p in effect.parameters]
+    lines = [
+        f"`{p.name}` ({p.lower:g} to {p.upper:g}{'' if p.unit in ('deg', '') else ' '}{_UNITS[p.unit]}): {p.meaning}"
+        for p in effect.parameters
+    ]
     lines += [f"`{index}`: {_INDICES[index]}" for index, _ in effect.indices]
     lines += [f"{title}: {text}" for title, text in remarks if text]
     return f"\n**{name}**\n\n" + "".join(f"- {line}\n" for line in lines)
-
-
-def _number(p: Parameter) -> str:
-    space = "" if p.unit in ("deg", "") else " "
-    return f"`{p.name}` ({p.lower:g} to {p.upper:g}{space}{_UNITS[p.unit]}): {p.meaning}"
 
 
 if __name__ == "__main__":
