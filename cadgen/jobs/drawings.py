@@ -7,6 +7,7 @@ import os
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
+from itertools import chain
 from math import inf
 from pathlib import Path
 from typing import Any
@@ -18,7 +19,6 @@ from cadgen.curves.biarc import arcs
 from cadgen.design.machining import DrawingText
 from cadgen.errors import FileError
 from cadgen.gears.layout import TrainPart
-from cadgen.gears.stage import Wheel
 from cadgen.gears.tooth import GearForm
 from cadgen.inference.measurement.record import Direction
 from cadgen.jobs.cam.cam_plan import CamPlan
@@ -208,7 +208,15 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
             )
             for gear in facts["gears"]
         )
-        bodies = joined([_short(gear) for gear in part.gears], " and ")
+        bodies = joined(
+            [
+                Message("gear of {teeth} teeth", teeth=gear.teeth)
+                if isinstance(gear, GearForm)
+                else gear.noun.removeprefix("the ")
+                for gear in part.gears
+            ],
+            " and ",
+        )
         sheet = GearPart(
             part=part,
             data=data,
@@ -254,13 +262,6 @@ def _plate_notes(plan: GearTrain) -> Iterator[str]:
                 deviation=deviation / 1e3,
                 span=stage.bearing_span,
             )
-
-
-def _short(gear: Wheel) -> str:
-    """Name of a wheel in a title, without article."""
-    if isinstance(gear, GearForm):
-        return Message("gear of {teeth} teeth", teeth=gear.teeth)
-    return gear.noun.removeprefix("the ")
 
 
 def _mate(every: list[dict[str, Any]], stage: int, shaft: int) -> str:
@@ -314,7 +315,8 @@ def write_drawings(parts: Parts, out: Path, progress: Progress = silent) -> Writ
     omitted: dict[str, str] = {}
 
     def files(staging: Path) -> Iterator[Artifact]:
-        for stem, sheet in _sheets(parts, folder):
+        sheets = [] if parts.cam is None else [(parts.cam.stem, sheet_of(parts.cam, folder))]
+        for stem, sheet in chain(sheets, () if parts.train is None else sheets_of(parts.train, folder)):
             progress(f"drawing {stem}")
             yield from write_sheet(staging, stem, sheet, omitted)
         if parts.train is not None:
@@ -323,7 +325,11 @@ def write_drawings(parts: Parts, out: Path, progress: Progress = silent) -> Writ
         if parts.cam is not None and parts.cam.application.measured_again:
             yield text_file(staging / f"{parts.cam.stem}_inspection.csv", inspection_csv(parts.cam))
 
-    further = {"omitted": omitted, "not_stated": _open(parts)}
+    further = {"omitted": omitted}
+    if parts.cam is not None:
+        further["not_stated"] = not_stated(parts.cam.making.title, parts.cam)
+    elif parts.train is not None:
+        further["not_stated"] = not_stated(parts.train.title, None)
     return publish(
         parts.stem,
         out,
@@ -331,20 +337,6 @@ def write_drawings(parts: Parts, out: Path, progress: Progress = silent) -> Writ
         {"design": parts.name, "design_sha256": parts.design_hash, "date": folder.date},
         lambda _: {key: value for key, value in further.items() if value},
     )
-
-
-def _open(parts: Parts) -> dict[str, str]:
-    if parts.cam is None and parts.train is None:
-        return {}
-    text = parts.cam.making.title if parts.cam is not None else parts.train.title if parts.train else None
-    return not_stated(text, parts.cam)
-
-
-def _sheets(parts: Parts, folder: Folder) -> Iterator[tuple[str, DrawingSheet]]:
-    if parts.cam is not None:
-        yield parts.cam.stem, sheet_of(parts.cam, folder)
-    if parts.train is not None:
-        yield from sheets_of(parts.train, folder)
 
 
 def write_sheet(staging: Path, stem: str, sheet: DrawingSheet, omitted: dict[str, str]) -> Iterator[Artifact]:

@@ -154,10 +154,10 @@ class Simulation(Generic[C]):
             progress("drawing")
             yield from map(Artifact, draw_lift(lift_picture(self), staging, f"{stem}_lift"))
             yield from map(Artifact, draw_tracks(panels, self.planned, use.floor, staging, f"{stem}_tracks"))
-            lines = [
-                ErrorLine(label=f"{when}: {evaluation.title}", at_play=error, at_ends=_at_ends(self, evaluation))
-                for (when, evaluation), error in zip(both, (self.before_error, self.after_error), strict=True)
-            ]
+            lines = []
+            for (when, evaluation), error in zip(both, (self.before_error, self.after_error), strict=True):
+                low, high = (run_error(comparison.run(evaluation, play), self.planned) for play in comparison.band.ends)
+                lines.append(ErrorLine(label=f"{when}: {evaluation.title}", at_play=error, at_ends=(low, high)))
             yield from map(Artifact, draw_run_errors(title, lines, comparison.task.length, staging, f"{stem}_errors"))
 
         return publish(stem, folder_of(folder), files, self.facts())
@@ -285,12 +285,6 @@ def lift_picture(simulation: Simulation[C]) -> LiftPicture:
 
 def _name(evaluation: Evaluation) -> str:
     return evaluation.title if evaluation.measured else evaluation.profile.code
-
-
-def _at_ends(simulation: Simulation[C], evaluation: Evaluation) -> tuple[RunError, RunError]:
-    comparison = simulation.comparison
-    low, high = (run_error(comparison.run(evaluation, play), simulation.planned) for play in comparison.band.ends)
-    return low, high
 
 
 def _ends(comparison: PlayComparison, evaluation: Evaluation) -> Array:

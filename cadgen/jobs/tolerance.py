@@ -286,7 +286,7 @@ def tolerance_of(plan: C, sample: CarSample, progress: Progress = silent) -> Tol
             tolerances,
             sample.samples,
             seed=sample.seed,
-            map_with=sample.map_with or _map(sample.processes),
+            map_with=sample.map_with or (partial(in_processes, sample.processes) if sample.processes > 1 else None),
             done=done,
         )
     except MemoryError as error:
@@ -313,10 +313,6 @@ def tolerance_of(plan: C, sample: CarSample, progress: Progress = silent) -> Tol
         sensitivities=ranked,
         budget=sheet,
     )
-
-
-def _map(processes: int) -> Map | None:
-    return partial(in_processes, processes) if processes > 1 else None
 
 
 def watched_fleet(plan: CamPlan) -> Cars:

@@ -259,10 +259,10 @@ def read_assembly(path: Path) -> tuple[AssembledPart, ...]:
         judged[1::2] = others()
     parts = []
     for (label, move), shape, (valid, size) in zip(placed, shapes, judged, strict=True):
-        bodies = solids(shape)
+        bodies, name = solids(shape), TDataStd_Name()
         parts.append(
             AssembledPart(
-                name=_named(label),
+                name=name.Get().ToExtString() if label.FindAttribute(TDataStd_Name.GetID_s(), name) else "",
                 colour=colour_of(document, bodies[0]) if bodies else None,
                 transform=np.array([[move.Value(row, column) for column in range(1, 5)] for row in range(1, 4)]),
                 valid=valid,
@@ -281,8 +281,3 @@ def _judged(shapes: Sequence[TopoDS_Shape]) -> list[tuple[bool, float]]:
 
 def _name(label: TDF_Label, name: str) -> None:
     TDataStd_Name.Set_s(label, TCollection_ExtendedString(name))
-
-
-def _named(label: TDF_Label) -> str:
-    attribute = TDataStd_Name()
-    return attribute.Get().ToExtString() if label.FindAttribute(TDataStd_Name.GetID_s(), attribute) else ""

@@ -11,7 +11,6 @@ import os
 import re
 from dataclasses import asdict, dataclass
 from datetime import UTC, datetime
-from functools import partial
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -268,17 +267,13 @@ def _with_sorted_colours(data: bytes) -> bytes:
     number = first = int(_REFERENCE.search(runs[0])[1])  # type: ignore[index]
     written = []
     for run in sorted(runs, key=lambda run: int(_COLOURED.search(run)[1])):  # type: ignore[index]
-        old = int(_REFERENCE.search(run)[1])  # type: ignore[index]
-        moved = _REFERENCE.sub(partial(_moved, first=first, by=number - old), run)
-        written.append(moved.replace(b";#", b";\n#") + b"\n")
+        by = number - int(_REFERENCE.search(run)[1])  # type: ignore[index]
+        words = _REFERENCE.split(run)
+        # References to the entities of the runs move with them; those to entities before stay.
+        words[1::2] = [b"#%d" % (int(old) + by if int(old) >= first else int(old)) for old in words[1::2]]
+        written.append(b"".join(words).replace(b";#", b";\n#") + b"\n")
         number += run.count(b";")
     return data[: starts[0]] + b"".join(written) + data[end:]
-
-
-def _moved(reference: re.Match[bytes], first: int, by: int) -> bytes:
-    """A reference to one of the entities from `first` on, moved."""
-    number = int(reference[1])
-    return b"#%d" % (number + by if number >= first else number)
 
 
 def _write_header(model: StepData_StepModel, name: str, description: str) -> None:

@@ -199,7 +199,10 @@ def read_gear(path: Path, gears: Sequence[Wheel], starts: Sequence[float]) -> Ge
         rows: list[NDArray[np.complex128]] = []
         for exact in tooth_curves:
             poles = _matched(exact, outline.repeats, curves, heights, path)
-            errors[type(exact)] = max(errors.get(type(exact), 0.0), _deviation(exact, poles))
+            turns = np.exp(-2j * np.pi / len(poles) * np.arange(len(poles)))
+            off = (poles @ bernstein(poles.shape[1] - 1, _SAMPLES).T) * turns[:, None] - exact.point(_SAMPLES)
+            deviation = float(np.abs((off * np.conj(exact.tangent(_SAMPLES))).imag).max())  # across, over all teeth
+            errors[type(exact)] = max(errors.get(type(exact), 0.0), deviation)
             rows.append(poles @ bernstein(poles.shape[1] - 1, chord_parameters(exact, CHORD_TOLERANCE)).T)
         sections.append(ToothSection(np.concatenate(rows, axis=1)))
     return GearContent(
@@ -280,10 +283,3 @@ def _matched(
     raise FileError(
         "{name} does not have all the flanks and roots of {teeth} teeth: export it again", name=path.name, teeth=teeth
     )
-
-
-def _deviation(exact: Curve, poles: NDArray[np.complex128]) -> float:
-    """Greatest distance across the exact curve, over all teeth."""
-    turns = np.exp(-2j * np.pi / len(poles) * np.arange(len(poles)))
-    points = (poles @ bernstein(poles.shape[1] - 1, _SAMPLES).T) * turns[:, None]
-    return float(np.abs(((points - exact.point(_SAMPLES)) * np.conj(exact.tangent(_SAMPLES))).imag).max())

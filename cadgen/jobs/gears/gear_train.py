@@ -311,8 +311,11 @@ def _first_made(
             made = _make(design, designed, play)
         except DesignError as error:
             skipped.append(Skipped(play, error.message))
-            if trains.limits:
-                trains.exclude(pair for pair in play.train.stages if not _can_be_cut(pair))
+            for pair in play.train.stages if trains.limits else ():
+                try:
+                    pair.as_cut().wheel_facts()
+                except DesignError:  # its teeth cannot be cut or inspected, whatever stands beside it
+                    trains.exclude([pair])
             continue
         wrong = [check.name for check in made.checks if not check.passed]
         if not wrong:
@@ -339,34 +342,20 @@ def _first_made(
     raise NotMadeError(joined([none, trains.ended], "; ") if trains.ended else none, trains.ranked, baseline)
 
 
-def _can_be_cut(stage: Stage) -> bool:
-    """Whether the teeth of a stage can be cut and inspected, whatever stands beside it."""
-    try:
-        stage.as_cut().wheel_facts()
-    except DesignError:
-        return False
-    return True
-
-
 def _make(design: TrainDesign, designed: Train, play: TrainPlay) -> MadeTrain:
-    keys = gear_model.train_keys(design)
+    # Each stage keeps its direction in another order; searched stages have none.
+    left = list(zip(designed.stages, gear_model.directions(design), strict=True))
+    directions: list[float | None] = []
+    for pair in play.train.stages:
+        place = next((number for number, (known, _) in enumerate(left) if known == pair), None)
+        directions.append(None if place is None else left.pop(place)[1])
     return make_train(
         play,
         gear_model.blanks(design),
-        _directions(designed, play.train, gear_model.directions(design)),
-        keys.clearance_mm,
+        directions,
+        gear_model.train_keys(design).clearance_mm,
         lambda gears: gear_model.mesh_chord(design, gears),
     )
-
-
-def _directions(designed: Train, made: Train, wanted: Sequence[float | None]) -> list[float | None]:
-    """Directions of a train's stages: each stage keeps its direction in another order; searched stages have none."""
-    left = list(zip(designed.stages, wanted, strict=True))
-    directions: list[float | None] = []
-    for pair in made.stages:
-        place = next((number for number, (known, _) in enumerate(left) if known == pair), None)
-        directions.append(None if place is None else left.pop(place)[1])
-    return directions
 
 
 def _thinning_notes(design: TrainDesign, made: MadeTrain) -> tuple[str, ...]:

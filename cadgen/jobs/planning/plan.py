@@ -167,7 +167,11 @@ def _planned(
         if result.missed:
             progress("looking for the reason")
             return PathPlanning(asked=design, task=task, plan=result, text="", cam=None, reasons=reasons(result))
-        radius = _chosen_radius(design, task, result)
+        radius = None
+        if not task.vehicle.closed and task.vehicle.path_turn != 1.0:
+            turn = result.path.cost.line.length / task.vehicle.path_turn
+            least = turn / (2 * pi * float(gear_model.train(design).ratio))
+            radius = ceil(least * _WHEEL_STEP + 1e-3) / _WHEEL_STEP
         written = planned_text(design, asked.text, result.path.points, radius)
         progress("checking the planned cam")
         try:
@@ -223,11 +227,3 @@ def _refuse_course(design: Design) -> None:
     still = np.zeros(2)
     pose = RunPoses(fork=np.full(2, fork), heading=still + start.heading, steering=still, travel=still)
     refuse_course(course, body_of(design.car.outline, cam_model.car(design)), pose)
-
-
-def _chosen_radius(design: Design, task: PathTask, result: PathPlan) -> float | None:
-    if task.vehicle.closed or task.vehicle.path_turn == 1.0:
-        return None
-    turn = result.path.cost.line.length / task.vehicle.path_turn
-    least = turn / (2 * pi * float(gear_model.train(design).ratio))
-    return ceil(least * _WHEEL_STEP + 1e-3) / _WHEEL_STEP

@@ -6,6 +6,7 @@ An item is a point of a list in brackets, or a table under a heading such as `[[
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import chain
 from math import isfinite
 from pathlib import Path
 from typing import Any
@@ -160,7 +161,12 @@ def inserted(text: str, file: Path, key: str, item: Item) -> tuple[str, Design]:
         values.setdefault(section, {}).setdefault(kind, []).insert(index, item)
     else:
         item_at(values, name).insert(index, item)
-    return checked(_with(text, name, index, item), file, values)
+    results: Iterable[str] = ()
+    if not tables_of(text, name):
+        results = with_item(text, name, index, item)
+    if isinstance(item, dict):
+        results = chain(results, with_table(text, name, index, item, several=True))
+    return checked(results, file, values)
 
 
 def removed(text: str, file: Path, key: str) -> tuple[str, Design]:
@@ -187,14 +193,6 @@ def exchanged(text: str, file: Path, key: str) -> tuple[str, Design]:
     items[index], items[index + 1] = items[index + 1], items[index]
     of_text = with_tables_exchanged if tables_of(text, name) else with_exchange
     return checked(of_text(text, name, index), file, values)
-
-
-def _with(text: str, name: str, index: int, item: Item) -> Iterator[str]:
-    """Texts with an item more: in the list in brackets if there is one, else as a table under its heading."""
-    if not tables_of(text, name):
-        yield from with_item(text, name, index, item)
-    if isinstance(item, dict):
-        yield from with_table(text, name, index, item, several=True)
 
 
 def _split(key: str) -> tuple[str, int | None]:
@@ -392,7 +390,15 @@ def with_table(text: str, name: str, index: int, item: Mapping[str, object], *, 
     if mine and index == 0:
         yield text[: mine[0].above] + table + line + text[mine[0].above :]
         return
-    at = mine[index - 1].end if mine else _place_of_first_table(text, name)
+    at = len(text)
+    if mine:
+        at = mine[index - 1].end
+    else:  # behind the others of its section, else behind the path, else at the end
+        tables = tables_of(text)
+        for section in (name.partition(".")[0], "path"):
+            if ends := [table.end for table in tables if table.name.partition(".")[0] == section]:
+                at = ends[-1]
+                break
     before, after = text[:at], text[at:]
     if before and not before.endswith("\n"):
         before += line
@@ -428,16 +434,6 @@ def with_tables_exchanged(text: str, name: str, index: int) -> Iterator[str]:
     tail = text[other.above : other.end]
     tail += "" if tail.endswith("\n") else _line_end(text)
     yield text[:first] + tail + text[one.end : other.above] + text[first : one.end] + text[other.end :]
-
-
-def _place_of_first_table(text: str, name: str) -> int:
-    """Where the first table of a name goes: behind the others of its section, else behind the path, else at the end."""
-    tables = tables_of(text)
-    for section in (name.partition(".")[0], "path"):
-        of_section = [table.end for table in tables if table.name.partition(".")[0] == section]
-        if of_section:
-            return of_section[-1]
-    return len(text)
 
 
 def _above(text: str, heading: int) -> int:
