@@ -298,4 +298,4 @@ class Cam(CamPlan):
         place = folder_of(folder)
         if not (self.passed or force):
             raise CheckError(refusal(self.failed))
-        return write_cam(self, place, progress, formats, cures=self.find_cures(progress))
+        return write_cam(self, place, self.find_cures(progress), progress, formats)

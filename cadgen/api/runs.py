@@ -54,5 +54,4 @@ class Comparison:
         Raises:
             FileError: a file cannot be written.
         """
-        cures = self.cam.find_cures(progress)
-        return write_comparison(self.cam, folder_of(folder), progress, cures=cures)
+        return write_comparison(self.cam, folder_of(folder), self.cam.find_cures(progress), progress)

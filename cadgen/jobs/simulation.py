@@ -20,7 +20,7 @@ from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.car_facts import mechanics_facts
 from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.jobs.cam.course import CourseRun
-from cadgen.jobs.cam.cures import Cures, find_cures
+from cadgen.jobs.cam.cures import Cures
 from cadgen.jobs.cam.steering_cam import CarUse, comparison_of, plan_cam
 from cadgen.output.files.publisher import Artifact, Written, folder_of, publish
 from cadgen.output.files.tables import write_tracks
@@ -210,14 +210,14 @@ def simulated(plan: C, play_deg: float | None = None, progress: Progress = silen
     )
 
 
-def write_comparison(plan: CamPlan, out: Path, progress: Progress = silent, *, cures: Cures | None = None) -> Written:
+def write_comparison(plan: CamPlan, out: Path, cures: Cures, progress: Progress = silent) -> Written:
     """Draw the events and tracks of the methods compared, and publish the pictures together.
 
     Args:
         plan: plan of an optimized profile.
         out: folder for the pictures; nothing appears in it unless everything succeeded.
+        cures: cures of lost lift, for the manifest.
         progress: function that is called with a few words on each step.
-        cures: cures of lost lift, if they were sought already.
 
     Raises:
         FileError: a file cannot be written.
@@ -246,7 +246,7 @@ def write_comparison(plan: CamPlan, out: Path, progress: Progress = silent, *, c
         yield from map(Artifact, draw_tracks(panels, planned, field, folder, f"{stem}_tracks"))
         yield from map(Artifact, draw_tracks(_alone(comparison), planned, field, folder, f"{stem}_tracks_by_event"))
 
-    return publish(stem, out, files, cam_facts(plan, find_cures(plan, progress) if cures is None else cures))
+    return publish(stem, out, files, cam_facts(plan, cures))
 
 
 def _alone(comparison: PlayComparison) -> list[TrackPanel]:

@@ -142,7 +142,7 @@ def test_a_design_names_it_and_gets_its_files(registered, tmp_path):
     assert isinstance(plan.follower, SlidingRoller)
     assert plan.passed
     assert plan.shown == ()
-    written = write_cam(plan, tmp_path, formats=["dxf", "csv"], cures=find_cures(plan))
+    written = write_cam(plan, tmp_path, find_cures(plan), formats=["dxf", "csv"])
     assert {path.suffix for path in tmp_path.iterdir()} >= {".dxf", ".csv"}
     facts = written.entry
     assert list(facts["carrying_planes_mm"]) == [25.0]

@@ -18,6 +18,7 @@ from cadgen.errors import DesignError
 from cadgen.jobs.calibration.calibration import nominal_of
 from cadgen.jobs.cam.built_car import as_built_sentences, outlook_checks, outlook_sentence
 from cadgen.jobs.cam.cam_files import write_cam
+from cadgen.jobs.cam.cures import find_cures
 from cadgen.jobs.cam.steering_cam import plan_cam
 from cadgen.jobs.simulation import simulate
 from cadgen.jobs.tolerance import CarSample, run_tolerance
@@ -88,7 +89,7 @@ def test_the_new_cam_takes_the_end_error_off(built, carbon_free_car, tmp_path):
     plan = plan_cam(design, "optimized")
     assert plan.passed
     out = tmp_path / "out"
-    entry = write_cam(plan, out, formats="dxf").entry
+    entry = write_cam(plan, out, find_cures(plan), formats="dxf").entry
     stop = plan.application.comparison.task.lift.blend_start
     wheels = Wheels(zero=np.radians(ZERO), radius=1 + RADIUS / 100, play=np.radians(PLAY))
     goal = complex(*carbon_free_car.track.position(carbon_free_car.track.length * (1 - 12 / 360)))
@@ -224,7 +225,7 @@ def test_files_of_a_precompensated_cam_are_judged_on_the_finished_disc(built, tm
         effect("zones", "return error", "car", return_error_deg=0.7),
     )
     plan = plan_cam(design, "compensated")
-    entry = write_cam(plan, tmp_path / "out").entry
+    entry = write_cam(plan, tmp_path / "out", find_cures(plan)).entry
     ends = {name: facts["end_position_mm"] for name, facts in entry["files"].items() if "end_position_mm" in facts}
     print(ends, plan.application.comparison.before.error.end_distance)
     assert len(ends) == 8

@@ -7,6 +7,7 @@ import pytest
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
 from cadgen.jobs.cam.cam_files import write_cam
+from cadgen.jobs.cam.cures import find_cures
 from cadgen.jobs.cam.steering_cam import plan_cam
 from cadgen.output.files.dxf import edges_note
 
@@ -21,7 +22,7 @@ def plan():
 @pytest.mark.slow
 def test_every_file_has_them(plan, tmp_path):
     """Each file is rolled at its carrying planes, where the profile is right; the manifest says where these are."""
-    entry = write_cam(plan, tmp_path).entry
+    entry = write_cam(plan, tmp_path, find_cures(plan)).entry
     assert {name.removeprefix("carbon_free_car_actual") for name in entry["files"]} == FILES
     assert not entry["omitted"]
     assert entry["edge_break_mm"] == 0.2

@@ -12,6 +12,7 @@ from cadgen.design.load import load_design
 from cadgen.geometry.meshes.content import inspect
 from cadgen.geometry.solids.step_text import read_rim
 from cadgen.jobs.cam.cam_files import write_cam
+from cadgen.jobs.cam.cures import find_cures
 from cadgen.jobs.cam.steering_cam import plan_cam
 from cadgen.output.files.dxf import read_dxf
 from cadgen.output.files.gcode_reader import read_gcode
@@ -73,7 +74,7 @@ def stations(outline: Outline, follower: LeaningRod) -> Array:
 def test_stated_lift_errors_are_those_of_a_dense_rolling(name, tmp_path):
     design = load_design(name)
     plan = plan_cam(design, "actual")
-    entry = write_cam(plan, tmp_path).entry
+    entry = write_cam(plan, tmp_path, find_cures(plan)).entry
     stem, follower, curve = f"{name}_actual", plan.follower, plan.curve
 
     def file(end: str) -> Path:

@@ -17,6 +17,7 @@ from cadgen.car.running.sampled import sampled_lift
 from cadgen.design.load import load_design
 from cadgen.errors import CheckError, DesignError
 from cadgen.jobs.cam.cam_files import write_cam
+from cadgen.jobs.cam.cures import find_cures
 from cadgen.jobs.cam.steering_cam import default_profile, plan_cam
 from cadgen.output.files.dxf import read_dxf
 
@@ -31,7 +32,7 @@ def optimized():
 @pytest.fixture(scope="module")
 def exported(optimized, tmp_path_factory):
     out = tmp_path_factory.mktemp("exported")
-    return out, write_cam(optimized, out).entry
+    return out, write_cam(optimized, out, find_cures(optimized)).entry
 
 
 def read_back(name, out, optimized):
@@ -99,7 +100,7 @@ def test_every_file_takes_99_percent_off(exported, optimized):
 def test_a_file_that_gives_the_compensation_away_says_so_and_what_to_change(tmp_path):
     """Facets of 20 um keep their own tolerance, and put the car 0.16 m off."""
     plan = plan_cam(load_design("carbon_free_car", ["export.mesh_chord_um=20"]), "compensated")
-    entry = write_cam(plan, tmp_path).entry
+    entry = write_cam(plan, tmp_path, find_cures(plan)).entry
     assert entry["files"]["carbon_free_car_compensated.stl"]["end_position_mm"] > 50
     stl, threemf = entry["warnings"]
     for name, words in (("stl", stl), ("3mf", threemf)):

@@ -27,6 +27,7 @@ from cadgen.design.load import load_design
 from cadgen.errors import CadgenError
 from cadgen.jobs.cam.cam_files import write_cam
 from cadgen.jobs.cam.cam_plan import CamPlan
+from cadgen.jobs.cam.cures import find_cures
 from cadgen.jobs.cam.steering_cam import plan_cam
 from cadgen.output.files.xyz import read_xyz, write_xyz
 from tests.studies.command import PAGES, options, tell
@@ -179,7 +180,7 @@ def verdict(case: Case, number: int, *, write: bool = False) -> str:
             if plan.passed and number % 10 == 0:
                 _fit(plan, Path(folder))
             if plan.passed and write:
-                write_cam(plan, Path(folder) / "out")
+                write_cam(plan, Path(folder) / "out", find_cures(plan))
         except CadgenError as error:
             return _refusal(str(error), truth)
         except Exception:

@@ -9,7 +9,7 @@ from cadgen.cam.checks import cam_angles
 from cadgen.errors import CheckError
 from cadgen.jobs.cam.cam_facts import cam_facts
 from cadgen.jobs.cam.cam_plan import CamPlan
-from cadgen.jobs.cam.cures import Cures, find_cures
+from cadgen.jobs.cam.cures import Cures
 from cadgen.output.files.exports import CamExport
 from cadgen.output.files.formats import CAM
 from cadgen.output.files.publisher import Artifact, Written, publish
@@ -22,19 +22,18 @@ if TYPE_CHECKING:
 def write_cam(
     plan: CamPlan,
     out: Path,
+    cures: Cures,
     progress: Progress = silent,
     formats: str | Iterable[str] | None = None,
-    *,
-    cures: Cures | None = None,
 ) -> Written:
     """Write, read back, judge and publish the files of a cam.
 
     Args:
         plan: computed cam, normally with all checks passed.
         out: folder for the files; it is made if need be. Nothing appears in it unless everything succeeded.
+        cures: cures of lost lift, for the manifest.
         progress: function that is called with a few words on each step.
         formats: endings of the formats, some of those of `CAM`; all of them if left out.
-        cures: cures of lost lift, if they were sought already.
 
     Raises:
         DesignError: a format is unknown.
@@ -61,7 +60,7 @@ def write_cam(
             raise CheckError(f"nothing can be written: {'; '.join(dict.fromkeys(omitted.values()))}")
 
     part, chosen = CAM.entry(cam.stem, wanted)
-    facts = cam_facts(plan, find_cures(plan, progress) if cures is None else cures)
+    facts = cam_facts(plan, cures)
     return publish(
         part,
         out,
