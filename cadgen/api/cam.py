@@ -21,7 +21,6 @@ from cadgen.jobs.cam.comparison import PAPER_PERCENT as PAPER_PERCENT
 from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.jobs.cam.cures import Cures as Cures
 from cadgen.jobs.cam.cures import find_cures
-from cadgen.jobs.cam.motion_cam import SegmentUse
 from cadgen.jobs.cam.steering_cam import CarUse
 from cadgen.output.files.publisher import Written, folder_of, refusal
 from cadgen.progress import Progress, silent
@@ -174,7 +173,6 @@ class Cam(CamPlan):
     @property
     def design(self) -> "DesignValues | MotionDesign":
         """Values of the design that it was planned from."""
-        assert isinstance(self.application, CarUse | SegmentUse)
         return self.application.design
 
     @property

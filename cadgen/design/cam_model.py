@@ -10,7 +10,6 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import EdgeFollower, Follower, edge_follower
-from cadgen.cam.followers.rod_kind import RodKeys
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
 from cadgen.car.course.layout import Side
 from cadgen.car.path.spline import PlannedPath
@@ -175,8 +174,8 @@ def follower(design: Design) -> Follower:
     return as_built(design).follower(edge_follower(nominal, "what [as_built] says of a car", "remove [as_built]"))
 
 
-def rod(design: Design, job: str) -> EdgeFollower:
-    """Follower of a design, for a job that is worked out for the leaning rod alone.
+def leaning(design: Design, job: str) -> EdgeFollower:
+    """Follower of a design, for a job that is worked out for those that lean alone.
 
     Args:
         design: loaded design.
@@ -186,12 +185,6 @@ def rod(design: Design, job: str) -> EdgeFollower:
         DesignError: the design has another follower, or as `follower`.
     """
     return edge_follower(follower(design), job)
-
-
-def rod_keys(design: Design) -> RodKeys | None:
-    """Keys of the design's rod; None if it has another follower."""
-    keys = design.follower.keys
-    return keys if isinstance(keys, RodKeys) else None
 
 
 def travel(design: Design, driven: Track) -> float:

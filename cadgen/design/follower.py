@@ -5,7 +5,7 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
-from cadgen.cam.followers.kind import FollowerKind
+from cadgen.cam.followers.kind import FollowerKind, RunningSurface
 from cadgen.cam.followers.rod_kind import ROD
 from cadgen.cam.followers.table import codes, has, kind_of
 from cadgen.design.section import ByKind, DesignSection, OneOf, keys_in, section_with
@@ -27,6 +27,16 @@ class FollowerSection(DesignSection):
     def keys(self) -> Any:
         """Keys of the file, as the dataclass of the follower's kind."""
         return keys_in(self, self.registered.keys)
+
+    @property
+    def surface(self) -> RunningSurface | None:
+        """Surface that runs on the disc; None where the file does not say."""
+        return self.keys.material if self.registered.runs else None
+
+    @property
+    def bearing_width(self) -> float | None:
+        """Width of a ball bearing on it, mm; None where the file does not say."""
+        return self.keys.width_mm if self.registered.runs else None
 
 
 @cache

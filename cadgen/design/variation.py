@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import TURN
 from cadgen.cam.follower import Follower, edge_follower
-from cadgen.cam.followers.rod_kind import RodMaterial
+from cadgen.cam.followers.kind import RunningSurface
 from cadgen.car.against_play.band import PlayBand
 from cadgen.car.against_play.remedies import holding
 from cadgen.car.path_motion import PathMotion
@@ -101,8 +101,7 @@ def mechanics(design: Design, follower: Follower, lift: PathMotion) -> Mechanics
             lift, or the drive cannot turn the cam.
     """
     given, known = design.mechanics, cam_model.as_built(design)
-    hardware, keys = design.optimize.hardware or (), cam_model.rod_keys(design)
-    material = keys.material if keys else None
+    hardware, material = design.optimize.hardware or (), design.follower.surface
     if given is None and (material or design.blank.material):
         given = MechanicsSection()  # their friction follows from the materials
     if given is None and known.friction is not None and not hardware:
@@ -125,7 +124,7 @@ def mechanics(design: Design, follower: Follower, lift: PathMotion) -> Mechanics
     elif known.runs_free:
         friction = 0.0, 0.0
     elif given.friction_least is None or given.friction_greatest is None:
-        friction = friction_band(material or RodMaterial.STEEL, design.blank.material, greased=given.greased)
+        friction = friction_band(material or RunningSurface.STEEL, design.blank.material, greased=given.greased)
     else:
         friction = given.friction_least, given.friction_greatest
     band = MechanicsBand(

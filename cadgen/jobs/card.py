@@ -152,7 +152,7 @@ def draw_of(design: Design) -> Draw:
     """
     draw = draw_model.draw(design)
     draw_model.settings(design)
-    rod = cam_model.rod(design, "a card of settings")
+    rod = cam_model.leaning(design, "a card of settings")
     draw_model.refuse_range(design, draw, cam_model.track(design), rod)
     return draw
 

@@ -4,12 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from enum import StrEnum
 from typing import TYPE_CHECKING, Any
 
 from cadgen.laws.unit import MM, Unit
 
 if TYPE_CHECKING:
     from cadgen.cam.follower import Follower
+
+
+class RunningSurface(StrEnum):
+    """Surface of a follower where the disc touches it."""
+
+    STEEL = "steel"
+    BALL_BEARING = "ball_bearing"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -41,6 +49,8 @@ class FollowerKind:
             for the user.
         build: function of keys and seat that returns the follower of the car as designed.
         unit: unit of its motion: lift in mm, swing in rad, or tangent of a car's steering angle.
+        runs: whether it may run on the disc with a ball bearing: its keys then have `material`, a `RunningSurface`, and
+            `width_mm` of the bearing, either None where the file does not say.
         refuse: function that refuses keys that do not suit their seat, by a `ValueError` of one sentence.
     """
 
@@ -49,4 +59,5 @@ class FollowerKind:
     keys: type[Any]
     build: Callable[[Any, FollowerSeat], Follower]
     unit: Unit = MM
+    runs: bool = False
     refuse: Callable[[Any, FollowerSeat], None] = lambda keys, seat: None

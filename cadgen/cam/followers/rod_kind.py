@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import StrEnum
 from typing import TYPE_CHECKING, Annotated
 
 from annotated_types import Ge, Gt, Le
 
-from cadgen.cam.followers.kind import FollowerKind, FollowerSeat
+from cadgen.cam.followers.kind import FollowerKind, FollowerSeat, RunningSurface
 from cadgen.laws.unit import TAN
 
 if TYPE_CHECKING:
@@ -16,13 +15,6 @@ if TYPE_CHECKING:
 
 # A rod this many times as long as the outer face is far reaches past it up to some 55 degrees of steering.
 _DEFAULT_REACH = 2.0
-
-
-class RodMaterial(StrEnum):
-    """Surface of the rod where the disc touches it."""
-
-    STEEL = "steel"
-    BALL_BEARING = "ball_bearing"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -39,7 +31,7 @@ class RodKeys:
         float | None, Gt(0), Le(2000), "fork axis to the rod's end; left out, twice the distance of the outer face"
     ] = None
     material: Annotated[
-        RodMaterial | None,
+        RunningSurface | None,
         "of the rod; or a ball bearing on it, whose outer radius is then `radius_mm`: it rolls, with friction below "
         "0.02",
     ] = None
@@ -48,7 +40,7 @@ class RodKeys:
     ] = None
 
     def __post_init__(self) -> None:
-        if self.width_mm is not None and self.material != RodMaterial.BALL_BEARING:
+        if self.width_mm is not None and self.material != RunningSurface.BALL_BEARING:
             raise ValueError(
                 'follower.width_mm is the width of a ball bearing: set follower.material = "ball_bearing", or remove it'
             )
@@ -89,4 +81,5 @@ ROD = FollowerKind(
     build=_build,
     unit=TAN,
     refuse=_refuse,
+    runs=True,
 )

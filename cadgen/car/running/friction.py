@@ -11,7 +11,7 @@ sliding; with its seals it holds the cam as friction below 0.02 would, an estima
 
 from enum import StrEnum
 
-from cadgen.cam.followers.rod_kind import RodMaterial
+from cadgen.cam.followers.kind import RunningSurface
 
 
 class DiscMaterial(StrEnum):
@@ -41,9 +41,9 @@ USUAL = (0.05, 0.30)
 USUAL_DRY = (0.15, 0.60)
 
 
-def friction_band(follower: RodMaterial, disc: DiscMaterial | None, *, greased: bool) -> tuple[float, float]:
+def friction_band(follower: RunningSurface, disc: DiscMaterial | None, *, greased: bool) -> tuple[float, float]:
     """Least and greatest coefficient of sliding friction; `USUAL`, or dry `USUAL_DRY`, for a rod on an unknown disc."""
-    if follower == RodMaterial.BALL_BEARING:
+    if follower == RunningSurface.BALL_BEARING:
         return BEARING
     if disc is None:
         return USUAL if greased else USUAL_DRY

@@ -273,7 +273,7 @@ def nominal_of(design: Design, profile: str, progress: Progress = silent) -> Nom
     """
     cam_model.refuse_laps(design, *_LAPS)
     bare = design.as_designed()
-    rod = cam_model.rod(bare, "a calibration")
+    rod = cam_model.leaning(bare, "a calibration")
     plan = plan_cam(design, profile, progress)
     follower = rod.point() if plan.kind.by_axis else rod
     use = CarUse.of(plan)

@@ -55,12 +55,14 @@ class Application:
     """Use of a cam. This base class is a cam of which nothing else is known; subclasses are uses.
 
     Attributes:
+        design: design that the use was read from.
         noun: name of the cam in titles and descriptions.
         measured_again: whether measured data of it are judged by `cadgen calibrate`, for which its sheet has a form.
     """
 
     noun = "cam"
     measured_again = False
+    design: Design | MotionDesign
 
     @property
     def profile_tolerance(self) -> float | None:

@@ -14,7 +14,7 @@ from cadgen.car.running.friction import USUAL
 from cadgen.car.running.mechanics import MechanicsBand
 from cadgen.car.running.run_errors import run_error
 from cadgen.check import Bound, Check, CheckCode
-from cadgen.design import cam_model, variation
+from cadgen.design import variation
 from cadgen.design.play import Hardware
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
@@ -76,15 +76,15 @@ def mechanics_checks(
             if band.behind > 0:
                 where = f"nothing holds the disc's {degrees(band.behind):.3f}° of play on its shaft"
             checks.append(Check(CheckCode.CAM_HOLDS, "cam holds", margin, "", -inf, Bound.MIN, where))
-    keys = cam_model.rod_keys(design)
-    if keys is not None and keys.width_mm is not None:
+    width = design.follower.bearing_width
+    if width is not None:
         checks.append(
             Check(
                 CheckCode.BEARING_WIDTH,
                 "bearing width",
                 touched_width(lift, edge_follower(follower, "the width of a bearing")),
                 "mm",
-                keys.width_mm,
+                width,
                 Bound.MAX,
                 "length that touches the disc in a turn",
                 "the bearing leaves the disc: take a wider one, or two side by side, and set follower.width_mm",

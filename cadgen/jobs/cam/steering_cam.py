@@ -423,7 +423,7 @@ def plan_cam(
     return _plan(design, kind, progress, judged=judged)
 
 
-def _of_car(
+def _car_plan(
     use: CarUse,
     profile: ProfileKind,
     rod: Follower,
@@ -460,7 +460,7 @@ def _plan(design: Design, profile: ProfileKind, progress: Progress, *, judged: b
     wanted = profile.curve(lift, rod)
     cut = cam_model.as_built(design).precompensated(wanted.curve)
     if not judged:
-        return _of_car(CarUse(design, track, lift), profile, rod, cut, wanted.trims, ())
+        return _car_plan(CarUse(design, track, lift), profile, rod, cut, wanted.trims, ())
     progress("checking the profile")
     limits = cam_model.check_limits(design)
     course, laps = on_course(design, track, lift), _laps(design, track, lift)
@@ -473,7 +473,7 @@ def _plan(design: Design, profile: ProfileKind, progress: Progress, *, judged: b
         *(laps.checks(None) if laps else ()),
         *outlook_checks(design),
     )
-    return _of_car(CarUse(design, track, lift, None, course, laps), profile, rod, cut, wanted.trims, checks)
+    return _car_plan(CarUse(design, track, lift, None, course, laps), profile, rod, cut, wanted.trims, checks)
 
 
 def _plan_against_play(
@@ -501,7 +501,7 @@ def _plan_against_play(
         *outlook_checks(design),
     )
     use = CarUse(design, track, chosen.lift, comparison, course, laps)
-    return _of_car(use, profile, rod, chosen.cut, chosen.wanted.trims, checked)
+    return _car_plan(use, profile, rod, chosen.cut, chosen.wanted.trims, checked)
 
 
 def _measured_cam(design: Design) -> MeasuredCam | None:

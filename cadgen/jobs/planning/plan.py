@@ -209,7 +209,7 @@ def _settings(design: Design, task: PathTask, cam: CamPlan, progress: Progress) 
     """Settings at the ends of what is drawn and between, if a spacing is drawn."""
     if task.draw is None:
         return ()
-    rod = cam_model.rod(design, "a card of settings")
+    rod = cam_model.leaning(design, "a card of settings")
     draw_model.refuse_range(design, task.draw, CarUse.of(cam).track, rod)
     low, high = task.draw.spacings[0], task.draw.spacings[-1]
     few = replace(task.draw, spacings=tuple(np.linspace(low, high, _SPACINGS).tolist()))
