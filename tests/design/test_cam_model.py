@@ -59,8 +59,8 @@ def test_limits_in_mm_and_rad() -> None:
     assert limits.cutter_radius == 2
     assert limits.wall == 2
     assert limits.min_convex_radius == 0.5
-    assert cam_model.rod(design, "this").length == 2 * 26.5
-    assert cam_model.rod(load_design(), "this").length == 40
+    assert cam_model.leaning(design, "this").length == 2 * 26.5
+    assert cam_model.leaning(load_design(), "this").length == 40
 
 
 def test_the_blank_in_mm_and_rad() -> None:
