@@ -17,7 +17,8 @@ from cadgen.geometry.meshes.content import inspect
 from cadgen.geometry.meshes.mesh import cam_mesh
 from cadgen.geometry.solids.disc_solid import cam_part
 from cadgen.geometry.solids.step import read_step, step_bytes
-from cadgen.jobs.cam.cam_plan import CamPlan, plan_cam
+from cadgen.jobs.cam.cam_plan import CamPlan
+from cadgen.jobs.cam.steering_cam import plan_cam
 from cadgen.output.files.stl import read_stl, stl_bytes
 from cadgen.output.files.threemf import read_3mf, threemf_bytes
 

@@ -109,7 +109,7 @@ def test_the_documentation_has_the_figures_of_the_command(compared):
     assert told["appendix_car"] <= true["appendix_car"]
     assert len(told["appendix_car"]) >= 7
 
-    comparison = compared["carbon_free_car"].comparison
+    comparison = compared["carbon_free_car"].application.comparison
     readme = (ROOT / "README.md").read_text()
     after = comparison.chosen.band
     for words in (
@@ -123,7 +123,7 @@ def test_the_documentation_has_the_figures_of_the_command(compared):
 @pytest.mark.slow
 def test_each_row_is_compared_at_its_own_play(compared, carbon_free_car):
     """With the train reordered the actual profile is the same, so at one play nothing is off."""
-    comparison = compared["carbon_free_car"].comparison
+    comparison = compared["carbon_free_car"].application.comparison
     found = {(one["profile"], one["train"]): one for one in comparison_facts(comparison)["compared"]}
     for train in ("as-given", "reordered"):
         assert found["actual", train]["position_percent_off"] == pytest.approx(0.0, abs=1e-9)
@@ -143,7 +143,7 @@ def test_smoothed_and_compensated_is_cut_for_its_own_best_play(compared):
     """The unsmoothed profile's 0.738 degrees would leave 2243 mm."""
     both = next(
         one
-        for one in compared["carbon_free_car"].comparison.evaluations
+        for one in compared["carbon_free_car"].application.comparison.evaluations
         if one.name == "smoothed+compensated, as-given"
     )
     assert degrees(both.play) == pytest.approx(0.962, abs=5e-4)
@@ -193,7 +193,7 @@ def test_each_limit_is_for_the_figure_it_names(compared, carbon_free_car, limit,
     with pytest.raises(CheckError) as caught:
         plan_cam(load_design("carbon_free_car", [f"optimize.{limit}", "optimize.max_lift_error_um="]), "optimized")
     told = float(re.search(words, str(caught.value))[1])
-    comparison = compared["carbon_free_car"].comparison
+    comparison = compared["carbon_free_car"].application.comparison
     made_for = comparison.chosen.play
     if "run" in limit:
         assert told == pytest.approx(end_of_compensated(carbon_free_car, made_for, made_for).distance.max(), abs=0.1)
@@ -252,7 +252,7 @@ def test_a_play_wider_than_events_are_apart_is_driven_and_what_is_lost_is_said()
     """Of 80 degrees of play one dip of the paper's lift is narrower."""
     found = simulate(load_design("carbon_free_car"), "compensated", 30.0)
     assert found.before_error.end_distance > 10_000
-    lost = simulate(with_play(80), "compensated").application.comparison
+    lost = simulate(with_play(80), "compensated").comparison
     assert len(lost.chosen.lost) == 1
     assert "narrower than the return error of 80.000° and cannot be driven" in lost.reasons[-1]
 
