@@ -83,6 +83,29 @@ def joined(parts: Iterable[str], separator: str = ", ") -> Message:
     return made
 
 
+class _Sentence(Message):
+    """Clause with a large first letter and a full stop."""
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return sentence, (self.arguments["clause"],)
+
+    def translated(self, language: str) -> str:
+        """Sentence in a language."""
+        clause = str(translate(self.arguments["clause"], language))
+        return f"{clause[:1].upper()}{clause[1:]}{shown('.', language)}"
+
+
+def sentence(clause: str) -> Message:
+    """Make a sentence of a clause.
+
+    Args:
+        clause: message that begins with a small letter and has no full stop.
+    """
+    made = str.__new__(_Sentence, f"{clause[:1].upper()}{clause[1:]}.")
+    made.template, made.arguments = str(made), {"clause": Message(clause)}
+    return made
+
+
 def translate(value: object, language: str | None = None) -> object:
     """Say a message in a language; every other value is given back as it is.
 

@@ -4,11 +4,13 @@ import os
 import stat
 from pathlib import Path
 
+from cadgen.messages import Message
+
 _KINDS = {
-    stat.S_IFIFO: "a pipe",
-    stat.S_IFCHR: "a device",
-    stat.S_IFBLK: "a device",
-    stat.S_IFSOCK: "a socket",
+    stat.S_IFIFO: Message("a pipe"),
+    stat.S_IFCHR: Message("a device"),
+    stat.S_IFBLK: Message("a device"),
+    stat.S_IFSOCK: Message("a socket"),
 }
 
 
@@ -29,7 +31,7 @@ def read_regular(file: Path, most: int) -> bytes:
         _refuse_kind(os.fstat(stream.fileno()).st_mode, file)
         content = stream.read(most + 1)
     if len(content) > most:
-        raise ValueError(f"it is larger than {most / 1e6:g} MB")
+        raise ValueError(Message("it is larger than {most:g} MB", most=most / 1e6))
     return content
 
 
@@ -37,4 +39,5 @@ def _refuse_kind(mode: int, file: Path) -> None:
     if stat.S_ISDIR(mode):
         raise IsADirectoryError(f"{file} is a folder")
     if not stat.S_ISREG(mode):
-        raise ValueError(f"it is {_KINDS.get(stat.S_IFMT(mode), 'something else')} and no regular file")
+        kind = _KINDS.get(stat.S_IFMT(mode), Message("something else"))
+        raise ValueError(Message("it is {kind} and no regular file", kind=kind))

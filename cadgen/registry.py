@@ -21,6 +21,7 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Generic, Protocol, TypeVar
 
 from cadgen.errors import DesignError, brief
+from cadgen.messages import Message, joined
 
 _log = logging.getLogger(__name__)
 # One letter at least, as in 3mf. A unit at the end is written as it is, such as _J.
@@ -40,7 +41,9 @@ def load_plugins(group: str, register: Callable[[Any], object]) -> None:
     from importlib.metadata import entry_points  # a twentieth of a second that most commands save
 
     for point in sorted(entry_points(group=group), key=lambda point: point.name):
-        name, version = (point.dist.name, point.dist.version) if point.dist else ("an unknown distribution", "")
+        name, version = (
+            (point.dist.name, point.dist.version) if point.dist else (Message("an unknown distribution"), "")
+        )
         try:
             brought = point.load()
             for each in brought if isinstance(brought, tuple) else (brought,):
@@ -48,13 +51,17 @@ def load_plugins(group: str, register: Callable[[Any], object]) -> None:
                 _brought[id(each)] = name, version
         except (Exception, SystemExit) as error:
             _log.warning(
-                "the plug-in %s of %s %s (entry points %s) cannot be used (%s): correct it, or uninstall %s",
-                point.name,
-                name,
-                version,
-                group,
-                brief(str(error) or type(error).__name__),
-                name,
+                Message(
+                    "the plug-in {plugin} of {name} {version} (entry points {group}) cannot be used ({fault}): correct "
+                    "it, or uninstall {name}",
+                    plugin=point.name,
+                    name=name,
+                    version=version,
+                    group=group,
+                    fault=error.message
+                    if isinstance(error, DesignError)
+                    else brief(str(error) or type(error).__name__),
+                )
             )
 
 
@@ -154,7 +161,7 @@ class Registry(Generic[K]):
                 'there is no {noun} "{code}": choose one of {codes}',
                 noun=self._noun,
                 code=code,
-                codes=", ".join(self._kinds),
+                codes=joined(self._kinds),
             )
         kind: K = used(self._kinds[code])
         return kind

@@ -1,21 +1,32 @@
-"""Texts of the package and what each language lacks: `python -m tests.catalogue zh` prints entries to be filled in."""
+"""Texts of the package and what each language lacks: `python -m tests.catalogue zh` prints entries to be filled in.
+
+`python -m tests.catalogue click` compiles the translations of click's own words.
+"""
 
 import ast
 import re
 import sys
 from collections.abc import Iterator
+from inspect import cleandoc
 from pathlib import Path
 from string import Formatter
 
 import polib
 
+from cadgen.messages import Message
+
 PACKAGE = Path(__file__).parents[1] / "cadgen"
 
 
+CLICK = PACKAGE / "locale" / "zh" / "LC_MESSAGES" / "click.po"
+# Calls whose first argument is shown to people, with arguments or without.
+_TEXTS = {"Message", "progress", "CadgenError", "CheckError", "DesignError", "FileError"}
+
+
 def is_text(call: ast.Call) -> bool:
-    """Whether a call makes a message: `Message("...")` or an error with arguments."""
+    """Whether a call makes a text for people: `Message("...")`, a step of a job, or an error of the package."""
     name = call.func.id if isinstance(call.func, ast.Name) else getattr(call.func, "attr", "")
-    return name == "Message" or (name.endswith("Error") and any(key.arg for key in call.keywords))
+    return name in _TEXTS or (name.endswith("Error") and any(key.arg for key in call.keywords))
 
 
 def templates(source: str) -> Iterator[str]:
@@ -30,10 +41,71 @@ def templates(source: str) -> Iterator[str]:
 def used() -> dict[str, str]:
     """Every template of the package, with a file that has it; those of the page's HTML among them."""
     found = [(file, templates(file.read_text("utf-8"))) for file in sorted(PACKAGE.rglob("*.py"))]
+    found += [(PACKAGE / room, texts) for room, texts in (("cli", help_texts()), ("design", meanings()))]
+    found += [(PACKAGE / "deviations", effect_texts()), (PACKAGE / "inference", data_texts())]
     found += [
         (file, re.findall(r'\b_\("([^"]+)"\)', file.read_text("utf-8"))) for file in sorted(PACKAGE.rglob("*.html"))
     ]
     return {template: str(file.relative_to(PACKAGE)) for file, texts in found for template in texts}
+
+
+def help_texts() -> Iterator[str]:
+    """Help of every command and option."""
+    from cadgen.cli import cli
+
+    for command in (cli, *cli.commands.values()):
+        yield cleandoc(command.help)
+        for option in command.params:
+            if meaning := getattr(option, "meaning", ""):  # arguments have none
+                yield from templates_in(meaning)
+
+
+def meanings() -> Iterator[str]:
+    """Meanings of the keys of a design file, which messages about a missing key repeat."""
+    from cadgen.design.keys import keys
+
+    yield from (key.meaning for key in keys().values() if key.meaning)
+
+
+def effect_texts() -> Iterator[str]:
+    """Names of effects and deviations, their meanings, and what tells them apart."""
+    from cadgen.deviations import catalogue, deviation
+    from cadgen.deviations.track import track_forms
+    from cadgen.deviations.transmission import train_orders
+    from cadgen.inference.measurement.shapes import bump, harmonic, sector, step
+
+    shapes = (harmonic(2, "um"), bump(0, 2, "um"), sector(0, 30, "um"), step(0, 0.0, "um"))
+    kinds = (catalogue.LIFT, catalogue.PROFILE, catalogue.TRANSMISSION, catalogue.TRACK, catalogue.ZONES)
+    found = [effect for kind in kinds for effect in kind.entries]
+    for effect in (*found, *track_forms(), *train_orders((3.0, 3.0), (60, 60), 1000), *shapes):
+        texts = (effect.name, effect.sort, effect.confused_with, effect.separated_by, *effect.twins)
+        texts += tuple(parameter.meaning for parameter in effect.parameters)
+        for text in filter(None, texts):
+            yield from templates_in(text)
+    for each in deviation.VARIED:
+        yield from (each.name, str(each).replace("_", " "))
+
+
+def data_texts() -> Iterator[str]:
+    """Verdicts on measured data, and the freedoms of each run that are fitted and never claimed."""
+    from cadgen.inference.measurement import kinds
+    from cadgen.inference.measurement.verdict import Verdict
+
+    yield from map(str, Verdict)
+    for code in kinds.codes():
+        datum = kinds.kind_of(code).datum
+        yield from filter(None, (datum.words, datum.name))
+
+
+def templates_in(text: str) -> Iterator[str]:
+    """Templates of a message and of those among its arguments; a plain text is its own."""
+    if not isinstance(text, Message):
+        yield text
+        return
+    yield from [] if hasattr(text, "parts") else [text.template]
+    for inner in (*getattr(text, "parts", ()), *text.arguments.values()):
+        if isinstance(inner, Message):
+            yield from templates_in(inner)
 
 
 def entries(language: str) -> list[polib.POEntry]:
@@ -47,7 +119,14 @@ def fields(template: str) -> set[str]:
     return {name for _, name, _, _ in Formatter().parse(template) if name is not None}
 
 
-if __name__ == "__main__":
+def compiled() -> bytes:
+    """Translations of click's own words as gettext reads them."""
+    return bytes(polib.pofile(str(CLICK)).to_binary())
+
+
+if sys.argv[1:] == ["click"]:
+    CLICK.with_suffix(".mo").write_bytes(compiled())
+elif __name__ == "__main__":
     known = {entry.msgid for entry in entries(sys.argv[1])}
     for template, file in used().items():
         if template not in known and (not sys.argv[2:] or file.startswith(sys.argv[2])):

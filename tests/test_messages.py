@@ -6,7 +6,7 @@ import pytest
 
 from cadgen.errors import DesignError
 from cadgen.messages import CHINESE, Message, joined, language_of, translate
-from tests.catalogue import entries, fields, used
+from tests.catalogue import CLICK, compiled, entries, fields, used
 
 
 def test_a_message_is_its_english_text():
@@ -66,3 +66,7 @@ def test_no_text_is_translated_in_two_ways():
     seen: dict[str, str] = {}
     twice = [e.msgid for e in entries(CHINESE) if seen.setdefault(e.msgid, e.msgstr) != e.msgstr]
     assert not twice
+
+
+def test_click_speaks_by_the_catalogue_beside_it():
+    assert CLICK.with_suffix(".mo").read_bytes() == compiled(), "run: python -m tests.catalogue click"

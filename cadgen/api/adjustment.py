@@ -12,6 +12,7 @@ from cadgen.deviations.deviation import SETTINGS, ByHand
 from cadgen.errors import DesignError, brief
 from cadgen.jobs.adjustment.files import adjustment_facts, write_adjustment
 from cadgen.jobs.adjustment.plan import AdjustmentPlan, Point, Wanted, adjust
+from cadgen.messages import joined
 from cadgen.output.files.publisher import Written, folder_of
 from cadgen.progress import Progress, silent
 
@@ -69,7 +70,7 @@ def adjusted(
         raise DesignError("settings is {given}; it must be several, such as [{given}]", given=brief(repr(settings), 40))
     named = dict.fromkeys(word("settings", setting, tuple(SETTINGS)) for setting in settings)
     if not named:
-        raise DesignError("settings is empty; name at least one of {settings}", settings=", ".join(SETTINGS))
+        raise DesignError("settings is empty; name at least one of {settings}", settings=joined(SETTINGS))
     wanted = Wanted(
         point=Point(word("point", point, POINTS)),
         settings=tuple(map(ByHand, named)),

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from cadgen.arrays import Array
 from cadgen.design.section import LEAST_FEATURE_MM
 from cadgen.errors import DesignError, brief
-from cadgen.messages import Message
+from cadgen.messages import Message, joined
 
 if TYPE_CHECKING:
     from cadgen.inference.monte_carlo.random_cars import Map
@@ -107,7 +107,7 @@ def word(name: str, value: object, allowed: Sequence[str]) -> str:
     if isinstance(value, str) and value in allowed:
         return value
     raise DesignError(
-        "{name} is {value}; it must be one of {allowed}", name=name, value=_shown(value), allowed=", ".join(allowed)
+        "{name} is {value}; it must be one of {allowed}", name=name, value=_shown(value), allowed=joined(allowed)
     )
 
 

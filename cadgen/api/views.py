@@ -79,7 +79,7 @@ class Report:
         try:
             sources = () if data is None else sources_of(data, progress=progress)
         except FileError as error:
-            unread = str(error)
+            unread = error.message
         return cls(
             plan_page(
                 instance("design", design, Design).complete(),

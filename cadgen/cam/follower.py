@@ -547,11 +547,11 @@ def edge_follower(follower: Follower, job: str, instead: str = "") -> EdgeFollow
     """
     if isinstance(follower, EdgeFollower):
         return follower
-    way_out = Message(", or {instead}", instead=instead) if instead else ""
+    way_out = Message(", or {instead}", instead=Message(instead)) if instead else ""
     raise DesignError(
         "follower.kind names a {follower}, and {job} is worked out for the leaning rod alone: "
         'set follower.kind = "rod" with its keys{way_out}',
-        follower=follower.noun,
-        job=job,
+        follower=Message(follower.noun),
+        job=Message(job),
         way_out=way_out,
     )

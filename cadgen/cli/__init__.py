@@ -12,6 +12,7 @@
 | `options`   | arguments and options that several commands share                  |
 | `show`      | progress, sheets of checks and files, sentences, JSON, the verdict |
 | `show_play` | sheets of methods, runs, remedies, many cars and budgets           |
+| `help`      | commands and options with their help in the chosen language        |
 | `output`    | standard output and sentences on standard error                    |
 | `interrupt` | signals                                                            |
 
@@ -30,7 +31,7 @@ import click
 # Before numpy is loaded: threads that wait for each other over small matrices cost more than they bring.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
-from cadgen.cli import interrupt, output
+from cadgen.cli import help, interrupt, output
 from cadgen.cli.cam_commands import cam, check, optimize
 from cadgen.cli.car_commands import adjust, calibrate, simulate, tolerance
 from cadgen.cli.design_commands import card, new, plan
@@ -39,7 +40,7 @@ from cadgen.cli.page_commands import draw, edit, report
 from cadgen.cli.study_commands import explore, merge
 from cadgen.cli.verify import verify
 from cadgen.errors import CadgenError, DesignError, brief
-from cadgen.messages import LANGUAGES, choose, language_of, shown
+from cadgen.messages import LANGUAGES, Message, choose, shown
 from cadgen.version import __version__
 
 USAGE, FILE = 2, 3
@@ -47,11 +48,12 @@ _LAST_SECOND = 253402300799  # of the year 9999
 
 
 @click.group(
+    cls=help.Group,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
     invoke_without_command=True,
     subcommand_metavar="COMMAND [ARGS]...",
 )
-@click.version_option(__version__, prog_name="cadgen")
+@click.version_option(__version__, prog_name="cadgen", cls=help.Option, help="Show the version and exit.")
 @click.pass_context
 def cli(context: click.Context) -> None:
     """Steering cams and the gear trains that drive them, from a planned path to verified files.
@@ -68,7 +70,7 @@ def _choose(_context: click.Context, _option: click.Parameter, language: str | N
         choose(language)
 
 
-language_option = click.Option(
+language_option = help.Option(
     ["--lang"],
     type=click.Choice(LANGUAGES),
     help="Language of texts.  [default: the environment's]",
@@ -100,8 +102,8 @@ for command in cli.commands.values():
 
 def main() -> NoReturn:
     """Run a command and turn every failure into one sentence and an exit code."""
+    help.choose_language(sys.argv[1:])
     interrupt.install()
-    choose(language_of(os.environ))
     output.tell_warnings()
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
@@ -119,12 +121,13 @@ def main() -> NoReturn:
     except OSError as error:
         code = _unwritable(error, 0)
     except MemoryError:
-        code = _fail("out of memory: close other programs, or use coarser tolerances in [export]", FILE)
+        code = _fail(Message("out of memory: close other programs, or use coarser tolerances in [export]"), FILE)
     except Exception as error:
         if os.environ.get("CADGEN_DEBUG"):
             traceback.print_exc()
         summary = brief(f"{type(error).__name__}: {error}", 400)
-        code = _fail(f"a fault in cadgen, please report it with your design file ({summary})", FILE)
+        text = Message("a fault in cadgen, please report it with your design file ({summary})", summary=summary)
+        code = _fail(text, FILE)
     code = _flushed(code)
     interrupt.ignore()
     sys.exit(code)
@@ -135,8 +138,10 @@ def _require_epoch() -> None:
     text = os.environ.get("SOURCE_DATE_EPOCH")
     if text is not None and not (text.isdecimal() and text.isascii() and int(text[:20]) <= _LAST_SECOND):
         raise DesignError(
-            f'SOURCE_DATE_EPOCH is "{brief(text, 40)}"; it must be seconds since 1970, a whole number of at most '
-            f"{_LAST_SECOND}: correct or unset this environment variable"
+            'SOURCE_DATE_EPOCH is "{value}"; it must be seconds since 1970, a whole number of at most {most}: correct '
+            "or unset this environment variable",
+            value=brief(text, 40),
+            most=_LAST_SECOND,
         )
 
 
@@ -164,6 +169,11 @@ def _unwritable(error: OSError, code: int | str | None) -> int | str | None:
     output.hush()
     if isinstance(error, BrokenPipeError):
         return code
-    place = brief(str(error.filename or "the output"))
-    output.tell(f"{place} cannot be written ({error.strerror}): make room, or choose another place")
+    place = brief(str(error.filename)) if error.filename else Message("the output")
+    text = Message(
+        "{place} cannot be written ({reason}): make room, or choose another place",
+        place=place,
+        reason=Message(str(error.strerror)),
+    )
+    output.tell(shown(text))
     return FILE

@@ -3,13 +3,12 @@
 import sys
 from pathlib import Path
 
-import click
-
+from cadgen.cli import help
 from cadgen.cli.options import design_options, formats_option, out_option, profile_option
 from cadgen.messages import Message
 
 
-@click.command()
+@help.command()
 @design_options
 @profile_option
 def check(design: str | None, overrides: tuple[str, ...], profile: str | None, as_json: bool) -> None:
@@ -38,12 +37,12 @@ def check(design: str | None, overrides: tuple[str, ...], profile: str | None, a
     sys.exit(0 if cam.passed else 1)
 
 
-@click.command()
+@help.command()
 @design_options
 @profile_option
 @out_option(default=Path("exports"), show_default=True, help="Folder for the files; it is made if need be.")
 @formats_option("step,stl,3mf,dxf,nc,xyz,csv")
-@click.option("--force", is_flag=True, help="Export even if a check fails, and say so in the manifest.")
+@help.option("--force", is_flag=True, help="Export even if a check fails, and say so in the manifest.")
 def cam(
     design: str | None,
     overrides: tuple[str, ...],
@@ -95,7 +94,7 @@ def cam(
     sys.exit(0 if plan.passed or force else 1)
 
 
-@click.command()
+@help.command()
 @design_options
 @out_option(help="Folder for pictures of events and tracks; without it no file is written.")
 def optimize(design: str | None, overrides: tuple[str, ...], as_json: bool, out: Path | None) -> None:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import click
 
 from cadgen.car.against_play.profile_kinds import ACTUAL, OPTIMIZED
+from cadgen.cli import help
 from cadgen.cli.options import (
     Number,
     car_profile_option,
@@ -24,10 +25,10 @@ if TYPE_CHECKING:
     from cadgen.progress import Progress
 
 
-@click.command()
+@help.command()
 @design_options
 @play_profile_option(meaning="Profile that is compared with the actual one.")
-@click.option(
+@help.option(
     "--play-deg",
     type=Number(0, 180, max_open=True),
     help="Return error of the runs, at the camshaft.  [default: that which the profile is cut for]",
@@ -65,20 +66,18 @@ def simulate(
             verdict(False, failed(simulation.cam.checks), Message("change the design as it is said above"))
 
 
-@click.command()
+@help.command()
 @design_options
 @play_profile_option(ACTUAL.code, meaning="Profile that all cars have.")
-@click.option(
-    "--samples", type=click.IntRange(1, 10_000_000), default=10_000, show_default=True, help="Number of cars."
-)
-@click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Seed of the random numbers.")
-@click.option(
+@help.option("--samples", type=click.IntRange(1, 10_000_000), default=10_000, show_default=True, help="Number of cars.")
+@help.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Seed of the random numbers.")
+@help.option(
     "--processes",
     type=click.IntRange(1, 256),
     default=lambda: min(2, os.cpu_count() or 1),
     help="Number of processes that run at once; the results do not depend on it.  [default: 2]",
 )
-@click.option(
+@help.option(
     "--budget",
     is_flag=True,
     help="Rank all deviations by their cost at the end of the run, before and after a trim.",
@@ -132,28 +131,28 @@ def tolerance(
         verdict(False, failed(run.cam.checks), Message("change the design as it is said above"))
 
 
-@click.command()
+@help.command()
 @click.argument("arguments", metavar="[DESIGN] FILE...", nargs=-1)
 @car_profile_option(ACTUAL.code, "Profile of the cam that was measured, or was on the car.")
-@click.option(
+@help.option(
     "--form-error-um",
     type=Number(0.01, 1000),
     help="Form error to expect on the disc, µm rms.  [default: 2, or 30 if a file says that the disc is printed]",
 )
-@click.option(
+@help.option(
     "--each",
     is_flag=True,
     help="Judge each file alone, as if each came from another car. Prints one table; with --out, no pictures and no "
     "as-built design are written.",
 )
-@click.option(
+@help.option(
     "--next",
     "ask_next",
     is_flag=True,
     help="Say also what to measure next, ranked by where the run is then expected to end on a new cam; without a FILE, "
     "what to measure first.",
 )
-@click.option(
+@help.option(
     "--predict",
     "unseen",
     multiple=True,
@@ -161,7 +160,7 @@ def tolerance(
     help="Predict this file, which is not used, with what is found in the others. Repeatable.",
 )
 @overrides_option
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of the report.")
+@help.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of the report.")
 @out_option(help="Folder for the report, its pictures, JSON and the as-built design; without it no file is written.")
 def calibrate(
     arguments: tuple[str, ...],
@@ -191,12 +190,14 @@ def calibrate(
     loaded = Design.load(design, overrides)
     if each and (ask_next or unseen):
         asked = "--next" if ask_next else "--predict"
-        raise click.UsageError(f"{asked} is asked of one car, and --each judges files of several: give one of them")
+        raise click.UsageError(
+            Message("{option} is asked of one car, and --each judges files of several: give one of them", option=asked)
+        )
     if unseen and not files:
-        raise click.UsageError("--predict needs a measured file to predict from: name at least one")
+        raise click.UsageError(Message("--predict needs a measured file to predict from: name at least one"))
     if not files:
         if out is not None:
-            raise click.UsageError("without a measured file there is nothing to write: remove --out")
+            raise click.UsageError(Message("without a measured file there is nothing to write: remove --out"))
         with show.progress(not as_json) as progress:
             first = loaded.next_measurement(profile=profile, form_error_um=form_error_um, progress=progress)
         if as_json:
@@ -246,17 +247,17 @@ def _more(
     return more
 
 
-@click.command()
+@help.command()
 @click.argument("arguments", metavar="[DESIGN] FILE...", nargs=-1)
 @car_profile_option(OPTIMIZED.code, "Profile of the cam on the car.")
-@click.option(
+@help.option(
     "--point",
     type=click.Choice(("drive-wheel", "fork", "idle-wheel", "path")),
     default="drive-wheel",
     show_default=True,
     help="Point of the car that was measured; path is the point that follows the waypoints.",
 )
-@click.option(
+@help.option(
     "--settings",
     "--knobs",
     default="head,start",
@@ -264,18 +265,18 @@ def _more(
     metavar="LIST",
     help="What may be set: head (the micrometer of the base radius), key (the cam on its shaft), start.",
 )
-@click.option(
+@help.option(
     "--noise-mm",
     type=Number(0.1, 1000),
     default=10.0,
     show_default=True,
     help="Standard deviation of a measured coordinate.",
 )
-@click.option(
+@help.option(
     "--division-um", type=Number(0.1, 1000), default=10.0, show_default=True, help="Division of the micrometer head."
 )
 @overrides_option
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of sentences.")
+@help.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of sentences.")
 @out_option(help="Folder for the result and the table of the next trial run; without it no file is written.")
 def adjust(
     arguments: tuple[str, ...],

@@ -7,35 +7,36 @@ from pathlib import Path
 import click
 
 from cadgen.car.planner import RESERVE, SEEDS, WITHIN_MM
+from cadgen.cli import help
 from cadgen.cli.options import Number, design_options, out_option, overrides_option, profile_option
 from cadgen.messages import Message
 
 
-@click.command()
+@help.command()
 @click.argument("name")
-@click.option(
+@help.option(
     "--points",
     type=click.Path(path_type=Path),
     metavar="FILE",
     help="Points of the path: CSV or TXT with `X Y [weight]` in mm, or a DXF with one open polyline. Each becomes a "
     "waypoint and a gate; a weight makes its gate narrower, and 0 leaves it out.",
 )
-@click.option("--layer", metavar="NAME", help="Layer of the polyline in a DXF that has several.")
-@click.option(
+@help.option("--layer", metavar="NAME", help="Layer of the polyline in a DXF that has several.")
+@help.option(
     "--gate-radius-mm",
     type=Number(0, 100_000, min_open=True),
     default=50.0,
     show_default=True,
     help="Radius of the gates at the points.",
 )
-@click.option(
+@help.option(
     "--field-mm",
     type=(Number(1, 1e6), Number(1, 1e6)),
     metavar="WIDTH HEIGHT",
     default=None,
     help="Size of the field, from [0, 0].",
 )
-@click.option(
+@help.option(
     "--closed",
     is_flag=True,
     help="The path is a lap that is driven again and again, such as a figure 8: from its last point it goes on to the "
@@ -73,27 +74,27 @@ def new(
     verdict(True, Message("{file} begins the design", file=design.file), f"cadgen check {design.file}")
 
 
-@click.command()
+@help.command()
 @click.argument("course", metavar="COURSE", required=False)
-@click.option(
+@help.option(
     "--from",
     "improve",
     metavar="DESIGN",
     help="Design whose path is improved, instead of a plan from scratch; its start and finish stay.",
 )
-@click.option(
+@help.option(
     "--within",
     "within_mm",
     type=Number(*WITHIN_MM),
     metavar="MM",
     help="How far the drive wheel's track may leave the path of --from.  [default: 25]",
 )
-@click.option(
+@help.option(
     "--calm-as",
     metavar="DESIGN",
     help="Let the curvature change no faster than on the path of this design. With --from that is the default.",
 )
-@click.option(
+@help.option(
     "--reserve",
     type=Number(*RESERVE),
     metavar="FACTOR",
@@ -101,21 +102,21 @@ def new(
     "tolerances; 0 makes the error by play least.  [default: the one of 0, 1, 2 ... 5 with which most cars "
     "keep the course]",
 )
-@click.option(
+@help.option(
     "--seeds",
     type=click.IntRange(*SEEDS),
     default=1,
     show_default=True,
     help="Number of searches, each from another path; the best one counts.",
 )
-@click.option(
+@help.option(
     "--processes",
     type=click.IntRange(1, 100),
     default=lambda: min(2, os.cpu_count() or 1),
     help="Number of searches that run at once; the plan does not depend on it.  [default: 2]",
 )
 @overrides_option
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of sentences.")
+@help.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of sentences.")
 @out_option(help="Folder for NAME_planned.toml; without it no file is written.")
 def plan(
     course: str | None,
@@ -144,7 +145,7 @@ def plan(
     from cadgen.processes import in_processes
 
     if within_mm is not None and improve is None:
-        raise click.UsageError("--within says how far the path of --from may be left: give --from too")
+        raise click.UsageError(Message("--within says how far the path of --from may be left: give --from too"))
     loaded = Design.load(course, overrides, train_only=True)
     drawn = None if improve is None else Design.load(improve)
     calm = None if calm_as is None else Design.load(calm_as)
@@ -172,7 +173,7 @@ def plan(
     raise SystemExit(0 if planned.passed else 1)
 
 
-@click.command()
+@help.command()
 @design_options
 @profile_option
 @out_option(help="Folder for NAME_card.html, to print, and NAME_card.csv; without it no file is written.")

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from cadgen.cli import help
 from cadgen.cli.options import design_options, formats_option, out_option
 from cadgen.figures import Sheet
 from cadgen.gears.choices import Order
@@ -21,9 +22,9 @@ RANKED_SHOWN = 8
 REASONS_SHOWN = 3
 
 
-@click.command()
+@help.command()
 @design_options
-@click.option(
+@help.option(
     "--order",
     type=click.Choice([order.value for order in Order]),
     default="as-given",
@@ -33,7 +34,7 @@ REASONS_SHOWN = 3
 )
 @out_option(default=Path("exports"), show_default=True, help="Folder for the files; it is made if need be.")
 @formats_option("step,stl,csv")
-@click.option("--force", is_flag=True, help="Export even if a check fails, and say so in the manifest.")
+@help.option("--force", is_flag=True, help="Export even if a check fails, and say so in the manifest.")
 def gears(
     design: str | None,
     overrides: tuple[str, ...],

@@ -11,10 +11,12 @@ from contextlib import suppress
 from functools import partial
 from types import FrameType
 
+from cadgen.messages import Message, shown
 from cadgen.output.files.folder import abandon
 
 INTERRUPTED = 130
-_message = "interrupted: nothing was written"
+_message = Message("interrupted: nothing was written")
+_told = str(_message)
 _SHOW_CURSOR = "\r\x1b[K\x1b[?25h"  # and wipe the line: progress may be on show
 
 
@@ -22,17 +24,25 @@ _ENDING = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP"
 
 
 def install() -> None:
-    """Handle the signals that end a process, except those that the caller ignores, as `nohup` does."""
+    """Handle the signals that end a process, except those that the caller ignores, as `nohup` does.
+
+    The sentence in the chosen language is made here, for a handler reads no catalogue.
+    """
     handler = partial(_interrupted, os.getpid())
     for number in _ENDING:
         if signal.getsignal(number) is not signal.SIG_IGN:
             signal.signal(number, handler)
+    _announce(_message)
 
 
 def resumable() -> None:
     """Have the sentence say that the results so far are kept."""
-    global _message
-    _message = "interrupted: results so far are kept, and the same command goes on where it was"
+    _announce(Message("interrupted: results so far are kept, and the same command goes on where it was"))
+
+
+def _announce(message: Message) -> None:
+    global _message, _told
+    _message, _told = message, shown(message)
 
 
 def ignore() -> None:
@@ -56,7 +66,7 @@ def _interrupted(main: int, number: int, frame: FrameType | None) -> None:
             _say(1, json.dumps({"error": _message, "exit_code": INTERRUPTED}))
         else:
             plain = os.environ.get("TERM", "dumb") == "dumb" or not os.isatty(2)
-            _say(2, f"{'' if plain else _SHOW_CURSOR}cadgen: {_message}")
+            _say(2, f"{'' if plain else _SHOW_CURSOR}cadgen: {_told}")
     os._exit(INTERRUPTED)
 
 

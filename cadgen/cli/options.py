@@ -8,13 +8,15 @@ from typing import Any
 import click
 
 from cadgen.car.against_play.profile_kinds import OPTIMIZED, codes, meanings
+from cadgen.cli import help
+from cadgen.messages import Message, joined
 
 PLAY_PROFILES, PROFILES = codes(for_play=True), codes()
 
 Command = Callable[..., Any]
 
 
-overrides_option = click.option(
+overrides_option = help.option(
     "--set",
     "overrides",
     multiple=True,
@@ -26,7 +28,7 @@ overrides_option = click.option(
 def design_options(command: Command) -> Command:
     """Add DESIGN, --set and --json."""
     for decorate in (
-        click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of tables."),
+        help.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of tables."),
         overrides_option,
         click.argument("design", required=False),
     ):
@@ -36,48 +38,53 @@ def design_options(command: Command) -> Command:
 
 def profile_option(command: Command) -> Command:
     """Add --profile for a cam that is to be made or checked."""
-    return click.option(
+    return help.option(
         "--profile",
         type=click.Choice(PROFILES),
         metavar="PROFILE",
-        help=f"{meanings()}.  [default: optimized, or actual if the design has neither [train] nor [play]]",
+        help=Message(
+            "{profiles}.  [default: optimized, or actual if the design has neither [train] nor [play]]",
+            profiles=meanings(),
+        ),
     )(command)
 
 
 def car_profile_option(default: str, meaning: str) -> Callable[[Command], Command]:
     """--profile of the cam on a car that was measured."""
-    return click.option(
+    return help.option(
         "--profile",
         type=click.Choice(PROFILES),
         metavar="PROFILE",
         default=default,
         show_default=True,
-        help=f"{meaning} One of {', '.join(PROFILES)}.",
+        help=Message("{meaning} One of {profiles}.", meaning=Message(meaning), profiles=joined(PROFILES)),
     )
 
 
 def play_profile_option(*more: str, meaning: str) -> Callable[[Command], Command]:
     """Add --profile for a cam that runs with play: profiles against play, and `more`."""
     profiles = (*PLAY_PROFILES, *more)
-    return click.option(
+    return help.option(
         "--profile",
         type=click.Choice(profiles),
         metavar="PROFILE",
         default=OPTIMIZED.code,
         show_default=True,
-        help=f"{meaning} One of {', '.join(profiles)}.",
+        help=Message("{meaning} One of {profiles}.", meaning=Message(meaning), profiles=joined(profiles)),
     )
 
 
 def out_option(**settings: Any) -> Callable[[Command], Command]:
     """Add --out, with its default and help."""
-    return click.option("--out", type=_Folder(file_okay=False, path_type=Path), **settings)
+    return help.option("--out", type=_Folder(file_okay=False, path_type=Path), **settings)
 
 
 def formats_option(endings: str) -> Callable[[Command], Command]:
     """Add --formats, for some of these endings."""
-    return click.option(
-        "--formats", metavar="LIST", help=f"Files to write, by their endings, such as step,stl.  [default: {endings}]"
+    return help.option(
+        "--formats",
+        metavar="LIST",
+        help=Message("Files to write, by their endings, such as step,stl.  [default: {endings}]", endings=endings),
     )
 
 
@@ -96,11 +103,19 @@ def design_and_files(
     """
     designs = [text for text in arguments if text in packaged or text.endswith(".toml")]
     if designs and (len(designs) > 1 or arguments[0] != designs[0]):
-        raise click.UsageError(f"{designs[-1]} is a design and not measured data: name one design, before the files")
+        raise click.UsageError(
+            Message("{design} is a design and not measured data: name one design, before the files", design=designs[-1])
+        )
     design, files = (designs[0], arguments[1:]) if designs else (None, arguments)
     if some and not files:
-        raise click.UsageError("no measured file was given: name at least one CSV file")
+        raise click.UsageError(Message("no measured file was given: name at least one CSV file"))
     return design, files
+
+
+def _refused(fault: Message, param: click.Parameter | None, ctx: click.Context | None) -> click.UsageError:
+    """Error as click's own, whose words can be translated."""
+    option = param.get_error_hint(ctx) if param else ""
+    return click.UsageError(Message("Invalid value for {option}: {fault}", option=option, fault=fault), ctx)
 
 
 class Number(click.FloatRange):
@@ -109,7 +124,7 @@ class Number(click.FloatRange):
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         """Convert to a number, with click's own message outside the range."""
         if not isfinite(number := super().convert(value, param, ctx)):
-            self.fail(f"{number} is not a finite number", param, ctx)
+            raise _refused(Message("{number} is not a finite number", number=number), param, ctx)
         return number
 
 
@@ -118,5 +133,5 @@ class _Folder(click.Path):
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         if value == "":
-            self.fail("it is empty: name a folder, or write . for this one", param, ctx)
+            raise _refused(Message("it is empty: name a folder, or write . for this one"), param, ctx)
         return super().convert(value, param, ctx)

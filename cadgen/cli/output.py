@@ -9,6 +9,7 @@ from contextlib import suppress
 import click
 
 from cadgen.errors import MOST_REPEATED, brief, escaped
+from cadgen.messages import Message, shown
 
 _LONGEST_LINE = 1000  # of a message; our own are shorter
 
@@ -42,7 +43,7 @@ def sentence(message: str, arguments: Sequence[str]) -> str:
 
 class _Warnings(logging.Handler):
     def emit(self, record: logging.LogRecord) -> None:
-        tell(escaped(record.getMessage()))
+        tell(escaped(shown(record.msg) if isinstance(record.msg, Message) else record.getMessage()))
 
 
 def tell_warnings() -> None:

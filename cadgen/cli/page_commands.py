@@ -6,30 +6,31 @@ from pathlib import Path
 
 import click
 
+from cadgen.cli import help
 from cadgen.cli.options import design_and_files, design_options, out_option, overrides_option, profile_option
 from cadgen.cli.output import tell
 from cadgen.gears.choices import Order
 from cadgen.messages import Message, joined, shown
 
 
-@click.command()
+@help.command()
 @click.argument("arguments", nargs=-1, metavar="[DESIGN] [FILE]...")
 @overrides_option
 @profile_option
-@click.option(
+@help.option(
     "--samples",
     type=click.IntRange(1, 10_000_000),
     default=10_000,
     show_default=True,
     help="Number of random cars within the tolerances.",
 )
-@click.option(
+@help.option(
     "--processes",
     type=click.IntRange(1, 256),
     default=lambda: min(2, os.cpu_count() or 1),
     help="Number of processes that run at once; the results do not depend on it.  [default: 2]",
 )
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of a summary.")
+@help.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of a summary.")
 @out_option(default=Path("exports"), show_default=True, help="Folder for the page; it is made if need be.")
 def report(
     arguments: tuple[str, ...],
@@ -77,16 +78,16 @@ def report(
     sys.exit(0 if result.passed else 1)
 
 
-@click.command()
+@help.command()
 @click.argument("design", required=False)
 @overrides_option
-@click.option(
+@help.option(
     "--port",
     type=click.IntRange(0, 65535),
     default=0,
     help="Port of the page on 127.0.0.1.  [default: any that is free]",
 )
-@click.option("--no-browser", is_flag=True, help="Print the address only, and open no browser.")
+@help.option("--no-browser", is_flag=True, help="Print the address only, and open no browser.")
 def edit(design: str | None, overrides: tuple[str, ...], port: int, no_browser: bool) -> None:
     """Edit a design on its page in the browser: drag waypoints, gates and posts, move sliders, and see the part.
 
@@ -101,32 +102,33 @@ def edit(design: str | None, overrides: tuple[str, ...], port: int, no_browser: 
 
     editor = Editor.open(design, overrides)
     editor.serve(port, browser=not no_browser, show=_show)
-    click.echo("ended; changes that were not saved are gone" if editor.unsaved else "ended; nothing is unsaved")
+    ended = Message("ended; nothing is unsaved")
+    if editor.unsaved:
+        ended = Message("ended; changes that were not saved are gone")
+    click.echo(shown(ended))
 
 
 def _show(address: str) -> None:
-    click.echo(f"{address}  (Ctrl-C ends it)")
+    click.echo(shown(Message("{address}  (Ctrl-C ends it)", address=address)))
 
 
-@click.command()
+@help.command()
 @design_options
 @profile_option
-@click.option(
+@help.option(
     "--order",
     type=click.Choice([order.value for order in Order]),
     default="as-given",
     show_default=True,
     help="Which gear train, as for cadgen gears.",
 )
-@click.option(
-    "--only", type=click.Choice(["cam", "train"]), help="Draw one of the two.  [default: what the design has]"
-)
+@help.option("--only", type=click.Choice(["cam", "train"]), help="Draw one of the two.  [default: what the design has]")
 @out_option(
     default=Path("exports"),
     show_default=True,
     help="Folder for the files; drawings name the cam's and the gears' files that lie there by their hashes.",
 )
-@click.option("--force", is_flag=True, help="Draw even if a check fails.")
+@help.option("--force", is_flag=True, help="Draw even if a check fails.")
 def draw(
     design: str | None,
     overrides: tuple[str, ...],

@@ -16,7 +16,7 @@ from rich.text import Text
 from cadgen.check import Bound
 from cadgen.cli.output import hush
 from cadgen.figures import Sheet, rounded, with_unit
-from cadgen.messages import Message, joined, shown
+from cadgen.messages import Message, joined, sentence, shown
 from cadgen.output.report.terminal import FittedConsole, table
 from cadgen.progress import Progress
 
@@ -81,8 +81,8 @@ def sheet(content: Sheet, *, gap: bool = True) -> None:
 def sentences(lines: Iterable[str]) -> None:
     """Print clauses as sentences."""
     console = Output()
-    for line in map(shown, lines):
-        console.print(f"{line[0].upper()}{line[1:]}{shown(Message('.'))}")
+    for line in lines:
+        console.print(sentence(line))
 
 
 def verdict(passed: bool, result: str, step: str = "") -> None:
@@ -119,8 +119,8 @@ def command(verb: str, design: str | None, *more: str, overrides: Sequence[str] 
 
 def checks(cam: "Cam", cures: "Cures") -> None:
     """Print the checks as a table, then the advice for each that failed, and the cures of lost lift."""
-    for sentence in filter(None, [cam.expected, cam.wheel]):
-        Output().print(sentence)
+    for text in filter(None, [cam.expected, cam.wheel]):
+        Output().print(text)
     friction(cam)
     figures(_of_profile(cam), cam.figures)
     for line in cures.sentences():
@@ -129,8 +129,8 @@ def checks(cam: "Cam", cures: "Cures") -> None:
 
 def friction(cam: "Cam") -> None:
     """Print the effect that friction would have on the result, if it was computed without friction."""
-    for sentence in cam.application.warnings():
-        Output().print(Text(shown(sentence), "yellow"))
+    for warning in cam.application.warnings():
+        Output().print(Text(shown(warning), "yellow"))
 
 
 def failures(cam: "Cam") -> None:
@@ -165,7 +165,7 @@ def figures(title: str, checks: "Sequence[Check]", *, gap: bool = False) -> None
         name, place = shown(check.name), shown(check.place)
         made.add_row(
             Text.assemble(name, (f"\n{place}", "dim")) if narrow else Text(name),
-            with_unit(_number(check.value), check.unit_shown),
+            with_unit(_number(check.value), shown(check.unit_shown)),
             f"{bound} {_number(check.limit)}",
             verdict,
             *([] if narrow else [Text(place)]),
@@ -264,7 +264,7 @@ def outcome(computed: "Exploration", out: Path) -> tuple[bool, str, str]:
         return False, Message("no design keeps all limits and checks"), reasons
     best = Message("raise best in the study")
     if computed.computed.study.file.best:
-        best = Message(f"cadgen cam {place}_best_1.toml")
+        best = Message("cadgen cam {place}_best_1.toml", place=place)
     return True, Message("every design has its row; on the front: {count}", count=count), best
 
 
@@ -332,7 +332,7 @@ def drawings(written: "Written", out: Path) -> None:
     sheet(Sheet("drawings", "", heads, tuple(rows)), gap=False)
     _omitted(written)
     if left_open := written.entry.get("not_stated"):
-        named = joined(f"{name} ({key})" for name, key in left_open.items())
+        named = joined(Message("{name} ({key})", name=Message(name), key=key) for name, key in left_open.items())
         Output().print(
             Message(
                 "The sheets say that these are not stated: {named}. State them in the design, or on the paper.",

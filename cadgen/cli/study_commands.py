@@ -6,23 +6,23 @@ from pathlib import Path
 
 import click
 
-from cadgen.cli import interrupt
+from cadgen.cli import help, interrupt
 from cadgen.cli.options import out_option
 from cadgen.messages import Message
 
 
-@click.command()
+@help.command()
 @click.argument("study", type=click.Path(path_type=Path))
 @out_option(required=True, help="Folder for journal and results.")
-@click.option(
+@help.option(
     "--processes",
     type=click.IntRange(1, 1024),
     default=lambda: min(2, os.cpu_count() or 1),
     help="Number of processes that run at once; the results do not depend on it.  [default: 2]",
 )
-@click.option("--scheduler", metavar="ADDRESS", help="Have a dask scheduler compute: its address or its file.")
-@click.option("--shard", metavar="K/N", help="Compute the K-th of N parts only, for cadgen merge.")
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of tables.")
+@help.option("--scheduler", metavar="ADDRESS", help="Have a dask scheduler compute: its address or its file.")
+@help.option("--shard", metavar="K/N", help="Compute the K-th of N parts only, for cadgen merge.")
+@help.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of tables.")
 def explore(
     study: Path,
     out: Path,
@@ -62,10 +62,10 @@ def explore(
     sys.exit(0 if computed.summary.front else 1)
 
 
-@click.command()
+@help.command()
 @click.argument("folders", nargs=-1, required=True, type=click.Path(path_type=Path))
 @out_option(required=True, help="Folder for the results.")
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of tables.")
+@help.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of tables.")
 def merge(folders: tuple[Path, ...], out: Path, as_json: bool) -> None:
     """Put the shards of a study together: FOLDERS are those that cadgen explore --shard wrote to."""
     from cadgen.api import exploration

@@ -6,9 +6,10 @@ from typing import TYPE_CHECKING
 
 import click
 
+from cadgen.cli import help
 from cadgen.errors import escaped
 from cadgen.figures import Sheet
-from cadgen.messages import Message
+from cadgen.messages import Message, joined
 
 if TYPE_CHECKING:
     from cadgen.output.files.folder import FolderState
@@ -16,10 +17,10 @@ if TYPE_CHECKING:
 UNLISTED_SHOWN = 20
 
 
-@click.command()
+@help.command()
 @click.argument("folder", metavar="DIR", type=click.Path(exists=True, file_okay=False, path_type=Path))
-@click.option("--restore", is_flag=True, help="First undo half-done moves of runs that were killed in the folder.")
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of a table.")
+@help.option("--restore", is_flag=True, help="First undo half-done moves of runs that were killed in the folder.")
+@help.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of a table.")
 def verify(folder: Path, restore: bool, as_json: bool) -> None:
     """Compare the files in DIR with its manifest.
 
@@ -52,7 +53,7 @@ def _report(folder: Path, state: "FolderState") -> None:
         console.print(Message("And {count} more that are not listed.", count=len(unlisted) - UNLISTED_SHOWN))
     if state.restored:
         console.print(
-            Message("Put back as before a run that was killed: {names}.", names=", ".join(map(escaped, state.restored)))
+            Message("Put back as before a run that was killed: {names}.", names=joined(map(escaped, state.restored)))
         )
     for name in state.half_moved:
         console.print(

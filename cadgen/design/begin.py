@@ -1,6 +1,6 @@
 """A design to begin with: name, points of a path and changes of keys -> a commented design file.
 
-The text has a word on every key that a team sets first.
+The text has a word on every key that a team sets first, in the language that is chosen.
 """
 
 from collections.abc import Sequence
@@ -15,6 +15,7 @@ from cadgen.design.load import design_of
 from cadgen.design.override import override
 from cadgen.errors import DesignError, FileError, brief
 from cadgen.inference.records.points import Points, read_points
+from cadgen.messages import Message, shown
 
 # Where the example's path goes, mm.
 EXAMPLE = ((500.0, 700.0), (2000.0, 900.0), (3100.0, 1900.0), (4500.0, 2200.0), (6000.0, 1700.0))
@@ -25,7 +26,7 @@ LAP = (
 )
 GATE_RADIUS = 50.0
 
-_TEXT = """\
+_TEXT = Message("""\
 # {name}: a car steered by a cam. Lengths in mm, angles in degrees; docs/design-file.md has every key.
 #   cadgen check {name}.toml       every figure with its limit; the first line names the drive wheel that the cam is for
 #   cadgen plan {name}.toml        the path on which most cars keep the course
@@ -116,31 +117,33 @@ friction_greatest = 0.20
 # centre_distance_mm = 45.0
 # driver = {{ teeth = 30 }}
 # driven = {{ teeth = 150 }}
-"""
+""")
 
 _OPEN = {
     "closed": "",
-    "wheel": "# drive_wheel_radius_mm = 64.0     # R_h; with it (and [train]) the whole path is driven before the "
-    "closing blend\n",
-    "blend": "blend_deg = 12.0                   # the last part of the turn leads back to the start\n",
+    "wheel": Message(
+        "# drive_wheel_radius_mm = 64.0     # R_h; with it (and [train]) the whole path is driven before the "
+        "closing blend\n"
+    ),
+    "blend": Message("blend_deg = 12.0                   # the last part of the turn leads back to the start\n"),
 }
 _CLOSED = {
-    "closed": """\
+    "closed": Message("""\
 closed = true                      # a lap: from the last waypoint the path goes on to the first
 # laps_per_turn = 1                # laps in a turn of the cam; the drive wheel's radius follows from it
 # laps = 10                        # of a run, which the course is asked of
-""",
+"""),
     "wheel": "",
     "blend": "",
 }
-_FIELD = """\
+_FIELD = Message("""\
 [course.field]
 size_mm = [{width}, {height}]        # corner_mm is [0, 0] unless it is given
-"""
-_NO_FIELD = """\
+""")
+_NO_FIELD = Message("""\
 # [course.field]
 # size_mm = [8000.0, 8000.0]       # corner_mm is [0, 0] unless it is given
-"""
+""")
 
 
 def text_of(
@@ -153,7 +156,7 @@ def text_of(
     *,
     closed: bool,
 ) -> str:
-    """Text of a design file.
+    """Text of a design file, with comments in the chosen language.
 
     Args:
         name: name of the design.
@@ -169,13 +172,16 @@ def text_of(
         for (x, y), weight in zip(places, weights, strict=True)
         if weight > 0
     ]
-    return _TEXT.format(
-        **(_CLOSED if closed else _OPEN),
+    parts = {key: shown(text) for key, text in (_CLOSED if closed else _OPEN).items()}
+    return shown(_TEXT).format(
+        **parts,
         name=name,
         offset=_number(offset),
         waypoints="\n".join(f"    [{_number(x)}, {_number(y)}]," for x, y in places),
         gates="\n".join(gates),
-        field=_NO_FIELD if field is None else _FIELD.format(width=_number(field[0]), height=_number(field[1])),
+        field=shown(_NO_FIELD)
+        if field is None
+        else shown(_FIELD).format(width=_number(field[0]), height=_number(field[1])),
     )
 
 
@@ -273,5 +279,5 @@ def write_new(text: str, file: Path) -> None:
         raise FileError(
             "{file} cannot be written ({strerror}): choose another place",
             file=brief(str(file)),
-            strerror=error.strerror,
+            strerror=Message(str(error.strerror)),
         ) from None

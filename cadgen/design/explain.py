@@ -65,7 +65,10 @@ def unknown_key(place: Place, kinds: Kinds = USUAL) -> str:
     name = dotted(spoken(place[:-1]), brief(wrong) or '""')
     if right and is_unit_slip(wrong, right):
         return Message(
-            "{name} is not a key: write {right}, in {unit}", name=name, right=right, unit=keys(kinds)[right].unit
+            "{name} is not a key: write {right}, in {unit}",
+            name=name,
+            right=right,
+            unit=Message(keys(kinds)[right].unit),
         )
     meant = [right] if right else elsewhere(parent, wrong, kinds)
     hint = Message("did you mean {listed}? ", listed=listed(meant, "or")) if meant else ""
@@ -137,9 +140,13 @@ def _sentence(kind: str, place: Place, value: Any, context: Mapping[str, Any], k
         )
     key = keys(kinds)[path]
     depth = depth_in_key(place)
-    wanted = Message("{kind} in {unit}", kind=key.kinds[depth], unit=key.unit) if key.unit else key.kinds[depth]
+    wanted = (
+        Message("{kind} in {unit}", kind=key.kinds[depth], unit=Message(key.unit)) if key.unit else key.kinds[depth]
+    )
     if kind == "missing" and depth == 0:
-        return Message("{name} is missing: add it, {wanted} ({meaning})", name=name, wanted=wanted, meaning=key.meaning)
+        return Message(
+            "{name} is missing: add it, {wanted} ({meaning})", name=name, wanted=wanted, meaning=Message(key.meaning)
+        )
     if kind == "string_type" and key.allowed:
         return Message("{name} is {shown}; it must be {allowed}", name=name, shown=shown(value), allowed=key.allowed)
     if kind in _WRONG_TYPE:
@@ -156,7 +163,7 @@ def _sentence(kind: str, place: Place, value: Any, context: Mapping[str, Any], k
             count=len(value),
             least=context["min_length"],
         )
-    unit = f" ({key.unit})" if key.unit else ""
+    unit = Message(" ({unit})", unit=Message(key.unit)) if key.unit else ""
     return Message(
         "{name} is {shown}; it must be {allowed}{unit}",
         name=name,

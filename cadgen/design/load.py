@@ -224,7 +224,7 @@ def read_design(source: str | Path | None = None) -> tuple[str, Path]:
             "{name}, line {line}: not UTF-8 text: save the file again as UTF-8", name=name, line=line
         ) from None
     except (OSError, ValueError) as error:
-        reason = error.strerror if isinstance(error, OSError) else error
+        reason = Message(str(error.strerror) if isinstance(error, OSError) else error.args[0])
         raise DesignError(
             "{name} cannot be read ({reason}): give a design file that can", name=name, reason=reason
         ) from None

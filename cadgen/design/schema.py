@@ -306,8 +306,10 @@ class DiscFile(TrainFile):
                 if others
                 else Message(" to a registered kind that moves by its lift")
             )
-            does = "follows the steering of a car" if moved else "moves by its lift"
-            give = "[path] and [car] instead of [motion]" if moved else "[motion] instead of [path] and [car]"
+            does = Message("follows the steering of a car") if moved else Message("moves by its lift")
+            give = Message("[motion] instead of [path] and [car]")
+            if moved:
+                give = Message("[path] and [car] instead of [motion]")
             raise ValueError(
                 Message(
                     'follower.kind is "{code}", which {does}: set follower.kind{wanted}, or give {give}',
@@ -450,7 +452,7 @@ class MotionFile(DiscFile):
         try:
             motion_of(self.motion, self.follower.registered)
         except DesignError as error:
-            raise ValueError(str(error)) from None
+            raise ValueError(error.message) from None
         return self
 
 

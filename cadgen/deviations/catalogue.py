@@ -15,6 +15,7 @@ from cadgen.deviations.instrument import LIFT_INSTRUMENT, PROFILE_INSTRUMENT
 from cadgen.deviations.lift import LIFT_EFFECTS
 from cadgen.deviations.track import TRACK_EFFECTS
 from cadgen.deviations.transmission import RETURN_ERROR, TRAIN_EFFECTS, runout, tooth_mesh
+from cadgen.messages import Message
 from cadgen.registry import load_plugins, used
 
 
@@ -64,7 +65,7 @@ class Catalogue:
             ValueError: an effect of that name exists.
         """
         if self._named(effect.name, {}) is not None:
-            raise ValueError(f'there is an effect "{effect.name}" already: give another name')
+            raise ValueError(Message('there is an effect "{name}" already: give another name', name=effect.name))
         self._effects.append(effect)
 
     def remove(self, effect: Effect) -> None:
@@ -124,6 +125,11 @@ def _register_plugin(brought: object) -> None:
     brought.catalogue.register(brought.effect)
 
 
+def _runout(match: re.Match[str], indices: Mapping[str, float]) -> Effect:
+    shaft = Message("shaft {number}", number=int(match[2])) if match[2] else match[1]
+    return runout(shaft, float(indices.get("turns_per_turn", 1.0)))
+
+
 _NOSES = Family(
     (worn_nose(0, NOSE_WIDTHS_DEG[0]),),
     re.compile(r"worn nose"),
@@ -137,8 +143,8 @@ _UNDULATIONS = Family(
 # Orders are those of the train; what is only noted does not need them.
 _RUNOUTS = Family(
     (runout("the camshaft", 1.0),),
-    re.compile(r"runout of (the motor shaft|the camshaft|shaft \d{1,2})"),
-    lambda match, indices: runout(match[1], float(indices.get("turns_per_turn", 1.0))),
+    re.compile(r"runout of (the motor shaft|the camshaft|shaft (\d{1,2}))"),
+    _runout,
 )
 _MESHES = Family(
     (tooth_mesh(1, 1.0),),

@@ -13,6 +13,7 @@ from cadgen.curves.closed import ClosedCurve, left_normal
 from cadgen.deviations import deviation
 from cadgen.deviations.deviation import Place
 from cadgen.deviations.effect import Effect, Group, Parameter, Stage
+from cadgen.messages import Message
 
 _SCALES = Group("scale")
 
@@ -235,7 +236,7 @@ def undulation(order: int) -> Effect:
     """Lobing (few lobes) or waviness (many) of one order: normal offset p0 cos(n phi) + p1 sin(n phi)."""
     sort = "lobing" if order <= LAST_LOBE else "waviness"
     return Effect(
-        name=f"{sort}, order {order}",
+        name=Message("{sort}, order {order}", sort=Message(sort), order=order),
         stage=DISC,
         parameters=(
             _um(f"{sort}_cos_um", "+: outwards where cos(n phi) = 1, phi the polar angle"),

@@ -16,6 +16,7 @@ from cadgen.deviations.deviation import Place
 from cadgen.deviations.disc import ANISOTROPIC_SCALE, CUTTER_COMPENSATION, OUT_OF_SQUARE, UNIFORM_SCALE
 from cadgen.deviations.effect import Effect, Group, Parameter, Stage
 from cadgen.deviations.lift import ANGLE, PHASE, RETURN_ERROR
+from cadgen.messages import Message
 
 _MACHINE_SCALES = Group("scale of the machine")
 
@@ -61,7 +62,12 @@ AXIS_SCALE = Effect(
     name="axis scale of the measuring machine",
     stage=MACHINE,
     parameters=tuple(
-        replace(p, name=f"machine_{axis}_percent", usual=0.005, meaning=f"+: it reads too much along {axis}")
+        replace(
+            p,
+            name=f"machine_{axis}_percent",
+            usual=0.005,
+            meaning=Message("+: it reads too much along {axis}", axis=axis),
+        )
         for p, axis in zip(ANISOTROPIC_SCALE.parameters, "xy", strict=True)
     ),
     act=_scaled,
@@ -101,7 +107,7 @@ INDEX_ERROR = Effect(
     name="index error",
     stage=ANGLE,
     parameters=tuple(
-        Parameter.of(f"index_{part}_deg", 2.0, 0.02, 0.02, f"+: ahead at {at}")
+        Parameter.of(f"index_{part}_deg", 2.0, 0.02, 0.02, Message("+: ahead at {at}", at=at))
         for part, at in (("cos", "0°"), ("sin", "90°"))
     ),
     act=lambda angle, p, at: np.asarray(angle + p[0] * np.cos(at.place) + p[1] * np.sin(at.place)),

@@ -15,6 +15,7 @@ from cadgen.deviations.deviation import Place
 from cadgen.deviations.disc import ECCENTRIC_BORE
 from cadgen.deviations.effect import READING, Effect, Group, Parameter, Rows, Stage
 from cadgen.deviations.return_error import return_error
+from cadgen.messages import Message
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -85,7 +86,7 @@ SHAFT_RUNOUT = replace(
             p,
             name=p.name.replace("eccentric", "shaft"),
             usual=5.0,
-            meaning=f"+: it runs out towards {way} of the outline",
+            meaning=Message("+: it runs out towards {way} of the outline", way=way),
         )
         for p, way in zip(ECCENTRIC_BORE.parameters, ("+x", "+y"), strict=True)
     ),

@@ -7,6 +7,7 @@ They do nothing without it, and act beside it.
 from dataclasses import replace
 
 from cadgen.deviations.effect import Effect, Parameter
+from cadgen.messages import Message
 
 # At which a search begins. The play is found about each in proportion; between two of them the exact fit finds its way.
 FRICTIONS = (0.1, 0.2, 0.3, 0.4, 0.5)
@@ -58,7 +59,7 @@ def rubbing(play: Effect, friction: Effect, start: float) -> Effect:
     """
     (number,) = friction.parameters
     return Effect(
-        name=f"{play.name} with {friction.name}",
+        name=Message("{play} with {friction}", play=Message(play.name), friction=Message(friction.name)),
         stage=play.stage,
         parameters=(*play.parameters, replace(number, start=start)),
         act=lambda state, p, at: friction.act(play.act(state, p[:1], at), p[1:], at),

@@ -20,6 +20,7 @@ from cadgen.deviations.deviation import Place
 from cadgen.deviations.disc import ECCENTRIC_BORE
 from cadgen.deviations.effect import Effect, Group, Parameter, Stage
 from cadgen.deviations.return_error import DRAG, FRICTIONS, MEASURE_FRICTION, friction, return_error, rubbing
+from cadgen.messages import Message
 
 RUNNING = Stage[Running]("running")
 STEERING = Stage[Array]("steering")
@@ -154,7 +155,11 @@ def steering_bump(centre_deg: float, width_deg: float) -> Effect:
         return np.asarray(steering + p[0] * np.exp(-((off / np.radians(width_deg)) ** 2) / 2))
 
     return Effect(
-        name=f"steering off near {centre_deg:.0f} deg over {width_deg:.0f} deg",
+        name=Message(
+            "steering off near {centre_deg:.0f} deg over {width_deg:.0f} deg",
+            centre_deg=centre_deg,
+            width_deg=width_deg,
+        ),
         stage=STEERING,
         parameters=(Parameter.of("steering_bump_percent", 20.0, 0.02),),
         act=act,

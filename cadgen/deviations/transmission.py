@@ -14,6 +14,7 @@ from cadgen.deviations import deviation
 from cadgen.deviations.deviation import Place
 from cadgen.deviations.effect import Effect, Group, Parameter, Rows, Stage
 from cadgen.deviations.return_error import DRAG, FRICTIONS, MEASURE_FRICTION, friction, return_error, rubbing
+from cadgen.messages import Message
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -115,7 +116,7 @@ def runout(shaft: str, order: float) -> Effect:
         order: turns of the shaft for one turn of the cam.
     """
     return Effect(
-        name=f"runout of {shaft}",
+        name=Message("runout of {shaft}", shaft=Message(shaft)),
         stage=MESH,
         parameters=(
             _deg("runout_cos_deg", "+: the camshaft is ahead where that shaft has turned by 0°", 5.0, 0.03),
@@ -125,7 +126,7 @@ def runout(shaft: str, order: float) -> Effect:
         # Of a whole order it repeats with every turn of the cam, and a cam may take it out.
         places=(Place.NOTED, Place.CAR),
         indices=(("turns_per_turn", order),),
-        twins=(f"eccentric encoder on {shaft}",),
+        twins=(Message("eccentric encoder on {shaft}", shaft=Message(shaft)),),
         confused_with="an eccentric encoder on the same shaft",
         separated_by="put a dial on the gear's rim, or turn the encoder on its shaft and measure again",
     )
@@ -139,7 +140,7 @@ def tooth_mesh(stage: int, order: float) -> Effect:
         order: teeth that mesh in one turn of the cam.
     """
     return Effect(
-        name=f"tooth mesh of stage {stage}",
+        name=Message("tooth mesh of stage {stage}", stage=stage),
         stage=MESH,
         parameters=(
             _deg("mesh_cos_deg", "+: the camshaft is ahead at the start of each tooth", 2.0, 0.01),
@@ -164,7 +165,7 @@ def train_orders(ratios: tuple[float, ...], teeth: tuple[int, ...], highest: int
     """
     # Rounded, so that a whole order is whole.
     orders = [round(float(np.prod(ratios[k:])), 9) for k in range(len(ratios) + 1)]
-    names = ["the motor shaft", *(f"shaft {k}" for k in range(1, len(ratios))), "the camshaft"]
+    names = ["the motor shaft", *(Message("shaft {number}", number=k) for k in range(1, len(ratios))), "the camshaft"]
     effects = [rubbing(RETURN_ERROR, SLIDING_FRICTION, start) for start in (0.0, *FRICTIONS)]
     effects += [runout(n, o) for n, o in zip(names, orders, strict=True) if o <= highest]
     meshes = [(k + 1, z * orders[k + 1]) for k, z in enumerate(teeth)]

@@ -317,7 +317,7 @@ def write_drawings(parts: Parts, out: Path, progress: Progress = silent) -> Writ
     def files(staging: Path) -> Iterator[Artifact]:
         sheets = [] if parts.cam is None else [(parts.cam.stem, sheet_of(parts.cam, folder))]
         for stem, sheet in chain(sheets, () if parts.train is None else sheets_of(parts.train, folder)):
-            progress(f"drawing {stem}")
+            progress(Message("drawing {stem}", stem=stem))
             yield from write_sheet(staging, stem, sheet, omitted)
         if parts.train is not None:
             for part in parts.train.layout.parts:
@@ -355,7 +355,7 @@ def write_sheet(staging: Path, stem: str, sheet: DrawingSheet, omitted: dict[str
     try:
         page = _page(sheet, omitted)
     except NoFontError as error:
-        omitted["PDF"] = str(error)
+        omitted["PDF"] = error.message
         return
     (staging / name).write_bytes(page)
     if page.count(b"/Type /Page ") + page.count(b"/Type /Page\n") != 1:

@@ -25,6 +25,7 @@ from cadgen.jobs.cam.steering_cam import CarUse, comparison_of, plan_cam
 from cadgen.jobs.error_budget import BudgetSheet, budget_sheet, unit_of
 from cadgen.jobs.nominal_car import fleet_of, watching
 from cadgen.jobs.simulation import C
+from cadgen.messages import Message
 from cadgen.output.files.publisher import Artifact, Written, folder_of, publish
 from cadgen.output.report.cars import FleetPicture, draw_budget, draw_fleet
 from cadgen.processes import in_processes
@@ -32,6 +33,13 @@ from cadgen.progress import Progress, silent
 from cadgen.version import __version__
 
 QUANTILES = (0.5, 0.9, 0.95, 0.99)
+# Things on a course: one, and several of them.
+_COUNTED = {
+    "gate": (Message("gate"), Message("gates")),
+    "post": (Message("post"), Message("posts")),
+    "wall": (Message("wall"), Message("walls")),
+    "zone": (Message("zone"), Message("zones")),
+}
 
 
 @dataclass(frozen=True)
@@ -110,8 +118,12 @@ class ToleranceRun(Generic[C]):
         kinds = [obstacle.kind for obstacle in course.course.obstacles]
         counted: dict[str, int] = {"gate": len(course.planned.driven.passages)}
         counted.update({kind: kinds.count(kind) for kind in dict.fromkeys(kinds)})
-        words = [f"{count} {kind}{'s' if count > 1 else ''}" for kind, count in counted.items() if count]
-        return listed([*words, *(["the edge"] if course.course.edge is not None else [])], "and")
+        words = [
+            Message("{count} {kind}", count=count, kind=_COUNTED[kind][count > 1])
+            for kind, count in counted.items()
+            if count
+        ]
+        return listed([*words, *([Message("the edge")] if course.course.edge is not None else [])], "and")
 
     @property
     def margins(self) -> dict[float, float]:
@@ -278,7 +290,7 @@ def tolerance_of(plan: C, sample: CarSample, progress: Progress = silent) -> Tol
         raise DesignError("no dimension of the design varies: give [tolerances] half widths above 0, or a band of play")
 
     def done(cars: int) -> None:
-        progress(f"run {min(cars, sample.samples)} of {sample.samples} cars")
+        progress(Message("run {cars} of {samples} cars", cars=min(cars, sample.samples), samples=sample.samples))
 
     try:
         ends = tolerance_run(

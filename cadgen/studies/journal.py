@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.errors import FileError, brief
+from cadgen.messages import Message
 from cadgen.output.files.lock import lock_now, unlock
 from cadgen.studies.design_row import Row
 from cadgen.studies.planned_paths import PlannedText
@@ -91,7 +92,7 @@ class Journal:
             raise FileError(
                 "{file} cannot be written ({reason}): choose another place",
                 file=brief(str(file)),
-                reason=error.strerror,
+                reason=Message(str(error.strerror)),
             ) from error
         try:
             if not lock_now(stream.fileno()):
@@ -125,7 +126,9 @@ class Journal:
             stream = file.open("rb")
         except OSError as error:
             raise FileError(
-                "{file} cannot be read ({reason}): name another folder", file=brief(str(file)), reason=error.strerror
+                "{file} cannot be read ({reason}): name another folder",
+                file=brief(str(file)),
+                reason=Message(str(error.strerror)),
             ) from error
         first = stream.readline(_LONGEST_LINE)
         journal = cls(file, _header(_content(first), file), stream)
@@ -238,7 +241,7 @@ class Journal:
                 "{file} cannot be written ({reason}): free some space; run the same command again, and the study "
                 "goes on where it was",
                 file=brief(str(self.file)),
-                reason=error.strerror,
+                reason=Message(str(error.strerror)),
             ) from error
         return place
 

@@ -141,7 +141,7 @@ def read_study(file: Path) -> tuple[Study, str]:
     except UnicodeDecodeError:
         raise DesignError("{name} is not UTF-8 text: save it again as UTF-8", name=name) from None
     except (OSError, ValueError) as error:
-        reason = error.strerror if isinstance(error, OSError) else error
+        reason = Message(str(error.strerror) if isinstance(error, OSError) else error.args[0])
         raise DesignError("{name} cannot be read ({reason}): give a study that can", name=name, reason=reason) from None
     content = _content(text, name)
     if content.base in packaged_designs():

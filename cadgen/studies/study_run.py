@@ -7,6 +7,7 @@ from time import monotonic
 
 import numpy as np
 
+from cadgen.messages import Message
 from cadgen.progress import Progress, silent
 from cadgen.studies import sampling
 from cadgen.studies.design_row import DesignJob, DesignState, Row, Task
@@ -113,7 +114,7 @@ class StudyRun:
         if planner is not None:
             every = (path_key(self.study, values(number)) for number in left)
             keys = [key for key in dict.fromkeys(every) if key is not None and key not in self.journal.paths]
-            self.progress(f"planning {len(keys)} paths")
+            self.progress(Message("planning {count} paths", count=len(keys)))
             work(self.engine, planner, keys, len(keys), self._take_paths, planner.given_up)
         tasks: Iterator[Task] = (self._task(number, values(number)) for number in left)
         self._say()
@@ -129,7 +130,7 @@ class StudyRun:
     def _take_paths(self, results: Sequence[tuple[PlannedText, float]]) -> None:
         for planned, _ in results:
             self.journal.add_path(planned)
-        self.progress(f"{len(self.journal.paths)} paths planned")
+        self.progress(Message("{count} paths planned", count=len(self.journal.paths)))
 
     def _take_rows(self, results: Sequence[tuple[Row, float]]) -> None:
         self.journal.add_rows(results)
@@ -142,9 +143,12 @@ class StudyRun:
         return Row(task.number, task.values, DesignState.CRASHED, nothing, sentence=_GIVEN_UP)
 
     def _say(self) -> None:
-        words = f"{self.journal.count} of {self._total} designs"
+        words = Message("{count} of {total} designs", count=self.journal.count, total=self._total)
         if self._done:
             rate = self._done / max(monotonic() - self._begun, 1e-9)
             left = (self._total - self.journal.count) / rate
-            words += f", {rate:.3g} a second, " + (f"{left / 60:.0f} min left" if left > 90 else f"{left:.0f} s left")
-        self.progress(f"{words}, {self._without} refused or crashed")
+            time = Message("{left:.0f} s left", left=left)
+            if left > 90:
+                time = Message("{left:.0f} min left", left=left / 60)
+            words = Message("{words}, {rate:.3g} a second, {time}", words=words, rate=rate, time=time)
+        self.progress(Message("{words}, {without} refused or crashed", words=words, without=self._without))

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from cadgen.errors import DesignError
+from cadgen.messages import Message, joined
 
 if TYPE_CHECKING:
     from cadgen.cam.envelope import ActualProfile
@@ -202,9 +203,15 @@ def profile_of(code: str) -> ProfileKind:
     return _PROFILES[code]
 
 
-def meanings() -> str:
+def meanings() -> Message:
     """Every profile and its meaning, in one line."""
-    return "; ".join(f"{profile.code}: {profile.meaning}" for profile in _PROFILES.values())
+    return joined(
+        (
+            Message("{profile}: {meaning}", profile=profile.code, meaning=Message(profile.meaning))
+            for profile in _PROFILES.values()
+        ),
+        "; ",
+    )
 
 
 for _profile in (ACTUAL, OPTIMIZED, COMPENSATED, SMOOTHED, SMOOTHED_COMPENSATED, THEORETICAL, PUBLISHED):

@@ -31,6 +31,7 @@ from cadgen.inference.measurement.kinds.track import run_of
 from cadgen.inference.measurement.nominal import Nominal
 from cadgen.inference.measurement.record import Direction, Kind, Record
 from cadgen.inference.measurement.verdict import MARGIN, SIGMAS, SURE
+from cadgen.messages import Message
 
 # The play at the camshaft, by hand and an inclinometer with the rod lifted.
 BY_HAND = float(np.radians(0.01))
@@ -66,7 +67,7 @@ def proposals(nominal: Nominal, known: Active, measured: Sequence[Kind]) -> tupl
         known: effects as a track names them, with their values so far.
         measured: kinds of data that there are already.
     """
-    more = "more " if TRACK in measured else ""
+    more = Message("more ") if TRACK in measured else ""
     out = [_track(nominal, known, count, more) for count in (2, 4, 8)]
     out.append(_track(nominal, known, 4, more, STOP))
     out += [_lift(nominal, both=True), _lift(nominal, both=False)]
@@ -74,7 +75,9 @@ def proposals(nominal: Nominal, known: Active, measured: Sequence[Kind]) -> tupl
     if nominal.ratios:
         out += [_train(nominal, lifted=True, back=True), _train(nominal, lifted=False, back=True)]
         out.append(_train(nominal, lifted=True, back=False))
-        by_hand = "the play at the camshaft, the rod lifted, by an inclinometer to and fro; set play.measured_deg"
+        by_hand = Message(
+            "the play at the camshaft, the rod lifted, by an inclinometer to and fro; set play.measured_deg"
+        )
         out.append(Proposal(by_hand, None, 1, None))
     return tuple(out)
 
@@ -91,9 +94,9 @@ def _track(nominal: Nominal, known: Active, runs: int, more: str, remark: str = 
     motor = np.arange(0.0, 360.0, TRACK_STEP)
     place = run_of(nominal).at(known, np.radians(motor))
     columns = {"cam_angle_deg": motor, "x_mm": place.real, "y_mm": place.imag}
-    words = f"{runs} {more}runs of the track before a camera"
+    words = Message("{runs} {more}runs of the track before a camera", runs=runs, more=more)
     if remark:
-        words += ", the start set against a stop, to 0.5 mm and 0.05°"
+        words = Message("{words}, the start set against a stop, to 0.5 mm and 0.05°", words=words)
     return Proposal(words, TRACK, runs, _record(TRACK, columns, runs, remark))
 
 
@@ -106,8 +109,12 @@ def _lift(nominal: Nominal, *, both: bool, runs: int = 3) -> Proposal:
         "cam_angle_deg": angle,
         "lift_mm": nominal.follower.inner * nominal.lift.q(np.radians(angle)),
     }
-    words = f"the lift by a dial, {runs} runs, {'forward and back' if both else 'forward only'}"
+    words = Message("the lift by a dial, {runs} runs, {way}", runs=runs, way=_way(both))
     return Proposal(words, LIFT, runs, _record(LIFT, columns, runs))
+
+
+def _way(back: bool) -> Message:
+    return Message("forward and back") if back else Message("forward only")
 
 
 def _profile(nominal: Nominal, *, quarters: bool, runs: int = 4) -> Proposal:
@@ -121,16 +128,23 @@ def _profile(nominal: Nominal, *, quarters: bool, runs: int = 4) -> Proposal:
     }
     run = np.repeat(np.arange(runs), PROFILE_POINTS)
     record = Record(kind=PROFILE, columns=columns, run=run, remarks=(), source="a profile to be measured")
-    how = "turned on by a quarter from run to run" if quarters else "clamped as it lies"
-    return Proposal(f"the profile on a measuring machine, {runs} runs, the disc {how}", PROFILE, runs, record)
+    how = Message("turned on by a quarter from run to run") if quarters else Message("clamped as it lies")
+    return Proposal(
+        Message("the profile on a measuring machine, {runs} runs, the disc {how}", runs=runs, how=how),
+        PROFILE,
+        runs,
+        record,
+    )
 
 
 def _train(nominal: Nominal, *, lifted: bool, back: bool, runs: int = 3) -> Proposal:
     there = np.arange(0.0, 360.0 + TRAIN_STEP / 2, TRAIN_STEP)
     cam = np.concatenate([there, there[-2::-1]]) if back else there
     columns = {"motor_angle_deg": cam * float(np.prod(nominal.ratios)), "cam_angle_deg": cam}
-    rod, way = "lifted" if lifted else "on the disc", "forward and back" if back else "forward only"
-    words = f"angles at both ends of the train, {runs} runs, {way}, the rod {rod}"
+    rod = Message("lifted") if lifted else Message("on the disc")
+    words = Message(
+        "angles at both ends of the train, {runs} runs, {way}, the rod {rod}", runs=runs, way=_way(back), rod=rod
+    )
     idle = frozenset({deviation.SLIDING_FRICTION} if lifted else ())
     return Proposal(words, TRANSMISSION, runs, _record(TRANSMISSION, columns, runs), idle)
 

@@ -99,12 +99,13 @@ def weigh(
     models = [build(record) for record in records]
     parts, grid = [], grid_of(models)
     for record, model in zip(records, models, strict=True):
-        progress(f"{record.source}: telling noise from what repeats")
+        progress(Message("{source}: telling noise from what repeats", source=record.source))
         refuse_too_few(record, model)
         noise = resolved(record, estimate_noise(model, model.residual([(e, e.start) for e in model.datum])))
         parts.append(Part(record, build, model, noise, Evidence(model, noise, grid)))
     joint = Joint.of(parts)
-    progress(f"{joint.source}: comparing all small subsets of {len(joint.core) + len(joint.members)} effects")
+    count = len(joint.core) + len(joint.members)
+    progress(Message("{source}: comparing all small subsets of {count} effects", source=joint.source, count=count))
     found = find(joint)
     quieter = []
     for part in joint.parts:
@@ -136,8 +137,12 @@ def _diagnosis(result: Weighed, part: Part, progress: Progress) -> EvidenceDiagn
     datum, held, against = _datum(record.kind.datum, part, best)
     held_out: list[tuple[Array, Array]] = []
     for runs in np.array_split(np.arange(record.runs), min(record.runs, MOST_FITS)) if record.runs > 1 else ():
-        which = f"run {runs[0] + 1}" if len(runs) == 1 else f"runs {runs[0] + 1} to {runs[-1] + 1}"
-        progress(f"{record.source}: {which} left out")
+        which = (
+            Message("run {run}", run=runs[0] + 1)
+            if len(runs) == 1
+            else Message("runs {first} to {last}", first=runs[0] + 1, last=runs[-1] + 1)
+        )
+        progress(Message("{source}: {which} left out", source=record.source, which=which))
         held_out += _held_out(joint, part, best, runs)
     scale = UNITS[model.unit]
     whole, less = ([pair[k] for pair in held_out] for k in (0, 1))
@@ -276,7 +281,7 @@ def _datum(datum: Datum, part: Part, best: Hypothesis) -> tuple[tuple[Finding, .
     held, against = datum.notes(model, *fitted) if datum.notes else ("", ())
     found = tuple(
         Finding(
-            f"{datum.name}, run {run + 1}",
+            Message("{name}, run {run}", name=Message(datum.name), run=run + 1),
             tuple(Value.of(*each) for each in zip(datum.numbers, values, sigmas, strict=True)),
             (),
             (),

@@ -201,7 +201,7 @@ LEAST_GAIN = 0.1
 
 def diagnose_logged(record: Record, build: Callable[[Record], Model], progress: Progress = silent) -> PathDiagnosis:
     """Trace the path error of logged runs to effects; of fewer than `LEAST_RUNS` runs nothing is claimed."""
-    progress(f"{record.source}: leaving runs out")
+    progress(Message("{source}: leaving runs out", source=record.source))
     model = build(record)
     left_out = leave_runs_out(record, build)
     chosen = left_out.chosen

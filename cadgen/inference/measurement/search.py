@@ -21,6 +21,7 @@ from cadgen.deviations.effect import Active, Effect, activated, causes
 from cadgen.errors import DesignError
 from cadgen.inference.measurement.hypothesis import Hypothesis, Search, fit
 from cadgen.inference.measurement.joint import Joint
+from cadgen.messages import Message
 
 
 @dataclass(frozen=True)
@@ -250,7 +251,12 @@ def distinguishable(joint: Joint) -> tuple[Effect, ...]:
         mine, others = response(effect), response(other)
         if np.linalg.norm(mine - others @ (others.T @ mine), 2) < APART:
             del kept[effect.key]
-            by = f"{other.separated_by}; {effect.name}: {effect.separated_by}"
+            by = Message(
+                "{first}; {name}: {second}",
+                first=Message(other.separated_by),
+                name=Message(effect.name),
+                second=Message(effect.separated_by),
+            )
             kept[other.key] = replace(other, twins=tuple(dict.fromkeys((*other.twins, effect.name))), separated_by=by)
     return tuple(kept.values())
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.deviations.effect import READING, UNITS, Effect, Parameter, Rows, Stage
+from cadgen.messages import Message
 
 BUMP_WIDTHS_DEG = (2.0, 4.0, 8.0, 16.0)
 BUMP_PITCH = 0.75  # centres per half-width: a bump between two centres loses under 4 % of its square
@@ -36,7 +37,7 @@ def harmonic(order: float, unit: str) -> Effect:
     def act(reading: Array, p: Array, at: Rows) -> Array:
         return np.asarray(reading + p[0] * np.cos(order * at.place) + p[1] * np.sin(order * at.place))
 
-    return _shape(f"harmonic of order {order:g}", (_size("cos", unit), _size("sin", unit)), act)
+    return _shape(Message("harmonic of order {order:g}", order=order), (_size("cos", unit), _size("sin", unit)), act)
 
 
 def bump(centre_deg: float, width_deg: float, unit: str) -> Effect:
@@ -59,7 +60,12 @@ def bump(centre_deg: float, width_deg: float, unit: str) -> Effect:
         ),
         Parameter(name="width_deg", unit="deg", lower=1.0, upper=40.0, step=0.1, start=width_deg),
     )
-    return _shape(f"local bump near {centre_deg:.0f} deg", parameters, act, variant=f"of {width_deg:g}")
+    return _shape(
+        Message("local bump near {centre_deg:.0f} deg", centre_deg=centre_deg),
+        parameters,
+        act,
+        variant=f"of {width_deg:g}",
+    )
 
 
 def sector(centre_deg: float, half_deg: float, unit: str) -> Effect:
@@ -82,7 +88,12 @@ def sector(centre_deg: float, half_deg: float, unit: str) -> Effect:
         ),
         Parameter(name="half_width_deg", unit="deg", lower=5.0, upper=90.0, step=0.1, start=half_deg),
     )
-    return _shape(f"sector about {centre_deg:.0f} deg", parameters, act, variant=f"of {half_deg:g}")
+    return _shape(
+        Message("sector about {centre_deg:.0f} deg", centre_deg=centre_deg),
+        parameters,
+        act,
+        variant=f"of {half_deg:g}",
+    )
 
 
 def step(run: int, when: float, unit: str) -> Effect:
@@ -97,7 +108,7 @@ def step(run: int, when: float, unit: str) -> Effect:
     def act(reading: Array, p: Array, at: Rows) -> Array:
         return np.asarray(reading + p[0] * ((at.run == run) & (at.elapsed >= when)))
 
-    name = f"step in run {run + 1} at {100 * (when + 0.5):.0f} % of it"
+    name = Message("step in run {run} at {when:.0f} % of it", run=run + 1, when=100 * (when + 0.5))
     return _shape(name, (_size("step", unit),), act, one_run=True)
 
 

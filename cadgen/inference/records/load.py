@@ -146,7 +146,7 @@ def _text(path: Path) -> str:
     except IsADirectoryError:
         raise FileError("{name} is a folder: give the files in it", name=name) from None
     except (OSError, ValueError) as error:
-        reason = error.strerror if isinstance(error, OSError) else error
+        reason = Message(str(error.strerror) if isinstance(error, OSError) else error.args[0])
         raise FileError(
             "{name} cannot be read ({reason}): give a CSV file that can", name=name, reason=reason
         ) from None

@@ -47,7 +47,7 @@ def read_points(path: Path, layer: str | None = None, *, closed: bool = False) -
     except FileNotFoundError:
         raise FileError("there is no file {name}: correct the path", name=name) from None
     except (OSError, ValueError) as error:
-        reason = error.strerror if isinstance(error, OSError) else error
+        reason = Message(str(error.strerror) if isinstance(error, OSError) else error.args[0])
         raise FileError(
             "{name} cannot be read ({reason}): give a file of points, or a DXF", name=name, reason=reason
         ) from None

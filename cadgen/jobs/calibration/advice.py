@@ -210,7 +210,7 @@ class Predictions:
                     file=source.path,
                     twin=twin.path,
                 )
-            progress(f"predicting {source.record.source}")
+            progress(Message("predicting {source}", source=source.record.source))
             if source.kind.method not in by_method:
                 raise FileError("{file}: mean turns over zones are not predicted: give runs", file=source.record.source)
             out.append(by_method[source.kind.method](calibration, source.record))
@@ -227,13 +227,16 @@ class Predictions:
         for p in self.each:
             logged = ("-", "-") if p.as_logged is None else tuple(map(_figure, p.as_logged))
             rows.append((p.source, f"{len(p.before)}", SIGNS[p.unit], _figure(p.before), _figure(p.after), *logged))
-        head = ("file", "runs", "rms in", "before", "after", "start as logged, before", "after")
-        blocks.append(Sheet("predicted", "", tuple(map(Message, head)), tuple(rows)))
+        head = (
+            *(Message("file"), Message("runs"), Message("rms in"), Message("before"), Message("after")),
+            *(Message("start as logged, before"), Message("after")),
+        )
+        blocks.append(Sheet("predicted", "", head, tuple(rows)))
         for effects in dict.fromkeys(p.effects for p in self.each):
             blocks.append(
                 Message(
                     "Predicted with {effects}; nothing but the datum of each run is fitted.",
-                    effects=joined(effects) or Message("no effect"),
+                    effects=joined(map(Message, effects)) or Message("no effect"),
                 )
             )
         if any(p.as_logged is not None and p.kind.method is Method.RUNS_LEFT_OUT for p in self.each):

@@ -370,19 +370,37 @@ def _refuse_known(design: Design, sources: Sequence[Source]) -> None:
 
 
 def _warnings(design: Design, profile: str, sources: Sequence[Source]) -> list[str]:
-    found = []
+    found: list[str] = []
     if design.as_built is not None and design.as_built.profile == profile:
         found.append(
-            f"the design has [as_built] of a car with the {profile} profile, and was judged with --profile {profile}: "
-            "that means a new cam, cut for what [as_built] says; data of the older cam belong to the design without it"
+            Message(
+                "the design has [as_built] of a car with the {profile} profile, and was judged "
+                "with --profile {profile}: that means a new cam, cut for what [as_built] says; "
+                "data of the older cam belong to the design without it",
+                profile=profile,
+            )
         )
     for source in sources:
         name = said(source.record, r"^design: *([A-Za-z0-9._-]+)")
         if source.kind.of_design and name and name[0] != design.name:
-            found.append(f"{source.record.source} says design {name[0]}, but it was judged against {design.name}")
+            found.append(
+                Message(
+                    "{source} says design {name}, but it was judged against {design}",
+                    source=source.record.source,
+                    name=name[0],
+                    design=design.name,
+                )
+            )
         made = said(source.record, r"\b(actual|theoretical|published|optimized|compensated|smoothed) profile\b")
         if made and made[0] != profile:
-            found.append(f"{source.record.source} says {made[0]} profile, but it was judged against {profile}")
+            found.append(
+                Message(
+                    "{source} says {made} profile, but it was judged against {profile}",
+                    source=source.record.source,
+                    made=made[0],
+                    profile=profile,
+                )
+            )
     return found
 
 

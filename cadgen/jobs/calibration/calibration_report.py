@@ -128,11 +128,14 @@ def summary(each: Sequence[CalibrationPlan]) -> list[Block]:
         if c.zones is not None:
             rows.append((name, c.zones.judgement.verdict, SIGNS["deg"], *["-"] * 5))
             effects.append((name, sizes((c.zones.finding,))))
-    head = ("file", "verdict", "rms in", "before", "after", "left out", "less form", "noise")
+    head = (
+        *(Message("file"), Message("verdict"), Message("rms in"), Message("before"), Message("after")),
+        *(Message("left out"), Message("less form"), Message("noise")),
+    )
     return [
         Sheet("summary", "", head, tuple(rows), words=3),
         "",
-        Sheet("effects", "", ("file", "effects and sizes"), tuple(effects), words=2),
+        Sheet("effects", "", (Message("file"), Message("effects and sizes")), tuple(effects), words=2),
         "",
         Message(
             "Left out: each run with the effects fitted to the others; less form: with what the other runs say of the "
@@ -152,7 +155,10 @@ def shown(value: Value) -> tuple[str, str]:
 
 def sizes(findings: Sequence[Finding]) -> str:
     """Each effect with its numbers and their standard deviations; units are at the end of the names."""
-    return "; ".join(f"{finding.effect}: {_sizes(finding)}" for finding in findings)
+    return joined(
+        (Message("{effect}: {sizes}", effect=Message(finding.effect), sizes=_sizes(finding)) for finding in findings),
+        "; ",
+    )
 
 
 def _sizes(finding: Finding) -> str:
@@ -212,7 +218,9 @@ def _residuals(diagnosis: EvidenceDiagnosis, files: Sequence[Source]) -> Sheet:
     p, left = diagnosis.per_run, diagnosis.residual.left_out
     head: list[str] = [
         Message("residual, rms in {unit}", unit=SIGNS[diagnosis.unit]),
-        *map(Message, ("before", "after", "left out")),
+        Message("before"),
+        Message("after"),
+        Message("left out"),
     ]
     columns = (p.before, p.after, p.held_out)
     rows = [
@@ -228,7 +236,7 @@ def _residuals(diagnosis: EvidenceDiagnosis, files: Sequence[Source]) -> Sheet:
 def _path_errors(diagnosis: PathDiagnosis, files: Sequence[Source]) -> Sheet:
     """Path error before, after and on runs left out: means over runs."""
     p = diagnosis.per_run
-    names = map(Message, ("before", "after", "left out", "before, start as logged"))
+    names = Message("before"), Message("after"), Message("left out"), Message("before, start as logged")
     head = (Message("path error, rms in {unit}", unit=SIGNS[diagnosis.unit]), *names)
     rows = [
         (name, *(_number(float(np.mean(x[part]))) for x in (p.before, p.after, p.held_out, p.as_logged)))

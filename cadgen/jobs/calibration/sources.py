@@ -49,7 +49,7 @@ def read(paths: Sequence[Path], progress: Progress = silent, *, each: bool = Fal
     """
 
     def loaded(path: Path) -> Source:
-        progress(f"reading {brief(path.name)}")
+        progress(Message("reading {name}", name=brief(path.name)))
         return Source(path, load(path), digest(path))
 
     return gathered(map(loaded, paths), each=each)
@@ -127,7 +127,7 @@ def stated_form_error(sources: Sequence[Source], given: float | None) -> tuple[f
         given: form error that the caller gives, um rms; None if none.
     """
     if given is not None:
-        return given, "given"
+        return given, Message("given")
     if by := next((s for s in sources if printed(s.record)), None):
-        return PRINTED_UM, f"{by.record.source} says printed"
-    return MACHINED_UM, "machined: no file says printed"
+        return PRINTED_UM, Message("{source} says printed", source=by.record.source)
+    return MACHINED_UM, Message("machined: no file says printed")

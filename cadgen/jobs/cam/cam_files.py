@@ -10,6 +10,7 @@ from cadgen.errors import CheckError
 from cadgen.jobs.cam.cam_facts import cam_facts
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.cures import Cures
+from cadgen.messages import Message, joined
 from cadgen.output.files.exports import CamExport
 from cadgen.output.files.formats import CAM
 from cadgen.output.files.publisher import Artifact, Written, publish
@@ -45,19 +46,19 @@ def write_cam(
     warnings: list[str] = []
 
     def files(folder: Path) -> Iterator[Artifact]:
-        progress(f"writing and reading back {', '.join(each.label for each in wanted)}")
+        progress(Message("writing and reading back {formats}", formats=joined(each.label for each in wanted)))
         # The kernel gives the volume of a hub, which every format needs.
         made = CAM.made(cam, folder, wanted, apart=cam.blank.hub is None)
         for each, result in made:
             if isinstance(result, CheckError):
                 # Only a forced export comes here: the check that failed names the same cause.
-                omitted[each.label] = str(result)
+                omitted[each.label] = result.message
                 continue
             for file in result:
                 warnings.extend(plan.application.of_loss(file.name, file.facts, each.finer))
             yield from result
         if len(omitted) == len(wanted):
-            raise CheckError(f"nothing can be written: {'; '.join(dict.fromkeys(omitted.values()))}")
+            raise CheckError("nothing can be written: {reasons}", reasons=joined(dict.fromkeys(omitted.values()), "; "))
 
     part, chosen = CAM.entry(cam.stem, wanted)
     facts = cam_facts(plan, cures)

@@ -498,7 +498,7 @@ def _evaluations(
     work.prepare()  # what it refuses, no profile can have
     evaluations, refusals = [evaluate(work, ACTUAL)], dict[str, str]()
     for kind in compared()[1:]:
-        progress(f"computing the {kind} profile")
+        progress(Message("computing the {profile} profile", profile=Message(str(kind))))
         try:
             evaluations.append(evaluate(work, kind))
         except DesignError as error:  # several may be refused for the same reason

@@ -60,7 +60,7 @@ class Cures:
             if not cure.failing:
                 lines.append(Message("--set {override} (now {now}) cures it.", **change))
                 continue
-            failed = listed([check.name for check in cure.failing], "and")
+            failed = listed([Message(check.name) for check in cure.failing], "and")
             said = "--set {override} (now {now}) ends that, but fails {failed}."
             lines.append(Message(said, failed=failed, **change))
         if self.lost and not self.sought:
@@ -74,7 +74,7 @@ class Cures:
                 )
             )
         elif self.lost and not lines:
-            lines.append("No change of one key cures it: the path itself must become milder.")
+            lines.append(Message("No change of one key cures it: the path itself must become milder."))
         return lines
 
 
@@ -88,7 +88,7 @@ def find_cures(plan: CamPlan, progress: Progress = silent) -> Cures:
     cures = Cures(plan.lost, (), len(plan.motion.kinks))
     if not cures.lost or not cures.sought:
         return cures
-    progress("looking for a change that cures lost lift")
+    progress(Message("looking for a change that cures lost lift"))
     return Cures(cures.lost, tuple(_tried(plan)), cures.kinks)
 
 

@@ -142,7 +142,7 @@ def plan_motion_cam(design: MotionDesign, profile: str | None = None, progress: 
     motion = motion_of(design.motion, registered)
     follower = registered.build(design.follower.keys, design.seat)
     blank, limits = cam_model.blank(design), cam_model.check_limits(design)
-    progress(Message("computing the {profile} profile", profile=kind))
+    progress(Message("computing the {profile} profile", profile=Message(str(kind))))
     wanted = kind.curve(motion, follower)
     progress("checking the profile")
     checks = check_cam(motion, kind.rolling(follower), wanted.curve, wanted.trims, blank, limits)

@@ -456,7 +456,7 @@ def _plan(design: Design, profile: ProfileKind, progress: Progress, *, judged: b
     progress("planning the path")
     track = cam_model.track(design)
     lift, rod, blank = cam_model.lift(design, track), cam_model.follower(design), cam_model.blank(design)
-    progress(Message("computing the {profile} profile", profile=profile))
+    progress(Message("computing the {profile} profile", profile=Message(str(profile))))
     wanted = profile.curve(lift, rod)
     cut = cam_model.as_built(design).precompensated(wanted.curve)
     if not judged:
@@ -488,7 +488,7 @@ def _plan_against_play(
     progress("planning the path")
     track = cam_model.track(design)
     lift, rod = cam_model.lift(design, track), cam_model.follower(design)
-    progress(Message("computing the {profile} profile", profile=profile))
+    progress(Message("computing the {profile} profile", profile=Message(str(profile))))
     checks = ProfileChecks(design, task_of(design, track, lift, rod))
     comparison = against_play(profile, checks, all_trains=all_trains, measured=measured, progress=progress)
     chosen = comparison.chosen

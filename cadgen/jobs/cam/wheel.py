@@ -12,7 +12,7 @@ from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import drive, start_pose
 from cadgen.design import cam_model, gear_model, variation
 from cadgen.design.schema import Design
-from cadgen.messages import Message, joined
+from cadgen.messages import Message, joined, sentence
 
 FIELD_NOTICE = Message(
     "[field] is drawn and checks nothing: with the field's size in [course.field], and posts, walls and gates in "
@@ -28,7 +28,7 @@ def field_notice(design: Design) -> list[str]:
 def sense_notice(design: Design) -> list[str]:
     """Notice that the train turns the cam the other way round; empty if it does not, or is not known."""
     stages = 1 if design.train is None else len(design.train.stages)
-    return [f"{note[0].upper()}{note[1:]}." for note in gear_model.sense_note(design, stages)]
+    return [sentence(note) for note in gear_model.sense_note(design, stages)]
 
 
 @dataclass(frozen=True)

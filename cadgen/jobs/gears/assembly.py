@@ -20,6 +20,7 @@ from cadgen.errors import CheckError
 from cadgen.gears.layout import TrainLayout
 from cadgen.gears.stage import Wheel
 from cadgen.gears.train import TrainPlay, WholePlay
+from cadgen.messages import Message, joined
 from cadgen.output.files.exports import GearExport, TrainExport
 from cadgen.output.files.publisher import Artifact, Written, folder_of, publish, refusal
 from cadgen.progress import Progress, silent
@@ -216,7 +217,7 @@ def _published(
     progress: Progress,
 ) -> Written:
     def files(folder: Path) -> Iterator[Artifact]:
-        progress(f"writing and reading back {', '.join(each.label for each in wanted)}")
+        progress(Message("writing and reading back {formats}", formats=joined(each.label for each in wanted)))
         for _, made in offer.made(part, folder, wanted):
             if isinstance(made, CheckError):
                 raise made

@@ -306,7 +306,7 @@ def _first_made(
     skipped: list[Skipped] = []
     failed: list[tuple[int, MadeTrain]] = []
     for play in trains:
-        progress(f"laying out and measuring {teeth_of(play)}")
+        progress(Message("laying out and measuring {train}", train=teeth_of(play)))
         try:
             made = _make(design, designed, play)
         except DesignError as error:

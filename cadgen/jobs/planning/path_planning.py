@@ -224,7 +224,7 @@ def _kept(cars: CarsOnPaths) -> Message:
     if after.passed < 1.0:
         said.append(Message("; what binds is {key}, which {share:.1f} % keep", key=key, share=100 * share))
         if first.share > 0:
-            name = first.name.replace("_", " ")
+            name = Message(first.name.replace("_", " "))
             said.append(
                 Message(
                     ", and {name} makes {share:.0f} % of the variance at the end", name=name, share=100 * first.share
@@ -291,43 +291,77 @@ def _narrow_field(reason: Reason, task: PathTask) -> str:
     if taken <= room:
         return ""
     steering = least_steering(body, car, room - task.course.margin, _STEEPEST)
-    more = "" if steering is None else f", or raise car.max_steering_angle_deg to {degrees(steering) + 0.5:.0f}"
-    return (
-        f"course.field is too small for the car to turn round in: with {degrees(car.max_steering_angle):.0f} degrees "
-        f"of steering that takes a circle of {taken:.0f} mm radius, and the field holds one of {room:.0f} mm: make the "
-        f"field {2 * (taken - room) + 1:.0f} mm wider{more}"
+    more = (
+        ""
+        if steering is None
+        else Message(", or raise car.max_steering_angle_deg to {value:.0f}", value=degrees(steering) + 0.5)
+    )
+    return Message(
+        "course.field is too small for the car to turn round in: with "
+        "{max_steering_angle:.0f} degrees of steering that takes a circle of {taken:.0f} mm "
+        "radius, and the field holds one of {room:.0f} mm: make the field {wider:.0f} mm "
+        "wider{more}",
+        max_steering_angle=degrees(car.max_steering_angle),
+        taken=taken,
+        room=room,
+        wider=2 * (taken - room) + 1,
+        more=more,
     )
 
 
 def _fault(reason: Reason, task: PathTask) -> str:
     """The fault, and its amount, as the end of a sentence."""
     x, y = reason.place
-    where = f"near ({x:.0f}, {y:.0f}) mm"
+    where = Message("near ({x:.0f}, {y:.0f}) mm", x=x, y=y)
     limits, kind, key, amount = task.limits, reason.limit.kind, reason.limit.key, reason.amount
     if kind == LimitKind.TURN:
         held = 1 / min(limits.left, limits.right)
-        return (
-            f"it needs a turn {where} that is {100 * amount:.0f} % tighter than the {held:.0f} mm that the fork holds"
+        return Message(
+            "it needs a turn {where} that is {amount:.0f} % tighter than the {held:.0f} mm that the fork holds",
+            where=where,
+            amount=100 * amount,
+            held=held,
         )
     if kind == LimitKind.PRESSURE_ANGLE:
         steep = degrees(atan((1 + amount) * tan(limits.rise)))
         most = degrees(limits.rise)
-        return f"it needs a pressure angle of {steep:.1f} degrees {where}, and {most:.1f} are planned for"
+        return Message(
+            "it needs a pressure angle of {steep:.1f} degrees {where}, and {most:.1f} are planned for",
+            steep=steep,
+            where=where,
+            most=most,
+        )
     if kind == LimitKind.BLEND:
-        return f"the closing blend must come over {100 * amount:.0f} % more lift than the rod can follow"
+        return Message(
+            "the closing blend must come over {amount:.0f} % more lift than the rod can follow", amount=100 * amount
+        )
     if kind in (LimitKind.CONVEX_RADIUS, LimitKind.VALLEY):
-        return f"the lift must turn {100 * amount:.0f} % more sharply {where} than the outline can follow"
+        return Message(
+            "the lift must turn {amount:.0f} % more sharply {where} than the outline can follow",
+            amount=100 * amount,
+            where=where,
+        )
     if kind in (LimitKind.SLOPE, LimitKind.BEND):
-        return f"the curvature must change {100 * amount:.0f} % faster {where} than the path it is compared with"
+        return Message(
+            "the curvature must change {amount:.0f} % faster {where} than the path it is compared with",
+            amount=100 * amount,
+            where=where,
+        )
     if kind == LimitKind.LENGTH:
-        return f"the path is {amount:.0f} mm longer than wheel and train drive before the closing blend"
+        return Message(
+            "the path is {amount:.0f} mm longer than wheel and train drive before the closing blend", amount=amount
+        )
     if kind == LimitKind.CORRIDOR:
-        return f"the path must leave the given one by {amount:.1f} mm more than it may, {where}"
+        return Message(
+            "the path must leave the given one by {amount:.1f} mm more than it may, {where}", amount=amount, where=where
+        )
     if kind == LimitKind.HEADING:
-        return f"{key} cannot be passed in its direction, by {degrees(amount):.1f} degrees"
+        return Message(
+            "{key} cannot be passed in its direction, by {amount:.1f} degrees", key=key, amount=degrees(amount)
+        )
     if kind == LimitKind.GATE:
-        return f"{key} is missed by {amount:.1f} mm"
-    return f"the car comes {amount:.1f} mm too near to {key} {where}"
+        return Message("{key} is missed by {amount:.1f} mm", key=key, amount=amount)
+    return Message("the car comes {amount:.1f} mm too near to {key} {where}", amount=amount, key=key, where=where)
 
 
 def _cure(reason: Reason, task: PathTask, design: Design) -> str:
@@ -335,30 +369,35 @@ def _cure(reason: Reason, task: PathTask, design: Design) -> str:
     kind, key, amount = reason.limit.kind, reason.limit.key, reason.amount
     if kind == LimitKind.TURN:
         steering = degrees(atan((1 + amount) * tan(task.vehicle.car.max_steering_angle)))
-        return f"raise car.max_steering_angle_deg to {steering + 0.5:.0f}"
+        return Message("raise car.max_steering_angle_deg to {value:.0f}", value=steering + 0.5)
     if kind == LimitKind.PRESSURE_ANGLE:
-        return f"raise cam.base_radius_mm to {(1 + amount) * design.cam.base_radius_mm + 0.5:.0f}"
+        return Message("raise cam.base_radius_mm to {value:.0f}", value=(1 + amount) * design.cam.base_radius_mm + 0.5)
     if kind == LimitKind.CONVEX_RADIUS:
-        return (
-            f"raise cam.base_radius_mm to {(1 + amount) * design.cam.base_radius_mm + 0.5:.0f}, or take a thinner rod"
+        return Message(
+            "raise cam.base_radius_mm to {value:.0f}, or take a thinner rod",
+            value=(1 + amount) * design.cam.base_radius_mm + 0.5,
         )
     if kind == LimitKind.BLEND:
-        return f"raise cam.blend_deg to {(1 + amount) * design.cam.blend_deg + 0.5:.0f}"
+        return Message("raise cam.blend_deg to {value:.0f}", value=(1 + amount) * design.cam.blend_deg + 0.5)
     if kind == LimitKind.VALLEY:
         most = (1 + amount) * (design.optimize.max_lift_error_um or 0.0)
-        return f"raise optimize.max_lift_error_um to {most + 1:.0f}"
+        return Message("raise optimize.max_lift_error_um to {value:.0f}", value=most + 1)
     if kind in (LimitKind.SLOPE, LimitKind.BEND):
-        return f"allow the curvature to change {100 * amount + 1:.0f} % faster"
+        return Message("allow the curvature to change {amount:.0f} % faster", amount=100 * amount + 1)
     if kind == LimitKind.LENGTH:
         radius = design.car.drive_wheel_radius_mm or 0.0
         wheel = radius * (1 + amount / task.vehicle.most_length)
-        return f"raise car.drive_wheel_radius_mm to {wheel + 0.01:.2f}"
+        return Message("raise car.drive_wheel_radius_mm to {wheel:.2f}", wheel=wheel + 0.01)
     if kind == LimitKind.CORRIDOR:
-        return f"allow {task.within + amount + 0.1:.1f} mm"
+        return Message("allow {within:.1f} mm", within=task.within + amount + 0.1)
     if kind == LimitKind.HEADING:
-        return f"raise {key}.heading_tolerance_deg by {degrees(amount) + 0.1:.1f}"
+        return Message("raise {key}.heading_tolerance_deg by {amount:.1f}", key=key, amount=degrees(amount) + 0.1)
     if kind == LimitKind.GATE:
-        return f"make {key} {amount + 0.1:.1f} mm wider to either side, or move it by that"
+        return Message(
+            "make {key} {amount:.1f} mm wider to either side, or move it by that", key=key, amount=amount + 0.1
+        )
     if kind == LimitKind.FIELD:
-        return f"make the field {amount + 0.1:.1f} mm larger there, or lower course.margin_mm by that"
-    return f"move {key} by {amount + 0.1:.1f} mm, or lower course.margin_mm by that"
+        return Message(
+            "make the field {amount:.1f} mm larger there, or lower course.margin_mm by that", amount=amount + 0.1
+        )
+    return Message("move {key} by {amount:.1f} mm, or lower course.margin_mm by that", key=key, amount=amount + 0.1)

@@ -16,6 +16,7 @@ from cadgen.design import cam_model, variation
 from cadgen.design.course import body_of, layout_of, spacings_of
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
+from cadgen.messages import Message
 
 # Where nothing is known of the play, or it was measured, a car may still be off by this share of a degree.
 _UNKNOWN_SPREAD = radians(0.1)
@@ -135,7 +136,7 @@ def _vehicle(design: Design, free: bool) -> Vehicle:
     if band is not None and band.measured is None:
         low, high = band.ends
         spread = max((high - low) / 2, radians(0.01))
-    rod = edge_follower(cam_model.follower(design), "planning a path", "plan with the rod")
+    rod = edge_follower(cam_model.follower(design), Message("planning a path"), Message("plan with the rod"))
     share = 1.0 - design.cam.blend_deg / 360
     laps, travel = bool(design.path.closed), _given_travel(design)
     return Vehicle(
@@ -177,7 +178,7 @@ def _limits(
     """Limits of steering and cam; the path is driven at its `smallest` too, a share of what is planned."""
     checks = cam_model.check_limits(design)
     left, right = curvature_limits(vehicle, smallest)
-    rod = edge_follower(cam_model.follower(design), "planning a path")
+    rod = edge_follower(cam_model.follower(design), Message("planning a path"))
     least_radius = max(checks.min_convex_radius, design.blank.edge_break_mm or 0.0)
     valley, band = inf, variation.play_bands(design).get(design.optimize.order)
     if design.optimize.max_lift_error_um is not None and band is not None and band.ends[1] > 0:

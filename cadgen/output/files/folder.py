@@ -297,7 +297,7 @@ def _refuse(error: OSError, out: Path) -> NoReturn:
     }
     reason = reasons.get(error.errno or 0)
     if reason is None:
-        reason = Message("{reason}: choose another folder", reason=error.strerror or str(error))
+        reason = Message("{reason}: choose another folder", reason=Message(error.strerror or str(error)))
     raise FileError("nothing was written to {folder}: {reason}", folder=brief(str(out)), reason=reason) from error
 
 
@@ -366,7 +366,7 @@ def folder_state(folder: Path) -> FolderState:
         raise FileError(
             "{folder} cannot be read ({reason}): name a folder that can",
             folder=brief(str(folder)),
-            reason=error.strerror,
+            reason=Message(str(error.strerror)),
         ) from None
     try:
         parts = read_parts(folder / MANIFEST)

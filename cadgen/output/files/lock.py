@@ -15,6 +15,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from cadgen.errors import FileError
+from cadgen.messages import Message
 
 NAME = ".cadgen-lock"
 _POLL_S = 0.02  # between two looks at a lock that another run holds
@@ -116,9 +117,11 @@ def _acquire(file: Path, deadline: float) -> int | None:
                 with suppress(OSError):
                     file.unlink()
                 _log.warning(
-                    "%s cannot be locked (%s): let no other run write into it at the same time",
-                    file.parent,
-                    error.strerror,
+                    Message(
+                        "{folder} cannot be locked ({reason}): let no other run write into it at the same time",
+                        folder=file.parent,
+                        reason=Message(str(error.strerror)),
+                    )
                 )
                 return None
             os.close(descriptor)
@@ -158,7 +161,13 @@ def _release(file: Path, descriptor: int | None) -> None:
 def _wait(descriptor: int, file: Path, deadline: float) -> None:
     """Wait for a lock that another process holds."""
     left = max(deadline - time.monotonic(), 0.0)
-    _log.warning("another run is moving its files into %s: waiting for it, at most %.0f s", file.parent, left)
+    _log.warning(
+        Message(
+            "another run is moving its files into {folder}: waiting for it, at most {left:.0f} s",
+            folder=file.parent,
+            left=left,
+        )
+    )
     while not _lock(descriptor):
         if time.monotonic() > deadline:
             raise FileError(

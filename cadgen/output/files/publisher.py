@@ -86,7 +86,7 @@ def read_file(file: Path) -> bytes:
     try:
         return file.read_bytes()
     except OSError as error:
-        raise FileError("cannot read {file}: {reason}", file=file.name, reason=error.strerror) from error
+        raise FileError("cannot read {file}: {reason}", file=file.name, reason=Message(str(error.strerror))) from error
 
 
 def require(holds: bool, file: str, fault: str) -> None:
@@ -301,7 +301,7 @@ def verify(folder: str | PathLike[str], *, restore: bool = False) -> FolderState
             raise FileError(
                 "{folder} cannot be written to ({reason}): make it writable",
                 folder=brief(str(place)),
-                reason=error.strerror,
+                reason=Message(str(error.strerror)),
             ) from None
         state = folder_state(place)  # this user cannot lock it
     return replace(state, restored=tuple(restored))

@@ -17,7 +17,7 @@ from collections.abc import Collection
 from cadgen.errors import DesignError
 from cadgen.inference.measurement.kinds import lift, profile, track, transmission, zones
 from cadgen.inference.measurement.record import Kind
-from cadgen.messages import Message
+from cadgen.messages import Message, joined
 from cadgen.registry import load_plugins, used
 
 LIFT, PROFILE, TRANSMISSION, TRACK, ZONES = lift.KIND, profile.KIND, transmission.KIND, track.KIND, zones.KIND
@@ -75,7 +75,7 @@ def kind_of(code: str) -> Kind:
         DesignError: there is none.
     """
     if not has(code):
-        raise DesignError('there is no kind of data "{code}": write {kinds}', code=code, kinds=" or ".join(_kinds))
+        raise DesignError('there is no kind of data "{code}": write {kinds}', code=code, kinds=joined(_kinds, " or "))
     kind: Kind = used(_kinds[code])
     return kind
 
