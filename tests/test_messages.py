@@ -1,12 +1,13 @@
 """Messages in two languages: no template of the package is without a translation, and none loses an argument."""
 
+import ast
 import pickle
 
 import pytest
 
 from cadgen.errors import DesignError
 from cadgen.messages import CHINESE, Message, joined, language_of, translate
-from tests.catalogue import entries, fields, used
+from tests.catalogue import PACKAGE, entries, fields, used
 
 
 def test_a_message_is_its_english_text():
@@ -55,6 +56,31 @@ def test_every_text_has_its_chinese():
     known = {entry.msgid for entry in entries(CHINESE) if entry.msgstr}
     missing = {template: file for template, file in used().items() if template not in known}
     assert not missing, f"run: python -m tests.catalogue {CHINESE}\n{missing}"
+
+
+def checks_texts(source):
+    """Names, places and advice of the checks that a module makes, as expressions; both of a choice."""
+    for call in ast.walk(ast.parse(source)):
+        if isinstance(call, ast.Call) and getattr(call.func, "id", "") == "Check":
+            named = (key.value for key in call.keywords if key.arg in ("name", "place", "advice"))
+            for text in (*call.args[1:2], *call.args[6:], *named):
+                yield from (text.body, text.orelse) if isinstance(text, ast.IfExp) else (text,)
+
+
+def is_plain(text):
+    return isinstance(text, ast.JoinedStr) or (isinstance(text, ast.Constant) and text.value != "")
+
+
+def test_texts_of_checks_are_messages():
+    made = 'Check(code, "name", 1.0, "mm", 2.0, Bound.MAX, f"at {x}" if x else "", advice=Message("turn it"))'
+    assert [is_plain(text) for text in checks_texts(made)] == [True, True, False, False]
+    plain = {
+        f"{file.relative_to(PACKAGE)}:{text.lineno}"
+        for file in PACKAGE.rglob("*.py")
+        for text in checks_texts(file.read_text("utf-8"))
+        if is_plain(text)
+    }
+    assert not plain
 
 
 def test_translations_keep_the_arguments_of_their_texts():

@@ -421,12 +421,16 @@ def edges_check(
         trim -= (error * slope.conjugate()).real / abs(slope) ** 2
     return Check(
         CheckCode.EDGES_BROKEN_MORE,
-        f"edges broken {more:g} mm more",
+        Message("edges broken {more:g} mm more", more=more),
         abs(off(0.0)),
         "mm",
         inf,
         Bound.MAX,
-        f"at the finish; {abs(off(trim)):.1f} mm with the steering trimmed by {degrees(trim):.3f}°",
+        Message(
+            "at the finish; {off:.1f} mm with the steering trimmed by {trim:.3f}°",
+            off=abs(off(trim)),
+            trim=degrees(trim),
+        ),
     )
 
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from cadgen.errors import DesignError
+from cadgen.messages import Message
 
 if TYPE_CHECKING:
     from cadgen.cam.envelope import ActualProfile
@@ -107,7 +108,7 @@ def _published_curve(lift: Motion, follower: Follower) -> ActualProfile:
     from cadgen.cam.follower import edge_follower
     from cadgen.cam.followers.rod import published_profile
 
-    rod = edge_follower(follower, "the formula of the paper", "take --profile actual")
+    rod = edge_follower(follower, Message("the formula of the paper"), Message("take --profile actual"))
     return ActualProfile(published_profile(lift, rod), ())
 
 

@@ -9,9 +9,10 @@ from cadgen.design.as_built import EffectSection
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.deviations.deviation import Place
+from cadgen.messages import Message
 
 _SIGNS = {"deg": "°", "um": " µm", "%": " %", "mm": " mm", "s": " s", "": ""}
-_OTHER_PLACES = (
+_OTHER_PLACES = Message(
     "What the new cam is expected to do is not known: [as_built.outlook] is of other places than the effects have now. "
     "Calibrate again, or give the effects those places."
 )
@@ -31,26 +32,43 @@ def as_built_sentences(design: Design, stop: float) -> list[str]:
     used, noted = (
         [effect for effect in record.effects if (effect.place == Place.NOTED) is aside] for aside in (False, True)
     )
-    lines = [f"As built: {_listed_effects(used)}." if used else "As built: nothing that a cam or a run depends on."]
+    lines: list[str] = [
+        Message("As built: {effects}.", effects=_listed_effects(used))
+        if used
+        else Message("As built: nothing that a cam or a run depends on.")
+    ]
     if noted:
-        lines.append(f"Only noted: {_listed_effects(noted)}.")
+        lines.append(Message("Only noted: {effects}.", effects=_listed_effects(noted)))
     lines += [*_lead_sentences(design), *_friction_sentences(design)]
     if abs(stop - stop_as_designed(design)) > _LEAST_SHIFT:
-        turns = ""
+        turns: str = ""
         if design.train is not None:
-            turns = f" ({stop / TURN * float(gear_model.train(design).ratio):.3f} turns of the wheel)"
+            turned = stop / TURN * float(gear_model.train(design).ratio)
+            turns = Message(" ({turns:.3f} turns of the wheel)", turns=turned)
         lines.append(
-            f"The path ends at {degrees(stop):.2f}° of cam angle{turns}, not at "
-            f"{degrees(stop_as_designed(design)):.2f}°: stop the run there."
+            Message(
+                "The path ends at {stop:.2f}° of cam angle{turns}, not at {designed:.2f}°: stop the run there.",
+                stop=degrees(stop),
+                turns=turns,
+                designed=degrees(stop_as_designed(design)),
+            )
         )
     phase = cam_model.as_built(design).phase
     if phase != 0 and cam_model.has_key(design):
-        lines.append(f"The key of the new cam is turned by {-degrees(phase):.3f}°, which takes out the cam's phase.")
-    elif phase != 0:
-        way = "back against" if phase > 0 else "ahead in"
         lines.append(
-            f"Set the new cam on its shaft {abs(degrees(phase)):.3f}° {way} its sense of turning from where the "
-            "measured one stood: without a keyway or D-flat nothing does it for you."
+            Message(
+                "The key of the new cam is turned by {turned:.3f}°, which takes out the cam's phase.",
+                turned=-degrees(phase),
+            )
+        )
+    elif phase != 0:
+        lines.append(
+            Message(
+                "Set the new cam on its shaft {turned:.3f}° {way} its sense of turning from where the measured one "
+                "stood: without a keyway or D-flat nothing does it for you.",
+                turned=abs(degrees(phase)),
+                way=Message("back against") if phase > 0 else Message("ahead in"),
+            )
         )
     return lines
 
@@ -60,10 +78,14 @@ def outlook_sentence(design: Design) -> str:
     outlook = design.as_built and design.as_built.expected
     if not outlook:
         return _OTHER_PLACES if design.as_built and design.as_built.outlook else ""
-    return (
-        f"The new cam is expected to end the run {outlook.new_mm:.1f} mm off ({outlook.least_mm:.1f} to "
-        f"{outlook.most_mm:.1f} mm in 90 %), the old one {outlook.old_mm:.1f} mm; it is worse with a chance of "
-        f"{outlook.chance_worse:.1%}."
+    return Message(
+        "The new cam is expected to end the run {new:.1f} mm off ({least:.1f} to {most:.1f} mm in 90 %), the old one "
+        "{old:.1f} mm; it is worse with a chance of {worse:.1%}.",
+        new=outlook.new_mm,
+        least=outlook.least_mm,
+        most=outlook.most_mm,
+        old=outlook.old_mm,
+        worse=outlook.chance_worse,
     )
 
 
@@ -80,18 +102,18 @@ def outlook_checks(design: Design) -> tuple[Check, ...]:
     # Only here: it needs the models of all kinds of data, and most designs have no outlook.
     from cadgen.inference.expectation.outlook import WORSE
 
-    remedy = "measure what cadgen calibrate asks for, and calibrate again"
+    remedy = Message("measure what cadgen calibrate asks for, and calibrate again")
     checks = []
     if known or outlook.chance_worse > WORSE:
         checks.append(
             Check(
                 CheckCode.CHANCE_WORSE,
-                "chance to be worse than the old cam",
+                Message("chance to be worse than the old cam"),
                 100 * outlook.chance_worse,
                 "%",
                 100 * WORSE,
                 Bound.MAX,
-                "end of the run" if known else "with the places as calibrated",
+                Message("end of the run") if known else Message("with the places as calibrated"),
                 remedy,
             )
         )
@@ -99,12 +121,12 @@ def outlook_checks(design: Design) -> tuple[Check, ...]:
         checks.append(
             Check(
                 CheckCode.RUNS_EXPLAINED,
-                "measured runs explained",
+                Message("measured runs explained"),
                 float(outlook.explained),
                 "",
                 1.0,
                 Bound.MIN,
-                "1: yes, 0: no",
+                Message("1: yes, 0: no"),
                 remedy,
             )
         )
@@ -116,8 +138,10 @@ def _lead_sentences(design: Design) -> list[str]:
     if not any(placed.leads for placed in cam_model.as_built(design).effects):
         return []
     return [
-        "The cam takes out what its shaft leads or lags the gears by at each turn: mark every wheel, its shaft and the "
-        "teeth in mesh before you take the train apart, and put them together as they were measured."
+        Message(
+            "The cam takes out what its shaft leads or lags the gears by at each turn: mark every wheel, its shaft and "
+            "the teeth in mesh before you take the train apart, and put them together as they were measured."
+        )
     ]
 
 
@@ -126,20 +150,27 @@ def _friction_sentences(design: Design) -> list[str]:
     known = cam_model.as_built(design)
     if known.play == 0 and known.shows_play_with_rod and known.friction is None:
         return [
-            "The car showed no play with the rod on: its gears have none, or friction or drag holds the cam, and then "
-            "oil or shaking sets it free: measure the play with the rod lifted."
+            Message(
+                "The car showed no play with the rod on: its gears have none, or friction or drag holds the cam, and "
+                "then oil or shaking sets it free: measure the play with the rod lifted."
+            )
         ]
     if known.runs_free and known.play:
-        instead = " instead of the friction of [mechanics]" if design.mechanics is not None else ""
+        instead = "" if design.mechanics is None else Message(" instead of the friction of [mechanics]")
         return [
-            f"The return error was found on a track as if the rod slid without friction, and is used so{instead}: "
-            "calibrate that track again to look for friction too; a play measured with the rod lifted belongs in "
-            "play.measured_deg."
+            Message(
+                "The return error was found on a track as if the rod slid without friction, and is used so{instead}: "
+                "calibrate that track again to look for friction too; a play measured with the rod lifted belongs in "
+                "play.measured_deg.",
+                instead=instead,
+            )
         ]
     if known.friction is not None and known.friction[0] > 0:
         return [
-            "Friction was measured on this car as it was then: oil, wear or shaking change it, and with it where the "
-            "cam leads its gears."
+            Message(
+                "Friction was measured on this car as it was then: oil, wear or shaking change it, and with it where "
+                "the cam leads its gears."
+            )
         ]
     return []
 
@@ -151,9 +182,12 @@ def assumed_play(design: Design) -> list[str]:
         return []
     lowest = variation.play_bands(design)[design.optimize.order].least
     return [
-        "Warning: play was not measured on this car, so the tabled return error is assumed, "
-        f"{degrees(lowest):.3f} to {degrees(tabled):.3f}°: calibrate with a track, a transmission or zones, or set "
-        "play.measured_deg."
+        Message(
+            "Warning: play was not measured on this car, so the tabled return error is assumed, {least:.3f} to "
+            "{most:.3f}°: calibrate with a track, a transmission or zones, or set play.measured_deg.",
+            least=degrees(lowest),
+            most=degrees(tabled),
+        )
     ]
 
 
@@ -163,7 +197,16 @@ def stop_as_designed(design: Design) -> float:
 
 
 def _listed_effects(effects: list[EffectSection]) -> str:
-    named = [f"{effect.effect} {_values(effect)} ({effect.place}, from {effect.kind})" for effect in effects]
+    named = [
+        Message(
+            "{effect} {values} ({place}, from {kind})",
+            effect=Message(effect.effect),
+            values=_values(effect),
+            place=Message(effect.place),
+            kind=Message(effect.kind),
+        )
+        for effect in effects
+    ]
     return listed(named, "and")
 
 

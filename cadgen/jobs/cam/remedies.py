@@ -23,7 +23,7 @@ from cadgen.errors import DesignError
 from cadgen.figures import Figure, Figures
 from cadgen.gears.choices import StageOrder
 from cadgen.jobs.cam.comparison import PlayComparison, known_trains
-from cadgen.messages import Message
+from cadgen.messages import Message, joined
 from cadgen.progress import Progress, silent
 
 _ALLOWED_END = 100.0  # mm; error allowed to a trimmed car where [optimize] has no limit
@@ -129,8 +129,13 @@ def remedies(design: Design, comparison: PlayComparison, progress: Progress = si
     )
     cases, chosen = sheet.known.cases, comparison.chosen
     rows = [
-        sheet.row(f"this design: {chosen.profile}", chosen.lift, chosen.rolled, mechanics.cases),
-        sheet.row("plain cam", plain.lift, plain.rolled, cases),
+        sheet.row(
+            Message("this design: {profile}", profile=Message(str(chosen.profile))),
+            chosen.lift,
+            chosen.rolled,
+            mechanics.cases,
+        ),
+        sheet.row(Message("plain cam"), plain.lift, plain.rolled, cases),
     ]
     rows += _reordered(sheet)
     rows += _compensated(sheet)
@@ -149,8 +154,8 @@ def _reordered(sheet: _Sheet) -> list[Remedy]:
     if StageOrder.REORDERED not in bands or sheet.design.optimize.order == StageOrder.REORDERED:
         return []
     lift, plays = sheet.task.lift, list(bands[StageOrder.REORDERED].ends)
-    build = "the train with its stages reordered: --set optimize.order=reordered"
-    return [sheet.row("plain cam, reordered", lift, lift, sheet.known.cases, plays=plays, build=build)]
+    build = Message("the train with its stages reordered: --set optimize.order=reordered")
+    return [sheet.row(Message("plain cam, reordered"), lift, lift, sheet.known.cases, plays=plays, build=build)]
 
 
 def _compensated(sheet: _Sheet) -> list[Remedy]:
@@ -161,16 +166,21 @@ def _compensated(sheet: _Sheet) -> list[Remedy]:
     left = middle.worst_distance
     rows = [
         sheet.row(
-            "compensated for one car",
+            Message("compensated for one car"),
             middle.lift,
             middle.lift,
             known.cases,
             cut_for=middle.made_for,
-            build=f"right for a play of {degrees(play):.3f}° and a friction of {known.nominal.friction:.3g}, where it "
-            f"leaves {left:.0f} mm: measure both on the car",
+            build=Message(
+                "right for a play of {play:.3f}° and a friction of {friction:.3g}, where it leaves {left:.0f} mm: "
+                "measure both on the car",
+                play=degrees(play),
+                friction=known.nominal.friction,
+                left=left,
+            ),
         )
     ]
-    return [*rows, _robust(sheet, "compensated for all", (min(sheet.plays), max(sheet.plays)))]
+    return [*rows, _robust(sheet, Message("compensated for all"), (min(sheet.plays), max(sheet.plays)))]
 
 
 def _robust(sheet: _Sheet, name: str, ends: tuple[float, float], build: str = "") -> Remedy:
@@ -188,7 +198,7 @@ def _tight_joint(sheet: _Sheet) -> list[Remedy]:
     worst = max(whole.loose, key=lambda joint: joint.greatest)
     low, high = sheet.band.ends
     ends = max(low - worst.least, 0.0), max(high - worst.greatest, 0.0)
-    return [_robust(sheet, "no play in one joint, compensated", ends, whole.sentence())]
+    return [_robust(sheet, Message("no play in one joint, compensated"), ends, whole.sentence())]
 
 
 def _split_wheel(sheet: _Sheet) -> list[Remedy]:
@@ -202,11 +212,13 @@ def _split_wheel(sheet: _Sheet) -> list[Remedy]:
     last = teeth.stages[-1]
     low, high = sheet.band.ends
     ends = max(low - last.B_min, 0.0), max(high - last.B_max, 0.0)
-    build = (
-        f"a wheel of two halves under springs on the camshaft, which takes out its own mesh only, "
-        f"{degrees(last.B_max):.3f} of {degrees(high):.3f}°; its springs must hold more torque than the cam gives"
+    build = Message(
+        "a wheel of two halves under springs on the camshaft, which takes out its own mesh only, {mesh:.3f} of "
+        "{whole:.3f}°; its springs must hold more torque than the cam gives",
+        mesh=degrees(last.B_max),
+        whole=degrees(high),
     )
-    return [_robust(sheet, "split wheel, compensated", ends, build)]
+    return [_robust(sheet, Message("split wheel, compensated"), ends, build)]
 
 
 def _bearing(sheet: _Sheet) -> list[Remedy]:
@@ -237,27 +249,42 @@ def _bearing(sheet: _Sheet) -> list[Remedy]:
         blank = cam_model.blank(design)
         checks = check_cam(best.lift, follower, profile.curve, profile.trims, blank, limits, application=blend_checks)
         failed = [check.name for check in checks if not check.passed]
-        verdict = f"its cam fails {', '.join(failed)}" if failed else "its cam keeps every check"
+        verdict = Message("its cam keeps every check")
+        if failed:
+            verdict = Message("its cam fails {failed}", failed=joined(failed))
     except DesignError as error:
         return [
             Remedy(
-                name="ball bearing, compensated",
+                name=Message("ball bearing, compensated"),
                 cut_for=None,
                 worst_end=None,
                 on_way=None,
-                build=f"no cam can be made for a bearing of {bearing.outside:g} mm: {error}",
+                build=Message(
+                    "no cam can be made for a bearing of {outside:g} mm: {reason}",
+                    outside=bearing.outside,
+                    reason=error.message,
+                ),
             )
         ]
-    several = "a ball bearing" if count == 1 else f"{count} ball bearings side by side"
+    several = Message("a ball bearing")
+    if count > 1:
+        several = Message("{count} ball bearings side by side", count=count)
     return [
         sheet.row(
-            "ball bearing, compensated",
+            Message("ball bearing, compensated"),
             best.lift,
             best.lift,
             known.cases,
             cut_for=best.made_for,
-            build=f"{several} of {bearing.bore:g} x {bearing.outside:g} x {bearing.width:g} mm on the rod, and a cam "
-            f"for it: --set {' --set '.join(overrides)}; {verdict}",
+            build=Message(
+                "{several} of {bore:g} x {outside:g} x {width:g} mm on the rod, and a cam for it: {changes}; {verdict}",
+                several=several,
+                bore=bearing.bore,
+                outside=bearing.outside,
+                width=bearing.width,
+                changes=" ".join(f"--set {override}" for override in overrides),
+                verdict=verdict,
+            ),
         )
     ]
 
@@ -274,13 +301,21 @@ def _trim(sheet: _Sheet, plain: Evaluation) -> list[Remedy]:
     turns = sorted((-trim.tan_beta * arm * 1e3 for trim in settings), key=abs)
     return [
         Remedy(
-            name="plain cam, trimmed",
+            name=Message("plain cam, trimmed"),
             cut_for=None,
             worst_end=max(trim.error.end_distance for trim in settings),
             on_way=max(float(trim.error.distance.max()) for trim in settings),
-            build=f"after a trial run change the base radius at the micrometer by {turns[0]:+.0f} to "
-            f"{turns[-1]:+.0f} µm, so that the end is met; set at a friction of {known.nominal.friction:.3g}, the end "
-            f"stays within {allowed:g} mm more while friction stays from {low:.3g} to {high:.3g}",
+            build=Message(
+                "after a trial run change the base radius at the micrometer by {least:+.0f} to {most:+.0f} µm, so that "
+                "the end is met; set at a friction of {friction:.3g}, the end stays within {allowed:g} mm more while "
+                "friction stays from {low:.3g} to {high:.3g}",
+                least=turns[0],
+                most=turns[-1],
+                friction=known.nominal.friction,
+                allowed=allowed,
+                low=low,
+                high=high,
+            ),
         )
     ]
 
@@ -290,23 +325,33 @@ def _drag(sheet: _Sheet, plain: Evaluation) -> list[Remedy]:
     need = holding(plain.lift, sheet.known)
     braked = replace(sheet.known, drag=(need.drag, need.drag), friction=(0.0, sheet.known.friction[1]), behind=0.0)
     keys = sheet.design.mechanics
-    share = ""
+    share: str = ""
     if keys is not None and keys.drive_energy_J is not None:
-        share = f", {100 * need.energy / keys.drive_energy_J:.1f} % of the drive's {keys.drive_energy_J:g} J"
-        if need.energy > keys.drive_energy_J:
-            share += ", which it has not got"
+        drive = keys.drive_energy_J
+        share = Message(", {percent:.1f} % of the drive's {drive:g} J", percent=100 * need.energy / drive, drive=drive)
+        if need.energy > drive:
+            share = joined((share, Message("which it has not got")))
     return [
         sheet.row(
-            "plain cam, drag that holds",
+            Message("plain cam, drag that holds"),
             plain.lift,
             plain.rolled,
             braked.cases,
-            build=f"a brake or felt on the disc itself, {need.drag:.3g} N·mm for a rod force of "
-            f"{sheet.known.rod_force:g} N: a quarter more than the cam's {need.torque:.3g} N·mm at "
-            f"{degrees(need.cam_angle):.1f}° without friction ({need.with_friction:.3g} at the least friction); it "
-            f"takes {need.energy:.2g} J a turn{share}, and holds until the drag falls by "
-            f"{100 * (1 - need.torque / need.drag):.0f} % or the rod's force rises by "
-            f"{100 * (need.drag / need.torque - 1):.0f} %; a milder path there needs less, a "
-            f"larger base radius does not",
+            build=Message(
+                "a brake or felt on the disc itself, {drag:.3g} N·mm for a rod force of {rod_force:g} N: a quarter "
+                "more than the cam's {torque:.3g} N·mm at {cam_angle:.1f}° without friction ({with_friction:.3g} at "
+                "the least friction); it takes {energy:.2g} J a turn{share}, and holds until the drag falls by "
+                "{falls:.0f} % or the rod's force rises by {rises:.0f} %; a milder path there needs less, a larger "
+                "base radius does not",
+                drag=need.drag,
+                rod_force=sheet.known.rod_force,
+                torque=need.torque,
+                cam_angle=degrees(need.cam_angle),
+                with_friction=need.with_friction,
+                energy=need.energy,
+                share=share,
+                falls=100 * (1 - need.torque / need.drag),
+                rises=100 * (need.drag / need.torque - 1),
+            ),
         )
     ]
