@@ -26,15 +26,15 @@ def test_errors_take_a_template_and_its_arguments():
 
 
 def test_a_message_in_chinese(monkeypatch):
-    known = {"{part} and {angle:.1f}°": "{angle:.1f}°，{part}", "bore": "轴孔", ", ": "，"}
+    known = {"{part} and {angle:.1f}°": "{angle:.1f}°，{part}", "bore": "轴孔", ", ": "、"}
     monkeypatch.setattr("cadgen.messages._catalogue", lambda language: known)
     message = Message("{part} and {angle:.1f}°", part=Message("bore"), angle=3.14)
     assert translate(message, CHINESE) == "3.1°，轴孔"
     assert translate(message, "en") == "bore and 3.1°"
     both = joined([message, Message("bore"), "m6"])
     assert both == "bore and 3.1°, bore, m6"
-    assert translate(both, CHINESE) == "3.1°，轴孔，轴孔，m6"
-    assert translate(pickle.loads(pickle.dumps(both)), CHINESE) == "3.1°，轴孔，轴孔，m6"
+    assert translate(both, CHINESE) == "3.1°，轴孔、轴孔、m6"
+    assert translate(pickle.loads(pickle.dumps(both)), CHINESE) == "3.1°，轴孔、轴孔、m6"
     assert translate(7, CHINESE) == 7
 
 

@@ -18,7 +18,7 @@ from cadgen.cam.loss import lost_lift
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.curves.closed import ClosedCurve, Outline
 from cadgen.laws.motion import Motion
-from cadgen.messages import Message, joined
+from cadgen.messages import Message, clauses
 from cadgen.parts.blank import Blank
 
 
@@ -56,7 +56,7 @@ def thinnest_wall(blank: Blank, outline: Outline, limit: float) -> Check:
         "mm",
         limit,
         Bound.MIN,
-        joined((wall.between, polar_place(wall.place))),
+        clauses(wall.between, polar_place(wall.place)),
         Message("make the hole smaller or move it (the design's [blank]), or lower checks.min_wall_mm"),
     )
 

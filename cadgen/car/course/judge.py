@@ -11,7 +11,7 @@ from cadgen.car.course.approach import Approach, approach, approach_to_edge
 from cadgen.car.course.body import CarBody, Complex, RunPoses, place_of
 from cadgen.car.course.layout import CarPoint, Course, Gate, Obstacle, Side
 from cadgen.car.steering import Car
-from cadgen.messages import Message, joined
+from cadgen.messages import Message, clauses
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -268,7 +268,7 @@ def judge_laps(poses: RunPoses, car: Car, body: CarBody, course: Course, ends: S
         gates = course.gates
         if len(ends) > 1:
             gates = tuple(
-                replace(gate, key=joined((gate.key, Message("lap {number}", number=number + 1)))) for gate in gates
+                replace(gate, key=clauses(gate.key, Message("lap {number}", number=number + 1))) for gate in gates
             )
         first = max(start - beside, 0)
         passed = passages(poses.part(first, end + 1 + beside), car, gates)

@@ -23,7 +23,7 @@ from cadgen.design import cam_model
 from cadgen.design.course import STAND_RADIUS, body_of, layout_of
 from cadgen.design.schema import Design
 from cadgen.jobs.cam.comparison import PlayComparison
-from cadgen.messages import Message, joined
+from cadgen.messages import Message, clauses, joined
 from cadgen.output.report.tracks import Field
 
 _STEP = 2.5  # mm of travel between poses: straight lines between them then err by 2 um on turns of 400 mm
@@ -194,7 +194,7 @@ class CourseRun:
         if self.blend is not None:
             for key, (where, room) in self.blend.figures().items():
                 if key not in found or room < found[key][1]:
-                    found[key] = (joined((where, Message("on the blend"))), room)
+                    found[key] = (clauses(where, Message("on the blend")), room)
         return found
 
     def checks(self) -> tuple[Check, ...]:
@@ -206,7 +206,7 @@ class CourseRun:
         if self.blend is None:
             return
         room = min(
-            ((room, joined((key, where))) for key, (where, room) in self.blend.figures().items()),
+            ((room, clauses(key, where)) for key, (where, room) in self.blend.figures().items()),
             default=None,
         )
         if room is None:
@@ -283,7 +283,7 @@ class CourseRun:
             advice,
         )
         off = Message("{off:.1f} mm from its middle", off=worst.off)
-        where = joined((worst.gate.key, off, self._at(worst.place)))
+        where = clauses(worst.gate.key, off, self._at(worst.place))
         name = Message("least margin of a gate")
         yield self._check(CheckCode.COURSE_GATE_MARGIN, name, worst.margin, "mm", 0.0, Bound.MIN, where, advice)
 
@@ -338,10 +338,10 @@ class CourseRun:
     def _with_play(self, place: str) -> str:
         if self.play is None:
             return place
-        return joined((place, Message("return error {play:.3f}°", play=degrees(self.play))))
+        return clauses(place, Message("return error {play:.3f}°", play=degrees(self.play)))
 
     def _by(self, key: str, there: Approach) -> str:
-        return joined((key, _PARTS[there.part], self._at(there.place)))
+        return clauses(key, _PARTS[there.part], self._at(there.place))
 
     def _at(self, place: float) -> str:
         at = self.poses.at(np.array([place]))

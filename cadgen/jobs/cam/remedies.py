@@ -23,7 +23,7 @@ from cadgen.errors import DesignError
 from cadgen.figures import Figure, Figures
 from cadgen.gears.choices import StageOrder
 from cadgen.jobs.cam.comparison import PlayComparison, known_trains
-from cadgen.messages import Message, joined
+from cadgen.messages import Message, clauses, joined
 from cadgen.progress import Progress, silent
 
 _ALLOWED_END = 100.0  # mm; error allowed to a trimmed car where [optimize] has no limit
@@ -330,7 +330,7 @@ def _drag(sheet: _Sheet, plain: Evaluation) -> list[Remedy]:
         drive = keys.drive_energy_J
         share = Message(", {percent:.1f} % of the drive's {drive:g} J", percent=100 * need.energy / drive, drive=drive)
         if need.energy > drive:
-            share = joined((share, Message("which it has not got")))
+            share = clauses(share, Message("which it has not got"))
     return [
         sheet.row(
             Message("plain cam, drag that holds"),

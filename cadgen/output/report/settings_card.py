@@ -11,7 +11,7 @@ from markupsafe import Markup
 from cadgen.car.draws.drawn_spacing import DrawnSpacing
 from cadgen.design.schema import Design
 from cadgen.figures import Cell, Figure, Figures, Sheet, State
-from cadgen.messages import Message, joined
+from cadgen.messages import Message, clauses
 
 _SAME = 1e-6  # mm
 # Figures of a printed card with the formats of their numbers.
@@ -122,7 +122,7 @@ def sheet(design: Design, drawn: Sequence[DrawnSpacing]) -> Sheet:
         )
     heads = []
     for figure in (figures(design, drawn[0])[code] for code in codes):
-        heads.append(joined([figure.name, figure.unit]) if figure.unit else figure.name)
+        heads.append(clauses(figure.name, figure.unit) if figure.unit else figure.name)
     return Sheet("settings", "", tuple(heads), tuple(cells), words=0)
 
 

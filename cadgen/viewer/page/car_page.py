@@ -177,7 +177,7 @@ def plan_page(
         try:
             run = tolerance_of(cam, CarSample(samples=samples, processes=processes), progress)
         except DesignError as error:
-            refusals.append(Refusal(Topic.TOLERANCE, str(error)))
+            refusals.append(Refusal(Topic.TOLERANCE, error.message))
     calibration = None
     if sources:
         from cadgen.jobs.calibration.calibration import calibrate
@@ -186,7 +186,7 @@ def plan_page(
         try:
             calibration = calibrate(design, _measured_profile(design, known), sources, None, progress)
         except (DesignError, FileError) as error:
-            unread = str(error)
+            unread = error.message
     if unread:
         refusals.append(Refusal(Topic.CALIBRATION, unread, fails=True))
     return CarPage(
@@ -242,7 +242,7 @@ def _cam(design: Design, make: Callable[[], CamPlan], refusals: list[Refusal], p
     try:
         return make()
     except CheckError as error:
-        refusals.append(Refusal(Topic.PROFILE, str(error), fails=True))
+        refusals.append(Refusal(Topic.PROFILE, error.message, fails=True))
         return plan_cam(design, ACTUAL.code, progress)
 
 
