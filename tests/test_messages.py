@@ -2,11 +2,12 @@
 
 import ast
 import pickle
+import re
 
 import pytest
 
 from cadgen.errors import DesignError
-from cadgen.messages import CHINESE, Message, joined, language_of, translate
+from cadgen.messages import CHINESE, Message, catalogue, joined, language_of, translate
 from tests.catalogue import PACKAGE, entries, fields, used
 
 
@@ -81,6 +82,14 @@ def test_texts_of_checks_are_messages():
         if is_plain(text)
     }
     assert not plain
+
+
+def test_the_words_of_the_pages_scripts_are_those_of_their_catalogue():
+    sources = [file.read_text("utf-8") for file in (PACKAGE.parent / "page" / "src").rglob("*.js")]
+    found = {word for source in sources for word in re.findall(r'\bboth\("([^"]+)"', source)}
+    assert found == set(catalogue(CHINESE, "script"))
+    chinese = {word for source in sources for word in re.findall(r"[\u4e00-\u9fff：]+", source)}
+    assert chinese == {"中文", "中文：切换到中文"}  # of the button that changes the language
 
 
 def test_translations_keep_the_arguments_of_their_texts():

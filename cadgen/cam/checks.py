@@ -276,7 +276,7 @@ def _pitch_radius(
         place,
         Message(
             "a convex part sharper than the {follower} is undercut: {softer}, {milder}",
-            follower=follower.noun,
+            follower=Message(follower.noun),
             softer=motion.softer(angle, limits.motion_key),
             milder=follower.milder,
         ),
@@ -290,7 +290,7 @@ def _undercut(motion: Motion, follower: Follower, losses: list[Loss], limits: Ch
             CheckCode.LOST_LIFT_UNDERCUT,
             Message("lost lift, undercut"),
             TrimKind.LOCAL,
-            Message("no profile gives this lift to this {follower}", follower=follower.noun),
+            Message("no profile gives this lift to this {follower}", follower=Message(follower.noun)),
         ),
         (
             CheckCode.LOST_LIFT_CROSSING,
@@ -321,10 +321,10 @@ def _undercut(motion: Motion, follower: Follower, losses: list[Loss], limits: Ch
 def _contact(follower: Follower, contact: Contact, error: Array, trimmed: NDArray[np.bool_]) -> list[Check]:
     checks = []
     for code, name, beyond in (
-        (CheckCode.ROD_PUSHED_OUT, Message("{follower} pushed out", follower=follower.noun), error),
+        (CheckCode.ROD_PUSHED_OUT, Message("{follower} pushed out", follower=Message(follower.noun)), error),
         (
             CheckCode.ROD_FALLS_SHORT,
-            Message("{follower} falls short", follower=follower.noun),
+            Message("{follower} falls short", follower=Message(follower.noun)),
             np.where(trimmed, 0.0, -error),
         ),
     ):
@@ -338,7 +338,10 @@ def _contact(follower: Follower, contact: Contact, error: Array, trimmed: NDArra
                 CONTACT_LIMIT_UM,
                 Bound.MAX,
                 cam_place(contact.cam_angle[worst]),
-                Message("this profile is not the {follower}'s envelope: use --profile actual", follower=follower.noun),
+                Message(
+                    "this profile is not the {follower}'s envelope: use --profile actual",
+                    follower=Message(follower.noun),
+                ),
             )
         )
     return checks

@@ -187,7 +187,7 @@ def blend_checks(cam: RolledCam) -> tuple[Check, ...]:
                 Message(
                     "on so steep a flank the {follower} locks when the cam is turned on to its start: "
                     "{softer} or raise cam.base_radius_mm",
-                    follower=follower.noun,
+                    follower=Message(follower.noun),
                     softer=motion.softer(motion.blend_start),
                 ),
             )

@@ -27,7 +27,8 @@ export function kindsBar({ add, remove, exchange }) {
     node.replaceChildren(
       ...here.map((kind) => {
         const there = kind.alone && kind.count;
-        const text = both(there ? "Remove the {what}" : "Add a {what}", { what: kind.label });
+        const what = kind.label;
+        const text = there ? both("Remove the {what}", { what }) : both("Add a {what}", { what });
         const button = element("button", { type: "button", "data-kind": kind.key, text });
         button.addEventListener("click", () => (there ? remove(kind.key) : add(kind)));
         return button;

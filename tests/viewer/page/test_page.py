@@ -4,22 +4,26 @@ import base64
 import hashlib
 import re
 from html import unescape
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from cadgen import Design, Report
 from cadgen.cam.contact import roll_curve
+from cadgen.cam.followers import table
 from cadgen.check import CheckCode
-from cadgen.design.load import load_design
+from cadgen.design.load import complete_of, load_design
 from cadgen.figures import Cell, Sheet, number
 from cadgen.geometry.meshes.mesh import Mesh
 from cadgen.geometry.meshes.teeth import measured_pair
 from cadgen.viewer.page.car_page import plan_page
 from cadgen.viewer.page.html import html_of, table_html
 from cadgen.viewer.page.mesh_block import shaded
+from cadgen.viewer.page.page_plan import plan_motion_page
 from cadgen.viewer.page.report import page_facts, page_of
 from cadgen.viewer.page.turning_train import turning_train
+from tests.cam.test_roller import ROLLER, TEXT, Roller
 from tests.viewer.page.english import left_in_english
 from tests.viewer.page.reading import Tables, at, data, going
 
@@ -234,6 +238,35 @@ def test_the_page_of_a_packaged_design_is_small_and_whole_in_chinese(name):
     assert left_in_english(html) == []
     assert len(html.encode()) <= 2e6
     assert all(0 <= mark.angle <= 2 * np.pi for mark in page.marks)  # a lap has no blend to mark
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "changes", [[], ["checks.min_convex_radius_mm=100", "machining.cutter_diameter_mm=90", "checks.min_wall_mm=60"]]
+)
+def test_the_page_of_a_motion_is_whole_in_chinese(changes):
+    table.register(ROLLER)
+    try:
+        html = html_of(page_of(plan_motion_page(complete_of(TEXT, Path("feeder.toml"), changes))))
+    finally:
+        table.remove(ROLLER)
+    assert ('id="failures"' in html) == bool(changes)
+    own = [f"尖脊易磨损：{Roller.milder}"] if changes else []  # advice of the plug-in, which has no catalogue
+    assert left_in_english(html) == ["feeder", *own]  # the design's name
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("name", "changes"),
+    [
+        ("workshop_car", ["course.judged=play", "course.margin_mm=200", "checks.min_wall_mm=30"]),
+        ("carbon_free_car", ["cam.base_radius_mm=30", "machining.cutter_diameter_mm=80"]),
+    ],
+)
+def test_what_fails_is_said_in_chinese(name, changes):
+    page = page_of(plan_page(load_design(name, changes), samples=5))
+    assert len(page.failures) >= 2
+    assert left_in_english(html_of(page)) == []
 
 
 def test_english_words_are_found_in_either_language():
