@@ -131,7 +131,9 @@ def _static(name: str) -> str:
 @cache
 def _words() -> Markup:
     """Chinese of the scripts' own words, as JSON that can stand in HTML."""
-    text = json.dumps(catalogue(CHINESE, "script"), ensure_ascii=False, separators=(",", ":"))
+    text = json.dumps(
+        {**catalogue(CHINESE, "common"), **catalogue(CHINESE, "script")}, ensure_ascii=False, separators=(",", ":")
+    )
     return Markup(text.replace("<", "\\u003c"))
 
 
