@@ -166,7 +166,7 @@ def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
         files=folder.files(plan.stem, plan.origin.content_hash, _CAM_ENDINGS),
         notes=(*use.drawing_notes(plan), *([plan.kind.note] if plan.kind.note else [])),
     )
-    name = Message("{cam}, {kind} profile", cam=use.noun, kind=str(plan.kind))
+    name = Message("{cam}, {kind} profile", cam=Message(use.noun), kind=Message(str(plan.kind)))
     return cam_drawing(part, title_of(plan.origin, making.title, name, making.material or "", plan.stem, folder))
 
 
