@@ -7,7 +7,7 @@ what shows texts to people translates: values, JSON and manifests are English in
 
 from collections.abc import Iterable, Mapping
 from contextvars import ContextVar
-from functools import cache
+from functools import cache, reduce
 from importlib.resources import files
 
 ENGLISH, CHINESE = "en", "zh"
@@ -71,7 +71,7 @@ class _Joined(Message):
 
 
 def joined(parts: Iterable[str], separator: str = ", ") -> Message:
-    """Put messages and plain texts in a row.
+    """Put messages and plain texts in a row, as in a list.
 
     Args:
         parts: texts; plain ones are names and numbers, the same in every language.
@@ -104,6 +104,15 @@ def sentence(clause: str) -> Message:
     made = str.__new__(_Sentence, f"{clause[:1].upper()}{clause[1:]}.")
     made.template, made.arguments = str(made), {"clause": Message(clause)}
     return made
+
+
+def clauses(first: str, *others: str) -> Message:
+    """Put clauses in a row, with a comma before each but the first: `stage 2, least`.
+
+    Args:
+        first, others: texts.
+    """
+    return reduce(lambda said, more: Message("{said}, {more}", said=said, more=more), others, Message(first))
 
 
 def translate(value: object, language: str | None = None) -> object:
@@ -161,10 +170,22 @@ def _message(template: str, arguments: Mapping[str, object]) -> Message:
 @cache
 def _catalogue(language: str) -> Mapping[str, str]:
     """Translations by English template, from all catalogues of a language."""
-    from polib import pofile  # loaded for another language alone
-
     folder = files("cadgen").joinpath("locale", language)
     if not folder.is_dir():
         return {}
-    texts = [file.read_text("utf-8") for file in sorted(folder.iterdir(), key=str) if file.name.endswith(".po")]
-    return {entry.msgid: entry.msgstr for text in texts for entry in pofile(text) if entry.msgstr}
+    names = sorted(file.name for file in folder.iterdir())
+    known = [catalogue(language, name.removesuffix(".po")) for name in names if name.endswith(".po")]
+    return {template: text for one in known for template, text in one.items()}
+
+
+def catalogue(language: str, name: str) -> dict[str, str]:
+    """Translations of one catalogue by English template.
+
+    Args:
+        language: code of the language, such as `zh`.
+        name: name of the catalogue's file, without `.po`.
+    """
+    from polib import pofile  # loaded for another language alone
+
+    text = files("cadgen").joinpath("locale", language, f"{name}.po").read_text("utf-8")
+    return {entry.msgid: entry.msgstr for entry in pofile(text) if entry.msgstr}

@@ -1,12 +1,14 @@
 """Messages in two languages: no template of the package is without a translation, and none loses an argument."""
 
+import ast
 import pickle
+import re
 
 import pytest
 
 from cadgen.errors import DesignError
-from cadgen.messages import CHINESE, Message, joined, language_of, translate
-from tests.catalogue import CLICK, compiled, entries, fields, used
+from cadgen.messages import CHINESE, Message, catalogue, joined, language_of, translate
+from tests.catalogue import CLICK, PACKAGE, compiled, entries, fields, used
 
 
 def test_a_message_is_its_english_text():
@@ -25,15 +27,15 @@ def test_errors_take_a_template_and_its_arguments():
 
 
 def test_a_message_in_chinese(monkeypatch):
-    known = {"{part} and {angle:.1f}°": "{angle:.1f}°，{part}", "bore": "轴孔", ", ": "，"}
+    known = {"{part} and {angle:.1f}°": "{angle:.1f}°，{part}", "bore": "轴孔", ", ": "、"}
     monkeypatch.setattr("cadgen.messages._catalogue", lambda language: known)
     message = Message("{part} and {angle:.1f}°", part=Message("bore"), angle=3.14)
     assert translate(message, CHINESE) == "3.1°，轴孔"
     assert translate(message, "en") == "bore and 3.1°"
     both = joined([message, Message("bore"), "m6"])
     assert both == "bore and 3.1°, bore, m6"
-    assert translate(both, CHINESE) == "3.1°，轴孔，轴孔，m6"
-    assert translate(pickle.loads(pickle.dumps(both)), CHINESE) == "3.1°，轴孔，轴孔，m6"
+    assert translate(both, CHINESE) == "3.1°，轴孔、轴孔、m6"
+    assert translate(pickle.loads(pickle.dumps(both)), CHINESE) == "3.1°，轴孔、轴孔、m6"
     assert translate(7, CHINESE) == 7
 
 
@@ -55,6 +57,40 @@ def test_every_text_has_its_chinese():
     known = {entry.msgid for entry in entries(CHINESE) if entry.msgstr}
     missing = {template: file for template, file in used().items() if template not in known}
     assert not missing, f"run: python -m tests.catalogue {CHINESE}\n{missing}"
+
+
+def checks_texts(source):
+    """Names, places and advice of the checks that a module makes, as expressions; both of a choice."""
+    for call in ast.walk(ast.parse(source)):
+        if isinstance(call, ast.Call) and getattr(call.func, "id", "") == "Check":
+            named = (key.value for key in call.keywords if key.arg in ("name", "place", "advice"))
+            for text in (*call.args[1:2], *call.args[6:], *named):
+                yield from (text.body, text.orelse) if isinstance(text, ast.IfExp) else (text,)
+
+
+def is_plain(text):
+    return isinstance(text, ast.JoinedStr) or (isinstance(text, ast.Constant) and text.value != "")
+
+
+def test_texts_of_checks_are_messages():
+    made = 'Check(code, "name", 1.0, "mm", 2.0, Bound.MAX, f"at {x}" if x else "", advice=Message("turn it"))'
+    assert [is_plain(text) for text in checks_texts(made)] == [True, True, False, False]
+    plain = {
+        f"{file.relative_to(PACKAGE)}:{text.lineno}"
+        for file in PACKAGE.rglob("*.py")
+        for text in checks_texts(file.read_text("utf-8"))
+        if is_plain(text)
+    }
+    assert not plain
+
+
+def test_the_words_of_the_pages_scripts_are_those_of_their_catalogue():
+    sources = [file.read_text("utf-8") for file in (PACKAGE.parent / "page" / "src").rglob("*.js")]
+    found = {word for source in sources for word in re.findall(r'\bboth\("([^"]+)"', source)}
+    own, common = (set(catalogue(CHINESE, name)) for name in ("script", "common"))
+    assert own == found - common
+    chinese = {word for source in sources for word in re.findall(r"[\u4e00-\u9fff：]+", source)}
+    assert chinese == {"中文", "中文：切换到中文"}  # of the button that changes the language
 
 
 def test_translations_keep_the_arguments_of_their_texts():

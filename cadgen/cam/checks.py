@@ -18,7 +18,7 @@ from cadgen.cam.loss import lost_lift
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.curves.closed import ClosedCurve, Outline
 from cadgen.laws.motion import Motion
-from cadgen.messages import Message
+from cadgen.messages import Message, clauses
 from cadgen.parts.blank import Blank
 
 
@@ -56,7 +56,7 @@ def thinnest_wall(blank: Blank, outline: Outline, limit: float) -> Check:
         "mm",
         limit,
         Bound.MIN,
-        f"{wall.between}, {polar_place(wall.place)}",
+        clauses(wall.between, polar_place(wall.place)),
         Message("make the hole smaller or move it (the design's [blank]), or lower checks.min_wall_mm"),
     )
 
@@ -76,7 +76,9 @@ def cutter_room(curve: ClosedCurve, cutter_radius: float) -> Check:
         "mm",
         cutter_radius,
         Bound.MIN,
-        "no concave part" if cutter.point is None else f"{polar_place(cutter.point)} ({cutter.kind})",
+        Message("no concave part")
+        if cutter.point is None
+        else Message("{place} ({kind})", place=polar_place(cutter.point), kind=Message(cutter.kind)),
         Message("choose a smaller machining.cutter_diameter_mm"),
     )
 
@@ -196,8 +198,13 @@ def _pressure(motion: Motion, follower: Follower, contact: Contact, limits: Chec
     angle = np.degrees(np.abs(contact.pressure_angle))
     checks = []
     for code, name, of_kind, limit in (
-        (CheckCode.PRESSURE_ANGLE_RISE, "pressure angle, rise", rising & driven, limits.pressure_angle.rise),
-        (CheckCode.PRESSURE_ANGLE_RETURN, "pressure angle, return", ~rising & driven, limits.pressure_angle.fall),
+        (CheckCode.PRESSURE_ANGLE_RISE, Message("pressure angle, rise"), rising & driven, limits.pressure_angle.rise),
+        (
+            CheckCode.PRESSURE_ANGLE_RETURN,
+            Message("pressure angle, return"),
+            ~rising & driven,
+            limits.pressure_angle.fall,
+        ),
     ):
         value = np.where(of_kind, angle, 0.0)
         worst = int(np.argmax(value))
@@ -269,7 +276,7 @@ def _pitch_radius(
         place,
         Message(
             "a convex part sharper than the {follower} is undercut: {softer}, {milder}",
-            follower=follower.noun,
+            follower=Message(follower.noun),
             softer=motion.softer(angle, limits.motion_key),
             milder=follower.milder,
         ),
@@ -281,22 +288,22 @@ def _undercut(motion: Motion, follower: Follower, losses: list[Loss], limits: Ch
     for code, name, kind, reason in (
         (
             CheckCode.LOST_LIFT_UNDERCUT,
-            "lost lift, undercut",
+            Message("lost lift, undercut"),
             TrimKind.LOCAL,
-            Message("no profile gives this lift to this {follower}", follower=follower.noun),
+            Message("no profile gives this lift to this {follower}", follower=Message(follower.noun)),
         ),
         (
             CheckCode.LOST_LIFT_CROSSING,
-            "lost lift, crossing",
+            Message("lost lift, crossing"),
             TrimKind.GLOBAL,
             Message("two flanks cut each other off"),
         ),
-        (CheckCode.LOST_LIFT_FACE_CHANGE, "lost lift, face change", TrimKind.FACE_CHANGE, ""),
+        (CheckCode.LOST_LIFT_FACE_CHANGE, Message("lost lift, face change"), TrimKind.FACE_CHANGE, ""),
     ):
         of_kind = [loss for loss in losses if loss.trim.kind == kind]
         worst = max(of_kind, key=lambda loss: loss.lift, default=None)
         place = (
-            "none"
+            Message("none")
             if worst is None
             else Message("{place} ({count} in all)", place=cam_place(worst.cam_angle), count=len(of_kind))
         )
@@ -314,10 +321,10 @@ def _undercut(motion: Motion, follower: Follower, losses: list[Loss], limits: Ch
 def _contact(follower: Follower, contact: Contact, error: Array, trimmed: NDArray[np.bool_]) -> list[Check]:
     checks = []
     for code, name, beyond in (
-        (CheckCode.ROD_PUSHED_OUT, Message("{follower} pushed out", follower=follower.noun), error),
+        (CheckCode.ROD_PUSHED_OUT, Message("{follower} pushed out", follower=Message(follower.noun)), error),
         (
             CheckCode.ROD_FALLS_SHORT,
-            Message("{follower} falls short", follower=follower.noun),
+            Message("{follower} falls short", follower=Message(follower.noun)),
             np.where(trimmed, 0.0, -error),
         ),
     ):
@@ -331,13 +338,16 @@ def _contact(follower: Follower, contact: Contact, error: Array, trimmed: NDArra
                 CONTACT_LIMIT_UM,
                 Bound.MAX,
                 cam_place(contact.cam_angle[worst]),
-                Message("this profile is not the {follower}'s envelope: use --profile actual", follower=follower.noun),
+                Message(
+                    "this profile is not the {follower}'s envelope: use --profile actual",
+                    follower=Message(follower.noun),
+                ),
             )
         )
     return checks
 
 
-def seam_check(motion: Motion, at: float, code: StrEnum = CheckCode.CLOSURE, name: str = "closure ") -> Check:
+def seam_check(motion: Motion, at: float, code: StrEnum = CheckCode.CLOSURE, name: str = Message("closure ")) -> Check:
     """Check of the jumps of a motion and its first two derivatives at a seam, as where the turn closes.
 
     Args:

@@ -6,6 +6,8 @@ from enum import StrEnum
 from math import radians
 from types import MappingProxyType
 
+from cadgen.messages import Message
+
 
 class PressureAngleLimitName(StrEnum):
     """Source of the limits of the pressure angle."""
@@ -52,22 +54,22 @@ class CheckLimits:
     motion_key: str = "path.waypoints_mm"
 
 
-_NORTON = "R. L. Norton, Cam Design and Manufacturing Handbook, 2nd ed. (2009), chapter 7"
-_CHINESE = "Chinese textbooks of mechanisms, oscillating follower: 40-50° working stroke, 70-80° return stroke"
+_NORTON = Message("R. L. Norton, Cam Design and Manufacturing Handbook, 2nd ed. (2009), chapter 7")
+_CHINESE = Message("Chinese textbooks of mechanisms, oscillating follower: 40-50° working stroke, 70-80° return stroke")
 
 PRESSURE_ANGLE_LIMITS: Mapping[PressureAngleLimitName, PressureAngleLimit] = MappingProxyType(
     {
         PressureAngleLimitName.NORTON_TRANSLATING: PressureAngleLimit(
-            rise=radians(30), fall=radians(30), source=f"{_NORTON}: translating follower"
+            rise=radians(30), fall=radians(30), source=Message("{book}: translating follower", book=_NORTON)
         ),
         PressureAngleLimitName.NORTON_OSCILLATING: PressureAngleLimit(
-            rise=radians(35), fall=radians(35), source=f"{_NORTON}: follower on a pivoted arm"
+            rise=radians(35), fall=radians(35), source=Message("{book}: follower on a pivoted arm", book=_NORTON)
         ),
         PressureAngleLimitName.CHINESE_TEXTS_STRICT: PressureAngleLimit(
-            rise=radians(40), fall=radians(70), source=f"{_CHINESE}; the lower ends"
+            rise=radians(40), fall=radians(70), source=Message("{books}; the lower ends", books=_CHINESE)
         ),
         PressureAngleLimitName.CHINESE_TEXTS: PressureAngleLimit(
-            rise=radians(50), fall=radians(80), source=f"{_CHINESE}; the upper ends"
+            rise=radians(50), fall=radians(80), source=Message("{books}; the upper ends", books=_CHINESE)
         ),
     }
 )

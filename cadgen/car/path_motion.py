@@ -162,13 +162,13 @@ def blend_checks(cam: RolledCam) -> tuple[Check, ...]:
     for code, name, of_kind, usual in (
         (
             CheckCode.BLEND_PRESSURE_ANGLE_RISE,
-            "pressure angle, blend rise",
+            Message("pressure angle, blend rise"),
             within & rising,
             cam.limits.pressure_angle.rise,
         ),
         (
             CheckCode.BLEND_PRESSURE_ANGLE_RETURN,
-            "pressure angle, blend return",
+            Message("pressure angle, blend return"),
             within & ~rising,
             cam.limits.pressure_angle.fall,
         ),
@@ -183,13 +183,13 @@ def blend_checks(cam: RolledCam) -> tuple[Check, ...]:
                 "°",
                 float(np.degrees(max(LOCKING_ANGLE, usual))),
                 Bound.MAX,
-                cam_place(contact.cam_angle[worst]) if of_kind.any() else "none",
+                cam_place(contact.cam_angle[worst]) if of_kind.any() else Message("none"),
                 Message(
                     "on so steep a flank the {follower} locks when the cam is turned on to its start: "
                     "{softer} or raise cam.base_radius_mm",
-                    follower=follower.noun,
+                    follower=Message(follower.noun),
                     softer=motion.softer(motion.blend_start),
                 ),
             )
         )
-    return (*checks, seam_check(motion, motion.blend_start, CheckCode.BLEND_START, "start of the blend"))
+    return (*checks, seam_check(motion, motion.blend_start, CheckCode.BLEND_START, Message("start of the blend")))

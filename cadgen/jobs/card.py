@@ -125,7 +125,7 @@ class Card(Generic[C]):
             raise CheckError(self.sentences[0])
         name, rows = self.cam.origin.name, self.settings
         html = settings_card.printed_card(
-            f"{name}: settings for the spacing that is drawn",
+            Message("{name}: settings for the spacing that is drawn", name=name),
             self.sentences,
             self.sheet,
             [row["fault"] for row in rows],

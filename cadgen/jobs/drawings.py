@@ -161,12 +161,12 @@ def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
         thickness=plan.thickness,
         bore_fit=bore_class(making.bore_fit),
         profile_tolerance=use.profile_tolerance or None,
-        follower=plan.follower.noun,
+        follower=Message(plan.follower.noun),
         face=Message("inner face") if plan.seen == Face.INNER else Message("outer face"),
         files=folder.files(plan.stem, plan.origin.content_hash, _CAM_ENDINGS),
         notes=(*use.drawing_notes(plan), *([plan.kind.note] if plan.kind.note else [])),
     )
-    name = Message("{cam}, {kind} profile", cam=use.noun, kind=str(plan.kind))
+    name = Message("{cam}, {kind} profile", cam=Message(use.noun), kind=Message(str(plan.kind)))
     return cam_drawing(part, title_of(plan.origin, making.title, name, making.material or "", plan.stem, folder))
 
 

@@ -26,6 +26,7 @@ from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.jobs.cam.course import CourseRun, play_checks
 from cadgen.jobs.cam.steering_cam import CarUse
+from cadgen.messages import Message
 
 _STATIONS = 3600  # at which the rod is rolled, an even number; the run then errs by 0.02 mm
 TRIES = 3  # settings that are sought for a spacing at which the course is not kept
@@ -98,7 +99,7 @@ class Maker:
 
     @cached_property
     def _rod(self) -> EdgeFollower:
-        return edge_follower(self.cam.follower, "a card of settings")
+        return edge_follower(self.cam.follower, Message("a card of settings"))
 
     @cached_property
     def _plain(self) -> ClosedCurve:

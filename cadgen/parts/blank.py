@@ -10,7 +10,7 @@ from cadgen.arrays import TURN, Array
 from cadgen.curves.closed import Outline, cross, polar_angle
 from cadgen.curves.contour import Contour, circle, d_bore, keyway_bore
 from cadgen.errors import DesignError
-from cadgen.messages import Message, joined
+from cadgen.messages import Message
 from cadgen.parts.body import RadialHole
 from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, Mark, Web
 
@@ -215,7 +215,7 @@ def _walls(blank: Blank, profile: Outline) -> tuple[ThinWall, ...]:
         aside = _distance(core, centers) * np.sign(_beyond(centers, core.outline(_STEP)))
         inner = aside - radii
         worst = int(np.argmin(inner))
-        walls.append(ThinWall(joined((names[worst], name), " and "), float(inner[worst]), centers[worst]))
+        walls.append(ThinWall(_between(names[worst], name), float(inner[worst]), centers[worst]))
     if ring and ring.circle_diameter and ring.count > 1:
         apart = ring.circle_diameter * np.sin(np.pi / ring.count) - ring.hole_diameter
         walls.append(ThinWall(Message("two lightening holes"), float(apart), (centers[0] + centers[1]) / 2))
@@ -223,9 +223,13 @@ def _walls(blank: Blank, profile: Outline) -> tuple[ThinWall, ...]:
         between = np.linalg.norm(centers[:-1] - centers[-1], axis=1) - radii[:-1] - radii[-1]
         near = int(np.argmin(between))
         walls.append(
-            ThinWall(joined((names[near], names[-1]), " and "), float(between[near]), (centers[near] + centers[-1]) / 2)
+            ThinWall(_between(names[near], names[-1]), float(between[near]), (centers[near] + centers[-1]) / 2)
         )
     return tuple(replace(wall, thickness=wall.thickness - blank.edge_break) if wall.at_rim else wall for wall in walls)
+
+
+def _between(one: str, other: str) -> Message:
+    return Message("{one} and {other}", one=one, other=other)
 
 
 def _screw_walls(hub: Hub) -> tuple[ThinWall, ...]:
@@ -250,11 +254,11 @@ def _enclosed(inner: Contour, name: str, outer: Outline, outer_name: str) -> Thi
     beyond = _beyond(points, outer)
     worst = int(np.argmax(beyond))
     if beyond[worst] >= 0:
-        return ThinWall(joined((name, outer_name), " and "), -float(beyond[worst]), points[worst])
+        return ThinWall(_between(name, outer_name), -float(beyond[worst]), points[worst])
     near = outer.points[_may_be_nearest(inner, outer.points)]
     distance = _distance(inner, near)
     nearest = int(np.argmin(distance))
-    return ThinWall(joined((name, outer_name), " and "), float(distance[nearest]), near[nearest])
+    return ThinWall(_between(name, outer_name), float(distance[nearest]), near[nearest])
 
 
 def _may_be_nearest(contour: Contour, points: Array) -> NDArray[np.bool_]:

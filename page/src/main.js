@@ -4,7 +4,7 @@ import { Motion } from "./motion.js";
 import { planViews, shapeStages } from "./views.js";
 import { drawCharts } from "./charts.js";
 import { transport } from "./transport.js";
-import { element, fill, language, pick, remembered, speak, translated } from "./words.js";
+import { both, element, fill, language, pick, remembered, say, speak, translated } from "./words.js";
 
 const STILL = 300; // ms after the last move of the slider at which the picture is drawn in full
 const root = document.documentElement;
@@ -34,14 +34,14 @@ function languages() {
     remembered("language", to);
   };
   button.addEventListener("click", () => show(language === "en" ? "zh" : "en"));
-  const wanted = new URLSearchParams(location.hash.slice(1)).get("lang") ?? remembered("language") ?? navigator.language;
+  const wanted = new URLSearchParams(location.hash.slice(1)).get("lang") ?? remembered("language") ?? root.dataset.language ?? navigator.language;
   if (wanted.startsWith("zh")) show("zh");
 }
 
 function trouble(words) {
   const line = document.getElementById("trouble");
   line.hidden = false;
-  translated(() => (line.textContent = pick(words)));
+  say(line, words);
 }
 
 const page = { bar: null, charts: null, assembly: null, fit: null, motion: null };
@@ -80,10 +80,7 @@ async function present(data) {
     bar.changed();
   } catch (error) {
     document.getElementById("assembly").classList.add("without");
-    trouble([
-      "This browser has no WebGL, so the assembly in 3D is left out; everything else works.",
-      "浏览器不支持 WebGL，三维装配从略；其余功能均可使用。",
-    ]);
+    trouble(both("This browser has no WebGL, so the assembly in 3D is left out; everything else works."));
     root.dataset.without = String(error?.message ?? error).slice(0, 80);
   }
   root.dataset.ready = "all";
@@ -135,10 +132,7 @@ async function own() {
   try {
     data = await load();
   } catch {
-    trouble([
-      "This browser cannot unpack the page's data: the model stands still, and the curves are left out. All tables are below.",
-      "浏览器无法解压本页数据：模型静止显示，曲线从略。全部表格见下。",
-    ]);
+    trouble(both("This browser cannot unpack the page's data: the model stands still, and the curves are left out. All tables are below."));
     return;
   }
   await present(data);
@@ -161,5 +155,5 @@ addEventListener("beforeprint", () => printed(true));
 addEventListener("afterprint", () => printed(false));
 document.getElementById("print").addEventListener("click", () => print());
 // A page that is served has no data of its own: its second script asks for them, and shows them by these functions.
-globalThis.cadgenPage = { present, unpack, element, fill, pick, shapeStages, translated };
+globalThis.cadgenPage = { both, present, unpack, element, fill, pick, say, shapeStages, translated };
 if (document.getElementById("data")) own();

@@ -1,6 +1,6 @@
 // What can be done with the assembly: views, parts, section, measuring between two points, and keys.
 import { BufferGeometry, Line, LineBasicMaterial, Mesh, MeshBasicMaterial, Raycaster, SphereGeometry, Vector2, Vector3 } from "three";
-import { element, pick, translated } from "./words.js";
+import { both, element, pick, translated } from "./words.js";
 
 const SNAP = 9; // px: a corner of the mesh so near to the place is meant
 const CLICK = 5; // px
@@ -10,17 +10,14 @@ export function tools(assembly) {
   const { box, canvas } = assembly;
   canvas.tabIndex = 0;
   canvas.setAttribute("role", "img");
-  const words = [
-    "The assembly in 3D. Arrow keys turn it, plus and minus bring it nearer, 0 shows all.",
-    "三维装配。方向键旋转，加减键缩放，0 键显示全部。",
-  ];
+  const words = both("The assembly in 3D. Arrow keys turn it, plus and minus bring it nearer, 0 shows all.");
   translated(() => canvas.setAttribute("aria-label", pick(words)));
   canvas.addEventListener("keydown", (event) => key(event, assembly));
 
   const bar = element("div", { class: "bar3d" });
-  const views = [["start", "All", "全部"], ["left", "Left", "左视"], ["right", "Right", "右视"], ["front", "Front", "前视"], ["top", "Top", "俯视"]];
-  for (const [name, en, zh] of views) {
-    const button = element("button", { type: "button", text: [en, zh] });
+  const views = [["start", both("All")], ["left", both("Left")], ["right", both("Right")], ["front", both("Front")], ["top", both("Top")]];
+  for (const [name, text] of views) {
+    const button = element("button", { type: "button", text });
     button.addEventListener("click", () => assembly.view(name));
     bar.append(button);
   }
@@ -51,15 +48,15 @@ function key(event, assembly) {
 }
 
 function section(assembly) {
-  const select = element("select", { label: ["Section", "剖切"] });
+  const select = element("select", { label: both("Section") });
   const choices = [
-    ["", "No section", "不剖切"],
-    ["z", "Across shafts", "垂直于轴"],
-    ["x", "Across the car", "横向"],
-    ["y", "Level", "水平"],
+    ["", both("No section")],
+    ["z", both("Across shafts")],
+    ["x", both("Across the car")],
+    ["y", both("Level")],
   ];
-  for (const [value, en, zh] of choices) select.append(element("option", { value, text: [en, zh] }));
-  const slider = element("input", { type: "range", min: 0, max: 1, step: 0.002, value: 0.5, hidden: true, label: ["Place of the section", "剖切位置"] });
+  for (const [value, text] of choices) select.append(element("option", { value, text }));
+  const slider = element("input", { type: "range", min: 0, max: 1, step: 0.002, value: 0.5, hidden: true, label: both("Place of the section") });
   const update = () => {
     slider.hidden = !select.value;
     assembly.section(select.value || null, Number(slider.value));
@@ -73,8 +70,8 @@ function parts(assembly) {
   const menu = element("div", { class: "menu" });
   const fill = () => {
     const list = assembly.motion.scene.parts.map(({ code, label }) => [code, label]);
-    for (const [code, en, zh] of [["shafts", "shafts", "轴"], ["follower", "rod and fork", "从动杆与前叉"], ["wheel", "drive wheel", "驱动轮"]]) {
-      if (assembly.groups.has(code)) list.push([code, [en, zh]]);
+    for (const [code, label] of [["shafts", both("shafts")], ["follower", both("rod and fork")], ["wheel", both("drive wheel")]]) {
+      if (assembly.groups.has(code)) list.push([code, label]);
     }
     const boxes = list.map(([code, label]) => {
       const box = element("input", { type: "checkbox", checked: !assembly.hidden.has(code) });
@@ -84,12 +81,12 @@ function parts(assembly) {
     menu.replaceChildren(...boxes);
   };
   fill();
-  return { fill, menu: element("details", {}, element("summary", { text: ["Parts shown", "显示零件"] }), menu) };
+  return { fill, menu: element("details", {}, element("summary", { text: both("Parts shown") }), menu) };
 }
 
 function measure(assembly) {
   const { canvas, box } = assembly;
-  const button = element("button", { type: "button", "aria-pressed": "false", text: ["Measure", "测量"] });
+  const button = element("button", { type: "button", "aria-pressed": "false", text: both("Measure") });
   const result = element("output", { class: "measured", "aria-live": "polite" });
   box.append(result);
   const colour = new MeshBasicMaterial({ color: 0xe4572e, depthTest: false });
@@ -107,15 +104,13 @@ function measure(assembly) {
   const say = () => {
     if (!on) result.textContent = "";
     else if (picks.length < 2) {
-      result.textContent = pick(picks.length ? ["Pick the second point", "请选取第二点"] : ["Pick a point on a part", "请在零件上选取一点"]);
+      result.textContent = pick(picks.length ? both("Pick the second point") : both("Pick a point on a part"));
     } else {
       const [a, b] = picks.map(({ mesh, point }) => mesh.localToWorld(point.clone()));
       const off = b.clone().sub(a);
       const [ahead, up, left] = [off.x, off.y, -off.z].map((v) => v.toFixed(2));
-      result.textContent = pick([
-        `${off.length().toFixed(2)} mm (ahead ${ahead}, up ${up}, left ${left})`,
-        `${off.length().toFixed(2)} mm（前 ${ahead}，上 ${up}，左 ${left}）`,
-      ]);
+      const length = off.length().toFixed(2);
+      result.textContent = pick(both("{length} mm (ahead {ahead}, up {up}, left {left})", { length, ahead, up, left }));
     }
   };
 

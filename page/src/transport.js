@@ -1,5 +1,5 @@
 // Slider, button and keys that set the cam angle; one state for everything that moves.
-import { element, pick, translated } from "./words.js";
+import { both, element, pick, translated } from "./words.js";
 
 const TURN = 360;
 const SECONDS = 24; // of a turn at speed 1
@@ -21,7 +21,7 @@ export function transport() {
   let fields = [];
   let values = [];
 
-  const speed = element("select", { label: ["Speed", "速度"] });
+  const speed = element("select", { label: both("Speed") });
   for (const value of [0.1, 0.25, 0.5, 1, 2, 4]) speed.append(element("option", { value, selected: value === 1 }, `${value}×`));
   speed.addEventListener("change", () => (state.speed = Number(speed.value)));
   const box = element("input", { type: "checkbox", checked: true, id: "with-play" });
@@ -29,11 +29,11 @@ export function transport() {
     state.play = box.checked;
     changed();
   });
-  const withPlay = element("label", { class: "switch" }, box, element("span", { text: ["with play", "有间隙"] }));
+  const withPlay = element("label", { class: "switch" }, box, element("span", { text: both("with play") }));
   options.append(speed);
 
   const strip = document.getElementById("marks");
-  const names = { peak: ["peak", "峰"], valley: ["valley", "谷"], blend: ["blend", "过渡段"] };
+  const names = { peak: both("peak"), valley: both("valley"), blend: both("blend") };
   let titles = [];
   translated(() => titles.forEach(([mark, kind, degrees]) => (mark.title = `${pick(names[kind])} ${degrees.toFixed(1)}°`)));
 
@@ -53,11 +53,11 @@ export function transport() {
     strip.replaceChildren(...titles.map(([mark]) => mark));
     strip.classList.toggle("many", marks.length > MANY);
     fields = [
-      ["lift", ["lift", "升程"], (s) => `${plain(s.lift, 3)} mm`],
-      ["steer", ["steering", "转向角"], (s) => `${plain((motion.scene.car.steering * Math.atan(s.tan) * 180) / Math.PI, 2)}°`],
-      ["pressure", ["pressure angle", "压力角"], (s) => `${plain(s.pressure, 1)}°`],
-      ["run", ["distance run", "行驶距离"], (s) => `${(s.run / 1000).toFixed(2)} m`],
-      ["off", ["off the plan", "偏离规划"], (s) => `${s.off.toFixed(1)} mm`],
+      ["lift", both("lift"), (s) => `${plain(s.lift, 3)} mm`],
+      ["steer", both("steering"), (s) => `${plain((motion.scene.car.steering * Math.atan(s.tan) * 180) / Math.PI, 2)}°`],
+      ["pressure", both("pressure angle"), (s) => `${plain(s.pressure, 1)}°`],
+      ["run", both("distance run"), (s) => `${(s.run / 1000).toFixed(2)} m`],
+      ["off", both("off the plan"), (s) => `${s.off.toFixed(1)} mm`],
     ].filter(([code]) => code !== "off" || motion.goings.planned);
     now.replaceChildren();
     values = fields.map(([code, label]) => {
@@ -85,9 +85,9 @@ export function transport() {
   }
 
   function tell(current) {
-    const words = [`${pick(["cam angle", "凸轮转角"])} ${shown.value}`];
+    const words = [`${pick(both("cam angle"))} ${shown.value}`];
     for (const [i, [, label]] of fields.entries()) words.push(`${pick(label)} ${fields[i][2](current)}`);
-    live.textContent = words.join(pick([", ", "，"]));
+    live.textContent = words.join(pick(both(", ")));
   }
 
   function set(angle) {

@@ -2,6 +2,15 @@
 export let language = "en";
 const listeners = [];
 
+// Chinese of the script's own words, from the catalogue `script.po`.
+const catalogue = JSON.parse(document.getElementById("words").textContent);
+
+/** A text in both languages; `{name}` in it stands for a value, or for a text in both languages. */
+export const both = (text, values = {}) =>
+  [text, catalogue[text] ?? text].map((said, i) =>
+    said.replace(/\{(\w+)\}/g, (_, name) => (Array.isArray(values[name]) ? values[name][i] : values[name])),
+  );
+
 export const pick = (pair) => (language === "zh" ? pair[1] : pair[0]);
 
 /** Calls a function now and after each change of the language. */
@@ -28,6 +37,12 @@ export function element(name, { text, label, ...attributes } = {}, ...children) 
   made.append(...children);
   if (language === "zh") swap(made, "zh");
   return made;
+}
+
+/** Puts a text in both languages into an element; none empties it. */
+export function say(node, [en, zh] = ["", ""]) {
+  Object.assign(node.dataset, { en, zh });
+  swapOne(node, language);
 }
 
 function swapOne(node, to) {

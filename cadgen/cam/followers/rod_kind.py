@@ -9,6 +9,7 @@ from annotated_types import Ge, Gt, Le
 
 from cadgen.cam.followers.kind import FollowerKind, FollowerSeat, RunningSurface
 from cadgen.laws.unit import TAN
+from cadgen.messages import Message
 
 if TYPE_CHECKING:
     from cadgen.cam.followers.rod import LeaningRod
@@ -42,7 +43,10 @@ class RodKeys:
     def __post_init__(self) -> None:
         if self.width_mm is not None and self.material != RunningSurface.BALL_BEARING:
             raise ValueError(
-                'follower.width_mm is the width of a ball bearing: set follower.material = "ball_bearing", or remove it'
+                Message(
+                    'follower.width_mm is the width of a ball bearing: set follower.material = "ball_bearing", or '
+                    "remove it"
+                )
             )
 
 
@@ -59,18 +63,30 @@ def _refuse(keys: RodKeys, seat: FollowerSeat) -> None:
     # A face nearer than this the rod cannot swing clear of (the divisor w^2 - h^2 in `cadgen.cam.followers.rod`).
     if keys.radius_mm >= inner:
         raise ValueError(
-            f"follower.radius_mm is {keys.radius_mm:g}; it must be less than the distance of the disc's "
-            f"inner face from the fork axis, {inner:g} mm: lower it, or move the disc outwards"
+            Message(
+                "follower.radius_mm is {radius:g}; it must be less than the distance of the disc's inner face from the "
+                "fork axis, {inner:g} mm: lower it, or move the disc outwards",
+                radius=keys.radius_mm,
+                inner=inner,
+            )
         )
     if keys.radius_mm >= seat.base_radius:
         raise ValueError(
-            f"follower.radius_mm is {keys.radius_mm:g}; it must be less than cam.base_radius_mm, which "
-            f"is {seat.base_radius:g}: lower it, or raise cam.base_radius_mm"
+            Message(
+                "follower.radius_mm is {radius:g}; it must be less than cam.base_radius_mm, which is "
+                "{base_radius:g}: lower it, or raise cam.base_radius_mm",
+                radius=keys.radius_mm,
+                base_radius=seat.base_radius,
+            )
         )
     if keys.length_mm is not None and keys.length_mm <= outer:
         raise ValueError(
-            f"follower.length_mm is {keys.length_mm:g}; it must be greater than the distance of the "
-            f"disc's outer face from the fork axis, {outer:g} mm"
+            Message(
+                "follower.length_mm is {length:g}; it must be greater than the distance of the disc's outer face from "
+                "the fork axis, {outer:g} mm",
+                length=keys.length_mm,
+                outer=outer,
+            )
         )
 
 

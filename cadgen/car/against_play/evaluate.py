@@ -82,9 +82,9 @@ class Evaluation:
     def title(self) -> str:
         """Name in tables and pictures."""
         return (
-            Message("cam as measured ({profile})", profile=self.profile)
+            Message("cam as measured ({profile})", profile=Message(str(self.profile)))
             if self.measured
-            else Message("{profile} profile", profile=self.profile)
+            else Message("{profile} profile", profile=Message(str(self.profile)))
         )
 
     @property
@@ -277,7 +277,7 @@ def _beyond(candidate: ProfileCandidate, limit: FigureLimit) -> str:
         "has a {figure} of {value:.4g} {unit}, {excess:.4g} {unit} more than the {most:.4g} allowed",
         figure=Message(limit.figure),
         value=value,
-        unit=limit.unit,
+        unit=Message(limit.unit),
         excess=value - limit.most,
         most=limit.most,
     )

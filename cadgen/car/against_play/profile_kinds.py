@@ -108,7 +108,7 @@ def _published_curve(lift: Motion, follower: Follower) -> ActualProfile:
     from cadgen.cam.follower import edge_follower
     from cadgen.cam.followers.rod import published_profile
 
-    rod = edge_follower(follower, "the formula of the paper", "take --profile actual")
+    rod = edge_follower(follower, Message("the formula of the paper"), Message("take --profile actual"))
     return ActualProfile(published_profile(lift, rod), ())
 
 

@@ -11,7 +11,7 @@ from cadgen.car.course.approach import Approach, approach, approach_to_edge
 from cadgen.car.course.body import CarBody, Complex, RunPoses, place_of
 from cadgen.car.course.layout import CarPoint, Course, Gate, Obstacle, Side
 from cadgen.car.steering import Car
-from cadgen.messages import Message
+from cadgen.messages import Message, clauses
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -182,7 +182,7 @@ class CourseVerdict:
             for (obstacle, there), side in zip(self.approaches, self.sides, strict=True)
         }
         if self.edge is not None:
-            found["course.field"] = (self.edge.part, self.edge.clearance)
+            found["course.field"] = (Message(self.edge.part), self.edge.clearance)
         for passage in self.passages:
             wrong = Message(", wrong {fault}", fault=Message(passage.fault)) if passage.fault else ""
             found[passage.gate.key] = (
@@ -267,7 +267,9 @@ def judge_laps(poses: RunPoses, car: Car, body: CarBody, course: Course, ends: S
         beside = int(_BESIDE * (end - start))
         gates = course.gates
         if len(ends) > 1:
-            gates = tuple(replace(gate, key=f"{gate.key}, lap {number + 1}") for gate in gates)
+            gates = tuple(
+                replace(gate, key=clauses(gate.key, Message("lap {number}", number=number + 1))) for gate in gates
+            )
         first = max(start - beside, 0)
         passed = passages(poses.part(first, end + 1 + beside), car, gates)
         laps.append(

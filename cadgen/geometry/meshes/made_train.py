@@ -17,7 +17,7 @@ from cadgen.gears.stage import CONTRADICTION, PLAY_LIMIT_UM, Stage, Wheel
 from cadgen.gears.train import Train, TrainPlay, thinned
 from cadgen.geometry.meshes.mesh import body_mesh
 from cadgen.geometry.meshes.teeth import MeasuredPair, measured_pair, return_error
-from cadgen.messages import Message, joined
+from cadgen.messages import Message, clauses, joined
 from cadgen.parts.blank import Blank
 
 # Parts of which a volume in mm³ below this is common only touch: the rounding of the meshes.
@@ -102,7 +102,7 @@ def _worst(stages: Sequence[Sequence[Check]]) -> list[Check]:
     for number, checks in enumerate(stages, 1):
         for check in checks:
             stage = Message("stage {number}", number=number)
-            placed = replace(check, place=joined((stage, check.place)) if check.place else stage)
+            placed = replace(check, place=clauses(stage, check.place) if check.place else stage)
             nearest = worst.setdefault(check.code, placed)
             if _reserve(check, nearest.limit) < _reserve(nearest, check.limit):
                 worst[check.code] = placed

@@ -13,8 +13,8 @@ from cadgen.messages import Message
 
 _SIGNS = {"deg": "°", "um": " µm", "%": " %", "mm": " mm", "s": " s", "": ""}
 _OTHER_PLACES = Message(
-    "What the new cam is expected to do is not known: [as_built.outlook] is of other places "
-    "than the effects have now. Calibrate again, or give the effects those places."
+    "What the new cam is expected to do is not known: [as_built.outlook] is of other places than the effects have now. "
+    "Calibrate again, or give the effects those places."
 )
 _LEAST_SHIFT = radians(0.005)  # of the run's end: less than a hundredth of a degree is not worth a sentence
 
@@ -33,19 +33,18 @@ def as_built_sentences(design: Design, stop: float) -> list[str]:
         [effect for effect in record.effects if (effect.place == Place.NOTED) is aside] for aside in (False, True)
     )
     lines: list[str] = [
-        Message("As built: {used}.", used=_listed_effects(used))
+        Message("As built: {effects}.", effects=_listed_effects(used))
         if used
         else Message("As built: nothing that a cam or a run depends on.")
     ]
     if noted:
-        lines.append(Message("Only noted: {noted}.", noted=_listed_effects(noted)))
+        lines.append(Message("Only noted: {effects}.", effects=_listed_effects(noted)))
     lines += [*_lead_sentences(design), *_friction_sentences(design)]
     if abs(stop - stop_as_designed(design)) > _LEAST_SHIFT:
-        turns = ""
+        turns: str = ""
         if design.train is not None:
-            turns = Message(
-                " ({turns:.3f} turns of the wheel)", turns=stop / TURN * float(gear_model.train(design).ratio)
-            )
+            turned = stop / TURN * float(gear_model.train(design).ratio)
+            turns = Message(" ({turns:.3f} turns of the wheel)", turns=turned)
         lines.append(
             Message(
                 "The path ends at {stop:.2f}° of cam angle{turns}, not at {designed:.2f}°: stop the run there.",
@@ -58,18 +57,17 @@ def as_built_sentences(design: Design, stop: float) -> list[str]:
     if phase != 0 and cam_model.has_key(design):
         lines.append(
             Message(
-                "The key of the new cam is turned by {phase:.3f}°, which takes out the cam's phase.",
-                phase=-degrees(phase),
+                "The key of the new cam is turned by {turned:.3f}°, which takes out the cam's phase.",
+                turned=-degrees(phase),
             )
         )
     elif phase != 0:
-        way = Message("back against") if phase > 0 else Message("ahead in")
         lines.append(
             Message(
-                "Set the new cam on its shaft {phase:.3f}° {way} its sense of turning from where "
-                "the measured one stood: without a keyway or D-flat nothing does it for you.",
-                phase=abs(degrees(phase)),
-                way=way,
+                "Set the new cam on its shaft {turned:.3f}° {way} its sense of turning from where the measured one "
+                "stood: without a keyway or D-flat nothing does it for you.",
+                turned=abs(degrees(phase)),
+                way=Message("back against") if phase > 0 else Message("ahead in"),
             )
         )
     return lines
@@ -81,14 +79,13 @@ def outlook_sentence(design: Design) -> str:
     if not outlook:
         return _OTHER_PLACES if design.as_built and design.as_built.outlook else ""
     return Message(
-        "The new cam is expected to end the run {new_mm:.1f} mm off ({least_mm:.1f} to "
-        "{most_mm:.1f} mm in 90 %), the old one {old_mm:.1f} mm; it is worse with a chance "
-        "of {chance_worse:.1%}.",
-        new_mm=outlook.new_mm,
-        least_mm=outlook.least_mm,
-        most_mm=outlook.most_mm,
-        old_mm=outlook.old_mm,
-        chance_worse=outlook.chance_worse,
+        "The new cam is expected to end the run {new:.1f} mm off ({least:.1f} to {most:.1f} mm in 90 %), the old one "
+        "{old:.1f} mm; it is worse with a chance of {worse:.1%}.",
+        new=outlook.new_mm,
+        least=outlook.least_mm,
+        most=outlook.most_mm,
+        old=outlook.old_mm,
+        worse=outlook.chance_worse,
     )
 
 
@@ -142,9 +139,8 @@ def _lead_sentences(design: Design) -> list[str]:
         return []
     return [
         Message(
-            "The cam takes out what its shaft leads or lags the gears by at each turn: mark "
-            "every wheel, its shaft and the teeth in mesh before you take the train apart, and "
-            "put them together as they were measured."
+            "The cam takes out what its shaft leads or lags the gears by at each turn: mark every wheel, its shaft and "
+            "the teeth in mesh before you take the train apart, and put them together as they were measured."
         )
     ]
 
@@ -155,26 +151,25 @@ def _friction_sentences(design: Design) -> list[str]:
     if known.play == 0 and known.shows_play_with_rod and known.friction is None:
         return [
             Message(
-                "The car showed no play with the rod on: its gears have none, or friction or "
-                "drag holds the cam, and then oil or shaking sets it free: measure the play with "
-                "the rod lifted."
+                "The car showed no play with the rod on: its gears have none, or friction or drag holds the cam, and "
+                "then oil or shaking sets it free: measure the play with the rod lifted."
             )
         ]
     if known.runs_free and known.play:
-        instead = Message(" instead of the friction of [mechanics]") if design.mechanics is not None else ""
+        instead = "" if design.mechanics is None else Message(" instead of the friction of [mechanics]")
         return [
             Message(
-                "The return error was found on a track as if the rod slid without friction, and "
-                "is used so{instead}: calibrate that track again to look for friction too; a "
-                "play measured with the rod lifted belongs in play.measured_deg.",
+                "The return error was found on a track as if the rod slid without friction, and is used so{instead}: "
+                "calibrate that track again to look for friction too; a play measured with the rod lifted belongs in "
+                "play.measured_deg.",
                 instead=instead,
             )
         ]
     if known.friction is not None and known.friction[0] > 0:
         return [
             Message(
-                "Friction was measured on this car as it was then: oil, wear or shaking change "
-                "it, and with it where the cam leads its gears."
+                "Friction was measured on this car as it was then: oil, wear or shaking change it, and with it where "
+                "the cam leads its gears."
             )
         ]
     return []
@@ -188,11 +183,10 @@ def assumed_play(design: Design) -> list[str]:
     lowest = variation.play_bands(design)[design.optimize.order].least
     return [
         Message(
-            "Warning: play was not measured on this car, so the tabled return error is assumed, "
-            "{lowest:.3f} to {tabled:.3f}°: calibrate with a track, a transmission or zones, or "
-            "set play.measured_deg.",
-            lowest=degrees(lowest),
-            tabled=degrees(tabled),
+            "Warning: play was not measured on this car, so the tabled return error is assumed, {least:.3f} to "
+            "{most:.3f}°: calibrate with a track, a transmission or zones, or set play.measured_deg.",
+            least=degrees(lowest),
+            most=degrees(tabled),
         )
     ]
 
@@ -206,7 +200,7 @@ def _listed_effects(effects: list[EffectSection]) -> str:
     named = [
         Message(
             "{effect} {values} ({place}, from {kind})",
-            effect=Message(effect.known().name),
+            effect=Message(effect.effect),
             values=_values(effect),
             place=Message(effect.place),
             kind=Message(effect.kind),

@@ -190,7 +190,7 @@ def task_of(design: Design, track: Track, lift: PathMotion, follower: Follower) 
     Raises:
         DesignError: the follower is not the leaning rod.
     """
-    rod = edge_follower(follower, "what the play of the gears does to a cam", "take --profile actual")
+    rod = edge_follower(follower, Message("what the play of the gears does to a cam"), Message("take --profile actual"))
     return PlayTask(
         lift=lift,
         follower=rod,
@@ -271,17 +271,18 @@ def _lift_check(evaluation: Evaluation, most: float | None) -> Check:
     where = float(evaluation.run.motor[np.argmax(np.abs(evaluation.lift_error))])
     return Check(
         CheckCode.LIFT_ERROR_WITH_PLAY,
-        "lift error with play",
+        LIFT_ERROR,
         evaluation.worst_lift_error * 1e3,
         "µm",
         inf if most is None else most,
         Bound.MAX,
-        f"motor {degrees(where):.2f}° (play {degrees(evaluation.play):.3f}°)",
-        "the profile leaves the planned path: use --profile compensated, or raise optimize.max_lift_error_um",
+        Message("motor {motor:.2f}° (play {play:.3f}°)", motor=degrees(where), play=degrees(evaluation.play)),
+        Message("the profile leaves the planned path: use --profile compensated, or raise optimize.max_lift_error_um"),
     )
 
 
-LIFT_ERROR = "lift error with play"
+LIFT_ERROR = Message("lift error with play")
+_RUN_ERROR = Message("position error on the run")
 
 
 @dataclass(frozen=True)
@@ -346,11 +347,15 @@ def best_of(
 
 def _deciding(band: PlayBand) -> str:
     """Name of the figure that decides the choice: with a measured play other cars do not matter."""
-    return "worst end position error" if band.measured is None else "position error at the end with the measured play"
+    if band.measured is None:
+        return Message("worst end position error")
+    return Message("position error at the end with the measured play")
 
 
 def _heading(band: PlayBand) -> str:
-    return _deciding(band).replace("position", "heading")
+    if band.measured is None:
+        return Message("worst end heading error")
+    return Message("heading error at the end with the measured play")
 
 
 def _limits(design: Design, band: PlayBand) -> tuple[FigureLimit, ...]:
@@ -359,7 +364,7 @@ def _limits(design: Design, band: PlayBand) -> tuple[FigureLimit, ...]:
     limits = (
         (_deciding(band), keys.max_end_position_mm, "mm"),
         (_heading(band), keys.max_end_heading_deg, "degrees"),
-        ("position error on the run", keys.max_run_position_mm, "mm"),
+        (_RUN_ERROR, keys.max_run_position_mm, "mm"),
         (LIFT_ERROR, keys.max_lift_error_um, "µm"),
     )
     return tuple(FigureLimit(figure=name, most=most, unit=unit) for name, most, unit in limits if most is not None)
@@ -373,9 +378,12 @@ def _lifted(
     raised = [limit for limit in limits if limit.figure == LIFT_ERROR and limit.most < least < had]
     if not raised:
         return limits, ()
-    words = (
-        f"no profile keeps the lift error with play within the {raised[0].most:g} µm of optimize.max_lift_error_um: "
-        f"{least:.0f} µm at least, but the cam that was measured has {had:.0f} µm on this car"
+    words = Message(
+        "no profile keeps the lift error with play within the {most:g} µm of optimize.max_lift_error_um: {least:.0f} "
+        "µm at least, but the cam that was measured has {had:.0f} µm on this car",
+        most=raised[0].most,
+        least=least,
+        had=had,
     )
     return tuple(replace(limit, most=had) if limit in raised else limit for limit in limits), (words,)
 
@@ -406,7 +414,7 @@ def _figures(checks: ProfileChecks, evaluation: Evaluation, band: PlayBand) -> d
     return {
         _deciding(band): distance,
         _heading(band): degrees(heading),
-        "position error on the run": float(evaluation.error.distance.max()),
+        _RUN_ERROR: float(evaluation.error.distance.max()),
         LIFT_ERROR: evaluation.worst_lift_error * 1e3,
     }
 
@@ -458,7 +466,12 @@ def against_play(
             best = best_of(compared_on[order], work.band, checks, old)
         except CheckError as error:
             others = {name: other_work for name, other_work in works.items() if name != order}
-            raise CheckError(f"{error}{_other_order(others, profile, checks)}{_with_friction(design, task)}") from error
+            raise CheckError(
+                "{error}{order}{friction}",
+                error=error.message,
+                order=_other_order(others, profile, checks),
+                friction=_with_friction(design, task),
+            ) from error
         chosen = best.evaluation
         reasons += best.reasons
     reasons += _lost_sentences(task, chosen)
@@ -489,7 +502,9 @@ def _evaluations(
         return tuple(evaluate(work, kind) for kind in ((ACTUAL,) if profile is ACTUAL else (ACTUAL, profile))), ()
     blend = work.task.lift.blend_start
     if not (falls(work.task.lift) % TURN < blend).any():
-        where = f" before its closing blend at {degrees(blend):.1f}°" if work.task.lift.blended else ""
+        where: str = ""
+        if work.task.lift.blended:
+            where = Message(" before its closing blend at {blend:.1f}°", blend=degrees(blend))
         reason = Message(
             "the lift has no peak and no valley{where}, so play changes nothing: the actual profile is made",
             where=where,
@@ -516,11 +531,26 @@ def _lost_sentences(task: PlayTask, chosen: Evaluation) -> list[str]:
     missed = worst.tan_beta * task.follower.outer
     if missed < _LEAST_MISSED:
         return []
-    verb = "is" if len(chosen.lost) == 1 else "are"
+    play, cam_angle = degrees(chosen.made_for), degrees(worst.cam_angle)
+    if len(chosen.lost) == 1:
+        return [
+            Message(
+                "1 of the lift's dips is narrower than the return error of {play:.3f}° and cannot be driven: the rod "
+                "misses at most {missed:.3g} mm of lift there, at cam angle {cam_angle:.2f}°",
+                play=play,
+                missed=missed,
+                cam_angle=cam_angle,
+            )
+        ]
     return [
-        f"{len(chosen.lost)} of the lift's dips {verb} narrower than the return error of "
-        f"{degrees(chosen.made_for):.3f}° and cannot be driven: the rod misses at most {missed:.3g} mm of "
-        f"lift there, at cam angle {degrees(worst.cam_angle):.2f}°"
+        Message(
+            "{count} of the lift's dips are narrower than the return error of {play:.3f}° and cannot be driven: the "
+            "rod misses at most {missed:.3g} mm of lift there, at cam angle {cam_angle:.2f}°",
+            count=len(chosen.lost),
+            play=play,
+            missed=missed,
+            cam_angle=cam_angle,
+        )
     ]
 
 
@@ -529,7 +559,7 @@ def _with_friction(design: Design, task: PlayTask) -> str:
     known = task.mechanics
     if known is None or known.friction[1] == 0 or Hardware.DRAG in (design.optimize.hardware or ()):
         return ""
-    return (
+    return Message(
         "; with friction no profile gives the lift wanted on each fall, but a brake on the disc does: --set "
         "'optimize.hardware=[\"drag\"]', or remove optimize.max_lift_error_um to see what else helps in cadgen optimize"
     )
@@ -543,8 +573,10 @@ def _other_order(works: Mapping[StageOrder, TrainTask], profile: ProfileKind, ch
         except (DesignError, CheckError):
             continue
         if not failing(checks.of(best)):
-            return (
-                f", or set the stages in the order {name}, with which {best.profile} keeps them all: "
-                f"--set optimize.order={name}"
+            return Message(
+                ", or set the stages in the order {order}, with which {profile} keeps them all: --set "
+                "optimize.order={order}",
+                order=name,
+                profile=Message(str(best.profile)),
             )
     return ""

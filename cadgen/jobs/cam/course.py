@@ -9,9 +9,9 @@ import numpy as np
 
 from cadgen.arrays import TURN
 from cadgen.car.course.approach import Approach
-from cadgen.car.course.body import CarBody, RunPoses
+from cadgen.car.course.body import CarBody, PartName, RunPoses
 from cadgen.car.course.judge import CourseVerdict, EndDeviation, Passage, judge, judge_laps, passages
-from cadgen.car.course.layout import Course, Judged, ObstacleKind, Shape
+from cadgen.car.course.layout import CarPoint, Course, Judged, ObstacleKind, Shape
 from cadgen.car.course.refuse import refuse_course
 from cadgen.car.path.wheel_track import Track
 from cadgen.car.path_motion import PathMotion
@@ -23,6 +23,7 @@ from cadgen.design import cam_model
 from cadgen.design.course import STAND_RADIUS, body_of, layout_of
 from cadgen.design.schema import Design
 from cadgen.jobs.cam.comparison import PlayComparison
+from cadgen.messages import Message, clauses, joined
 from cadgen.output.report.tracks import Field
 
 _STEP = 2.5  # mm of travel between poses: straight lines between them then err by 2 um on turns of 400 mm
@@ -31,9 +32,21 @@ _LEAST_STEPS = 360  # of a lap
 _ROUNDING = 1e-9  # rad
 _NAMED = 6  # missed gates in a sentence; of ten laps there may be a hundred
 _OF_KIND = {
-    ObstacleKind.POST: CheckCode.COURSE_POST,
-    ObstacleKind.WALL: CheckCode.COURSE_WALL,
-    ObstacleKind.ZONE: CheckCode.COURSE_ZONE,
+    ObstacleKind.POST: (CheckCode.COURSE_POST, Message("nearest post")),
+    ObstacleKind.WALL: (CheckCode.COURSE_WALL, Message("nearest wall")),
+    ObstacleKind.ZONE: (CheckCode.COURSE_ZONE, Message("nearest zone")),
+}
+_POINTS = {
+    CarPoint.FORK: Message("fork of the car"),
+    CarPoint.DRIVE_WHEEL: Message("drive wheel of the car"),
+    CarPoint.IDLE_WHEEL: Message("idle wheel of the car"),
+    CarPoint.MIDDLE: Message("middle of the car"),
+}
+_PARTS = {
+    PartName.OUTLINE: Message("by the outline"),
+    PartName.FRONT_WHEEL: Message("by the front wheel"),
+    PartName.DRIVE_WHEEL: Message("by the drive wheel"),
+    PartName.IDLE_WHEEL: Message("by the idle wheel"),
 }
 
 
@@ -181,7 +194,7 @@ class CourseRun:
         if self.blend is not None:
             for key, (where, room) in self.blend.figures().items():
                 if key not in found or room < found[key][1]:
-                    found[key] = (f"{where}, on the blend", room)
+                    found[key] = (clauses(where, Message("on the blend")), room)
         return found
 
     def checks(self) -> tuple[Check, ...]:
@@ -193,30 +206,26 @@ class CourseRun:
         if self.blend is None:
             return
         room = min(
-            ((room, f"{key}, {where}") for key, (where, room) in self.blend.figures().items()),
+            ((room, clauses(key, where)) for key, (where, room) in self.blend.figures().items()),
             default=None,
         )
-        if room is not None:
-            yield Check(
-                CheckCode.COURSE_BLEND if self.play is None else CheckCode.COURSE_BLEND_PLAY,
-                "least room on the blend" + ("" if self.play is None else ", with play"),
-                room[0],
-                "mm",
-                -inf,
-                Bound.MIN,
-                room[1] + ("" if self.play is None else f", return error {degrees(self.play):.3f}°"),
-            )
+        if room is None:
+            return
+        code, name = CheckCode.COURSE_BLEND, Message("least room on the blend")
+        if self.play is not None:
+            code, name = CheckCode.COURSE_BLEND_PLAY, Message("{name}, with play", name=name)
+        yield Check(code, name, room[0], "mm", -inf, Bound.MIN, self._with_play(room[1]))
 
     def _clear(self) -> Iterator[Check]:
         margin, driven = self.on.course.margin, self.driven
-        for kind, code in _OF_KIND.items():
+        for kind, (code, name) in _OF_KIND.items():
             near = [(obstacle, there) for obstacle, there in driven.approaches if obstacle.kind == kind]
             if near:
                 obstacle, there = min(near, key=lambda pair: pair[1].clearance)
-                advice = f"move the path away from {obstacle.key}, or lower course.margin_mm"
+                advice = Message("move the path away from {key}, or lower course.margin_mm", key=obstacle.key)
                 yield self._check(
                     code,
-                    f"nearest {kind}",
+                    name,
                     there.clearance,
                     "mm",
                     margin,
@@ -225,11 +234,13 @@ class CourseRun:
                     advice,
                 )
         if driven.edge is not None:
-            place = self._by("course.field" if self.on.body.corners else "course.field (wheels alone)", driven.edge)
-            advice = "move the path away from the field's edge, or lower course.margin_mm"
+            field = "course.field"
+            key = field if self.on.body.corners else Message("{field} (wheels alone)", field=field)
+            place = self._by(key, driven.edge)
+            advice = Message("move the path away from the field's edge, or lower course.margin_mm")
             yield self._check(
                 CheckCode.COURSE_EDGE,
-                "edge of the field",
+                Message("edge of the field"),
                 driven.edge.clearance,
                 "mm",
                 margin,
@@ -241,11 +252,13 @@ class CourseRun:
     def _sides(self) -> Iterator[Check]:
         if any(obstacle.side for obstacle in self.on.course.obstacles):
             wrong = self.driven.wrong_sides
-            place = ", ".join(f"{obstacle.key} is not passed on its {obstacle.side}" for obstacle in wrong) or "none"
-            advice = "lead the path past it on the other side, or change its key side"
-            yield self._check(
-                CheckCode.COURSE_SIDE, "passed on the wrong side", len(wrong), "", 0.0, Bound.MAX, place, advice
-            )
+            place = joined(
+                Message("{key} is not passed on its {side}", key=obstacle.key, side=Message(str(obstacle.side)))
+                for obstacle in wrong
+            ) or Message("none")
+            advice = Message("lead the path past it on the other side, or change its key side")
+            name = Message("passed on the wrong side")
+            yield self._check(CheckCode.COURSE_SIDE, name, len(wrong), "", 0.0, Bound.MAX, place, advice)
 
     def _gates(self) -> Iterator[Check]:
         passages = self.driven.passages
@@ -253,13 +266,15 @@ class CourseRun:
         if worst is None:
             return
         missed = [passage for passage in passages if passage.margin < 0 or passage.fault]
-        place = ", ".join(passage.missed for passage in missed[:_NAMED]) or f"all, {len(passages)} in order"
+        place = joined(passage.missed for passage in missed[:_NAMED])
+        if not missed:
+            place = Message("all, {count} in order", count=len(passages))
         if len(missed) > _NAMED:
-            place += f", and {len(missed) - _NAMED} more"
-        advice = "lead the path through the gates in their order and direction, or make them wider"
+            place = Message("{missed}, and {count} more", missed=place, count=len(missed) - _NAMED)
+        advice = Message("lead the path through the gates in their order and direction, or make them wider")
         yield self._check(
             CheckCode.COURSE_GATES,
-            "gates passed",
+            Message("gates passed"),
             len(passages) - len(missed),
             "",
             len(passages),
@@ -267,75 +282,75 @@ class CourseRun:
             place,
             advice,
         )
-        where = f"{worst.gate.key}, {worst.off:.1f} mm from its middle, {self._at(worst.place)}"
-        yield self._check(
-            CheckCode.COURSE_GATE_MARGIN, "least margin of a gate", worst.margin, "mm", 0.0, Bound.MIN, where, advice
-        )
+        off = Message("{off:.1f} mm from its middle", off=worst.off)
+        where = clauses(worst.gate.key, off, self._at(worst.place))
+        name = Message("least margin of a gate")
+        yield self._check(CheckCode.COURSE_GATE_MARGIN, name, worst.margin, "mm", 0.0, Bound.MIN, where, advice)
 
     def _stands(self) -> Iterator[Check]:
-        for name, stand, code, turned in (
-            ("start", self.driven.start, CheckCode.COURSE_START, CheckCode.COURSE_START_HEADING),
-            ("finish", self.driven.finish, CheckCode.COURSE_FINISH, CheckCode.COURSE_FINISH_HEADING),
-        ):
-            if stand is None or (code == CheckCode.COURSE_START and self.play is not None):
-                continue
-            yield from self._stand(name, stand, code, turned)
+        start, finish = self.driven.start, self.driven.finish
+        if start is not None and self.play is None:
+            key = start.wanted.key
+            cure = Message("let the path start there, or change {key}", key=key)
+            yield self._off(start, CheckCode.COURSE_START, Message("start off"), cure)
+            cure = Message("let the path start in that direction, or change {key}.heading_deg", key=key)
+            yield from self._turned(start, CheckCode.COURSE_START_HEADING, Message("start, heading off"), cure)
+        if finish is not None:
+            key = finish.wanted.key
+            cure = Message("let the path finish there, or change {key}", key=key)
+            yield self._off(finish, CheckCode.COURSE_FINISH, Message("finish off"), cure)
+            cure = Message("let the path finish in that direction, or change {key}.heading_deg", key=key)
+            yield from self._turned(finish, CheckCode.COURSE_FINISH_HEADING, Message("finish, heading off"), cure)
 
-    def _stand(self, name: str, stand: EndDeviation, code: CheckCode, turned: CheckCode) -> Iterator[Check]:
-        wanted = stand.wanted
-        what = f"{wanted.point.replace('_', ' ')} of the car"
-        yield self._check(
-            code,
-            f"{name} off",
-            stand.off,
-            "mm",
-            wanted.place.reach or STAND_RADIUS,  # a line has none, and rounding must not fail it
-            Bound.MAX,
-            what,
-            f"let the path {name} there, or change {wanted.key}",
-        )
+    def _off(self, stand: EndDeviation, code: CheckCode, name: Message, cure: Message) -> Check:
+        reach = stand.wanted.place.reach or STAND_RADIUS  # a line has none, and rounding must not fail it
+        return self._check(code, name, stand.off, "mm", reach, Bound.MAX, _POINTS[stand.wanted.point], cure)
+
+    def _turned(self, stand: EndDeviation, code: CheckCode, name: Message, cure: Message) -> Iterator[Check]:
         if stand.turned is not None:
-            yield self._check(
-                turned,
-                f"{name}, heading off",
-                degrees(abs(stand.turned)),
-                "°",
-                degrees(wanted.heading_tolerance),
-                Bound.MAX,
-                what,
-                f"let the path {name} in that direction, or change {wanted.key}.heading_deg",
-            )
+            off, most = degrees(abs(stand.turned)), degrees(stand.wanted.heading_tolerance)
+            yield self._check(code, name, off, "°", most, Bound.MAX, _POINTS[stand.wanted.point], cure)
 
     def _check(
-        self, code: CheckCode, name: str, value: float, unit: str, limit: float, bound: str, place: str, advice: str
+        self, code: CheckCode, name: str, value: float, unit: str, limit: float, bound: Bound, place: str, advice: str
     ) -> Check:
         if self.play is None:
-            return Check(code, name, value, unit, limit, bound, place, advice)  # type: ignore[arg-type]
+            return Check(code, name, value, unit, limit, bound, place, advice)
         judged, finish = self.on.course.judged == Judged.PLAY, self.on.course.finish
-        cure = 'make the course keep more room, take play out of the gears, or set course.judged = "planned"'
+        cure = Message('make the course keep more room, take play out of the gears, or set course.judged = "planned"')
         if code == CheckCode.COURSE_FINISH and finish is not None and len(finish.place.points) > 1:
-            cure = (
+            cure = Message(
                 "with play no run ends on a line: give course.finish as a disc, at_mm with a radius_mm that holds "
                 'where the runs end, or set course.judged = "planned"'
             )
         free = inf if bound == Bound.MAX else -inf
         return Check(
             CheckCode(f"{code}-play"),
-            f"{name}, with play",
+            Message("{name}, with play", name=name),
             value,
             unit,
             limit if judged else free,
-            bound,  # type: ignore[arg-type]
-            f"{place}, return error {degrees(self.play):.3f}°",
+            bound,
+            self._with_play(place),
             cure,
         )
 
+    def _with_play(self, place: str) -> str:
+        if self.play is None:
+            return place
+        return clauses(place, Message("return error {play:.3f}°", play=degrees(self.play)))
+
     def _by(self, key: str, there: Approach) -> str:
-        return f"{key}, by the {there.part}, {self._at(there.place)}"
+        return clauses(key, _PARTS[there.part], self._at(there.place))
 
     def _at(self, place: float) -> str:
         at = self.poses.at(np.array([place]))
-        return f"{at.travel[0]:.0f} mm along, fork at ({at.fork[0].real:.0f}, {at.fork[0].imag:.0f}) mm"
+        return Message(
+            "{travel:.0f} mm along, fork at ({x:.0f}, {y:.0f}) mm",
+            travel=at.travel[0],
+            x=at.fork[0].real,
+            y=at.fork[0].imag,
+        )
 
 
 def _late(passed: Sequence[Passage], end: float) -> list[bool]:

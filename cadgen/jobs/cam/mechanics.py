@@ -18,6 +18,7 @@ from cadgen.design import variation
 from cadgen.design.play import Hardware
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
+from cadgen.messages import Message
 
 _FRICTION_STEP = 0.01
 _STEEP = 20.0  # mm at the end of the run for that step: friction decides more than anything that is cut
@@ -44,11 +45,17 @@ def rubbing_sentence(task: PlayTask, band: PlayBand, chosen: Evaluation, plain: 
     if max(worst) < _SHOWN:
         return ""
     low, high = USUAL
-    beside = "" if chosen.profile == plain.profile else f"; the {plain.title} would end up to {worst[1]:.0f} mm off"
-    return (
-        f"Reckoned as if the rod slid without friction, which only a ball bearing does. With a rod that rubs (friction "
-        f"{low:g} to {high:g}) and these plays the car would end up to {worst[0]:.0f} mm off{beside}. Say in "
-        f"[mechanics] what the car has, and cadgen optimize compares what helps."
+    beside: str = ""
+    if chosen.profile != plain.profile:
+        beside = Message("; the {plain} would end up to {off:.0f} mm off", plain=plain.title, off=worst[1])
+    return Message(
+        "Reckoned as if the rod slid without friction, which only a ball bearing does. With a rod that rubs (friction "
+        "{low:g} to {high:g}) and these plays the car would end up to {off:.0f} mm off{beside}. Say in [mechanics] "
+        "what the car has, and cadgen optimize compares what helps.",
+        low=low,
+        high=high,
+        off=worst[0],
+        beside=beside,
     )
 
 
@@ -67,27 +74,31 @@ def mechanics_checks(
     if band is not None:
         need = holding(lift, band)
         ahead = max(need.with_friction - band.drag[0], 0.0)
-        place = f"cam angle {degrees(need.cam_angle):.1f}°"
-        checks.append(Check(CheckCode.CAM_RUNS_AHEAD, "cam runs ahead", ahead, "N·mm", inf, Bound.MAX, place))
+        place = Message("cam angle {cam_angle:.1f}°", cam_angle=degrees(need.cam_angle))
+        name = Message("cam runs ahead")
+        checks.append(Check(CheckCode.CAM_RUNS_AHEAD, name, ahead, "N·mm", inf, Bound.MAX, place))
         if band.drag[1] > 0 and need.torque > 0:
             # A figure, not a verdict: 1 and more holds.
             margin = 0.0 if band.behind > 0 else band.drag[0] / need.torque
-            where = f"times what is needed, {need.torque:.3g} N·mm without friction"
+            where = Message("times what is needed, {torque:.3g} N·mm without friction", torque=need.torque)
             if band.behind > 0:
-                where = f"nothing holds the disc's {degrees(band.behind):.3f}° of play on its shaft"
-            checks.append(Check(CheckCode.CAM_HOLDS, "cam holds", margin, "", -inf, Bound.MIN, where))
+                play = degrees(band.behind)
+                where = Message("nothing holds the disc's {play:.3f}° of play on its shaft", play=play)
+            checks.append(Check(CheckCode.CAM_HOLDS, Message("cam holds"), margin, "", -inf, Bound.MIN, where))
     width = design.follower.bearing_width
     if width is not None:
         checks.append(
             Check(
                 CheckCode.BEARING_WIDTH,
-                "bearing width",
-                touched_width(lift, edge_follower(follower, "the width of a bearing")),
+                Message("bearing width"),
+                touched_width(lift, edge_follower(follower, Message("the width of a bearing"))),
                 "mm",
                 width,
                 Bound.MAX,
-                "length that touches the disc in a turn",
-                "the bearing leaves the disc: take a wider one, or two side by side, and set follower.width_mm",
+                Message("length that touches the disc in a turn"),
+                Message(
+                    "the bearing leaves the disc: take a wider one, or two side by side, and set follower.width_mm"
+                ),
             )
         )
     return tuple(checks)
@@ -99,11 +110,18 @@ def joint_sentences(design: Design) -> list[str]:
     if whole is None or not whole.loose or design.play is not None:
         return []
     added = sum(joint.greatest for joint in whole.loose)
-    parts = listed([f"{joint.name} {degrees(joint.greatest):.3f}°" for joint in whole.loose], "and")
-    teeth = "" if whole.teeth is None else f" to the teeth's {degrees(whole.teeth.return_error_max):.3f}°"
+    parts = [Message("{joint} {play:.3f}°", joint=joint.name, play=degrees(joint.greatest)) for joint in whole.loose]
+    teeth: str = ""
+    if whole.teeth is not None:
+        teeth = Message(" to the teeth's {play:.3f}°", play=degrees(whole.teeth.return_error_max))
     return [
-        f"Joints and bearings add up to {degrees(added):.3f}°{teeth}: {parts}.",
-        f"Cheapest cure: {whole.sentence()}.",
+        Message(
+            "Joints and bearings add up to {added:.3f}°{teeth}: {parts}.",
+            added=degrees(added),
+            teeth=teeth,
+            parts=listed(parts, "and"),
+        ),
+        Message("Cheapest cure: {cure}.", cure=whole.sentence()),
     ]
 
 
@@ -112,40 +130,61 @@ def border_sentences(design: Design, task: PlayTask, chosen: Evaluation, band: P
     known, keys = task.mechanics, design.mechanics
     if known is None:
         return []
-    lines = []
+    lines: list[str] = []
     need = holding(chosen.lift, known)
     if known.drag[0] > (0.0 if keys is None else keys.drag_Nmm[0]):
         lines.append(
-            f"Build: a brake on the disc itself with a drag of {known.drag[0]:.3g} N·mm, a quarter more than the cam's "
-            f"{need.torque:.3g} N·mm at {degrees(need.cam_angle):.1f}°, for a rod force of {known.rod_force:g} N; it "
-            f"takes {need.energy:.2g} J a turn. The cam is made for that."
+            Message(
+                "Build: a brake on the disc itself with a drag of {drag:.3g} N·mm, a quarter more than the cam's "
+                "{torque:.3g} N·mm at {cam_angle:.1f}°, for a rod force of {rod_force:g} N; it takes {energy:.2g} J a "
+                "turn. The cam is made for that.",
+                drag=known.drag[0],
+                torque=need.torque,
+                cam_angle=degrees(need.cam_angle),
+                rod_force=known.rod_force,
+                energy=need.energy,
+            )
         )
     if Hardware.TRIM in (design.optimize.hardware or ()):
         lines.append(
-            "Do: after a trial run set the micrometer of the base radius so that the end is met; the choice goes by "
-            "the ends after that trim, the figures in the table are before it."
+            Message(
+                "Do: after a trial run set the micrometer of the base radius so that the end is met; the choice goes "
+                "by the ends after that trim, the figures in the table are before it."
+            )
         )
     weak, strong = known.at(known.friction[0], known.drag[0]), known.at(known.friction[1], known.drag[1])
     held = [not len(case.leads(chosen.lift).intervals) for case in (weak, strong)]
     if held == [False, True]:
         lines.append(
-            "Warning: the cam leads its gears at the least friction and drag and is held at the greatest, which is the "
-            "worst place to be: it may do either from run to run."
+            Message(
+                "Warning: the cam leads its gears at the least friction and drag and is held at the greatest, which is "
+                "the worst place to be: it may do either from run to run."
+            )
         )
     if held == [True, True] and known.drag[0] < need.torque:
         lines.append(
-            "Warning: friction alone holds the cam on its gears, and oil or shaking undoes that: only drag is to be "
-            "counted on."
+            Message(
+                "Warning: friction alone holds the cam on its gears, and oil or shaking undoes that: only drag is to "
+                "be counted on."
+            )
         )
     if known.drag[0] > 0 and known.drag[0] < need.torque:
         lines.append(
-            f"Warning: the drag of {known.drag[0]:.3g} N·mm does not hold the cam, which needs {need.torque:.3g} N·mm "
-            f"at {degrees(need.cam_angle):.1f}°, and less is no half cure."
+            Message(
+                "Warning: the drag of {drag:.3g} N·mm does not hold the cam, which needs {torque:.3g} N·mm at "
+                "{cam_angle:.1f}°, and less is no half cure.",
+                drag=known.drag[0],
+                torque=need.torque,
+                cam_angle=degrees(need.cam_angle),
+            )
         )
     if known.behind > 0 and known.drag[1] > 0:
         lines.append(
-            f"Warning: the drag acts on the shaft, and the disc has {degrees(known.behind):.3f}° of play on it that no "
-            f"drag holds: brake the disc itself, or take that play out."
+            Message(
+                "Warning: the drag acts on the shaft, and the disc has {play:.3f}° of play on it that no drag holds: "
+                "brake the disc itself, or take that play out.",
+                play=degrees(known.behind),
+            )
         )
     play = sum(band.ends) / 2 if band.measured is None else band.measured
     frictions = np.arange(known.friction[0], known.friction[1] + _FRICTION_STEP, _FRICTION_STEP)
@@ -161,7 +200,12 @@ def border_sentences(design: Design, task: PlayTask, chosen: Evaluation, band: P
         steep = int(np.argmax(moved))
         if moved[steep] > _STEEP:
             lines.append(
-                f"Warning: near a friction of {frictions[steep]:.2f} a change by {_FRICTION_STEP:g} moves the end of "
-                f"the run by {moved[steep]:.0f} mm."
+                Message(
+                    "Warning: near a friction of {friction:.2f} a change by {step:g} moves the end of the run by "
+                    "{moved:.0f} mm.",
+                    friction=frictions[steep],
+                    step=_FRICTION_STEP,
+                    moved=moved[steep],
+                )
             )
     return lines

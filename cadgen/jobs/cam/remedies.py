@@ -7,7 +7,7 @@ import numpy as np
 
 from cadgen.cam.checks import check_cam
 from cadgen.cam.envelope import actual_profile
-from cadgen.cam.followers.kind import RunningSurface
+from cadgen.cam.followers.rod_kind import RodMaterial
 from cadgen.car.against_play.band import PlayBand, best_for_band, over_band
 from cadgen.car.against_play.evaluate import Evaluation
 from cadgen.car.against_play.play_task import PlayTask
@@ -23,7 +23,7 @@ from cadgen.errors import DesignError
 from cadgen.figures import Figure, Figures
 from cadgen.gears.choices import StageOrder
 from cadgen.jobs.cam.comparison import PlayComparison, known_trains
-from cadgen.messages import Message, joined
+from cadgen.messages import Message, clauses, joined
 from cadgen.progress import Progress, silent
 
 _ALLOWED_END = 100.0  # mm; error allowed to a trimmed car where [optimize] has no limit
@@ -120,7 +120,7 @@ def remedies(design: Design, comparison: PlayComparison, progress: Progress = si
     mechanics = comparison.task.mechanics
     if mechanics is None:
         raise DesignError("remedies against play go by the rod's force and friction: add [mechanics]")
-    progress(Message("comparing remedies against play"))
+    progress("comparing remedies against play")
     sheet = _Sheet(design, comparison.task, comparison.band, mechanics)
     plain = next(
         evaluation
@@ -172,8 +172,8 @@ def _compensated(sheet: _Sheet) -> list[Remedy]:
             known.cases,
             cut_for=middle.made_for,
             build=Message(
-                "right for a play of {play:.3f}° and a friction of {friction:.3g}, where "
-                "it leaves {left:.0f} mm: measure both on the car",
+                "right for a play of {play:.3f}° and a friction of {friction:.3g}, where it leaves {left:.0f} mm: "
+                "measure both on the car",
                 play=degrees(play),
                 friction=known.nominal.friction,
                 left=left,
@@ -213,11 +213,10 @@ def _split_wheel(sheet: _Sheet) -> list[Remedy]:
     low, high = sheet.band.ends
     ends = max(low - last.B_min, 0.0), max(high - last.B_max, 0.0)
     build = Message(
-        "a wheel of two halves under springs on the camshaft, which takes out its own mesh "
-        "only, {B_max:.3f} of {high:.3f}°; its springs must hold more torque than the cam "
-        "gives",
-        B_max=degrees(last.B_max),
-        high=degrees(high),
+        "a wheel of two halves under springs on the camshaft, which takes out its own mesh only, {mesh:.3f} of "
+        "{whole:.3f}°; its springs must hold more torque than the cam gives",
+        mesh=degrees(last.B_max),
+        whole=degrees(high),
     )
     return [_robust(sheet, Message("split wheel, compensated"), ends, build)]
 
@@ -225,7 +224,8 @@ def _split_wheel(sheet: _Sheet) -> list[Remedy]:
 def _bearing(sheet: _Sheet) -> list[Remedy]:
     """A ball bearing on the rod, and a cam for its radius, compensated."""
     task, design = sheet.task, sheet.design
-    if not design.follower.registered.runs or design.follower.surface == RunningSurface.BALL_BEARING:
+    keys = cam_model.rod_keys(design)
+    if keys is None or keys.material == RodMaterial.BALL_BEARING:
         return []
     fitting = bearing_for(task.lift, task.follower)
     if fitting is None:
@@ -249,11 +249,9 @@ def _bearing(sheet: _Sheet) -> list[Remedy]:
         blank = cam_model.blank(design)
         checks = check_cam(best.lift, follower, profile.curve, profile.trims, blank, limits, application=blend_checks)
         failed = [check.name for check in checks if not check.passed]
-        verdict = (
-            Message("its cam fails {failed}", failed=joined(map(Message, failed)))
-            if failed
-            else Message("its cam keeps every check")
-        )
+        verdict = Message("its cam keeps every check")
+        if failed:
+            verdict = Message("its cam fails {failed}", failed=joined(failed))
     except DesignError as error:
         return [
             Remedy(
@@ -262,13 +260,15 @@ def _bearing(sheet: _Sheet) -> list[Remedy]:
                 worst_end=None,
                 on_way=None,
                 build=Message(
-                    "no cam can be made for a bearing of {outside:g} mm: {error}",
+                    "no cam can be made for a bearing of {outside:g} mm: {reason}",
                     outside=bearing.outside,
-                    error=error.message,
+                    reason=error.message,
                 ),
             )
         ]
-    several = Message("a ball bearing") if count == 1 else Message("{count} ball bearings side by side", count=count)
+    several = Message("a ball bearing")
+    if count > 1:
+        several = Message("{count} ball bearings side by side", count=count)
     return [
         sheet.row(
             Message("ball bearing, compensated"),
@@ -277,13 +277,12 @@ def _bearing(sheet: _Sheet) -> list[Remedy]:
             known.cases,
             cut_for=best.made_for,
             build=Message(
-                "{several} of {bore:g} x {outside:g} x {width:g} mm on the rod, and a cam "
-                "for it: --set {overrides}; {verdict}",
+                "{several} of {bore:g} x {outside:g} x {width:g} mm on the rod, and a cam for it: {changes}; {verdict}",
                 several=several,
                 bore=bearing.bore,
                 outside=bearing.outside,
                 width=bearing.width,
-                overrides=" --set ".join(overrides),
+                changes=" ".join(f"--set {override}" for override in overrides),
                 verdict=verdict,
             ),
         )
@@ -307,10 +306,9 @@ def _trim(sheet: _Sheet, plain: Evaluation) -> list[Remedy]:
             worst_end=max(trim.error.end_distance for trim in settings),
             on_way=max(float(trim.error.distance.max()) for trim in settings),
             build=Message(
-                "after a trial run change the base radius at the micrometer by "
-                "{least:+.0f} to {most:+.0f} µm, so that the end is met; set at a "
-                "friction of {friction:.3g}, the end stays within {allowed:g} mm more "
-                "while friction stays from {low:.3g} to {high:.3g}",
+                "after a trial run change the base radius at the micrometer by {least:+.0f} to {most:+.0f} µm, so that "
+                "the end is met; set at a friction of {friction:.3g}, the end stays within {allowed:g} mm more while "
+                "friction stays from {low:.3g} to {high:.3g}",
                 least=turns[0],
                 most=turns[-1],
                 friction=known.nominal.friction,
@@ -327,15 +325,12 @@ def _drag(sheet: _Sheet, plain: Evaluation) -> list[Remedy]:
     need = holding(plain.lift, sheet.known)
     braked = replace(sheet.known, drag=(need.drag, need.drag), friction=(0.0, sheet.known.friction[1]), behind=0.0)
     keys = sheet.design.mechanics
-    share = ""
+    share: str = ""
     if keys is not None and keys.drive_energy_J is not None:
-        share = Message(
-            ", {percent:.1f} % of the drive's {drive_energy_J:g} J",
-            percent=100 * need.energy / keys.drive_energy_J,
-            drive_energy_J=keys.drive_energy_J,
-        )
-        if need.energy > keys.drive_energy_J:
-            share = Message("{share}, which it has not got", share=share)
+        drive = keys.drive_energy_J
+        share = Message(", {percent:.1f} % of the drive's {drive:g} J", percent=100 * need.energy / drive, drive=drive)
+        if need.energy > drive:
+            share = clauses(share, Message("which it has not got"))
     return [
         sheet.row(
             Message("plain cam, drag that holds"),
@@ -343,12 +338,11 @@ def _drag(sheet: _Sheet, plain: Evaluation) -> list[Remedy]:
             plain.rolled,
             braked.cases,
             build=Message(
-                "a brake or felt on the disc itself, {drag:.3g} N·mm for a rod force of "
-                "{rod_force:g} N: a quarter more than the cam's {torque:.3g} N·mm at "
-                "{cam_angle:.1f}° without friction ({with_friction:.3g} at the least "
-                "friction); it takes {energy:.2g} J a turn{share}, and holds until the "
-                "drag falls by {fall:.0f} % or the rod's force rises by {growth:.0f} %; "
-                "a milder path there needs less, a larger base radius does not",
+                "a brake or felt on the disc itself, {drag:.3g} N·mm for a rod force of {rod_force:g} N: a quarter "
+                "more than the cam's {torque:.3g} N·mm at {cam_angle:.1f}° without friction ({with_friction:.3g} at "
+                "the least friction); it takes {energy:.2g} J a turn{share}, and holds until the drag falls by "
+                "{falls:.0f} % or the rod's force rises by {rises:.0f} %; a milder path there needs less, a larger "
+                "base radius does not",
                 drag=need.drag,
                 rod_force=sheet.known.rod_force,
                 torque=need.torque,
@@ -356,8 +350,8 @@ def _drag(sheet: _Sheet, plain: Evaluation) -> list[Remedy]:
                 with_friction=need.with_friction,
                 energy=need.energy,
                 share=share,
-                fall=100 * (1 - need.torque / need.drag),
-                growth=100 * (need.drag / need.torque - 1),
+                falls=100 * (1 - need.torque / need.drag),
+                rises=100 * (need.drag / need.torque - 1),
             ),
         )
     ]

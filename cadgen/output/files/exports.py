@@ -21,6 +21,7 @@ from cadgen.design.schema import Export
 from cadgen.errors import FileError
 from cadgen.gears.layout import TrainLayout, TrainPart
 from cadgen.gears.tooth import GearForm
+from cadgen.messages import Message
 from cadgen.output.files.publisher import Artifact
 from cadgen.parts.blank import Blank
 
@@ -153,7 +154,7 @@ class CamExport:
                 "{file}, read back, moves the {follower} by {error:.2f} µm, more than the {limit:g} µm allowed: use "
                 "finer tolerances in the design's [export]",
                 file=name,
-                follower=self.follower.noun,
+                follower=Message(self.follower.noun),
                 error=error,
                 limit=limit,
             )

@@ -11,7 +11,7 @@ from markupsafe import Markup
 from cadgen.car.draws.drawn_spacing import DrawnSpacing
 from cadgen.design.schema import Design
 from cadgen.figures import Cell, Figure, Figures, Sheet, State
-from cadgen.messages import Message, joined
+from cadgen.messages import Message, clauses, language, shown
 
 _SAME = 1e-6  # mm
 # Figures of a printed card with the formats of their numbers.
@@ -122,7 +122,7 @@ def sheet(design: Design, drawn: Sequence[DrawnSpacing]) -> Sheet:
         )
     heads = []
     for figure in (figures(design, drawn[0])[code] for code in codes):
-        heads.append(joined([figure.name, figure.unit]) if figure.unit else figure.name)
+        heads.append(clauses(figure.name, figure.unit) if figure.unit else figure.name)
     return Sheet("settings", "", tuple(heads), tuple(cells), words=0)
 
 
@@ -250,7 +250,7 @@ def _faults(drawn: Sequence[DrawnSpacing]) -> Iterator[Message]:
 
 
 def printed_card(title: str, lines: Sequence[str], card: Sheet, faults: Sequence[str], legend: Sequence[str]) -> str:
-    """Text of the page.
+    """Text of the page, in the language that is shown.
 
     Args:
         title: heading of the page.
@@ -260,21 +260,25 @@ def printed_card(title: str, lines: Sequence[str], card: Sheet, faults: Sequence
         legend: sentences below the table.
     """
     wrong = any(faults)
-    heads = Markup("").join(Markup("<th>{}</th>").format(head) for head in card.heads) + Markup("<th></th>" * wrong)
+    heads = Markup("").join(Markup("<th>{}</th>").format(shown(head)) for head in card.heads) + Markup(
+        "<th></th>" * wrong
+    )
     body = []
     for row, fault in zip(card.cells, faults, strict=True):
-        cells = Markup("").join(Markup("<td>{}</td>").format(cell.text) for cell in row)
+        cells = Markup("").join(Markup("<td>{}</td>").format(shown(cell.text)) for cell in row)
         if fault:
-            body.append(Markup('<tr class="not">{}<td>not kept: {}</td></tr>').format(cells, fault))
+            text = shown(Message("not kept: {fault}", fault=fault))
+            body.append(Markup('<tr class="not">{}<td>{}</td></tr>').format(cells, text))
         else:
             body.append(Markup("<tr>{}</tr>").format(cells + Markup("<td></td>" * wrong)))
     return Markup(
-        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+        '<!DOCTYPE html>\n<html lang="{language}">\n<head>\n<meta charset="utf-8">\n'
         "<title>{title}</title>\n<style>{style}</style>\n</head>\n<body>\n<h1>{title}</h1>\n"
         "{lines}<table>\n<thead><tr>{heads}</tr></thead>\n<tbody>\n{body}\n</tbody>\n</table>\n"
         "{legend}</body>\n</html>\n"
     ).format(
-        title=title,
+        language=language(),
+        title=shown(title),
         style=Markup(_STYLE),
         lines=_paragraphs(lines),
         heads=heads,
@@ -284,4 +288,5 @@ def printed_card(title: str, lines: Sequence[str], card: Sheet, faults: Sequence
 
 
 def _paragraphs(lines: Sequence[str]) -> Markup:
-    return Markup("").join(Markup("<p>{}.</p>\n").format(line[:1].upper() + line[1:]) for line in lines)
+    texts = [shown(Message("{sentence}.", sentence=line)) for line in lines]
+    return Markup("").join(Markup("<p>{}</p>\n").format(text[:1].upper() + text[1:]) for text in texts)

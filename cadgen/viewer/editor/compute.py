@@ -9,6 +9,7 @@ from cadgen.design.schema import Design, TrainDesign
 from cadgen.errors import CadgenError
 from cadgen.gears.choices import Order
 from cadgen.jobs.gears.gear_train import GearTrain, plan_gears
+from cadgen.messages import Message
 from cadgen.output.files.manifest import Origin
 from cadgen.progress import Progress
 from cadgen.viewer.editor.course_items import points_of
@@ -38,21 +39,21 @@ def compute(job: Job, progress: Progress) -> Result:
     try:
         design = design_of(job.text, Path(job.file))
         plan = plan_preview(design, progress) if job.stage == Stage.PREVIEW else plan_edited(design, gears_of, progress)
-        progress("laying the page out")
+        progress(Message("laying the page out"))
         return Result(State.DONE, _laid_out(job, plan, progress))
     except CadgenError as error:
         # A design that cannot be driven is shown by its course alone, so that its points can be moved.
         floor = None
         if design is not None:
             floor = floor_html(floor_of(design), [(point.x, point.y) for point in points_of(design)])
-        return refusal(State.REFUSED, str(error), floor=floor)
+        return refusal(State.REFUSED, error.message, floor=floor)
     except MemoryError:
-        return refusal(State.FAULT, "out of memory: close other programs, or take the last change back")
+        return refusal(State.FAULT, Message("out of memory: close other programs, or take the last change back"))
 
 
 def _laid_out(job: Job, plan: PagePlan, progress: Progress) -> bytes:
     page = page_of(plan)
-    progress("writing the page")
+    progress(Message("writing the page"))
     document, block = data_of(page, _LEVEL)
     pieces = pieces_of(page)
     if job.stage == Stage.PREVIEW:

@@ -9,7 +9,7 @@ from cadgen.design.explain import section
 from cadgen.design.keys import Key, dotted, keys, without_unit
 from cadgen.design.kinds import NamedKinds, Place
 from cadgen.design.schema import Design
-from cadgen.messages import Message, joined
+from cadgen.messages import Message, clauses
 from cadgen.viewer.editor.course_items import NAMED_KEYS, point_name
 
 # Groups of controls: code, heading, parts of the design.
@@ -176,4 +176,4 @@ def key_name(key: str) -> Message:
             names.append(Message(name))
     if len(names) > 1 and names[0] == "follower":
         names[0] = Message("rod")
-    return joined(names)
+    return clauses(*names)

@@ -8,13 +8,17 @@ from another page has that page's `Origin`, and is refused; and a body has a lim
 import secrets
 from dataclasses import dataclass
 
+from starlette import types
 from starlette.requests import Request
 from starlette.responses import JSONResponse, Response
-from starlette.types import ASGIApp, Message, Receive, Scope, Send
+from starlette.types import ASGIApp, Receive, Scope, Send
 
+from cadgen.messages import Message
+from cadgen.viewer.editor.job import in_both
 from cadgen.viewer.page.html import policy
 
 MOST_BYTES = 100_000  # of a request's body: a hundred changes are some 10 000
+_ANOTHER_PAGE = Message("the request comes from another page: use the page that cadgen edit has opened")
 
 _HEADERS = {
     "Cache-Control": "no-store",
@@ -57,7 +61,7 @@ class Address:
 
 def refused(status: int, sentence: str) -> Response:
     """Answer that refuses a request in a sentence."""
-    return JSONResponse({"error": sentence}, status)
+    return JSONResponse(in_both(sentence), status)
 
 
 async def _read(receive: Receive) -> bytes | None:
@@ -86,7 +90,7 @@ class Guard:
         if scope["type"] != "http":
             return
 
-        async def headed(message: Message) -> None:
+        async def headed(message: types.Message) -> None:
             if message["type"] == "http.response.start":
                 own = [(key.lower().encode(), value.encode()) for key, value in _HEADERS.items()]
                 message["headers"] = [*message.get("headers", []), *own]
@@ -99,7 +103,7 @@ class Guard:
             if body is not None:
                 pending = [{"type": "http.request", "body": body, "more_body": False}]
 
-                async def replayed() -> Message:
+                async def replayed() -> types.Message:
                     """The body that was read already, and then what comes after it."""
                     return pending.pop() if pending else await receive()
 
@@ -113,22 +117,30 @@ class Guard:
         """Answer to a request that does not come from the page; None for one that does."""
         host, own = self._address.host, f"http://{self._address.host}"
         if request.headers.getlist("host") != [host]:
-            return refused(400, f"this server is asked as {host} alone: open the address that cadgen edit has printed")
+            return refused(
+                400,
+                Message(
+                    "this server is asked as {host} alone: open the address that cadgen edit has printed", host=host
+                ),
+            )
         token = request.url.path.split("/")[1] if "/" in request.url.path else ""
         if not secrets.compare_digest(token.encode(), self._address.token.encode()):
-            return refused(403, "the address lacks its token: open the whole address that cadgen edit has printed")
+            return refused(
+                403, Message("the address lacks its token: open the whole address that cadgen edit has printed")
+            )
         origin, reading = request.headers.get("origin"), request.method in ("GET", "HEAD")
         if origin != own and not (reading and origin is None):
-            return refused(403, "the request comes from another page: use the page that cadgen edit has opened")
+            return refused(403, _ANOTHER_PAGE)
         if request.headers.get("sec-fetch-site", "same-origin") not in ("same-origin", "none"):
-            return refused(403, "the request comes from another page: use the page that cadgen edit has opened")
+            return refused(403, _ANOTHER_PAGE)
         length = request.headers.get("content-length", "0")
         if not length.isdecimal() or len(length) > 12 or int(length) > MOST_BYTES:
             return _too_long()
         if not reading and request.headers.get("content-type", "").partition(";")[0] != "application/json":
-            return refused(415, "the body must be JSON, with the content type application/json")
+            return refused(415, Message("the body must be JSON, with the content type application/json"))
         return None
 
 
 def _too_long() -> Response:
-    return refused(413, f"the request is longer than {MOST_BYTES} bytes: make fewer changes at once")
+    text = Message("the request is longer than {most} bytes: make fewer changes at once", most=MOST_BYTES)
+    return refused(413, text)

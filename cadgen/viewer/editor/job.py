@@ -7,6 +7,7 @@ from enum import StrEnum
 from typing import Any
 
 from cadgen.errors import brief
+from cadgen.messages import CHINESE, Message, shown
 from cadgen.progress import Progress
 
 
@@ -65,7 +66,12 @@ Compute = Callable[[Job, Progress], Result]
 
 def refusal(state: State, sentence: str, **more: Any) -> Result:
     """Result that says in a sentence why there is none."""
-    return Result(state, json.dumps({"error": sentence, **more}, ensure_ascii=False).encode())
+    return Result(state, json.dumps({**in_both(sentence), **more}, ensure_ascii=False).encode())
+
+
+def in_both(sentence: str) -> dict[str, str]:
+    """Refusal in English, and in Chinese for the page that shows it."""
+    return {"error": str(sentence), "zh": shown(sentence, CHINESE)}
 
 
 def fault(error: Exception) -> Result:
@@ -73,7 +79,7 @@ def fault(error: Exception) -> Result:
     return refusal(State.FAULT, fault_sentence(error))
 
 
-def fault_sentence(error: Exception) -> str:
+def fault_sentence(error: Exception) -> Message:
     """Sentence on an error that no design or request should cause."""
     summary = brief(f"{type(error).__name__}: {error}", 400)
-    return f"a fault in cadgen, please report it with your design file ({summary})"
+    return Message("a fault in cadgen, please report it with your design file ({summary})", summary=summary)

@@ -10,6 +10,7 @@ from pathlib import Path
 from cadgen.design.file_names import name_fault
 from cadgen.design.load import MOST_BYTES, packaged_designs, read_design
 from cadgen.errors import DesignError, FileError, brief
+from cadgen.messages import Message
 from cadgen.reading import read_regular
 
 _MARK = b"\xef\xbb\xbf"  # with which some editors begin a file
@@ -51,11 +52,14 @@ class EditedFile:
             FileError: the file was changed by another program, is read-only, or cannot be written.
         """
         if self.file is None:
-            raise DesignError("this is a copy of a design that stays as it is: save it under a name of its own")
+            raise DesignError(
+                Message("this is a copy of a design that stays as it is: save it under a name of its own")
+            )
         if not self._unchanged(self.file):
             raise FileError(
-                f"{brief(self.file.name)} was changed by another program since it was opened: save under another "
-                "name, or open the design again"
+                "{file} was changed by another program since it was opened: save under another name, or open the "
+                "design again",
+                file=brief(self.file.name),
             )
         content = (_MARK if self.content.startswith(_MARK) else b"") + text.encode()
         _write(self.file, content)
@@ -75,7 +79,9 @@ class EditedFile:
         except (OSError, ValueError):  # another program has put something else there
             return False
         if not os.access(file, os.W_OK):
-            raise FileError(f"{brief(file.name)} is read-only: save under another name, or allow writing to it")
+            raise FileError(
+                "{file} is read-only: save under another name, or allow writing to it", file=brief(file.name)
+            )
         return True
 
     def save_as(self, name: str, text: str) -> "EditedFile":
@@ -95,7 +101,7 @@ class EditedFile:
             # This takes the name, so that nobody's file is written over.
             open(file, "x").close()
         except FileExistsError:
-            raise FileError(f"{file.name} is there already: choose another name") from None
+            raise FileError("{file} is there already: choose another name", file=file.name) from None
         except OSError as error:
             raise _unwritable(file, error) from None
         content = text.encode()
@@ -115,7 +121,7 @@ def refuse_name(name: str) -> None:
         DesignError: with the reason.
     """
     if fault := name_fault(name):
-        raise DesignError(f'the name is "{brief(name, 80)}"; it must {fault}')
+        raise DesignError('the name is "{name}"; it must {fault}', name=brief(name, 80), fault=fault)
 
 
 def _read(file: Path) -> bytes:
@@ -141,4 +147,8 @@ def _write(file: Path, content: bytes) -> None:
 
 
 def _unwritable(file: Path, error: OSError) -> FileError:
-    return FileError(f"{brief(str(file))} cannot be written ({error.strerror}): make room, or open the folder to you")
+    return FileError(
+        "{file} cannot be written ({reason}): make room, or open the folder to you",
+        file=brief(str(file)),
+        reason=error.strerror,
+    )

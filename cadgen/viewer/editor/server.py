@@ -12,7 +12,7 @@
 | `POST /save`                    | `{}` or `{"name": text}` -> state                                   |
 | `GET /result?stage=&revision=`  | HTML and data of `preview` or `whole`; 409 once a newer one is there |
 
-Every refusal is `{"error": sentence}`: 4xx, with the sentences of the command line.
+Every refusal is `{"error": sentence, "zh": sentence}`, in English and in Chinese: 4xx.
 """
 
 import json
@@ -34,6 +34,7 @@ from starlette.routing import Route
 from starlette.types import ASGIApp
 
 from cadgen.errors import CadgenError, DesignError, FileError
+from cadgen.messages import Message
 from cadgen.viewer.editor.guard import Address, Guard, refused
 from cadgen.viewer.editor.job import Job, Result, Stage, State, fault_sentence
 from cadgen.viewer.editor.session import Session
@@ -43,7 +44,8 @@ from cadgen.viewer.page.html import shell
 
 _STATUS = {State.DONE: 200, State.REFUSED: 422, State.SUPERSEDED: 409, State.FAULT: 503}
 _PATIENCE_S = 2  # for answers that are under way at the end
-_NEWER = "a newer version of the design is there: ask for that one"
+_NEWER = Message("a newer version of the design is there: ask for that one")
+_MOST_LETTERS = 100  # of the name of a gesture
 
 
 class Service:
@@ -122,7 +124,7 @@ def application(service: Service, address: Address) -> ASGIApp:
     async def result(request: Request) -> Response:
         stage, revision = request.query_params.get("stage"), request.query_params.get("revision", "")
         if stage not in service.workers or not revision.isdecimal() or len(revision) > 12:
-            return refused(400, "stage must be preview or whole, and revision a whole number")
+            return refused(400, Message("stage must be preview or whole, and revision a whole number"))
         found = await run_in_threadpool(service.result, Stage(stage), int(revision))
         if found.state == State.SUPERSEDED:
             return refused(409, _NEWER)
@@ -133,15 +135,15 @@ def application(service: Service, address: Address) -> ASGIApp:
             try:
                 body = json.loads(await request.body() or b"{}")
             except (ValueError, RecursionError):
-                return refused(400, "the body is not JSON")
+                return refused(400, Message("the body is not JSON"))
             if not isinstance(body, dict):
-                return refused(400, "the body must be a JSON object")
+                return refused(400, Message("the body must be a JSON object"))
             try:
                 return JSONResponse(await run_in_threadpool(service.act, lambda: act(body)))
             except DesignError as error:
-                return refused(422, str(error))
+                return refused(422, error.message)
             except CadgenError as error:
-                return refused(409, str(error))
+                return refused(409, error.message)
 
         return answer
 
@@ -149,8 +151,8 @@ def application(service: Service, address: Address) -> ASGIApp:
 
     def change(body: dict[str, Any]) -> None:
         gesture = body.get("gesture")
-        if gesture is not None and not (isinstance(gesture, str) and len(gesture) <= 100):
-            raise DesignError("gesture must be a text of at most 100 letters")
+        if gesture is not None and not (isinstance(gesture, str) and len(gesture) <= _MOST_LETTERS):
+            raise DesignError("gesture must be a text of at most {most} letters", most=_MOST_LETTERS)
         session.change(read_changes(body.get("changes")), gesture)
 
     actions: dict[str, Callable[[dict[str, Any]], object]] = {
@@ -166,10 +168,10 @@ def application(service: Service, address: Address) -> ASGIApp:
     routes += [Route(f"/{name}", action(act), methods=["POST"]) for name, act in actions.items()]
 
     async def not_there(request: Request, error: Exception) -> Response:
-        return refused(404, "there is no such page: open the address that cadgen edit has printed")
+        return refused(404, Message("there is no such page: open the address that cadgen edit has printed"))
 
     async def not_so(request: Request, error: Exception) -> Response:
-        return refused(405, "this address is asked in another way")
+        return refused(405, Message("this address is asked in another way"))
 
     async def failed(request: Request, error: Exception) -> Response:
         return refused(500, fault_sentence(error))
@@ -181,7 +183,7 @@ def application(service: Service, address: Address) -> ASGIApp:
 def _text(body: dict[str, Any], name: str) -> str:
     value = body.get(name)
     if not isinstance(value, str):
-        raise DesignError(f"the {name} must be a text")
+        raise DesignError("the {name} must be a text", name=name)
     return value
 
 
@@ -275,5 +277,7 @@ def bound_socket(port: int) -> socket.socket:
     except OSError as error:
         listening.close()
         reason = error.strerror or error
-        raise FileError(f"port {port} cannot be used ({reason}): choose another one, or leave --port out") from None
+        raise FileError(
+            "port {port} cannot be used ({reason}): choose another one, or leave --port out", port=port, reason=reason
+        ) from None
     return listening

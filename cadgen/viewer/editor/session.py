@@ -108,7 +108,7 @@ class Session:
         with self._lock:
             for key in changes:
                 if key not in self._now.keys:
-                    raise DesignError(f"{brief(key, 60)} cannot be changed here: change it in a text editor")
+                    raise DesignError("{key} cannot be changed here: change it in a text editor", key=brief(key, 60))
             version = Version(*changed(self._now.text, self._file, changes))
             if version.text == self._now.text:
                 return
@@ -137,7 +137,9 @@ class Session:
             elif key in places_of(design):
                 self._step(Version(*inserted(text, self._file, key, new_item(design, parse(text), key, at))))
             else:
-                raise DesignError(f"{brief(key, 60)} is no place for a point, nor for anything else on the course")
+                raise DesignError(
+                    "{key} is no place for a point, nor for anything else on the course", key=brief(key, 60)
+                )
             self._gesture = None
 
     def remove(self, key: str) -> None:
@@ -149,7 +151,7 @@ class Session:
         with self._lock:
             points = {point.key for point in points_of(self._now.design) if point.listed}
             if key not in points | items_of(self._now.design):
-                raise DesignError(f"{brief(key, 60)} cannot be removed here: remove it in a text editor")
+                raise DesignError("{key} cannot be removed here: remove it in a text editor", key=brief(key, 60))
             self._step(Version(*removed(self._now.text, self._file, key)))
             self._gesture = None
 
@@ -162,7 +164,9 @@ class Session:
         with self._lock:
             gates = sum(item.startswith("course.gates.") for item in items_of(self._now.design))
             if key not in {f"course.gates.{number}" for number in range(1, gates)}:
-                raise DesignError(f"{brief(key, 60)} cannot be exchanged with the next one: choose a gate but the last")
+                raise DesignError(
+                    "{key} cannot be exchanged with the next one: choose a gate but the last", key=brief(key, 60)
+                )
             self._step(Version(*exchanged(self._now.text, self._file, key)))
             self._gesture = None
 

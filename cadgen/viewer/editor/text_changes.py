@@ -16,6 +16,7 @@ from cadgen.design.override import override
 from cadgen.design.parse import parse
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError, brief
+from cadgen.messages import Message
 
 # A number, or the coordinates of a point.
 Value = float | int | tuple[float, float]
@@ -30,7 +31,7 @@ def read_changes(raw: object) -> dict[str, Value]:
         DesignError: they are no numbers or pairs of numbers by key.
     """
     if not isinstance(raw, dict) or not 0 < len(raw) <= MOST_CHANGES:
-        raise DesignError(f"changes must be 1 to {MOST_CHANGES} numbers or pairs [x, y] by their keys")
+        raise DesignError("changes must be 1 to {most} numbers or pairs [x, y] by their keys", most=MOST_CHANGES)
     return {key: _value(key, value) for key, value in raw.items()}
 
 
@@ -42,7 +43,7 @@ def read_point(raw: object) -> tuple[float, float]:
     """
     if isinstance(raw, list) and len(raw) == 2 and all(map(_number, raw)):
         return (float(raw[0]), float(raw[1]))
-    raise DesignError("a point must be a pair [x, y] of numbers")
+    raise DesignError(Message("a point must be a pair [x, y] of numbers"))
 
 
 def _value(key: str, value: object) -> Value:
@@ -51,7 +52,7 @@ def _value(key: str, value: object) -> Value:
     try:
         return read_point(value)
     except DesignError:
-        raise DesignError(f"{brief(key, 60)} must be a number, or a pair [x, y] of numbers") from None
+        raise DesignError("{key} must be a number, or a pair [x, y] of numbers", key=brief(key, 60)) from None
 
 
 def _number(value: object) -> bool:
@@ -97,8 +98,9 @@ def checked(results: Iterable[str], file: Path, values: dict[str, Any]) -> tuple
         if read is not None and _without_empty(read) == wanted:
             return result, design_of(result, file)
     raise DesignError(
-        f"{brief(file.name)}: this change cannot be written into the file as it is laid out; make it in a text "
-        "editor, and open the design again"
+        "{file}: this change cannot be written into the file as it is laid out; make it in a text editor, and open the "
+        "design again",
+        file=brief(file.name),
     )
 
 

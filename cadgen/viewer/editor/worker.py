@@ -11,6 +11,7 @@ from functools import partial
 from threading import Lock
 from typing import Any
 
+from cadgen.messages import Message
 from cadgen.processes import WorkerProcess, call
 from cadgen.progress import Progress
 from cadgen.viewer.editor.job import Compute, Job, Result, State, fault, refusal
@@ -71,11 +72,12 @@ class Worker:
                 result: Result = future.result(self._limit)
                 return result
             except TimeoutError:
-                sentence = (
-                    f"the computation took longer than {self._limit:g} s and was ended: take the last change back"
+                sentence = Message(
+                    "the computation took longer than {limit:g} s and was ended: take the last change back",
+                    limit=self._limit,
                 )
             except BrokenExecutor:
-                sentence = "the computation has ended by itself: take the last change back"
+                sentence = Message("the computation has ended by itself: take the last change back")
             self._end()
             return Result(State.SUPERSEDED) if self._newest.value == _ENDED else refusal(State.FAULT, sentence)
 

@@ -9,8 +9,6 @@
 | `charts`        | curves over the cam angle                                         |
 | `scene`         | everything that moves: runs, course, parts and shafts in 3D       |
 | `sections`      | sheets of checks, play, tolerance, inspection, parts, calibration |
-| `check_words`   | names and places of checks in Chinese                             |
-| `sentences`     | sentences that the program makes, in Chinese                      |
 | `mesh_block`    | normals and edges of meshes; arrays as one compressed block       |
 | `data`          | the data of the page's script: JSON with a version, and the block |
 | `plan_views`    | cam and course from the side and from above                       |

@@ -31,7 +31,6 @@ from cadgen.viewer.page.sections import (
     play_section,
     tolerance_section,
 )
-from cadgen.viewer.page.sentences import generated
 
 if TYPE_CHECKING:
     from cadgen.jobs.calibration.calibration import CalibrationPlan
@@ -64,7 +63,7 @@ class CarPage(PagePlan):
         scene, notes = scene_of(self.cam, self.gears)
         alone = Message("The design has no gear train: the cam is shown alone.")
         missing = () if self.use.has_train else (alone,)
-        return scene, (*missing, generated(self.use.drive_wheel.sentence()), *notes)
+        return scene, (*missing, self.use.drive_wheel.sentence(), *notes)
 
     def charts(self) -> tuple[Chart, ...]:
         """Curves of the cam, the way off the planned place, and the torque."""
@@ -93,9 +92,7 @@ class CarPage(PagePlan):
         return (
             checks_section(self.cam, self.gears),
             play_section(self.use.comparison, self.simulation, self.remedies),
-            tolerance_section(
-                self.tolerance, generated(reasons[Topic.TOLERANCE]) if Topic.TOLERANCE in reasons else without
-            ),
+            tolerance_section(self.tolerance, reasons.get(Topic.TOLERANCE, without)),
             calibration_section(self.calibration, self.use.record, reasons.get(Topic.CALIBRATION, "")),
             *parts_sections(self.cam, self.gears),
         )
@@ -180,7 +177,7 @@ def plan_page(
         try:
             run = tolerance_of(cam, CarSample(samples=samples, processes=processes), progress)
         except DesignError as error:
-            refusals.append(Refusal(Topic.TOLERANCE, str(error)))
+            refusals.append(Refusal(Topic.TOLERANCE, error.message))
     calibration = None
     if sources:
         from cadgen.jobs.calibration.calibration import calibrate
@@ -189,7 +186,7 @@ def plan_page(
         try:
             calibration = calibrate(design, _measured_profile(design, known), sources, None, progress)
         except (DesignError, FileError) as error:
-            unread = str(error)
+            unread = error.message
     if unread:
         refusals.append(Refusal(Topic.CALIBRATION, unread, fails=True))
     return CarPage(
@@ -245,7 +242,7 @@ def _cam(design: Design, make: Callable[[], CamPlan], refusals: list[Refusal], p
     try:
         return make()
     except CheckError as error:
-        refusals.append(Refusal(Topic.PROFILE, str(error), fails=True))
+        refusals.append(Refusal(Topic.PROFILE, error.message, fails=True))
         return plan_cam(design, ACTUAL.code, progress)
 
 

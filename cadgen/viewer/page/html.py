@@ -6,6 +6,7 @@ indentation are taken out, so that the page has none where a browser would show 
 
 import base64
 import hashlib
+import json
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
@@ -16,7 +17,7 @@ from jinja2 import Environment, FunctionLoader, StrictUndefined
 from markupsafe import Markup, escape
 
 from cadgen.figures import Sheet
-from cadgen.messages import CHINESE, Message, shown
+from cadgen.messages import CHINESE, Message, catalogue, language, shown
 from cadgen.version import __version__
 from cadgen.viewer.page.data import data_of
 from cadgen.viewer.page.document import Chart, FloorShape, Page
@@ -94,6 +95,8 @@ def shell(name: str, pieces: Mapping[str, str], data: str = "", *, edited: bool 
             styles=[Markup(_static(f"{file}.css")) for file in _FILES[edited]],
             scripts=[Markup(_static(f"{file}.js")) for file in _FILES[edited]],
             licences=_static("LICENSES.txt"),
+            words=_words(),
+            language=language(),
             version=__version__,
             no_script=NO_SCRIPT,
             editing_needs_scripts=EDITING_NEEDS_SCRIPTS,
@@ -123,6 +126,15 @@ def policy(*, edited: bool = False) -> str:
 @cache
 def _static(name: str) -> str:
     return _FOLDER.joinpath("static", name).read_text(encoding="utf-8")
+
+
+@cache
+def _words() -> Markup:
+    """Chinese of the scripts' own words, as JSON that can stand in HTML."""
+    text = json.dumps(
+        {**catalogue(CHINESE, "common"), **catalogue(CHINESE, "script")}, ensure_ascii=False, separators=(",", ":")
+    )
+    return Markup(text.replace("<", "\\u003c"))
 
 
 def _hash(content: str) -> str:

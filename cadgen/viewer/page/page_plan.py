@@ -154,5 +154,5 @@ def gears_of(design: TrainDesign, make: MakeGears, refusals: list[Refusal], prog
     try:
         return make(design, Order.AS_GIVEN, progress)
     except DesignError as error:
-        refusals.append(Refusal(Topic.GEARS, str(error), fails=True))
+        refusals.append(Refusal(Topic.GEARS, error.message, fails=True))
         return None

@@ -8,11 +8,9 @@ from cadgen.messages import Message
 from cadgen.output.files.publisher import Written, publish, text_file
 from cadgen.progress import Progress, silent
 from cadgen.version import __version__
-from cadgen.viewer.page.check_words import check_name
 from cadgen.viewer.page.document import Failure, Page
 from cadgen.viewer.page.html import html_of
 from cadgen.viewer.page.page_plan import PagePlan, Scope
-from cadgen.viewer.page.sentences import generated
 
 
 def page_of(plan: PagePlan) -> Page:
@@ -39,7 +37,7 @@ def page_of(plan: PagePlan) -> Page:
 
 def _failures(plan: PagePlan) -> tuple[Failure, ...]:
     """Failures, each with advice, and the changes that are proved to bring lost lift within its limit."""
-    refused = [Failure(generated(refusal.reason)) for refusal in plan.refusals if refusal.fails]
+    refused = [Failure(refusal.reason) for refusal in plan.refusals if refusal.fails]
     failing = [check for check in plan.checks if not check.passed]
     cures = [
         Failure(
@@ -48,7 +46,7 @@ def _failures(plan: PagePlan) -> tuple[Failure, ...]:
         for cure in plan.cures.proved
         if not cure.failing
     ]
-    return (*refused, *(Failure(check_name(check), generated(check.advice)) for check in failing), *cures)
+    return (*refused, *(Failure(check.name, check.advice) for check in failing), *cures)
 
 
 def page_facts(plan: PagePlan) -> dict[str, Any]:

@@ -23,9 +23,7 @@ from cadgen.jobs.tolerance import Spread, ToleranceRun
 from cadgen.messages import Message
 from cadgen.parts.features import Keyway
 from cadgen.viewer.page.charts import name_before
-from cadgen.viewer.page.check_words import check_name, place_words
 from cadgen.viewer.page.document import Section
-from cadgen.viewer.page.sentences import generated
 
 if TYPE_CHECKING:
     from cadgen.jobs.calibration.calibration import CalibrationPlan
@@ -69,7 +67,7 @@ def _check(check: Check) -> tuple[Cell | str, ...]:
         if not check.passed:
             verdict = Cell(Message("FAILS"), state=State.BAD)
     value = number(check.value, unit, State.PLAIN if check.passed else State.BAD)
-    return check_name(check), verdict, value, limit, place_words(check.place)
+    return check.name, verdict, value, limit, check.place
 
 
 def play_section(
@@ -109,7 +107,7 @@ def play_section(
         tables.append(_course(simulation))
     if remedies:
         tables.append(_remedies(remedies))
-    notes = tuple(map(generated, (*comparison.reasons, *filter(None, [comparison.rubbing]))))
+    notes = (*comparison.reasons, *filter(None, [comparison.rubbing]))
     return Section(
         "play",
         Message("Methods against play"),
@@ -189,8 +187,8 @@ def _course(simulation: Simulation[CamPlan]) -> Sheet:
     planned, played = (run.figures() for run in simulation.on_course)
     rows = [
         (
-            place_words(key),
-            place_words(where),
+            key,
+            where,
             number(planned[key][1], "mm", State.BAD if planned[key][1] < 0 else State.PLAIN),
             number(room, "mm", State.BAD if room < 0 else State.PLAIN),
         )
@@ -202,8 +200,7 @@ def _course(simulation: Simulation[CamPlan]) -> Sheet:
 
 def _remedies(sheet: tuple[Remedy, ...]) -> Sheet:
     rows = tuple(
-        (*map(Cell, map(generated, (remedy.name, remedy.build))), *(part.cell() for part in remedy.figures.values()))
-        for remedy in sheet
+        (Cell(remedy.name), Cell(remedy.build), *(part.cell() for part in remedy.figures.values())) for remedy in sheet
     )
     heads = (Message("remedy"), Message("what to build"), *_names(sheet[0].figures))
     return Sheet("remedies", Message("Remedies"), heads, rows, words=2)
@@ -404,7 +401,7 @@ def _parts(cam: CamPlan, train: GearTrain | None) -> Section:
     tables = [Sheet("parts", Message("Parts"), heads, tuple(rows), words=2)]
     if train is not None:
         tables.append(_stages(train.layout))
-    notes = () if train is None else tuple(map(generated, train.notes))
+    notes = () if train is None else train.notes
     return Section("parts", Message("Parts list"), (), tuple(tables), notes)
 
 

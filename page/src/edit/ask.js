@@ -1,10 +1,10 @@
 // Requests to the server that the page came from; addresses are relative, and so carry the token.
 
-/** A refusal: a sentence, and the status if the server has answered. */
+/** A refusal: a sentence in both languages, and the status if the server has answered. */
 class Refusal extends Error {
-  constructor(sentence, status, floor) {
-    super(sentence);
-    Object.assign(this, { status, floor });
+  constructor(said, status, floor) {
+    super(said[0]);
+    Object.assign(this, { said, status, floor });
   }
 }
 
@@ -17,8 +17,8 @@ export async function ask(path, body) {
     response = await fetch(path, options);
     answer = await response.json();
   } catch (error) {
-    throw new Refusal(String(error), undefined);
+    throw new Refusal([String(error), String(error)], undefined);
   }
-  if (!response.ok) throw new Refusal(answer.error, response.status, answer.floor);
+  if (!response.ok) throw new Refusal([answer.error, answer.zh], response.status, answer.floor);
   return answer;
 }

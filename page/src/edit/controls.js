@@ -1,12 +1,12 @@
 // The numbers of the design: a field with the range of the schema and a slider with a range about the number.
-const { element } = globalThis.cadgenPage;
+const { both, element, say } = globalThis.cadgenPage;
 
 const OPEN = matchMedia("(max-width: 1080px)").matches ? 0 : 2; // groups that are open at first
 
 /** Fills a box with groups of controls; returns a function that shows a state. */
 export function controls(box, change) {
   const list = element("div", { id: "controls" });
-  box.append(element("h2", { text: ["Change the design", "修改设计"] }), list);
+  box.append(element("h2", { text: both("Change the design") }), list);
   let keys = "";
   let made = new Map();
 
@@ -88,9 +88,9 @@ class Control {
       gesture: this.gesture,
       settled,
       where: (sentence) => {
-        this.fault.textContent = sentence;
+        say(this.fault, sentence);
         this.node.closest("details").open = true;
-        return () => (this.fault.textContent = "");
+        return () => say(this.fault);
       },
     });
   }

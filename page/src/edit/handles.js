@@ -2,29 +2,29 @@
 import { kindsBar } from "./kinds.js";
 import { nearest, ordered, roomiest } from "./lines.js";
 
-const { element, pick, shapeStages, translated } = globalThis.cadgenPage;
+const { both, element, pick, say, shapeStages, translated } = globalThis.cadgenPage;
 
 const FARTHEST = 1e6; // mm, as of the schema
 const [ARROW, FINE] = [10, 1]; // mm, of an arrow key
 const REST = 350; // ms after the last key until the whole is computed
 const NEAR = 12; // px, from a line within which a double click adds a point to it
-const LAYERS = { path: ["Path", "路径"], gates: ["Gates", "赛道门"], posts: ["Posts, walls, zones, field", "立柱、墙、禁区、场地"] };
+const LAYERS = { path: both("Path"), gates: both("Gates"), posts: both("Posts, walls, zones, field") };
 
 export function handles(figure, change, step) {
   const box = figure.querySelector("#course-box");
-  const overlay = element("div", { class: "stage", id: "handles", role: "group", label: ["Points that can be moved", "可移动的点"] });
+  const overlay = element("div", { class: "stage", id: "handles", role: "group", label: both("Points that can be moved") });
   box.append(overlay);
-  const layers = element("div", { class: "layers", role: "group", label: ["Points to move", "要移动的点"] });
+  const layers = element("div", { class: "layers", role: "group", label: both("Points to move") });
   const fields = ["x", "y"].map((axis) => {
-    const input = element("input", { type: "number", step: "any", "data-axis": axis, label: [`${axis}, mm`, `${axis}，mm`] });
+    const input = element("input", { type: "number", step: "any", "data-axis": axis, label: both("{axis}, mm", { axis }) });
     input.addEventListener("change", () => typed());
     return input;
   });
   const name = element("b", { id: "point-name" });
   const fault = element("p", { class: "fault", role: "alert" });
   const [add, drop] = [
-    element("button", { type: "button", id: "add-point", text: ["Add a point", "添加点"], label: ["Add a point after this one (Insert)", "在此点后添加点（Insert）"] }),
-    element("button", { type: "button", id: "remove-point", text: ["Remove the point", "删除点"], label: ["Remove the point (Delete)", "删除此点（Delete）"] }),
+    element("button", { type: "button", id: "add-point", text: both("Add a point"), label: both("Add a point after this one (Insert)") }),
+    element("button", { type: "button", id: "remove-point", text: both("Remove the point"), label: both("Remove the point (Delete)") }),
   ];
   add.addEventListener("click", () => addAfter(point(chosen)));
   drop.addEventListener("click", () => removePoint(point(chosen)));
@@ -33,10 +33,7 @@ export function handles(figure, change, step) {
   const bar = element("div", { id: "point-bar" }, place, add, drop, ...kinds.ofItem);
   const help = element("p", {
     class: "hint",
-    text: [
-      "Drag a point, or move it by the arrow keys (10 mm, with Shift 1 mm); Page Up and Page Down choose another. A double click adds a point to the path or to the wall beside it, else a gate or a post; Insert adds one more like the chosen one, Delete removes it.",
-      "拖动点，或用方向键移动（10 mm，按住 Shift 为 1 mm）；Page Up 和 Page Down 切换点。双击可在路径或旁边的墙上添加点，在别处添加赛道门或立柱；按 Insert 添加同类的一个，按 Delete 删除所选的一个。",
-    ],
+    text: both("Drag a point, or move it by the arrow keys (10 mm, with Shift 1 mm); Page Up and Page Down choose another. A double click adds a point to the path or to the wall beside it, else a gate or a post; Insert adds one more like the chosen one, Delete removes it."),
   });
   box.after(layers, kinds.node, bar, fault, help);
 
@@ -49,8 +46,8 @@ export function handles(figure, change, step) {
   const buttons = new Map();
 
   const where = (sentence) => {
-    fault.textContent = sentence;
-    return () => (fault.textContent = "");
+    say(fault, sentence);
+    return () => say(fault);
   };
   const short = (value) => Number(value.toFixed(1));
   const point = (key) => points.find((one) => one.key === key);

@@ -1,9 +1,9 @@
 // Buttons that add a post, a wall, a zone, a gate, and that remove the chosen one or move a gate in the order.
-const { element, pick, translated } = globalThis.cadgenPage;
+const { both, element, pick, translated } = globalThis.cadgenPage;
 
 /** The row of what can be added, and the buttons of the chosen item beside its point. */
 export function kindsBar({ add, remove, exchange }) {
-  const node = element("div", { class: "layers", id: "kinds", role: "group", label: ["Add to the course", "添加到赛道"] });
+  const node = element("div", { class: "layers", id: "kinds", role: "group", label: both("Add to the course") });
   const make = (id, text, label, run) => {
     const button = element("button", { type: "button", id, text, label });
     button.addEventListener("click", run);
@@ -14,11 +14,11 @@ export function kindsBar({ add, remove, exchange }) {
   let one = null; // the chosen point
   const number = () => Number(one.item.split(".")[2]);
   const gate = (n) => `course.gates.${n}`;
-  const drop = make("remove-item", ["Remove", "删除"], undefined, () => remove(one.item));
-  const earlier = make("earlier", ["Earlier", "提前"], ["Earlier in the order of the gates", "在赛道门顺序中提前"], () =>
+  const drop = make("remove-item", both("Remove"), undefined, () => remove(one.item));
+  const earlier = make("earlier", both("Earlier"), both("Earlier in the order of the gates"), () =>
     exchange(gate(number() - 1), gate(number() - 1)),
   );
-  const later = make("later", ["Later", "推后"], ["Later in the order of the gates", "在赛道门顺序中推后"], () => exchange(gate(number()), gate(number() + 1)));
+  const later = make("later", both("Later"), both("Later in the order of the gates"), () => exchange(gate(number()), gate(number() + 1)));
 
   function build() {
     const here = all.filter((kind) => kind.layer === layer);
@@ -27,8 +27,8 @@ export function kindsBar({ add, remove, exchange }) {
     node.replaceChildren(
       ...here.map((kind) => {
         const there = kind.alone && kind.count;
-        const [en, zh] = kind.label;
-        const text = there ? [`Remove the ${en}`, `删除${zh}`] : [`Add a ${en}`, `添加${zh}`];
+        const what = kind.label;
+        const text = there ? both("Remove the {what}", { what }) : both("Add a {what}", { what });
         const button = element("button", { type: "button", "data-kind": kind.key, text });
         button.addEventListener("click", () => (there ? remove(kind.key) : add(kind)));
         return button;
@@ -45,8 +45,8 @@ export function kindsBar({ add, remove, exchange }) {
     earlier.hidden = later.hidden = !isGate;
     if (!kind) return;
     const text = kind.alone ? kind.label : kind.label.map((word) => `${word} ${number()}`);
-    drop.textContent = pick([`Remove the ${kind.label[0]}`, `删除${kind.label[1]}`]);
-    drop.setAttribute("aria-label", pick([`Remove ${text[0]} (${one.spare ? "Shift+" : ""}Delete)`, `删除${text[1]}（${one.spare ? "Shift+" : ""}Delete）`]));
+    drop.textContent = pick(both("Remove the {what}", { what: kind.label }));
+    drop.setAttribute("aria-label", pick(both("Remove {what} ({key})", { what: text, key: one.spare ? "Shift+Delete" : "Delete" })));
     if (isGate) [earlier.disabled, later.disabled] = [number() === 1, number() === kind.count];
   }
 

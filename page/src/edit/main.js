@@ -4,7 +4,7 @@ import { controls } from "./controls.js";
 import { handles } from "./handles.js";
 import { toolbar } from "./toolbar.js";
 
-const { element, fill, pick, present, shapeStages, translated, unpack } = globalThis.cadgenPage;
+const { both, element, fill, pick, present, say, shapeStages, translated, unpack } = globalThis.cadgenPage;
 const root = document.documentElement;
 
 let state = null; // of the server's design, after the last change that it took
@@ -20,15 +20,12 @@ const shown = { preview: 0, whole: 0 }; // revisions
 const said = { refusal: new Set(), fault: new Set() };
 
 const STATES = {
-  computing: ["computing …", "计算中……"],
-  preview: ["preview: actual profile", "预览：实际轮廓"],
-  whole: ["up to date", "已更新"],
-  fault: ["the last good part is shown", "显示上一个有效结果"],
-  none: ["cannot be computed", "无法计算"],
-  gone: [
-    "cadgen edit has ended, or cannot be reached: start it again. What is not saved stays on this page until you close it.",
-    "cadgen edit 已结束或无法访问：请重新启动。未保存的内容在关闭本页前仍显示。",
-  ],
+  computing: both("computing …"),
+  preview: both("preview: actual profile"),
+  whole: both("up to date"),
+  fault: both("the last good part is shown"),
+  none: both("cannot be computed"),
+  gone: both("cadgen edit has ended, or cannot be reached: start it again. What is not saved stays on this page until you close it."),
 };
 
 const bar = toolbar({ step, saved: (name) => act("save", name ? { name } : {}) });
@@ -70,8 +67,8 @@ function complain(kind, sentence, where) {
 }
 
 function inGeneral(sentence) {
-  general.textContent = sentence;
-  return () => (general.textContent = "");
+  say(general, sentence);
+  return () => say(general);
 }
 
 /**
@@ -132,7 +129,7 @@ async function act(what, body = {}) {
     return null;
   } catch (error) {
     if (error.status === undefined) fail("refusal", error, null);
-    return error.message;
+    return error.said;
   }
 }
 
@@ -207,11 +204,11 @@ function lay(pieces) {
 function fail(kind, error, where) {
   if (error.status === undefined) {
     tell("gone");
-    complain("refusal", pick(STATES.gone), null);
+    complain("refusal", STATES.gone, null);
     return;
   }
   tell(shown.preview || shown.whole ? "fault" : "none");
-  complain(kind, error.message, where);
+  complain(kind, error.said, where);
 }
 
 addEventListener("beforeunload", (event) => {

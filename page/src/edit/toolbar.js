@@ -1,5 +1,5 @@
 // Undo, redo, save, and what the program is doing.
-const { element, pick, translated } = globalThis.cadgenPage;
+const { both, element, pick, say, translated } = globalThis.cadgenPage;
 
 export function toolbar({ step, saved }) {
   const make = (id, text, label, run) => {
@@ -7,10 +7,10 @@ export function toolbar({ step, saved }) {
     button.addEventListener("click", run);
     return button;
   };
-  const undo = make("undo", ["Undo", "撤销"], ["Undo (Ctrl+Z)", "撤销（Ctrl+Z）"], () => step("undo"));
-  const redo = make("redo", ["Redo", "重做"], ["Redo (Ctrl+Y)", "重做（Ctrl+Y）"], () => step("redo"));
-  const save = make("save", ["Save", "保存"], ["Save (Ctrl+S)", "保存（Ctrl+S）"], () => store());
-  const saveAs = make("save-as", ["Save as …", "另存为……"], ["Save under another name", "以其他名称保存"], () => ask());
+  const undo = make("undo", both("Undo"), both("Undo (Ctrl+Z)"), () => step("undo"));
+  const redo = make("redo", both("Redo"), both("Redo (Ctrl+Y)"), () => step("redo"));
+  const save = make("save", both("Save"), both("Save (Ctrl+S)"), () => store());
+  const saveAs = make("save-as", both("Save as …"), both("Save under another name"), () => ask());
   document.querySelector(".tools").prepend(undo, redo, save, saveAs);
   const line = element("output", { id: "status", role: "status", "aria-live": "polite" });
   document.getElementById("verdict").after(line);
@@ -63,11 +63,11 @@ function naming(saved) {
   const input = element("input", { type: "text", id: "save-name", maxlength: 64, autocomplete: "off", spellcheck: "false" });
   const fault = element("p", { class: "fault", role: "alert" });
   const place = element("p", { class: "hint" });
-  const [yes, no] = [element("button", { type: "button", class: "due", text: ["Save", "保存"] }), element("button", { type: "button", text: ["Cancel", "取消"] })];
+  const [yes, no] = [element("button", { type: "button", class: "due", text: both("Save") }), element("button", { type: "button", text: both("Cancel") })];
   const dialog = element(
     "dialog",
-    { id: "naming", label: ["Save under another name", "以其他名称保存"] },
-    element("label", { for: "save-name", text: ["Name of the design and of its file", "设计及文件的名称"] }),
+    { id: "naming", label: both("Save under another name") },
+    element("label", { for: "save-name", text: both("Name of the design and of its file") }),
     input,
     place,
     fault,
@@ -77,13 +77,13 @@ function naming(saved) {
   let folder = "";
   const where = () => {
     const file = `${folder}/${input.value || "…"}.toml`;
-    place.textContent = pick([`The file will be ${file}`, `文件将为 ${file}`]);
+    place.textContent = pick(both("The file will be {file}", { file }));
   };
   translated(where);
   const go = async () => {
-    fault.textContent = "";
+    say(fault);
     const sentence = await saved(input.value.trim());
-    if (sentence) fault.textContent = sentence;
+    if (sentence) say(fault, sentence);
     else dialog.close();
   };
   input.addEventListener("input", where);
@@ -93,10 +93,10 @@ function naming(saved) {
   yes.addEventListener("click", go);
   no.addEventListener("click", () => dialog.close());
   return {
-    open(state, sentence = "") {
+    open(state, sentence) {
       ({ folder } = state);
       input.value = `${state.name.slice(0, 60)}_2`;
-      fault.textContent = sentence;
+      say(fault, sentence);
       where();
       dialog.showModal();
       input.select();

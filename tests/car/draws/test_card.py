@@ -9,6 +9,8 @@ import pytest
 
 from cadgen import Design
 from cadgen.errors import DesignError
+from cadgen.figures import Sheet
+from cadgen.messages import CHINESE, ENGLISH, Message, choose
 from cadgen.output.report import settings_card as settings_words
 from tests.studies import draws
 from tests.studies import draws_truth as truth
@@ -189,3 +191,20 @@ def test_a_start_that_can_be_met_alone_does_not_hold_the_exchange_up():
     print(errors)
     assert errors[950] < 2.8
     assert errors[1050] < 2.7
+
+
+def test_the_printed_card_is_in_the_language_that_is_shown():
+    card = Sheet("settings", "", (Message("cam angle"),), (("7",),), words=0)
+    given = ("T", [Message("none")], card, [Message("cam angle {angle:.2f}°", angle=1.0)], [])
+    english = settings_words.printed_card(*given)
+    assert '<html lang="en">' in english
+    assert "<p>None.</p>" in english
+    assert "<td>not kept: cam angle 1.00°</td>" in english
+    choose(CHINESE)
+    try:
+        chinese = settings_words.printed_card(*given)
+    finally:
+        choose(ENGLISH)
+    assert '<html lang="zh">' in chinese
+    assert "<p>无。</p>" in chinese
+    assert "<td>未满足：凸轮转角 1.00°</td>" in chinese

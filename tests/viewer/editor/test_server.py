@@ -20,7 +20,8 @@ JSON = {"content-type": "application/json"}
 
 def sentence(response):
     answer = response.json()
-    assert list(answer) == ["error"]
+    assert list(answer) == ["error", "zh"]
+    assert re.search(r"[\u4e00-\u9fff]", answer["zh"])
     assert "\n" not in answer["error"]
     return answer["error"]
 

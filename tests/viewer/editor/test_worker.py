@@ -46,7 +46,7 @@ def test_one_process_computes_job_after_job(worker):
     (first, one), (second, two) = run(worker, 1), run(worker, 2)
     assert (first, second) == ("done", "done")
     assert one["pid"] == two["pid"] != os.getpid()
-    assert run(worker, 2, "refuse") == ("refused", {"error": "it cannot be"})
+    assert run(worker, 2, "refuse") == ("refused", {"error": "it cannot be", "zh": "it cannot be"})
     state, answer = run(worker, 2, "fail")
     assert state == "fault"
     assert "please report it" in answer["error"]
