@@ -7,7 +7,7 @@ import numpy as np
 
 from cadgen.cam.checks import check_cam
 from cadgen.cam.envelope import actual_profile
-from cadgen.cam.followers.rod_kind import RodMaterial
+from cadgen.cam.followers.kind import RunningSurface
 from cadgen.car.against_play.band import PlayBand, best_for_band, over_band
 from cadgen.car.against_play.evaluate import Evaluation
 from cadgen.car.against_play.play_task import PlayTask
@@ -224,8 +224,7 @@ def _split_wheel(sheet: _Sheet) -> list[Remedy]:
 def _bearing(sheet: _Sheet) -> list[Remedy]:
     """A ball bearing on the rod, and a cam for its radius, compensated."""
     task, design = sheet.task, sheet.design
-    keys = cam_model.rod_keys(design)
-    if keys is None or keys.material == RodMaterial.BALL_BEARING:
+    if not design.follower.registered.runs or design.follower.surface == RunningSurface.BALL_BEARING:
         return []
     fitting = bearing_for(task.lift, task.follower)
     if fitting is None:
