@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.follower import Branch, Follower, OwnSection, Swept, span_jets
+from cadgen.cam.follower import OUTLINE_POINTS, Branch, Follower, OwnSection, Swept, span_jets
 from cadgen.curves.closed import ClosedCurve, Jet
 from cadgen.curves.derived import OffsetPiece
 from cadgen.errors import DesignError
@@ -111,6 +111,15 @@ class RoundFollower(Follower):
         """
         z = self.at(q)
         return np.asarray(z.real - np.sqrt(np.maximum(self.radius**2 - (across - z.imag) ** 2, 0.0)))
+
+    def outline(self, q: float, face: float) -> Array:
+        """The whole circle, by points in the frame of the ray, shape (n, 2), mm.
+
+        Args:
+            q: motion, in its unit.
+            face: the follower's plane, as in `planes`, mm.
+        """
+        return _flat(self.at(np.array([q])) + self.radius * np.exp(1j * np.linspace(0.0, TURN, OUTLINE_POINTS)))
 
 
 @dataclass(frozen=True, kw_only=True)

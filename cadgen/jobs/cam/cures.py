@@ -1,7 +1,7 @@
 """Cures of lost lift: changes of one key, each proved by planning the cam again."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import ceil, floor, log10
 
 from cadgen.cam.checks import LOST_LIFT
@@ -41,11 +41,13 @@ class Cures:
         lost: failed checks on lost lift; empty if there is nothing to cure.
         proved: changes that cure it, each alone.
         kinks: number of kinks of the lift; cures are sought for up to `MOST_KINKS_CURED`.
+        shaper: section of the design that shapes the motion: path or motion.
     """
 
     lost: tuple[Check, ...]
     proved: tuple[Cure, ...]
     kinks: int
+    shaper: str = "path"
 
     @property
     def sought(self) -> bool:
@@ -74,7 +76,11 @@ class Cures:
                 )
             )
         elif self.lost and not lines:
-            lines.append(Message("No change of one key cures it: the path itself must become milder."))
+            lines.append(
+                Message("No change of one key cures it: the path itself must become milder.")
+                if self.shaper == "path"
+                else Message("No change of one key cures it: the motion itself must become milder.")
+            )
         return lines
 
 
@@ -85,11 +91,12 @@ def find_cures(plan: CamPlan, progress: Progress = silent) -> Cures:
         plan: computed cam.
         progress: function that is called with a few words on each step.
     """
-    cures = Cures(plan.lost, (), len(plan.motion.kinks))
+    shaper = plan.limits.motion_key.partition(".")[0]
+    cures = Cures(plan.lost, (), len(plan.motion.kinks), shaper)
     if not cures.lost or not cures.sought:
         return cures
     progress(Message("looking for a change that cures lost lift"))
-    return Cures(cures.lost, tuple(_tried(plan)), cures.kinks)
+    return replace(cures, proved=tuple(_tried(plan)))
 
 
 def _tried(plan: CamPlan) -> Iterator[Cure]:
