@@ -77,7 +77,8 @@ class MotionSection(DesignSection):
     """Motion of the follower in one turn of the cam. A design has it, or [path] and [car]."""
 
     turns: Annotated[DiscSense, WORD] = Field(
-        description="sense of the disc seen on its outer face, which is +z in STEP and the face that DXF shows"
+        description="sense of the disc seen on its outer face; files show the face on which it turns clockwise, with "
+        "+z towards you: the outer one, or with counterclockwise the inner one"
     )
     speed_rpm: float | None = Field(
         default=None, gt=0, le=1e6, description="speed of the camshaft; with it velocities and accelerations are shown"

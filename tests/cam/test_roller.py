@@ -5,8 +5,10 @@ import re
 from dataclasses import dataclass, replace
 from math import radians
 
+import ezdxf
 import numpy as np
 import pytest
+from build123d import import_step
 
 from cadgen import Design, Report, draw
 from cadgen.arrays import TURN
@@ -233,6 +235,35 @@ def test_it_goes_through_every_command(registered, tmp_path, turns):
     html = (tmp_path / page.files[0].name).read_text()
     assert "pressure angle" in html
     assert design.cam(profile="theoretical").passed
+
+
+@pytest.mark.parametrize(("turns", "seen"), [("clockwise", "outer"), ("counterclockwise", "inner")])
+def test_the_disc_of_a_file_gives_the_motion_when_it_turns_as_designed(registered, tmp_path, turns, seen):
+    """Laid with its outer face to the viewer, the disc of the DXF lifts the roller of the books by the motion.
+
+    There a disc that turns counterclockwise by theta has its points at p e^(i theta), and the roller moves along x = e
+    of the books; a clockwise one is the mirror image. No formula is shared with `cadgen.cam`.
+    """
+    design = Design.from_toml(TEXT).with_({"motion.turns": turns, "blank.hub": {"diameter_mm": 16, "length_mm": 5}})
+    cam = design.cam()
+    cam.write(tmp_path, formats=["dxf", "step"])
+    splines = ezdxf.readfile(tmp_path / "feeder_actual_spline.dxf").modelspace().query("SPLINE")
+    points = np.array([complex(p.x, p.y) for each in splines for p in each.construction_tool().flattening(1e-4)])
+    if seen == "inner":
+        points = points.conj()  # turned over about the x axis: now the outer face is seen
+    sense = -1 if turns == "clockwise" else 1
+    y0 = np.sqrt(41.0**2 - 8.0**2)
+    for theta in np.linspace(0.0, TURN, 12, endpoint=False):
+        disc = points * np.exp(1j * sense * theta)
+        across = disc.imag + sense * 8.0  # from the line of the roller's centre, which leans the favourable way
+        under = np.abs(across) < 9.0
+        lift = (disc.real[under] + np.sqrt(81.0 - across[under] ** 2)).max() - y0
+        assert lift == pytest.approx(float(FEEDER.q(theta)), abs=2e-3)
+    assert f"files show its {seen} face, on which it turns clockwise" in " ".join(map(str, cam.notes))
+    # A hub on the outer side stands out towards the viewer of that face, whose z grows towards him in the STEP file.
+    box = import_step(tmp_path / "feeder_actual.step").bounding_box()
+    low, high = (0.0, 15.0) if seen == "outer" else (-5.0, 10.0)
+    assert pytest.approx((low, high), abs=1e-3) == (box.min.Z, box.max.Z)
 
 
 @pytest.mark.parametrize("job", ["simulate", "tolerance", "card", "plan"])
