@@ -10,6 +10,7 @@ from cadgen.check import Check, failing
 from cadgen.design.section import listed
 from cadgen.errors import CadgenError
 from cadgen.jobs.cam.cam_plan import CamPlan
+from cadgen.laws.segments import SegmentMotion
 from cadgen.messages import Message
 from cadgen.progress import Progress, silent
 
@@ -41,13 +42,13 @@ class Cures:
         lost: failed checks on lost lift; empty if there is nothing to cure.
         proved: changes that cure it, each alone.
         kinks: number of kinks of the lift; cures are sought for up to `MOST_KINKS_CURED`.
-        shaper: section of the design that shapes the motion: path or motion.
+        of_path: whether a path shapes the motion, and not segments.
     """
 
     lost: tuple[Check, ...]
     proved: tuple[Cure, ...]
     kinks: int
-    shaper: str = "path"
+    of_path: bool = True
 
     @property
     def sought(self) -> bool:
@@ -78,7 +79,7 @@ class Cures:
         elif self.lost and not lines:
             lines.append(
                 Message("No change of one key cures it: the path itself must become milder.")
-                if self.shaper == "path"
+                if self.of_path
                 else Message("No change of one key cures it: the motion itself must become milder.")
             )
         return lines
@@ -91,8 +92,8 @@ def find_cures(plan: CamPlan, progress: Progress = silent) -> Cures:
         plan: computed cam.
         progress: function that is called with a few words on each step.
     """
-    shaper = plan.limits.motion_key.partition(".")[0]
-    cures = Cures(plan.lost, (), len(plan.motion.kinks), shaper)
+    of_path = not isinstance(plan.motion, SegmentMotion)
+    cures = Cures(plan.lost, (), len(plan.motion.kinks), of_path)
     if not cures.lost or not cures.sought:
         return cures
     progress(Message("looking for a change that cures lost lift"))
