@@ -121,7 +121,7 @@ class Profile:
             count: approximate number of points, 12 to 1 000 000.
 
         Returns:
-            x and y, mm, shape (n, 2), counterclockwise seen from the outer face, the first point not repeated.
+            x and y, mm, shape (n, 2), counterclockwise seen on the face that files show, the first point not repeated.
 
         Raises:
             DesignError: the count is out of its range.
@@ -252,6 +252,7 @@ class Cam(CamPlan):
                 lift=self.lift(angle),
                 extrema=(extrema, self.lift(extrema)),
                 blend_start=self.lift.blend_start,
+                seen=self.computed.seen,
             )
         )
 

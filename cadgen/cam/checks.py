@@ -300,6 +300,8 @@ def _undercut(motion: Motion, follower: Follower, losses: list[Loss], limits: Ch
         ),
         (CheckCode.LOST_LIFT_FACE_CHANGE, Message("lost lift, face change"), TrimKind.FACE_CHANGE, ""),
     ):
+        if kind == TrimKind.FACE_CHANGE and len(follower.planes) < 2:
+            continue  # in one plane there is no other face to go over to
         of_kind = [loss for loss in losses if loss.trim.kind == kind]
         worst = max(of_kind, key=lambda loss: loss.lift, default=None)
         place = (

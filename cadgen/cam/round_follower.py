@@ -10,18 +10,19 @@ and the profile is its parallel at the circle's radius, on the side of the camsh
 from abc import abstractmethod
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.follower import Branch, Follower, OwnSection, Swept, span_jets
+from cadgen.cam.follower import OUTLINE_POINTS, Branch, Follower, OwnSection, Swept, span_jets
 from cadgen.curves.closed import ClosedCurve, Jet
 from cadgen.curves.derived import OffsetPiece
 from cadgen.errors import DesignError
 from cadgen.laws.motion import Motion
 
-Complex = NDArray[np.complex128]
+Complex = NDArray[np.complexfloating[Any, Any]]
 _JOINT = 1e-9  # rad; two pieces that touch the circle this close together meet
 
 
@@ -111,6 +112,46 @@ class RoundFollower(Follower):
         """
         z = self.at(q)
         return np.asarray(z.real - np.sqrt(np.maximum(self.radius**2 - (across - z.imag) ** 2, 0.0)))
+
+    def outline(self, q: float, face: float) -> Array:
+        """The whole circle, by points in the frame of the ray, shape (n, 2), mm.
+
+        Args:
+            q: motion, in its unit.
+            face: the follower's plane, as in `planes`, mm.
+        """
+        return _flat(self.at(np.array([q])) + self.radius * np.exp(1j * np.linspace(0.0, TURN, OUTLINE_POINTS)))
+
+
+class RoundSlide(RoundFollower):
+    """Round follower on a slide that moves along the ray, beside it by its offset; a kind gives `centre` and `least`.
+
+    Of points ahead of it equally far, `least` must be greater the nearer they lie to the centre's line.
+    """
+
+    @property
+    def reach(self) -> float:
+        """How far across the ray the circle reaches, mm."""
+        return self.radius + abs(self.offset)
+
+    def most(self, x: Array, y: Array, off: Array) -> tuple[Array, ...]:
+        """Bound over all points within `off` mm: that of the point farthest ahead and nearest to the centre's line.
+
+        Args:
+            x: coordinates along the ray from the camshaft, mm, shape (n,).
+            y: coordinates across it, mm, shape (n,).
+            off: distance within which other points may lie, mm, shape (n,).
+        """
+        return self.least(x + off, self.offset + np.maximum(np.abs(y - self.offset) - off, 0.0))
+
+    def pressure_angle(self, q: Array, across: Array) -> Array:
+        """Pressure angle, rad: its sine is the contact's distance from the centre's line by the radius.
+
+        Args:
+            q: motion, in its unit, shape (n,).
+            across: distances of the contact from the ray, mm, shape (n,).
+        """
+        return np.asarray(np.arcsin(np.clip((across - self.offset) / self.radius, -1.0, 1.0)))
 
 
 @dataclass(frozen=True, kw_only=True)

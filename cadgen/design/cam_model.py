@@ -278,8 +278,10 @@ def has_key(design: Design) -> bool:
 
 def check_limits(design: Design | MotionDesign) -> CheckLimits:
     """Limits of the checks, mm and rad."""
+    named = design.checks.pressure_angle_limit
+    assert named is not None  # a design fills it in by its follower
     return CheckLimits(
-        pressure_angle=PRESSURE_ANGLE_LIMITS[design.checks.pressure_angle_limit],
+        pressure_angle=PRESSURE_ANGLE_LIMITS[named],
         lost_lift=design.checks.lost_lift_limit_um * 1e-3,
         min_convex_radius=design.checks.min_convex_radius_mm,
         cutter_radius=design.machining.cutter_diameter_mm / 2,

@@ -5,6 +5,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from cadgen.design.follower import fitting_kinds
 from cadgen.design.keys import dotted, elsewhere, is_unit_slip, keys, last, nearest, shown, tables
 from cadgen.design.kinds import USUAL, Kinds, NamedKinds, Place
 from cadgen.design.section import listed
@@ -103,7 +104,10 @@ def _of_item(place: Place) -> str:
 def _sentence(kind: str, place: Place, value: Any, context: Mapping[str, Any], kinds: Kinds) -> str:
     if kind == "value_error":
         said = Message(*context["error"].args)
-        return Message(said.template, **{**said.arguments, "here": spoken(place)}) if said.arguments else said
+        known: dict[str, object] = {**said.arguments, "here": spoken(place)}
+        if section(place) == "follower.kind":  # which kinds fit depends on what else the design has
+            known["allowed"] = fitting_kinds(moved=kinds.motion)
+        return Message(said.template, **known) if said.arguments else said
     if kind == "missing" and isinstance(place[-1], int):  # of a pair, whose value pydantic gives
         place = place[:-1]
     name, path = spoken(place), section(place)
@@ -118,12 +122,26 @@ def _sentence(kind: str, place: Place, value: Any, context: Mapping[str, Any], k
         table = tables(kinds)[path]
         heading = table.heading
         needs = listed([last(key.name) for key in table.keys if key.required], "and")
+        if kind == "missing" and not needs:
+            return Message(
+                "the section {heading} is missing{of_item}: add it, with some of {names}",
+                heading=heading,
+                of_item=_of_item(place),
+                names=listed(table.names, "and"),
+            )
         if kind == "missing":
             return Message(
                 "the section {heading} is missing{of_item}: add it, with at least {needs}",
                 heading=heading,
                 of_item=_of_item(place),
                 needs=needs,
+            )
+        if kind == "too_short":
+            return Message(
+                "{name} is empty: write {heading} before the keys of each, with some of {names}",
+                name=name,
+                heading=heading,
+                names=listed(table.names, "and"),
             )
         if table.many and not isinstance(place[-1], int):
             return Message(
@@ -144,6 +162,7 @@ def _sentence(kind: str, place: Place, value: Any, context: Mapping[str, Any], k
         Message("{kind} in {unit}", kind=key.kinds[depth], unit=Message(key.unit)) if key.unit else key.kinds[depth]
     )
     if kind == "missing" and depth == 0:
+        wanted = key.allowed if '"' in key.allowed else wanted
         return Message(
             "{name} is missing: add it, {wanted} ({meaning})", name=name, wanted=wanted, meaning=Message(key.meaning)
         )

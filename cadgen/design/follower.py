@@ -8,7 +8,9 @@ from pydantic import Field
 from cadgen.cam.followers.kind import FollowerKind, RunningSurface
 from cadgen.cam.followers.rod_kind import ROD
 from cadgen.cam.followers.table import codes, has, kind_of
-from cadgen.design.section import ByKind, DesignSection, OneOf, keys_in, section_with
+from cadgen.design.section import ByKind, DesignSection, OneOf, keys_in, listed, section_with
+from cadgen.laws.unit import TAN
+from cadgen.messages import Message
 
 
 class FollowerSection(DesignSection):
@@ -46,3 +48,18 @@ def section_of(kind: FollowerKind) -> type[FollowerSection]:
 
 
 FOLLOWER = ByKind("kind", ROD.code, has, kind_of, section_of)
+
+
+def fitting_kinds(*, moved: bool) -> Message:
+    """Kinds of follower that fit a design, as they read after "must be".
+
+    Args:
+        moved: whether the design has [motion], so that the follower moves by its lift or swing, and not with a fork.
+    """
+    fitting = [f'"{code}"' for code in codes() if moved != (kind_of(code).unit == TAN)]
+    if fitting:
+        return listed(fitting, "or")
+    return Message(
+        "a kind that moves by its lift or swing, of which none is built in: register one or install a plug-in "
+        "(docs/how-to/followers.md has a roller)"
+    )

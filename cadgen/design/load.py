@@ -77,7 +77,11 @@ def design_of(text: str, file: Path, overrides: Sequence[str] = ()) -> Design:
     made = complete_of(text, file, overrides)
     if isinstance(made, Design):
         return made
-    raise DesignError(
+    raise _without_a_car(file)
+
+
+def _without_a_car(file: Path) -> DesignError:
+    return DesignError(
         "{file}: this is worked out for a car, but the design has [motion], and not [path] and [car]: a cam by its "
         "motion has cadgen check, cam, draw, report and gears",
         file=brief(file.name),
@@ -117,6 +121,8 @@ def course_of(text: str, file: Path, overrides: Sequence[str] = ()) -> tuple[Des
     values = _parsed(text, file)
     for change in overrides:
         override(values, change)
+    if "motion" in values:
+        raise _without_a_car(file)
     values.setdefault("path", {})
     drawn = not _draw(values)
     return Design(**_checked(DesignFile, values, file.name, ()), overrides=tuple(overrides)), drawn

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 from pydantic import Field, model_validator
 
 from cadgen.cam.followers.kind import FollowerKind
-from cadgen.design.section import WORD, DesignSection, OneOf, listed
+from cadgen.design.section import HERE, WORD, DesignSection, OneOf, listed
 from cadgen.laws.table import codes, has, law_of
 from cadgen.laws.unit import MM, Unit
 from cadgen.messages import Message
@@ -49,7 +49,8 @@ class MotionSegment(DesignSection):
             if others := [*heights, *(name for name in ("in_deg", "law") if getattr(self, name) is not None)]:
                 raise ValueError(
                     Message(
-                        "a segment of motion.segments has dwell_deg and {listed}: a dwell has no other key",
+                        "{here} has dwell_deg and {listed}: a dwell has no other key",
+                        here=HERE,
                         listed=listed(others, "and"),
                     )
                 )
@@ -58,8 +59,8 @@ class MotionSegment(DesignSection):
             given = [name for name in (*_HEIGHTS, "in_deg", "law") if getattr(self, name) is not None]
             raise ValueError(
                 Message(
-                    "a segment of motion.segments has {listed}; it needs dwell_deg alone, or in_deg, law and one "
-                    "of {listed2}",
+                    "{here} has {listed}; it needs dwell_deg alone, or in_deg, law and one of {listed2}",
+                    here=HERE,
                     listed=listed(given, "and") or Message("none of its keys"),
                     listed2=listed(_HEIGHTS, "or"),
                 )
@@ -76,7 +77,8 @@ class MotionSection(DesignSection):
     """Motion of the follower in one turn of the cam. A design has it, or [path] and [car]."""
 
     turns: Annotated[DiscSense, WORD] = Field(
-        description="sense of the disc seen on its outer face, which is +z in STEP and the face that DXF shows"
+        description="sense of the disc seen on its outer face; files show the face on which it turns clockwise, with "
+        "+z towards you: the outer one, or with counterclockwise the inner one"
     )
     speed_rpm: float | None = Field(
         default=None, gt=0, le=1e6, description="speed of the camshaft; with it velocities and accelerations are shown"

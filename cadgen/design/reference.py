@@ -67,7 +67,7 @@ _BY_MOTION = ("cam",)  # sections with other keys where the design has [motion]
 _LIMITS = """
 ## Limits of the pressure angle
 
-The names that `checks.pressure_angle_limit` takes. On the rise, the working stroke, the cam drives the rod
+The names that `checks.pressure_angle_limit` takes. On the rise, the working stroke, the cam drives the follower
 outwards; on the return the spring drives it back.
 
 | name | rise | return | source |

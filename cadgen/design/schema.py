@@ -9,17 +9,24 @@ import hashlib
 import json
 from typing import Annotated, Any
 
-from pydantic import Field, SerializeAsAny, ValidatorFunctionWrapHandler, field_validator, model_validator
+from pydantic import (
+    Field,
+    SerializeAsAny,
+    ValidationInfo,
+    ValidatorFunctionWrapHandler,
+    field_validator,
+    model_validator,
+)
 
 from cadgen.cam.followers.kind import FollowerSeat
-from cadgen.cam.followers.table import codes, kind_of
+from cadgen.cam.followers.rod_kind import ROD
 from cadgen.cam.limits import PressureAngleLimitName
 from cadgen.car.course.layout import Side
 from cadgen.design.as_built import AsBuiltSection
 from cadgen.design.blank import BlankSection
 from cadgen.design.course import CourseSection, OutlineSection
 from cadgen.design.file_names import name_fault
-from cadgen.design.follower import FOLLOWER, FollowerSection
+from cadgen.design.follower import FOLLOWER, FollowerSection, fitting_kinds
 from cadgen.design.machining import DrawingText, Machining
 from cadgen.design.motion import MotionCam, MotionSection, motion_of
 from cadgen.design.path import PATH, PathSection
@@ -171,9 +178,10 @@ class CamSection(DesignSection):
 class Checks(DesignSection):
     """Limits that a cam must keep to be exported."""
 
-    pressure_angle_limit: Annotated[PressureAngleLimitName, WORD] = Field(
-        default=PressureAngleLimitName.NORTON_OSCILLATING,
-        description="whose limits of the pressure angle hold; see the table below",
+    pressure_angle_limit: Annotated[PressureAngleLimitName, WORD] | None = Field(
+        default=None,
+        description="whose limits of the pressure angle hold; see the table below. Left out, Norton's for the "
+        "follower: norton_translating on a slide, norton_oscillating on a pivoted arm or a car's fork",
     )
     lost_lift_limit_um: float = Field(
         default=1.0, gt=0, le=10_000, description="greatest lift that an undercut may cost"
@@ -227,7 +235,7 @@ class TrainFile(DesignSection):
     follower: SerializeAsAny[FollowerSection] | None = None
     blank: BlankSection = BlankSection()
     machining: Machining = Machining()
-    checks: Checks = Checks()
+    checks: Checks = Field(default=Checks(), validate_default=True)
     export: Export = Export()
     train: SerializeAsAny[TrainSection] | None = None
     play: PlaySection | None = None
@@ -247,6 +255,15 @@ class TrainFile(DesignSection):
     @classmethod
     def _follower_by_its_kind(cls, value: object, usual: ValidatorFunctionWrapHandler) -> FollowerSection | None:
         return FOLLOWER.check(value, usual)
+
+    @field_validator("checks")
+    @classmethod
+    def _limit_by_the_follower(cls, checks: Checks, info: ValidationInfo) -> Checks:
+        if checks.pressure_angle_limit is not None:
+            return checks
+        follower = info.data.get("follower")
+        kind = ROD if follower is None else follower.registered
+        return checks.model_copy(update={"pressure_angle_limit": kind.pressure_angle_limit})
 
     @field_validator("train", mode="wrap")
     @classmethod
@@ -300,23 +317,15 @@ class DiscFile(TrainFile):
     def _follower_fits_the_disc(self) -> "DiscFile":
         kind, moved = self.follower.registered, self.motion is not None
         if moved == (kind.unit == TAN):
-            others = [f'"{code}"' for code in codes() if moved != (kind_of(code).unit == TAN)]
-            wanted = (
-                Message(" = {others}", others=listed(others, "or"))
-                if others
-                else Message(" to a registered kind that moves by its lift")
-            )
-            does = Message("follows the steering of a car") if moved else Message("moves by its lift")
-            give = Message("[motion] instead of [path] and [car]")
-            if moved:
-                give = Message("[path] and [car] instead of [motion]")
             raise ValueError(
                 Message(
-                    'follower.kind is "{code}", which {does}: set follower.kind{wanted}, or give {give}',
+                    'follower.kind is "{code}", which {does}: set follower.kind to {fitting}, or give {give}',
                     code=kind.code,
-                    does=does,
-                    wanted=wanted,
-                    give=give,
+                    does=Message("follows the steering of a car" if moved else "moves by its lift"),
+                    fitting=fitting_kinds(moved=moved),
+                    give=Message(
+                        "[path] and [car] instead of [motion]" if moved else "[motion] instead of [path] and [car]"
+                    ),
                 )
             )
         kind.refuse(self.follower.keys, self.seat)
@@ -332,7 +341,7 @@ class DiscFile(TrainFile):
             raise ValueError(
                 Message(
                     "blank.edge_break_mm is {leg:g}; two edges broken by that leave no land of at least "
-                    "{least_land_mm:g} mm for the rod on a disc {thickness:g} mm thick: {cure}, or make the disc "
+                    "{least_land_mm:g} mm for the follower on a disc {thickness:g} mm thick: {cure}, or make the disc "
                     "thicker",
                     leg=leg,
                     least_land_mm=LEAST_LAND_MM,
@@ -443,6 +452,20 @@ class MotionFile(DiscFile):
                     "the other (--set motion=)",
                     named=named,
                     removed=removed,
+                )
+            )
+        return values
+
+    @model_validator(mode="before")
+    @classmethod
+    def _follower_is_named(cls, values: object) -> object:
+        follower = values.get("follower") if isinstance(values, dict) else None
+        if follower is None or (isinstance(follower, dict) and follower.get("kind") is None):
+            raise ValueError(
+                Message(
+                    "follower.kind is missing, and the design has [motion]: add it to the section [follower]; it must "
+                    "be {fitting}",
+                    fitting=fitting_kinds(moved=True),
                 )
             )
         return values

@@ -1,5 +1,8 @@
-"""The effects that are looked for in each kind of data: a new effect is a file and a line here, is registered,
-or comes from a plug-in.
+"""The effects that are looked for in each kind of data, from the tables of the files beside this one.
+
+A new effect stands in the file of what it acts on, and its name in the tuple at the end of that file: `LIFT_EFFECTS`
+in `lift`, `PROFILE_EFFECTS` in `disc`, `TRAIN_EFFECTS` in `transmission`, `TRACK_EFFECTS` in `track`, or those of
+instruments in `instrument`. It may also be registered, or come from a plug-in. Nothing is changed here.
 
 A name is unique in its catalogue; it is what verdicts claim and as-built designs write.
 """

@@ -1,6 +1,7 @@
 """Kinds of stages: what one is, and the table of all of them by their codes.
 
-A new kind is one file beside `spur`, such as `helical.py`, and one line of the table, or it is registered from outside.
+A new kind is one file beside `spur`, such as `helical.py`, and one name in the table `STAGES`, or it is registered from
+outside.
 Spur gears have no entry: theirs are the keys of a stage that names no kind, and what a gear leaves out [train] says.
 The module is light to import.
 """
@@ -39,5 +40,7 @@ class StageKind:
 
 
 SPUR = "spur"
-_KINDS: Registry[StageKind] = Registry(Message("kind of stage"), (), (SPUR,), "cadgen.stages", StageKind)
+# The table. A helical gear's stage would be `HELICAL` here, imported from `cadgen.gears.helical` beside `spur`.
+STAGES: tuple[StageKind, ...] = ()
+_KINDS = Registry(Message("kind of stage"), STAGES, (SPUR,), group="cadgen.stages", sort=StageKind)
 register, remove, codes, kind_of, has = _KINDS.register, _KINDS.remove, _KINDS.codes, _KINDS.kind_of, _KINDS.has

@@ -162,6 +162,7 @@ def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
         bore_fit=bore_class(making.bore_fit),
         profile_tolerance=use.profile_tolerance or None,
         follower=Message(plan.follower.noun),
+        leans=plan.follower.leans,
         face=Message("inner face") if plan.seen == Face.INNER else Message("outer face"),
         files=folder.files(plan.stem, plan.origin.content_hash, _CAM_ENDINGS),
         notes=(*use.drawing_notes(plan), *([plan.kind.note] if plan.kind.note else [])),

@@ -9,9 +9,9 @@ export function shapeStages() {
 
 export function planViews(motion) {
   const find = (id) => document.getElementById(id);
-  const [disc, inner, outer, point] = ["disc-layer", "rod-inner", "rod-outer", "rod-point"].map(find);
+  const [disc, inner, outer, section] = ["disc-layer", "rod-inner", "rod-outer", "follower-section"].map(find);
   const [car, ghost, floor] = [find("car"), find("car-planned"), find("course-view")];
-  const { rod, base, car: shape } = motion.scene;
+  const { rod, base, car: shape, lift: { lift } } = motion.scene;
   let carrying = "inner";
   let ran = null;
 
@@ -47,7 +47,7 @@ export function planViews(motion) {
         outer.classList.toggle("far", carries === "inner");
       }
     } else {
-      point.setAttribute("cx", short(base + state.lift));
+      section.setAttribute("transform", `translate(${short(state.lift - lift[0])} 0)`);
     }
     stand(car, state, state.tan);
     const apart = motion.planned !== state.going;

@@ -2,21 +2,28 @@
 
 import json
 import re
+from dataclasses import dataclass, replace
 from math import radians
 
+import ezdxf
 import numpy as np
 import pytest
+from build123d import import_step
 
 from cadgen import Design, Report, draw
 from cadgen.arrays import TURN
 from cadgen.cam.contact import roll, roll_curve
 from cadgen.cam.envelope import actual_profile
+from cadgen.cam.follower import Follower
 from cadgen.cam.followers import table
+from cadgen.cam.followers.kind import FollowerGuide
+from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.followers.rod_kind import ROD
 from cadgen.design.load import complete_of, design_of
 from cadgen.errors import CadgenError, DesignError
 from cadgen.laws.segments import MotionSpan, SegmentMotion
 from cadgen.laws.table import law_of
-from cadgen.laws.unit import MM
+from cadgen.laws.unit import MM, RAD, TAN
 from tests.docs.blocks import DOCS, blocks
 
 (SHOWN,) = [block.text for block in blocks(DOCS / "how-to/followers.md") if block.language == "python"]
@@ -137,8 +144,16 @@ def loaded(changes=()):
         ("motion.segments.2.in_deg=3", "a dwell has no other key"),
         ("motion.segments.1.in_deg=", "it needs dwell_deg alone, or in_deg, law and one of to_mm"),
         ("motion.segments.1={to_deg=3, in_deg=80, law='cycloidal'}", "motion.segments.1.to_deg is not of a follower"),
-        ("motion.turns=", "motion.turns is missing"),
-        ("follower={radius_mm=3}", 'follower.kind is "rod", which follows the steering of a car'),
+        ("motion.segments.2.to_mm=3", "motion.segments.2 has dwell_deg and to_mm"),
+        ("motion.segments.3.law=", "motion.segments.3 has to_mm and in_deg"),
+        ("motion.segments=[]", "motion.segments is empty: write [[motion.segments]] before the keys of each"),
+        ("motion.segments=", "[[motion.segments]] is missing: add it, with some of to_mm, rise_mm"),
+        ("motion.turns=", 'motion.turns is missing: add it, "clockwise" or "counterclockwise"'),
+        ("follower={kind='rod', radius_mm=3}", 'follower.kind is "rod", which follows the steering of a car'),
+        ("follower={radius_mm=3}", "follower.kind is missing, and the design has [motion]: add it to the section"),
+        ("follower=", "follower.kind is missing, and the design has [motion]: add it to the section"),
+        ("follower.kind=rollr", '--set follower.kind=rollr: follower.kind is "rollr"; it must be "roller"'),
+        ("blank.edge_break_mm=4.99", "leave no land of at least 0.1 mm for the follower"),
         ("cam.base_radius_mm=70", "cam.base_radius_mm is not a key: did you mean cam.base_circle_radius_mm?"),
         ("follower.offset_mm=50", "follower.offset_mm is 50; it must be less than 41 mm"),
     ],
@@ -222,10 +237,88 @@ def test_it_goes_through_every_command(registered, tmp_path, turns):
     assert design.cam(profile="theoretical").passed
 
 
-@pytest.mark.parametrize("job", ["simulate", "tolerance", "card"])
+@pytest.mark.parametrize(("turns", "seen"), [("clockwise", "outer"), ("counterclockwise", "inner")])
+def test_the_disc_of_a_file_gives_the_motion_when_it_turns_as_designed(registered, tmp_path, turns, seen):
+    """Laid with its outer face to the viewer, the disc of the DXF lifts the roller of the books by the motion.
+
+    There a disc that turns counterclockwise by theta has its points at p e^(i theta), and the roller moves along x = e
+    of the books; a clockwise one is the mirror image. No formula is shared with `cadgen.cam`.
+    """
+    design = Design.from_toml(TEXT).with_({"motion.turns": turns, "blank.hub": {"diameter_mm": 16, "length_mm": 5}})
+    cam = design.cam()
+    cam.write(tmp_path, formats=["dxf", "step"])
+    splines = ezdxf.readfile(tmp_path / "feeder_actual_spline.dxf").modelspace().query("SPLINE")
+    points = np.array([complex(p.x, p.y) for each in splines for p in each.construction_tool().flattening(1e-4)])
+    if seen == "inner":
+        points = points.conj()  # turned over about the x axis: now the outer face is seen
+    sense = -1 if turns == "clockwise" else 1
+    y0 = np.sqrt(41.0**2 - 8.0**2)
+    for theta in np.linspace(0.0, TURN, 12, endpoint=False):
+        disc = points * np.exp(1j * sense * theta)
+        across = disc.imag + sense * 8.0  # from the line of the roller's centre, which leans the favourable way
+        under = np.abs(across) < 9.0
+        lift = (disc.real[under] + np.sqrt(81.0 - across[under] ** 2)).max() - y0
+        assert lift == pytest.approx(float(FEEDER.q(theta)), abs=2e-3)
+    assert f"files show its {seen} face, on which it turns clockwise" in " ".join(map(str, cam.notes))
+    # A hub on the outer side stands out towards the viewer of that face, whose z grows towards him in the STEP file.
+    box = import_step(tmp_path / "feeder_actual.step").bounding_box()
+    low, high = (0.0, 15.0) if seen == "outer" else (-5.0, 10.0)
+    assert pytest.approx((low, high), abs=1e-3) == (box.min.Z, box.max.Z)
+
+
+@pytest.mark.parametrize("job", ["simulate", "tolerance", "card", "plan"])
 def test_jobs_of_a_car_say_so(registered, job):
-    with pytest.raises(CadgenError, match=r"\[motion\]"):
+    with pytest.raises(CadgenError, match=r"worked out for a car, but the design has \[motion\], and not \[path\]"):
         getattr(Design.from_toml(TEXT), job)()
+
+
+def test_without_a_registered_kind_the_page_is_named():
+    """The rod alone is built in, and follows a car's steering: a design with [motion] hears where a follower is."""
+    for change in ("follower.kind=roller", "follower=", "follower={kind='rod', radius_mm=3}"):
+        with pytest.raises(
+            DesignError, match=r"of which none is built in: .* \(docs/how-to/followers.md has a roller\)"
+        ):
+            loaded([change])
+
+
+def test_the_usual_limit_of_the_pressure_angle_goes_by_the_guide(registered):
+    """Norton: 30 degrees for a translating follower, 35 for one on a pivoted arm; a design's own limit comes first."""
+    cam = Design.from_toml(TEXT).cam()
+    limits = [check.limit for check in cam.checks if check.code.startswith("pressure-angle")]
+    np.testing.assert_allclose(limits, 30.0)
+    assert loaded().values()["checks"]["pressure_angle_limit"] == "norton_translating"
+    given = loaded(["checks.pressure_angle_limit=chinese_texts"])
+    assert given.checks.pressure_angle_limit == "chinese_texts"
+    for kind, name in (
+        (replace(ROLLER, unit=RAD), "norton_oscillating"),
+        (replace(ROLLER, unit=TAN), "norton_oscillating"),
+        (replace(ROLLER, unit=TAN, guide=FollowerGuide.TRANSLATING), "norton_translating"),
+        (ROD, "norton_oscillating"),
+    ):
+        assert kind.pressure_angle_limit == name
+
+
+def test_followers_show_their_section():
+    """The outline of each kind in a picture touches the envelope and no more: its nearer side is `ahead`."""
+    rod = LeaningRod(base_radius=70.0, inner=23.5, outer=26.5, radius=3.0, length=60.0)
+    face = SquareFace(base=30.0, radius=4.0)
+    for follower, q in ((Roller(base=32.0, radius=9.0, offset=8.0), 5.0), (rod, 0.3), (rod, -0.3), (face, 2.0)):
+        plane = follower.planes[-1]
+        x, y = follower.outline(q, plane).T
+        near = follower.ahead(np.full_like(x, q), np.full_like(x, plane), y)
+        assert (x >= near - 1e-9).all()
+        assert np.abs(x - near).min() < 1e-9
+        assert np.ptp(y) == pytest.approx(2 * follower.reach if follower is face else 2 * follower.radius)
+
+
+@dataclass(frozen=True, kw_only=True)
+class SquareFace(Roller):
+    """Face square to its slide, as far as a picture asks."""
+
+    outline = Follower.outline
+
+    def ahead(self, q, face, across):
+        return self.base + q + 0.0 * across
 
 
 def test_undercut_is_cured_by_its_own_keys(registered):

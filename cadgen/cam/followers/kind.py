@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import TYPE_CHECKING, Any
 
+from cadgen.cam.limits import PressureAngleLimitName
 from cadgen.laws.unit import MM, Unit
 
 if TYPE_CHECKING:
@@ -18,6 +19,13 @@ class RunningSurface(StrEnum):
 
     STEEL = "steel"
     BALL_BEARING = "ball_bearing"
+
+
+class FollowerGuide(StrEnum):
+    """Way in which a follower is guided: on a slide, or on an arm with a pivot."""
+
+    TRANSLATING = "translating"
+    OSCILLATING = "oscillating"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -51,6 +59,7 @@ class FollowerKind:
         unit: unit of its motion: lift in mm, swing in rad, or tangent of a car's steering angle.
         runs: whether it may run on the disc with a ball bearing: its keys then have `material`, a `RunningSurface`, and
             `width_mm` of the bearing, either None where the file does not say.
+        guide: how it is guided; left out, on a slide if its motion is in mm, else on a pivoted arm.
         refuse: function that refuses keys that do not suit their seat, by a `ValueError` of one sentence.
     """
 
@@ -60,4 +69,12 @@ class FollowerKind:
     build: Callable[[Any, FollowerSeat], Follower]
     unit: Unit = MM
     runs: bool = False
+    guide: FollowerGuide | None = None
     refuse: Callable[[Any, FollowerSeat], None] = lambda keys, seat: None
+
+    @property
+    def pressure_angle_limit(self) -> PressureAngleLimitName:
+        """Limits of the pressure angle that a design has by default: Norton's for a slide, or for a pivoted arm."""
+        straight = self.unit == MM if self.guide is None else self.guide == FollowerGuide.TRANSLATING
+        name = PressureAngleLimitName
+        return name.NORTON_TRANSLATING if straight else name.NORTON_OSCILLATING

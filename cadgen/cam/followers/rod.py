@@ -39,6 +39,7 @@ from cadgen.arrays import TURN, Array
 from cadgen.cam.checks import cam_place
 from cadgen.cam.contact import ROLLING_TOLERANCE
 from cadgen.cam.follower import (
+    OUTLINE_POINTS,
     Branch,
     Contact,
     EdgeFollower,
@@ -499,6 +500,17 @@ class LeaningRod(EdgeFollower):
         """
         half = np.sqrt(np.maximum(self.radius**2 - across**2, 0.0) * (1 + q**2))
         return np.asarray(self.base_radius + face * q - half)
+
+    def outline(self, q: float, face: float) -> Array:
+        """The rod's whole ellipse in a plane, by points in the frame of the ray, shape (n, 2), mm.
+
+        Args:
+            q: tangent of the rod's steering angle.
+            face: distance of the plane from the fork axis, mm.
+        """
+        eta = np.linspace(0.0, TURN, OUTLINE_POINTS)
+        half = self.radius * np.hypot(1.0, q)
+        return np.column_stack([self.base_radius + face * q - half * np.cos(eta), -self.radius * np.sin(eta)])
 
     def first_order(self, contact: Contact) -> FirstOrder:
         """Derivatives of T at the contacts of the rod, or of a point at its axis, with a disc (see the module)."""

@@ -1,7 +1,7 @@
 """Cures of lost lift: changes of one key, each proved by planning the cam again."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import ceil, floor, log10
 
 from cadgen.cam.checks import LOST_LIFT
@@ -10,6 +10,7 @@ from cadgen.check import Check, failing
 from cadgen.design.section import listed
 from cadgen.errors import CadgenError
 from cadgen.jobs.cam.cam_plan import CamPlan
+from cadgen.laws.segments import SegmentMotion
 from cadgen.messages import Message
 from cadgen.progress import Progress, silent
 
@@ -41,11 +42,13 @@ class Cures:
         lost: failed checks on lost lift; empty if there is nothing to cure.
         proved: changes that cure it, each alone.
         kinks: number of kinks of the lift; cures are sought for up to `MOST_KINKS_CURED`.
+        of_path: whether a path shapes the motion, and not segments.
     """
 
     lost: tuple[Check, ...]
     proved: tuple[Cure, ...]
     kinks: int
+    of_path: bool = True
 
     @property
     def sought(self) -> bool:
@@ -74,7 +77,11 @@ class Cures:
                 )
             )
         elif self.lost and not lines:
-            lines.append(Message("No change of one key cures it: the path itself must become milder."))
+            lines.append(
+                Message("No change of one key cures it: the path itself must become milder.")
+                if self.of_path
+                else Message("No change of one key cures it: the motion itself must become milder.")
+            )
         return lines
 
 
@@ -85,11 +92,12 @@ def find_cures(plan: CamPlan, progress: Progress = silent) -> Cures:
         plan: computed cam.
         progress: function that is called with a few words on each step.
     """
-    cures = Cures(plan.lost, (), len(plan.motion.kinks))
+    of_path = not isinstance(plan.motion, SegmentMotion)
+    cures = Cures(plan.lost, (), len(plan.motion.kinks), of_path)
     if not cures.lost or not cures.sought:
         return cures
     progress(Message("looking for a change that cures lost lift"))
-    return Cures(cures.lost, tuple(_tried(plan)), cures.kinks)
+    return replace(cures, proved=tuple(_tried(plan)))
 
 
 def _tried(plan: CamPlan) -> Iterator[Cure]:

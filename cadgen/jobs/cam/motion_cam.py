@@ -18,6 +18,7 @@ from cadgen.errors import DesignError
 from cadgen.jobs.cam.cam_plan import Application, CamPlan, Making
 from cadgen.laws.motion import Motion
 from cadgen.laws.segments import Seam, SegmentMotion
+from cadgen.laws.unit import MM
 from cadgen.messages import Message
 from cadgen.output.files.manifest import Origin
 from cadgen.parts.face import Face
@@ -80,14 +81,15 @@ class SegmentUse(Application):
         ]
         if self.speed is not None:
             (velocity, _), (acceleration, _) = self._peaks(cam).values()
+            unit, share = ("m", 1e-3) if cam.motion.unit == MM else (cam.motion.unit.symbol, 1.0)
             said.append(
                 Message(
                     "At {speed:g} rev/min the follower moves at up to {velocity:.4g} {unit}/s and {acceleration:.4g} "
                     "{unit}/s².",
                     speed=self.speed / TURN * 60,
-                    velocity=velocity,
-                    acceleration=acceleration,
-                    unit=cam.motion.unit.symbol,
+                    velocity=velocity * share,
+                    acceleration=acceleration * share,
+                    unit=unit,
                 )
             )
         said += [

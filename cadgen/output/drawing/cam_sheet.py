@@ -68,6 +68,7 @@ class CamPart:
         bore_fit: tolerance class of the bore, such as `H7`; empty if none is given.
         profile_tolerance: half width of the zone of the outline, mm; None if none is given.
         follower: name of the follower.
+        leans: whether it leans on an edge of the rim, so that a broken edge moves it.
         face: words for the face that is seen.
         files: name and hash of each file that holds the outline.
         notes: further sentences.
@@ -83,6 +84,7 @@ class CamPart:
     bore_fit: str
     profile_tolerance: float | None
     follower: str
+    leans: bool
     face: str
     files: tuple[tuple[str, str], ...]
     notes: tuple[str, ...]
@@ -342,6 +344,8 @@ def _notes(cam: CamPart) -> Iterator[str]:
             leg=blank.edge_break,
             follower=cam.follower,
         )
+    elif not cam.leans:
+        yield Message("Edges of the outline sharp, burrs off with a stone.")
     else:
         yield Message(
             "Edges of the outline sharp, burrs off with a stone: a broken edge moves the {follower}.",

@@ -28,6 +28,7 @@ from cadgen.output.report.style import (
     save,
     zero_line,
 )
+from cadgen.parts.face import Face
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -45,6 +46,7 @@ class CamPicture:
         lift: at these cam angles, shape (k,), mm.
         extrema: cam angles of peaks and valleys, shape (p,), rad, and the lift there, shape (p,), mm.
         blend_start: cam angle at which the closing blend begins, rad; a turn or more if there is none.
+        seen: face that is seen.
     """
 
     title: str
@@ -54,6 +56,7 @@ class CamPicture:
     lift: Array
     extrema: tuple[Array, Array]
     blend_start: float
+    seen: Face = Face.OUTER
 
 
 def cam_figure(content: CamPicture) -> "Figure":
@@ -65,7 +68,7 @@ def cam_figure(content: CamPicture) -> "Figure":
         for opening in content.openings:
             plan.fill(*opening.T, facecolor="white", edgecolor=BLACK, linewidth=1.0)
         plan.plot(0.0, 0.0, "+", color=GREY)
-        plan.set(title="Outline, from the outer face", xlabel="x (mm)", ylabel="y (mm)", aspect="equal")
+        plan.set(title=f"Outline, from the {content.seen} face", xlabel="x (mm)", ylabel="y (mm)", aspect="equal")
 
         lift.plot(np.degrees(content.cam_angle), content.lift, color=AFTER)
         angle, height = content.extrema

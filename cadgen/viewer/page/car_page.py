@@ -83,14 +83,14 @@ class CarPage(PagePlan):
 
     def sections(self) -> tuple[Section, ...]:
         """Tables of the page, those of play, random cars and measurements among them."""
-        reasons = {refusal.part: refusal.reason for refusal in self.refusals}
+        reasons, course = {refusal.part: refusal.reason for refusal in self.refusals}, self.use.layout
         without = Message("Without play there are no runs to vary: add [train] or [play] to the design.")
         if self.scope == Scope.EDITED:
             without = Message(
                 "Random cars are left out while the design is edited: `cadgen tolerance` and `cadgen report` run them."
             )
         return (
-            checks_section(self.cam, self.gears),
+            checks_section(self.cam, self.gears, Message("Cam") if course is None else Message("Cam and course")),
             play_section(self.use.comparison, self.simulation, self.remedies),
             tolerance_section(self.tolerance, reasons.get(Topic.TOLERANCE, without)),
             calibration_section(self.calibration, self.use.record, reasons.get(Topic.CALIBRATION, "")),

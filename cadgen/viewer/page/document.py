@@ -274,7 +274,9 @@ class Scene:
     Attributes:
         outline: profile of the disc, shape (n, 2), mm.
         openings: bore and holes of the disc, shape (m, 2) each, mm.
-        follower: leaning rod; None for another follower, which is drawn as a point.
+        follower: leaning rod, which leans as it moves; None for another follower, whose section moves as a whole.
+        section: section of the follower at cam angle 0, by points in the frame of the ray, shape (k, 2), mm.
+        clearance: least distance of the follower from the camshaft where its motion is 0, mm.
         base: base radius of the follower, mm.
         lift: lift by cam angle.
         stop: motor position at which runs are judged, rad.
@@ -289,6 +291,8 @@ class Scene:
     outline: Array
     openings: tuple[Array, ...]
     follower: RodShape | None
+    section: Array
+    clearance: float
     base: float
     lift: Lift
     stop: float

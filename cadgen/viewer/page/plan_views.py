@@ -62,7 +62,7 @@ class CamView:
         ahead: how far the drawing goes to the front.
         base: base radius.
         sections: sections of the rod, that in the carrying face last; empty for another follower.
-        point: place of another follower at cam angle 0.
+        follower: section of another follower at cam angle 0, as points of SVG.
     """
 
     box: str
@@ -75,16 +75,21 @@ class CamView:
     ahead: str
     base: str
     sections: tuple[RodSection, ...]
-    point: str
+    follower: str
 
 
 def cam_view(scene: Scene) -> CamView:
     """Cam and follower from the side."""
     n, rod, tan_beta = coordinate, scene.follower, float(scene.lift.tan_beta[0])
     reach = float(np.hypot(*scene.outline.T).max())
-    radius = 0.0 if rod is None else rod.radius
-    ahead = scene.base + float(np.abs(scene.lift.lift).max()) + radius + 6
-    left, wide, high = -max(ahead, reach) - _MARGIN, max(ahead, reach) + reach + 2 * _MARGIN, 2 * (reach + _MARGIN)
+    if rod is None:
+        ahead = float(scene.section[:, 0].max() + scene.lift.lift.max() - scene.lift.lift[0]) + 2
+        inner, aside = scene.clearance, float(np.abs(scene.section[:, 1]).max())
+    else:
+        ahead, inner = scene.base + float(np.abs(scene.lift.lift).max()) + rod.radius + 6, scene.base - rod.radius
+        aside = rod.radius
+    left, wide = -max(ahead, reach) - _MARGIN, max(ahead, reach) + reach + 2 * _MARGIN
+    high = 2 * (max(reach, aside) + _MARGIN)
     ray = scene.outline[int(np.argmin(np.abs(np.arctan2(scene.outline[:, 1], scene.outline[:, 0]))))][0]
     outlines = (scene.outline, *scene.openings)
     sections = (
@@ -107,12 +112,12 @@ def cam_view(scene: Scene) -> CamView:
         axis_at=n(100 * -left / wide),
         disc=" ".join(f"M{' '.join(f'{n(x)},{n(y)}' for x, y in outline)}Z" for outline in outlines),
         zero=(n(ray - 7), n(ray - 1.5)),
-        inner=n(scene.base - radius),
+        inner=n(inner),
         reach=n(reach),
         ahead=n(ahead),
         base=n(scene.base),
         sections=sections,
-        point=n(scene.base + float(scene.lift.lift[0])),
+        follower="" if rod else " ".join(f"{n(x)},{n(y)}" for x, y in scene.section),
     )
 
 

@@ -7,7 +7,7 @@ from math import hypot
 
 import numpy as np
 
-from cadgen.arrays import TURN
+from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import EdgeFollower
 from cadgen.car.course.body import place_of
 from cadgen.car.course.layout import CarPoint, Course, Gate, Shape, Side
@@ -40,6 +40,7 @@ from cadgen.viewer.page.turning_train import GAP, Stand, TurningPart, TurningTra
 POSITIONS = 1440  # of the motor: one each quarter of a degree, and to either side of each jump
 LIFTS = 2880  # straight lines between them err by 0.1 um where the lift bends by 150 mm/rad^2
 _OUTLINE = 0.5  # mm between points of the profile in the plan view
+_SEEN = 1.5  # mm, radius of a point that is drawn
 _HOLE_CHORD = 0.02  # mm
 _BESIDE = 1e-7  # rad, before a jump
 MOST_TRIANGLES = 60_000
@@ -86,6 +87,8 @@ def scene_of(plan: CamPlan, gears: GearTrain | None) -> tuple[Scene, tuple[str, 
         outline=outline,
         openings=tuple(contour.polygon(_HOLE_CHORD) for contour in plan.made_blank.inner_contours()),
         follower=_rod(plan, bodies),
+        section=_section(plan, float(tan_beta[0])),
+        clearance=_clearance(plan),
         base=float(plan.follower_as_built.base_radius),
         lift=Lift(lift=np.asarray(plan.follower_as_built.lift(tan_beta)), tan_beta=np.asarray(tan_beta)),
         stop=use.wanted.blend_start,
@@ -116,6 +119,8 @@ def still_scene(plan: CamPlan) -> Scene:
         outline=plan.curve.outline(_OUTLINE).points,
         openings=tuple(contour.polygon(_HOLE_CHORD) for contour in plan.made_blank.inner_contours()),
         follower=None,
+        section=_section(plan, float(q[0])),
+        clearance=_clearance(plan),
         base=float(plan.follower_as_built.base_radius),
         lift=Lift(lift=np.asarray(plan.follower_as_built.lift(q)), tan_beta=np.asarray(q)),
         stop=TURN,
@@ -125,6 +130,20 @@ def still_scene(plan: CamPlan) -> Scene:
         shafts=(),
         parts=(),
     )
+
+
+def _section(plan: CamPlan, q: float) -> Array:
+    """Section of the follower that rolls on the cam, in its first plane; of a point a small circle, to be seen."""
+    rolling = plan.follower
+    section = rolling.outline(q, rolling.planes[0])
+    seen = np.ptp(section, axis=0).max() > _SEEN
+    angle = np.linspace(0.0, TURN, 25)
+    return section if seen else section[:1] + _SEEN * np.column_stack([np.cos(angle), np.sin(angle)])
+
+
+def _clearance(plan: CamPlan) -> float:
+    rod = plan.follower_as_built
+    return float(np.hypot(*rod.outline(0.0, rod.planes[0]).T).min())
 
 
 def _rod(plan: CamPlan, bodies: Bodies) -> RodShape | None:

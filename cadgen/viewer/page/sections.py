@@ -38,9 +38,9 @@ _STEP_DEG = 10
 _LEAD = 4  # paragraphs of a calibration above its tables: expectation, warnings and verdict come first
 
 
-def checks_section(cam: CamPlan, train: GearTrain | None) -> Section:
+def checks_section(cam: CamPlan, train: GearTrain | None, title: str = Message("Cam")) -> Section:
     """Every check of cam and gears, failures first."""
-    tables = [_checks("cam-checks", Message("Cam and course"), cam.figures)]
+    tables = [_checks("cam-checks", title, cam.figures)]
     if train is not None:
         tables.append(_checks("gear-checks", Message("Gears"), train.checks))
     return Section(
