@@ -1,12 +1,14 @@
 """Figures and sheets of them: one model of results for terminal, page, printed sheets, files and JSON.
 
 What is shown is put together once, as figures, cells and sheets. A renderer only lays it out: `cadgen.output.report`
-on a terminal and as text, `cadgen.viewer.page` as HTML. The module is light to import.
+on a terminal and as text, `cadgen.viewer.page` as HTML, `as_json` as JSON. The module is light to import.
 """
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, fields, is_dataclass
 from enum import StrEnum
 from math import isfinite
+from typing import Any
 
 # End of a figure's key by its unit.
 _SUFFIX = {"°": "deg", "µm": "um", "%": "percent", "N·mm": "Nmm"}
@@ -70,9 +72,77 @@ class Figures(dict[str, Figure]):
     def __init__(self, *figures: Figure) -> None:
         super().__init__((figure.code, figure) for figure in figures)
 
+    def value(self, code: str) -> float | None:
+        """Value of a figure; None without such a figure."""
+        return self[code].value if code in self else None
+
     def facts(self) -> dict[str, float | None]:
         """Figures as plain values by their keys, for JSON and manifests."""
         return {figure.key: figure.value for figure in self.values()}
+
+
+class Facts:
+    """Named values of a result on their way to JSON, in its order. They are not read by key: ask the result itself.
+
+    A value is a number, a text, a dataclass, figures, further facts, or a list or mapping of these; see `as_json`.
+
+    Example:
+        >>> (Facts(design="car", ends_mm=(1.0, 2.0)) | Facts(passed=True)).json()
+        {'design': 'car', 'ends_mm': [1.0, 2.0], 'passed': True}
+    """
+
+    __slots__ = ("_values",)
+
+    def __init__(self, /, **values: object) -> None:
+        self._values = values
+
+    def __or__(self, more: "Facts | Figures") -> "Facts":
+        """These facts, then others; of one key the latter counts, in the place of the former."""
+        return Facts(**{**self._values, **(more._values if isinstance(more, Facts) else more.facts())})
+
+    def json(self) -> dict[str, Any]:
+        """Plain values by their keys."""
+        return {key: as_json(value) for key, value in self._values.items()}
+
+
+class JobResult:
+    """Base of a result of a job, whose figures all go into JSON and manifests."""
+
+    def entry(self) -> Facts:
+        """Facts of the result, as in its entry of the manifest; keys end in the unit."""
+        raise NotImplementedError
+
+    def facts(self) -> dict[str, Any]:
+        """The result as plain values, as in the manifest and with `--json`; keys end in the unit."""
+        return self.entry().json()
+
+
+def as_json(value: object) -> Any:
+    """Plain value for JSON: facts, figures and dataclasses become mappings, sequences and arrays lists.
+
+    A number that is not finite becomes None, for JSON has no such numbers. Texts stay what they are, so that a message
+    can still be said in another language.
+
+    Raises:
+        TypeError: the value is of another kind.
+    """
+    if value is None or isinstance(value, str | int):
+        return value
+    if isinstance(value, float):
+        return float(value) if isfinite(value) else None
+    if isinstance(value, Facts):
+        return value.json()
+    if isinstance(value, Figures):
+        return value.facts()
+    if isinstance(value, Mapping):
+        return {key: as_json(inside) for key, inside in value.items()}
+    if isinstance(value, list | tuple):
+        return [as_json(inside) for inside in value]
+    if is_dataclass(value):
+        return {field.name: as_json(getattr(value, field.name)) for field in fields(value)}
+    if hasattr(value, "tolist"):  # an array, or a number of numpy
+        return as_json(value.tolist())
+    raise TypeError(f"{type(value).__name__} is no plain value")
 
 
 def with_unit(text: str, unit: str) -> str:

@@ -112,11 +112,12 @@ def test_the_manifest_names_it(folder):
     script = """
 from pathlib import Path
 from cadgen.laws.table import law_of
+from cadgen.figures import Facts
 from cadgen.output.files.manifest import write_manifest
-write_manifest(Path(), "a", {"files": {}})
+write_manifest(Path(), "a", Facts(files={}))
 print(Path("manifest.json").read_text().count("plugins"))
 law_of("harmonic")
-write_manifest(Path(), "a", {"files": {}})
+write_manifest(Path(), "a", Facts(files={}))
 """
     done = run(script, folder)
     assert done.stdout.splitlines()[0] == "0", done.stderr

@@ -10,6 +10,7 @@ from cadgen.api.values import paths, real, word
 from cadgen.design.schema import Design as DesignValues
 from cadgen.deviations.deviation import SETTINGS, ByHand
 from cadgen.errors import DesignError, brief
+from cadgen.figures import Facts, JobResult
 from cadgen.jobs.adjustment.files import adjustment_facts, write_adjustment
 from cadgen.jobs.adjustment.plan import AdjustmentPlan, Point, Wanted, adjust
 from cadgen.messages import joined
@@ -21,11 +22,11 @@ NOISE_MM, DIVISION_UM = (0.1, 1000.0), (0.1, 1000.0)
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class Adjustment(AdjustmentPlan):
+class Adjustment(AdjustmentPlan, JobResult):
     """Settings after trial runs, and the errors to expect in the next run; lengths in mm and angles in rad."""
 
     def __repr__(self) -> str:
-        return f"<Adjustment of {self.described['design']} after {len(self.trials)} trial runs>"
+        return f"<Adjustment of {self.plan.origin.name} after {len(self.trials)} trial runs>"
 
     @property
     def computed(self) -> AdjustmentPlan:
@@ -37,8 +38,8 @@ class Adjustment(AdjustmentPlan):
         """The cam on the car."""
         return Cam.of(self.plan)
 
-    def facts(self) -> dict[str, object]:
-        """Result as plain values, as in the manifest and with `--json`."""
+    def entry(self) -> Facts:
+        """Settings and the errors to expect, as in the manifest."""
         return adjustment_facts(self)
 
     def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:

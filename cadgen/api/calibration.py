@@ -8,12 +8,13 @@ from typing import Generic, TypeVar
 
 from cadgen.api.loaded import LoadedDesign
 from cadgen.api.measured import Data, sources_of
+from cadgen.figures import Facts, JobResult
 from cadgen.jobs.calibration.advice import Advice as Advice
 from cadgen.jobs.calibration.advice import Predictions as Predictions
 from cadgen.jobs.calibration.as_built_file import as_built_text
 from cadgen.jobs.calibration.calibration import CalibrationPlan
 from cadgen.jobs.calibration.calibration_report import report, summary
-from cadgen.jobs.calibration.files import document, documents, write_calibration, write_each
+from cadgen.jobs.calibration.files import calibration_facts, summary_facts, write_calibration, write_each
 from cadgen.jobs.calibration.new_cam import Built
 from cadgen.output.files.publisher import Written, folder_of
 from cadgen.output.report.terminal import Block, plain
@@ -26,7 +27,7 @@ D = TypeVar("D", bound=LoadedDesign)
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class Calibration(CalibrationPlan, Generic[D]):
+class Calibration(CalibrationPlan, JobResult, Generic[D]):
     """Result of `Design.calibrate`: the effects found in measured data of one car, and the design built from them.
 
     Attributes:
@@ -101,9 +102,9 @@ class Calibration(CalibrationPlan, Generic[D]):
     def __str__(self) -> str:
         return plain(self.report, _REPORT_WIDTH)
 
-    def facts(self) -> dict[str, object]:
-        """Everything as plain values, as in the JSON file."""
-        return document(self)
+    def entry(self) -> Facts:
+        """Everything, as in the JSON file; docs/measurement.md explains the keys."""
+        return calibration_facts(self)
 
     def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
         """Write the report, pictures, JSON and the design as built, all together or none.
@@ -119,7 +120,7 @@ class Calibration(CalibrationPlan, Generic[D]):
 
 
 @dataclass(frozen=True)
-class Calibrations(Generic[D]):
+class Calibrations(JobResult, Generic[D]):
     """Result of `Design.calibrate_each`: a verdict on each measured file, judged alone.
 
     Attributes:
@@ -143,9 +144,9 @@ class Calibrations(Generic[D]):
         """Table with a row for each."""
         return summary(self.each)
 
-    def facts(self) -> dict[str, object]:
-        """Everything as plain values, as in the JSON file."""
-        return documents(self.each)
+    def entry(self) -> Facts:
+        """Everything, as in the JSON file."""
+        return summary_facts(self.each)
 
     def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
         """Write the table and JSON; errors as in `Calibration.write`.

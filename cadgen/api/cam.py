@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, fields
 from functools import cached_property
 from os import PathLike
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,6 +15,7 @@ from cadgen.car.path_motion import PathMotion
 from cadgen.design.schema import Design as DesignValues
 from cadgen.design.schema import MotionDesign
 from cadgen.errors import CheckError
+from cadgen.figures import Facts, JobResult
 from cadgen.jobs.cam.cam_facts import cam_facts
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.comparison import PAPER_PERCENT as PAPER_PERCENT
@@ -137,7 +138,7 @@ class Profile:
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class Cam(CamPlan):
+class Cam(CamPlan, JobResult):
     """A cam that has been computed and checked, but not yet made: what `Design.cam` gives.
 
     It is the numeric plan itself, with all its figures in mm and rad.
@@ -229,8 +230,8 @@ class Cam(CamPlan):
         """Sentences on what was assumed, such as of the car, and what was measured."""
         return self.application.notes(self)
 
-    def facts(self) -> dict[str, Any]:
-        """All facts on the cam as plain values, as in the manifest and with `--json`."""
+    def entry(self) -> Facts:
+        """All facts on the cam, as in the manifest."""
         return cam_facts(self, self.cures)
 
     def plot(self) -> "Figure":

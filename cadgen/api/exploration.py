@@ -11,6 +11,7 @@ from typing import Any
 
 from cadgen.api.values import name_or_path, whole
 from cadgen.errors import DesignError, FileError, brief
+from cadgen.figures import Facts, JobResult
 from cadgen.output.files.publisher import Frozen, Written, folder_of, frozen
 from cadgen.progress import Progress, silent
 from cadgen.studies.engines import Cluster, Processes, engine_of
@@ -29,7 +30,7 @@ _SHARD = re.compile(r"([0-9]{1,5})/([0-9]{1,5})")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Exploration:
+class Exploration(JobResult):
     """A study that has been computed, or a shard of one.
 
     Attributes:
@@ -72,17 +73,17 @@ class Exploration:
     @property
     def front(self) -> tuple[Mapping[str, Any], ...]:
         """Designs of the Pareto front as plain values, the best in each objective first."""
-        return tuple(frozen(self.summary.row_facts(row)) for row in self.summary.front)
+        return tuple(frozen(self.summary.row_facts(row).json()) for row in self.summary.front)
 
     def rows(self) -> Iterator[Mapping[str, Any]]:
         """All designs as plain values, in order, read one at a time."""
-        return (Frozen(self.summary.row_facts(row)) for row in self.computed.rows())
+        return (Frozen(self.summary.row_facts(row).json()) for row in self.computed.rows())
 
-    def facts(self) -> dict[str, Any]:
-        """The summary as plain values, as in the manifest and with `--json`."""
+    def entry(self) -> Facts:
+        """The summary, as in the manifest; of a shard its number and size."""
         if self.complete:
-            return self.summary.facts()
-        return {"study": self.name, "shard": list(self.shard), "designs": self.computed.journals[0].count}
+            return self.summary.entry()
+        return Facts(study=self.name, shard=self.shard, designs=self.computed.journals[0].count)
 
     def write(self, folder: str | PathLike[str] | None = None, *, progress: Progress = silent) -> Written:
         """Write table, front, pictures and the best designs, all together or none.

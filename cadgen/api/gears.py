@@ -13,7 +13,7 @@ from functools import cached_property
 from itertools import pairwise
 from math import cos, pi, radians
 from os import PathLike
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from cadgen.api.values import feature, optional, real, stage_angles, whole, word
 from cadgen.arrays import TURN
@@ -22,6 +22,7 @@ from cadgen.design.file_names import name_fault
 from cadgen.design.gear_model import usual_chord
 from cadgen.design.train import MOST_STAGES
 from cadgen.errors import DesignError, brief
+from cadgen.figures import Facts, JobResult
 from cadgen.gears import pair as numbers
 from cadgen.gears import spur
 from cadgen.gears import train as numeric
@@ -29,7 +30,7 @@ from cadgen.gears.choices import Thinning
 from cadgen.gears.contact import contact_ratio
 from cadgen.gears.inspection import inspection_of
 from cadgen.gears.layout import TrainPart
-from cadgen.gears.spur import form_facts
+from cadgen.gears.spur import form_figures
 from cadgen.gears.stage import Wheel
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm, tooth_of
@@ -81,22 +82,22 @@ class _ByNumbers(Assembly):
         """
         return usual_chord(gears)
 
-    def facts(self) -> dict[str, Any]:
-        """All facts as plain values, as in the manifest: every tolerance, play, part and inspection size."""
+    def entry(self) -> Facts:
+        """Every tolerance, play, part and inspection size, as in the manifest."""
         made = self.computed
-        return {
-            "train": self.name,
-            "passed": self.passed,
-            "ratio": str(made.play.train.ratio),
-            "return_error_deg": return_error(made.play),
-            "stages": stages_facts(made.layout),
-            "checks": checks_facts(made.checks),
-            "parts": parts_facts(made.layout),
-        }
+        return Facts(
+            train=self.name,
+            passed=self.passed,
+            ratio=str(made.play.train.ratio),
+            return_error_deg=return_error(made.play),
+            stages=stages_facts(made.layout),
+            checks=checks_facts(made.checks),
+            parts=parts_facts(made.layout),
+        )
 
 
 @dataclass(frozen=True, kw_only=True)
-class Gear:
+class Gear(JobResult):
     """A spur gear, its axis on z and a tooth on x.
 
     Attributes:
@@ -243,21 +244,23 @@ class Gear:
         """Whether the root cuts into the flanks."""
         return tooth_of(self.form).undercut
 
-    def facts(self) -> dict[str, Any]:
-        """The gear as plain values, with span over teeth and size over pins, mm, as it is cut."""
+    def entry(self) -> Facts:
+        """The gear, with span over teeth and size over pins, as it is cut."""
         deviation = self.form.tooth_thickness_deviation
         sizes = inspection_of(self.form, deviation, deviation)
-        return {
-            "gear": self.name,
-            **form_facts(self.form),
-            "bore_mm": self.part.blank.bore_diameter,
-            "E_sn_um": deviation * 1e3,
-            "teeth_spanned": sizes.span.teeth_spanned if sizes.span else None,
-            "span_mm": sizes.span.span.upper if sizes.span else None,
-            "pin_diameter_mm": sizes.pins.pin_diameter if sizes.pins else None,
-            "over_pins_mm": sizes.pins.over_pins.upper if sizes.pins else None,
-            "volume_mm3": self.part.volume,
-        }
+        return (
+            Facts(gear=self.name)
+            | form_figures(self.form)
+            | Facts(
+                bore_mm=self.part.blank.bore_diameter,
+                E_sn_um=deviation * 1e3,
+                teeth_spanned=sizes.span.teeth_spanned if sizes.span else None,
+                span_mm=sizes.span.span.upper if sizes.span else None,
+                pin_diameter_mm=sizes.pins.pin_diameter if sizes.pins else None,
+                over_pins_mm=sizes.pins.over_pins.upper if sizes.pins else None,
+                volume_mm3=self.part.volume,
+            )
+        )
 
     def build123d(self) -> Solid:
         """The gear as a build123d solid with label and colour, mm; its lower face lies at z = 0.
@@ -285,7 +288,7 @@ class Gear:
             DesignError: a format is unknown.
             FileError: a file cannot be written, or holds something else when it is read back.
         """
-        return write_gear(self._export(), self.facts(), folder_of(folder), progress, formats)
+        return write_gear(self._export(), self.entry(), folder_of(folder), progress, formats)
 
     def _export(self) -> GearExport:
         return _export(self.name, self.form, self.part)

@@ -2,10 +2,10 @@
 
 from dataclasses import dataclass
 from os import PathLike
-from typing import Any
 
 from cadgen.api.cam import Cam
 from cadgen.car.against_play.evaluate import Evaluation
+from cadgen.figures import Facts, JobResult
 from cadgen.jobs.cam.car_facts import remedy_facts
 from cadgen.jobs.cam.remedies import Remedy as Remedy
 from cadgen.jobs.error_budget import BudgetSheet as BudgetSheet
@@ -20,7 +20,7 @@ from cadgen.progress import Progress, silent
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Comparison:
+class Comparison(JobResult):
     """The methods against play, alone and combined: what `Design.optimize` gives.
 
     Attributes:
@@ -39,10 +39,10 @@ class Comparison:
         """Every method on every train, with its errors, mm and rad."""
         return () if self.cam.comparison is None else self.cam.comparison.evaluations
 
-    def facts(self) -> dict[str, Any]:
-        """The comparison as plain values, as with `--json`: the facts on the cam, and the further remedies."""
-        facts = self.cam.facts()
-        return {**facts, "remedies": [remedy_facts(remedy) for remedy in self.remedies]} if self.remedies else facts
+    def entry(self) -> Facts:
+        """The facts on the cam, and the further remedies."""
+        remedies = Facts(remedies=[remedy_facts(remedy) for remedy in self.remedies]) if self.remedies else Facts()
+        return self.cam.entry() | remedies
 
     def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
         """Write pictures of events and tracks, all together or none.

@@ -12,6 +12,7 @@ from cadgen.api.values import instance, name_or_path, whole
 from cadgen.check import Check, failing
 from cadgen.design.schema import MotionDesign
 from cadgen.errors import DesignError, FileError
+from cadgen.figures import Facts, JobResult
 from cadgen.output.files.publisher import Written, folder_of
 from cadgen.progress import Progress, silent
 from cadgen.viewer.editor.session import Session
@@ -27,7 +28,7 @@ _EXTRA = ("starlette", "uvicorn", "anyio", "h11")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Report:
+class Report(JobResult):
     """A report of a design: cam, gears, runs and tolerance, each computed once.
 
     Attributes:
@@ -116,8 +117,8 @@ class Report:
         """Sentences on what could not be computed, such as a train that cannot be laid out."""
         return tuple(refusal.reason for refusal in self.computed.refusals)
 
-    def facts(self) -> dict[str, Any]:
-        """Every figure of the page as plain values, as in the manifest and with `--json`."""
+    def entry(self) -> Facts:
+        """Every figure of the page, as in the manifest."""
         from cadgen.viewer.page.report import page_facts
 
         return page_facts(self.computed)

@@ -72,7 +72,7 @@ def gears(
         _choice(train)
         show.figures(Message("teeth in mesh, measured"), train.checks, gap=True)
         if written is not None:
-            _files(written, out, chord_is_given=loaded.values.export.mesh_chord_um is not None)
+            _files(written, out, train)
         if train.passed:
             draw = command("draw", design, "--only train", "--order", order, "--out", str(out), overrides=overrides)
             verdict(
@@ -216,38 +216,21 @@ def _choice(plan: "GearTrain") -> None:
     sentences(plan.notes)
 
 
-def _files(written: "Written", out: Path, *, chord_is_given: bool) -> None:
+def _files(written: "Written", out: Path, train: "GearTrain") -> None:
     """Print each file with its size and the errors measured on it."""
     from cadgen.cli.show import Output, heading, sheet, size, stem_of
 
-    stem = stem_of(written.entry["files"])
-    rows = []
-    for name, facts in written.entry["files"].items():
-        if "play_error_um" in facts:
-            errors = facts["play_error_um"]
-            off = [abs(error) for error in errors or () if error is not None]
-            reading = Message("no play to measure: see the checks")
-            if off:
-                reading = Message("play off by {off:.3f} µm", off=max(off))
-        elif "flank_error_um" in facts:
-            errors = {"flank": facts["flank_error_um"], "root": facts["root_error_um"]}
-            reading = Message("flank {flank:.5f} root {root:.4f} µm", **errors)
-        elif "rim_error_um" in facts:
-            reading = Message("rim {rim:.5f} µm", rim=facts["rim_error_um"])
-        elif "triangles" in facts:
-            reading = Message("watertight, {count} triangles", count=facts["triangles"])
-        else:
-            reading = Message("{count} rows", count=facts["rows"])
-        rows.append((name.removeprefix(stem), size(facts["bytes"]), reading))
+    stem = stem_of([file.name for file in written])
+    rows = [(file.name.removeprefix(stem), size(file.bytes), *file.readings) for file in written]
     heading(out, stem)
     heads = (Message("file"), Message("size"), Message("read back"))
     sheet(Sheet("files", "", heads, tuple(rows), tail=1), gap=False)
-    chords = sorted({facts["chord_um"] for facts in written.entry["files"].values() if "chord_um" in facts})
-    if chords and not chord_is_given:
+    if train.mesh_chord is None and any(file.path.suffix == ".stl" for file in written):
+        chords = sorted(train.chord(part.gears) * 1e3 for part in train.layout.parts)
         Output().print(
             Message(
                 "Chords of the STL files stay within {chords} µm of the teeth: 2 µm per mm of module, 5 at most, as "
                 "export.mesh_chord_um is not given.",
-                chords=joined([f"{chord:g}" for chord in {chords[0]: 0, chords[-1]: 0}], " to "),
+                chords=joined(dict.fromkeys(f"{chord:g}" for chord in (chords[0], chords[-1])), " to "),
             )
         )

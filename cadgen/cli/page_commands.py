@@ -170,7 +170,7 @@ def draw(
     else:
         show.drawings(written, out)
         if passed:
-            without = "PDF" in written.entry.get("omitted", {})
+            without = "PDF" in written.omitted
             look = Message("print the PDF at 100 %, and lay the part on it")
             if without:
                 look = Message("open the DXF in a CAD program")

@@ -273,18 +273,16 @@ def files(written: "Written", out: Path) -> None:
 
     The common start of their names stands above the table, so that it fits a narrow terminal.
     """
-    entries = written.entry["files"]
-    stem = written.part if all(name.startswith(written.part) for name in entries) else ""
-    with_lift, with_play = (
-        any(key in facts for facts in entries.values()) for key in ("lift_error_um", "end_position_mm")
-    )
+    stem = written.part if all(file.name.startswith(written.part) for file in written) else ""
+    with_lift = any(file.lift_error_um is not None for file in written)
+    with_play = any(file.end_position_mm is not None for file in written)
     heads: list[str] = [Message("file"), Message("size")]
     heads += [Message("at lift"), Message("limit")] if with_lift else []
     heads += [Message("end of run")] if with_play else []
     rows = []
-    for name, facts in entries.items():
-        error, limit, end = (facts.get(key) for key in ("lift_error_um", "lift_limit_um", "end_position_mm"))
-        cells = [name.removeprefix(stem), size(facts["bytes"])]
+    for file in written:
+        error, limit, end = file.lift_error_um, file.lift_limit_um, file.end_position_mm
+        cells = [file.name.removeprefix(stem), size(file.bytes)]
         if with_lift:
             cells += ["" if error is None else f"{error:.3f} µm", "" if limit is None else f"{limit:g} µm"]
         if with_play:
@@ -293,7 +291,7 @@ def files(written: "Written", out: Path) -> None:
     heading(out, stem)
     sheet(Sheet("files", "", tuple(heads), tuple(rows)), gap=False)
     _omitted(written)
-    for warning in written.entry.get("warnings", []):
+    for warning in written.warnings:
         Output().print(Text.assemble((shown(Message("Warning")), "yellow"), f"{shown(': ')}{shown(warning)}."))
 
 
@@ -308,7 +306,7 @@ def heading(out: Path, stem: str) -> None:
 
 
 def _omitted(written: "Written") -> None:
-    for label, reason in written.entry.get("omitted", {}).items():
+    for label, reason in written.omitted.items():
         left_out = shown(Message("{label} left out", label=label))
         Output().print(Text.assemble((left_out, "yellow"), f"{shown(': ')}{shown(reason)}."))
 
@@ -322,17 +320,16 @@ def stem_of(names: Collection[str]) -> str:
 
 def drawings(written: "Written", out: Path) -> None:
     """Print each drawing with its sheet, and what else was written."""
-    stem = stem_of(written.entry["files"])
-    rows = []
-    for name, facts in written.entry["files"].items():
-        count = str(len(facts["dimensions_mm"])) if "dimensions_mm" in facts else ""
-        rows.append((name.removeprefix(stem), facts.get("sheet", ""), facts.get("scale", ""), count))
+    stem = stem_of([file.name for file in written])
+    rows = [(file.name.removeprefix(stem), *(file.readings or ("", "", ""))) for file in written]
     heading(out, stem)
     heads = (Message("file"), Message("sheet"), Message("scale"), Message("dimensions"))
     sheet(Sheet("drawings", "", heads, tuple(rows)), gap=False)
     _omitted(written)
-    if left_open := written.entry.get("not_stated"):
-        named = joined(Message("{name} ({key})", name=Message(name), key=key) for name, key in left_open.items())
+    if written.not_stated:
+        named = joined(
+            Message("{name} ({key})", name=Message(name), key=key) for name, key in written.not_stated.items()
+        )
         Output().print(
             Message(
                 "The sheets say that these are not stated: {named}. State them in the design, or on the paper.",

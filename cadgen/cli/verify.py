@@ -33,7 +33,7 @@ def verify(folder: Path, restore: bool, as_json: bool) -> None:
 
     state = verified(folder, restore=restore)
     if as_json:
-        show.document(state.facts(folder))
+        show.document(state.entry(folder).json())
     else:
         _report(folder, state)
     sys.exit(0 if state.is_true else 1)

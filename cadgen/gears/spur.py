@@ -1,12 +1,12 @@
-"""Spur gears: a pair of them as a stage of a train, with its checks in mesh and its plain values.
+"""Spur gears: a pair of them as a stage of a train, with its checks in mesh and its figures.
 
-The checks look at the teeth as cut and at the limits of the tolerances. The values, for the manifest and the table of
+The checks look at the teeth as cut and at the limits of the tolerances. The figures, for the manifest and the table of
 parts, are µm, mm and degrees.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict, dataclass, replace
 from enum import StrEnum
 from functools import cache, lru_cache, partial
@@ -15,6 +15,7 @@ from typing import Any, NamedTuple, Self
 
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.errors import DesignError
+from cadgen.figures import Facts, Figure, Figures
 from cadgen.gears.backlash import GearPlay, StagePlay, cut_to_middle, pair_departures, stage_play
 from cadgen.gears.contact import (
     LEAST_CONTACT_RATIO,
@@ -200,31 +201,31 @@ SPAN_OF_TEETH = 8
 _NO_LENGTHS = ("driver", "driven", "B_max", "B_min")
 
 
-def pair_facts(pair: Pair) -> dict[str, Any]:
+def pair_facts(pair: Pair) -> Facts:
     """Every value of eq. 1-13, the exact plays beside them, and how the play is distributed."""
     play = stage_play(pair)
     loose, tight = limit_states(pair)
     arc = pair.driven_pitch_radius * 1e3
     spread = play.distribution()
-    return {
-        "teeth": f"{pair.driver.form.teeth}/{pair.driven.form.teeth}",
-        "centre_distance_mm": pair.centre_distance,
-        "bearing_span_mm": pair.bearing_span,
-        "ratio": str(pair.ratio),
-        "contact_ratio": contact_ratio(pair),
+    return Facts(
+        teeth=f"{pair.driver.form.teeth}/{pair.driven.form.teeth}",
+        centre_distance_mm=pair.centre_distance,
+        bearing_span_mm=pair.bearing_span,
+        ratio=str(pair.ratio),
+        contact_ratio=contact_ratio(pair),
         **_in_um({name: value for name, value in asdict(play).items() if name not in _NO_LENGTHS}),
-        "play_um": {"mean": spread.mean * 1e3, "std": spread.std * 1e3, **quantiles(spread, 1e3)},
-        "play_as_cut_um": pair.exact_play() * arc,
-        "exact_greatest_um": loose.play() * arc,
-        "exact_least_um": tight.play() * arc,
-        "return_error_greatest_deg": degrees(play.B_max),
-        "return_error_least_deg": degrees(play.B_min),
-        "driver": _tolerance_facts(pair.driver, play.driver),
-        "driven": _tolerance_facts(pair.driven, play.driven),
-    }
+        play_um={"mean": spread.mean * 1e3, "std": spread.std * 1e3, **quantiles(spread, 1e3)},
+        play_as_cut_um=pair.exact_play() * arc,
+        exact_greatest_um=loose.play() * arc,
+        exact_least_um=tight.play() * arc,
+        return_error_greatest_deg=degrees(play.B_max),
+        return_error_least_deg=degrees(play.B_min),
+        driver=_tolerance_facts(pair.driver, play.driver),
+        driven=_tolerance_facts(pair.driven, play.driven),
+    )
 
 
-def _tolerance_facts(gear: GradedGear, play: GearPlay[float]) -> dict[str, Any]:
+def _tolerance_facts(gear: GradedGear, play: GearPlay[float]) -> Facts:
     """Tolerances of a gear as used, with those of the standard that only its inspection needs, and its limits."""
     form = gear.form
     diameter, module = form.reference_diameter, form.normal_module
@@ -241,50 +242,52 @@ def _tolerance_facts(gear: GradedGear, play: GearPlay[float]) -> dict[str, Any]:
         except DesignError:
             shown[symbol] = None
     limits = {name: value for name, value in asdict(play).items() if name != "tolerances"}
-    return {
-        "teeth": form.teeth,
-        "undercut_modules": missing_shift(form),
-        "grade": gear.grade,
+    return Facts(
+        teeth=form.teeth,
+        undercut_modules=missing_shift(form),
+        grade=gear.grade,
         **_in_um(shown),
-        "F_pk_pitches": pitches,
+        F_pk_pitches=pitches,
         **_in_um(limits),
-    }
+    )
 
 
-def form_facts(form: GearForm) -> dict[str, Any]:
-    """Numbers of a gear's teeth: mm and degrees."""
-    return {
-        "teeth": form.teeth,
-        "module_mm": form.normal_module,
-        "pressure_angle_deg": degrees(form.normal_pressure_angle),
-        "profile_shift": form.profile_shift,
-        "width_mm": form.width,
-        "tip_diameter_mm": form.tip_diameter,
-        "root_diameter_mm": form.root_diameter,
-    }
+def form_figures(form: GearForm) -> Figures:
+    """Numbers of a gear's teeth."""
+    return Figures(
+        Figure("teeth", Message("teeth z"), form.teeth),
+        Figure("module", Message("module m_n"), form.normal_module, "mm"),
+        Figure("pressure_angle", Message("pressure angle"), degrees(form.normal_pressure_angle), "°"),
+        Figure("profile_shift", Message("profile shift x"), form.profile_shift),
+        Figure("width", Message("face width"), form.width, "mm"),
+        Figure("tip_diameter", Message("tip diameter"), form.tip_diameter, "mm"),
+        Figure("root_diameter", Message("root diameter, as cut"), form.root_diameter, "mm"),
+    )
 
 
-def gear_facts(form: GearForm, play: GearPlay[float], sizes: Inspection) -> dict[str, Any]:
+def gear_figures(form: GearForm, play: GearPlay[float], sizes: Inspection) -> Figures:
     """Dimensions of one gear for the workshop."""
-    return {
-        **form_facts(form),
-        "E_sn_um": form.tooth_thickness_deviation * 1e3,
-        "E_sns_um": play.E_sns * 1e3,
-        "E_sni_um": play.E_sni * 1e3,
-        "teeth_spanned": sizes.span.teeth_spanned if sizes.span else None,
-        **_limits("span", sizes.span.span if sizes.span else None),
-        "pin_diameter_mm": sizes.pins.pin_diameter if sizes.pins else None,
-        **_limits("over_pins", sizes.pins.over_pins if sizes.pins else None),
-    }
+    span, pins = sizes.span, sizes.pins
+    return Figures(
+        *form_figures(form).values(),
+        Figure("E_sn", "E_sn", form.tooth_thickness_deviation * 1e3, "µm"),
+        Figure("E_sns", "E_sns", play.E_sns * 1e3, "µm"),
+        Figure("E_sni", "E_sni", play.E_sni * 1e3, "µm"),
+        Figure("teeth_spanned", Message("teeth spanned"), span.teeth_spanned if span else None),
+        *_limits("span", span.span if span else None),
+        Figure("pin_diameter", Message("pin diameter"), pins.pin_diameter if pins else None, "mm"),
+        *_limits("over_pins", pins.over_pins if pins else None),
+    )
 
 
 def _in_um(values: Mapping[str, float | None]) -> dict[str, float | None]:
     return {f"{name}_um": None if value is None else float(value) * 1e3 for name, value in values.items()}
 
 
-def _limits(name: str, limits: SizeLimits | None) -> dict[str, float | None]:
+def _limits(name: str, limits: SizeLimits | None) -> Iterator[Figure]:
     values = (None, None, None) if limits is None else (limits.nominal, limits.upper, limits.lower)
-    return {f"{name}_{which}_mm": value for which, value in zip(("nominal", "max", "min"), values, strict=True)}
+    for which, value in zip(("nominal", "max", "min"), values, strict=True):
+        yield Figure(f"{name}_{which}", name, value, "mm")
 
 
 TEETH = Message("leave the kind out and give the stage gears with teeth")
@@ -378,17 +381,27 @@ class SpurPair(Pair, Stage):
             if (missing := missing_shift(gear.form)) > 0
         )
 
-    def facts(self) -> dict[str, Any]:
+    @property
+    def grades(self) -> tuple[int | None, int | None]:
+        """Grades by ISO 1328 of both gears."""
+        return self.driver.grade, self.driven.grade
+
+    @property
+    def distance_deviation(self) -> float | None:
+        """Deviation f_a of the axes' distance, mm."""
+        return self.play().f_a
+
+    def entry(self) -> Facts:
         """Every value of eq. 1-13, the exact plays beside them, and how the play is distributed."""
         return pair_facts(self)
 
-    def wheel_facts(self) -> tuple[dict[str, Any], dict[str, Any]]:
+    def wheel_figures(self) -> tuple[Figures, Figures]:
         """Form, thickness limits, span and size over pins of both gears; a `DesignError` for pins that do not rest."""
         play, inspections = self.play(), _inspections(self)
         driver, driven = self.wheels
         return (
-            gear_facts(driver, play.driver, inspections[0]),
-            gear_facts(driven, play.driven, inspections[1]),
+            gear_figures(driver, play.driver, inspections[0]),
+            gear_figures(driven, play.driven, inspections[1]),
         )
 
 

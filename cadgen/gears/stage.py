@@ -15,6 +15,7 @@ from math import pi
 from typing import Any, Protocol, Self
 
 from cadgen.check import Check
+from cadgen.figures import Facts, Figures
 from cadgen.gears.choices import Law
 from cadgen.gears.distribution import ZoneSum
 from cadgen.messages import Message
@@ -271,13 +272,23 @@ class Stage(ABC):
         """Remarks on the stage as it is made, a sentence each, in small letters and without a full stop."""
         return ()
 
-    @abstractmethod
-    def facts(self) -> dict[str, Any]:
-        """Entry of the stage as it is made in the manifest: plain values by their keys, which end in the unit."""
+    @property
+    def grades(self) -> tuple[int | None, int | None]:
+        """Grades by ISO 1328 of driver and driven wheel; None for wheels without one."""
+        return None, None
+
+    @property
+    def distance_deviation(self) -> float | None:
+        """Deviation f_a of the axes' distance that the play is computed with, mm; None where there is none."""
+        return None
 
     @abstractmethod
-    def wheel_facts(self) -> tuple[dict[str, Any], dict[str, Any]]:
-        """Rows of driver and driven wheel in the table of parts: dimensions to make and to measure them by.
+    def entry(self) -> Facts:
+        """Facts on the stage as it is made, for the manifest; keys end in the unit."""
+
+    @abstractmethod
+    def wheel_figures(self) -> tuple[Figures, Figures]:
+        """Figures of driver and driven wheel, to make and to measure them by, as in the table of parts.
 
         Raises:
             DesignError: a wheel that it could not measure.

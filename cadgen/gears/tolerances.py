@@ -27,7 +27,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields
-from functools import cache
+from functools import cache, partial
 from typing import Any, Generic, NamedTuple, TypeVar
 
 import numpy as np
@@ -83,20 +83,21 @@ def _f_pt(d: Array, m: Array) -> Array:
     return 0.3 * (m + 0.4 * np.sqrt(d)) + 4
 
 
-_PART_2: dict[str, Any] = {
-    "second_steps": COMPOSITE_MODULE_STEPS,
-    "standard": "ISO 1328-2",
-    "diameter_steps": COMPOSITE_DIAMETER_STEPS,
-    "finest": 0.5,
-}
+_of_part_2 = partial(
+    _Rule,
+    second_steps=COMPOSITE_MODULE_STEPS,
+    standard="ISO 1328-2",
+    diameter_steps=COMPOSITE_DIAMETER_STEPS,
+    finest=0.5,
+)
 _RULES = {
     "f_pt": _Rule(_f_pt),
     "F_p": _Rule(lambda d, m: 0.3 * m + 1.25 * np.sqrt(d) + 7),
     "F_alpha": _Rule(lambda d, m: 3.2 * np.sqrt(m) + 0.22 * np.sqrt(d) + 0.7),
     "F_beta": _Rule(lambda d, b: 0.1 * np.sqrt(d) + 0.63 * np.sqrt(b) + 4.2, "face width", WIDTH_STEPS),
     "F_r": _Rule(lambda d, m: 0.24 * m + np.sqrt(d) + 5.6, finest=0.5),  # 0.8 F_p
-    "F_i_radial": _Rule(lambda d, m: 3.2 * m + 1.01 * np.sqrt(d) + 6.4, **_PART_2),
-    "f_i_radial": _Rule(lambda d, m: 2.96 * m + 0.01 * np.sqrt(d) + 0.8, **_PART_2),
+    "F_i_radial": _of_part_2(lambda d, m: 3.2 * m + 1.01 * np.sqrt(d) + 6.4),
+    "f_i_radial": _of_part_2(lambda d, m: 2.96 * m + 0.01 * np.sqrt(d) + 0.8),
 }
 
 

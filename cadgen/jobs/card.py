@@ -12,7 +12,7 @@ from cadgen.car.draws.drawn_spacing import DrawnSpacing
 from cadgen.design import cam_model, draw_model
 from cadgen.design.schema import Design
 from cadgen.errors import CheckError
-from cadgen.figures import Sheet
+from cadgen.figures import Facts, JobResult, Sheet
 from cadgen.jobs.cam.steering_cam import CarUse
 from cadgen.jobs.settings_maker import TRIES, Maker
 from cadgen.jobs.simulation import C
@@ -24,7 +24,7 @@ from cadgen.version import __version__
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class Card(Generic[C]):
+class Card(JobResult, Generic[C]):
     """Result of `Design.card`: one cam, and what to set on the car for every spacing that can be drawn.
 
     Lengths are mm and angles rad.
@@ -33,7 +33,7 @@ class Card(Generic[C]):
         cam: cam, with its checks at the spacing that the course is stated at.
         draw: spacings that can be drawn.
         drawn: settings, in the order of the spacings.
-        settings: the settings of each spacing with error and room, as in the table; the unit stands in each name.
+        rows: facts on the settings of each spacing.
         legend: meaning of the columns of the printed card.
         sheet: the printed card's table; a spacing that is not kept is marked.
         start_of: point of the car that the start is the place of, in words.
@@ -42,7 +42,7 @@ class Card(Generic[C]):
     cam: C
     draw: Draw
     drawn: tuple[DrawnSpacing, ...]
-    settings: list[dict[str, Any]]
+    rows: list[Facts]
     legend: list[str]
     sheet: Sheet
     start_of: str
@@ -85,30 +85,35 @@ class Card(Generic[C]):
         names = joined(Message(check.name) for check in self.cam.failed)
         return (Message("the cam itself fails its checks ({names}): see cadgen check", names=names), *lines)
 
+    @property
+    def settings(self) -> list[dict[str, Any]]:
+        """The settings of each spacing with error and room, as in the table; the unit stands in each name."""
+        return [row.json() for row in self.rows]
+
     def table(self) -> tuple[list[str], list[list[str]]]:
         """The printed card's table as texts: headings, and the cells of each row."""
         return list(self.sheet.heads), [[cell.text for cell in row] for row in self.sheet.cells]
 
-    def facts(self) -> dict[str, Any]:
-        """The result as plain values, as in the manifest and with `--json`."""
+    def entry(self) -> Facts:
+        """The result, as in the manifest."""
         origin, comparison = self.cam.origin, self.use.comparison
-        return {
-            "design": origin.name,
-            "design_sha256": origin.content_hash,
-            "overrides": list(origin.overrides),
-            "cadgen": __version__,
-            "profile": self.cam.kind.code,
-            "drive_wheel": self.use.drive_wheel.facts(),
-            "passed": self.passed,
-            "failed": [check.code for check in self.cam.failed],
-            "stated_spacing_mm": self.draw.stated,
-            "start_of": self.start_of,
-            "worst_error_mm": self.worst.error,
-            "worst_error_at_mm": self.worst.spacing,
-            "return_error_deg": None if comparison is None else [degrees(end) for end in comparison.band.ends],
-            "said": list(self.sentences),
-            "settings": self.settings,
-        }
+        return Facts(
+            design=origin.name,
+            design_sha256=origin.content_hash,
+            overrides=origin.overrides,
+            cadgen=__version__,
+            profile=self.cam.kind.code,
+            drive_wheel=self.use.drive_wheel.entry(),
+            passed=self.passed,
+            failed=[check.code for check in self.cam.failed],
+            stated_spacing_mm=self.draw.stated,
+            start_of=self.start_of,
+            worst_error_mm=self.worst.error,
+            worst_error_at_mm=self.worst.spacing,
+            return_error_deg=None if comparison is None else [degrees(end) for end in comparison.band.ends],
+            said=self.sentences,
+            settings=self.rows,
+        )
 
     def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
         """Write the card, `NAME_card.html` to print and `NAME_card.csv`; spacings that are not kept are marked.
@@ -123,21 +128,21 @@ class Card(Generic[C]):
         """
         if not self.cam.passed:
             raise CheckError(self.sentences[0])
-        name, rows = self.cam.origin.name, self.settings
+        name = self.cam.origin.name
         html = settings_card.printed_card(
             Message("{name}: settings for the spacing that is drawn", name=name),
             self.sentences,
             self.sheet,
-            [row["fault"] for row in rows],
+            [settings_card.fault(each) for each in self.drawn],
             self.legend,
         )
         progress("writing")
 
         def files(staging: Path) -> Iterator[Artifact]:
-            yield text_file(staging / f"{name}_card.csv", settings_card.csv_text(rows))
+            yield text_file(staging / f"{name}_card.csv", settings_card.csv_text(self.rows))
             yield text_file(staging / f"{name}_card.html", html)
 
-        return publish(f"{name}_card", folder_of(folder), files, self.facts())
+        return publish(f"{name}_card", folder_of(folder), files, self.entry())
 
 
 def draw_of(design: Design) -> Draw:
@@ -176,7 +181,7 @@ def card_of(design: Design, cam: C, draw: Draw, progress: Progress = silent, *, 
         cam=cam,
         draw=draw,
         drawn=tuple(rows),
-        settings=settings_card.rows(design, rows),
+        rows=settings_card.rows(design, rows),
         legend=settings_card.legend(design, rows, draw.stated),
         sheet=settings_card.sheet(design, rows),
         start_of=settings_card.planned_point(design),

@@ -4,13 +4,12 @@ A sheet's title block names the design by its hash, and its notes name the files
 """
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from itertools import chain
 from math import inf
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -18,18 +17,19 @@ from cadgen.arrays import TURN
 from cadgen.curves.biarc import arcs
 from cadgen.design.machining import DrawingText
 from cadgen.errors import FileError
-from cadgen.gears.layout import TrainPart
+from cadgen.figures import Facts, Figures
+from cadgen.gears.layout import TrainLayout, TrainPart
 from cadgen.gears.tooth import GearForm
 from cadgen.inference.measurement.record import Direction
 from cadgen.jobs.cam.cam_plan import CamPlan
-from cadgen.jobs.gears.assembly import parts_facts
+from cadgen.jobs.gears.assembly import gear_figures
 from cadgen.jobs.gears.gear_train import GearTrain
 from cadgen.messages import ENGLISH, Message, joined, language
 from cadgen.output.drawing.cam_sheet import EVERY, CamPart, cam_drawing
 from cadgen.output.drawing.gear_sheets import Axis, GearPart, gear_drawing, gear_rows, plate_drawing
 from cadgen.output.drawing.sheet import DrawingSheet, Title, scale_text
 from cadgen.output.files.dxf import write_outline
-from cadgen.output.files.manifest import NAME, Origin, sound_parts
+from cadgen.output.files.manifest import NAME, ManifestEntry, Origin, sound_parts
 from cadgen.output.files.publisher import Artifact, Written, publish, require, text_file
 from cadgen.parts.face import Face
 from cadgen.progress import Progress, silent
@@ -46,7 +46,7 @@ class Folder:
         date: day on which the manifest was written, or today, ISO 8601; by SOURCE_DATE_EPOCH where that is set.
     """
 
-    parts: Mapping[str, Any]
+    parts: Mapping[str, ManifestEntry]
     date: str
 
     @classmethod
@@ -81,10 +81,10 @@ class Folder:
             endings: endings of names, in the order in which the files are named.
         """
         listed = {
-            name: facts["sha256"]
+            name: digest
             for entry in self.parts.values()
-            if entry.get("design_sha256") == design_hash
-            for name, facts in entry["files"].items()
+            if entry.design_sha256 == design_hash
+            for name, digest in entry.hashes.items()
         }
         named = (f"{stem}{ending}" for ending in endings)
         return tuple((name, listed[name]) for name in named if name in listed)
@@ -197,17 +197,17 @@ _PART_ENDINGS = (".step", ".stl")
 def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingSheet]]:
     """Stem of the files that a sheet stands for, and the sheet: of each part, then of the plate."""
     layout, origin = plan.layout, plan.origin
-    every = parts_facts(layout)
-    for part, facts in zip(layout.parts, every, strict=True):
+    every = gear_figures(layout)
+    for part, gears in zip(layout.parts, every, strict=True):
         stem = f"{plan.stem}_{part.name}"
         data = tuple(
             gear_rows(
                 gear,
-                _mate(every, gear["stage"], part.shaft),
-                layout.train.stages[gear["stage"] - 1],
-                drives=gear["stage"] == part.shaft,
+                _mate(layout, every, number, part.shaft),
+                layout.train.stages[number - 1],
+                drives=number == part.shaft,
             )
-            for gear in facts["gears"]
+            for number, gear in gears.items()
         )
         bodies = joined(
             [
@@ -223,7 +223,9 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
             data=data,
             files=folder.files(stem, origin.content_hash, _PART_ENDINGS),
             pitch_diameters=tuple(
-                float(f"{gear['module_mm'] * gear['teeth']:g}") for gear in facts["gears"] if gear.get("module_mm")
+                float(f"{module * teeth:g}")
+                for gear in gears.values()
+                if (module := gear.value("module")) and (teeth := gear.value("teeth"))
             ),
             notes=(Message("Shaft {shaft} of the train, counted from the drive.", shaft=part.shaft),),
         )
@@ -252,7 +254,7 @@ def _plate_notes(plan: GearTrain) -> Iterator[str]:
     yield Message("Holes as large as the shafts: open them for your bearings. Where no bore is given there is no hole.")
     yield Message("Places of the axes: hold the distances below, not the general tolerance.")
     for number, stage in enumerate(plan.layout.train.stages, 1):
-        deviation = stage.facts().get("f_a_um")
+        deviation = stage.distance_deviation
         if deviation is not None:
             yield Message(
                 "Axes {first} and {second}: {apart:g} ± {deviation:.4g} mm, bearings {span:g} mm apart, as the play is"
@@ -260,17 +262,17 @@ def _plate_notes(plan: GearTrain) -> Iterator[str]:
                 first=number,
                 second=number + 1,
                 apart=stage.centre_distance,
-                deviation=deviation / 1e3,
+                deviation=deviation,
                 span=stage.bearing_span,
             )
 
 
-def _mate(every: list[dict[str, Any]], stage: int, shaft: int) -> str:
+def _mate(layout: TrainLayout, every: Sequence[Mapping[int, Figures]], stage: int, shaft: int) -> str:
     """The gear in mesh with one on a shaft, in words."""
-    other = next(part for part in every if part["shaft"] == (stage + 1 if shaft == stage else stage))
-    gear = next(gear for gear in other["gears"] if gear["stage"] == stage)
-    teeth = f"z = {gear['teeth']}, " if "teeth" in gear else ""
-    return f"{teeth}{other['name']}"
+    on = stage + 1 if shaft == stage else stage
+    part, gears = next(pair for pair in zip(layout.parts, every, strict=True) if pair[0].shaft == on)
+    teeth = gears[stage].value("teeth")
+    return part.name if teeth is None else f"z = {teeth}, {part.name}"
 
 
 # Greatest difference of a dimension in a file from that of the part, mm: rounding.
@@ -335,8 +337,8 @@ def write_drawings(parts: Parts, out: Path, progress: Progress = silent) -> Writ
         parts.stem,
         out,
         files,
-        {"design": parts.name, "design_sha256": parts.design_hash, "date": folder.date},
-        lambda _: {key: value for key, value in further.items() if value},
+        Facts(design=parts.name, design_sha256=parts.design_hash, date=folder.date),
+        lambda _: Facts(**{key: value for key, value in further.items() if value}),
     )
 
 
@@ -344,14 +346,16 @@ def write_sheet(staging: Path, stem: str, sheet: DrawingSheet, omitted: dict[str
     """Write a sheet and read it back; a page without a font for its letters is left out, with the reason."""
     from cadgen.output.drawing.sheet_files import NoFontError, dxf_bytes, read_dimensions
 
-    look = {"sheet": sheet.size, "scale": scale_text(sheet.scale)}
+    scale = scale_text(sheet.scale)
+    look = Facts(sheet=sheet.size, scale=scale)
     name = f"{stem}_drawing.dxf"
     (staging / name).write_bytes(dxf_bytes(sheet, language()))
     again, drawn = read_dimensions(staging / name), sheet.dimensions
     off = [abs(again.get(key, inf) - length) for key, length in drawn.items()]
     same = again.keys() == drawn.keys() and max(off, default=0.0) <= DIMENSION_LIMIT
     require(same, name, Message("has other dimensions"))
-    yield Artifact(name, {**look, "dimensions_mm": {key: round(length, 6) for key, length in sorted(drawn.items())}})
+    lengths = {key: round(length, 6) for key, length in sorted(drawn.items())}
+    yield Artifact(name, look | Facts(dimensions_mm=lengths), (sheet.size, scale, str(len(lengths))))
     name = f"{stem}_drawing.pdf"
     try:
         page = _page(sheet, omitted)
@@ -361,7 +365,7 @@ def write_sheet(staging: Path, stem: str, sheet: DrawingSheet, omitted: dict[str
     (staging / name).write_bytes(page)
     if page.count(b"/Type /Page ") + page.count(b"/Type /Page\n") != 1:
         raise FileError("{name} is not one page: report this design", name=name)
-    yield Artifact(name, look)
+    yield Artifact(name, look, (sheet.size, scale, ""))
 
 
 def _page(sheet: DrawingSheet, omitted: dict[str, str]) -> bytes:
@@ -385,4 +389,4 @@ def _write_outlines(staging: Path, stem: str, part: TrainPart) -> Iterator[Artif
     for number, gear in enumerate(part.gears, 1):
         which = f"_{number}" if len(part.gears) > 1 else ""
         name = f"{stem}{which}_outline.dxf"
-        yield Artifact(name, {"outline_error_um": write_outline(staging / name, gear.outline, bore) * 1e3})
+        yield Artifact(name, Facts(outline_error_um=write_outline(staging / name, gear.outline, bore) * 1e3))

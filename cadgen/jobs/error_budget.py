@@ -3,9 +3,9 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from math import degrees
-from typing import Any
 
 from cadgen.deviations.deviation import Deviation
+from cadgen.figures import Facts
 from cadgen.inference.monte_carlo.budget import Budget, Cost, Process, by_process, error_budget
 from cadgen.inference.monte_carlo.cars import Cars
 from cadgen.inference.monte_carlo.random_cars import Tolerances
@@ -76,31 +76,30 @@ class BudgetSheet:
         together = [f"{budget.before:.0f}, {budget.after:.0f}" for budget in self.processes.values()]
         return [*rows, ("all, root of squares", together)]
 
-    def facts(self) -> dict[str, Any]:
-        """Cost of every deviation as plain values, each in the unit that its key names."""
-        return {
-            **_costs(self.budget),
-            "processes": {process: _costs(budget) for process, budget in self.processes.items()},
-            "advice": self.sentences(),
-        }
+    def entry(self) -> Facts:
+        """Cost of every deviation, each in the unit that its key names."""
+        return _costs(self.budget) | Facts(
+            processes={process: _costs(budget) for process, budget in self.processes.items()},
+            advice=self.sentences(),
+        )
 
 
-def _costs(budget: Budget) -> dict[str, Any]:
-    return {
-        "costs": [
-            {
-                "name": cost.name,
-                "half_width": cost.half_width * unit_of(cost.deviation)[1],
-                "unit": unit_of(cost.deviation)[0],
-                "end_position_mm": cost.before,
-                "end_position_after_trim_mm": cost.after,
-                "repeats": cost.repeats,
-                "beyond_first_order": cost.rough,
-            }
+def _costs(budget: Budget) -> Facts:
+    return Facts(
+        costs=[
+            Facts(
+                name=cost.name,
+                half_width=cost.half_width * unit_of(cost.deviation)[1],
+                unit=unit_of(cost.deviation)[0],
+                end_position_mm=cost.before,
+                end_position_after_trim_mm=cost.after,
+                repeats=cost.repeats,
+                beyond_first_order=cost.rough,
+            )
             for cost in budget.costs
         ],
-        "root_of_squares_mm": {"before": budget.before, "after_trim": budget.after},
-    }
+        root_of_squares_mm=Facts(before=budget.before, after_trim=budget.after),
+    )
 
 
 def budget_sheet(play_zones: Mapping[str, float], fleet: Cars, tolerances: Tolerances) -> BudgetSheet:

@@ -6,7 +6,7 @@ from functools import cached_property
 from math import degrees, radians
 from os import PathLike
 from pathlib import Path
-from typing import Any, Generic, Self, TypeVar
+from typing import Generic, Self, TypeVar
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from cadgen.car.against_play.evaluate import Evaluation
 from cadgen.car.running.drive import Run
 from cadgen.car.running.run_errors import Event, EventKind, RunError, deflected, deflection_sum, deflections, run_error
 from cadgen.design.schema import Design
+from cadgen.figures import Facts, JobResult
 from cadgen.jobs.cam.cam_facts import cam_facts
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.car_facts import mechanics_facts
@@ -33,7 +34,7 @@ C = TypeVar("C", bound=CamPlan)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class Simulation(Generic[C]):
+class Simulation(JobResult, Generic[C]):
     """Runs of the car with play in its gears: what `Design.simulate` gives. Lengths are mm and angles rad.
 
     Attributes:
@@ -92,34 +93,33 @@ class Simulation(Generic[C]):
         """Sentences on what was assumed of the car, and what was measured."""
         return self.use.run_notes(float(self.planned.motor[-1]))
 
-    def facts(self) -> dict[str, Any]:
-        """The runs as plain values, as in the manifest and with `--json`."""
+    def entry(self) -> Facts:
+        """The runs, as in the manifest."""
         plan, use, comparison, laps = self.cam, self.use, self.comparison, self.use.laps
-        runs = {"before": self.before, "after": self.after}
-        return {
-            **plan.origin.facts(),
-            "drive_wheel": use.drive_wheel.facts(),
-            "profile": plan.kind.code,
-            "passed": plan.passed,
-            "failed_checks": [check.name for check in plan.failed],
-            "method": comparison.chosen.profile.code,
-            "return_error_deg": degrees(self.play),
-            "cut_for_deg": degrees(comparison.chosen.made_for),
-            "mechanics": mechanics_facts(comparison.task.mechanics, comparison.chosen.lift),
-            "friction_note": comparison.rubbing,
-            "as_built": use.as_built_facts(float(self.planned.motor[-1])),
-            "events": [{"kind": event.kind, **event.figures.facts()} for event in self.events],
-            "deflection_sum_deg": degrees(deflection_sum(self.events)),
-            "before": self.before_error.figures.facts(),
-            "after": self.after_error.figures.facts(),
-            "after_without_play": comparison.chosen.deviation.figures.facts(),
-            **({} if laps is None else {"laps": laps.track_facts(planned=self.planned, **runs)}),
-            "course": self.on_course
-            and {
-                name: {key: {"room_mm": room, "where": where} for key, (where, room) in run.figures().items()}
-                for name, run in zip(("planned", "after"), self.on_course, strict=True)
-            },
+        facts = Facts(
+            drive_wheel=use.drive_wheel.entry(),
+            profile=plan.kind.code,
+            passed=plan.passed,
+            failed_checks=[check.name for check in plan.failed],
+            method=comparison.chosen.profile.code,
+            return_error_deg=degrees(self.play),
+            cut_for_deg=degrees(comparison.chosen.made_for),
+            mechanics=mechanics_facts(comparison.task.mechanics, comparison.chosen.lift),
+            friction_note=comparison.rubbing,
+            as_built=use.as_built_facts(float(self.planned.motor[-1])),
+            events=[Facts(kind=event.kind) | event.figures for event in self.events],
+            deflection_sum_deg=degrees(deflection_sum(self.events)),
+            before=self.before_error.figures,
+            after=self.after_error.figures,
+            after_without_play=comparison.chosen.deviation.figures,
+        )
+        if laps is not None:
+            facts |= Facts(laps=laps.in_runs(planned=self.planned, before=self.before, after=self.after))
+        course = self.on_course and {
+            name: {key: Facts(room_mm=room, where=where) for key, (where, room) in run.figures().items()}
+            for name, run in zip(("planned", "after"), self.on_course, strict=True)
         }
+        return plan.origin.entry() | facts | Facts(course=course)
 
     def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
         """Write tracks as CSV and pictures as PNG and SVG, all together or none.
@@ -160,7 +160,7 @@ class Simulation(Generic[C]):
                 lines.append(ErrorLine(label=f"{when}: {evaluation.title}", at_play=error, at_ends=(low, high)))
             yield from map(Artifact, draw_run_errors(title, lines, comparison.task.length, staging, f"{stem}_errors"))
 
-        return publish(stem, folder_of(folder), files, self.facts())
+        return publish(stem, folder_of(folder), files, self.entry())
 
 
 def simulate(

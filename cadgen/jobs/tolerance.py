@@ -6,7 +6,7 @@ from functools import cached_property, partial
 from math import degrees
 from os import PathLike
 from pathlib import Path
-from typing import Any, Generic, Self
+from typing import Generic, Self
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.deviations.deviation import RETURN_ERROR, Deviation
 from cadgen.errors import DesignError, FileError
+from cadgen.figures import Facts, JobResult
 from cadgen.gears.choices import Law
 from cadgen.inference.monte_carlo.cars import Cars
 from cadgen.inference.monte_carlo.random_cars import CarEnds, Map, Sensitivity, sensitivities, tolerance_run
@@ -68,7 +69,7 @@ def spread(values: Array) -> Spread:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class ToleranceRun(Generic[C]):
+class ToleranceRun(JobResult, Generic[C]):
     """Many cars within the tolerances of a design: what `Design.tolerance` gives. Lengths are mm and angles rad.
 
     Attributes:
@@ -151,49 +152,49 @@ class ToleranceRun(Generic[C]):
         use = CarUse.of(self.cam)
         return use.run_notes(use.steering.blend_start)
 
-    def facts(self) -> dict[str, Any]:
-        """The run as plain values, as in the manifest and with `--json`; the number of processes does not show."""
+    def entry(self) -> Facts:
+        """The run, as in the manifest; the number of processes does not show."""
         plan, use = self.cam, CarUse.of(self.cam)
         position, heading = self.end_position, self.end_heading_deg
-        return {
-            **plan.origin.facts(),
-            "drive_wheel": use.drive_wheel.facts(),
-            "cadgen": __version__,
-            "profile": plan.kind.code,
-            "friction_note": comparison_of(plan).rubbing,
-            "passed": plan.passed,
-            "failed_checks": [check.name for check in plan.failed],
-            "as_built": use.as_built_facts(use.steering.blend_start),
-            "samples": self.samples,
-            "seed": self.seed,
-            "law": self.law,
-            "gate_width_mm": self.gate_width,
-            "gates": self.gates,
-            "course": self._course_facts(),
-            "yield": self.passed,
-            "end_position_mm": {"mean": position.mean, **_quantiles(position), "greatest": position.greatest},
-            "end_heading_deg": {"mean of size": heading.mean, **_quantiles(heading)},
-            "sensitivities": [
-                {
-                    "tolerance": sensitivity.name,
-                    "half_width": self.half_widths[sensitivity.deviation] * unit_of(sensitivity.deviation)[1],
-                    "unit": unit_of(sensitivity.deviation)[0],
-                    "step": sensitivity.step * unit_of(sensitivity.deviation)[1],
-                    "position_mm_per_step": sensitivity.distance,
-                    "heading_deg_per_step": degrees(sensitivity.heading),
-                    "share_of_variance": sensitivity.share,
-                }
+        facts = Facts(
+            drive_wheel=use.drive_wheel.entry(),
+            cadgen=__version__,
+            profile=plan.kind.code,
+            friction_note=comparison_of(plan).rubbing,
+            passed=plan.passed,
+            failed_checks=[check.name for check in plan.failed],
+            as_built=use.as_built_facts(use.steering.blend_start),
+            samples=self.samples,
+            seed=self.seed,
+            law=self.law,
+            gate_width_mm=self.gate_width,
+            gates=self.gates,
+            course=self._course_facts(),
+            **{"yield": self.passed},
+            end_position_mm={"mean": position.mean, **_quantiles(position), "greatest": position.greatest},
+            end_heading_deg={"mean of size": heading.mean, **_quantiles(heading)},
+            sensitivities=[
+                Facts(
+                    tolerance=sensitivity.name,
+                    half_width=self.half_widths[sensitivity.deviation] * unit_of(sensitivity.deviation)[1],
+                    unit=unit_of(sensitivity.deviation)[0],
+                    step=sensitivity.step * unit_of(sensitivity.deviation)[1],
+                    position_mm_per_step=sensitivity.distance,
+                    heading_deg_per_step=degrees(sensitivity.heading),
+                    share_of_variance=sensitivity.share,
+                )
                 for sensitivity in self.sensitivities
             ],
-            **({} if self.budget is None else {"budget": self.budget.facts()}),
-        }
+        )
+        budget = Facts() if self.budget is None else Facts(budget=self.budget.entry())
+        return plan.origin.entry() | facts | budget
 
-    def _course_facts(self) -> dict[str, Any] | None:
+    def _course_facts(self) -> Facts | None:
         """Parts of the course that the cars must keep, and the least margin that they keep to it."""
         if not self.watched:
             return None
         kept = {f"{100 * part:g} %": margin for part, margin in self.margins.items()}
-        return {"watched": self.watched, "least_margin_mm": {**kept, "least": float(self.ends.margin.min())}}
+        return Facts(watched=self.watched, least_margin_mm={**kept, "least": self.ends.margin.min()})
 
     def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
         """Write pictures of the distribution and the sensitivities, all together or none.
@@ -223,7 +224,7 @@ class ToleranceRun(Generic[C]):
                 bars = {cost.name.replace("_", " "): (cost.before, cost.after) for cost in self.budget.budget.costs}
                 yield from map(Artifact, draw_budget(name, bars, staging, f"{stem}_budget"))
 
-        return publish(stem, folder_of(folder), files, self.facts())
+        return publish(stem, folder_of(folder), files, self.entry())
 
 
 def _quantiles(spread: Spread) -> dict[str, float]:

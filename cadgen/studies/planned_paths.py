@@ -56,7 +56,7 @@ class Planner:
 
     def planned(self, key: str) -> PlannedText:
         """Plan a path by its key."""
-        changed: dict[str, Any] = dict(json.loads(key))
+        changed = dict(json.loads(key))
         most = changed.pop(f"{REPLAN}within_mm", self.replan.within_mm)
         reserve = float(changed.pop(f"{REPLAN}reserve", self.replan.reserve))
         seeds = int(changed.pop(f"{REPLAN}seeds", self.replan.seeds))
@@ -93,9 +93,9 @@ def path_key(study: Study, values: Values) -> str | None:
     varied = dict(zip(study.keys, values, strict=True))
     if varied.get(f"{REPLAN}within_mm", replan.within_mm) == 0:
         return None
-    changed: dict[str, Any] = {}
+    changed: list[tuple[str, Any]] = []
     for each in study.variations:
         keys = (each.key, *(key for key, _ in each.along))
         if any(key.startswith(_WITH_A_PATH) or key in replan.planned_for for key in keys):
-            changed.update(each.changes(varied[each.key]))
-    return json.dumps(changed)
+            changed += each.changes(varied[each.key])
+    return json.dumps(dict(changed))

@@ -15,6 +15,7 @@ from typing import Any
 from cadgen.design.load import design_of
 from cadgen.design.planned import overridden_text
 from cadgen.errors import FileError
+from cadgen.figures import Facts
 from cadgen.output.files.publisher import Artifact, Written, publish
 from cadgen.output.report.study_pictures import ExplorationPicture, draw_exploration
 from cadgen.progress import Progress, silent
@@ -154,32 +155,32 @@ class Summary:
         best = ranked(front(results.rows(), study.objectives), study.objectives)
         return cls(results, dict(sorted(states.items())), tuple(best), effects(study, some))
 
-    def facts(self) -> dict[str, Any]:
-        """The summary as plain values."""
+    def entry(self) -> Facts:
+        """The summary, as in the manifest."""
         study = self.results.study
-        return {
-            "study": study.name,
-            "study_sha256": study.fingerprint,
-            "base": study.source,
-            "cadgen": __version__,
-            "designs": self.results.count,
-            "states": self.states,
-            "objectives": [figure.code for figure in study.objectives],
-            "front": [self.row_facts(row) for row in self.front],
-            "variance_explained": self.effects,
-        }
+        return Facts(
+            study=study.name,
+            study_sha256=study.fingerprint,
+            base=study.source,
+            cadgen=__version__,
+            designs=self.results.count,
+            states=self.states,
+            objectives=[figure.code for figure in study.objectives],
+            front=[self.row_facts(row) for row in self.front],
+            variance_explained=self.effects,
+        )
 
-    def row_facts(self, row: Row) -> dict[str, Any]:
-        """Design as plain values."""
+    def row_facts(self, row: Row) -> Facts:
+        """Facts on a design: the values of the study's keys, and its figures by their codes."""
         study = self.results.study
-        return {
-            "number": row.number,
+        return Facts(
+            number=row.number,
             **dict(zip(study.keys, row.values, strict=True)),
-            "state": row.state,
+            state=row.state,
             **dict(zip((figure.code for figure in study.figures), row.figures, strict=True)),
-            "failed": list(row.failed),
-            "sentence": row.sentence,
-        }
+            failed=row.failed,
+            sentence=row.sentence,
+        )
 
 
 def write_summary(summary: Summary, out: Path, progress: Progress = silent) -> Written:
@@ -213,7 +214,7 @@ def write_summary(summary: Summary, out: Path, progress: Progress = silent) -> W
         progress("writing the best designs")
         yield from map(Artifact, write_best(results, summary.front[: study.file.best], folder))
 
-    return publish(stem, out, files, summary.facts(), lambda _: {"omitted": omitted})
+    return publish(stem, out, files, summary.entry(), lambda _: Facts(omitted=omitted))
 
 
 def _picture(summary: Summary) -> ExplorationPicture:

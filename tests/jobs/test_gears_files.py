@@ -18,8 +18,8 @@ from cadgen.geometry.meshes.mesh import body_mesh
 from cadgen.geometry.meshes.teeth import ToothSection, section_of
 from cadgen.jobs.gears.assembly import table_of
 from cadgen.jobs.gears.gear_train import plan_gears
-from cadgen.output.files.step import assembly_facts, play_facts, train_step
-from cadgen.output.files.stl import part_facts
+from cadgen.output.files.step import assembly_facts, measured_play, train_step
+from cadgen.output.files.stl import part_artifact
 from cadgen.output.files.tables import train_table
 
 
@@ -48,7 +48,7 @@ def test_another_process_can_make_the_step_files(plan):
 
 
 def test_an_assembly_as_meant_is_taken(plan):
-    assert assembly_facts(plan.layout, "x.step", *assembled(plan)) == {"bodies": 4, "volume_error_relative": 0.0}
+    assert assembly_facts(plan.layout, "x.step", *assembled(plan)).json() == {"bodies": 4, "volume_error_relative": 0.0}
 
 
 @pytest.mark.parametrize(
@@ -80,13 +80,13 @@ def by_part(plan, change=lambda form: form):
 
 @pytest.mark.slow
 def test_sections_in_the_files_have_the_play_computed(plan):
-    facts = play_facts(plan.layout, plan.passed, "x.step", by_part(plan))
-    assert max(map(abs, facts["play_error_um"])) < 0.06
-    assert abs(facts["return_error_error_um"]) < 0.06
+    play = measured_play(plan.layout, plan.passed, "x.step", by_part(plan))
+    assert max(map(abs, play.errors)) < 0.06
+    assert abs(play.total) < 0.06
     thick = [plan.layout.parts[3].gears[0].tooth_thickness_deviation + 1e-3]
     wrong = [*by_part(plan)[:3], (section_of(plan.layout.parts[3].gears[0].cut_to(*thick)),)]
     with pytest.raises(FileError, match=r"has a play 0\.98 µm off the computed one"):
-        play_facts(plan.layout, plan.passed, "x.step", wrong)
+        measured_play(plan.layout, plan.passed, "x.step", wrong)
 
 
 def test_sections_whose_play_is_right_only_at_the_line_of_centres_are_refused(plan):
@@ -97,21 +97,21 @@ def test_sections_whose_play_is_right_only_at_the_line_of_centres_are_refused(pl
     out = np.clip((radius - (radius.max() - 0.1)) / 0.05, 0.0, 1.0)
     raised = ToothSection(corners * np.exp(1j * 5e-3 / radius * out * np.sign(np.angle(corners / tooth))))
     with pytest.raises(FileError, match="has teeth in stage 1 whose play is not the same over a pitch"):
-        play_facts(plan.layout, plan.passed, "x.step", [(raised,), *good[1:]])
+        measured_play(plan.layout, plan.passed, "x.step", [(raised,), *good[1:]])
 
 
 def test_a_mesh_of_another_volume_or_in_pieces_is_refused(plan):
     part = plan.layout.parts[0]
     mesh = body_mesh(part.body, 1e-3)
-    assert part_facts("x.stl", mesh, part, 1e-3)["watertight"]
+    assert part_artifact("x.stl", mesh, part, 1e-3).facts.json()["watertight"]
     with pytest.raises(FileError, match="misses the exact volume"):
-        part_facts("x.stl", mesh._replace(vertices=mesh.vertices * 1.01), part, 1e-3)
+        part_artifact("x.stl", mesh._replace(vertices=mesh.vertices * 1.01), part, 1e-3)
     twice = mesh._replace(
         vertices=np.concatenate([mesh.vertices, mesh.vertices + 50.0]),
         triangles=np.concatenate([mesh.triangles, mesh.triangles + len(mesh.vertices)]),
     )
     with pytest.raises(FileError, match="is not one body"):
-        part_facts("x.stl", twice, part, 1e-3)
+        part_artifact("x.stl", twice, part, 1e-3)
 
 
 def test_the_table_of_parts_has_the_limits_of_every_tooth_and_is_read_back(plan, tmp_path, monkeypatch):

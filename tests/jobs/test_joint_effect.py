@@ -13,7 +13,7 @@ from cadgen.inference.measurement.verdict import Verdict
 from cadgen.jobs.calibration.as_built_file import as_built_text
 from cadgen.jobs.calibration.calibration import calibrate
 from cadgen.jobs.calibration.calibration_report import report
-from cadgen.jobs.calibration.files import document
+from cadgen.jobs.calibration.files import calibration_facts
 from cadgen.jobs.calibration.new_cam import BETTER, with_joint_effect
 from cadgen.jobs.calibration.sources import Source
 from tests.studies.circles import draw, go_round
@@ -49,7 +49,7 @@ def test_the_cam_is_made_for_a_whole_subset_and_says_which_names_are_not_sure(to
     words = "\n".join(str(block) for block in report(told))
     assert "not sure by name but that the run shows together" in words.split("\n")[0]
     assert words.count("The name is not sure") == 1
-    assert {e["effect"]: e["name_sure"] for e in document(told)["as_built"]}["steering zero"] is False
+    assert {e["effect"]: e["name_sure"] for e in calibration_facts(told).json()["as_built"]}["steering zero"] is False
     assert "The name is not sure" in as_built_text(told, 'name = "carbon_free_car"\n')
     # Nothing that may be the instrument's is cut into a part.
     assert all(b.place == Place.CAR for b in told.built if not b.claim.sure)

@@ -41,7 +41,7 @@ def test_the_workshop_s_car_does_not_mind_its_play(workshop):
     assert checks["cam runs ahead"].value == 0.0
     assert checks["cam holds"].value == pytest.approx(42.0 / 32.4, rel=5e-3)
     assert workshop.application.design.blank.edge_break_mm == 0.2
-    facts = comparison_facts(workshop.application.comparison)["mechanics"]
+    facts = comparison_facts(workshop.application.comparison).json()["mechanics"]
     assert facts["friction"] == [0.05, 0.20]
     assert facts["drag_Nmm"] == [42.0, 60.0]
 
@@ -81,7 +81,7 @@ def test_a_design_that_says_nothing_of_friction_is_told_what_a_rod_would_make_of
     assert plan.application.comparison.chosen.made_for == plan.application.comparison.chosen.play  # as without friction
     assert "up to 814 mm off" in plan.application.comparison.rubbing
     assert "1207 mm" in plan.application.comparison.rubbing
-    assert comparison_facts(plan.application.comparison)["friction_note"] == plan.application.comparison.rubbing
+    assert comparison_facts(plan.application.comparison).json()["friction_note"] == plan.application.comparison.rubbing
 
 
 @pytest.mark.slow
@@ -122,7 +122,7 @@ def test_with_a_measured_play_the_friction_is_not_known_either(rubbing):
 def test_a_remedy_that_cannot_be_built_is_no_number():
     small = ["cam.base_radius_mm=17", "blank.lightening=", "blank.keyway=", "blank.bore_diameter_mm=2"]
     plan = plan_cam(load_design("carbon_free_car", [*FRICTION, *small]), "optimized", all_trains=True)
-    facts = [remedy_facts(remedy) for remedy in remedies(plan.application.design, plan.application.comparison)]
+    facts = [remedy_facts(remedy).json() for remedy in remedies(plan.application.design, plan.application.comparison)]
     json.dumps(facts, allow_nan=False)
     (bearing,) = (fact for fact in facts if fact["remedy"].startswith("ball bearing"))
     assert bearing["worst_end_position_mm"] is None

@@ -73,13 +73,14 @@ def start(job: Job, out: Path, kill: Killed | None = None, gate: int | None = No
 def _do(job: Job, out: Path) -> int:
     if job.arguments:
         return command(*job.arguments, "--out", str(out))
+    from cadgen.figures import Facts
     from cadgen.output.files.folder import publishing
     from cadgen.output.files.manifest import file_facts, write_manifest
 
     with publishing(out) as staging:
         for name, content in job.files.items():
             (staging / name).write_bytes(content)
-        write_manifest(staging, job.part, {"files": {name: file_facts(staging / name) for name in job.files}})
+        write_manifest(staging, job.part, Facts(files={name: file_facts(staging / name) for name in job.files}))
     return 0
 
 

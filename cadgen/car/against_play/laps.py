@@ -3,7 +3,6 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import degrees, inf
-from typing import Any
 
 import numpy as np
 
@@ -11,6 +10,7 @@ from cadgen.arrays import TURN, Array
 from cadgen.car.against_play.evaluate import Evaluation
 from cadgen.car.running.drive import Run
 from cadgen.check import Bound, Check, CheckCode
+from cadgen.figures import Facts
 from cadgen.messages import Message
 
 
@@ -182,37 +182,40 @@ class Laps:
             )
         return lines
 
-    def facts(self, running: Running | None, **evaluations: Evaluation) -> dict[str, Any]:
-        """Drift as plain values.
+    def entry(self, running: Running | None, **evaluations: Evaluation) -> Facts:
+        """Drift without play and of profiles.
 
         Args:
             running: as in `sentences`; None where nothing is known of the play.
             evaluations: profiles by their names in the result; the return error is that of the last one.
         """
-        found: dict[str, Any] = {
-            "per_turn": self.in_turn,
-            "in_run": self.in_run,
-            "lap_length_mm": self.length,
-            "drift_without_play": _plain([self.of(self.planned)]),
-        }
+        found = Facts(
+            per_turn=self.in_turn,
+            in_run=self.in_run,
+            lap_length_mm=self.length,
+            drift_without_play=_greatest([self.of(self.planned)]),
+        )
         if running is None:
             return found
         *_, chosen = evaluations.values()
         for name, evaluation in evaluations.items():
-            found[f"drift_{name}"] = {
-                "return_error_deg": degrees(chosen.play),
-                **_plain([self.of(running(evaluation, chosen.play))]),
-                "worst_over_band": _plain(self._over_band(running, evaluation)),
-            }
+            drift = (
+                Facts(return_error_deg=degrees(chosen.play))
+                | _greatest([self.of(running(evaluation, chosen.play))])
+                | Facts(worst_over_band=_greatest(self._over_band(running, evaluation)))
+            )
+            found |= Facts(**{f"drift_{name}": drift})
         return found
 
-    def track_facts(self, **runs: Run) -> dict[str, Any]:
+    def in_runs(self, **runs: Run) -> Facts:
         """Drift of runs by their names, after each lap."""
         drifts = {name: self.of(run) for name, run in runs.items()}
-        return {
-            name: {"position_mm": each.position.tolist(), "heading_deg": np.degrees(each.heading).tolist()}
-            for name, each in drifts.items()
-        }
+        return Facts(
+            **{
+                name: Facts(position_mm=each.position, heading_deg=np.degrees(each.heading))
+                for name, each in drifts.items()
+            }
+        )
 
     def _over_band(self, running: Running, evaluation: Evaluation) -> list[Drift]:
         """Drift at the return errors of a profile's band."""
@@ -229,13 +232,13 @@ def _words(off_and_turned: tuple[float, float]) -> str:
     return Message("{off:.2f} mm and {turned:.3f}°", off=off, turned=degrees(abs(turned)))
 
 
-def _plain(drifts: Sequence[Drift]) -> dict[str, float]:
+def _greatest(drifts: Sequence[Drift]) -> Facts:
     """The greatest of several drifts; headings by size."""
     lap, end = _worst([each.lap for each in drifts]), _worst([each.end for each in drifts])
-    return {
-        "lap_mm": lap[0],
-        "lap_heading_deg": degrees(lap[1]),
-        "end_mm": end[0],
-        "end_heading_deg": degrees(end[1]),
-        "last_lap_off_mm": max(each.furthest for each in drifts),
-    }
+    return Facts(
+        lap_mm=lap[0],
+        lap_heading_deg=degrees(lap[1]),
+        end_mm=end[0],
+        end_heading_deg=degrees(end[1]),
+        last_lap_off_mm=max(each.furthest for each in drifts),
+    )

@@ -163,7 +163,7 @@ def make_train(
     _require_meshable(layout, chords)
     for number, stage in enumerate(layout.train.stages, 1):
         try:
-            stage.wheel_facts()  # refuses gears that the shop could not measure
+            stage.wheel_figures()  # refuses gears that the shop could not measure
         except DesignError as error:
             raise DesignError("in stage {number}, {error}", number=number, error=error.message) from error
     return MadeTrain(play, layout, gear_checks(layout, chords))

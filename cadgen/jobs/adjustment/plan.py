@@ -1,6 +1,6 @@
 """Adjustment by trial runs: cars that explain them, the best settings by hand, and what to expect then."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
 from math import ceil, degrees, radians, sqrt
@@ -26,6 +26,7 @@ from cadgen.deviations.deviation import (
     ByHand,
     Deviation,
 )
+from cadgen.figures import Facts
 from cadgen.inference.adjustment import (
     CarPrior,
     Forecast,
@@ -90,7 +91,7 @@ class AdjustmentPlan:
 
     Attributes:
         plan: plan of the cam on the car.
-        described: design, drive wheel and profile as plain values.
+        described: facts on design, drive wheel and profile.
         stem: name of the files.
         wanted: how the runs were measured, and what may be set.
         trials: in the order of driving.
@@ -103,7 +104,7 @@ class AdjustmentPlan:
     """
 
     plan: CamPlan
-    described: Mapping[str, object]
+    described: Facts
     stem: str
     wanted: Wanted
     trials: tuple[Trial, ...]
@@ -255,7 +256,7 @@ class Bench:
 
     Attributes:
         plan: plan of the cam on it.
-        described: design, drive wheel and profile as plain values.
+        described: facts on design, drive wheel and profile.
         stem: name of the files.
         lever: place of the measured point in the car's frame from the drive wheel, ahead + i left, mm.
         allowed: position error at the end that a run may have, mm.
@@ -265,7 +266,7 @@ class Bench:
     """
 
     plan: CamPlan
-    described: Mapping[str, object]
+    described: Facts
     stem: str
     lever: complex
     allowed: float
@@ -308,14 +309,14 @@ class Bench:
         reaches = [gate.place.reach for gate in course.course.gates if gate.place.reach] if course else []
         return cls(
             plan=plan,
-            described={
-                "design": origin.name,
-                "design_sha256": origin.content_hash,
-                "overrides": list(origin.overrides),
-                "drive_wheel": use.drive_wheel.facts(),
-                "cadgen": __version__,
-                "profile": plan.kind.code,
-            },
+            described=Facts(
+                design=origin.name,
+                design_sha256=origin.content_hash,
+                overrides=origin.overrides,
+                drive_wheel=use.drive_wheel.entry(),
+                cadgen=__version__,
+                profile=plan.kind.code,
+            ),
             stem=f"{origin.name}_{plan.kind.code}_adjustment".replace("+", "_"),
             lever=use.points[wanted.point.value],
             allowed=min(reaches, default=WORTH if width is None else width / 2),

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import degrees, radians
+from typing import Any
 
 import numpy as np
 
@@ -13,7 +14,7 @@ from cadgen.design.schema import Design
 from cadgen.deviations.catalogue import spreads
 from cadgen.deviations.deviation import WHEEL_RADIUS, WHEELBASE
 from cadgen.errors import FileError
-from cadgen.figures import Sheet
+from cadgen.figures import Facts, JobResult, Sheet
 from cadgen.inference.expectation.linear import PriorKnowledge
 from cadgen.inference.expectation.next_measurement import EndRange, Expected, Next, next_measurement
 from cadgen.inference.expectation.predict import Prediction, predict, predict_logged
@@ -34,7 +35,7 @@ _REPORT_WIDTH = 110
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Advice:
+class Advice(JobResult):
     """Measurements that could be made, ranked by where the run is then expected to end on a new cam.
 
     Attributes:
@@ -158,23 +159,24 @@ class Advice:
     def __str__(self) -> str:
         return plain(self.report, _REPORT_WIDTH)
 
-    def facts(self) -> dict[str, object]:
-        """Ranking as plain values."""
+    def entry(self) -> Facts:
+        """Ranking, best first."""
         n = self.computed
-        ranked: list[dict[str, object]] = [
-            {
-                "measure": str(e.words),
-                "kind": e.kind and e.kind.code,
-                "runs": e.runs,
-                **_range(e.end),
-                "nearer_by": n.shrinks(e),
-                "names_sure": e.names_sure,
-                "part_of_turn": e.part
-                and {"from_deg": degrees(e.part[0]), "to_deg": degrees(e.part[1]), **_range(e.part[2])},
-            }
-            for e in n.ranked
-        ]
-        return {"now": _range(n.now), "rivals": [list(names) for names in n.rivals], "ranked": ranked}
+        return Facts(
+            now=_range(n.now),
+            rivals=n.rivals,
+            ranked=[
+                Facts(measure=str(e.words), kind=e.kind and e.kind.code, runs=e.runs)
+                | _range(e.end)
+                | Facts(
+                    nearer_by=n.shrinks(e),
+                    names_sure=e.names_sure,
+                    part_of_turn=e.part
+                    and Facts(from_deg=degrees(e.part[0]), to_deg=degrees(e.part[1])) | _range(e.part[2]),
+                )
+                for e in n.ranked
+            ],
+        )
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -251,20 +253,19 @@ class Predictions:
     def __str__(self) -> str:
         return plain(self.report, _REPORT_WIDTH)
 
-    def facts(self) -> list[dict[str, object]]:
+    def facts(self) -> list[Any]:
         """Predictions as plain values: means over runs, and each run."""
         return [
-            {
-                "file": p.source,
-                "kind": p.kind.code,
-                "unit": p.unit,
-                "effects": list(p.effects),
-                "before": float(np.mean(p.before)),
-                "after": float(np.mean(p.after)),
-                "start_as_logged": p.as_logged
-                and {"before": float(np.mean(p.as_logged[0])), "after": float(np.mean(p.as_logged[1]))},
-                "runs": [{"before": b, "after": a} for b, a in zip(p.before.tolist(), p.after.tolist(), strict=True)],
-            }
+            Facts(
+                file=p.source,
+                kind=p.kind.code,
+                unit=p.unit,
+                effects=p.effects,
+                before=np.mean(p.before),
+                after=np.mean(p.after),
+                start_as_logged=p.as_logged and Facts(before=np.mean(p.as_logged[0]), after=np.mean(p.as_logged[1])),
+                runs=[Facts(before=b, after=a) for b, a in zip(p.before, p.after, strict=True)],
+            ).json()
             for p in self.each
         ]
 
@@ -292,8 +293,8 @@ def _prior(design: Design, nominal: Nominal, calibration: CalibrationPlan | None
     return PriorKnowledge(spread=spread, play=play, friction=float(np.mean(friction)), assumed=assumed)
 
 
-def _range(r: EndRange) -> dict[str, object]:
-    return {"mean_mm": r.mean, "range_90_percent_mm": [r.least, r.most]}
+def _range(r: EndRange) -> Facts:
+    return Facts(mean_mm=r.mean, range_90_percent_mm=(r.least, r.most))
 
 
 def _mm(size: float) -> str:

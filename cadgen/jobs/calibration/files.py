@@ -2,21 +2,18 @@
 
 import json
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict
 from math import isfinite
 from pathlib import Path
 
 from cadgen.design.load import load_design
 from cadgen.deviations import deviation
 from cadgen.errors import FileError
+from cadgen.figures import Facts
 from cadgen.inference.expectation.outlook import Outlook
-from cadgen.inference.measurement.claims import Shared
-from cadgen.inference.measurement.findings import Diagnosis, EvidenceDiagnosis, Finding, PathCandidate, PathDiagnosis
+from cadgen.inference.measurement.findings import Diagnosis, EvidenceDiagnosis, Finding, PathDiagnosis
 from cadgen.jobs.calibration.as_built_file import as_built_text
 from cadgen.jobs.calibration.calibration import CalibrationPlan, ZoneMeans
 from cadgen.jobs.calibration.calibration_report import report, summary
-from cadgen.jobs.calibration.new_cam import Built
-from cadgen.jobs.calibration.sources import Source
 from cadgen.output.files.manifest import versions
 from cadgen.output.files.publisher import Artifact, Written, publish, text_file
 from cadgen.output.report.record_pictures import draw_record
@@ -28,54 +25,62 @@ _TEXT_WIDTH = 110
 _EACH_WIDTH = 160
 
 
-def document(calibration: CalibrationPlan) -> dict[str, object]:
-    """Facts of a calibration, as plain values; docs/measurement.md explains the keys."""
+def calibration_facts(calibration: CalibrationPlan) -> Facts:
+    """Facts of a calibration; docs/measurement.md explains the keys."""
     c = calibration
-    return {
-        "format": FORMAT,
-        "design": c.against.name,
-        "source": c.against.source,
-        "overrides": list(c.against.overrides),
-        "design_sha256": c.against.sha256,
-        "profile": c.profile,
-        "form_error_um": c.form_error_um,
-        "form_error_from": c.form_error_from,
-        "wheelbase_mm": c.wheelbase and c.wheelbase[0],
-        "warnings": list(c.warnings),
-        "files": [_file(source) for source in c.sources],
-        "records": [_record(diagnosis) for diagnosis in c.diagnoses],
-        "zones": c.zones and _zones(c.zones),
-        "shared": [_shared(quantity) for quantity in c.shared],
-        "as_built": [_built(built) for built in c.built],
-        "outlook": c.outlook and _outlook(c.outlook),
-        "outlook_agreed": c.outlook_agreed and _outlook(c.outlook_agreed),
-        "versions": versions(),
-    }
+    return Facts(
+        format=FORMAT,
+        design=c.against.name,
+        source=c.against.source,
+        overrides=c.against.overrides,
+        design_sha256=c.against.sha256,
+        profile=c.profile,
+        form_error_um=c.form_error_um,
+        form_error_from=c.form_error_from,
+        wheelbase_mm=c.wheelbase and c.wheelbase[0],
+        warnings=c.warnings,
+        files=[
+            Facts(
+                file=source.path.name,
+                kind=source.kind.code,
+                runs=source.record.runs,
+                rows=len(source.record.run),
+                sha256=source.sha256,
+            )
+            for source in c.sources
+        ],
+        records=[_record(diagnosis) for diagnosis in c.diagnoses],
+        zones=c.zones and _zones(c.zones),
+        shared=[
+            Facts(thing=s.deviation.name, values=s.values, sources=s.sources, chance=s.chance, agrees=s.agrees)
+            for s in c.shared
+        ],
+        as_built=[
+            Facts(
+                source=built.claim.source,
+                kind=built.claim.kind.code,
+                place=built.place,
+                name_sure=built.claim.sure,
+                mean_of=built.mean_of,
+            )
+            | _finding(built.claim.finding)
+            for built in c.built
+        ],
+        outlook=c.outlook and _outlook(c.outlook),
+        outlook_agreed=c.outlook_agreed and _outlook(c.outlook_agreed),
+        versions=versions(),
+    )
 
 
-def _outlook(o: Outlook) -> dict[str, object]:
-    return {
-        "old_mm": o.old,
-        "new_mm": o.new,
-        "new_90_percent_mm": [o.least, o.most],
-        "chance_worse": o.worse,
-        "explained": o.explained,
-    }
+def _outlook(o: Outlook) -> Facts:
+    return Facts(
+        old_mm=o.old, new_mm=o.new, new_90_percent_mm=(o.least, o.most), chance_worse=o.worse, explained=o.explained
+    )
 
 
-def _file(source: Source) -> dict[str, object]:
-    return {
-        "file": source.path.name,
-        "kind": source.kind.code,
-        "runs": source.record.runs,
-        "rows": len(source.record.run),
-        "sha256": source.sha256,
-    }
-
-
-def documents(each: Sequence[CalibrationPlan]) -> dict[str, object]:
+def summary_facts(each: Sequence[CalibrationPlan]) -> Facts:
     """Facts of calibrations whose files were judged alone."""
-    return {"format": FORMAT, "each": [document(c) for c in each]}
+    return Facts(format=FORMAT, each=[calibration_facts(c) for c in each])
 
 
 def write_calibration(
@@ -94,7 +99,7 @@ def write_calibration(
     """
     c = calibration
     stem = f"{c.against.name}_calibration"
-    facts = document(c)
+    facts = calibration_facts(c)
 
     def files(folder: Path) -> Iterator[Artifact]:
         yield from _documents(folder, stem, facts, plain(report(c), _TEXT_WIDTH))
@@ -106,7 +111,7 @@ def write_calibration(
             yield text_file(file, as_built_text(c, design_text))
             _read_back(c, file)
 
-    return publish(stem, out, files, facts, lambda made: {"files_written": list(made)})
+    return publish(stem, out, files, facts, lambda made: Facts(files_written=list(made)))
 
 
 def write_each(each: Sequence[CalibrationPlan], out: Path) -> Written:
@@ -116,19 +121,19 @@ def write_each(each: Sequence[CalibrationPlan], out: Path) -> Written:
         FileError: a file cannot be written.
     """
     stem = f"{each[0].against.name}_each"
-    facts = documents(each)
+    facts = summary_facts(each)
     text = plain(summary(each), _EACH_WIDTH)
     return publish(
         stem,
         out,
         lambda folder: _documents(folder, stem, facts, text),
         facts,
-        lambda made: {"files_written": list(made)},
+        lambda made: Facts(files_written=list(made)),
     )
 
 
-def _documents(folder: Path, stem: str, facts: dict[str, object], text: str) -> Iterator[Artifact]:
-    content = json.dumps(facts, indent=2, allow_nan=False, ensure_ascii=False)
+def _documents(folder: Path, stem: str, facts: Facts, text: str) -> Iterator[Artifact]:
+    content = json.dumps(facts.json(), indent=2, allow_nan=False, ensure_ascii=False)
     yield text_file(folder / f"{stem}.json", f"{content}\n")
     yield text_file(folder / f"{stem}.txt", text)
 
@@ -153,150 +158,111 @@ def _read_back(c: CalibrationPlan, file: Path) -> None:
                 )
 
 
-def _record(diagnosis: Diagnosis) -> dict[str, object]:
+def _record(diagnosis: Diagnosis) -> Facts:
     j = diagnosis.judgement
-    facts: dict[str, object] = {
-        "kind": diagnosis.kind.code,
-        "source": diagnosis.source,
-        "verdict": diagnosis.verdict,
-        "sentence": j.sentence,
-        "claimed": list(j.claimed),
-        "reported": list(j.reported),
-        "rivals": [list(names) for names in j.rivals],
-        "to_decide": list(j.separate),
-        "limits": list(j.limits),
-    }
-    effects = [_finding(f, f.effect in j.claimed) for f in diagnosis.findings]
-    by_method = _by_paths if isinstance(diagnosis, PathDiagnosis) else _by_evidence
-    return {**facts, **by_method(diagnosis, effects)}
+    return Facts(
+        kind=diagnosis.kind.code,
+        source=diagnosis.source,
+        verdict=diagnosis.verdict,
+        sentence=j.sentence,
+        claimed=j.claimed,
+        reported=j.reported,
+        rivals=j.rivals,
+        to_decide=j.separate,
+        limits=j.limits,
+        effects=[Facts(effect=f.effect, claimed=f.effect in j.claimed) | _numbers(f) for f in diagnosis.findings],
+    ) | (_by_paths(diagnosis) if isinstance(diagnosis, PathDiagnosis) else _by_evidence(diagnosis))
 
 
-def _by_evidence(diagnosis: Diagnosis, effects: list[dict[str, object]]) -> dict[str, object]:
+def _by_evidence(diagnosis: Diagnosis) -> Facts:
     assert isinstance(diagnosis, EvidenceDiagnosis)
     r, p, left = diagnosis.residual, diagnosis.per_run, diagnosis.residual.left_out
     play, friction = (diagnosis.unnamed.get(q) for q in (deviation.RETURN_ERROR, deviation.SLIDING_FRICTION))
-    held_out = [None] * diagnosis.runs if p.held_out is None else p.held_out.tolist()
-    return {
-        "effects": effects,
-        "unnamed_play": play and _finding(play),
-        "unnamed_friction": friction and _finding(friction),
-        "datum": [_finding(f) for f in diagnosis.datum],
-        "datum_held": diagnosis.held,
-        "discrepancy": diagnosis.discrepancy and _finding(diagnosis.discrepancy),
-        "unit": diagnosis.unit,
-        "residual": {
-            "before": _plain(r.before),
-            "after": _plain(r.after),
-            "left_out": left and _plain(left.rms),
-            "left_out_less_form_error": left and _plain(left.repeating),
-            "noise": _plain(r.noise),
-            "noise_correlation": _plain(diagnosis.correlation),
-        },
-        "runs": [
-            {"before": _plain(b), "after": _plain(a), "left_out": h}
-            for b, a, h in zip(p.before, p.after, held_out, strict=True)
-        ],
-        "candidates": [
-            {
-                "effects": list(c.effects),
-                "worse_by": _plain(c.score),
-                "values": [_finding(f) for f in c.findings],
-            }
+    held_out = [None] * diagnosis.runs if p.held_out is None else p.held_out
+    return Facts(
+        unnamed_play=play and _finding(play),
+        unnamed_friction=friction and _finding(friction),
+        datum=[_finding(f) for f in diagnosis.datum],
+        datum_held=diagnosis.held,
+        discrepancy=diagnosis.discrepancy and _finding(diagnosis.discrepancy),
+        unit=diagnosis.unit,
+        residual=Facts(
+            before=r.before,
+            after=r.after,
+            left_out=left and left.rms,
+            left_out_less_form_error=left and left.repeating,
+            noise=r.noise,
+            noise_correlation=diagnosis.correlation,
+        ),
+        runs=[Facts(before=b, after=a, left_out=h) for b, a, h in zip(p.before, p.after, held_out, strict=True)],
+        candidates=[
+            Facts(effects=c.effects, worse_by=c.score, values=[_finding(f) for f in c.findings])
             for c in diagnosis.candidates
         ],
-    }
+    )
 
 
-def _by_paths(diagnosis: Diagnosis, effects: list[dict[str, object]]) -> dict[str, object]:
+def _by_paths(diagnosis: PathDiagnosis) -> Facts:
     """Facts by path errors, under the same keys; what path errors do not have is null."""
-    assert isinstance(diagnosis, PathDiagnosis)
     r, p = diagnosis.residual, diagnosis.per_run
-    return {
-        "effects": effects,
-        "unnamed_play": None,
-        "unnamed_friction": None,
-        "datum": [],
-        "datum_held": "",
-        "discrepancy": None,
-        "unit": diagnosis.unit,
-        "residual": {
-            "before": _plain(r.before),
-            "after": _plain(r.after),
-            "left_out": _plain(r.held_out),
-            "left_out_less_form_error": None,
-            "noise": None,
-            "noise_correlation": None,
-        },
-        "runs": [
-            {"before": _plain(b), "after": _plain(a), "left_out": _plain(h), "before_start_as_logged": _plain(s)}
+    return Facts(
+        unnamed_play=None,
+        unnamed_friction=None,
+        datum=[],
+        datum_held="",
+        discrepancy=None,
+        unit=diagnosis.unit,
+        residual=Facts(
+            before=r.before,
+            after=r.after,
+            left_out=r.held_out,
+            left_out_less_form_error=None,
+            noise=None,
+            noise_correlation=None,
+        ),
+        runs=[
+            Facts(before=b, after=a, left_out=h, before_start_as_logged=s)
             for b, a, h, s in zip(p.before, p.after, p.held_out, p.as_logged, strict=True)
         ],
-        "candidates": [_path_candidate(c) for c in diagnosis.candidates],
-    }
+        candidates=[
+            Facts(
+                effects=c.effects,
+                left_out_mm=c.score,
+                values=[_finding(f) for f in c.findings],
+                left_out_of_each_run_mm=c.held_out,
+            )
+            for c in diagnosis.candidates
+        ],
+    )
 
 
-def _path_candidate(candidate: PathCandidate) -> dict[str, object]:
-    return {
-        "effects": list(candidate.effects),
-        "left_out_mm": _plain(candidate.score),
-        "values": [_finding(f) for f in candidate.findings],
-        "left_out_of_each_run_mm": list(candidate.held_out),
-    }
-
-
-def _shared(shared: Shared) -> dict[str, object]:
-    return {
-        "thing": shared.deviation.name,
-        "values": [asdict(value) for value in shared.values],
-        "sources": shared.sources,
-        "chance": _plain(shared.chance),
-        "agrees": shared.agrees,
-    }
-
-
-def _zones(means: ZoneMeans) -> dict[str, object]:
+def _zones(means: ZoneMeans) -> Facts:
     z = means.zones
-    return {
-        "source": means.source,
-        "verdict": means.judgement.verdict,
-        "sentence": means.judgement.sentence,
-        "return_error_deg": z.return_error_deg,
-        "sigma_deg": z.sigma_deg,
-        "interval_deg": list(z.interval_deg),
-        "smooth_deg": z.smooth_deg,
-        "misfit": z.misfit,
-        "tabled": [
-            {"order": order, "return_error_deg": value, "standard_errors": c.apart, "inside": c.inside}
+    return Facts(
+        source=means.source,
+        verdict=means.judgement.verdict,
+        sentence=means.judgement.sentence,
+        return_error_deg=z.return_error_deg,
+        sigma_deg=z.sigma_deg,
+        interval_deg=z.interval_deg,
+        smooth_deg=z.smooth_deg,
+        misfit=z.misfit,
+        tabled=[
+            Facts(order=order, return_error_deg=value, standard_errors=c.apart, inside=c.inside)
             for (order, value), c in zip(means.tabled.items(), z.compared, strict=True)
         ],
-        "shortfall": means.shortfall and asdict(means.shortfall),
-    }
-
-
-def _built(built: Built) -> dict[str, object]:
-    return {
-        "source": built.claim.source,
-        "kind": built.claim.kind.code,
-        "place": built.place,
-        "name_sure": built.claim.sure,
-        "mean_of": list(built.mean_of),
-        **_finding(built.claim.finding),
-    }
-
-
-def _finding(finding: Finding, claimed: bool | None = None) -> dict[str, object]:
-    facts: dict[str, object] = (
-        {"effect": finding.effect} if claimed is None else {"effect": finding.effect, "claimed": claimed}
+        shortfall=means.shortfall,
     )
-    values = [{"name": v.name, "value": v.value, "sigma": _plain(v.sigma), "unit": v.unit} for v in finding.values]
-    return {
-        **facts,
-        "values": values,
-        "given": dict(finding.indices),
-        "cannot_be_told_from": list(finding.twins),
-        "on_bound": list(finding.at_bound),
-    }
 
 
-def _plain(value: float) -> float | None:
-    return float(value) if isfinite(value) else None
+def _finding(finding: Finding) -> Facts:
+    return Facts(effect=finding.effect) | _numbers(finding)
+
+
+def _numbers(finding: Finding) -> Facts:
+    return Facts(
+        values=finding.values,
+        given=dict(finding.indices),
+        cannot_be_told_from=finding.twins,
+        on_bound=finding.at_bound,
+    )

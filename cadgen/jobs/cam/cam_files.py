@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from cadgen.cam.checks import cam_angles
 from cadgen.errors import CheckError
+from cadgen.figures import Facts
 from cadgen.jobs.cam.cam_facts import cam_facts
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.cures import Cures
@@ -55,7 +56,7 @@ def write_cam(
                 omitted[each.label] = result.message
                 continue
             for file in result:
-                warnings.extend(plan.application.of_loss(file.name, file.facts, each.finer))
+                warnings.extend(plan.application.of_loss(file.name, file.in_use, each.finer))
             yield from result
         if len(omitted) == len(wanted):
             raise CheckError("nothing can be written: {reasons}", reasons=joined(dict.fromkeys(omitted.values()), "; "))
@@ -66,8 +67,8 @@ def write_cam(
         part,
         out,
         files,
-        {**facts, **chosen, "frame": plan.application.frame(plan)},
-        lambda _: {"omitted": omitted, "warnings": warnings},
+        facts | chosen | Facts(frame=plan.application.frame(plan)),
+        lambda _: Facts(omitted=omitted, warnings=warnings),
     )
 
 

@@ -1,9 +1,8 @@
 """A cam that has been computed and checked, how it is made, and what it is for."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 from cadgen.cam.checks import LOST_LIFT
 from cadgen.cam.follower import Contact, Follower, Trim
@@ -15,6 +14,7 @@ from cadgen.curves.closed import ClosedCurve, Outline
 from cadgen.curves.derived import turned
 from cadgen.design.machining import DrawingText, Machining
 from cadgen.design.schema import Design, Export, MotionDesign
+from cadgen.figures import Facts, Figures
 from cadgen.laws.motion import Motion
 from cadgen.output.files.manifest import Origin
 from cadgen.parts.blank import Blank
@@ -108,9 +108,9 @@ class Application:
         """Figures without a verdict that are shown beside the checks."""
         return ()
 
-    def facts(self, cam: "CamPlan") -> dict[str, Any]:
-        """Figures of the application as plain values, each in the unit that its key names."""
-        return {}
+    def entry(self, cam: "CamPlan") -> Facts:
+        """Figures of the application, each in the unit that its key names."""
+        return Facts()
 
     def notes(self, cam: "CamPlan") -> tuple[str, ...]:
         """Sentences on what was assumed, and on what to do beside the cam."""
@@ -143,8 +143,8 @@ class Application:
         """
         raise NotImplementedError
 
-    def of_file(self, cam: "CamPlan", outline: Outline, contact: Contact, limit: float) -> dict[str, Any]:
-        """Behaviour of a file's cam in its application, as plain values.
+    def of_file(self, cam: "CamPlan", outline: Outline, contact: Contact, limit: float) -> Figures:
+        """Figures of a file's cam in its application.
 
         Args:
             cam: cam that the file is of.
@@ -152,14 +152,14 @@ class Application:
             contact: contact of the follower with it.
             limit: greatest error of the lift allowed to the file, um.
         """
-        return {}
+        return Figures()
 
-    def of_loss(self, name: str, facts: Mapping[str, Any], finer: str) -> tuple[str, ...]:
+    def of_loss(self, name: str, in_use: Figures, finer: str) -> tuple[str, ...]:
         """Warnings where a file keeps its own tolerance, but gives away what the profile is for.
 
         Args:
             name: name of the file.
-            facts: what `of_file` gave.
+            in_use: what `of_file` gave.
             finer: advice that makes the file finer.
         """
         return ()

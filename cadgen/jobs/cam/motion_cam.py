@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 from math import degrees
-from typing import Any
 
 import numpy as np
 
@@ -15,6 +14,7 @@ from cadgen.design.load import with_overrides
 from cadgen.design.motion import DiscSense, motion_of
 from cadgen.design.schema import MotionDesign
 from cadgen.errors import DesignError
+from cadgen.figures import Facts
 from cadgen.jobs.cam.cam_plan import Application, CamPlan, Making
 from cadgen.laws.motion import Motion
 from cadgen.laws.segments import Seam, SegmentMotion
@@ -52,21 +52,21 @@ class SegmentUse(Application):
         """Checks of the same cam with a change of its design."""
         return plan_motion_cam(with_overrides(self.design, [override]), cam.kind.code).checks
 
-    def facts(self, cam: "CamPlan") -> dict[str, Any]:
+    def entry(self, cam: "CamPlan") -> Facts:
         """Sense, speed, and greatest velocity and acceleration of the follower."""
         unit = cam.motion.unit.symbol
         peaks = {} if self.speed is None else self._peaks(cam)
-        return {
-            "motion": {
-                "unit": unit,
-                "turns": self.turns.value,
-                "speed_rpm": None if self.speed is None else self.speed / TURN * 60,
+        return Facts(
+            motion=Facts(
+                unit=unit,
+                turns=self.turns.value,
+                speed_rpm=None if self.speed is None else self.speed / TURN * 60,
                 **{f"greatest_{name}_{unit}_per_{time}": value for name, (value, time) in peaks.items()},
-                "jumps": [
-                    {"cam_angle_deg": degrees(seam.cam_angle), "derivative": seam.order} for seam in _seams(cam.motion)
+                jumps=[
+                    Facts(cam_angle_deg=degrees(seam.cam_angle), derivative=seam.order) for seam in _seams(cam.motion)
                 ],
-            }
-        }
+            )
+        )
 
     def notes(self, cam: "CamPlan") -> tuple[str, ...]:
         """Sense of the disc, greatest velocity and acceleration, and where the acceleration jumps."""

@@ -1,10 +1,9 @@
 """A car's cam: the car as its use, its plan, and its checks. No CAD kernel is needed for this."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import degrees
-from typing import Any
 
 import numpy as np
 
@@ -37,6 +36,7 @@ from cadgen.deviations.as_built import edges_check
 from cadgen.deviations.deviation import Deviation
 from cadgen.deviations.first_order import Expansion
 from cadgen.errors import DesignError
+from cadgen.figures import Facts, Figure, Figures
 from cadgen.inference.monte_carlo.random_cars import Tolerances
 from cadgen.jobs.cam.built_car import as_built_sentences, assumed_play, outlook_checks, outlook_sentence
 from cadgen.jobs.cam.cam_plan import Application, CamPlan, Making
@@ -264,26 +264,24 @@ class CarUse(Application):
         work = TrainTask(task, chosen.train, known_trains(design)[chosen.train])
         return ProfileChecks(design, task).of(evaluate(work, chosen.profile))
 
-    def facts(self, cam: CamPlan) -> dict[str, Any]:
+    def entry(self, cam: CamPlan) -> Facts:
         """Wheel, track, blend or laps, comparison under play, and the car as built."""
         comparison, laps, start = self.comparison, self.laps, self.steering.blend_start
-        turn: dict[str, Any] = {
-            "blend": {
-                "from_cam_angle_deg": degrees(start),
-                "from_track_mm": self.path_end,
-                "where": self.track.where(self.path_end),
-            }
-        }
+        turn = Facts(
+            blend=Facts(
+                from_cam_angle_deg=degrees(start),
+                from_track_mm=self.path_end,
+                where=self.track.where(self.path_end),
+            )
+        )
         if laps is not None:
             runs = {} if comparison is None else {"before": comparison.before, "after": comparison.chosen}
-            turn = {"laps": laps.facts(None if comparison is None else comparison.run, **runs)}
-        return {
-            "drive_wheel": self.drive_wheel.facts(),
-            "track_length_mm": self.track.length,
-            **turn,
-            "play": None if comparison is None else comparison_facts(comparison),
-            "as_built": self.as_built_facts(start),
-        }
+            turn = Facts(laps=laps.entry(None if comparison is None else comparison.run, **runs))
+        return (
+            Facts(drive_wheel=self.drive_wheel.entry(), track_length_mm=self.track.length)
+            | turn
+            | Facts(play=comparison and comparison_facts(comparison), as_built=self.as_built_facts(start))
+        )
 
     def notes(self, cam: CamPlan) -> tuple[str, ...]:
         """Sentences on what was assumed of the car, and what was measured."""
@@ -310,8 +308,8 @@ class CarUse(Application):
             *as_built_sentences(self.design, stop),
         )
 
-    def as_built_facts(self, stop: float) -> dict[str, Any] | None:
-        """The car as built as plain values; None for a car as designed.
+    def as_built_facts(self, stop: float) -> Facts | None:
+        """Facts on the car as built; None for a car as designed.
 
         Args:
             stop: cam angle at which the path ends, rad.
@@ -347,7 +345,7 @@ class CarUse(Application):
             ),
         )
 
-    def of_file(self, cam: CamPlan, outline: Outline, contact: Contact, limit: float) -> dict[str, Any]:
+    def of_file(self, cam: CamPlan, outline: Outline, contact: Contact, limit: float) -> Figures:
         """End of the run with play on the cam of a file.
 
         Args:
@@ -358,7 +356,7 @@ class CarUse(Application):
         """
         comparison = self.comparison
         if comparison is None:
-            return {}
+            return Figures()
         as_built = comparison.task.as_built
         angles = cam_angles(cam.motion)
         if as_built.shapes_discs:
@@ -369,11 +367,14 @@ class CarUse(Application):
         least_swing = max(comparison.chosen.least_swing, limit * 1e-3 / comparison.task.follower.inner)
         lift = rolled_lift(rolled, self.steering, blend_start=self.steering.blend_start)
         heading, distance = comparison.end_of(lift, least_swing)
-        return {"end_heading_deg": degrees(heading), "end_position_mm": distance}
+        return Figures(
+            Figure("end_heading", Message("heading at the end"), degrees(heading), "°"),
+            Figure("end_position", Message("position at the end"), distance, "mm"),
+        )
 
-    def of_loss(self, name: str, facts: Mapping[str, Any], finer: str) -> tuple[str, ...]:
+    def of_loss(self, name: str, in_use: Figures, finer: str) -> tuple[str, ...]:
         """Warning if a file keeps its own tolerance, but loses the gain of the profile against play."""
-        comparison, end = self.comparison, facts.get("end_position_mm")
+        comparison, end = self.comparison, in_use.value("end_position")
         if comparison is None or end is None or not comparison.loses(end):
             return ()
         return (

@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 from math import degrees, isfinite
-from typing import Any
 
 import numpy as np
 
@@ -12,6 +11,7 @@ from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import drive, start_pose
 from cadgen.design import cam_model, gear_model, variation
 from cadgen.design.schema import Design
+from cadgen.figures import Facts
 from cadgen.messages import Message, joined, sentence
 
 FIELD_NOTICE = Message(
@@ -114,17 +114,17 @@ class DriveWheel:
             turned=degrees(abs(self.blend.turned)),
         )
 
-    def facts(self) -> dict[str, Any]:
-        """Wheel and end of the run as plain values."""
+    def entry(self) -> Facts:
+        """Wheel and end of the run."""
         blend = self.blend
-        return {
-            "radius_mm": self.radius,
-            "radius_given": self.known,
-            "travel_per_turn_mm": self.turn,
-            "run_judged_to_deg": degrees(self.finish),
-            "blend_on_path": blend
-            and {"length_mm": blend.stretch, "end_off_mm": blend.off, "end_heading_off_deg": degrees(blend.turned)},
-        }
+        return Facts(
+            radius_mm=self.radius,
+            radius_given=self.known,
+            travel_per_turn_mm=self.turn,
+            run_judged_to_deg=degrees(self.finish),
+            blend_on_path=blend
+            and Facts(length_mm=blend.stretch, end_off_mm=blend.off, end_heading_off_deg=degrees(blend.turned)),
+        )
 
 
 def drive_wheel(design: Design, track: Track, lift: PathMotion) -> DriveWheel:

@@ -13,10 +13,11 @@ from functools import cached_property
 from math import degrees
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from cadgen.check import Check, failing
 from cadgen.errors import CheckError
+from cadgen.figures import Facts, Figures, JobResult
 from cadgen.gears.layout import TrainLayout
 from cadgen.gears.stage import Wheel
 from cadgen.gears.train import TrainPlay, WholePlay
@@ -71,7 +72,7 @@ class LaidOutTrain(Protocol):
         """The teeth in mesh, measured on their sections, and the parts: every figure with its verdict."""
 
 
-class Assembly(ABC):
+class Assembly(JobResult, ABC):
     """A planned pair or train of gears, from a design or from numbers."""
 
     @property
@@ -96,10 +97,6 @@ class Assembly(ABC):
         Args:
             gears: gears of the part.
         """
-
-    @abstractmethod
-    def facts(self) -> dict[str, Any]:
-        """All facts as plain values, as in the manifest: every tolerance, play, part and inspection size."""
 
     @property
     def passed(self) -> bool:
@@ -177,12 +174,12 @@ class Assembly(ABC):
         wanted, train = TRAIN.chosen(formats), self.export
         if any(each.code == "step" for each in wanted):
             require_few_teeth(train, (code for code in TRAIN.codes if code != "step"))
-        return _published(f"{self.stem}_train", TRAIN, train, wanted, self.facts(), _TRAIN_FRAME, place, progress)
+        return _published(f"{self.stem}_train", TRAIN, train, wanted, self.entry(), _TRAIN_FRAME, place, progress)
 
 
 def write_gear(
     gear: GearExport,
-    facts: dict[str, Any],
+    facts: Facts,
     out: Path,
     progress: Progress = silent,
     formats: str | Iterable[str] | None = None,
@@ -191,7 +188,7 @@ def write_gear(
 
     Args:
         gear: gear that is to be written.
-        facts: facts on the gear, as plain values.
+        facts: facts on the gear.
         out: folder for the files; it is made if need be. Nothing appears in it unless everything succeeded.
         progress: function that is called with a few words on each step.
         formats: endings of the formats, some of those of `GEAR`; all of them if left out.
@@ -211,7 +208,7 @@ def _published(
     offer: Offer[P],
     part: P,
     wanted: Sequence[Format],
-    facts: dict[str, Any],
+    facts: Facts,
     frame: str,
     out: Path,
     progress: Progress,
@@ -224,52 +221,60 @@ def _published(
             yield from made
 
     entry, chosen = offer.entry(stem, wanted)
-    return publish(entry, out, files, {**facts, **chosen, "frame": frame}, lambda _: {"omitted": {}})
+    return publish(entry, out, files, facts | chosen | Facts(frame=frame), lambda _: Facts(omitted={}))
 
 
-def table_of(layout: TrainLayout) -> list[dict[str, Any]]:
+def table_of(layout: TrainLayout) -> list[dict[str, str | float | None]]:
     """The table of parts with what the shop measures, one row per gear; volume and mass are the whole part's."""
-    rows = []
-    for part in parts_facts(layout):
-        whole = {"part": part["name"], "shaft": part["shaft"]}
-        body = {
-            "bore_mm": part["bore_mm"],
-            "part_volume_mm3": part["volume_mm3"],
-            "part_mass_steel_g": part["volume_mm3"] * STEEL,
+    return [
+        {
+            "part": part.name,
+            "shaft": part.shaft,
+            "stage": stage,
+            **gear.facts(),
+            "bore_mm": part.blank.bore_diameter,
+            "part_volume_mm3": part.volume,
+            "part_mass_steel_g": part.volume * STEEL,
         }
-        rows += [{**whole, **gear, **body} for gear in part["gears"]]
-    return rows
+        for part, gears in zip(layout.parts, gear_figures(layout), strict=True)
+        for stage, gear in gears.items()
+    ]
 
 
-def stages_facts(layout: TrainLayout) -> list[dict[str, Any]]:
+def stages_facts(layout: TrainLayout) -> list[Facts]:
     """Every stage as it is cut, with its play."""
-    return [stage.facts() for stage in layout.train.stages]
+    return [stage.entry() for stage in layout.train.stages]
 
 
-def checks_facts(checks: Iterable[Check]) -> list[dict[str, Any]]:
+def checks_facts(checks: Iterable[Check]) -> list[Facts]:
     """Every check with its verdict."""
-    return [{**asdict(check), "passed": check.passed} for check in checks]
+    return [Facts(**asdict(check), passed=check.passed) for check in checks]
 
 
-def parts_facts(layout: TrainLayout) -> list[dict[str, Any]]:
-    """Every part at its place, with what the shop is told of its wheels.
+def gear_figures(layout: TrainLayout) -> list[dict[int, Figures]]:
+    """Figures of the gears of each part by the number of their stage, to make and to measure them by.
 
     A stage's driver sits on the shaft of its number, the driven wheel on the next.
     """
-    wheels = [stage.wheel_facts() for stage in layout.train.stages]
+    wheels = [stage.wheel_figures() for stage in layout.train.stages]
+    return [{stage: wheels[stage - 1][part.shaft > stage] for stage in part.stages} for part in layout.parts]
+
+
+def parts_facts(layout: TrainLayout) -> list[Facts]:
+    """Every part at its place, with what the shop is told of its wheels."""
     return [
-        {
-            "name": part.name,
-            "shaft": part.shaft,
-            "axis_mm": [part.axis.real, part.axis.imag],
-            "height_mm": part.height,
-            "angle_deg": degrees(part.angle),
-            "turned_over": part.flipped,
-            "bore_mm": part.blank.bore_diameter,
-            "volume_mm3": part.volume,
-            "gears": [{"stage": stage, **wheels[stage - 1][part.shaft > stage]} for stage in part.stages],
-        }
-        for part in layout.parts
+        Facts(
+            name=part.name,
+            shaft=part.shaft,
+            axis_mm=(part.axis.real, part.axis.imag),
+            height_mm=part.height,
+            angle_deg=degrees(part.angle),
+            turned_over=part.flipped,
+            bore_mm=part.blank.bore_diameter,
+            volume_mm3=part.volume,
+            gears=[Facts(stage=stage) | gear for stage, gear in gears.items()],
+        )
+        for part, gears in zip(layout.parts, gear_figures(layout), strict=True)
     ]
 
 

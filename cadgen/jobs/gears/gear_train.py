@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from math import degrees
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from cadgen.check import Check
 from cadgen.design import gear_model
 from cadgen.design.schema import TrainDesign
 from cadgen.errors import DesignError
+from cadgen.figures import Facts
 from cadgen.gears.choices import Order, Thinning
 from cadgen.gears.distribution import quantiles
 from cadgen.gears.layout import TrainLayout
@@ -129,65 +130,62 @@ class GearTrain(Assembly):
         """
         return gear_model.usual_chord(gears) if self.mesh_chord is None else self.mesh_chord
 
-    def facts(self) -> dict[str, Any]:
-        """All facts as plain values, as in the manifest: every tolerance, play, part and inspection size."""
-        return {
-            **self.origin.facts(),
-            "order": self.order,
-            "passed": self.passed,
-            "ratio": str(self.play.train.ratio),
-            "return_error_deg": {
-                **return_error(self.play),
-                **quantiles(self.play.return_error_distribution(), degrees(1)),
-            },
-            **self._joint_facts(),
-            "return_error_as_given_deg": return_error(self.designed),
-            "return_error_as_given_by_the_standard_deg": _return_error(self.designed_standard),
-            "return_error_by_the_standard_deg": _return_error(self.standard),
-            "notes": list(self.notes),
-            "stages": stages_facts(self.layout),
-            "ranked": [
-                {
-                    "teeth": teeth_of(play),
-                    "modules_mm": [stage.module for stage in play.train.stages],
-                    "widths_mm": [[wheel.width for wheel in stage.wheels] for stage in play.train.stages],
-                    **return_error(play),
-                }
-                for play in self.ranked
-            ],
-            "skipped": [
-                {
-                    "teeth": teeth_of(skipped.play),
-                    "greatest": degrees(skipped.play.return_error_max),
-                    "reason": skipped.reason,
-                }
-                for skipped in self.skipped
-            ],
-            "overridden_tolerances": [
-                {
-                    "where": departure.where,
-                    "symbol": departure.symbol,
-                    "used_um": departure.used * 1e3,
-                    "standard_um": None if departure.standard is None else departure.standard * 1e3,
-                }
-                for departure in self.departures
-            ],
-            "checks": checks_facts(self.checks),
-            "parts": parts_facts(self.layout),
-        }
-
-    def _joint_facts(self) -> dict[str, Any]:
-        """Facts on joints and bearings, and the return error with them; empty if the design has none."""
+    def entry(self) -> Facts:
+        """Every tolerance, play, part and inspection size, as in the manifest."""
         whole = self.whole
-        if not whole.loose:
-            return {}
-        return {
-            "return_error_with_joints_deg": return_error(whole),
-            "joints_deg": [
-                {"name": joint.name, "least": degrees(joint.least), "greatest": degrees(joint.greatest)}
-                for joint in whole.loose
-            ],
+        error = {
+            **return_error(self.play),
+            **quantiles(self.play.return_error_distribution(), degrees(1)),
         }
+        facts = Facts(order=self.order, passed=self.passed, ratio=str(self.play.train.ratio), return_error_deg=error)
+        if whole.loose:
+            facts |= Facts(
+                return_error_with_joints_deg=return_error(whole),
+                joints_deg=[
+                    Facts(name=joint.name, least=degrees(joint.least), greatest=degrees(joint.greatest))
+                    for joint in whole.loose
+                ],
+            )
+        return (
+            self.origin.entry()
+            | facts
+            | Facts(
+                return_error_as_given_deg=return_error(self.designed),
+                return_error_as_given_by_the_standard_deg=self.designed_standard
+                and return_error(self.designed_standard),
+                return_error_by_the_standard_deg=self.standard and return_error(self.standard),
+                notes=self.notes,
+                stages=stages_facts(self.layout),
+                ranked=[
+                    Facts(
+                        teeth=teeth_of(play),
+                        modules_mm=[stage.module for stage in play.train.stages],
+                        widths_mm=[[wheel.width for wheel in stage.wheels] for stage in play.train.stages],
+                        **return_error(play),
+                    )
+                    for play in self.ranked
+                ],
+                skipped=[
+                    Facts(
+                        teeth=teeth_of(skipped.play),
+                        greatest=degrees(skipped.play.return_error_max),
+                        reason=skipped.reason,
+                    )
+                    for skipped in self.skipped
+                ],
+                overridden_tolerances=[
+                    Facts(
+                        where=departure.where,
+                        symbol=departure.symbol,
+                        used_um=departure.used * 1e3,
+                        standard_um=None if departure.standard is None else departure.standard * 1e3,
+                    )
+                    for departure in self.departures
+                ],
+                checks=checks_facts(self.checks),
+                parts=parts_facts(self.layout),
+            )
+        )
 
 
 def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Progress = silent) -> GearTrain:
@@ -239,10 +237,6 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
 
 def _baseline(order: Order, designed: TrainPlay, designed_standard: TrainPlay | None) -> TrainPlay:
     return designed_standard if order == Order.SEARCH and designed_standard is not None else designed
-
-
-def _return_error(play: TrainPlay | None) -> dict[str, float] | None:
-    return None if play is None else return_error(play)
 
 
 def _by_the_standard(train: Train) -> TrainPlay | None:
@@ -313,7 +307,7 @@ def _first_made(
             skipped.append(Skipped(play, error.message))
             for pair in play.train.stages if trains.limits else ():
                 try:
-                    pair.as_cut().wheel_facts()
+                    pair.as_cut().wheel_figures()
                 except DesignError:  # its teeth cannot be cut or inspected, whatever stands beside it
                     trains.exclude([pair])
             continue

@@ -1,11 +1,10 @@
-"""A planned path, or why there is none: in sentences, as plain values, and as a design file."""
+"""A planned path, or why there is none: in sentences, as facts, and as a design file."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from math import atan, degrees, radians, tan
 from os import PathLike
 from pathlib import Path
-from typing import Any
 
 from cadgen.car.course.refuse import largest_circle, least_steering, turning_circle
 from cadgen.car.draws.drawn_spacing import DrawnSpacing
@@ -15,6 +14,7 @@ from cadgen.car.planner.path_task import Margins, PathTask
 from cadgen.design.load import design_of
 from cadgen.design.schema import Design
 from cadgen.errors import CheckError, FileError
+from cadgen.figures import Facts, JobResult
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.jobs.cam.steering_cam import CarUse
@@ -31,7 +31,7 @@ _OF_TURNS = (LimitKind.TURN, LimitKind.PRESSURE_ANGLE, LimitKind.CONVEX_RADIUS, 
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class PathPlanning:
+class PathPlanning(JobResult):
     """A planned path, or the reasons why there is none.
 
     Attributes:
@@ -148,32 +148,32 @@ class PathPlanning:
             lines[0] = joined((lines[0], Message("; and no single limit that gives way is enough")), "")
         return lines
 
-    def facts(self) -> dict[str, Any]:
-        """The result as plain values, as in the manifest and with `--json`."""
+    def entry(self) -> Facts:
+        """The result, as in the manifest."""
         design, plan, cam = self.asked, self.plan, self.cam
         comparison = None if cam is None else CarUse.of(cam).comparison
-        return {
-            "design": design.name,
-            "design_sha256": design.content_hash,
-            "overrides": list(design.overrides),
-            "cadgen": __version__,
-            "passed": self.passed,
-            "control_points": len(plan.path.points),
-            "track_mm": plan.path.cost.line.length,
-            "drive_wheel_radius_mm": self.wheel_radius,
-            "first_order_mm": plan.path.cost.distance,
-            "worst_end_position_mm": None if comparison is None else comparison.chosen.band.worst_distance,
-            "worst_end_heading_deg": None if comparison is None else degrees(comparison.chosen.band.worst_heading),
-            "return_error_deg": None if comparison is None else [degrees(end) for end in comparison.band.ends],
-            "yield": _cars_facts(self.cars),
-            "failed": [] if cam is None else [check.code for check in cam.failed],
-            "settings": settings.rows(design, self.drawn),
-            "said": list(self.sentences),
-            "reasons": [
-                {"limit": str(each.limit), "amount": each.amount, "near_mm": list(each.place), "enough": each.enough}
+        return Facts(
+            design=design.name,
+            design_sha256=design.content_hash,
+            overrides=design.overrides,
+            cadgen=__version__,
+            passed=self.passed,
+            control_points=len(plan.path.points),
+            track_mm=plan.path.cost.line.length,
+            drive_wheel_radius_mm=self.wheel_radius,
+            first_order_mm=plan.path.cost.distance,
+            worst_end_position_mm=None if comparison is None else comparison.chosen.band.worst_distance,
+            worst_end_heading_deg=None if comparison is None else degrees(comparison.chosen.band.worst_heading),
+            return_error_deg=None if comparison is None else [degrees(end) for end in comparison.band.ends],
+            **{"yield": self.cars and _cars_facts(self.cars)},
+            failed=[] if cam is None else [check.code for check in cam.failed],
+            settings=settings.rows(design, self.drawn),
+            said=self.sentences,
+            reasons=[
+                Facts(limit=str(each.limit), amount=each.amount, near_mm=each.place, enough=each.enough)
                 for each in self.reasons
             ],
-        }
+        )
 
     def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
         """Write the design with the planned path, `NAME_planned.toml`, where comments of the file stay.
@@ -203,7 +203,7 @@ class PathPlanning:
                     "{file}: read back it is not what was written; try again or choose another disk", file=file.name
                 )
 
-        return publish(stem, folder_of(folder), files, self.facts())
+        return publish(stem, folder_of(folder), files, self.entry())
 
 
 def _kept(cars: CarsOnPaths) -> Message:
@@ -257,28 +257,24 @@ def _ends(comparison: PlayComparison) -> Message:
     )
 
 
-def _cars_facts(cars: CarsOnPaths | None) -> dict[str, Any] | None:
-    """Cars on the path as plain values."""
-    if cars is None:
-        return None
+def _cars_facts(cars: CarsOnPaths) -> Facts:
+    """Cars on the path."""
     (key, share), before = cars.binding, cars.before
     known = None if before is None else CarUse.of(before.cam).comparison
-    return {
-        "cars": cars.after.samples,
-        "profile": cars.after.cam.kind.code,
-        "seed": cars.after.seed,
-        "kept": cars.after.passed,
-        "kept_before": None if before is None else before.passed,
-        "worst_end_position_before_mm": None if known is None else known.chosen.band.worst_distance,
-        "binding": key,
-        "binding_kept": share,
-        "greatest_share_of_variance": {each.name: each.share for each in cars.after.sensitivities[:3]},
-        "reserve": cars.chosen.factor,
-        "tried": [
-            {"reserve": each.factor, "kept": each.kept, "worst_end_position_mm": each.worst} for each in cars.tried
-        ],
-        "scatter_mm": dict(cars.chosen.scatter),
-    }
+    return Facts(
+        cars=cars.after.samples,
+        profile=cars.after.cam.kind.code,
+        seed=cars.after.seed,
+        kept=cars.after.passed,
+        kept_before=None if before is None else before.passed,
+        worst_end_position_before_mm=None if known is None else known.chosen.band.worst_distance,
+        binding=key,
+        binding_kept=share,
+        greatest_share_of_variance={each.name: each.share for each in cars.after.sensitivities[:3]},
+        reserve=cars.chosen.factor,
+        tried=[Facts(reserve=each.factor, kept=each.kept, worst_end_position_mm=each.worst) for each in cars.tried],
+        scatter_mm=dict(cars.chosen.scatter),
+    )
 
 
 def _narrow_field(reason: Reason, task: PathTask) -> str:

@@ -1,15 +1,15 @@
 """Sheets of a gear train: of each part, with a table of data for each of its gears, and of the plate for the axes."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 from math import atan2, ceil, degrees, floor
-from typing import Any
 
 import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.curves.contour import Contour
+from cadgen.figures import Figures
 from cadgen.gears.layout import TrainPart
 from cadgen.gears.stage import Stage
 from cadgen.messages import Message
@@ -50,38 +50,38 @@ from cadgen.parts.features import Keyway
 from cadgen.parts.loop import Arc, Loop
 
 
-def gear_rows(gear: Mapping[str, Any], mate: str, stage: Stage, *, drives: bool) -> tuple[tuple[str, str], ...]:
+def gear_rows(gear: Figures, mate: str, stage: Stage, *, drives: bool) -> tuple[tuple[str, str], ...]:
     """Rows of a gear's data table: names and values of the field, those that a kind of wheel has not left out."""
-    side = stage.facts().get("driver" if drives else "driven", {})
-    grade = side.get("grade") if isinstance(side, Mapping) else None
+    grade = stage.grades[0 if drives else 1]
 
-    def mm(key: str, digits: int = 3) -> str:
-        return f"{rounded(gear[key], digits)} mm" if gear.get(key) is not None else ""
+    def mm(code: str, digits: int = 3) -> str:
+        value = gear.value(code)
+        return "" if value is None else f"{rounded(value, digits)} mm"
 
     def limits(name: str) -> str:
-        most, least = gear.get(f"{name}_max_mm"), gear.get(f"{name}_min_mm")
+        most, least = gear.value(f"{name}_max"), gear.value(f"{name}_min")
         if most is None or least is None:
             return ""
         return Message("{least:.3f} to {most:.3f} mm", least=least, most=most)
 
-    thinned = [gear.get(key) for key in ("E_sns_um", "E_sni_um")]
-    module = gear.get("module_mm")
+    teeth, module, upper, lower = (gear.value(code) for code in ("teeth", "module", "E_sns", "E_sni"))
+    angle, shift = gear.value("pressure_angle"), gear.value("profile_shift")
     rows = [
-        (Message("teeth z"), str(gear.get("teeth", ""))),
-        (Message("module m_n"), mm("module_mm", 4)),
-        (Message("pressure angle"), f"{gear['pressure_angle_deg']:g}°" if "pressure_angle_deg" in gear else ""),
-        (Message("profile shift x"), f"{gear['profile_shift']:g}" if "profile_shift" in gear else ""),
-        (Message("pitch diameter d"), f"{module * gear['teeth']:g} mm" if module else ""),
-        (Message("tip diameter"), mm("tip_diameter_mm")),
-        (Message("root diameter, as cut"), mm("root_diameter_mm")),
-        (Message("face width"), mm("width_mm")),
+        (Message("teeth z"), "" if teeth is None else str(teeth)),
+        (Message("module m_n"), mm("module", 4)),
+        (Message("pressure angle"), "" if angle is None else f"{angle:g}°"),
+        (Message("profile shift x"), "" if shift is None else f"{shift:g}"),
+        (Message("pitch diameter d"), f"{module * teeth:g} mm" if module and teeth else ""),
+        (Message("tip diameter"), mm("tip_diameter")),
+        (Message("root diameter, as cut"), mm("root_diameter")),
+        (Message("face width"), mm("width")),
         (Message("grade, ISO 1328-1"), "" if grade is None else str(grade)),
         (
             Message("thickness E_sns / E_sni"),
-            "" if None in thinned else f"{thinned[0]:.1f} / {thinned[1]:.1f} µm",
+            "" if upper is None or lower is None else f"{upper:.1f} / {lower:.1f} µm",
         ),
-        (Message("span over {teeth} teeth", teeth=gear.get("teeth_spanned")), limits("span")),
-        (Message("over pins of {pin:g} mm", pin=gear.get("pin_diameter_mm") or 0), limits("over_pins")),
+        (Message("span over {teeth} teeth", teeth=gear.value("teeth_spanned")), limits("span")),
+        (Message("over pins of {pin:g} mm", pin=gear.value("pin_diameter") or 0), limits("over_pins")),
         (Message("meshes with"), mate),
         (Message("centre distance"), f"{stage.centre_distance:g} mm"),
     ]

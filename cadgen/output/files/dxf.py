@@ -23,6 +23,7 @@ from cadgen.curves.closed import Outline
 from cadgen.curves.contour import Contour, circle
 from cadgen.curves.spline import SplineArc, splines
 from cadgen.errors import FileError
+from cadgen.figures import Facts
 from cadgen.messages import Message
 from cadgen.output.files.publisher import Artifact, require
 from cadgen.parts.loop import Loop, bezier_poles
@@ -54,8 +55,8 @@ def cam_dxf(cam: CamExport, folder: Path) -> Iterator[Artifact]:
     chain, cubic = arcs(cam.curve, tolerance), splines(cam.curve, _SPLINE_TOLERANCE, 3)
     note = edges_note(cam.blank.edge_break, cam.follower.noun)
     for suffix, profile, facts in (
-        ("arcs", chain, {"arcs": len(chain.bulges), "arc_tolerance_um": tolerance * 1e3}),
-        ("spline", cubic, {"splines": len(cubic)}),
+        ("arcs", chain, Facts(arcs=len(chain.bulges), arc_tolerance_um=tolerance * 1e3)),
+        ("spline", cubic, Facts(splines=len(cubic))),
     ):
         name = f"{cam.stem}_{suffix}.dxf"
         write_dxf(folder / name, profile, cam.blank.bore(), cam.blank.holes(), note)

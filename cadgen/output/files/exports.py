@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -19,6 +19,7 @@ from cadgen.curves.closed import ClosedCurve, Outline
 from cadgen.design.machining import Machining
 from cadgen.design.schema import Export
 from cadgen.errors import FileError
+from cadgen.figures import Facts, Figures
 from cadgen.gears.layout import TrainLayout, TrainPart
 from cadgen.gears.tooth import GearForm
 from cadgen.messages import Message
@@ -34,8 +35,8 @@ _RIM_SHARE = 0.8
 _LEAST_RIM_SHARE = 0.04
 
 
-def _nothing(outline: Outline, contact: Contact, limit: float) -> Mapping[str, float]:
-    return {}
+def _nothing(outline: Outline, contact: Contact, limit: float) -> Figures:
+    return Figures()
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -56,7 +57,7 @@ class CamExport:
         export: how finely files follow the curve.
         machining: cutter, speeds, tabs and drills.
         in_use: function of an outline read back, of the contact of the follower on it, and of the greatest error
-            allowed to the lift, µm, that gives further facts by what the cam is for.
+            allowed to the lift, µm, that gives further figures by what the cam is for.
     """
 
     stem: str
@@ -71,7 +72,7 @@ class CamExport:
     notes: tuple[str, ...]
     export: Export
     machining: Machining
-    in_use: Callable[[Outline, Contact, float], Mapping[str, float]] = _nothing
+    in_use: Callable[[Outline, Contact, float], Figures] = _nothing
 
     @property
     def land(self) -> tuple[float, float] | None:
@@ -131,7 +132,7 @@ class CamExport:
 
         return volume(self.part.solid)
 
-    def judged(self, name: str, outline: Outline, limit: float, facts: Mapping[str, Any], off: float = 0.0) -> Artifact:
+    def judged(self, name: str, outline: Outline, limit: float, facts: Facts, off: float = 0.0) -> Artifact:
         """File whose outline was read back: the rod is rolled on it, and the error of the lift kept within its limit.
 
         Only lifts rolled in equal steps are compared, for the error of rolling is then nearly the same in both.
@@ -158,7 +159,7 @@ class CamExport:
                 error=error,
                 limit=limit,
             )
-        return Artifact(name, {"lift_error_um": error, "lift_limit_um": limit, **facts, **in_use})
+        return Artifact(name, Facts(lift_error_um=error, lift_limit_um=limit) | facts, in_use=in_use)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -207,4 +208,4 @@ class TrainExport:
     layout: TrainLayout
     passed: bool
     chords: Sequence[float]
-    table: Sequence[Mapping[str, Any]]
+    table: Sequence[Mapping[str, str | float | None]]

@@ -23,9 +23,10 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import NoReturn
 
 from cadgen.errors import FileError, brief
+from cadgen.figures import Facts
 from cadgen.messages import Message
 from cadgen.output.files.lock import NAME as LOCK
 from cadgen.output.files.lock import drop, hold, is_held, locked
@@ -210,7 +211,7 @@ def _is_own(folder: Path) -> bool:
 def _publish(staging: Path, out: Path) -> None:
     """Move what the staged manifest lists into place; on any failure put back what was there."""
     new = sound_parts(staging / MANIFEST)
-    files = {name: facts["sha256"] for entry in new.values() for name, facts in entry["files"].items()}
+    files = {name: digest for entry in new.values() for name, digest in entry.hashes.items()}
     if set(os.listdir(staging)) - {_ALIVE} != {*files, MANIFEST}:
         raise ValueError("a run writes files that its manifest does not list")
     for name in (*files, MANIFEST):
@@ -221,11 +222,12 @@ def _publish(staging: Path, out: Path) -> None:
     kept = {}
     for name, entry in sound_parts(out / MANIFEST).items():
         # An earlier entry stays for those of its files that are not replaced.
-        staying = {file: facts for file, facts in entry["files"].items() if file not in files}
-        if name not in new and staying and all(unchanged(out / file, facts) for file, facts in staying.items()):
-            kept[name] = {**entry, "files": staying}
+        staying = entry.without(files)
+        known = staying.hashes.items()
+        if name not in new and known and all(unchanged(out / file, digest) for file, digest in known):
+            kept[name] = staying.content
     _prepare(staging, out, files, manifest_text(kept))
-    _write(staging / MANIFEST, manifest_text({**kept, **new}))
+    _write(staging / MANIFEST, manifest_text(kept | {name: entry.content for name, entry in new.items()}))
     (staging / _PREPARED).rename(staging / _REPLACED)
     try:
         if (staging / _KEPT).exists():
@@ -263,7 +265,7 @@ def _undo(staging: Path, out: Path) -> list[str]:
         if not is_plain_name(name):
             continue
         target = out / name
-        if not os.path.lexists(staging / name) and unchanged(target, {"sha256": digest}):
+        if not os.path.lexists(staging / name) and unchanged(target, digest):
             os.replace(target, staging / name)
             back.append(name)
         if os.path.lexists(replaced / name) and not os.path.lexists(target):
@@ -341,16 +343,16 @@ class FolderState:
         """Whether every file in the manifest has the hash stated there, and no killed run has left files half moved."""
         return not self.half_moved and all(file.state in (State.AS_LISTED, State.NOT_LISTED) for file in self.files)
 
-    def facts(self, folder: Path) -> dict[str, Any]:
-        """The state as plain values, for JSON."""
-        return {
-            "folder": str(folder),
-            "true": self.is_true,
-            "half_moved": list(self.half_moved),
-            "left": list(self.left),
-            "files": [{"name": file.name, "part": file.part, "state": file.state} for file in self.files],
-            "restored": list(self.restored),
-        }
+    def entry(self, folder: Path) -> Facts:
+        """The state, for JSON."""
+        return Facts(
+            folder=str(folder),
+            true=self.is_true,
+            half_moved=self.half_moved,
+            left=self.left,
+            files=self.files,
+            restored=self.restored,
+        )
 
 
 def folder_state(folder: Path) -> FolderState:
@@ -384,30 +386,23 @@ def folder_state(folder: Path) -> FolderState:
             folder=brief(str(folder / MANIFEST)),
             error=brief(str(error)),
         ) from None
-    files = [
-        FileState(name, part, _state(folder, name, facts))
-        for part, entry in parts.items()
-        for name, facts in _listed(part, entry).items()
-    ]
+    files = []
+    for part, entry in parts.items():
+        if entry is None:
+            raise FileError("the manifest's entry {part} lists no files: export that part again", part=brief(part, 80))
+        files += [FileState(name, part, _state(folder, name, digest)) for name, digest in entry.hashes.items()]
     known = {file.name for file in files} | {MANIFEST, LOCK}
     files += [FileState(name, "", State.NOT_LISTED) for name in present if name not in known]
     return FolderState(tuple(files), tuple(folder.name for folder in half), tuple(folder.name for folder in left))
 
 
-def _listed(part: str, entry: Any) -> dict[str, Any]:
-    files = entry.get("files") if isinstance(entry, dict) else None
-    if not isinstance(files, dict) or not all(isinstance(facts, dict) for facts in files.values()):
-        raise FileError("the manifest's entry {part} lists no files: export that part again", part=brief(part, 80))
-    return files
-
-
-def _state(folder: Path, name: str, facts: dict[str, Any]) -> State:
+def _state(folder: Path, name: str, digest: str) -> State:
     if not is_plain_name(name):  # it means no file of this folder
         return State.MISSING
     try:
         if not is_file(folder / name):
             return State.CHANGED
-        return State.AS_LISTED if file_hash(folder / name) == facts.get("sha256") else State.CHANGED
+        return State.AS_LISTED if file_hash(folder / name) == digest else State.CHANGED
     except FileNotFoundError:
         return State.MISSING
     except (OSError, ValueError):

@@ -12,6 +12,7 @@ from typing import Generic, TypeVar
 
 from cadgen.design.section import listed
 from cadgen.errors import CheckError, DesignError, brief
+from cadgen.figures import Facts
 from cadgen.messages import Message
 from cadgen.output.files.dxf import cam_dxf
 from cadgen.output.files.exports import CamExport, GearExport, TrainExport
@@ -123,12 +124,12 @@ class Offer(Generic[P]):
             )
         return tuple(each for each in self.formats() if each.code in endings)
 
-    def entry(self, stem: str, formats: Sequence[Format]) -> tuple[str, dict[str, list[str]]]:
+    def entry(self, stem: str, formats: Sequence[Format]) -> tuple[str, Facts]:
         """Name of a manifest's entry, and its facts on the formats; of some of them the entry is one of its own."""
         if len(formats) == len(self.formats()):
-            return stem, {}
+            return stem, Facts()
         codes = [each.code for each in formats]
-        return "_".join([stem, *codes]), {"formats": codes}
+        return "_".join([stem, *codes]), Facts(formats=codes)
 
     def made(
         self, part: P, folder: Path, formats: Sequence[Format], *, apart: bool = True

@@ -3,12 +3,13 @@
 import hashlib
 import json
 import stat
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Container, Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 from cadgen.errors import brief
+from cadgen.figures import Facts
 from cadgen.reading import read_regular
 from cadgen.registry import used_plugins
 from cadgen.version import __version__
@@ -53,14 +54,9 @@ class Origin:
         """Origin of what is computed from a design."""
         return cls(design.name, design.source, design.overrides, design.content_hash)
 
-    def facts(self) -> dict[str, Any]:
+    def entry(self) -> Facts:
         """Name, source, overrides and hash of the design, as in a manifest's entry."""
-        return {
-            "design": self.name,
-            "source": self.source,
-            "overrides": list(self.overrides),
-            "design_sha256": self.content_hash,
-        }
+        return Facts(design=self.name, source=self.source, overrides=self.overrides, design_sha256=self.content_hash)
 
 
 def file_hash(file: Path) -> str:
@@ -69,9 +65,9 @@ def file_hash(file: Path) -> str:
         return hashlib.file_digest(stream, "sha256").hexdigest()
 
 
-def file_facts(file: Path) -> dict[str, Any]:
+def file_facts(file: Path) -> Facts:
     """Size (bytes) and hash of a file, as in a manifest's entry."""
-    return {"bytes": file.stat().st_size, "sha256": file_hash(file)}
+    return Facts(bytes=file.stat().st_size, sha256=file_hash(file))
 
 
 def versions() -> dict[str, str]:
@@ -87,35 +83,80 @@ def versions() -> dict[str, str]:
     return installed
 
 
-def write_manifest(staging: Path, part: str, entry: dict[str, Any]) -> None:
+def write_manifest(staging: Path, part: str, entry: Facts) -> dict[str, Any]:
     """Write the entry of a run's part into its staging folder; `publishing` adds those of earlier parts.
 
     Args:
         staging: folder with the files.
         part: name of the part, the key of its entry.
-        entry: facts of the part; `entry["files"]` maps the name of every staged file to facts with a `sha256`. It
-            gets a key `plugins` with their versions if kinds of plug-ins were used.
+        entry: facts of the part; its `files` map the name of every staged file to facts with a `sha256`. It gets
+            `plugins` with their versions if kinds of plug-ins were used.
+
+    Returns:
+        The entry as plain values.
     """
     if plugins := used_plugins():
-        entry["plugins"] = dict(plugins)
-    (staging / NAME).write_text(manifest_text({part: entry}), encoding="utf-8")
+        entry |= Facts(plugins=plugins)
+    content = entry.json()
+    (staging / NAME).write_text(manifest_text({part: content}), encoding="utf-8")
+    return content
 
 
-def manifest_text(parts: Mapping[str, Any]) -> str:
+def manifest_text(parts: Mapping[str, object]) -> str:
     """Text of a manifest with these parts."""
-    return json.dumps({"format": FORMAT, "parts": dict(parts)}, indent=2, allow_nan=False) + "\n"
+    return json.dumps({"format": FORMAT, "parts": parts}, indent=2, allow_nan=False) + "\n"
 
 
-def sound_parts(manifest: Path) -> dict[str, Any]:
+@dataclass(frozen=True)
+class ManifestEntry:
+    """Entry of a part in a manifest that was read.
+
+    Attributes:
+        content: entry as JSON has it, to be written again.
+        design_sha256: hash of the design that the part was made from; empty where it states none.
+        hashes: SHA-256 of each file that it lists, by name; empty where it states none.
+    """
+
+    content: Any
+    design_sha256: str
+    hashes: Mapping[str, str]
+
+    @classmethod
+    def from_json(cls, content: Any) -> Self | None:
+        """Entry from plain values; None for values that list no files."""
+        files = content.get("files") if isinstance(content, dict) else None
+        if not isinstance(files, dict) or not all(isinstance(facts, dict) for facts in files.values()):
+            return None
+        hashes = {name: str(facts.get("sha256", "")) for name, facts in files.items()}
+        return cls(content, str(content.get("design_sha256", "")), hashes)
+
+    @property
+    def is_sound(self) -> bool:
+        """Whether all names are those of files, and it can be written again; JSON as read here may hold NaN."""
+        try:
+            json.dumps(self.content, allow_nan=False)
+        except ValueError:
+            return False
+        return all(map(is_plain_name, self.hashes))
+
+    def without(self, names: Container[str]) -> Self:
+        """The entry without some of its files."""
+        files = {name: facts for name, facts in self.content["files"].items() if name not in names}
+        hashes = {name: self.hashes[name] for name in files}
+        return replace(self, content={**self.content, "files": files}, hashes=hashes)
+
+
+def sound_parts(manifest: Path) -> dict[str, ManifestEntry]:
     """Sound entries of a manifest; none if the file is damaged or was not written by cadgen."""
     try:
-        return {name: part for name, part in read_parts(manifest).items() if _sound(part)}
+        entries = read_parts(manifest)
     except (OSError, ValueError):
         return {}
+    return {name: entry for name, entry in entries.items() if entry is not None and entry.is_sound}
 
 
-def read_parts(manifest: Path) -> dict[str, Any]:
-    """Entries of a manifest, unchecked.
+def read_parts(manifest: Path) -> dict[str, ManifestEntry | None]:
+    """Entries of a manifest by their parts; None for an entry that lists no files.
 
     Raises:
         OSError: the file cannot be read.
@@ -125,7 +166,7 @@ def read_parts(manifest: Path) -> dict[str, Any]:
         content = json.loads(read_regular(manifest, MOST_BYTES).decode("utf-8"))
         if content["format"] != FORMAT:
             raise ValueError(f"its format is {brief(str(content['format']), 40)}, not {FORMAT}")
-        return dict(content["parts"].items())
+        return {name: ManifestEntry.from_json(entry) for name, entry in content["parts"].items()}
     except (KeyError, TypeError, AttributeError, RecursionError):
         raise ValueError("it is no manifest of cadgen") from None
 
@@ -143,21 +184,9 @@ def is_file(file: Path) -> bool:
         return False
 
 
-def unchanged(file: Path, facts: dict[str, Any]) -> bool:
-    """Whether a file is there with the hash that its entry has."""
+def unchanged(file: Path, digest: str) -> bool:
+    """Whether a file is there with a hash, SHA-256, hexadecimal."""
     try:
-        return is_file(file) and file_hash(file) == facts.get("sha256")
+        return is_file(file) and file_hash(file) == digest
     except (OSError, ValueError):  # it cannot be read, or no file can have that name
         return False
-
-
-def _sound(part: Any) -> bool:
-    """Whether an entry has the facts of its files and can be written again; JSON as read here may hold NaN."""
-    try:
-        json.dumps(part, allow_nan=False)
-    except ValueError:
-        return False
-    files = part.get("files") if isinstance(part, dict) else None
-    return isinstance(files, dict) and all(
-        is_plain_name(name) and isinstance(facts, dict) for name, facts in files.items()
-    )

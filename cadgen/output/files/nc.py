@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import pi
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from cadgen.arrays import TURN
 from cadgen.cam.cutter import largest_cutter
 from cadgen.car.running.friction import DiscMaterial
 from cadgen.curves.closed import Outline
 from cadgen.design.machining import Machining
+from cadgen.figures import Facts
 from cadgen.output.files.drilling import drill_feed, drills_of, pecks, point_length, write_drilling
 from cadgen.output.files.dxf import edges_note
 from cadgen.output.files.gcode import RaisedHub, cutter_path, levels_of, write_gcode
@@ -68,12 +69,14 @@ def programs(cam: CamExport, folder: Path, step: float) -> Iterator[tuple[Artifa
     )
     height = above.height if above else 0.0
     milled = read_gcode(outline, machining, cam.thickness, step, material=cam.material, hub_height=height)
-    facts: dict[str, Any] = {"arcs": len(centre.bulges), "cutter_diameter_mm": machining.cutter_diameter_mm}
+    facts = Facts(arcs=len(centre.bulges), cutter_diameter_mm=machining.cutter_diameter_mm)
     if milled.tabs:
-        facts["tabs"] = [
-            {"x_mm": tab.place[0], "y_mm": tab.place[1], "width_mm": tab.width, "height_mm": tab.height}
-            for tab in milled.tabs
-        ]
+        facts |= Facts(
+            tabs=[
+                Facts(x_mm=tab.place[0], y_mm=tab.place[1], width_mm=tab.width, height_mm=tab.height)
+                for tab in milled.tabs
+            ]
+        )
     yield Artifact(outline.name, facts), milled.outline
     for drill in drills:
         assert drilling is not None
@@ -89,8 +92,13 @@ def programs(cam: CamExport, folder: Path, step: float) -> Iterator[tuple[Artifa
             thickness=cam.thickness,
             hub=hub,
         )
-        facts = {"drill_diameter_mm": drill.diameter, "holes": len(drill.holes), "place_error_um": off * 1e3}
-        yield Artifact(path.name, facts), None
+        yield (
+            Artifact(
+                path.name,
+                Facts(drill_diameter_mm=drill.diameter, holes=len(drill.holes), place_error_um=off * 1e3),
+            ),
+            None,
+        )
 
 
 def milling_minutes(length: float, machining: Machining, thickness: float, material: DiscMaterial | None) -> float:

@@ -13,6 +13,7 @@ from typing import Any, NoReturn, overload
 
 from cadgen.check import Bound, Check
 from cadgen.errors import DesignError, FileError, brief
+from cadgen.figures import Facts, Figures
 from cadgen.messages import Message, joined
 from cadgen.output.files.folder import FolderState, folder_state, publishing, undo_killed
 from cadgen.output.files.lock import locked
@@ -26,18 +27,22 @@ class Artifact:
     Attributes:
         name: name of the file.
         facts: what was read back, for the manifest.
+        readings: what was read back in words, by the columns of the job's table of files.
+        in_use: figures of the part in its use, as the file has it.
     """
 
     name: str
-    facts: Mapping[str, Any] = field(default_factory=dict)
+    facts: Facts = field(default_factory=Facts)
+    readings: tuple[str, ...] = ()
+    in_use: Figures = field(default_factory=Figures)
 
 
 def publish(
     part: str,
     out: Path,
     make: Callable[[Path], Iterable[Artifact]],
-    facts: Mapping[str, Any],
-    outcome: Callable[[Mapping[str, Any]], Mapping[str, Any]] = lambda files: {},
+    facts: Facts,
+    outcome: Callable[[Sequence[str]], Facts] = lambda names: Facts(),
 ) -> "Written":
     """Make the files of a job, and publish them together with their entry in the manifest, all or none.
 
@@ -45,26 +50,26 @@ def publish(
         part: name of the entry.
         out: folder for the files; it is made if need be.
         make: function that writes the files into a staging folder, reads them back and gives them one by one.
-        facts: facts on the part, as plain values.
-        outcome: function of the facts on each file, by name, that gives further facts once all files are made.
+        facts: facts on the part.
+        outcome: function of the names of all files that gives further facts once they are made.
 
     Raises:
         FileError: a file cannot be written, or read back is not what was written.
     """
     with publishing(out) as staging:
-        files = {each.name: {**file_facts(staging / each.name), **each.facts} for each in make(staging)}
-        entry = {**facts, "versions": versions(), **outcome(files), "files": files}
-        write_manifest(staging, part, entry)
-    return Written.of(out, part, entry)
+        made = list(make(staging))
+        files = {each.name: file_facts(staging / each.name) | each.facts | each.in_use for each in made}
+        facts |= Facts(versions=versions()) | outcome(list(files)) | Facts(files=files)
+        entry = write_manifest(staging, part, facts)
+    return Written.of(out, part, entry, {each.name: each.readings for each in made})
 
 
-def text_file(file: Path, text: str, **facts: Any) -> Artifact:
+def text_file(file: Path, text: str) -> Artifact:
     """Write a text in UTF-8, and require that it is read back as it was written.
 
     Args:
         file: file in the staging folder.
         text: content of the file.
-        facts: facts on the file for the manifest.
 
     Raises:
         FileError: it is not what was written.
@@ -74,7 +79,7 @@ def text_file(file: Path, text: str, **facts: Any) -> Artifact:
         raise FileError(
             "{file}: read back it is not what was written; try again or choose another disk", file=file.name
         )
-    return Artifact(file.name, facts)
+    return Artifact(file.name)
 
 
 def read_file(file: Path) -> bytes:
@@ -110,7 +115,7 @@ class Frozen(dict[str, Any]):
     def __hash__(self) -> int:  # type: ignore[override]
         return hash(frozenset(self.items()))
 
-    def __reduce__(self) -> tuple[type["Frozen"], tuple[dict[str, Any]]]:
+    def __reduce__(self) -> tuple[object, ...]:
         return Frozen, (dict(self),)
 
     def _refuse(self, *_: Any, **__: Any) -> NoReturn:
@@ -140,7 +145,9 @@ class WrittenFile:
         sha256: SHA-256 of its bytes, hexadecimal.
         lift_error_um: error of the follower's lift on the file read back, µm; None for a file that is no profile.
         lift_limit_um: greatest error allowed, µm.
+        end_position_mm: end of the run with play on it, off the planned end, mm; None where nothing runs on it.
         facts: facts on the file in the manifest.
+        readings: what was read back in words, by the columns of the job's table of files.
     """
 
     path: Path
@@ -148,7 +155,9 @@ class WrittenFile:
     sha256: str
     lift_error_um: float | None
     lift_limit_um: float | None
+    end_position_mm: float | None
     facts: Mapping[str, Any]
+    readings: tuple[str, ...] = ()
 
     @property
     def name(self) -> str:
@@ -173,13 +182,16 @@ class Written(Sequence[WrittenFile]):
     files: tuple[WrittenFile, ...]
 
     @classmethod
-    def of(cls, folder: Path, part: str, entry: Mapping[str, Any]) -> "Written":
+    def of(
+        cls, folder: Path, part: str, entry: Mapping[str, Any], readings: Mapping[str, tuple[str, ...]] | None = None
+    ) -> "Written":
         """The files of a manifest's entry.
 
         Args:
             folder: folder of the files.
             part: name of the entry.
             entry: content of the entry.
+            readings: what was read back of each file in words, by its name.
         """
         fixed = frozen(entry)
         files = tuple(
@@ -189,7 +201,9 @@ class Written(Sequence[WrittenFile]):
                 sha256=facts["sha256"],
                 lift_error_um=facts.get("lift_error_um"),
                 lift_limit_um=facts.get("lift_limit_um"),
+                end_position_mm=facts.get("end_position_mm"),
                 facts=facts,
+                readings=(readings or {}).get(name, ()),
             )
             for name, facts in fixed["files"].items()
         )
@@ -204,6 +218,11 @@ class Written(Sequence[WrittenFile]):
     def omitted(self) -> Mapping[str, str]:
         """Reasons, by format, why files could not be made of a part that was written although a check failed."""
         return Frozen(self.entry.get("omitted", {}))
+
+    @property
+    def not_stated(self) -> Mapping[str, str]:
+        """Facts that drawings leave open, each with the key of the design that states it."""
+        return Frozen(self.entry.get("not_stated", {}))
 
     def __repr__(self) -> str:
         names = ", ".join(file.name for file in self.files)

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from cadgen.errors import DesignError, FileError
+from cadgen.figures import Facts
 from cadgen.gears.layout import TrainLayout
 from cadgen.gears.stage import LEAST_OVERLAP, PLAY_LIMIT_UM, cycle
 from cadgen.geometry.meshes.made_train import meshes, play_error_um, return_error_um
@@ -51,7 +53,7 @@ def cam_step(cam: CamExport, folder: Path) -> Iterator[Artifact]:
     require(whole and named, name, Message("is not one valid solid with its name"))
     error = abs(content.volume / cam.volume - 1)
     require(error <= VOLUME_LIMIT, name, Message("misses the exact volume by {error:.1e}", error=error))
-    facts = {"volume_mm3": content.volume, "volume_error_relative": error}
+    facts = Facts(volume_mm3=content.volume, volume_error_relative=error)
     yield cam.judged(name, content.rim, LIFT_LIMIT_UM, facts)
 
 
@@ -74,8 +76,8 @@ def gear_step(gear: GearExport, folder: Path) -> list[Artifact]:
         raise FileError(
             "{file}, read back, misses the exact volume by {error:.1e}: report this gear", file=file.name, error=error
         )
-    errors = tooth_errors(file.name, read_gear(file, gear.part.gears, gear.part.starts))
-    return [Artifact(file.name, {**errors, "volume_mm3": again.volume, "volume_error_relative": error})]
+    teeth = tooth_artifact(file.name, read_gear(file, gear.part.gears, gear.part.starts))
+    return [replace(teeth, facts=teeth.facts | Facts(volume_mm3=again.volume, volume_error_relative=error))]
 
 
 def require_few_teeth(train: TrainExport, others: Iterable[str]) -> None:
@@ -119,17 +121,18 @@ def train_step(train: TrainExport, folder: Path) -> list[Artifact]:
     assembly.write_bytes(assembly_bytes(parts, layout, assembly.stem, train.description))
     with in_second_process(partial(_part_files, parts, layout, train.passed, assembly, files)) as texts:
         whole = assembly_facts(layout, assembly.name, read_assembly(assembly), parts)
-        in_mesh, *of_parts = texts()
-    return [
-        Artifact(assembly.name, {**whole, **in_mesh}),
-        *(Artifact(file.name, facts) for file, facts in zip(files, of_parts, strict=True)),
-    ]
+        in_mesh, of_parts = texts()
+    off = [abs(error) for error in in_mesh.errors if error is not None]
+    reading = Message("no play to measure: see the checks")
+    if off:
+        reading = Message("play off by {off:.3f} µm", off=max(off))
+    return [Artifact(assembly.name, whole | in_mesh.entry(), (reading,)), *of_parts]
 
 
 def _part_files(
     parts: Sequence[SolidPart], layout: TrainLayout, passed: bool, assembly: Path, files: Sequence[Path]
-) -> list[dict[str, Any]]:
-    """Write each part; facts of the assembly and of all parts by their texts, whose solids must be the same."""
+) -> tuple[MeasuredPlay, list[Artifact]]:
+    """Write each part; play in the assembly and the parts' files by their texts, whose solids must be the same."""
     from cadgen.geometry.solids.step import step_bytes
     from cadgen.geometry.solids.step_text import read_gear, solids_in
 
@@ -139,32 +142,32 @@ def _part_files(
     in_assembly = solids_in(assembly.read_text(encoding="ascii"))
     for file, content, solid in zip(files, contents, in_assembly, strict=True):
         require(content.solid == solid, file.name, Message("is not the solid of the assembly"))
-    in_mesh = play_facts(layout, passed, assembly.name, [content.sections for content in contents])
-    return [in_mesh, *(tooth_errors(file.name, content) for file, content in zip(files, contents, strict=True))]
+    play = measured_play(layout, passed, assembly.name, [content.sections for content in contents])
+    return play, [tooth_artifact(file.name, content) for file, content in zip(files, contents, strict=True)]
 
 
-def tooth_errors(name: str, content: GearContent) -> dict[str, Any]:
-    """Greatest distances of flanks and roots in a file from the exact curves, µm, by key.
+def tooth_artifact(name: str, content: GearContent) -> Artifact:
+    """File with the greatest distances of its flanks, roots and rims from the exact curves.
 
     Raises:
         FileError: a distance is beyond its limit.
     """
-    facts: dict[str, Any] = {}
+    off: dict[str, float] = {}
     for curve, error, limit in (
         ("flank", content.flank_error, FLANK_LIMIT_UM),
         ("root", content.root_error, ROOT_LIMIT_UM),
         ("rim", content.rim_error, FLANK_LIMIT_UM),
     ):
         if error is not None:
-            facts[f"{curve}_error_um"] = error * 1e3
-            fault = Message("has {curve}s {error:.2g} µm off", curve=curve, error=error * 1e3)
-            require(error * 1e3 <= limit, name, fault)
-    return facts
+            off[curve] = error * 1e3
+            fault = Message("has {curve}s {error:.2g} µm off", curve=curve, error=off[curve])
+            require(off[curve] <= limit, name, fault)
+    words = "flank {flank:.5f} root {root:.4f} µm" if "flank" in off else "rim {rim:.5f} µm"
+    reading = Message(words, **off) if off else ""
+    return Artifact(name, Facts(**{f"{curve}_error_um": error for curve, error in off.items()}), (reading,))
 
 
-def assembly_facts(
-    layout: TrainLayout, file: str, read: Sequence[AssembledPart], parts: Sequence[SolidPart]
-) -> dict[str, Any]:
+def assembly_facts(layout: TrainLayout, file: str, read: Sequence[AssembledPart], parts: Sequence[SolidPart]) -> Facts:
     """Require of every part read back that it is valid, with its name, colour, place and exact volume."""
     require(len(read) == len(parts), file, Message("has lost a part"))
     worst = 0.0
@@ -178,12 +181,32 @@ def assembly_facts(
         require(off <= PLACE_LIMIT, file, Message("has {part} {off:.2g} mm off its place", part=name, off=off))
         worst = max(worst, abs(part.volume / placed.volume - 1))
     require(worst <= VOLUME_LIMIT, file, Message("misses the exact volume by {error:.1e}", error=worst))
-    return {"bodies": len(read), "volume_error_relative": worst}
+    return Facts(bodies=len(read), volume_error_relative=worst)
 
 
-def play_facts(
+@dataclass(frozen=True)
+class MeasuredPlay:
+    """Play measured on the sections in files.
+
+    Attributes:
+        plays: play of each stage on the driven wheel's pitch circle, µm; None for a stage without teeth.
+        errors: its difference from the computed play, µm.
+        total: difference of the train's return error from the computed one, µm at the output; None where a stage has no
+            play to measure.
+    """
+
+    plays: tuple[float | None, ...] = ()
+    errors: tuple[float | None, ...] = ()
+    total: float | None = None
+
+    def entry(self) -> Facts:
+        """Play and errors for the manifest; null where there is nothing to measure."""
+        return Facts(play_um=self.plays or None, play_error_um=self.errors or None, return_error_error_um=self.total)
+
+
+def measured_play(
     layout: TrainLayout, passed: bool, name: str, sections: Sequence[tuple[ToothSection, ...]]
-) -> dict[str, Any]:
+) -> MeasuredPlay:
     """Play of every stage, and return error of the train, measured on the sections in the files.
 
     Over a pitch the sections do not overlap just within the computed play, and do just past it. Teeth that jam, do
@@ -192,14 +215,14 @@ def play_facts(
     cut = layout.train.stages
     toothed = [stage for stage in cut if stage.toothed]
     if not (toothed and meshes(toothed)):
-        return {"play_um": None, "play_error_um": None, "return_error_error_um": None}
+        return MeasuredPlay()
     measured = [
         MeasuredPair(before[-1], after[0], stage.centre_distance)
         for before, after, stage in zip(sections, sections[1:], cut, strict=False)
     ]
-    errors = [
+    errors = tuple(
         play_error_um(stage, found) if stage.toothed else None for stage, found in zip(cut, measured, strict=True)
-    ]
+    )
     total = return_error_um(cut, measured) if None not in errors else None
     worst = max((abs(error) for error in (*errors, total) if error is not None), default=0.0)
     require(worst <= PLAY_LIMIT_UM, name, Message("has a play {worst:.2g} µm off the computed one", worst=worst))
@@ -210,11 +233,8 @@ def play_facts(
         held = within <= LEAST_OVERLAP <= past
         fault = Message("has teeth in stage {number} whose play is not the same over a pitch", number=number)
         require(held or not passed, name, fault)
-    return {
-        "play_um": [
-            None if error is None else stage.free_angle() * stage.driven_pitch_radius * 1e3 + error
-            for stage, error in zip(cut, errors, strict=True)
-        ],
-        "play_error_um": errors,
-        "return_error_error_um": total,
-    }
+    plays = tuple(
+        None if error is None else stage.free_angle() * stage.driven_pitch_radius * 1e3 + error
+        for stage, error in zip(cut, errors, strict=True)
+    )
+    return MeasuredPlay(plays, errors, total)

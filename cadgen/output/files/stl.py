@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from cadgen.errors import FileError
+from cadgen.figures import Facts
 from cadgen.gears.layout import TrainPart
 from cadgen.geometry.meshes.mesh import Mesh
 from cadgen.messages import Message
@@ -50,12 +51,12 @@ def judged_mesh(cam: CamExport, name: str, again: Mesh) -> Artifact:
     error = abs(content.volume - cam.volume)
     allowed = cam.chord * content.wall_area
     require(error <= allowed, name, Message("misses the exact volume by {error:.3g} mm3", error=error))
-    facts = {
-        "triangles": len(again.triangles),
-        "watertight": True,
-        "volume_mm3": content.volume,
-        "volume_error_relative": error / cam.volume,
-    }
+    facts = Facts(
+        triangles=len(again.triangles),
+        watertight=True,
+        volume_mm3=content.volume,
+        volume_error_relative=error / cam.volume,
+    )
     return cam.judged(name, content.rim, cam.chord * 1e3, facts)
 
 
@@ -75,10 +76,10 @@ def _part_stl(part: TrainPart, folder: Path, stem: str, chord: float) -> Artifac
 
     name = f"{stem}.stl"
     (folder / name).write_bytes(stl_bytes(body_mesh(part.body, chord), stem))
-    return Artifact(name, part_facts(name, read_stl(folder / name), part, chord))
+    return part_artifact(name, read_stl(folder / name), part, chord)
 
 
-def part_facts(name: str, again: Mesh, part: TrainPart, chord: float) -> dict[str, Any]:
+def part_artifact(name: str, again: Mesh, part: TrainPart, chord: float) -> Artifact:
     """Require of a mesh read back that it is closed, one body, and of the exact volume within chord times wall area.
 
     Args:
@@ -98,12 +99,9 @@ def part_facts(name: str, again: Mesh, part: TrainPart, chord: float) -> dict[st
     walls = float(area[np.abs(across[:, 2]) < area].sum())
     error = abs(solid.volume() - part.volume)
     require(error <= chord * walls, name, Message("misses the exact volume by {error:.3g} mm³", error=error))
-    return {
-        "triangles": len(again.triangles),
-        "watertight": True,
-        "chord_um": chord * 1e3,
-        "volume_error_relative": error / part.volume,
-    }
+    count = len(again.triangles)
+    facts = Facts(triangles=count, watertight=True, chord_um=chord * 1e3, volume_error_relative=error / part.volume)
+    return Artifact(name, facts, (Message("watertight, {count} triangles", count=count),))
 
 
 def stl_bytes(mesh: Mesh, name: str) -> bytes:

@@ -19,6 +19,7 @@ from cadgen.car.running.drive import Run
 from cadgen.curves.closed import ClosedCurve, Outline, cross, left_normal
 from cadgen.curves.polygon import polyline
 from cadgen.errors import FileError
+from cadgen.figures import Facts
 from cadgen.laws.unit import MM, RAD, TAN, Unit
 from cadgen.messages import Message
 from cadgen.output.files.publisher import Artifact, require
@@ -70,7 +71,7 @@ def cam_table(cam: CamExport, folder: Path) -> Iterator[Artifact]:
     table = read_csv(folder / name)
     column = float(np.abs(table["lift_mm"] - contact.lift).max() * 1e3)
     outline = contact_outline(table, cam.step)
-    yield cam.judged(name, outline, LIFT_LIMIT_UM, {"rows": len(contact.lift)}, off=column)
+    yield cam.judged(name, outline, LIFT_LIMIT_UM, Facts(rows=len(contact.lift)), off=column)
 
 
 def train_table(train: TrainExport, folder: Path) -> Iterator[Artifact]:
@@ -85,7 +86,7 @@ def train_table(train: TrainExport, folder: Path) -> Iterator[Artifact]:
     again = list(csv.DictReader((folder / name).read_text(encoding="ascii").splitlines()))
     same = len(again) == len(rows) and all(row.items() <= read.items() for read, row in zip(again, rows, strict=True))
     require(same, name, Message("has other values"))
-    yield Artifact(name, {"rows": len(rows)})
+    yield Artifact(name, Facts(rows=len(rows)), (Message("{count} rows", count=len(rows)),))
 
 
 def _cell(value: object) -> str:

@@ -13,6 +13,7 @@ from scipy.interpolate import CubicSpline
 from cadgen.arrays import Array
 from cadgen.curves.closed import ClosedCurve, Outline
 from cadgen.errors import FileError
+from cadgen.figures import Facts
 from cadgen.output.files.publisher import Artifact
 
 if TYPE_CHECKING:
@@ -36,7 +37,7 @@ def cam_xyz(cam: CamExport, folder: Path) -> Iterator[Artifact]:
     """Cloud of points on the outline of a cam."""
     name, count = f"{cam.stem}.xyz", cam.export.point_count
     write_xyz(folder / name, cam.curve, count)
-    yield cam.judged(name, read_xyz(folder / name, cam.step), LIFT_LIMIT_UM, {"points": count})
+    yield cam.judged(name, read_xyz(folder / name, cam.step), LIFT_LIMIT_UM, Facts(points=count))
 
 
 def write_xyz(path: Path, curve: ClosedCurve, count: int) -> None:

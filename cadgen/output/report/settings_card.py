@@ -4,13 +4,12 @@ import csv
 import io
 from collections.abc import Iterator, Sequence
 from math import degrees
-from typing import Any
 
 from markupsafe import Markup
 
 from cadgen.car.draws.drawn_spacing import DrawnSpacing
 from cadgen.design.schema import Design
-from cadgen.figures import Cell, Figure, Figures, Sheet, State
+from cadgen.figures import Cell, Facts, Figure, Figures, Sheet, State
 from cadgen.messages import Message, clauses, language, shown
 
 _SAME = 1e-6  # mm
@@ -76,20 +75,19 @@ def _plain(value: float, digits: int) -> float:
     return round(value, digits) + 0.0  # no minus before a 0
 
 
-def rows(design: Design, drawn: Sequence[DrawnSpacing]) -> list[dict[str, Any]]:
-    """The setting of each spacing as plain values, in the units of their keys."""
-    return [
-        {
-            **figures(design, each).facts(),
-            "kept": not each.failed,
-            "fault": "; ".join(f"{check.name}: {check.place}" for check in each.failed),
-        }
-        for each in drawn
-    ]
+def rows(design: Design, drawn: Sequence[DrawnSpacing]) -> list[Facts]:
+    """The setting of each spacing, in the units of the keys."""
+    return [Facts(**figures(design, each).facts(), kept=not each.failed, fault=fault(each)) for each in drawn]
 
 
-def csv_text(table: Sequence[dict[str, Any]]) -> str:
+def fault(each: DrawnSpacing) -> str:
+    """Reason why a spacing is not kept; empty where it is."""
+    return "; ".join(f"{check.name}: {check.place}" for check in each.failed)
+
+
+def csv_text(rows: Sequence[Facts]) -> str:
     """Rows of settings as CSV."""
+    table = [row.json() for row in rows]
     text = io.StringIO()
     writer = csv.DictWriter(text, list(table[0]), lineterminator="\n")
     writer.writeheader()

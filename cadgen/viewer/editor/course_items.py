@@ -3,10 +3,11 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 from math import ceil, floor
-from typing import Any
 
+from cadgen.design.parse import parse
 from cadgen.design.schema import Design
 from cadgen.messages import Message
+from cadgen.viewer.editor.text_changes import NewItem, read_point
 
 NAMED_KEYS = {
     "waypoints_mm": Message("waypoint"),
@@ -28,7 +29,7 @@ ON_COURSE = {
 }
 _ALONE = ("start", "finish", "field")
 # Sizes that a new item takes from that before it, and what it has without one.
-_SIZES: dict[str, dict[str, Any]] = {
+_SIZES: dict[str, NewItem] = {
     "posts": {"radius_mm": 10.0, "height_mm": None},
     "walls": {"thickness_mm": 10.0, "height_mm": None},
     "zones": {"size_mm": [200.0, 200.0], "height_mm": None},
@@ -87,34 +88,33 @@ class MovablePoint:
 
 def points_of(design: Design) -> tuple[MovablePoint, ...]:
     """All points of a design that can be moved."""
-    return tuple(_points(design.values()))
+    return tuple(_points(design))
 
 
-def _points(values: dict[str, Any]) -> Iterator[MovablePoint]:
-    path = values["path"]
+def _points(design: Design) -> Iterator[MovablePoint]:
+    closed = bool(getattr(design.path, "closed", False))
     for name in ("waypoints_mm", "control_points_mm"):
-        for number, (x, y) in enumerate(path.get(name, ()), 1):
-            closed = bool(path.get("closed", False))
+        for number, (x, y) in enumerate(getattr(design.path, name, None) or (), 1):
             label = point_name(name, number, "")
             yield MovablePoint(f"path.{name}.{number}", "path", label, x, y, f"path.{name}", closed, spare=True)
-    course = values.get("course", {})
     for layer, names in ON_COURSE.items():
         for name in names:
-            several = course.get(name)
-            if isinstance(several, dict):
-                yield from _of_item(several, f"course.{name}", layer, name, 0)
+            several = getattr(design.course, name, None)
+            if name in _ALONE:
+                if several is not None:
+                    yield from _of_item(several, f"course.{name}", layer, name, 0)
             else:
                 for number, item in enumerate(several or (), 1):
                     yield from _of_item(item, f"course.{name}.{number}", layer, name, number)
 
 
-def _of_item(item: dict[str, Any], key: str, layer: str, kind: str, number: int) -> Iterator[MovablePoint]:
+def _of_item(item: object, key: str, layer: str, kind: str, number: int) -> Iterator[MovablePoint]:
     for name in _PLACES:
-        if name in item:
-            x, y = item[name]
+        if (place := getattr(item, name, None)) is not None:
+            x, y = place
             yield MovablePoint(f"{key}.{name}", layer, point_name(kind, number, name), float(x), float(y), item=key)
     for name, least in _LISTS.items():
-        points, closed = item.get(name, ()), name == "outline_mm"
+        points, closed = getattr(item, name, None) or (), name == "outline_mm"
         for place, (x, y) in enumerate(points, 1):
             label, listed, spare = point_name(kind, number, str(place)), f"{key}.{name}", len(points) > least
             yield MovablePoint(f"{listed}.{place}", layer, label, float(x), float(y), listed, closed, spare, key)
@@ -141,16 +141,13 @@ class Kind:
 
 def kinds_of(design: Design) -> tuple[Kind, ...]:
     """All kinds of items, those among them of which there is none."""
-    course = design.values().get("course", {})
-    assert isinstance(course, dict)
+
+    def count(name: str) -> int:
+        several = getattr(design.course, name, None)
+        return int(several is not None) if name in _ALONE else len(several or ())
+
     return tuple(
-        Kind(
-            f"course.{name}",
-            layer,
-            NAMED_KEYS[name],
-            int(name in course) if name in _ALONE else len(course.get(name, ())),
-            name in _ALONE,
-        )
+        Kind(f"course.{name}", layer, NAMED_KEYS[name], count(name), name in _ALONE)
         for layer, names in ON_COURSE.items()
         for name in names
     )
@@ -177,12 +174,12 @@ def _keys_of(design: Design, more: int) -> frozenset[str]:
     return frozenset(keys)
 
 
-def new_item(design: Design, raw: dict[str, Any], key: str, at: tuple[float, float]) -> dict[str, Any]:
+def new_item(design: Design, text: str, key: str, at: tuple[float, float]) -> NewItem:
     """Values of a new item.
 
     Args:
         design: design that gets it.
-        raw: values as the design's text has them.
+        text: text of the design, TOML.
         key: key that the item gets.
         at: place of its middle, mm; a field goes about all points of the design.
     """
@@ -192,7 +189,7 @@ def new_item(design: Design, raw: dict[str, Any], key: str, at: tuple[float, flo
         low = [_ROUND_MM * floor((min(axis) - _ROOM_MM) / _ROUND_MM) for axis in axes]
         high = [_ROUND_MM * ceil((max(axis) + _ROOM_MM) / _ROUND_MM) for axis in axes]
         return {"corner_mm": low, "size_mm": [top - bottom for bottom, top in zip(low, high, strict=True)]}
-    sizes, items = _SIZES[name], raw.get("course", {}).get(name)
+    sizes, items = _SIZES[name], parse(text).get("course", {}).get(name)
     if isinstance(items, list) and items and number:  # those of the item before the new one, or of that after it
         neighbour = items[max(int(number[0]) - 2, 0)]
         sizes = {size: neighbour.get(size, value) for size, value in sizes.items()}
@@ -201,6 +198,6 @@ def new_item(design: Design, raw: dict[str, Any], key: str, at: tuple[float, flo
     if name == "walls":
         return {"line_mm": [[x - _HALF_WALL_MM, y], [x + _HALF_WALL_MM, y]], **sizes}
     if name == "zones":
-        width, height = sizes["size_mm"]
+        width, height = read_point(sizes["size_mm"])
         return {"corner_mm": [x - width / 2, y - height / 2], **sizes}
     return {"at_mm": [x, y], **sizes}

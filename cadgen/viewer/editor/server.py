@@ -23,7 +23,7 @@ import webbrowser
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from threading import Condition, Thread, current_thread, main_thread
-from typing import Any
+from typing import Any, NamedTuple
 
 import uvicorn
 from starlette.applications import Starlette
@@ -48,6 +48,16 @@ _NEWER = Message("a newer version of the design is there: ask for that one")
 _MOST_LETTERS = 100  # of the name of a gesture
 
 
+class Asked(NamedTuple):
+    """Values that the body of a request may have, unchecked; None where it has none."""
+
+    changes: object
+    gesture: object
+    key: object
+    at: object
+    name: object
+
+
 class Service:
     """A session, and the two processes that compute its versions: the preview does not wait for the whole."""
 
@@ -69,8 +79,8 @@ class Service:
         for worker in self.workers.values():
             worker.close()
 
-    def act(self, action: Callable[[], object]) -> dict[str, Any]:
-        """Do something with the session and return its new state; older versions are no longer computed.
+    def act(self, action: Callable[[], object]) -> object:
+        """Do something with the session and return its new state, JSON; older versions are no longer computed.
 
         Raises:
             CadgenError: of the action.
@@ -130,14 +140,15 @@ def application(service: Service, address: Address) -> ASGIApp:
             return refused(409, _NEWER)
         return Response(found.body, _STATUS[found.state], media_type="application/json")
 
-    def action(act: Callable[[dict[str, Any]], object]) -> Callable[[Request], Any]:
+    def action(act: Callable[[Asked], object]) -> Callable[[Request], Any]:
         async def answer(request: Request) -> Response:
             try:
-                body = json.loads(await request.body() or b"{}")
+                content = json.loads(await request.body() or b"{}")
             except (ValueError, RecursionError):
                 return refused(400, Message("the body is not JSON"))
-            if not isinstance(body, dict):
+            if not isinstance(content, dict):
                 return refused(400, Message("the body must be a JSON object"))
+            body = Asked(**{name: content.get(name) for name in Asked._fields})
             try:
                 return JSONResponse(await run_in_threadpool(service.act, lambda: act(body)))
             except DesignError as error:
@@ -149,20 +160,20 @@ def application(service: Service, address: Address) -> ASGIApp:
 
     session = service.session
 
-    def change(body: dict[str, Any]) -> None:
-        gesture = body.get("gesture")
+    def change(body: Asked) -> None:
+        gesture = body.gesture
         if gesture is not None and not (isinstance(gesture, str) and len(gesture) <= _MOST_LETTERS):
             raise DesignError("gesture must be a text of at most {most} letters", most=_MOST_LETTERS)
-        session.change(read_changes(body.get("changes")), gesture)
+        session.change(read_changes(body.changes), gesture)
 
-    actions: dict[str, Callable[[dict[str, Any]], object]] = {
+    actions: dict[str, Callable[[Asked], object]] = {
         "change": change,
-        "insert": lambda body: session.insert(_text(body, "key"), read_point(body.get("at"))),
-        "remove": lambda body: session.remove(_text(body, "key")),
-        "exchange": lambda body: session.exchange(_text(body, "key")),
+        "insert": lambda body: session.insert(_text("key", body.key), read_point(body.at)),
+        "remove": lambda body: session.remove(_text("key", body.key)),
+        "exchange": lambda body: session.exchange(_text("key", body.key)),
         "undo": lambda body: session.undo(),
         "redo": lambda body: session.redo(),
-        "save": lambda body: session.save(_text(body, "name") if body.get("name") is not None else None),
+        "save": lambda body: session.save(None if body.name is None else _text("name", body.name)),
     }
     routes = [Route("/", page), Route("/state", state), Route("/result", result)]
     routes += [Route(f"/{name}", action(act), methods=["POST"]) for name, act in actions.items()]
@@ -180,8 +191,7 @@ def application(service: Service, address: Address) -> ASGIApp:
     return Guard(Starlette(routes=routes, exception_handlers=handlers), address)
 
 
-def _text(body: dict[str, Any], name: str) -> str:
-    value = body.get(name)
+def _text(name: str, value: object) -> str:
     if not isinstance(value, str):
         raise DesignError("the {name} must be a text", name=name)
     return value

@@ -11,6 +11,7 @@ from cadgen.design.load import design_of
 from cadgen.design.parse import parse
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError, brief
+from cadgen.figures import Facts
 from cadgen.viewer.editor.controls import Control, Group, groups_of
 from cadgen.viewer.editor.course_items import (
     Kind,
@@ -135,7 +136,7 @@ class Session:
             if key in {f"{name}.{number}" for name in set(lists) for number in range(1, lists.count(name) + 2)}:
                 self._step(Version(*inserted(text, self._file, key, list(at))))
             elif key in places_of(design):
-                self._step(Version(*inserted(text, self._file, key, new_item(design, parse(text), key, at))))
+                self._step(Version(*inserted(text, self._file, key, new_item(design, text, key, at))))
             else:
                 raise DesignError(
                     "{key} is no place for a point, nor for anything else on the course", key=brief(key, 60)
@@ -209,19 +210,20 @@ class Session:
         """Everything that the page shows beside the results, as plain values."""
         with self._lock:
             design = self._now.design
-            return {
-                "revision": self.revision,
-                "name": design.name,
-                "file": self._file.name,
-                "folder": str(self._origin.folder),
-                "copy": self._origin.file is None,
-                "unsaved": self.unsaved,
-                "undo": len(self._undo),
-                "redo": len(self._redo),
-                "groups": [_plain(group) for group in groups_of(design, self._opened.design)],
-                "points": [_plain(point) for point in points_of(design)],
-                "kinds": [_plain(kind) for kind in kinds_of(design)],
-            }
+            facts = Facts(
+                revision=self.revision,
+                name=design.name,
+                file=self._file.name,
+                folder=str(self._origin.folder),
+                copy=self._origin.file is None,
+                unsaved=self.unsaved,
+                undo=len(self._undo),
+                redo=len(self._redo),
+                groups=[_shown(group) for group in groups_of(design, self._opened.design)],
+                points=[_shown(point) for point in points_of(design)],
+                kinds=[_shown(kind) for kind in kinds_of(design)],
+            )
+            return facts.json()
 
     def _step(self, version: Version) -> None:
         self._undo = [*self._undo[1 - MOST_STEPS :], self._now]
@@ -254,8 +256,8 @@ def _renamed(version: Version, name: str) -> Version:
     return Version(version.text, design_of(version.text, file))
 
 
-def _plain(value: Group | Control | MovablePoint | Kind) -> dict[str, Any]:
+def _shown(value: Group | Control | MovablePoint | Kind) -> Facts:
     """Values for the page's script, the label in both languages."""
-    known = {field.name: getattr(value, field.name) for field in fields(value)}
-    inside = {"controls": [_plain(control) for control in value.controls]} if isinstance(value, Group) else {}
-    return {**known, "label": both(value.label), **inside}
+    facts = Facts(**{field.name: getattr(value, field.name) for field in fields(value)})
+    inside = Facts(controls=[_shown(control) for control in value.controls]) if isinstance(value, Group) else Facts()
+    return facts | Facts(label=both(value.label)) | inside

@@ -136,7 +136,9 @@ def values_of(text: str) -> dict[str, Any] | None:
         return None
 
 
-Item = list[float] | dict[str, Any]
+# Values of a new item by key, as TOML has them.
+NewItem = dict[str, float | list[float] | list[list[float]] | None]
+Item = list[float] | NewItem
 
 
 def inserted(text: str, file: Path, key: str, item: Item) -> tuple[str, Design]:

@@ -3,13 +3,13 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import degrees
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from cadgen.car.against_play.profile_kinds import ACTUAL
 from cadgen.design import cam_model, variation
 from cadgen.design.schema import Design
 from cadgen.errors import CheckError, DesignError, FileError
-from cadgen.figures import Cell, number
+from cadgen.figures import Cell, Facts, number
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.car_facts import remedy_facts
 from cadgen.jobs.cam.cures import Cures, find_cures
@@ -116,21 +116,19 @@ class CarPage(PagePlan):
             rows.append((Message("cars that pass"), number(100 * self.tolerance.passed, "%", digits=2)))
         return tuple(rows)
 
-    def facts(self) -> dict[str, Any]:
-        """Runs, remedies, random cars and calibration as plain values."""
-        return {
-            "simulation": None if self.simulation is None else self.simulation.facts(),
-            "remedies": [remedy_facts(remedy) for remedy in self.remedies],
-            "tolerance": None if self.tolerance is None else self.tolerance.facts(),
-            "calibration": self._calibration(),
-        }
+    def entry(self) -> Facts:
+        """Runs, remedies, random cars and calibration."""
+        calibration = None
+        if self.calibration is not None:
+            from cadgen.jobs.calibration.files import calibration_facts
 
-    def _calibration(self) -> dict[str, Any] | None:
-        if self.calibration is None:
-            return None
-        from cadgen.jobs.calibration.files import document
-
-        return document(self.calibration)
+            calibration = calibration_facts(self.calibration)
+        return Facts(
+            simulation=self.simulation and self.simulation.entry(),
+            remedies=[remedy_facts(remedy) for remedy in self.remedies],
+            tolerance=self.tolerance and self.tolerance.entry(),
+            calibration=calibration,
+        )
 
 
 def plan_page(

@@ -1,10 +1,10 @@
 """The page's data as one JSON document with a version, and the block of arrays that it points into."""
 
 import json
-from typing import Any
 
 import numpy as np
 
+from cadgen.figures import Facts
 from cadgen.messages import CHINESE, shown
 from cadgen.viewer.page.document import Chart, Going, Page, Scene
 from cadgen.viewer.page.mesh_block import Block
@@ -20,16 +20,16 @@ def data_of(page: Page, level: int = 9) -> tuple[str, str]:
         level: of the compression, 1 to 9: how long it may look for repetitions.
     """
     block = Block()
-    document = {
-        "format": FORMAT,
-        "version": VERSION,
-        "name": page.name,
-        "passed": page.passed,
-        "scene": _scene(page.scene, block),
-        "charts": [_chart(chart, block) for chart in page.charts],
-        "marks": [{"kind": mark.kind, "angle": mark.angle} for mark in page.marks],
-    }
-    text = json.dumps(document, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+    document = Facts(
+        format=FORMAT,
+        version=VERSION,
+        name=page.name,
+        passed=page.passed,
+        scene=_scene(page.scene, block),
+        charts=[_chart(chart, block) for chart in page.charts],
+        marks=[Facts(kind=mark.kind, angle=mark.angle) for mark in page.marks],
+    )
+    text = json.dumps(document.json(), ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     # So that no text of a design can end the element.
     return text.replace("<", "\\u003c"), block.text(level)
 
@@ -39,75 +39,67 @@ def both(text: str) -> list[str]:
     return [str(text), shown(text, CHINESE)]
 
 
-def _scene(scene: Scene, block: Block) -> dict[str, Any]:
+def _scene(scene: Scene, block: Block) -> Facts:
     rod, car = scene.follower, scene.car
     assert car is not None
-    return {
-        "base": scene.base,
-        "rod": None
-        if rod is None
-        else {
-            "radius": rod.radius,
-            "length": rod.length,
-            "faces": list(rod.faces),
-            "height": rod.height,
-            "side": rod.side,
-        },
-        "lift": {"lift": block.add(scene.lift.lift), "tan": block.add(scene.lift.tan_beta)},
-        "stop": scene.stop,
-        "goings": [_going(going, block) for going in scene.goings],
-        "car": {"fork": list(car.fork), "middle": list(car.middle), "steering": car.steering},
-        "shafts": [
-            {
-                "label": both(shaft.label),
-                "axis": list(map(float, shaft.axis)),
-                "diameter": shaft.diameter,
-                "low": shaft.low,
-                "high": shaft.high,
-                "angle": float(shaft.angle),
-                "rate": shaft.rate,
-                "lead": float(shaft.lead),
-            }
+    return Facts(
+        base=scene.base,
+        rod=rod and Facts(radius=rod.radius, length=rod.length, faces=rod.faces, height=rod.height, side=rod.side),
+        lift=Facts(lift=block.add(scene.lift.lift), tan=block.add(scene.lift.tan_beta)),
+        stop=scene.stop,
+        goings=[_going(going, block) for going in scene.goings],
+        car=Facts(fork=car.fork, middle=car.middle, steering=car.steering),
+        shafts=[
+            Facts(
+                label=both(shaft.label),
+                axis=list(map(float, shaft.axis)),
+                diameter=shaft.diameter,
+                low=shaft.low,
+                high=shaft.high,
+                angle=float(shaft.angle),
+                rate=shaft.rate,
+                lead=float(shaft.lead),
+            )
             for shaft in scene.shafts
         ],
-        "parts": [
-            {
-                "code": part.code,
-                "label": both(part.label),
-                "shaft": part.shaft,
-                "colour": part.colour,
-                "mesh": block.mesh(part.shades[0]),
-                "coarse": block.mesh(part.shades[1]),
-            }
+        parts=[
+            Facts(
+                code=part.code,
+                label=both(part.label),
+                shaft=part.shaft,
+                colour=part.colour,
+                mesh=block.mesh(part.shades[0]),
+                coarse=block.mesh(part.shades[1]),
+            )
             for part in scene.parts
         ],
-        "wheel": None if scene.wheel is None else list(scene.wheel),
-    }
+        wheel=scene.wheel,
+    )
 
 
-def _going(going: Going, block: Block) -> dict[str, Any]:
+def _going(going: Going, block: Block) -> Facts:
     """A run; angles and places in arrays of their own, the cam's angle as its lead over the motor."""
-    return {
-        "code": going.code,
-        "label": both(going.label),
-        "motor": block.add(going.motor),
-        "lead": block.add(going.cam_angle - going.motor),
-        "x": block.add(going.x),
-        "y": block.add(going.y),
-        "heading": block.add(going.heading),
-        "play": float(going.play),
-    }
+    return Facts(
+        code=going.code,
+        label=both(going.label),
+        motor=block.add(going.motor),
+        lead=block.add(going.cam_angle - going.motor),
+        x=block.add(going.x),
+        y=block.add(going.y),
+        heading=block.add(going.heading),
+        play=float(going.play),
+    )
 
 
-def _chart(chart: Chart, block: Block) -> dict[str, Any]:
-    return {
-        "code": chart.code,
-        "title": both(chart.title),
-        "unit": chart.unit,
-        "angle": block.add(np.degrees(chart.angle)),
-        "curves": [
-            {"label": both(curve.label), "values": block.add(curve.values), "dashed": curve.dashed}
+def _chart(chart: Chart, block: Block) -> Facts:
+    return Facts(
+        code=chart.code,
+        title=both(chart.title),
+        unit=chart.unit,
+        angle=block.add(np.degrees(chart.angle)),
+        curves=[
+            Facts(label=both(curve.label), values=block.add(curve.values), dashed=curve.dashed)
             for curve in chart.curves
         ],
-        "limits": [{"label": both(limit.label), "value": limit.value} for limit in chart.limits],
-    }
+        limits=[Facts(label=both(limit.label), value=limit.value) for limit in chart.limits],
+    )

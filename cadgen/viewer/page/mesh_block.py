@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import Array
+from cadgen.figures import Facts
 from cadgen.geometry.meshes.mesh import Mesh
 
 # Triangles that meet at a smaller angle belong to one face of the part. Facets of a tooth's tip circle meet at less.
@@ -92,6 +93,21 @@ _STEPS = 65535
 Kind = Literal["f4", "u2", "u4", "i1"]
 
 
+@dataclass(frozen=True)
+class ArrayPlace:
+    """Place of an array in a block.
+
+    Attributes:
+        at: offset, bytes.
+        n: number of values.
+        kind: how they are stored.
+    """
+
+    at: int
+    n: int
+    kind: Kind
+
+
 class Block:
     """Arrays in the order in which they were added."""
 
@@ -99,33 +115,33 @@ class Block:
         self._pieces: list[bytes] = []
         self._size = 0
 
-    def add(self, values: "Array | np.ndarray[Any, Any]", kind: Kind = "f4") -> dict[str, Any]:
-        """Add an array, and return where it stands: offset in bytes, number of values, kind.
+    def add(self, values: "Array | np.ndarray[Any, Any]", kind: Kind = "f4") -> ArrayPlace:
+        """Add an array, and return where it stands.
 
         Args:
             values: numbers of any shape, stored row by row.
             kind: how they are stored.
         """
         piece = np.ascontiguousarray(values, dtype=f"<{kind}").tobytes()
-        place = {"at": self._size, "n": int(np.size(values)), "kind": kind}
+        place = ArrayPlace(self._size, int(np.size(values)), kind)
         piece += bytes(-len(piece) % 4)
         self._pieces.append(piece)
         self._size += len(piece)
         return place
 
-    def mesh(self, mesh: Shaded) -> dict[str, Any]:
-        """Add a mesh with its normals and edges."""
+    def mesh(self, mesh: Shaded) -> Facts:
+        """Add a mesh with its normals and edges, and say where they stand and in which steps."""
         low, high = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
         step = np.where(high > low, (high - low) / _STEPS, 1.0)
         index: Kind = "u2" if len(mesh.vertices) <= _STEPS else "u4"
-        return {
-            "low": low.tolist(),
-            "step": step.tolist(),
-            "vertices": self.add(np.rint((mesh.vertices - low) / step), "u2"),
-            "normals": self.add(np.rint(mesh.normals * 127), "i1"),
-            "triangles": self.add(mesh.triangles, index),
-            "edges": self.add(mesh.edges, index),
-        }
+        return Facts(
+            low=low,
+            step=step,
+            vertices=self.add(np.rint((mesh.vertices - low) / step), "u2"),
+            normals=self.add(np.rint(mesh.normals * 127), "i1"),
+            triangles=self.add(mesh.triangles, index),
+            edges=self.add(mesh.edges, index),
+        )
 
     def text(self, level: int) -> str:
         """The whole block, compressed by gzip to a level of 1 to 9, in base 64."""

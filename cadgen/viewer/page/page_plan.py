@@ -3,12 +3,11 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Any
 
 from cadgen.check import Check
 from cadgen.design.schema import MotionDesign, TrainDesign
 from cadgen.errors import DesignError
-from cadgen.figures import Cell, State
+from cadgen.figures import Cell, Facts, State
 from cadgen.gears.choices import Order
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.cures import Cures, find_cures
@@ -118,9 +117,9 @@ class PagePlan:
         """Figures at the top of what the application brings, by name."""
         return ()
 
-    def facts(self) -> dict[str, Any]:
-        """Figures of what the application brings as plain values."""
-        return {"simulation": None, "remedies": [], "tolerance": None, "calibration": None}
+    def entry(self) -> Facts:
+        """Figures of what the application brings."""
+        return Facts(simulation=None, remedies=[], tolerance=None, calibration=None)
 
 
 def plan_motion_page(design: MotionDesign, profile: str | None = None, progress: Progress = silent) -> PagePlan:

@@ -1,8 +1,8 @@
 """The report page of a plan: what is at the top, what moves, curves and tables; and the page as a file."""
 
 from pathlib import Path
-from typing import Any
 
+from cadgen.figures import Facts
 from cadgen.jobs.cam.cam_facts import cam_facts
 from cadgen.messages import Message
 from cadgen.output.files.publisher import Written, publish, text_file
@@ -49,17 +49,16 @@ def _failures(plan: PagePlan) -> tuple[Failure, ...]:
     return (*refused, *(Failure(check.name, check.advice) for check in failing), *cures)
 
 
-def page_facts(plan: PagePlan) -> dict[str, Any]:
-    """Every figure of the page as plain values, as the other commands give them."""
-    return {
-        **plan.cam.origin.facts(),
-        "profile": plan.cam.kind.code,
-        "passed": plan.passed,
-        "refused": [{"part": refusal.part, "reason": refusal.reason} for refusal in plan.refusals],
-        "cam": cam_facts(plan.cam, plan.cures),
-        "gears": None if plan.gears is None else plan.gears.facts(),
-        **plan.facts(),
-    }
+def page_facts(plan: PagePlan) -> Facts:
+    """Every figure of the page, as the other commands give them."""
+    facts = Facts(
+        profile=plan.cam.kind.code,
+        passed=plan.passed,
+        refused=[Facts(part=refusal.part, reason=refusal.reason) for refusal in plan.refusals],
+        cam=cam_facts(plan.cam, plan.cures),
+        gears=plan.gears and plan.gears.entry(),
+    )
+    return plan.cam.origin.entry() | facts | plan.entry()
 
 
 def write_page(plan: PagePlan, out: Path, progress: Progress = silent) -> Written:

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from dataclasses import replace
 from math import degrees, isinf
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.jobs.cam.remedies import Remedy
 from cadgen.jobs.error_budget import shown_value
-from cadgen.jobs.gears.assembly import parts_facts
+from cadgen.jobs.gears.assembly import gear_figures
 from cadgen.jobs.gears.gear_train import GearTrain
 from cadgen.jobs.simulation import Simulation
 from cadgen.jobs.tolerance import Spread, ToleranceRun
@@ -275,7 +275,7 @@ def parts_sections(cam: CamPlan, train: GearTrain | None) -> tuple[Section, Sect
 def _inspection(cam: CamPlan, train: GearTrain | None) -> Section:
     """Figures to measure the cam and the gears by, with room for what is measured."""
     tables = [_cam_sizes(cam), _lift_table(cam)]
-    if train is not None and (gears := _gear_sizes(parts_facts(train.layout))) is not None:
+    if train is not None and (gears := _gear_sizes(train.layout)) is not None:
         tables.append(gears)
     return Section(
         "inspection",
@@ -332,26 +332,23 @@ def _lift_table(plan: CamPlan) -> Sheet:
     return Sheet("lift-table", Message("Lift of the follower"), (*head, *head), tuple(rows), words=0)
 
 
-def _gear_sizes(parts: list[dict[str, Any]]) -> Sheet | None:
+def _gear_sizes(layout: TrainLayout) -> Sheet | None:
     """Span and size over pins of each gear; None for wheels without teeth."""
-    rows = []
-    for part in parts:
-        for gear in part["gears"]:
-            if "span_max_mm" not in gear:
-                continue
-            rows.append(
-                (
-                    part["name"],
-                    number(gear["teeth"], digits=0),
-                    number(gear["teeth_spanned"], digits=0),
-                    number(gear["span_min_mm"], "mm", digits=3),
-                    number(gear["span_max_mm"], "mm", digits=3),
-                    number(gear["pin_diameter_mm"], "mm"),
-                    number(gear["over_pins_min_mm"], "mm", digits=3),
-                    number(gear["over_pins_max_mm"], "mm", digits=3),
-                    "",
-                )
-            )
+    columns = (
+        ("teeth", 0),
+        ("teeth_spanned", 0),
+        ("span_min", 3),
+        ("span_max", 3),
+        ("pin_diameter", None),
+        ("over_pins_min", 3),
+        ("over_pins_max", 3),
+    )
+    rows: list[tuple[Cell | str, ...]] = [
+        (part.name, *(gear[code].cell(digits=digits) for code, digits in columns), "")
+        for part, gears in zip(layout.parts, gear_figures(layout), strict=True)
+        for gear in gears.values()
+        if "span_max" in gear
+    ]
     heads = (
         Message("part"),
         Message("teeth"),
@@ -407,20 +404,21 @@ def _parts(cam: CamPlan, train: GearTrain | None) -> Section:
 
 def _gear_rows(layout: TrainLayout) -> list[tuple[Cell | str, ...]]:
     rows: list[tuple[Cell | str, ...]] = []
-    for part in parts_facts(layout):
-        gears = part["gears"]
-        teeth = [gear["teeth"] for gear in gears if "teeth" in gear]
-        modules = sorted({gear["module_mm"] for gear in gears if "module_mm" in gear})
+    for part, gears in zip(layout.parts, gear_figures(layout), strict=True):
+        teeth, modules, widths = (
+            [value for gear in gears.values() if (value := gear.value(code)) is not None]
+            for code in ("teeth", "module", "width")
+        )
         rows.append(
             (
-                part["name"],
+                part.name,
                 Cell("–", state=State.MUTED),
                 number(1, digits=0),
                 Cell(" + ".join(map(str, teeth)) or "–"),
-                Cell(" + ".join(f"{module:g}" for module in modules) or "–", unit="mm" if modules else ""),
-                number(part["bore_mm"], "mm"),
-                Cell(" + ".join(f"{gear['width_mm']:g}" for gear in gears if "width_mm" in gear) or "–", unit="mm"),
-                number(float(part["volume_mm3"]) * 1e-3, "cm³"),
+                Cell(" + ".join(f"{module:g}" for module in sorted(set(modules))) or "–", unit="mm" if modules else ""),
+                number(part.blank.bore_diameter, "mm"),
+                Cell(" + ".join(f"{width:g}" for width in widths) or "–", unit="mm"),
+                number(part.volume * 1e-3, "cm³"),
             )
         )
     return rows

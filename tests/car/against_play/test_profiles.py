@@ -51,7 +51,7 @@ def test_a_profile_from_outside_is_planned_by_its_code(registered):
     lift = roll_curve(plan.curve, thicker, angle)[0].lift
     assert np.abs(lift - plan.follower.lift(plan.application.steering.q(angle))).max() < 1e-4
     assert "rod-falls-short" in [check.code for check in plan.failed]
-    facts = cam_facts(plan, find_cures(plan))
+    facts = cam_facts(plan, find_cures(plan)).json()
     assert facts["profile"] == "ground"
     json.dumps(facts, allow_nan=False)
 

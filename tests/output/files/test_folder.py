@@ -11,6 +11,7 @@ import stat
 import pytest
 
 from cadgen.errors import FileError
+from cadgen.figures import Facts
 from cadgen.output.files import lock
 from cadgen.output.files.folder import abandon, folder_state, left_by_killed, publishing
 from cadgen.output.files.lock import is_held, locked
@@ -41,7 +42,7 @@ def put(folder, part, **files):
     with publishing(folder) as staging:
         for name, content in files.items():
             (staging / name).write_text(content)
-        write_manifest(staging, part, {"files": {name: file_facts(staging / name) for name in files}})
+        write_manifest(staging, part, Facts(files={name: file_facts(staging / name) for name in files}))
 
 
 def states(folder):
@@ -76,6 +77,7 @@ from pathlib import Path
 signal.signal(signal.{number}, signal.SIG_DFL)
 signal.signal(signal.SIGINT, signal.default_int_handler)
 from cadgen.cli import interrupt
+from cadgen import figures
 from cadgen.output.files import folder, manifest
 interrupt.install()
 
@@ -91,7 +93,7 @@ with folder.publishing(Path("made/out")) as staging:
     {block}
     (staging / "b").write_text("new")
     files = {{name: manifest.file_facts(staging / name) for name in ("a", "b")}}
-    manifest.write_manifest(staging, "part", {{"files": files}})
+    manifest.write_manifest(staging, "part", figures.Facts(files=files))
 print("finished")
 """
 
@@ -127,7 +129,7 @@ def test_a_killed_run_is_cleared_away_by_the_next(tmp_path, publish):
         assert contents(out) >= {other.name, ".cadgen-notes", f"{left.name}-mine", ".cadgen-0123456789abcdef"}
         assert left.name not in contents(out)
         assert left_by_killed(out) == ([], [])
-        write_manifest(other, "none", {"files": {}})
+        write_manifest(other, "none", Facts(files={}))
 
 
 @pytest.mark.parametrize("restore", [False, True])
@@ -267,7 +269,7 @@ def test_only_what_the_manifest_lists_is_published(tmp_path):
     def publish_more():
         with publishing(tmp_path) as staging:
             (staging / "a").write_text("new")
-            write_manifest(staging, "part", {"files": {}})
+            write_manifest(staging, "part", Facts(files={}))
 
     with pytest.raises(ValueError, match="does not list"):
         publish_more()

@@ -70,7 +70,7 @@ def test_text_of_a_design_is_no_markup():
 
 @pytest.mark.slow
 def test_numbers_on_the_page_are_those_of_the_manifest(plan, html):
-    tables, facts = Tables(html), page_facts(plan)
+    tables, facts = Tables(html), page_facts(plan).json()
     checked = 0
     for name, given in (("cam-checks", facts["cam"]["checks"]), ("gear-checks", facts["gears"]["checks"])):
         wanted = [
