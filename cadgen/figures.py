@@ -97,7 +97,7 @@ class Facts:
         self._values = values
 
     def __or__(self, more: "Facts | Figures") -> "Facts":
-        """These facts, then others; of one key the latter counts, in the place of the former."""
+        """Facts followed by others; of one key the latter counts, in the place of the former."""
         return Facts(**{**self._values, **(more._values if isinstance(more, Facts) else more.facts())})
 
     def json(self) -> dict[str, Any]:
