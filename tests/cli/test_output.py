@@ -15,6 +15,7 @@ from cadgen.check import Bound, Check, CheckCode
 from cadgen.cli import cli, show
 from cadgen.cli.output import sentence
 from cadgen.errors import MOST_REPEATED, brief
+from cadgen.jobs.cam.cam_plan import Application
 from cadgen.jobs.cam.cures import Cure, Cures
 from cadgen.output.files.publisher import Written
 from tests.cli.conftest import one_sentence
@@ -123,12 +124,11 @@ def test_numbers_are_never_folded(capsys, monkeypatch, columns):
     check = Check(CheckCode.ROD_PUSHED_OUT, "rod pushed out", 0.000456, "µm", 0.2, Bound.MAX, "cam angle 126.40°", "")
     plan = SimpleNamespace(
         wheel="",
-        design=SimpleNamespace(name="car"),
+        origin=SimpleNamespace(name="car"),
         profile="actual",
-        comparison=None,
+        application=Application(),
         expected=None,
-        checks=(check,),
-        edges=check,
+        figures=(check, check),
     )
     show.checks(plan, Cures((), (), 0))
     printed = capsys.readouterr().out
@@ -151,12 +151,11 @@ def test_brackets_and_colons_are_printed_as_they_are(capsys, monkeypatch):
     )
     plan = SimpleNamespace(
         wheel="",
-        design=SimpleNamespace(name="car[1]"),
-        comparison=None,
+        origin=SimpleNamespace(name="car[1]"),
+        application=Application(),
         expected=None,
         profile="actual",
-        checks=(check,),
-        edges=check,
+        figures=(check, check),
     )
     show.checks(plan, Cures((check,), (Cure("[x]", "1", ()),), 0))
     printed = capsys.readouterr().out
