@@ -1,6 +1,8 @@
 """Points of a path from a file: rows of numbers in CSV or TXT, or the corners of a polyline in DXF."""
 
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from math import isfinite
 from pathlib import Path
@@ -11,6 +13,9 @@ from cadgen.messages import Message
 from cadgen.reading import read_regular
 
 MOST_BYTES = 32_000_000
+_MOST_DXF_BYTES = 8_000_000  # a drawing is read at some 1 MB/s
+_MOST_POINTS = 10_000  # of a file: as many as a design file has room for
+_FARTHEST = 1e7  # mm from the origin: ten kilometres
 _SAG = 1.0  # mm, by which a chord may leave an arc of a polyline
 # Millimetres of a unit by $INSUNITS of a DXF; a drawing without a unit is taken to be in mm.
 _UNITS = {0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 14: 100.0}
@@ -39,11 +44,13 @@ def read_points(path: Path, layer: str | None = None, *, closed: bool = False) -
         closed: whether the path is closed, and so the polyline.
 
     Raises:
-        FileError: no such file, a row that is no point, or not exactly one polyline.
+        FileError: no such file, a row that is no point, a drawing that is damaged, not exactly one polyline, or more
+            points than a design has room for.
     """
     name = escaped(path.name)
+    is_dxf = path.suffix.lower() == ".dxf"
     try:
-        content = read_regular(path, MOST_BYTES)
+        content = read_regular(path, _MOST_DXF_BYTES if is_dxf else MOST_BYTES)
     except FileNotFoundError:
         raise FileError("there is no file {name}: correct the path", name=name) from None
     except (OSError, ValueError) as error:
@@ -51,7 +58,7 @@ def read_points(path: Path, layer: str | None = None, *, closed: bool = False) -
         raise FileError(
             "{name} cannot be read ({reason}): give a file of points, or a DXF", name=name, reason=reason
         ) from None
-    if path.suffix.lower() == ".dxf":
+    if is_dxf:
         return _polyline(content, name, layer, closed)
     if layer is not None:
         raise FileError("{name} has no layers, which only a DXF has: remove --layer", name=name)
@@ -68,7 +75,7 @@ def _rows(text: str, name: str) -> Points:
     weights: list[float] = []
     headed = False
     for number, line in enumerate(text.splitlines(), 1):
-        cells = [cell for cell in re.split(r"[\s,;]+", line.partition("#")[0].strip()) if cell]
+        cells = [cell for cell in re.split(r"[\s,;]+", line.partition("#")[0].strip(), maxsplit=3) if cell]
         if not cells:
             continue
         try:
@@ -86,6 +93,8 @@ def _rows(text: str, name: str) -> Points:
                 line=number,
                 text=escaped(line.strip()[:60]),
             )
+        if len(places) == _MOST_POINTS:
+            raise _too_many(name)
         places.append((values[0], values[1]))
         weights.append(values[2] if len(values) == 3 else 1.0)
     return _enough(Points(tuple(places), tuple(weights)), name)
@@ -99,18 +108,36 @@ def _enough(points: Points, name: str) -> Points:
     return points
 
 
-def _polyline(content: bytes, name: str, layer: str | None, closed: bool) -> Points:
-    from io import BytesIO
+def _too_many(name: str) -> FileError:
+    return FileError(
+        "{name} has more than {most} points, which no design has room for: give fewer", name=name, most=_MOST_POINTS
+    )
 
-    import ezdxf
-    from ezdxf import recover
 
+@contextmanager
+def _damage_named(name: str) -> Iterator[None]:
+    """Refuse a drawing that the library fails on, with whatever error: a damaged file makes it raise any."""
     try:
-        drawing, _ = recover.read(BytesIO(content))
-    except (OSError, ezdxf.DXFError) as error:
+        yield
+    except FileError:
+        raise
+    except Exception as error:
         raise FileError(
             "{name} is no DXF that can be read ({error}): save it again", name=name, error=escaped(str(error)[:80])
         ) from None
+
+
+def _polyline(content: bytes, name: str, layer: str | None, closed: bool) -> Points:
+    from io import BytesIO
+
+    from ezdxf import recover
+
+    with _damage_named(name):
+        drawing, _ = recover.read(BytesIO(content))
+        return _only_polyline(drawing, name, layer, closed)
+
+
+def _only_polyline(drawing: Any, name: str, layer: str | None, closed: bool) -> Points:
     unit = drawing.header.get("$INSUNITS", 0)
     if unit not in _UNITS:
         raise FileError(
@@ -118,8 +145,12 @@ def _polyline(content: bytes, name: str, layer: str | None, closed: bool) -> Poi
             name=name,
             unit=unit,
         )
-    every = list(drawing.modelspace().query("LWPOLYLINE POLYLINE"))
-    lines = [line for line in every if closed == bool(line.is_closed if line.dxftype() == "POLYLINE" else line.closed)]
+    every = [
+        line
+        for line in drawing.modelspace().query("LWPOLYLINE POLYLINE")
+        if line.dxftype() == "LWPOLYLINE" or line.is_2d_polyline or line.is_3d_polyline  # a mesh is no path
+    ]
+    lines = [line for line in every if closed == line.is_closed]
     layers = sorted({line.dxf.layer for line in lines})
     if layer is not None:
         lines = [line for line in lines if line.dxf.layer == layer]
@@ -150,17 +181,38 @@ def _polyline(content: bytes, name: str, layer: str | None, closed: bool) -> Poi
             where=where,
             names=names,
         )
-    places = tuple((x * _UNITS[unit], y * _UNITS[unit]) for x, y in _corners(lines[0], _SAG / _UNITS[unit]))
-    return _enough(Points(places, (1.0,) * len(places)), name)
+    return _enough(_corners(lines[0], _UNITS[unit], name), name)
 
 
-def _corners(line: Any, sag: float) -> list[tuple[float, float]]:
-    """Corners of a polyline and points on its arcs, in the drawing's unit; repeated points once."""
+def _corners(line: Any, unit: float, name: str) -> Points:
+    """Corners of a polyline and points on its arcs; repeated points once.
+
+    Args:
+        line: polyline of a drawing.
+        unit: unit of the drawing, mm.
+        name: name of its file.
+
+    Raises:
+        FileError: a corner or an arc lies farther away than any path, or there are too many points.
+    """
     from ezdxf.path import make_path
 
-    corners: list[tuple[float, float]] = []
-    for point in make_path(line).flattening(sag):
-        place = float(point.x), float(point.y)
-        if not corners or place != corners[-1]:
-            corners.append(place)
-    return corners
+    path = make_path(line)
+    # Checked before arcs are followed: a bulge without bound would make points without end.
+    reaches = (point.magnitude * unit for point in path.control_vertices())
+    if (far := next((reach for reach in reaches if not reach <= _FARTHEST), None)) is not None:
+        raise FileError(
+            "{name}: its polyline reaches {reach:.3g} mm from the origin, farther than any path: correct its corners "
+            "and the bulges of its arcs",
+            name=name,
+            reach=far,
+        )
+    places: list[tuple[float, float]] = []
+    for point in path.flattening(_SAG / unit):
+        place = point.x * unit, point.y * unit
+        if places and place == places[-1]:
+            continue
+        if len(places) == _MOST_POINTS:
+            raise _too_many(name)
+        places.append(place)
+    return Points(tuple(places), (1.0,) * len(places))

@@ -1,6 +1,7 @@
 """Points of a path from rows of numbers and from DXF."""
 
 from math import hypot
+from pathlib import Path
 
 import ezdxf
 import pytest
@@ -8,6 +9,7 @@ import pytest
 from cadgen.errors import FileError
 from cadgen.inference.records.points import read_points
 
+DRAWINGS = Path(__file__).parents[2] / "data" / "dxf"
 ROWS = {
     "spaces": "0 0\n10 5\n20 0\n30 5\n",
     "commas and words": "x_mm,y_mm,weight\n0,0,1\n10,5,1\n20,0,1\n30,5,1\n",
@@ -73,3 +75,44 @@ def test_one_of_several_polylines_is_named_by_its_layer(tmp_path):
     (tmp_path / "no.dxf").write_bytes(b"no drawing")
     with pytest.raises(FileError, match=r"no\.dxf"):
         read_points(tmp_path / "no.dxf")
+
+
+@pytest.mark.parametrize("name", ["bad_dxf_6", "bad_dxf_28", "bad_dxf_53"])
+def test_a_damaged_drawing_is_one_sentence(name):
+    """The library ends on these with IndexError, AttributeError and UnicodeDecodeError."""
+    with pytest.raises(FileError, match=rf"^{name}\.dxf is no DXF that can be read \([^\n]+\): save it again$"):
+        read_points(DRAWINGS / f"{name}.dxf")
+
+
+def test_a_bulge_without_bound_is_refused_before_its_arc_is_followed():
+    """A bulge of 1e12 is an arc of 1e16 mm: to a millimetre, it has a hundred million points."""
+    with pytest.raises(FileError, match=r"^bulge\.dxf: its polyline reaches [\d.]+e\+16 mm .* correct its corners"):
+        read_points(DRAWINGS / "bulge.dxf")
+
+
+@pytest.mark.parametrize("place", [(1e9, 0.0), (float("inf"), 0.0), (0.0, float("nan"))])
+def test_a_corner_that_no_path_has_is_refused(place, tmp_path):
+    with pytest.raises(FileError, match=r"path\.dxf"):
+        read_points(drawing(tmp_path, 4, [("PATH", [*PATH, place], False)]))
+
+
+def test_more_points_than_a_design_has_room_for_are_refused(tmp_path):
+    many = [(float(k), float(k % 7)) for k in range(10_001)]
+    text = "".join(f"{x} {y}\n" for x, y in many)
+    (tmp_path / "fits.csv").write_text(text[: text.rindex("10000.0")])
+    assert len(read_points(tmp_path / "fits.csv").places) == 10_000
+    (tmp_path / "p.csv").write_text(text)
+    for file in (tmp_path / "p.csv", drawing(tmp_path, 4, [("PATH", many, False)])):
+        with pytest.raises(FileError, match="has more than 10000 points"):
+            read_points(file)
+    arcs = [(1e6 * (k % 2), 0.0, 0.0, 0.0, 1.0) for k in range(200)]
+    with pytest.raises(FileError, match="has more than 10000 points"):
+        read_points(drawing(tmp_path, 4, [("PATH", arcs, False)]))
+
+
+def test_a_mesh_among_polylines_is_no_path(tmp_path):
+    made = ezdxf.new(units=4)
+    made.modelspace().add_polyface().append_faces([[(0, 0), (1, 0), (1, 1)]])
+    made.modelspace().add_lwpolyline(PATH)
+    made.saveas(tmp_path / "path.dxf")
+    assert len(read_points(tmp_path / "path.dxf").places) == 4
