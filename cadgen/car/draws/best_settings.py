@@ -6,6 +6,7 @@ moves the car most, and the others are set anew each time: a tree of choices, of
 promise less error than what was found.
 """
 
+import itertools
 from dataclasses import dataclass
 from heapq import heappop, heappush
 
@@ -218,11 +219,12 @@ def _to_divisions(problem: Minimax, ranges: SettingRanges, values: Array) -> lis
         first = min(choices, key=problem.worst)
         fixed[number] = float(first[number])
     found, least = [first], problem.worst(first)
-    rows: list[tuple[float, int, dict[int, float], Array]] = [(0.0, 0, {}, values)]
+    serial = itertools.count()  # parts equal branches, of which neither dictionaries nor arrays have an order
+    rows: list[tuple[float, int, int, dict[int, float], Array]] = [(0.0, 0, next(serial), {}, values)]
     for count in range(_MOST_BRANCHES):
         if not rows or rows[0][0] >= least * _NEARLY or len(found) > _MOST_FOUND:
             break
-        bound, _, fixed, best = heappop(rows)
+        bound, _, _, fixed, best = heappop(rows)
         if len(fixed) == len(numbers):
             found.append(best)
             least = min(bound, least)
@@ -231,5 +233,5 @@ def _to_divisions(problem: Minimax, ranges: SettingRanges, values: Array) -> lis
         for value in ranges.about(number, float(best[number])):
             moved = problem.best(chosen := {**fixed, number: value})
             if (error := problem.worst(moved)) < least * _NEARLY:
-                heappush(rows, (error, -len(fixed) * _MOST_BRANCHES - count, chosen, moved))
+                heappush(rows, (error, -len(fixed) * _MOST_BRANCHES - count, next(serial), chosen, moved))
     return found

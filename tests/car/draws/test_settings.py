@@ -1,6 +1,7 @@
 """Parts of the search: what can be set, the least greatest error, and the law of similar paths as a limit case."""
 
 from math import pi
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ from cadgen.design import draw_model
 from cadgen.jobs.cam.steering_cam import plan_cam
 from cadgen.jobs.settings_maker import Maker
 
+S_COURSE = Path(__file__).parents[2] / "data" / "draws" / "s_course.toml"
 SIMILAR = """
 name = "similar"
 [path]
@@ -144,3 +146,16 @@ def test_what_moves_with_the_spacing():
     assert seen == course.obstacles[0]
     assert far.shape.points == ((-100.0, 1000.0), (1700.0, 1000.0))
     assert draw.without_moving(course).obstacles == (wall,)
+
+
+def test_branches_of_equal_error_have_an_order():
+    """A head of 0.1 µm has divisions whose errors are equal to the last bit; finer ones are no worse."""
+    errors = {}
+    for step in (0.0001, 0.005):
+        design = Design.load(S_COURSE, [f"settings.head_step_mm={step}"]).values
+        maker = Maker(design, plan_cam(design, "actual"), draw_model.draw(design))
+        row = maker.drawn(1300.0)
+        parts = (design.cam.base_radius_mm + row.setting.head) / step
+        assert parts == pytest.approx(round(parts), abs=1e-3)
+        errors[step] = row.error
+    assert errors[0.0001] <= 1.02 * errors[0.005]
