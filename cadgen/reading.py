@@ -3,6 +3,7 @@
 import os
 import stat
 from pathlib import Path
+from typing import BinaryIO
 
 from cadgen.messages import Message
 
@@ -25,14 +26,28 @@ def read_regular(file: Path, most: int) -> bytes:
         OSError: the file cannot be opened; `IsADirectoryError` for a folder.
         ValueError: it is no regular file, is larger than `most`, or no file can have that name.
     """
-    _refuse_kind(file.stat().st_mode, file)
-    # Something else may have taken its place; opening a pipe must not wait for a writer.
-    with open(file, "rb", opener=lambda name, flags: os.open(name, flags | getattr(os, "O_NONBLOCK", 0))) as stream:
-        _refuse_kind(os.fstat(stream.fileno()).st_mode, file)
+    with open_regular(file) as stream:
         content = stream.read(most + 1)
     if len(content) > most:
         raise ValueError(Message("it is larger than {most:g} MB", most=most / 1e6))
     return content
+
+
+def open_regular(file: Path) -> BinaryIO:
+    """Open a regular file for reading; errors as `read_regular`, but for the size."""
+    _refuse_kind(file.stat().st_mode, file)
+    # Something else may have taken its place; opening a pipe must not wait for a writer.
+    stream = open(file, "rb", opener=_opened_at_once)  # noqa: SIM115 (the caller closes it)
+    try:
+        _refuse_kind(os.fstat(stream.fileno()).st_mode, file)
+    except BaseException:
+        stream.close()
+        raise
+    return stream
+
+
+def _opened_at_once(name: str, flags: int) -> int:
+    return os.open(name, flags | getattr(os, "O_NONBLOCK", 0))
 
 
 def _refuse_kind(mode: int, file: Path) -> None:

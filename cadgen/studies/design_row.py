@@ -24,7 +24,7 @@ from cadgen.design.load import design_of
 from cadgen.design.schema import Design
 from cadgen.errors import CadgenError, brief
 from cadgen.studies.sampling import REPLAN, Values
-from cadgen.studies.study import ALL, Study
+from cadgen.studies.study import ALL, MOST_DESIGNS, Study
 from cadgen.studies.study_figures import Evaluated, StudyFigure
 
 _HARD = 2.0  # times the limit, of processor time: then the process ends, whatever library it is in
@@ -122,6 +122,7 @@ class DesignState(StrEnum):
 
 
 _LONGEST = 400  # letters of a sentence
+_NUMBERS = 2 * MOST_DESIGNS  # of a search some more than its designs: the last generation is a whole one
 
 
 @dataclass(frozen=True)
@@ -151,9 +152,20 @@ class Row:
 
     @classmethod
     def of(cls, content: Sequence[Any]) -> "Row":
-        """The row of parsed JSON."""
-        number, values, state, figures, failed, sentence = content
-        return cls(number, tuple(values), DesignState(state), tuple(figures), tuple(failed), sentence)
+        """The row of parsed JSON.
+
+        Raises:
+            ValueError: it is none of a row.
+        """
+        try:
+            number, values, state, figures, failed, sentence = content
+            row = cls(number, tuple(values), DesignState(state), tuple(figures), tuple(failed), sentence)
+            sound = type(number) is int and all(figure is None or isfinite(figure) for figure in row.figures)
+        except (TypeError, OverflowError) as error:
+            raise ValueError("it is no row") from error
+        if not (sound and 0 <= number < _NUMBERS and all(isinstance(text, str) for text in (*row.failed, sentence))):
+            raise ValueError("it is no row")
+        return row
 
 
 @dataclass(frozen=True)

@@ -2,15 +2,18 @@
 
 A line is a checksum, a space and JSON. The first is the header, with study and base design, so that the journal alone
 is enough to go on or to merge. A run that was killed leaves at most a torn last line, which is cut off; a line that a
-disk has damaged is passed over, and its design computed again.
+disk has damaged is passed over, and its design computed again. A line whose checksum is right, but which is no result
+of a study, was written by something else: such a journal is refused.
 """
 
 import json
 import os
+import stat
 from array import array
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
+from math import inf
 from pathlib import Path
 from typing import Any, BinaryIO
 from zlib import crc32
@@ -21,8 +24,10 @@ from numpy.typing import NDArray
 from cadgen.errors import FileError, brief
 from cadgen.messages import Message
 from cadgen.output.files.lock import lock_now, unlock
+from cadgen.reading import open_regular
 from cadgen.studies.design_row import Row
 from cadgen.studies.planned_paths import PlannedText
+from cadgen.studies.study import Study
 
 FORMAT = 1
 ENDING = ".journal"
@@ -68,6 +73,8 @@ class Journal:
             on for one of n shards; `_ABSENT` for one that is not there.
         paths: place of each planned path, by its key.
         seconds: processor time of all its designs, s.
+        count: number of its designs.
+        widths: number of values and number of figures of its rows: one pair, if all are of one study.
     """
 
     file: Path
@@ -77,6 +84,7 @@ class Journal:
     paths: dict[str, int] = field(default_factory=dict)
     seconds: float = 0.0
     count: int = 0
+    widths: set[tuple[int, int]] = field(default_factory=set)
 
     @classmethod
     def begun(cls, file: Path, header: Header) -> "Journal":
@@ -87,13 +95,17 @@ class Journal:
         """
         try:
             file.parent.mkdir(parents=True, exist_ok=True)
-            stream = os.fdopen(os.open(file, os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o666), "r+b")
+            descriptor = os.open(file, os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o666)
         except OSError as error:
             raise FileError(
                 "{file} cannot be written ({reason}): choose another place",
                 file=brief(str(file)),
                 reason=Message(str(error.strerror)),
             ) from error
+        if not stat.S_ISREG(os.fstat(descriptor).st_mode):
+            os.close(descriptor)
+            raise _no_journal(file)
+        stream = os.fdopen(descriptor, "r+b")
         try:
             if not lock_now(stream.fileno()):
                 raise FileError(
@@ -123,17 +135,30 @@ class Journal:
             FileError: it cannot be read or is no journal.
         """
         try:
-            stream = file.open("rb")
-        except OSError as error:
+            stream = open_regular(file)
+        except (OSError, ValueError) as error:
+            reason = Message(str(error.strerror) if isinstance(error, OSError) else error.args[0])
             raise FileError(
-                "{file} cannot be read ({reason}): name another folder",
-                file=brief(str(file)),
-                reason=Message(str(error.strerror)),
+                "{file} cannot be read ({reason}): name another folder", file=brief(str(file)), reason=reason
             ) from error
-        first = stream.readline(_LONGEST_LINE)
-        journal = cls(file, _header(_content(first), file), stream)
-        journal._read(len(first))
+        try:
+            first = stream.readline(_LONGEST_LINE)
+            journal = cls(file, _header(_content(first), file), stream)
+            journal._read(len(first))
+        except BaseException:
+            stream.close()
+            raise
         return journal
+
+    def require_of(self, study: Study) -> None:
+        """Require that the journal is of a study, and each of its rows as wide as its keys and figures.
+
+        Raises:
+            FileError: it is of another study.
+        """
+        width = len(study.keys), len(study.figures)
+        if self.header.fingerprint != study.fingerprint or not self.widths <= {width}:
+            raise _of_another(self.file)
 
     def close(self) -> None:
         """Close the file, and free its lock."""
@@ -214,18 +239,41 @@ class Journal:
         self.places[turn] = place
 
     def _read(self, place: int) -> int:
-        """Note all lines from a place on; where the last sound one ends."""
+        """Note all lines from a place on; where the last sound one ends.
+
+        Raises:
+            FileError: a line with a right checksum is no result of a study.
+        """
         good = place
-        for line in iter(lambda: self.stream.readline(_LONGEST_LINE), b""):
+        for number, line in enumerate(iter(lambda: self.stream.readline(_LONGEST_LINE), b""), 2):
             content = _content(line)
             if content is not None:
-                if "row" in content:
-                    self._note(content["row"][0], place, content["seconds"])
-                elif "path" in content:
-                    self.paths[content["path"][0]] = place
+                try:
+                    self._take(content, place)
+                except (KeyError, TypeError, ValueError):
+                    raise FileError(
+                        "{file}, line {line}: this is no result of a study, though its checksum is right: remove the "
+                        "line, and its design is computed again, or choose another folder",
+                        file=brief(str(self.file)),
+                        line=number,
+                    ) from None
                 good = place + len(line)
             place += len(line)
         return good
+
+    def _take(self, content: Any, place: int) -> None:
+        """Note the content of a line; `KeyError`, `TypeError` or `ValueError` if it is no result."""
+        if "path" in content:
+            key, *texts = content["path"]
+            if not all(isinstance(text, str) for text in (key, *texts)) or len(texts) != 2:
+                raise ValueError
+            self.paths[key] = place
+            return
+        row, seconds = Row.of(content["row"]), content["seconds"]
+        if not 0 <= seconds < inf or self._turn(row.number) is None:
+            raise ValueError
+        self._note(row.number, place, seconds)
+        self.widths.add((len(row.values), len(row.figures)))
 
     def _append(self, content: bytes) -> int:
         """Write at the end, onto the disk; the place where it begins."""
@@ -258,26 +306,43 @@ def _line(content: Any) -> bytes:
 
 
 def _content(line: bytes) -> Any:
-    """Content of a line; None if it is torn or damaged."""
+    """Content of a line: None if it is torn or damaged, the bytes themselves if they are no JSON."""
     if len(line) < 11 or line[8:9] != b" " or not line.endswith(b"\n"):
         return None
     text = line[9:-1]
-    return json.loads(text) if line[:8] == b"%08x" % crc32(text) else None
+    if line[:8] != b"%08x" % crc32(text):
+        return None
+    try:
+        return json.loads(text)
+    except (ValueError, RecursionError):
+        return text
 
 
 def _header(content: Any, file: Path) -> Header:
     try:
-        if content["format"] != FORMAT:
+        texts = {name: content[name] for name in Header.__dataclass_fields__ if name != "shard"}
+        part, parts = content["shard"]
+        if (
+            content["format"] != FORMAT
+            or not all(isinstance(text, str) for text in texts.values())
+            or not type(part) is type(parts) is int
+            or not 1 <= part <= parts
+        ):
             raise ValueError
-        known = {name: content[name] for name in Header.__dataclass_fields__}
-        part, parts = known["shard"]
-        if not 1 <= part <= parts:
-            raise ValueError
-        return Header(**{**known, "shard": (part, parts)})
     except (KeyError, TypeError, ValueError):
-        raise FileError(
-            "{file} is no journal of cadgen explore: choose another folder", file=brief(str(file))
-        ) from None
+        raise _no_journal(file) from None
+    return Header(**texts, shard=(part, parts))
+
+
+def _no_journal(file: Path) -> FileError:
+    return FileError("{file} is no journal of cadgen explore: choose another folder", file=brief(str(file)))
+
+
+def _of_another(file: Path) -> FileError:
+    return FileError(
+        "{file} is of another study, or of another state of this one: choose another folder, or remove it",
+        file=brief(str(file)),
+    )
 
 
 def _refuse_other(old: Header, new: Header, file: Path) -> None:
@@ -290,10 +355,7 @@ def _refuse_other(old: Header, new: Header, file: Path) -> None:
             this=new.version,
         )
     if old.fingerprint != new.fingerprint:
-        raise FileError(
-            "{file} is of another study, or of another state of this one: choose another folder, or remove it",
-            file=brief(str(file)),
-        )
+        raise _of_another(file)
     if old.shard != new.shard:
         raise FileError(
             "{file} is of shard {part}/{parts}: name it {name} again",

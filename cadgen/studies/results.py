@@ -115,6 +115,8 @@ def merged(folders: Sequence[Path]) -> Results:
                 other=brief(str(journals[0].file)),
             )
     study = study_of(first.study, first.text, first.source, first.name)
+    for journal in journals:
+        journal.require_of(study)
     count = sum(journal.count for journal in journals) if study.searches else study.count
     results = Results(study, journals, count)
     missing = list(results.missing)

@@ -7,6 +7,7 @@ from time import monotonic
 
 import numpy as np
 
+from cadgen.errors import FileError
 from cadgen.messages import Message
 from cadgen.progress import Progress, silent
 from cadgen.studies import sampling
@@ -35,7 +36,13 @@ def open_journal(study: Study, text: str, folder: Path, shard: tuple[int, int] =
         shard: number of the part, and number of parts.
     """
     header = Header(__version__, study.fingerprint, study.name, text, study.text, study.source, shard)
-    return Journal.begun(folder / journal_name(study.name, shard), header)
+    journal = Journal.begun(folder / journal_name(study.name, shard), header)
+    try:
+        journal.require_of(study)
+    except FileError:
+        journal.close()
+        raise
+    return journal
 
 
 @dataclass

@@ -1,7 +1,10 @@
 """Studies from their files: what is refused, with which sentence; what varies, and in which order."""
 
+import json
+import os
 from collections import Counter
 from pathlib import Path
+from zlib import crc32
 
 import numpy as np
 import pytest
@@ -10,6 +13,8 @@ from hypothesis import strategies as st
 
 from cadgen.errors import DesignError, FileError
 from cadgen.studies import sampling
+from cadgen.studies.journal import Journal
+from cadgen.studies.results import merged
 from cadgen.studies.sampling import Variation
 from cadgen.studies.study_file import read_study
 from cadgen.studies.study_run import open_journal
@@ -152,6 +157,116 @@ def test_journals_of_others_are_refused(tmp_path, monkeypatch):
     (tmp_path / "study.journal").write_text("something else, and longer than a header would ever be\n" * 200)
     with pytest.raises(FileError, match="is no journal of cadgen explore"):
         opened(TEXT)
+
+
+ROW = [0, [70.0], "kept", [1.0, 2.0], [], ""]
+
+
+def line(content: object) -> bytes:
+    """A journal's line with a true checksum; bytes stand as they are."""
+    text = content if isinstance(content, bytes) else json.dumps(content).encode()
+    return b"%08x %s\n" % (crc32(text), text)
+
+
+@pytest.fixture
+def begun(tmp_path):
+    """Header of a journal that was begun, as plain values, and the journal's path."""
+    (tmp_path / "study.toml").write_text(TEXT)
+    open_journal(*read_study(tmp_path / "study.toml"), tmp_path).close()
+    return json.loads((tmp_path / "study.journal").read_bytes()[9:]), tmp_path / "study.journal"
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"{",
+        b"[" * 100_000,
+        b"1" * 5000,
+        7,
+        [],
+        {},
+        {"row": ROW},
+        {"row": ROW, "seconds": "1"},
+        {"row": ROW, "seconds": -1.0},
+        {"row": ROW, "seconds": float("nan")},
+        {"row": ROW[:5], "seconds": 1.0},
+        *(
+            {"row": [*ROW[:place], value, *ROW[place + 1 :]], "seconds": 1.0}
+            for place, value in [
+                (0, 10**15),
+                (0, -1),
+                (0, True),
+                (0, "0"),
+                (1, 7),
+                (2, "good"),
+                (3, ["1.0", 2.0]),
+                (3, [float("inf"), 2.0]),
+                (3, [10**400, 2.0]),
+                (4, [1]),
+                (5, None),
+            ]
+        ),
+        {"path": 7},
+        {"path": ["key"]},
+        {"path": [["key"], "", ""]},
+        {"path": ["key", "", None]},
+    ],
+    ids=lambda content: repr(content)[:40],
+)
+def test_a_line_with_a_true_checksum_that_is_no_result_is_named(begun, content):
+    header, file = begun
+    file.write_bytes(line(header) + line({"row": ROW, "seconds": 1.0}) + line(content))
+    for opened in (lambda: Journal.read(file), lambda: merged([file]), lambda: read_and_open(file.parent)):
+        with pytest.raises(FileError, match=r"study\.journal, line 3: this is no result of a study"):
+            opened()
+
+
+def read_and_open(folder: Path) -> Journal:
+    return open_journal(*read_study(folder / "study.toml"), folder)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"version": 7},
+        {"study": None},
+        {"shard": [1.0, 1.0]},
+        {"shard": [True, True]},
+        {"shard": 1},
+        {"shard": [2, 1]},
+        {"format": 2},
+    ],
+    ids=str,
+)
+def test_a_header_with_a_true_checksum_that_is_none_is_named(begun, change):
+    header, file = begun
+    file.write_bytes(line({**header, **change}))
+    with pytest.raises(FileError, match=r"study\.journal is no journal of cadgen explore"):
+        merged([file])
+
+
+def test_a_journal_with_rows_or_a_study_of_others_is_named(begun):
+    header, file = begun
+    for content in (
+        line(header) + line({"row": [0, [70.0, 1.0], *ROW[2:]], "seconds": 1.0}),
+        line({**header, "study": header["study"].replace("60", "61")}),
+    ):
+        file.write_bytes(content)
+        with pytest.raises(FileError, match=r"study\.journal is of another study"):
+            merged([file])
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="pipes have no names here")
+def test_a_pipe_or_device_is_no_journal_and_nobody_waits_for_it(tmp_path):
+    (tmp_path / "study.toml").write_text(TEXT)
+    os.mkfifo(tmp_path / "study.journal")
+    for places in ([tmp_path / "study.journal"], [tmp_path]):
+        with pytest.raises(FileError, match=r"study\.journal cannot be read \(it is a pipe and no regular file\)"):
+            merged(places)
+    with pytest.raises(FileError, match=r"study\.journal is no journal"):
+        read_and_open(tmp_path)
+    with pytest.raises(FileError, match=r"cannot be read \(it is a device and no regular file\)"):
+        merged([Path("/dev/zero")])
 
 
 CHOICE = Variation("a", values=("x", "y", "z"))

@@ -115,7 +115,7 @@ def load_text(text: str, name: str, known: Sequence[Kind] | None = None) -> Reco
 
 def digest(path: Path) -> str:
     """SHA-256 of the file's bytes, hexadecimal, to be kept with the results."""
-    return hashlib.sha256(path.read_bytes()).hexdigest()
+    return hashlib.sha256(read_regular(path, MOST_BYTES)).hexdigest()
 
 
 def _refuse_long(lines: list[str], name: str) -> None:
