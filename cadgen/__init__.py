@@ -16,6 +16,7 @@ The rooms, in walking order; each imports only those before it.
 | `figures`    | figures and sheets of them, for terminal, page, files and JSON alike          |
 | `check`      | figures with limits and verdicts                                              |
 | `reading`    | files that a user names, refused by kind and size                             |
+| `writing`    | files that a user names, written whole or not at all                          |
 | `progress`   | the callback by which a job reports its progress                              |
 | `processes`  | a part of a job beside the rest, or many items, in other processes            |
 | `curves`     | closed plane curves: arcs, splines, chords and offsets within a tolerance     |

@@ -16,6 +16,7 @@ from cadgen.design.override import override
 from cadgen.errors import DesignError, FileError, brief
 from cadgen.inference.records.points import Points, read_points
 from cadgen.messages import Message, shown
+from cadgen.writing import write_whole
 
 # Where the example's path goes, mm.
 EXAMPLE = ((500.0, 700.0), (2000.0, 900.0), (3100.0, 1900.0), (4500.0, 2200.0), (6000.0, 1700.0))
@@ -264,15 +265,13 @@ def points_of(file: str | PathLike[str] | None, layer: str | None, *, closed: bo
 
 
 def write_new(text: str, file: Path) -> None:
-    """Write a new design's file, and nothing over one that is there.
+    """Write a new design's file whole or not at all, and nothing over one that is there.
 
     Raises:
         FileError: the file is there already, or cannot be written.
     """
     try:
-        file.parent.mkdir(parents=True, exist_ok=True)
-        with open(file, "x", encoding="utf-8", newline="\n") as stream:
-            stream.write(text)
+        write_whole(file, text.encode(), new=True)
     except FileExistsError:
         raise FileError("{file} is there already: choose another name, or remove it", file=brief(str(file))) from None
     except OSError as error:

@@ -5,6 +5,7 @@ some seconds of work. One that is lost with its process is computed again; if th
 one by one with nothing beside them, which shows the task that ends its process.
 """
 
+import logging
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import BrokenExecutor, CancelledError, ProcessPoolExecutor
@@ -111,6 +112,8 @@ class Cluster(ForeignExecutor):
     """
 
     _PATIENCE_S = 30
+    # What these say of a scheduler that has gone, with tracebacks, is said in one sentence.
+    _LOGGERS = ("distributed", "distributed.client")
 
     def __init__(self, address: str) -> None:
         try:
@@ -119,11 +122,15 @@ class Cluster(ForeignExecutor):
             raise DesignError(
                 "a scheduler needs dask.distributed: pip install '.[cluster]' in cadgen's folder"
             ) from None
+        self._levels = {name: logging.getLogger(name).level for name in self._LOGGERS}
+        for name in self._LOGGERS:
+            logging.getLogger(name).setLevel(logging.CRITICAL)
         named = {"scheduler_file": address} if address.endswith(".json") else {"address": address}
         try:
             self._client = Client(**named, timeout=self._PATIENCE_S, set_as_default=False)
             self._client.wait_for_workers(1, timeout=self._PATIENCE_S)
         except (OSError, TimeoutError, ValueError) as error:
+            self._restore_levels()
             reason = brief(str(error)).rstrip(".") or type(error).__name__
             raise FileError(
                 "no scheduler with workers answers at {address} ({reason}): start `dask scheduler` and `dask "
@@ -148,7 +155,14 @@ class Cluster(ForeignExecutor):
 
     def close(self) -> None:
         """Leave the scheduler."""
-        self._client.close()
+        try:
+            self._client.close()
+        finally:
+            self._restore_levels()
+
+    def _restore_levels(self) -> None:
+        for name, level in self._levels.items():
+            logging.getLogger(name).setLevel(level)
 
 
 class Mapped:

@@ -1,15 +1,17 @@
 """`cadgen new`: a design that loads, from flags and from points, and nothing written over."""
 
+import errno
+import os
 import tomllib
 
 import ezdxf
 import pytest
 from click.testing import CliRunner
 
-from cadgen import Design
+from cadgen import Design, writing
 from cadgen.cli import cli
 from cadgen.design.load import load_design
-from cadgen.errors import CadgenError
+from cadgen.errors import CadgenError, FileError
 
 
 def new(tmp_path, *arguments):
@@ -24,6 +26,30 @@ def test_a_new_design_loads_and_its_comments_say_what_its_keys_are(tmp_path):
     assert load_design(tmp_path / "my_car.toml").course.gates[1].at_mm == (2000.0, 900.0)
     assert isinstance(new(tmp_path, "my_car").exception, CadgenError)  # it is there already
     assert (tmp_path / "my_car.toml").read_text() == text
+
+
+@pytest.mark.parametrize("step", ["fsync", "open", "replace"])
+def test_on_a_full_disk_nothing_is_left(tmp_path, monkeypatch, step):
+    """Wherever it runs full: neither half a design, nor the folders that were made for it."""
+
+    def full(*rest, **more):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    (tmp_path / "kept").mkdir()
+    with monkeypatch.context() as patch:
+        if step == "open":
+            patch.setattr(writing, "open", full, raising=False)
+        else:
+            patch.setattr(os, step, full)
+        for folder in (tmp_path / "kept", tmp_path / "made" / "too"):
+            error = new(folder, "my_car").exception
+            assert isinstance(error, FileError)
+            assert str(error) == (
+                f"{folder}/my_car.toml cannot be written (No space left on device): choose another place"
+            )
+    assert [file.name for file in tmp_path.rglob("*")] == ["kept"]
+    assert new(tmp_path / "kept", "my_car").exit_code == 0
+    assert [file.name for file in (tmp_path / "kept").iterdir()] == ["my_car.toml"]
 
 
 def test_what_is_commented_out_loads_too(tmp_path):

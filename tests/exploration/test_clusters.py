@@ -1,5 +1,6 @@
 """Shards, executors, and a real scheduler of dask."""
 
+import logging
 import subprocess
 import sys
 from pathlib import Path
@@ -79,6 +80,8 @@ def test_a_scheduler_of_dask_computes_the_same_and_its_loss_is_said(study, tmp_p
 @pytest.mark.slow
 @pytest.mark.long
 def test_a_scheduler_that_dies_is_said_and_the_study_goes_on(study, tmp_path):
+    import distributed  # noqa: F401 (it sets the levels of its loggers)
+
     known = cheap.digest(explore(study, tmp_path / "known", executor=map))
     file = tmp_path / "scheduler.json"
     quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, "cwd": Path(__file__).parents[2]}
@@ -92,11 +95,20 @@ def test_a_scheduler_that_dies_is_said_and_the_study_goes_on(study, tmp_path):
             scheduler.kill()
             scheduler.wait()
 
+    said: list[logging.LogRecord] = []
+    handler = logging.Handler()
+    handler.emit = said.append
+    logger = logging.getLogger("distributed.client")
+    level = logger.level
+    logger.addHandler(handler)
     try:
         with pytest.raises(FileError, match=r"has gone: .*the study goes on where it was"):
             explore(study, tmp_path / "out", scheduler=str(file), progress=kill)
     finally:
+        logger.removeHandler(handler)
         for process in (scheduler, worker):
             process.kill()
             process.wait()
+    assert said == []  # no traceback of the library beside the sentence
+    assert logger.level == level != logging.CRITICAL
     assert cheap.digest(explore(study, tmp_path / "out", executor=map)) == known

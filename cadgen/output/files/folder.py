@@ -30,8 +30,8 @@ from cadgen.figures import Facts
 from cadgen.messages import Message
 from cadgen.output.files.lock import NAME as LOCK
 from cadgen.output.files.lock import drop, hold, is_held, locked
-from cadgen.output.files.manifest import NAME as MANIFEST
 from cadgen.output.files.manifest import (
+    MOST_BYTES,
     file_hash,
     is_file,
     is_plain_name,
@@ -40,6 +40,8 @@ from cadgen.output.files.manifest import (
     sound_parts,
     unchanged,
 )
+from cadgen.output.files.manifest import NAME as MANIFEST
+from cadgen.reading import read_regular
 
 _PREFIX = ".cadgen-"
 _STAGING = re.compile(rf"{re.escape(_PREFIX)}[0-9a-f]{{16}}")
@@ -211,7 +213,7 @@ def _is_own(folder: Path) -> bool:
 def _publish(staging: Path, out: Path) -> None:
     """Move what the staged manifest lists into place; on any failure put back what was there."""
     new = sound_parts(staging / MANIFEST)
-    files = {name: digest for entry in new.values() for name, digest in entry.hashes.items()}
+    files = _listed(staging / MANIFEST)
     if set(os.listdir(staging)) - {_ALIVE} != {*files, MANIFEST}:
         raise ValueError("a run writes files that its manifest does not list")
     for name in (*files, MANIFEST):
@@ -246,10 +248,38 @@ def _prepare(staging: Path, out: Path, files: Mapping[str, str], kept: str) -> N
     """Write down what is to be moved, and what is to stand in the manifest's place meanwhile."""
     prepared = staging / _PREPARED
     prepared.mkdir()
-    (prepared / _RECORD).write_text(json.dumps(files), encoding="utf-8")
+    _store(prepared / _RECORD, json.dumps(files))
     if os.path.lexists(out / MANIFEST):
         shutil.copyfile(out / MANIFEST, prepared / MANIFEST, follow_symlinks=False)
-        (staging / _KEPT).write_text(kept, encoding="utf-8")
+        if is_file(prepared / MANIFEST):
+            with open(prepared / MANIFEST, "r+b") as stream:
+                os.fsync(stream.fileno())
+        _store(staging / _KEPT, kept)
+
+
+def _recorded(staging: Path, out: Path) -> dict[str, str]:
+    """Files that a half-done move was to bring, with their hashes.
+
+    Where the record is damaged, as a disk can leave it when the power fails, they follow from the manifests and from
+    what was moved aside.
+    """
+    replaced = staging / _REPLACED
+    with suppress(OSError, ValueError, RecursionError):
+        files = json.loads(read_regular(replaced / _RECORD, MOST_BYTES).decode("utf-8"))
+        if isinstance(files, dict) and all(isinstance(digest, str) for digest in files.values()):
+            return files
+    new = _listed(staging / MANIFEST)
+    kept = set().union(*(_listed(file).items() for file in (replaced / MANIFEST, staging / _KEPT, out / MANIFEST)))
+    aside = set(os.listdir(replaced)) - {_RECORD, MANIFEST}
+    # With the new manifest lost as well, what stands in the place of a file moved aside was put there for it.
+    unknown = {name: file_hash(out / name) for name in aside - set(new) if (out / name).is_file()}
+    known = {name: digest for name, digest in new.items() if name in aside or (name, digest) not in kept}
+    return dict.fromkeys(aside, "") | unknown | known
+
+
+def _listed(manifest: Path) -> dict[str, str]:
+    """Hashes of all files that a manifest lists; none if it is damaged."""
+    return {name: digest for entry in sound_parts(manifest).values() for name, digest in entry.hashes.items()}
 
 
 def _undo(staging: Path, out: Path) -> list[str]:
@@ -259,9 +289,8 @@ def _undo(staging: Path, out: Path) -> list[str]:
     to the output folder. What others have put there since stays.
     """
     replaced = staging / _REPLACED
-    files = json.loads((replaced / _RECORD).read_text(encoding="utf-8"))
     back = []
-    for name, digest in files.items():
+    for name, digest in _recorded(staging, out).items():
         if not is_plain_name(name):
             continue
         target = out / name
@@ -280,8 +309,16 @@ def _undo(staging: Path, out: Path) -> list[str]:
 def _write(file: Path, text: str) -> None:
     """Replace a file's content at once."""
     beside = file.with_name(f".new-{file.name}")
-    beside.write_text(text, encoding="utf-8")
+    _store(beside, text)
     os.replace(beside, file)
+
+
+def _store(file: Path, text: str) -> None:
+    """Write a text onto the disk: it is there even if the power fails right after."""
+    with open(file, "w", encoding="utf-8") as stream:
+        stream.write(text)
+        stream.flush()
+        os.fsync(stream.fileno())
 
 
 def _refuse(error: OSError, out: Path) -> NoReturn:

@@ -134,17 +134,27 @@ def _acquire(file: Path, deadline: float) -> int | None:
 
 def _opened(file: Path) -> int:
     try:
-        descriptor = os.open(file, _OPEN, 0o666)
+        descriptor = _made_or_found(file)
         if stat.S_ISREG(os.fstat(descriptor).st_mode):
-            if hasattr(os, "fchmod"):
-                with suppress(OSError):  # another user's; who may write into the folder may wait for its lock
-                    os.fchmod(descriptor, 0o666)
             return descriptor
         os.close(descriptor)
     except OSError as error:
         if error.errno not in (errno.ELOOP, errno.EISDIR, errno.ENXIO):
             raise
     raise FileError("{file} is a link or no file, but the folder's lock must go there: remove it", file=file)
+
+
+def _made_or_found(file: Path) -> int:
+    """Descriptor of a file that was made here, with rights for all, or that was there, as it is."""
+    while True:
+        with suppress(FileExistsError):
+            descriptor = os.open(file, _OPEN | os.O_EXCL, 0o666)
+            if hasattr(os, "fchmod"):
+                with suppress(OSError):  # who may write into the folder may wait for its lock
+                    os.fchmod(descriptor, 0o666)
+            return descriptor
+        with suppress(FileNotFoundError):  # the run that made it has removed it meanwhile
+            return os.open(file, _OPEN & ~os.O_CREAT)
 
 
 def _release(file: Path, descriptor: int | None) -> None:

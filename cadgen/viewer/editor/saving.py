@@ -1,9 +1,6 @@
 """The file of a design that is edited: written in one step, in its own folder alone, never over another's changes."""
 
 import os
-import secrets
-import shutil
-from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -12,6 +9,7 @@ from cadgen.design.load import MOST_BYTES, packaged_designs, read_design
 from cadgen.errors import DesignError, FileError, brief
 from cadgen.messages import Message
 from cadgen.reading import read_regular
+from cadgen.writing import write_whole
 
 _MARK = b"\xef\xbb\xbf"  # with which some editors begin a file
 
@@ -62,7 +60,10 @@ class EditedFile:
                 file=brief(self.file.name),
             )
         content = (_MARK if self.content.startswith(_MARK) else b"") + text.encode()
-        _write(self.file, content)
+        try:
+            write_whole(self.file, content)
+        except OSError as error:
+            raise _unwritable(self.file, error) from None
         return EditedFile(self.folder, self.file, content)
 
     def _unchanged(self, file: Path) -> bool:
@@ -97,20 +98,13 @@ class EditedFile:
         """
         refuse_name(name)
         file = self.folder / f"{name}.toml"
+        content = text.encode()
         try:
-            # This takes the name, so that nobody's file is written over.
-            open(file, "x").close()
+            write_whole(file, content, new=True)
         except FileExistsError:
             raise FileError("{file} is there already: choose another name", file=file.name) from None
         except OSError as error:
             raise _unwritable(file, error) from None
-        content = text.encode()
-        try:
-            _write(file, content)
-        except FileError:
-            with suppress(OSError):
-                file.unlink()
-            raise
         return EditedFile(self.folder, file, content)
 
 
@@ -126,24 +120,6 @@ def refuse_name(name: str) -> None:
 
 def _read(file: Path) -> bytes:
     return read_regular(file, MOST_BYTES)
-
-
-def _write(file: Path, content: bytes) -> None:
-    """Write a file so that it has, whatever happens, either its old content or the new one."""
-    # A name that nobody can foresee, and a file that was not there: a link put in its place is not written through.
-    staging = file.with_name(f".{file.name}.{secrets.token_hex(8)}.saving")
-    try:
-        with open(staging, "xb") as stream:
-            stream.write(content)
-            stream.flush()
-            os.fsync(stream.fileno())
-        with suppress(OSError):
-            shutil.copymode(file, staging)
-        os.replace(staging, file)
-    except OSError as error:
-        with suppress(OSError):
-            staging.unlink()
-        raise _unwritable(file, error) from None
 
 
 def _unwritable(file: Path, error: OSError) -> FileError:

@@ -12,10 +12,11 @@ import pytest
 
 from cadgen.errors import FileError
 from cadgen.figures import Facts
-from cadgen.output.files import lock
+from cadgen.output.files import folder, lock
 from cadgen.output.files.folder import abandon, folder_state, left_by_killed, publishing
 from cadgen.output.files.lock import is_held, locked
 from cadgen.output.files.manifest import file_facts, write_manifest
+from cadgen.output.files.publisher import verify
 from tests.forks import MAIN
 
 SIGNALS = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]
@@ -185,6 +186,76 @@ def test_a_move_that_fails_is_undone_and_says_why(tmp_path, monkeypatch):
     assert {file.name: file.read_bytes() for file in tmp_path.iterdir()} == before
 
 
+def kill_amid_moving(monkeypatch, number, action):
+    """Do something, and stop as if killed before the nth move; whether it came that far."""
+    replace, calls = os.replace, iter(range(number))
+
+    def stop(source, target):
+        if target.parent.name == "out" or source.parent.name == "out":
+            next(calls)  # StopIteration: killed
+        replace(source, target)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "replace", stop)
+        patch.setattr(folder, "_undo", lambda staging, out: [])
+        try:
+            action()
+        except (StopIteration, RuntimeError):
+            return True
+    return False
+
+
+@pytest.mark.parametrize("damage", ["", "[", "[]", '{"a": 5}', "[" * 100_000, "\0" * 40, None])
+@pytest.mark.parametrize("manifest", ["sound", "lost"])
+def test_a_damaged_record_of_a_half_done_move_is_healed(tmp_path, monkeypatch, damage, manifest):
+    """As a disk leaves it when the power fails, wherever the move has stopped; what was there before is there again."""
+    stops = 0
+    for number in range(20):
+        out = tmp_path / str(number) / "out"
+        put(out, "part", a="old", b="old", same="same")
+        put(out, "other", kept="kept")
+        (out / "c").write_text("mine")
+        before = {file.name: file.read_bytes() for file in out.iterdir()}
+        if not kill_amid_moving(
+            monkeypatch, number, lambda out=out: put(out, "part", a="new", c="new", new="new", same="same")
+        ):
+            break
+        stops += 1
+        (staging,) = out.glob(".cadgen-*")
+        record = staging / ".replaced" / ".record.json"
+        record.unlink() if damage is None else record.write_text(damage)
+        if manifest == "lost":
+            (staging / "manifest.json").write_text("")
+        assert not verify(out).is_true
+        state = verify(out, restore=True)
+        assert state.is_true
+        after = {file.name: file.read_bytes() for file in out.iterdir()}
+        if manifest == "lost":  # a file that is new and stands in nobody's place cannot be known: it stays, unlisted
+            after.pop("new", None)
+        assert after == before
+    assert stops > 6
+
+
+def test_the_record_is_on_the_disk_before_anything_is_moved(tmp_path, monkeypatch):
+    synced, replace = set(), os.replace
+    sync = os.fsync
+
+    def noted(descriptor):
+        synced.add(os.fstat(descriptor).st_ino)
+        sync(descriptor)
+
+    def moving(source, target):
+        if target.parent == tmp_path:
+            (record,) = tmp_path.glob(".cadgen-*/.replaced/.record.json")
+            assert record.stat().st_ino in synced
+        replace(source, target)
+
+    monkeypatch.setattr(os, "fsync", noted)
+    monkeypatch.setattr(os, "replace", moving)
+    put(tmp_path, "part", a="new")
+    assert contents(tmp_path) == {"a", "manifest.json"}
+
+
 def test_links_are_replaced_and_not_followed(tmp_path):
     out, elsewhere = tmp_path / "out", tmp_path / "elsewhere"
     out.mkdir()
@@ -213,6 +284,35 @@ def test_nothing_else_is_taken_for_the_lock(tmp_path, plant):
     with pytest.raises(FileError, match="the folder's lock must go there: remove it"):
         put(out, "part", a="new")
     assert contents(tmp_path) == {"out", f"out/{lock.NAME}"}
+
+
+@pytest.mark.skipif(os.name != "posix", reason="no such modes there")
+def test_the_lock_leaves_the_mode_of_a_file_that_it_did_not_make(tmp_path):
+    (tmp_path / lock.NAME).touch()
+    os.chmod(tmp_path / lock.NAME, 0o640)
+    with locked(tmp_path):
+        assert stat.S_IMODE((tmp_path / lock.NAME).stat().st_mode) == 0o640
+    with locked(tmp_path):  # made by this run: whoever may write into the folder may wait for it
+        assert stat.S_IMODE((tmp_path / lock.NAME).stat().st_mode) == 0o666
+
+
+def test_a_lock_on_a_file_that_was_removed_meanwhile_is_none(tmp_path, monkeypatch):
+    """Between opening and locking, the run before removes its file, and another run makes a new one."""
+    lock_file, real, calls = tmp_path / lock.NAME, lock._lock, []
+
+    def late(descriptor):
+        if not calls:
+            lock_file.unlink()
+            lock_file.touch()
+        calls.append(descriptor)
+        return real(descriptor)
+
+    monkeypatch.setattr(lock, "_lock", late)
+    with locked(tmp_path) as sure:
+        monkeypatch.setattr(lock, "_lock", real)
+        assert sure
+        assert is_held(lock_file)  # the file that is there, not the one that was
+    assert len(calls) == 2
 
 
 def _held_by_another(folder, taken, done):
