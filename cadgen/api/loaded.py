@@ -11,6 +11,7 @@ from typing import Any, Self
 
 from cadgen.api.values import name_or_path, paths, plain_text, real
 from cadgen.design import load
+from cadgen.design.override import KeyChange
 from cadgen.design.schema import Design as DesignValues
 from cadgen.design.schema import MotionDesign, TrainDesign
 from cadgen.errors import DesignError, brief
@@ -119,9 +120,11 @@ class LoadedDesign:
                 count from 1; None removes a key or a section. Texts `key=value` are taken, too.
 
         Raises:
-            DesignError: a key is unknown, or the result is no design; in the words of the command line.
+            DesignError: a key is unknown, or the result is no design; the message names the key.
         """
         overrides = (*self.values.overrides, *overrides_of(changes))
+        if isinstance(changes, Mapping):
+            overrides = tuple(map(KeyChange, overrides))
         return self._checked(self.text, self.file, overrides, not isinstance(self.values, DesignValues | MotionDesign))
 
     def __repr__(self) -> str:
@@ -161,7 +164,7 @@ def overrides_of(changes: Mapping[str, Any] | Iterable[str]) -> tuple[str, ...]:
                     '{key} is no key; write it as in the design file, such as "cam.thickness_mm"',
                     key=brief(repr(key), 60),
                 )
-        return tuple(f"{key}={'' if value is None else _toml(key, value)}" for key, value in changes.items())
+        return tuple(KeyChange(f"{key}={'' if value is None else _toml(key, value)}") for key, value in changes.items())
     changes = tuple(changes) if isinstance(changes, Iterable) and not isinstance(changes, str) else changes
     if not isinstance(changes, tuple) or not all(isinstance(text, str) for text in changes):
         raise DesignError(

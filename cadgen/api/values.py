@@ -1,7 +1,7 @@
 """Checks of a caller's numbers and words; each refusal is a sentence with the name and what is allowed."""
 
 from collections.abc import Callable, Iterable, Sequence
-from math import inf, isfinite, nan
+from math import inf, isfinite, nan, radians
 from numbers import Integral, Real
 from os import PathLike
 from pathlib import Path
@@ -48,6 +48,13 @@ def real(
     if not unit:
         raise DesignError(
             "{name} is {value}; it must be a number{range}", name=name, value=_shown(value), range=allowed
+        )
+    if unit == "rad" and isfinite(number) and least <= radians(number) <= most:
+        raise DesignError(
+            "{name} is {value}; it must be a number{range} rad, and {value} looks like degrees: give radians({value})",
+            name=name,
+            value=_shown(value),
+            range=allowed,
         )
     raise DesignError(
         "{name} is {value}; it must be a number{range} {unit}",

@@ -14,6 +14,12 @@ _MOST_DIGITS = 6  # of an item's number
 _LONGEST_QUOTED = 80
 
 
+class KeyChange(str):
+    """A change `key=value` that a program gives: messages name it without the option of the command line."""
+
+    __slots__ = ()
+
+
 def override(values: dict[str, Any], text: str) -> Place:
     """Apply one override to a design's raw values, in place, and return where it went.
 
@@ -26,6 +32,10 @@ def override(values: dict[str, Any], text: str) -> Place:
     """
     name, equals, written = (part.strip() for part in text.partition("="))
     if not equals or not all(name.split(".")):
+        if isinstance(text, KeyChange):
+            raise DesignError(
+                "{quoted}: write the key as in the design file, such as cam.thickness_mm", quoted=quoted(text)
+            )
         raise DesignError("{quoted}: write it as key=value, such as --set cam.thickness_mm=3.2", quoted=quoted(text))
     try:
         place = _place(name, NamedKinds.of(values))
@@ -52,7 +62,8 @@ def key_at(values: object, name: str) -> Key | None:
 
 def quoted(text: str) -> str:
     """An override as it stands at the head of an error: on one line, cut short if it is long."""
-    line = escaped(" ".join(f"--set {text[:_LONGEST_QUOTED]}".split()))
+    option = "" if isinstance(text, KeyChange) else "--set "
+    line = escaped(" ".join(f"{option}{text[:_LONGEST_QUOTED]}".split()))
     return line if len(line) <= _LONGEST_QUOTED else line[: _LONGEST_QUOTED - 3] + "..."
 
 

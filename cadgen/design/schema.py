@@ -490,6 +490,10 @@ class TrainDesign(TrainFile):
     source: str
     overrides: tuple[str, ...] = ()
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the values: sections of registered kinds have classes that are made when a design is read."""
+        return _read_again, (type(self), self.values(), self.source, self.overrides)
+
     def values(self) -> dict[str, object]:
         """Values of all keys, defaults included, as plain TOML or JSON values; no blend where the path is closed."""
         unused: dict[str, Any] | None = {"cam": {"blend_deg"}} if self.path and self.path.closed else None
@@ -527,3 +531,15 @@ class Design(DesignFile, TrainDesign):
 
 class MotionDesign(MotionFile, TrainDesign):
     """A whole design of a cam by its motion."""
+
+
+def _read_again(made: type[TrainDesign], values: dict[str, object], source: str, overrides: tuple[str, ...]) -> object:
+    """The design of values that were pickled."""
+    schema: type[TrainFile] = next(
+        each
+        for design, each in ((MotionDesign, MotionFile), (Design, DesignFile), (TrainDesign, TrainFile))
+        if issubclass(made, design)
+    )
+    unused = OF_A_CAR if schema is MotionFile else ()
+    checked = {name: value for name, value in schema.model_validate(values) if name not in unused}
+    return made(**checked, source=source, overrides=overrides)

@@ -5,6 +5,7 @@ import json
 import pickle
 from dataclasses import replace
 from math import degrees, inf, nan
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ import cadgen
 from cadgen import Design, Gear, GearPair, Measured, Report, Train, Written, draw, merge, verify
 from cadgen.design.file_names import name_fault, usable_name
 from cadgen.design.keys import tables
+from cadgen.design.load import packaged_designs
 from cadgen.errors import DesignError, FileError
 from cadgen.parts.features import Hub, Keyway, Lightening, Web
 
@@ -45,7 +47,19 @@ REFUSED = {
         "module is 1e+09; it must be a number, greater than 0 and at most 10 mm",
     ),
     "a rack without a tip": (lambda car: replace(GEAR, rack_tip_radius=0), "rack_tip_radius is 0; it must be a number"),
-    "a pressure angle in degrees": (lambda car: replace(GEAR, pressure_angle=20.0), "pressure_angle is 20; it must be"),
+    "a pressure angle in degrees": (
+        lambda car: replace(GEAR, pressure_angle=20.0),
+        "rad, and 20 looks like degrees: give radians(20)",
+    ),
+    "a keyway's angle in degrees": (
+        lambda car: replace(GEAR, bore=5, keyway=Keyway(width=2.0, depth=1.0, angle=90)),
+        "keyway.angle is 90; it must be a number from -6.283185307 to 6.283185307 rad, and 90 looks like degrees",
+    ),
+    "a pressure angle beyond degrees": (
+        lambda car: replace(GEAR, pressure_angle=2000.0),
+        "pressure_angle is 2000; it must be a number from 0.1745329252 to 0.6108652382 rad",
+    ),
+    "a key that is empty": (lambda car: car.with_({"": 4}), "=4: write the key as in the design file, such as cam."),
     "half a hole": (
         lambda car: replace(GEAR, lightening=Lightening(count=2.5, hole_diameter=1.0)),
         "lightening.count is 2.5; it must be a whole number from 1 to 360",
@@ -236,3 +250,44 @@ def test_names_that_windows_cannot_have():
     for name in ("console", "com", "com10", "a.con", "1", "car.v2"):
         assert not name_fault(name)
         assert usable_name(name) == name
+
+
+def test_refused_changes_of_a_program_name_the_key_and_no_option(car):
+    changed, file = car.with_({"cam.thickness_mm": 3.2}), car.values.source
+    for changes, head in (
+        ({"cam.thickness_mm": 0}, "cam.thickness_mm=0: cam.thickness_mm is 0; it must be"),
+        ({"cam.thicknes_mm": 3}, "cam.thicknes_mm=3: cam.thicknes_mm is not a key"),
+        ({"cam.base_radius_mm": 1}, f"{file} with cam.thickness_mm=3.2 cam.base_radius_mm=1: "),
+        ({"name": None, "cam.thickness_mm": []}, "cam.thickness_mm=[]: "),
+    ):
+        with pytest.raises(DesignError) as refused:
+            changed.with_(changes)
+        assert str(refused.value).startswith(head)
+        assert "--set" not in str(refused.value)
+    with pytest.raises(DesignError, match=r"^--set cam\.thickness_mm=0: "):  # as the command line has it
+        changed.with_(["cam.thickness_mm=0"])
+
+
+@pytest.mark.parametrize("name", [*packaged_designs(), "train alone"])
+def test_a_design_comes_back_from_pickle(name):
+    if name == "train alone":
+        design = Design.load(Path(__file__).parents[1] / "data/gears/onlytrain.toml", train_only=True)
+    else:
+        design = Design.load(name, {"name": "other"})
+    for again in (pickle.loads(pickle.dumps(design)), copy.deepcopy(design)):
+        assert again == design
+        assert type(again.values) is type(design.values)
+        assert (again.sha256, again.values.overrides) == (design.sha256, design.values.overrides)
+
+
+def test_a_cam_comes_back_from_pickle_and_writes_the_same_files(tmp_path, car):
+    for number, cam in enumerate((car.cam("actual"), car.cam("optimized"))):
+        again = pickle.loads(pickle.dumps(cam))
+        assert repr(again) == repr(cam)
+        assert again.entry().json() == cam.entry().json()
+        here, there = tmp_path / f"{number}a", tmp_path / f"{number}b"
+        cam.write(here, "dxf,csv")
+        again.write(there, "dxf,csv")
+        assert {file.name: file.read_bytes() for file in here.iterdir()} == {
+            file.name: file.read_bytes() for file in there.iterdir()
+        }

@@ -1,6 +1,7 @@
 """The roller of the how-to, offset and moved by [motion]: textbooks, rolling, and every command."""
 
 import json
+import pickle
 import re
 from dataclasses import dataclass, replace
 from math import radians
@@ -270,6 +271,14 @@ def test_the_disc_of_a_file_gives_the_motion_when_it_turns_as_designed(registere
 def test_jobs_of_a_car_say_so(registered, job):
     with pytest.raises(CadgenError, match=r"worked out for a car, but the design has \[motion\], and not \[path\]"):
         getattr(Design.from_toml(TEXT), job)()
+
+
+def test_a_design_of_a_motion_comes_back_from_pickle(registered):
+    design = Design.from_toml(TEXT)
+    again = pickle.loads(pickle.dumps(design))
+    assert again == design
+    assert type(again.values) is type(design.values)
+    assert again.sha256 == design.sha256
 
 
 def test_without_a_registered_kind_the_page_is_named():

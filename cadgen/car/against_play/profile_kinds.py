@@ -118,6 +118,19 @@ def _dilated(work: TrainTask, lift: PathMotion, window: float) -> CutLift:
     return CutLift(compensated_lift(lift, work.task.follower, window), window)
 
 
+# Functions with names, so that a kind, and a cam that has it, can be pickled.
+def _compensated_lift(work: TrainTask) -> CutLift:
+    return _dilated(work, work.task.lift, work.window)
+
+
+def _smoothed_lift(work: TrainTask) -> CutLift:
+    return CutLift(work.smoothed, work.window)
+
+
+def _smoothed_compensated_lift(work: TrainTask) -> CutLift:
+    return _dilated(work, work.smoothed, work.window_of(work.smoothed))
+
+
 ACTUAL = ProfileKind(code="actual", meaning="the exact envelope of the rod")
 OPTIMIZED = ProfileKind(
     code="optimized",
@@ -129,20 +142,20 @@ COMPENSATED = ProfileKind(
     code="compensated",
     meaning="cut so that the play takes itself out",
     for_play=True,
-    lift=lambda work: _dilated(work, work.task.lift, work.window),
+    lift=_compensated_lift,
     dilated=True,
 )
 SMOOTHED = ProfileKind(
     code="smoothed",
     meaning="the paper's",
     for_play=True,
-    lift=lambda work: CutLift(work.smoothed, work.window),
+    lift=_smoothed_lift,
 )
 SMOOTHED_COMPENSATED = ProfileKind(
     code="smoothed+compensated",
     meaning="both",
     for_play=True,
-    lift=lambda work: _dilated(work, work.smoothed, work.window_of(work.smoothed)),
+    lift=_smoothed_compensated_lift,
     dilated=True,
 )
 THEORETICAL = ProfileKind(
