@@ -8,7 +8,7 @@ import click
 
 from cadgen.car.planner import RESERVE, SEEDS, WITHIN_MM
 from cadgen.cli import help
-from cadgen.cli.options import Number, design_options, out_option, overrides_option, profile_option
+from cadgen.cli.options import Number, design_argument, design_options, out_option, overrides_option, profile_option
 from cadgen.messages import Message
 
 
@@ -75,7 +75,7 @@ def new(
 
 
 @help.command()
-@click.argument("course", metavar="COURSE", required=False)
+@design_argument("course", metavar="COURSE")
 @help.option(
     "--from",
     "improve",

@@ -1,15 +1,19 @@
 """Arguments and options that several commands share."""
 
 from collections.abc import Callable, Collection
+from contextlib import suppress
 from math import isfinite
 from pathlib import Path
+from shlex import quote
 from typing import Any
 
 import click
 
 from cadgen.car.against_play.profile_kinds import OPTIMIZED, codes, meanings
 from cadgen.cli import help
-from cadgen.messages import Message, joined
+from cadgen.cli.output import tell
+from cadgen.errors import escaped
+from cadgen.messages import Message, joined, shown
 
 PLAY_PROFILES, PROFILES = codes(for_play=True), codes()
 
@@ -25,12 +29,49 @@ overrides_option = help.option(
 )
 
 
+def design_argument(name: str = "design", **settings: Any) -> Callable[[Command], Command]:
+    """The argument DESIGN, which may be left out."""
+
+    def chosen(context: click.Context, _argument: click.Parameter, design: str | None) -> str | None:
+        if design is None:
+            _say_usual_design(context)
+        return design
+
+    made: Callable[[Command], Command] = click.argument(name, required=False, callback=chosen, **settings)
+    return made
+
+
+def _say_usual_design(context: click.Context) -> None:
+    """Say first and last that the packaged design is taken, where the folder holds one design that could be meant."""
+    from cadgen.design.load import DEFAULT_DESIGN, MOST_BYTES
+    from cadgen.design.parse import parse
+    from cadgen.reading import read_regular
+
+    own = []
+    for file in sorted(Path().glob("*.toml")):
+        with suppress(OSError, ValueError):
+            if {"path", "motion", "cam", "train", "course"} & parse(read_regular(file, MOST_BYTES).decode()).keys():
+                own.append(file.name)
+    if len(own) != 1:
+        return
+    said = Message(
+        "no design was named, so this is the packaged {usual}, not {file} in this folder: for that one, write cadgen "
+        "{command} {quoted}",
+        usual=DEFAULT_DESIGN,
+        file=escaped(own[0]),
+        command=context.info_name,
+        quoted=escaped(quote(own[0])),
+    )
+    tell(shown(said))
+    context.call_on_close(lambda: tell(shown(said)))
+
+
 def design_options(command: Command) -> Command:
     """Add DESIGN, --set and --json."""
     for decorate in (
         help.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of tables."),
         overrides_option,
-        click.argument("design", required=False),
+        design_argument(),
     ):
         command = decorate(command)
     return command
@@ -107,6 +148,8 @@ def design_and_files(
             Message("{design} is a design and not measured data: name one design, before the files", design=designs[-1])
         )
     design, files = (designs[0], arguments[1:]) if designs else (None, arguments)
+    if design is None:
+        _say_usual_design(click.get_current_context())
     if some and not files:
         raise click.UsageError(Message("no measured file was given: name at least one CSV file"))
     return design, files

@@ -7,7 +7,14 @@ from pathlib import Path
 import click
 
 from cadgen.cli import help
-from cadgen.cli.options import design_and_files, design_options, out_option, overrides_option, profile_option
+from cadgen.cli.options import (
+    design_and_files,
+    design_argument,
+    design_options,
+    out_option,
+    overrides_option,
+    profile_option,
+)
 from cadgen.cli.output import tell
 from cadgen.gears.choices import Order
 from cadgen.messages import Message, joined, shown
@@ -79,7 +86,7 @@ def report(
 
 
 @help.command()
-@click.argument("design", required=False)
+@design_argument()
 @overrides_option
 @help.option(
     "--port",

@@ -6,7 +6,9 @@ import subprocess
 import sys
 
 import pytest
+from click.testing import CliRunner
 
+from cadgen.cli import cli
 from tests.cli.conftest import one_sentence
 
 SQUARE_TURN = """
@@ -88,6 +90,31 @@ def test_check_passes_on_the_default_and_on_a_minimal_design(cadgen, tmp_path):
     facts = json.loads(cadgen("check", "mine.toml", "--json", code=0).stdout)
     assert facts["design"] == "mine"
     assert facts["passed"] is True
+
+
+def test_without_a_name_beside_one_design_the_one_that_is_taken_is_said_first_and_last(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "pyproject.toml").write_text("[project]\nname = 'no design'\n")
+    (tmp_path / "broken.toml").write_text("[")
+    assert CliRunner().invoke(cli, ["check"]).stderr == ""
+    (tmp_path / "my car.toml").write_text(SQUARE_TURN)
+    for command in (
+        ["check"],
+        ["gears", "--set", "x=1"],
+        ["simulate", "--json"],
+        ["adjust"],
+        ["plan", "--within", "3"],
+    ):
+        said = (
+            "cadgen: no design was named, so this is the packaged carbon_free_car, not my car.toml in this folder: "
+            f"for that one, write cadgen {command[0]} 'my car.toml'"
+        )
+        lines = CliRunner().invoke(cli, command, standalone_mode=False).stderr.splitlines()
+        assert (lines[0], lines[-1]) == (said, said)
+        assert not any(said in line for line in lines[1:-1])
+    assert CliRunner().invoke(cli, ["check", "my car.toml"]).stderr == ""
+    (tmp_path / "other.toml").write_text(SQUARE_TURN)  # which of the two could be meant is not known
+    assert CliRunner().invoke(cli, ["check"]).stderr == ""
 
 
 def test_a_path_may_cross_itself(cadgen, tmp_path):
