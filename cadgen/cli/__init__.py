@@ -28,8 +28,10 @@ from typing import NoReturn
 
 import click
 
-# Before numpy is loaded: threads that wait for each other over small matrices cost more than they bring.
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+# Before numpy is loaded: threads that wait for each other over small matrices cost more than they bring, and the last
+# digits of sums go by their number. Always one, so that a command prints the same whatever the environment asks for.
+for _threads in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"):
+    os.environ[_threads] = "1"
 
 from cadgen.cli import help, interrupt, output
 from cadgen.cli.cam_commands import cam, check, optimize
