@@ -137,7 +137,7 @@ def plan(
     At gates and obstacles it has room for the scatter of cars within the tolerances, chosen by the share of 10000 cars
     that keep the course.
 
-    The exit code is 1 if the course cannot be driven, which is said with the reason, or if a check fails.
+    The exit code is 1 if no path was found, which is said with the reason, or if a check fails.
     """
     from cadgen.api.design import Design
     from cadgen.cli import show
@@ -167,7 +167,8 @@ def plan(
             step = path if written is None or out is None else f"cadgen cam {out / written.files[0].name}"
             verdict(True, Message("the path keeps the course, and every check of its cam holds"), step)
         elif planned.cam is None:
-            verdict(False, Message("the course cannot be driven"), Message("change it as it is said above"))
+            fault = Message("the course cannot be driven") if planned.proven else Message("no path was found")
+            verdict(False, fault, Message("change it as it is said above"))
         else:
             verdict(False, failed(planned.cam.checks), Message("change the design"))
     raise SystemExit(0 if planned.passed else 1)

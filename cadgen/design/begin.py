@@ -220,7 +220,7 @@ def begin(
         raise DesignError('the name is "{name}"; it must {fault}', name=brief(name[:80]), fault=fault)
     if points is None:
         example = LAP if closed else EXAMPLE
-        points, field = Points(example, (1.0,) * len(example)), field or _EXAMPLE_FIELD
+        points, field = _sample(example, field or _EXAMPLE_FIELD), field or _EXAMPLE_FIELD
     elif closed and points.places[0] == points.places[-1]:  # once is enough, and one gate
         points = Points(points.places[:-1], points.weights[:-1])
     count = sum(weight > 0 for weight in points.weights)
@@ -243,6 +243,15 @@ def begin(
     text = tomlkit.dumps(document)
     design_of(text, Path(f"{name}.toml"))
     return text
+
+
+def _sample(places: tuple[tuple[float, float], ...], field: tuple[float, float]) -> Points:
+    """Points of an example within a field: as they are in that of the example, else smaller and in the middle."""
+    share = min(1.0, *(size / full for size, full in zip(field, _EXAMPLE_FIELD, strict=True)))
+    if share < 1:
+        corner = [(size - share * full) / 2 for size, full in zip(field, _EXAMPLE_FIELD, strict=True)]
+        places = tuple((round(corner[0] + share * x, 1), round(corner[1] + share * y, 1)) for x, y in places)
+    return Points(places, (1.0,) * len(places))
 
 
 def points_of(file: str | PathLike[str] | None, layer: str | None, *, closed: bool) -> Points | None:

@@ -84,7 +84,8 @@ def effects(study: Study, rows: Sequence[Row]) -> dict[str, dict[str, float]]:
 
     The variance of a figure's means over the values of a key, or over ten groups of a range with as many designs each,
     is held against its whole variance; of n designs in k groups chance alone gives (k - 1) / (n - 1), which is taken
-    off (the ratio's epsilon squared, Kelley 1935). Figures with fewer than two values are left out.
+    off (the ratio's epsilon squared, Kelley 1935). Figures with fewer than two values, or whose values differ by no
+    more than their resolution, are left out: what explains rounding explains nothing.
 
     Args:
         study: the study.
@@ -94,7 +95,7 @@ def effects(study: Study, rows: Sequence[Row]) -> dict[str, dict[str, float]]:
     for column, figure in enumerate(study.figures):
         known = [row for row in rows if row.figures[column] is not None]
         figures = np.array([row.figures[column] for row in known], dtype=float)
-        if len(known) < 2 or np.ptp(figures) == 0:
+        if len(known) < 2 or np.ptp(figures) <= figure.resolution:
             continue
         result[figure.code] = {
             key: _share(_groups([row.values[place] for row in known]), figures) for place, key in enumerate(study.keys)

@@ -227,6 +227,7 @@ def _picture(summary: Summary) -> ExplorationPicture:
         keys=study.keys,
         figures=tuple(figure.code for figure in study.objectives),
         more=tuple(figure.more for figure in study.objectives),
+        resolutions=tuple(figure.resolution for figure in study.objectives),
         values=tuple((*row.values, *row.figures[: len(study.objectives)]) for row in shown),
         kept=tuple(row.state == DesignState.KEPT for row in shown),
         front=tuple(

@@ -112,3 +112,13 @@ def test_a_lap_goes_on_from_its_last_point_to_its_first(tmp_path):
 def test_what_cannot_be_is_refused_and_nothing_written(arguments, tmp_path):
     assert isinstance(new(tmp_path, *arguments).exception, CadgenError)
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("size", [("3000", "3000"), ("1525", "1370"), ("7000", "2000"), ("9000", "9000")])
+@pytest.mark.parametrize("closed", [(), ("--closed",)])
+def test_gates_of_the_example_lie_within_the_field(tmp_path, size, closed):
+    done = new(tmp_path, "f", "--field-mm", *size, *closed)
+    assert done.exit_code == 0, done.output
+    design = load_design(tmp_path / "f.toml")
+    places = [gate.at_mm for gate in design.course.gates] + list(design.path.waypoints_mm)
+    assert all(0 < x < float(size[0]) and 0 < y < float(size[1]) for x, y in places)

@@ -1,5 +1,6 @@
 """The front against a comparison of all with all; effects against models whose shares are known."""
 
+from dataclasses import replace
 from itertools import product
 
 import numpy as np
@@ -7,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from cadgen.output.report.study_pictures import ExplorationPicture, draw_exploration
 from cadgen.studies.design_row import Row
 from cadgen.studies.front import effects, front, ranked
 from cadgen.studies.study_figures import StudyFigure
@@ -68,3 +70,25 @@ def test_effects_are_the_shares_of_an_additive_model():
 def test_a_figure_that_does_not_vary_has_no_effects():
     rows = [Row(n, (float(n), 0.0, "x"), "kept", (1.0, None)) for n in range(20)]
     assert effects(_Study(), rows) == {}
+
+
+class _CoarseStudy:
+    keys = ("a",)
+    figures = (StudyFigure(code="coarse_mm", meaning="", of=lambda evaluated: 0.0, resolution=0.1),)
+
+
+@pytest.mark.parametrize(("apart", "seen"), [(0.004, False), (0.4, True)])
+def test_a_range_below_the_resolution_is_no_difference(tmp_path, apart, seen):
+    """Rounding that follows a key to the last digit is not explained by it, and is not drawn as a range."""
+    rows = [Row(n, (float(n),), "kept", (306.1 + apart * n / 19,)) for n in range(20)]
+    assert set(effects(_CoarseStudy(), rows)) == ({"coarse_mm"} if seen else set())
+    picture = ExplorationPicture(
+        title="t", keys=("a",), figures=("coarse_mm", "less_mm"), more=(False, False), resolutions=(0.1, 0.0),
+        values=tuple((*row.values, *row.figures, float(row.number)) for row in rows), kept=(True,) * len(rows),
+        front=((0.0, 306.1, 0.0),), effects={},
+    )  # fmt: skip
+    names = draw_exploration(picture, tmp_path, "s")
+    assert ("s_front.svg" in names) == seen
+    assert ("no difference" in (tmp_path / "s_parallel.svg").read_text()) != seen
+    # Designs of which none is within the limits have no front.
+    assert "s_front.svg" not in draw_exploration(replace(picture, front=()), tmp_path, "s")

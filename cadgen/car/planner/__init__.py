@@ -13,6 +13,7 @@ region bounds the step (Fletcher & Sainz de la Maza, Math. Program. 43 (1989) 23
 | `gates`       | gates, start and finish                                                            |
 | `barriers`    | posts, walls, zones and the field's edge against the car's outline                 |
 | `route`       | order of the gates, rough route, smooth path to begin with                         |
+| `arcs`        | ways of arcs and straights to begin a search with                                  |
 | `search`      | sequence of linear programmes from that path to the best one                       |
 | `path_plan`   | best of several searches; reasons why a course cannot be driven                    |
 """

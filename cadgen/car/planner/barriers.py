@@ -239,7 +239,10 @@ def _corner_distance(barrier: Barrier, motion: Kinematics, corners: Array) -> tu
 def _on_side(
     barrier: Barrier, motion: Kinematics, parts: list[Array], distance: Array, by: Array
 ) -> tuple[Array, Array]:
-    """Distance to the side on which a barrier must be passed, where the car passes it on the other one."""
+    """Distance to the side on which a barrier must be passed, where the car passes it on the other one.
+
+    The side is that where the car is nearest to the barrier; farther off a winding path may have it on the other side.
+    """
     frame = np.stack([motion.ahead, motion.left], axis=1)
     seen = np.einsum("mab,mb->ma", frame, barrier.points.mean(axis=0) - motion.jets[0])
     every = np.vstack(parts)
@@ -248,6 +251,10 @@ def _on_side(
     sign, edge = (1.0, every[:, 1].min()) if barrier.side == Side.LEFT else (-1.0, every[:, 1].max())
     lateral = sign * (edge - seen[:, 1])
     wrong = beside & (sign * (seen[:, 1] - every[:, 1].mean()) > 0)
+    nearest = int(np.linalg.norm(seen - every.mean(axis=0), axis=1).argmin())
+    # The places in a row on the wrong side, that where the car is nearest among them.
+    row = np.cumsum(np.append(0, (np.diff(wrong.astype(int)) != 0) | (np.diff(motion.places.u) > 1.5 / _EACH)))
+    wrong &= row == row[nearest]
     if wrong.any():
         # The barrier's place in the car's frame moves against the car.
         out = motion.moved(sign * motion.left, seen[:, 0], seen[:, 1])

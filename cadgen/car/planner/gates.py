@@ -15,7 +15,7 @@ from cadgen.car.course.body import place_of
 from cadgen.car.course.layout import Gate
 from cadgen.car.planner.constraints import Constraint, LimitKind, PathLimit
 from cadgen.car.planner.kinematics import Basis, Kinematics
-from cadgen.car.planner.path_task import Vehicle
+from cadgen.car.planner.path_task import PathTask, Vehicle
 
 _EACH = 24  # places of a span among which the nearest is looked for
 _PER_MM, _PER_RAD = 3.0, 300.0  # weights
@@ -200,6 +200,29 @@ def _along(motion: Kinematics, x: float, y: float) -> Array:
 def _within(reach: float, margin: float) -> float:
     """How far the path may be from the middle of a gate, mm."""
     return reach - min(_INSIDE + margin, reach / 2 if margin == 0 else reach)
+
+
+def least_length(task: PathTask) -> float:
+    """Lower bound of the length of the drive wheel's track, mm: straight from gate to gate, as near as they reach.
+
+    It is 0 where gates may be passed in any order.
+
+    Args:
+        task: what is planned.
+    """
+    course, vehicle = task.course, task.vehicle
+    if any(gate.free for gate in course.gates):
+        return 0.0
+    gates = [gate for gate in (course.start, *course.gates, course.finish) if gate is not None]
+    middles = [np.mean(gate.place.points, axis=0) for gate in gates]
+    # From the middle of a gate to the drive wheel of a car that passes it.
+    off = []
+    for gate in gates:
+        x, y = planned_place(gate, vehicle)
+        half = float(np.linalg.norm(np.subtract(gate.place.points[-1], gate.place.points[0]))) / 2
+        off.append(half + gate.place.reach + float(np.hypot(x, y - vehicle.path_offset)))
+    legs = np.linalg.norm(np.diff(middles, axis=0), axis=1) - np.array(off[1:]) - np.array(off[:-1])
+    return float(np.maximum(legs, 0.0).sum())
 
 
 def is_exact(gate: Gate) -> bool:

@@ -12,6 +12,7 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.car.path.spline import DEGREE
+from cadgen.car.planner.arcs import arcs_along
 from cadgen.car.planner.barriers import Clearances, barriers_of
 from cadgen.car.planner.constraints import Constraint, Corridor, LimitKind, PathLimit
 from cadgen.car.planner.gates import Passing
@@ -22,10 +23,13 @@ from cadgen.car.planner.search import PathSearch, SearchedPath, fixed_ends, fixe
 
 _SPAN = 320.0  # mm of the path to a span of the B-spline
 _SPANS_A_STOP = 4
+_ARC_SPAN = 150.0  # the same of a path begun from arcs, whose curvature changes more often
 _LEAST_SPANS, _MOST_SPANS = 16, 110
 # Of the path that a search begins with. Through sharp corners of the route the usual one has turns that no step widens;
 # a calmer one misses the gates, and is drawn to them.
 _CALMNESS = (1.0, 10.0, 40.0)
+# Of a path that is begun from arcs: their radius as a factor on the least one, in the order in which they are tried.
+ROOMS = (1.2, 1.05)
 # Limits whose violation is not by such a turn.
 _STANDING = (LimitKind.CLEARANCE, LimitKind.FIELD)
 UNEVEN = (LimitKind.FAST, LimitKind.SLOW)  # limits that serve the search alone
@@ -142,6 +146,15 @@ def _searched(task: PathTask, begin: Array | None, report: Callable[[str], None]
         plans.append(PathPlan(search.best(points, words), task, points))
         if all(limit.kind in _STANDING for limit in plans[-1].missed):
             break
+    if begin is None and task.corridor is None and plans[-1].missed:
+        for room in ROOMS:
+            places = arcs_along(task, seed, room)
+            length = float(np.linalg.norm(np.diff(places, axis=0), axis=1).sum())
+            basis = _basis(length / _ARC_SPAN, vehicle)
+            points = smooth_path(basis, places, np.ones(len(places), dtype=bool), start, finish)
+            plans.append(PathPlan(_search(task, basis, start, finish).best(points, words), task, points))
+            if not plans[-1].missed:
+                break
     return min(plans, key=_merit)
 
 

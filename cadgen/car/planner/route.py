@@ -120,7 +120,7 @@ _BESIDE = 300.0  # mm beyond gates and obstacles that the grid reaches
 _DEAR = 2.0  # times the length that a way close to an obstacle costs
 _COMFORT = 400.0  # mm from an obstacle from which on a way is not dearer
 _LEG = 350.0  # mm between the points of a way round something
-_BLOCKED = 1e3  # times the length that a way costs where the car does not fit
+BLOCKED = 1e3  # times the length that a way costs where the car does not fit
 _NOISE = 2.0  # by which another search makes places dearer
 
 
@@ -159,7 +159,7 @@ def _turned(x: float, y: float, heading: float) -> Array:
 
 
 @dataclass(frozen=True, eq=False)
-class _Map:
+class CostMap:
     """A grid with what a way costs at each of its cells, infinite where the car does not fit."""
 
     corner: Array
@@ -168,10 +168,31 @@ class _Map:
     half_width: float
 
     def number(self, place: Array) -> int:
+        """Number of the cell at a place.
+
+        Args:
+            place: x and y, shape (2,), mm.
+        """
         i, j = np.clip(((place - self.corner) / self.cell).astype(int), 0, np.array(self.cost.shape) - 1)
         return int(i * self.cost.shape[1] + j)
 
+    def at(self, places: Array) -> Array:
+        """Costs at places; beyond the edge they are those at the edge.
+
+        Args:
+            places: places, shape (…, 2), mm.
+        """
+        i, j = np.moveaxis(
+            np.clip(((places - self.corner) / self.cell).astype(int), 0, np.array(self.cost.shape) - 1), -1, 0
+        )
+        return np.asarray(self.cost[i, j])
+
     def place(self, numbers: Array) -> Array:
+        """Middles of cells, shape (k, 2), mm.
+
+        Args:
+            numbers: numbers of the cells, shape (k,).
+        """
         i, j = np.divmod(numbers, self.cost.shape[1])
         return self.corner + (np.stack([i, j], axis=1) + 0.5) * self.cell
 
@@ -210,12 +231,12 @@ def route_of(course: Course, vehicle: Vehicle, seed: int = 0) -> Route:
     Raises:
         DesignError: the course has nothing to drive to.
     """
-    stops, ahead = _stops(course, vehicle)
+    stops, ahead = planned_stops(course, vehicle)
     barriers = barriers_of(course, vehicle.body)
     if not barriers:
         return Route(stops, np.ones(len(stops), dtype=bool))
-    stops, ahead = _beside_posts(stops, ahead, barriers, _half_widths(vehicle))
-    chart = _chart(stops, barriers, vehicle, seed)
+    stops, ahead = _beside_posts(stops, ahead, barriers, car_widths(vehicle)[0])
+    chart = course_map(stops, barriers, vehicle, seed)
     route, is_stop = [stops[:1]], [True]
     for (a, leaving), (b, arriving) in itertools.pairwise(zip(stops, ahead, strict=True)):
         way = _way(chart, a, b, _LEG * leaving, _LEG * arriving)
@@ -224,7 +245,7 @@ def route_of(course: Course, vehicle: Vehicle, seed: int = 0) -> Route:
     return Route(np.vstack(route), np.array(is_stop))
 
 
-def _stops(course: Course, vehicle: Vehicle) -> tuple[Array, Array]:
+def planned_stops(course: Course, vehicle: Vehicle) -> tuple[Array, Array]:
     """Places of the planned point at the gates, and unit vectors along their directions, 0 for any, shapes (k, 2)."""
     gates = [gate for gate in (course.start, *course.gates, course.finish) if gate is not None]
     middles = np.array([np.mean(gate.place.points, axis=0) for gate in gates]).reshape(-1, 2)
@@ -243,10 +264,11 @@ def _stops(course: Course, vehicle: Vehicle) -> tuple[Array, Array]:
     return middles, np.array(ahead)
 
 
-def _half_widths(vehicle: Vehicle) -> tuple[float, float]:
-    """How far the car reaches to the left and to the right of the planned point, mm."""
+def car_widths(vehicle: Vehicle) -> tuple[tuple[float, float], tuple[float, float]]:
+    """How far the car reaches to the left and right of the planned point; and its x from rear to front, mm."""
     every = np.vstack([corners for corners, _ in parts_of(vehicle)])
-    return float(every[:, 1].max()), float(-every[:, 1].min())
+    low, high = every.min(axis=0).tolist(), every.max(axis=0).tolist()
+    return (high[1], -low[1]), (low[0], high[0])
 
 
 def _beside_posts(
@@ -277,7 +299,15 @@ def _beside_posts(
     return stops, ahead
 
 
-def _chart(stops: Array, barriers: tuple[Barrier, ...], vehicle: Vehicle, seed: int) -> _Map:
+def course_map(stops: Array, barriers: tuple[Barrier, ...], vehicle: Vehicle, seed: int) -> CostMap:
+    """Map of what ways of the planned point cost.
+
+    Args:
+        stops: places that the map must reach beyond, shape (k, 2), mm.
+        barriers: what is in the way.
+        vehicle: the car.
+        seed: 0 for the map that is usually best; another number makes some places dearer.
+    """
     points = np.vstack([stops, *(barrier.points for barrier in barriers if not barrier.inside)])
     edge = [barrier.corners for barrier in barriers if barrier.inside]
     low, high = points.min(axis=0) - _BESIDE - 500, points.max(axis=0) + _BESIDE + 500
@@ -289,7 +319,7 @@ def _chart(stops: Array, barriers: tuple[Barrier, ...], vehicle: Vehicle, seed: 
     i, j = np.indices(shape)
     centres = low + (np.stack([i, j], axis=-1).reshape(-1, 2) + 0.5) * cell
     away = np.full(len(centres), np.inf)
-    half = sum(_half_widths(vehicle)) / 2
+    half = sum(car_widths(vehicle)[0]) / 2
     for barrier in barriers:
         blocked = np.zeros(tuple(shape), dtype=bool)
         if barrier.inside:
@@ -310,10 +340,10 @@ def _chart(stops: Array, barriers: tuple[Barrier, ...], vehicle: Vehicle, seed: 
         coarse = random.uniform(0, _NOISE, size=(8, 8))
         dear += coarse[(i.ravel() * 8) // shape[0], (j.ravel() * 8) // shape[1]]
     # Where the car does not fit a way is very dear, but there is one: what is in the way is said by the limits.
-    return _Map(low, cell, np.where(free, dear, _BLOCKED).reshape(tuple(shape)), half)
+    return CostMap(low, cell, np.where(free, dear, BLOCKED).reshape(tuple(shape)), half)
 
 
-def _way(chart: _Map, a: Array, b: Array, leaving: Array, arriving: Array) -> Array:
+def _way(chart: CostMap, a: Array, b: Array, leaving: Array, arriving: Array) -> Array:
     """Points of the way between two places, without these, shape (k, 2); none where the straight way is clear.
 
     Args:
@@ -327,12 +357,12 @@ def _way(chart: _Map, a: Array, b: Array, leaving: Array, arriving: Array) -> Ar
     numbers = np.array([chart.number(place) for place in straight])
     # Beside a stop the car may well be nearer to something than it could be anywhere along its way.
     ends = np.minimum(np.linalg.norm(straight - a, axis=1), np.linalg.norm(straight - b, axis=1))
-    if not (chart.cost.ravel()[numbers[ends > chart.half_width]] >= _BLOCKED).any():
+    if not (chart.cost.ravel()[numbers[ends > chart.half_width]] >= BLOCKED).any():
         return np.zeros((0, 2))
     graph: Any = _graph(chart.cost)  # the stubs of scipy know no single start
     # A car that leaves a gate in its direction does not turn back round what it stands before.
     first, last = (
-        place + step if chart.cost.ravel()[chart.number(place + step)] < _BLOCKED else place
+        place + step if chart.cost.ravel()[chart.number(place + step)] < BLOCKED else place
         for place, step in ((a, leaving), (b, -arriving))
     )
     start: Any = chart.number(first)

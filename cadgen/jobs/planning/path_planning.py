@@ -9,6 +9,7 @@ from pathlib import Path
 from cadgen.car.course.refuse import largest_circle, least_steering, turning_circle
 from cadgen.car.draws.drawn_spacing import DrawnSpacing
 from cadgen.car.planner.constraints import LimitKind
+from cadgen.car.planner.gates import least_length
 from cadgen.car.planner.path_plan import PathPlan, Reason
 from cadgen.car.planner.path_task import Margins, PathTask
 from cadgen.design.load import design_of
@@ -38,9 +39,9 @@ class PathPlanning(JobResult):
         asked: design that a path was planned for.
         task: what the planner was asked.
         plan: the planner's result.
-        text: text of the design file with the path; empty if the course cannot be driven.
-        cam: plan of the cam for the path with all checks; None if the course cannot be driven.
-        reasons: why the course cannot be driven; empty if it can.
+        text: text of the design file with the path; empty if none was found.
+        cam: plan of the cam for the path with all checks; None if no path was found.
+        reasons: limits of which each is in the way where no path was found; empty if one was.
         failed: sentence on a limit of [optimize] that no profile keeps; empty if there is one.
         drawn: settings with which the path was driven at some of the spacings that can be drawn; empty without them.
         kept: what was kept from the limits besides.
@@ -136,8 +137,13 @@ class PathPlanning(JobResult):
             ]
         first, *rest = self.reasons
         if narrow := _narrow_field(first, self.task):
-            return [Message("the course cannot be driven: {fault}", fault=narrow)]
-        lines: list[str] = [Message("the course cannot be driven: {fault}", fault=_fault(first, self.task))]
+            return [Message("no path was found: {fault}", fault=narrow)]
+        fault = _fault(first, self.task)
+        if self.proven:
+            found = Message("the course cannot be driven: {fault}", fault=fault)
+        else:
+            found = Message("no path was found, though there may be one; where it comes nearest {fault}", fault=fault)
+        lines: list[str] = [found]
         if first.enough:
             least = Message("; least change that does: {cure}", cure=_cure(first, self.task, self.asked))
             lines[0] = joined((lines[0], least), "")
@@ -146,7 +152,22 @@ class PathPlanning(JobResult):
             ]
         else:
             lines[0] = joined((lines[0], Message("; and no single limit that gives way is enough")), "")
+        if not self.proven:
+            lines.append(
+                Message(
+                    "tried: smooth paths and paths of arcs along the gates in one order; --seeds 5 tries other ways"
+                )
+            )
         return lines
+
+    @property
+    def proven(self) -> bool:
+        """Whether there can be no path: straight from gate to gate it is longer than the drive wheel's travel.
+
+        Else the search has found none, which proves nothing.
+        """
+        length = bool(self.reasons) and self.reasons[0].limit.kind == LimitKind.LENGTH
+        return length and least_length(self.task) > self.task.vehicle.most_length
 
     def entry(self) -> Facts:
         """The result, as in the manifest."""
@@ -169,6 +190,7 @@ class PathPlanning(JobResult):
             failed=[] if cam is None else [check.code for check in cam.failed],
             settings=settings.rows(design, self.drawn),
             said=self.sentences,
+            proven=self.proven,
             reasons=[
                 Facts(limit=str(each.limit), amount=each.amount, near_mm=each.place, enough=each.enough)
                 for each in self.reasons
@@ -392,6 +414,10 @@ def _cure(reason: Reason, task: PathTask, design: Design) -> str:
         return Message(
             "make {key} {amount:.1f} mm wider to either side, or move it by that", key=key, amount=amount + 0.1
         )
+    if amount + 0.1 > task.course.margin:  # less than no margin cannot be asked for
+        if kind == LimitKind.FIELD:
+            return Message("make the field {amount:.1f} mm larger there", amount=amount + 0.1)
+        return Message("move {key} by {amount:.1f} mm", key=key, amount=amount + 0.1)
     if kind == LimitKind.FIELD:
         return Message(
             "make the field {amount:.1f} mm larger there, or lower course.margin_mm by that", amount=amount + 0.1

@@ -38,6 +38,7 @@ from cadgen.progress import Progress, silent
 # Of plan and exact chain; most plans need one. More where other runs than the planned one must keep the course.
 _ROUNDS, _MORE_ROUNDS = 5, 7
 _SPACINGS = 5  # of a draw, at which a plan is driven
+_NARROW = 0.2  # share of the range of spacings that a draw's path is begun from where need be
 _WHEEL_STEP = 100  # parts of a millimetre in which a drive wheel's radius is chosen
 
 
@@ -138,7 +139,10 @@ def _chosen(asked: _Asked, path: PathPlanning, cam: CamPlan, cars: Tried) -> Pat
 def _planned(
     asked: _Asked, tightening: Margins, spare: Mapping[str, float] | None = None, begin: Array | None = None
 ) -> PathPlanning:
-    """Plan a path, with what its checks ask for.
+    """Plan a path, with what its checks ask for, or the reasons why none was found.
+
+    Where a course is drawn and the path from scratch cannot be set for all its spacings, the search is begun from the
+    path of a narrow range about the stated spacing.
 
     Args:
         asked: what it is planned for.
@@ -146,11 +150,38 @@ def _planned(
         spare: distance to keep besides where it costs little, by the keys of gates and obstacles, mm.
         begin: control points to go on from, shape (n, 2), mm; None to plan from scratch.
     """
+    path = _kept_by_checks(asked, tightening, spare, begin)
+    if not path.passed and not path.failed and path.task.draw is not None and begin is None:
+        asked.progress("planning from a narrower range of spacings")
+        wanted = asked.wanted
+        narrow = task_of(
+            asked.design, drawn=asked.drawn, near=wanted.near, within=wanted.within, calm=wanted.calm,
+            tightening=tightening, drawn_share=_NARROW,
+        )  # fmt: skip
+        middle = planned(replace(narrow, spare=spare or {}), seeds=wanted.seeds, map_with=wanted.map_with)
+        if not middle.missed:
+            other = _kept_by_checks(asked, tightening, spare, rounded(middle.path.points))
+            path = other if other.passed else path
+    if path.plan.missed:
+        asked.progress("looking for the reason")
+        path = replace(path, reasons=reasons(path.plan))
+    return path
+
+
+def _kept_by_checks(
+    asked: _Asked, tightening: Margins, spare: Mapping[str, float] | None, begin: Array | None
+) -> PathPlanning:
+    """Plan a path, as often as its checks ask for more; arguments as of `_planned`.
+
+    What a path misses that its course alone does not ask for is no reason against the course: where such a search
+    fails, the last path stays, with the checks that it fails.
+    """
     design, wanted, progress = asked.design, asked.wanted, asked.progress
     rounds = _MORE_ROUNDS if design.course is not None and design.course.judged == Judged.PLAY else _ROUNDS
     if spacings_of(design.course) is not None:
         draw_model.settings(design)
         rounds = _MORE_ROUNDS
+    path: PathPlanning | None = None
     for number in range(rounds):
         progress("planning the path" if number == 0 else "planning on with what the checks ask for")
         task = task_of(
@@ -165,8 +196,7 @@ def _planned(
             map_with=wanted.map_with,
         )
         if result.missed:
-            progress("looking for the reason")
-            return PathPlanning(asked=design, task=task, plan=result, text="", cam=None, reasons=reasons(result))
+            return path or PathPlanning(asked=design, task=task, plan=result, text="", cam=None)
         radius = None
         if not task.vehicle.closed and task.vehicle.path_turn != 1.0:
             turn = result.path.cost.line.length / task.vehicle.path_turn
@@ -202,6 +232,7 @@ def _planned(
         if more == tightening:
             break
         tightening, begin = more, rounded(result.path.points)
+    assert path is not None  # the last round gives one or raises
     return path
 
 

@@ -53,6 +53,7 @@ def task_of(
     within: float,
     calm: Track | None,
     tightening: Margins,
+    drawn_share: float = 1.0,
 ) -> PathTask:
     """Task of the planner.
 
@@ -63,6 +64,7 @@ def task_of(
         within: how far from it the drive wheel may be, mm.
         calm: track whose curvature's slopes are not to be exceeded; None without.
         tightening: kept from the limits.
+        drawn_share: share of the range of spacings about the stated one that is planned for.
 
     Raises:
         DesignError: the design has no course, no start, or another follower than the rod.
@@ -75,6 +77,9 @@ def task_of(
     vehicle = _vehicle(design, near is None and _free_wheel(design, drawn is not None))
     course = _course(design, drawn) if near is None else in_order(layout_of(design.course) or Course())
     draw = spacings_of(design.course)
+    if draw is not None:
+        stated = draw.stated
+        draw = replace(draw, spacings=tuple(stated + drawn_share * (each - stated) for each in draw.spacings))
     return PathTask(
         vehicle=vehicle,
         limits=_limits(design, vehicle, calm, tightening, 1.0 if draw is None else draw.spacings[0] / draw.stated),

@@ -27,6 +27,7 @@ class ExplorationPicture:
         keys: keys that varied.
         figures: codes of the objectives.
         more: whether more of each objective is better.
+        resolutions: difference of each objective below which there is none.
         values: values of the keys and objectives of designs; None for an objective that was not computed.
         kept: whether each of them is within all limits.
         front: the same of the designs on the front.
@@ -37,6 +38,7 @@ class ExplorationPicture:
     keys: Sequence[str]
     figures: Sequence[str]
     more: Sequence[bool]
+    resolutions: Sequence[float]
     values: Sequence[Sequence[Any]]
     kept: Sequence[bool]
     front: Sequence[Sequence[Any]]
@@ -54,7 +56,7 @@ def draw_exploration(content: ExplorationPicture, folder: Path, name: str) -> li
     names = []
     if content.values:
         names += _draw_parallel(content, folder, f"{name}_parallel")
-        if len(content.figures) > 1:
+        if content.front and len(_differing(content)) > 1:
             names += _draw_front(content, folder, f"{name}_front")
     if content.effects:
         names += _draw_effects(content, folder, f"{name}_effects")
@@ -66,7 +68,11 @@ def _draw_parallel(content: ExplorationPicture, folder: Path, name: str) -> list
     from matplotlib.collections import LineCollection
 
     heads = [*content.keys, *content.figures]
-    columns = [_places([row[at] for row in (*content.values, *content.front)]) for at in range(len(heads))]
+    resolutions = [*[0.0] * len(content.keys), *content.resolutions]
+    columns = [
+        _places([row[at] for row in (*content.values, *content.front)], resolution)
+        for at, resolution in enumerate(resolutions)
+    ]
     heights = np.array([places for places, _ in columns]).T
     known = np.isfinite(heights).all(axis=1)
     count = len(content.values)
@@ -103,9 +109,18 @@ def _draw_parallel(content: ExplorationPicture, folder: Path, name: str) -> list
         return save(picture, folder, name)
 
 
+def _differing(content: ExplorationPicture) -> list[int]:
+    """Numbers of the objectives in which designs differ by more than the resolution."""
+    columns = (
+        [row[len(content.keys) + at] for row in (*content.values, *content.front)] for at in range(len(content.figures))
+    )
+    known = [[value for value in column if value is not None] for column in columns]
+    return [at for at, column in enumerate(known) if column and max(column) - min(column) > content.resolutions[at]]
+
+
 def _draw_front(content: ExplorationPicture, folder: Path, name: str) -> list[str]:
     """Every pair of objectives against each other, with the front's designs."""
-    pairs = list(combinations(range(len(content.figures)), 2))[:_MOST_PAIRS]
+    pairs = list(combinations(_differing(content), 2))[:_MOST_PAIRS]
     start = len(content.keys)
     with figure(5.2 * len(pairs), 4.4) as picture:
         picture.suptitle(content.title, x=0.01, ha="left", fontsize=10)
@@ -147,14 +162,18 @@ def _draw_effects(content: ExplorationPicture, folder: Path, name: str) -> list[
         return save(picture, folder, name)
 
 
-def _places(values: Sequence[Any]) -> tuple[Array, list[tuple[float, str]]]:
-    """Places of values on an axis from 0 to 1, NaN for None, and the axis's ticks."""
+def _places(values: Sequence[Any], resolution: float) -> tuple[Array, list[tuple[float, str]]]:
+    """Places of values on an axis from 0 to 1, NaN for None, and the axis's ticks.
+
+    Numbers that differ by no more than a resolution stand in the middle.
+    """
     if all(value is None or (isinstance(value, int | float) and not isinstance(value, bool)) for value in values):
         numbers = np.array([np.nan if value is None else float(value) for value in values])
         known = numbers[np.isfinite(numbers)]
         low, high = (float(known.min()), float(known.max())) if len(known) else (0.0, 1.0)
-        if high == low:
-            return numbers * 0 + 0.5, [(0.5, f"{low:.6g}")]
+        if high - low <= resolution:
+            label = f"{low:.6g}" if high == low else f"{low:.6g}\nno difference"
+            return numbers * 0 + 0.5, [(0.5, label)]
         return (numbers - low) / (high - low), [(at, f"{low + at * (high - low):.4g}") for at in (0.0, 0.5, 1.0)]
     choices = list(dict.fromkeys(map(str, values)))
     where = {choice: at / max(len(choices) - 1, 1) for at, choice in enumerate(choices)}

@@ -1,0 +1,34 @@
+"""Courses of which a path is known that keeps them: the planner finds one, too."""
+
+from pathlib import Path
+
+import pytest
+
+from cadgen import Design
+
+TRIALS = Path(__file__).parents[1] / "data" / "trials"
+
+
+def passed(design):
+    plan = design.plan(reserve=0)
+    print(*plan.sentences, sep="\n")
+    assert plan.passed
+    return plan
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_posts_on_given_sides_between_turns_near_the_least_radius():
+    """The witness of the course is a design of its own, which passes every check."""
+    assert Design.load(TRIALS / "w0.toml").cam().passed
+    plan = passed(Design.load(TRIALS / "h0.toml", train_only=True))
+    assert Design.from_toml(plan.text, "c0").cam().passed
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_a_wide_draw_is_planned_from_a_narrow_one():
+    """Of the path from scratch the settings for posts 300 mm apart are 675 mm off."""
+    plan = passed(Design.load(TRIALS / "e_450.toml", train_only=True))
+    assert [each.spacing for each in plan.drawn] == [300, 337.5, 375, 412.5, 450]
+    assert max(each.error for each in plan.drawn) < 60
