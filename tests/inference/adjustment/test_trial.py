@@ -1,5 +1,6 @@
 """Trial runs: points assigned to a track in order, settings written and read."""
 
+from dataclasses import replace
 from itertools import combinations_with_replacement
 from math import radians
 
@@ -7,8 +8,9 @@ import numpy as np
 import pytest
 
 from cadgen.car.running.drive import Pose
+from cadgen.deviations.deviation import BASE_RADIUS, COLUMNS, START_X
 from cadgen.errors import FileError
-from cadgen.inference.adjustment import Settings, stations_of
+from cadgen.inference.adjustment import LikelyCars, Settings, stations_of
 from cadgen.inference.records.load import MOST_POINTS, STOPPED, TRIAL, load_text, settings_in, settings_line, trials_of
 
 
@@ -25,6 +27,21 @@ def test_points_in_order_go_to_stations_in_order(seed):
     assert found[-1] == 11
     assert (np.diff(found) >= 0).all()
     np.testing.assert_allclose(np.sum(np.abs(track[found] - points) ** 2), min(costs))
+
+
+def test_the_heads_error_adds_to_the_base_radius_until_the_head_is_turned():
+    """By hand: a head that stands 4 um out makes the base circle larger by that; turned, its new error counts."""
+    table = np.zeros((3, len(COLUMNS)))
+    table[:, BASE_RADIUS.column] = [0.010, 0.020, -0.030]
+    last = Settings(head=0.05)
+    cars = LikelyCars(table=table, head=np.array([0.004, -0.002, 0.001]), last=last)
+    left = cars.run(replace(last, start_x=7.0), np.array([9.0, 9.0, 9.0]))
+    np.testing.assert_allclose(left[:, BASE_RADIUS.column], [0.064, 0.068, 0.021], rtol=1e-12)
+    np.testing.assert_allclose(left[:, START_X.column], 7.0)
+    turned = cars.run(Settings(head=0.06), np.array([0.001, 0.002, -0.003]))
+    np.testing.assert_allclose(turned[:, BASE_RADIUS.column], [0.071, 0.082, 0.027], rtol=1e-12)
+    np.testing.assert_allclose(cars.run(Settings(head=0.06))[:, BASE_RADIUS.column], [0.07, 0.08, 0.03], rtol=1e-12)
+    assert table[0, BASE_RADIUS.column] == 0.010  # the cars themselves stay
 
 
 def test_settings_are_read_as_they_are_written():

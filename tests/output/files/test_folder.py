@@ -1,5 +1,6 @@
 """Output folders: everything or nothing, whatever ends the run."""
 
+import errno
 import hashlib
 import json
 import multiprocessing
@@ -363,6 +364,31 @@ def test_a_folder_that_cannot_be_locked_is_said(tmp_path, caplog, monkeypatch):
     assert "cannot be locked (No locks available): let no other run write into it" in caplog.messages[0]
     assert states(tmp_path) == {"a": "as listed"}
     assert contents(tmp_path) == {"a", "manifest.json"}
+
+
+def test_without_locks_nothing_of_another_run_is_undone_or_removed(tmp_path, monkeypatch):
+    """It may still be at work: a half-done move is refused, and a staging folder stays."""
+
+    def unknown(descriptor):
+        raise OSError(errno.ENOLCK, "No locks available")
+
+    half, early = tmp_path / "half" / "out", tmp_path / "early"
+    put(half, "part", a="old", b="old")
+    assert kill_amid_moving(monkeypatch, 2, lambda: put(half, "part", a="new", b="new"))
+    (early / ".cadgen-0123456789abcdef").mkdir(parents=True)
+    (early / ".cadgen-0123456789abcdef" / "a").write_text("being written")
+    before = {file: file.read_bytes() for file in half.rglob("*") if file.is_file()}
+    with monkeypatch.context() as patch:
+        patch.setattr(lock, "_lock", unknown)
+        with pytest.raises(FileError, match=r"since this folder cannot be locked.*run cadgen verify --restore on it"):
+            put(half, "other", c="new")
+        assert {file: file.read_bytes() for file in half.rglob("*") if file.is_file()} == before
+        put(early, "part", b="new")
+        assert (early / ".cadgen-0123456789abcdef" / "a").read_text() == "being written"
+        assert verify(half, restore=True).is_true  # the advice works without locks too
+    assert (half / "a").read_text() == "old"
+    put(early, "part", b="newer")
+    assert contents(early) == {"b", "manifest.json"}
 
 
 def test_only_what_the_manifest_lists_is_published(tmp_path):
