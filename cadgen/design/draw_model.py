@@ -19,6 +19,7 @@ from cadgen.design.schema import Design
 from cadgen.design.settings import SettingsSection
 from cadgen.deviations.deviation import BASE_RADIUS, INNER_FACE, START_HEADING, START_X, START_Y
 from cadgen.errors import DesignError
+from cadgen.messages import Message
 
 # Share of steering or travel that may be missing at the end of a range; with more no turn comes out right.
 _MOST_OFF = 0.1
@@ -79,6 +80,12 @@ def setting_ranges(design: Design, track: Track, start: tuple[float, float, floa
     )
 
 
+_NO_TRAIN = Message(
+    "train is missing, and without its ratio the radius of the drive wheel is not known, which is set for each "
+    "spacing: add [train]"
+)
+
+
 def wheels(design: Design, track: Track) -> Wheels:
     """Drive wheels and ratios that can be had; those of the design where [settings] names none.
 
@@ -87,10 +94,7 @@ def wheels(design: Design, track: Track) -> Wheels:
     """
     given = settings(design)
     if design.train is None:
-        raise DesignError(
-            "train is missing, and without its ratio the radius of the drive wheel is not known, which is set for each "
-            "spacing: add [train]"
-        )
+        raise DesignError(_NO_TRAIN)
     ratio = float(gear_model.train(design).ratio)
     ratios = given.ratios or (ratio,)
     if given.wheel_from_mm is not None and given.wheel_to_mm is not None:
@@ -98,13 +102,13 @@ def wheels(design: Design, track: Track) -> Wheels:
     return Wheels(given.wheel_radii_mm or (wheel_radius(track.turn, ratio),), ratios)
 
 
-def refuse_range(design: Design, spacings: Draw, track: Track, rod: EdgeFollower) -> None:
+def refuse_range(design: Design, spacings: Draw, track: Track | None, rod: EdgeFollower) -> None:
     """Refuse settings with which the disc meets the fork or leaves the rod, or that cannot reach the spacings.
 
     Args:
         design: loaded design.
         spacings: what is drawn.
-        track: track of the drive wheel as stated.
+        track: track of the drive wheel as stated; None before one is planned, when the wheels are not judged yet.
         rod: rod as designed.
 
     Raises:
@@ -114,11 +118,7 @@ def refuse_range(design: Design, spacings: Draw, track: Track, rod: EdgeFollower
     _refuse_ends(given, rod)
     low, high = (end / spacings.stated for end in (spacings.spacings[0], spacings.spacings[-1]))
     middle = (rod.inner + rod.outer) / 2
-    travels = wheels(design, track).travels
-    for factor, key, disc, wheel in (
-        (low, "from", given.disc_from_mm, travels[0]),
-        (high, "to", given.disc_to_mm, travels[1]),
-    ):
+    for factor, key, disc in ((low, "from", given.disc_from_mm), (high, "to", given.disc_to_mm)):
         spacing, wanted = factor * spacings.stated, middle * (factor - 1)
         if (wanted - disc) * (factor - 1) > _MOST_OFF * (middle + wanted) * abs(factor - 1):
             raise DesignError(
@@ -133,6 +133,12 @@ def refuse_range(design: Design, spacings: Draw, track: Track, rod: EdgeFollower
                 percent=100 / factor,
                 stated=spacings.stated,
             )
+    if track is None:
+        if design.train is None:
+            raise DesignError(_NO_TRAIN)
+        return
+    for factor, key, wheel in zip((low, high), ("from", "to"), wheels(design, track).travels, strict=True):
+        spacing = factor * spacings.stated
         short = (factor * track.turn - wheel) * (factor - 1)
         if short > _MOST_OFF * factor * track.turn * abs(factor - 1):
             ratios = given.ratios or (float(gear_model.train(design).ratio),)

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from cadgen import Design
+from cadgen.errors import DesignError
 
 TRIALS = Path(__file__).parents[1] / "data" / "trials"
 
@@ -32,3 +33,18 @@ def test_a_wide_draw_is_planned_from_a_narrow_one():
     plan = passed(Design.load(TRIALS / "e_450.toml", train_only=True))
     assert [each.spacing for each in plan.drawn] == [300, 337.5, 375, 412.5, 450]
     assert max(each.error for each in plan.drawn) < 60
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"settings.disc_to_mm": 40.0}, "past the end of the rod"),
+        ({"settings.disc_from_mm": -1.0}, "the disc must be moved by"),
+        ({"train": None}, "train is missing"),
+    ],
+)
+def test_settings_are_refused_before_planning(monkeypatch, changes, words):
+    monkeypatch.setattr("cadgen.jobs.planning.plan.planned", lambda *_, **__: pytest.fail("it planned"))
+    design = Design.load(TRIALS / "e_450.toml", train_only=True).with_(changes)
+    with pytest.raises(DesignError, match=words):
+        design.plan()

@@ -178,8 +178,8 @@ def _kept_by_checks(
     """
     design, wanted, progress = asked.design, asked.wanted, asked.progress
     rounds = _MORE_ROUNDS if design.course is not None and design.course.judged == Judged.PLAY else _ROUNDS
-    if spacings_of(design.course) is not None:
-        draw_model.settings(design)
+    if (draw := spacings_of(design.course)) is not None:
+        draw_model.refuse_range(design, draw, None, cam_model.leaning(design, "a card of settings"))
         rounds = _MORE_ROUNDS
     path: PathPlanning | None = None
     for number in range(rounds):
