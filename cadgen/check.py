@@ -26,6 +26,7 @@ class CheckCode(StrEnum):
     LOST_LIFT_UNDERCUT = "lost-lift-undercut"
     LOST_LIFT_CROSSING = "lost-lift-crossing"
     LOST_LIFT_FACE_CHANGE = "lost-lift-face-change"
+    LOST_LIFT_EFFECT = "lost-lift-effect"
     ROD_PUSHED_OUT = "rod-pushed-out"
     ROD_FALLS_SHORT = "rod-falls-short"
     WRONG_FACE = "wrong-face-carries"
@@ -88,6 +89,8 @@ class CheckCode(StrEnum):
     COURSE_FINISH_HEADING_PLAY = "course-finish-heading-play"
     STEERING_ANGLE = "steering-angle"
     BODIES_OVERLAP = "bodies-overlap"
+    PATH_WAYPOINT = "path-waypoint"
+    PATH_END = "path-end"
 
 
 @dataclass(frozen=True)

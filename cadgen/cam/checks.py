@@ -91,7 +91,12 @@ CONTACT_LIMIT_UM = 0.2
 # close together, and a jump above this would turn the outline by a microradian.
 CLOSURE_LIMIT = 1e-6
 # The checks that fail where the profile cannot give the lift wanted.
-LOST_LIFT = (CheckCode.LOST_LIFT_UNDERCUT, CheckCode.LOST_LIFT_CROSSING, CheckCode.LOST_LIFT_FACE_CHANGE)
+LOST_LIFT = (
+    CheckCode.LOST_LIFT_UNDERCUT,
+    CheckCode.LOST_LIFT_CROSSING,
+    CheckCode.LOST_LIFT_FACE_CHANGE,
+    CheckCode.LOST_LIFT_EFFECT,
+)
 _WALL_POINTS = 200_000  # on the outline, to look for the thinnest wall
 _ORDER: dict[StrEnum, int] = {code: number for number, code in enumerate(CheckCode)}
 

@@ -39,7 +39,7 @@ class CheckLimits:
 
     Attributes:
         pressure_angle: limits while the cam drives the follower outwards and while the spring drives it back.
-        lost_lift: greatest lift that the trimmed profile may lose.
+        lost_lift: greatest lift that the trimmed profile may lose; infinite where the application judges its effect.
         min_convex_radius: least convex radius of the actual profile, away from its corners.
         cutter_radius: radius of the cutter that will cut the part.
         wall: least wall between the profile and every hole.

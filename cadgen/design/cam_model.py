@@ -4,7 +4,7 @@ Car, rod, lift and key are those of the car as it was built, if the design has [
 """
 
 from dataclasses import fields
-from math import ceil, degrees, radians
+from math import ceil, degrees, inf, radians
 
 import numpy as np
 
@@ -26,6 +26,7 @@ from cadgen.messages import Message
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, Mark, SetScrew
 
+LOST_LIFT_UM = 1.0  # greatest lift that a cam without a car may lose, if the design does not say
 # A closing blend shorter than the schema's shortest is none.
 LEAST_BLEND = radians(0.5)
 _ROUNDING = 1e-9  # of the track's length
@@ -282,12 +283,20 @@ def check_limits(design: Design | MotionDesign) -> CheckLimits:
     assert named is not None  # a design fills it in by its follower
     return CheckLimits(
         pressure_angle=PRESSURE_ANGLE_LIMITS[named],
-        lost_lift=design.checks.lost_lift_limit_um * 1e-3,
+        lost_lift=_lost_lift(design),
         min_convex_radius=design.checks.min_convex_radius_mm,
         cutter_radius=design.machining.cutter_diameter_mm / 2,
         wall=design.checks.min_wall_mm,
         motion_key=f"path.{fields(design.path.keys)[0].name}" if isinstance(design, Design) else "motion.segments",
     )
+
+
+def _lost_lift(design: Design | MotionDesign) -> float:
+    """Greatest lift that an undercut may cost, mm; infinite where a car shows what it costs."""
+    given = design.checks.lost_lift_limit_um
+    if given is not None:
+        return given * 1e-3
+    return inf if isinstance(design, Design) else LOST_LIFT_UM * 1e-3
 
 
 def _key(given: keys.BlankSection, back: float) -> Keyway | DFlat | None:

@@ -183,8 +183,18 @@ class Checks(DesignSection):
         description="whose limits of the pressure angle hold; see the table below. Left out, Norton's for the "
         "follower: norton_translating on a slide, norton_oscillating on a pivoted arm or a car's fork",
     )
-    lost_lift_limit_um: float = Field(
-        default=1.0, gt=0, le=10_000, description="greatest lift that an undercut may cost"
+    lost_lift_limit_um: float | None = Field(
+        default=None,
+        gt=0,
+        le=10_000,
+        description="greatest lift that an undercut may cost; left out, 1 for a cam by its [motion], and any for a "
+        "car, of which `lost_lift_effect_mm` judges what it costs",
+    )
+    lost_lift_effect_mm: float = Field(
+        default=1.0,
+        gt=0,
+        le=1000,
+        description="of a car, greatest distance by which lost lift may move it anywhere on its run",
     )
     min_convex_radius_mm: float = Field(
         default=0.5,

@@ -18,7 +18,7 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll, rolling_step
-from cadgen.cam.follower import Contact, EdgeFollower
+from cadgen.cam.follower import Contact, EdgeFollower, Follower
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import Running, drive, turns_of
 from cadgen.car.running.sampled import rolled_lift
@@ -218,7 +218,7 @@ class AsBuilt:
         contact = roll(_outline_of(disc), follower, cam_angle + self.phase)
         return replace(contact, cam_angle=cam_angle)
 
-    def roll_new(self, curve: ClosedCurve, follower: EdgeFollower, cam_angle: Array, step: float) -> Contact:
+    def roll_new(self, curve: ClosedCurve, follower: Follower, cam_angle: Array, step: float) -> Contact:
         """The rod on a new cam that is cut to `curve`; arguments as for `roll_measured`.
 
         Args:

@@ -4,18 +4,20 @@ The lift that a profile is cut for may differ from the lift of its outline. The 
 use the lift that it is cut for, gives the lift that the car gets.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from math import inf, isnan
+from typing import TypeVar
 
 import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import rolling_step
 from cadgen.cam.envelope import ActualProfile
+from cadgen.cam.follower import Contact, Follower
 from cadgen.car.against_play.band import BAND_PLAYS, BandResult, over_band
 from cadgen.car.against_play.compensation import LostDip, lost_dips
-from cadgen.car.against_play.play_task import TrainTask
+from cadgen.car.against_play.play_task import PlayTask, TrainTask
 from cadgen.car.against_play.profile_kinds import CutLift, ProfileKind
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import Run
@@ -27,6 +29,7 @@ from cadgen.errors import CheckError
 from cadgen.gears.choices import StageOrder
 from cadgen.messages import Message, joined
 
+F = TypeVar("F", bound=Follower)
 STATIONS = 3600  # at which the rod is rolled; the run then errs by 0.02 mm
 _OUTLINE_STEP = 0.03  # mm; the run then ends within 0.01 mm of where finer steps take it (0.06: 0.06, 0.12: 0.6)
 
@@ -87,6 +90,14 @@ class Evaluation:
             else Message("{profile} profile", profile=Message(str(self.profile)))
         )
 
+    def run_without_loss(self, task: PlayTask) -> Run:
+        """Run with the same play on the lift that the profile is cut for, of which the envelope may lose some.
+
+        Args:
+            task: task of the profile.
+        """
+        return task.run(self.lift, self.play, least_swing=self.least_swing, cut=self.lift)
+
     @property
     def worst_lift_error(self) -> float:
         """Greatest difference of the lift with play from the lift wanted, mm."""
@@ -129,6 +140,27 @@ def evaluate_measured(work: TrainTask, profile: ProfileKind, lift: PathMotion, c
     return _evaluation(work, profile, CutLift(lift, work.window), ActualProfile(cut, ()), cut, measured=True)
 
 
+def rolled_on(
+    roll: Callable[[ClosedCurve, F, Array, float], Contact],
+    cut: ClosedCurve,
+    follower: F,
+    lift: PathMotion,
+    blend_start: float,
+) -> PathMotion:
+    """Lift that a follower gets on the disc of a curve that is cut.
+
+    Args:
+        roll: function that rolls it, of the curve, the follower, cam angles (rad) and the step of the outline (mm).
+        cut: curve that is cut, mm.
+        follower: follower as designed.
+        lift: lift that the curve was made for.
+        blend_start: cam angle from which the path no longer steers, rad.
+    """
+    stations = np.linspace(0.0, TURN, STATIONS, endpoint=False)
+    contact = roll(cut, follower, stations, rolling_step(cut, follower, _OUTLINE_STEP))
+    return rolled_lift(contact, lift, blend_start=blend_start)
+
+
 def _evaluation(
     work: TrainTask,
     profile: ProfileKind,
@@ -141,8 +173,7 @@ def _evaluation(
     task, band, planned, follower = work.task, work.band, work.planned, work.task.follower
     lift, made_for = cut_lift.lift, cut_lift.made_for
     roll = task.as_built.roll_measured if measured else task.as_built.roll_new
-    stations, step = np.linspace(0.0, TURN, STATIONS, endpoint=False), rolling_step(cut, follower, _OUTLINE_STEP)
-    rolled = rolled_lift(roll(cut, follower, stations, step), lift, blend_start=task.lift.blend_start)
+    rolled = rolled_on(roll, cut, follower, lift, task.lift.blend_start)
     play = work.run_at(made_for)
     least_swing = max(LEAST_SWING, task.as_built.unevenness(measured=measured) / follower.inner)
     run = task.run(rolled, play, least_swing=least_swing, cut=lift)

@@ -101,7 +101,7 @@ def offset_track(path: PlannedPath, offset: float, turn: float | None = None, *,
         laps: laps of a closed path in one turn of the cam, which decide the travel; None of an open path.
 
     Raises:
-        DesignError: the offset track has a cusp (1 - m k <= 0), with the place.
+        DesignError: the path turns back on itself, or the offset track has a cusp (1 - m k <= 0), with the place.
     """
     # Nodes: every span subdivided, both ends included, so that a waypoint carries a jet from either side.
     intervals = min(max(MOST_NODES // (len(path.knots) - 1), LEAST_INTERVALS), INTERVALS_PER_SPAN)
@@ -110,6 +110,7 @@ def offset_track(path: PlannedPath, offset: float, turn: float | None = None, *,
     u = starts[:, None] + widths[:, None] * fractions
     # One-sided derivatives: stay inside the span by less than rounding can show.
     inside = np.clip(u, starts[:, None], (starts + widths * (1 - 1e-13))[:, None])
+    _refuse_turning_back(path, inside)
     position, tangent, _, k, k1, k2 = _jets(path, inside.ravel())
     _refuse_cusp(path, offset, u.ravel(), position, k)
 
@@ -214,6 +215,31 @@ def _straight(path: PlannedPath, u: Array, derivatives: tuple[Array, ...], produ
     rounding = (sum(size[a] * noise[b] + size[b] * noise[a] for a, b in pair) for pair in pairs)
     within = [np.abs(product) <= most for product, most in zip(products, rounding, strict=True)]
     return np.asarray(np.logical_and.reduce(within))
+
+
+def _refuse_turning_back(path: PlannedPath, u: Array) -> None:
+    """Refuse a path whose tangent turns by more than a right angle between neighbouring parameters of a row of `u`.
+
+    A spline through points that lie on a line and run back and forth stops and reverses there. Its curvature is zero
+    on both sides, so nothing else shows that no car can follow it.
+    """
+    rate = path.spline(u, nu=1)
+    back = np.argwhere(np.einsum("ijk,ijk->ij", rate[:, :-1], rate[:, 1:]) <= 0)
+    if not back.size:
+        return
+    row, column = back[0].tolist()
+    x, y = path.spline(u[row, column])
+    knots = path.spline(path.knots)
+    nearest = int(np.argmin(np.hypot(knots[:, 0] - x, knots[:, 1] - y)[row : row + 2])) + row
+    raise DesignError(
+        "the path turns back on itself at ({x:.0f}, {y:.0f}) mm, by {knot_name} {number}, and a car cannot: put the "
+        "points in the order in which they are driven, or lead the path round a turn ({points_key})",
+        x=x,
+        y=y,
+        knot_name=path.knot_name,
+        number=nearest + 1,
+        points_key=path.points_key,
+    )
 
 
 def _refuse_cusp(path: PlannedPath, offset: float, u: Array, position: Array, k: Array) -> None:

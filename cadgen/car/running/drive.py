@@ -181,6 +181,7 @@ def drive(
     least_swing: float = LEAST_SWING,
     following: Following | None = None,
     at_joints: bool = False,
+    at: Array | None = None,
 ) -> Run:
     """Run the car on a cam.
 
@@ -198,6 +199,7 @@ def drive(
         following: how the cam follows the motor, with friction and drag; if given, it stands for lift and play.
         at_joints: whether the result has, besides the even steps, the motor positions at which the cam jumps, stops,
             goes on or meets a kink.
+        at: motor positions of the result, increasing, rad, shape (n,); the even steps if left out.
 
     Raises:
         DesignError: the play is negative or no number, or there are no steps.
@@ -211,6 +213,8 @@ def drive(
     following = following or follow(lift, play, least_swing=least_swing)
     motor = np.linspace(0.0, stop, steps + 1)
     nodes = np.union1d(motor, following.joints(0.0, stop))
+    if at is not None:
+        nodes, motor = np.union1d(nodes, at), at
     heading, position = driven(
         nodes, lambda at: wheel_tangent(following.tan_beta(at), car), car, length, start, TWO_STAGE
     )

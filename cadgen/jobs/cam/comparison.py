@@ -35,6 +35,7 @@ from cadgen.errors import CheckError, DesignError
 from cadgen.figures import Figure, Figures
 from cadgen.gears.choices import StageOrder
 from cadgen.jobs.cam.mechanics import border_sentences, joint_sentences, mechanics_checks, rubbing_sentence
+from cadgen.jobs.cam.path_check import lost_lift_check
 from cadgen.messages import Message, joined
 from cadgen.progress import Progress, silent
 
@@ -261,6 +262,7 @@ class ProfileChecks:
                 cut=evaluation.cut,
                 application=blend_checks,
             ),
+            lost_lift_check(design, evaluation.run_without_loss(self.task), evaluation.run),
             _lift_check(evaluation, (*self._allowed, design.optimize.max_lift_error_um)[0]),
             *mechanics_checks(design, rod, evaluation.lift, self.task.mechanics),
         )

@@ -2,11 +2,11 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from math import ceil, floor, log10
+from math import ceil, floor, isfinite, log10
 
 from cadgen.cam.checks import LOST_LIFT
 from cadgen.cam.loss import undercut_cures
-from cadgen.check import Check, failing
+from cadgen.check import Check, CheckCode, failing
 from cadgen.design.section import listed
 from cadgen.errors import CadgenError
 from cadgen.jobs.cam.cam_plan import CamPlan
@@ -104,14 +104,26 @@ def _tried(plan: CamPlan) -> Iterator[Cure]:
     """Try one key at a time: those of the application, those of the follower, and at last the limit itself."""
     for changes in plan.application.changes(plan):
         yield from next(filter(None, (_proved(plan, override, now) for override, now in changes)), [])
-    limit = plan.limits.lost_lift
+    limit = plan.limits.lost_lift if isfinite(plan.limits.lost_lift) else _borne(plan)
     for change in undercut_cures(plan.motion, plan.follower_as_built, limit):
         # Three digits, rounded to the safe side.
         unit = 10.0 ** (floor(log10(change.value)) - 2)
         safe = (ceil if change.value > change.now else floor)(change.value / unit) * unit
         yield from _proved(plan, f"{change.parameter}={safe:.4g}", f"{change.now:g}")
-    allowed = ceil(max(check.value for check in plan.lost) * 10) / 10  # rounded up to a tenth of a micrometre
-    yield from _proved(plan, f"checks.lost_lift_limit_um={allowed:g}", f"{limit * 1e3:g}")
+    for key, lost in (
+        ("checks.lost_lift_limit_um", [check for check in plan.lost if check.code != CheckCode.LOST_LIFT_EFFECT]),
+        ("checks.lost_lift_effect_mm", [check for check in plan.lost if check.code == CheckCode.LOST_LIFT_EFFECT]),
+    ):
+        if lost:
+            allowed = ceil(max(check.value for check in lost) * 10) / 10  # rounded up to a tenth
+            yield from _proved(plan, f"{key}={allowed:g}", f"{lost[0].limit:g}")
+
+
+def _borne(plan: CamPlan) -> float:
+    """Lift, mm, that may be lost so that the car is moved by no more than allowed, in proportion to what is lost."""
+    effect = next(check for check in plan.lost if check.code == CheckCode.LOST_LIFT_EFFECT)
+    most = max(check.value for check in plan.checks if check.code in LOST_LIFT and check.code != effect.code)
+    return most * 1e-3 * effect.limit / effect.value
 
 
 def _proved(plan: CamPlan, override: str, now: str) -> list[Cure]:

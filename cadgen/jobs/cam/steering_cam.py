@@ -11,7 +11,7 @@ from cadgen.arrays import TURN, Array
 from cadgen.cam.checks import cam_angles, check_cam
 from cadgen.cam.contact import roll
 from cadgen.cam.follower import Contact, Follower, Trim, edge_follower
-from cadgen.car.against_play.evaluate import evaluate
+from cadgen.car.against_play.evaluate import evaluate, rolled_on
 from cadgen.car.against_play.laps import Laps
 from cadgen.car.against_play.play_task import TrainTask
 from cadgen.car.against_play.profile_kinds import ACTUAL, OPTIMIZED, ProfileKind, codes, profile_of
@@ -44,6 +44,7 @@ from cadgen.jobs.cam.car_facts import as_built_facts, comparison_facts
 from cadgen.jobs.cam.comparison import MeasuredCam, PlayComparison, ProfileChecks, against_play, known_trains, task_of
 from cadgen.jobs.cam.course import OnCourse, course_checks, floor_with, on_course
 from cadgen.jobs.cam.mechanics import joint_sentences, mechanics_checks
+from cadgen.jobs.cam.path_check import lost_lift_check, path_checks
 from cadgen.jobs.cam.wheel import DriveWheel, drive_wheel, field_notice, sense_notice
 from cadgen.laws.motion import Motion
 from cadgen.messages import Message
@@ -469,12 +470,26 @@ def _plan(design: Design, profile: ProfileKind, progress: Progress, *, judged: b
         *check_cam(
             lift, profile.rolling(rod), wanted.curve, wanted.trims, blank, limits, cut=cut, application=blend_checks
         ),
+        *path_checks(design, track, lift),
+        *_loss_of_plain(design, track, profile, lift, rod, cut),
         *mechanics_checks(design, rod, lift, variation.mechanics(design, rod, lift)),
         *course_checks(course),
         *(laps.checks(None) if laps else ()),
         *outlook_checks(design),
     )
     return _car_plan(CarUse(design, track, lift, None, course, laps), profile, rod, cut, wanted.trims, checks)
+
+
+def _loss_of_plain(
+    design: Design, track: Track, profile: ProfileKind, lift: PathMotion, rod: Follower, cut: ClosedCurve
+) -> tuple[Check, ...]:
+    """Check of what lost lift costs the car; none of a curve that no follower is to ride on."""
+    if profile.by_axis or not profile.gives_lift:
+        return ()
+    rolled = rolled_on(cam_model.as_built(design).roll_new, cut, rod, lift, lift.blend_start)
+    car, travel, start = cam_model.car(design), cam_model.travel(design, track), start_pose(track)
+    wanted, got = (drive(each, car, travel, start=start, stop=lift.blend_start) for each in (lift, rolled))
+    return (lost_lift_check(design, wanted, got),)
 
 
 def _plan_against_play(
@@ -497,6 +512,7 @@ def _plan_against_play(
     course, laps = on_course(design, track, lift), _laps(design, track, lift)
     checked = (
         *checks.of(chosen),
+        *path_checks(design, track, lift),
         *course_checks(course, comparison),
         *(laps.checks(chosen) if laps else ()),
         *outlook_checks(design),
