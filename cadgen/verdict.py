@@ -66,7 +66,7 @@ class Verdict:
 
     Attributes:
         checks: figures that were judged.
-        reservations: reservations, the costliest first.
+        reservations: reservations, the weightiest first.
     """
 
     checks: tuple[Check, ...]
@@ -103,7 +103,6 @@ def verdict_of(checks: Iterable[Check], reservations: Iterable[Reservation] = ()
 
     Args:
         checks: figures with their limits.
-        reservations: reservations in any order.
+        reservations: reservations, the weightiest first.
     """
-    by_cost = sorted(reservations, key=lambda each: -(each.cost.value or 0.0) if each.cost is not None else 0.0)
-    return Verdict(tuple(checks), tuple(by_cost))
+    return Verdict(tuple(checks), tuple(reservations))

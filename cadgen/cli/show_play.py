@@ -313,7 +313,8 @@ def fleet(run: "ToleranceRun[Cam]") -> None:
         kept.append(Message("pass all {gates} gates of {width:g} mm", gates=result.gates, width=result.gate_width))
     if result.watched:
         kept.append(Message("keep the course: {parts}", parts=result.watched))
-    console.print(Message("{percent:.2f} % {kept}", percent=100 * result.passed, kept=joined(kept, " and ")))
+    if result.passed is not None:
+        console.print(Message("{percent:.2f} % {kept}", percent=100 * result.passed, kept=joined(kept, " and ")))
     if result.watched:
         margins = joined(f"{100 * part:g} % {margin:.3g} mm" for part, margin in result.margins.items())
         console.print(Message("margin to the course that a share of the cars keeps: {margins}", margins=margins))

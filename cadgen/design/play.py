@@ -11,8 +11,6 @@ from cadgen.deviations.deviation import VARIED
 from cadgen.gears.choices import Law, StageOrder
 from cadgen.messages import Message
 
-GATE_WIDTH_MM = 400.0
-
 
 class Hardware(StrEnum):
     """Thing built or done against play besides the cam: a brake on the disc, or a trim after a trial run."""
@@ -101,13 +99,8 @@ class TolerancesSection(_Zones):
         gt=0,
         le=100_000,
         description="of gates at the waypoints, which the drive wheel passes within half of it to either side; left "
-        "out, 400, or the gates of [course]",
+        "out, only what [course] has is kept",
     )
-
-    @property
-    def gate_width(self) -> float:
-        """Width of the gates at the waypoints where the course has none of its own, mm."""
-        return GATE_WIDTH_MM if self.gate_width_mm is None else self.gate_width_mm
 
 
 class Optimize(DesignSection):

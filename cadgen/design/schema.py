@@ -196,6 +196,12 @@ class Checks(DesignSection):
         le=1000,
         description="of a car, greatest distance by which lost lift may move it anywhere on its run",
     )
+    min_yield_percent: float = Field(
+        default=25.0,
+        ge=0,
+        le=100,
+        description="of a car with [course], least share of random cars within the tolerances that keep it",
+    )
     min_convex_radius_mm: float = Field(
         default=0.5,
         ge=0,

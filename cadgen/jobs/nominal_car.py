@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -9,13 +10,15 @@ from cadgen.arrays import TURN
 from cadgen.car.course.approach import nearest_point
 from cadgen.car.course.body import place_of
 from cadgen.car.course.judge import Passage, turned_by
-from cadgen.car.running.drive import STEPS
+from cadgen.car.running.drive import STEPS, turns_of
 from cadgen.car.running.mechanics import Mechanics
+from cadgen.curves.closed import ClosedCurve
 from cadgen.inference.monte_carlo.cars import Cars, Poses, nominal_cars
 from cadgen.inference.monte_carlo.course_margins import ClearanceItem, Complex, GateItem
-from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.course import CourseRun
-from cadgen.jobs.cam.steering_cam import CarUse, comparison_of
+
+if TYPE_CHECKING:
+    from cadgen.jobs.cam.steering_cam import CarUse
 
 _OUTLINE_STEP = 0.06  # mm; rolling errs by 0.01 um of lift
 _WINDOW = 600.0  # mm of the planned track to either side of a gate, in which a car may be early or late
@@ -24,21 +27,28 @@ _EDGE = "course.field"  # key of the field's edge
 
 
 def fleet_of(
-    plan: CamPlan, stations: Sequence[int], mechanics: Mechanics | None, play: float, grid: int = STEPS
+    use: "CarUse",
+    cut: ClosedCurve,
+    stations: Sequence[int],
+    mechanics: Mechanics | None,
+    play: float,
+    grid: int = STEPS,
 ) -> Cars:
     """The nominal car of a design, ready to be varied.
 
     Args:
-        plan: of the cam that all cars have, planned with play.
+        use: car that all are copies of, with its comparison under play.
+        cut: curve that its cam is cut to, mm.
         stations: steps of the run, `STEPS` to a turn that is begun, at which poses are wanted, in order; the last is
             the end of the run.
         mechanics: friction and drag of the nominal car; None if the rod slides freely.
         play: return error of the nominal car, rad.
         grid: cam angles of a turn on which the cars are integrated.
     """
-    use, task = CarUse.of(plan), comparison_of(plan).task
+    assert use.comparison is not None
+    task = use.comparison.task
     return nominal_cars(
-        task.as_built.roll_new(plan.curve, task.follower, np.linspace(0.0, TURN, grid, endpoint=False), _OUTLINE_STEP),
+        task.as_built.roll_new(cut, task.follower, np.linspace(0.0, TURN, grid, endpoint=False), _OUTLINE_STEP),
         task.follower,
         task.car,
         task.length,
@@ -50,6 +60,37 @@ def fleet_of(
         mechanics=mechanics,
         expansion=use.expansion,
     )
+
+
+def watched_fleet(use: "CarUse", cut: ClosedCurve) -> Cars:
+    """The nominal car of a design, with what it must keep of its course, and the gates at waypoints that it states.
+
+    Args:
+        use: car with its comparison under play.
+        cut: curve that its cam is cut to, mm.
+    """
+    assert use.comparison is not None
+    task = use.comparison.task
+    mechanics = None if task.mechanics is None else task.mechanics.nominal
+    fleet = fleet_of(use, cut, gate_steps(use), mechanics, use.comparison.chosen.play)
+    return fleet if use.course is None else watching(fleet, use.course.planned)
+
+
+def gate_steps(use: "CarUse") -> list[int]:
+    """Steps of the run at which the car passes a gate at a waypoint, for which the design states a width; and its end.
+
+    On a closed path the car passes its waypoints, and its start, on every lap.
+
+    Args:
+        use: car that the cam steers.
+    """
+    stop = use.steering.blend_start
+    last = STEPS * turns_of(stop)
+    if use.gate_width is None:
+        return [last]
+    motor = use.waypoints
+    steps = np.unique(np.rint(motor[motor < stop] / stop * last).astype(int))
+    return [*steps[(steps > 0) & (steps < last)].tolist(), last]
 
 
 def watching(fleet: Cars, planned: CourseRun) -> Cars:

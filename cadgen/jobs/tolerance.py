@@ -11,20 +11,17 @@ from typing import Generic, Self
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.car.running.drive import STEPS, turns_of
-from cadgen.design.play import GATE_WIDTH_MM
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.deviations.deviation import RETURN_ERROR, Deviation
 from cadgen.errors import DesignError, FileError
 from cadgen.figures import Facts, JobResult
 from cadgen.gears.choices import Law
-from cadgen.inference.monte_carlo.cars import Cars
 from cadgen.inference.monte_carlo.random_cars import CarEnds, Map, Sensitivity, sensitivities, tolerance_run
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.steering_cam import CarUse, comparison_of, plan_cam
 from cadgen.jobs.error_budget import BudgetSheet, budget_sheet, unit_of
-from cadgen.jobs.nominal_car import fleet_of, watching
+from cadgen.jobs.nominal_car import gate_steps, watched_fleet
 from cadgen.jobs.simulation import C
 from cadgen.messages import Message
 from cadgen.output.files.publisher import Artifact, Written, folder_of, publish
@@ -76,8 +73,9 @@ class ToleranceRun(JobResult, Generic[C]):
         cam: cam that all cars have.
         seed: seed of the random numbers.
         ends: errors of every car at the end of its run, shape (samples,), mm and rad.
-        gates: number of gates: those of the course, or the waypoints passed and the end of the run.
-        gate_width: width of the gates at the waypoints, mm; None where the course has its own.
+        gates: number of gates: those of the course, or those at the waypoints and at the end for which the design has a
+            width.
+        gate_width: width of the gates at the waypoints, mm; None where the design states none.
         law: law of the deviations within their zones.
         half_widths: half of the zone of each tolerance, or of the band of play, mm or rad.
         sensitivities: effect of each tolerance on the end of the run, greatest share first.
@@ -95,7 +93,8 @@ class ToleranceRun(JobResult, Generic[C]):
     budget: BudgetSheet | None = None
 
     def __repr__(self) -> str:
-        return f"<ToleranceRun of {self.cam.origin.name}, {self.samples} cars, {self.passed:.1%} pass>"
+        kept = "" if self.passed is None else f", {self.passed:.1%} pass"
+        return f"<ToleranceRun of {self.cam.origin.name}, {self.samples} cars{kept}>"
 
     @property
     def computed(self) -> Self:
@@ -103,8 +102,10 @@ class ToleranceRun(JobResult, Generic[C]):
         return self
 
     @property
-    def passed(self) -> float:
-        """Share of the cars that pass every gate and, if the design has one, keep its course."""
+    def passed(self) -> float | None:
+        """Share of the cars that keep the course, and the gates that the design states; None if it has neither."""
+        if not self.gates and not self.watched:
+            return None
         kept = self.ends.margin >= 0
         if self.gate_width is not None:
             kept &= self.ends.widest <= self.gate_width / 2
@@ -284,7 +285,7 @@ def tolerance_of(plan: C, sample: CarSample, progress: Progress = silent) -> Tol
     """
     use, (low, high) = CarUse.of(plan), comparison_of(plan).band.ends
     tolerances = use.tolerances()
-    fleet = watched_fleet(plan)
+    fleet = watched_fleet(use, plan.curve)
     progress("finding sensitivities")
     ranked = sensitivities(fleet, tolerances)
     if not ranked:
@@ -313,46 +314,15 @@ def tolerance_of(plan: C, sample: CarSample, progress: Progress = silent) -> Tol
     if sample.with_budget:
         progress("ranking what may be off")
         sheet = budget_sheet(use.play_zones(), fleet, tolerances)
-    own_gates = use.course is not None and use.course.course.gates
-    width = GATE_WIDTH_MM if use.gate_width is None else use.gate_width
+    passages = () if use.course is None else use.course.planned.driven.passages
     return ToleranceRun(
         cam=plan,
         seed=sample.seed,
         ends=ends,
-        gates=_count(plan),
-        gate_width=None if own_gates else width,
+        gates=len(passages) if use.gate_width is None else len(gate_steps(use)),
+        gate_width=use.gate_width,
         law=tolerances.law,
         half_widths={**tolerances.half_widths, RETURN_ERROR: (high - low) / 2},
         sensitivities=ranked,
         budget=sheet,
     )
-
-
-def watched_fleet(plan: CamPlan) -> Cars:
-    """The nominal car of a plan that was compared under play, with what it must keep of its course."""
-    comparison = comparison_of(plan)
-    mechanics = None if comparison.task.mechanics is None else comparison.task.mechanics.nominal
-    fleet = fleet_of(plan, _gates(plan), mechanics, comparison.chosen.play)
-    course = CarUse.of(plan).course
-    return fleet if course is None else watching(fleet, course.planned)
-
-
-def _count(plan: CamPlan) -> int:
-    course = CarUse.of(plan).course
-    passed = () if course is None else course.planned.driven.passages
-    return len(passed) or len(_gates(plan))
-
-
-def _gates(plan: CamPlan) -> list[int]:
-    """Steps of the run at which the car passes the waypoints after the first, and its end; with a course its end.
-
-    On a closed path the car passes its waypoints, and its start, on every lap.
-    """
-    use = CarUse.of(plan)
-    stop = use.steering.blend_start
-    last = STEPS * turns_of(stop)
-    if use.course is not None and use.course.course.gates:
-        return [last]
-    motor = use.waypoints
-    steps = np.unique(np.rint(motor[motor < stop] / stop * last).astype(int))
-    return [*steps[(steps > 0) & (steps < last)].tolist(), last]

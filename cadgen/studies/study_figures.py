@@ -152,7 +152,10 @@ def _worst_heading(evaluated: Evaluated) -> float:
 
 @_figure("passed_percent", "share of random cars that keep the course", more=True)
 def _passed(evaluated: Evaluated) -> float:
-    return 100 * evaluated.tolerance.passed
+    share = evaluated.tolerance.passed
+    if share is None:
+        raise DesignError("passed_percent counts cars that keep the course: add [course], or take another figure")
+    return 100 * share
 
 
 @_figure("disc_diameter_mm", "diameter of the circle about the camshaft that holds the disc", 0.01)

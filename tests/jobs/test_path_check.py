@@ -8,7 +8,6 @@ import pytest
 
 from cadgen import Design
 from cadgen.arrays import TURN
-from cadgen.car.running.drive import drive, start_pose
 from cadgen.check import CheckCode
 from cadgen.design import cam_model
 from cadgen.errors import DesignError
@@ -35,7 +34,9 @@ def test_a_path_that_turns_back_on_itself_is_refused_at_the_waypoint(name, words
 def test_the_lift_wanted_drives_past_every_waypoint(name):
     design = Design.load(name).values
     track = cam_model.track(design)
-    assert all(check.passed and check.value < 1e-5 for check in path_checks(design, track, cam_model.lift(design, track)))
+    assert all(
+        check.passed and check.value < 1e-5 for check in path_checks(design, track, cam_model.lift(design, track))
+    )
 
 
 def test_a_lift_that_is_a_little_off_fails_where_it_leaves_the_path():

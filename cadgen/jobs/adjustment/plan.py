@@ -301,10 +301,11 @@ class Bench:
             sigma[RETURN_ERROR] = max(0.03 * play, radians(0.01))
         noise = TrialNoise(point=wanted.noise, head=wanted.division / sqrt(12))
         ordered = {each: sigma[each] for each in VARIED if each in sigma}
-        fine, coarse = (
-            fleet_of(plan, list(range(0, STEPS + 1, apart)), mechanics, play, grid=_GRID) for apart in (FINE, COARSE)
-        )
         use, origin = CarUse.of(plan), plan.origin
+        fine, coarse = (
+            fleet_of(use, plan.curve, list(range(0, STEPS + 1, apart)), mechanics, play, grid=_GRID)
+            for apart in (FINE, COARSE)
+        )
         course, width = use.course, use.gate_width
         reaches = [gate.place.reach for gate in course.course.gates if gate.place.reach] if course else []
         return cls(

@@ -19,6 +19,7 @@ from cadgen.laws.motion import Motion
 from cadgen.output.files.manifest import Origin
 from cadgen.parts.blank import Blank
 from cadgen.parts.face import Face
+from cadgen.verdict import Verdict, verdict_of
 
 
 @dataclass(frozen=True)
@@ -124,6 +125,10 @@ class Application:
         """Sentences for the cam's sheet."""
         return ()
 
+    def verdict(self, cam: "CamPlan") -> Verdict:
+        """Verdict on a cam: its checks, with what the application adds, and its reservations."""
+        return verdict_of(cam.checks)
+
     def changes(self, cam: "CamPlan") -> Iterable[Sequence[tuple[str, str]]]:
         """Changes that may cure lost lift: groups of overrides as for `--set`, each with the present value as text.
 
@@ -201,20 +206,25 @@ class CamPlan:
     application: Application
     phase: float = 0.0
 
+    @cached_property
+    def verdict(self) -> Verdict:
+        """Verdict on the cam in its application: ready, with reservations, or not."""
+        return self.application.verdict(self)
+
     @property
     def passed(self) -> bool:
-        """Whether every check keeps its limit."""
-        return not self.failed
+        """Whether the cam may be cut, with reservations or without."""
+        return self.verdict.passed
 
     @property
     def failed(self) -> tuple[Check, ...]:
-        """Checks that do not keep their limit."""
-        return failing(self.checks)
+        """Checks of the verdict that do not keep their limit."""
+        return self.verdict.failed
 
     @property
     def lost(self) -> tuple[Check, ...]:
         """Failed checks on lost lift."""
-        return tuple(check for check in self.failed if check.code in LOST_LIFT)
+        return tuple(check for check in failing(self.checks) if check.code in LOST_LIFT)
 
     @property
     def stem(self) -> str:
@@ -233,8 +243,8 @@ class CamPlan:
 
     @property
     def figures(self) -> tuple[Check, ...]:
-        """The checks, and what is shown beside them."""
-        return (*self.checks, *self.shown)
+        """The checks of the verdict, and what is shown beside them."""
+        return (*self.verdict.checks, *self.shown)
 
     @property
     def made_blank(self) -> Blank:

@@ -34,7 +34,7 @@ from cadgen.design.schema import Design
 from cadgen.errors import CheckError, DesignError
 from cadgen.figures import Figure, Figures
 from cadgen.gears.choices import StageOrder
-from cadgen.jobs.cam.mechanics import border_sentences, joint_sentences, mechanics_checks, rubbing_sentence
+from cadgen.jobs.cam.mechanics import border_sentences, joint_sentences, mechanics_checks, rubbing
 from cadgen.jobs.cam.path_check import lost_lift_check
 from cadgen.messages import Message, joined
 from cadgen.progress import Progress, silent
@@ -69,6 +69,7 @@ class PlayComparison:
         bound: lower bound of the worst end over the band, to first order, for profiles with the same peaks and valleys
             if the rod slides without friction.
         rubbing: effect of friction on the run, a sentence; empty if the design has friction or it changes nothing.
+        rubs: worst end of the run with that friction, mm.
     """
 
     task: PlayTask
@@ -79,6 +80,7 @@ class PlayComparison:
     reasons: tuple[str, ...]
     bound: EndBound
     rubbing: str
+    rubs: float = 0.0
 
     def gain(self, evaluation: Evaluation) -> tuple[float | None, float | None]:
         """Shares of heading and position error at the end that a profile takes off; None where there is hardly any.
@@ -484,6 +486,7 @@ def against_play(
     if old is not None:
         before = old
         evaluations = (before, *evaluations)
+    worst, said = (0.0, "") if task.mechanics else rubbing(task, work.band, chosen, before)
     return PlayComparison(
         task=task,
         band=work.band,
@@ -492,7 +495,8 @@ def against_play(
         evaluations=evaluations,
         reasons=tuple(reasons),
         bound=work.bound(),
-        rubbing="" if task.mechanics else rubbing_sentence(task, work.band, chosen, before),
+        rubbing=said,
+        rubs=worst,
     )
 
 

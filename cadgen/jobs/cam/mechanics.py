@@ -25,8 +25,8 @@ _STEEP = 20.0  # mm at the end of the run for that step: friction decides more t
 _SHOWN = 1.0  # mm; less at the end is not worth a sentence
 
 
-def rubbing_sentence(task: PlayTask, band: PlayBand, chosen: Evaluation, plain: Evaluation) -> str:
-    """Effect of friction on a cam that was computed without it, in words; empty if friction changes nothing."""
+def rubbing(task: PlayTask, band: PlayBand, chosen: Evaluation, plain: Evaluation) -> tuple[float, str]:
+    """Effect of friction on a cam that was computed without it: worst end, mm, and a sentence; empty without any."""
     usual = MechanicsBand(follower=task.follower, friction=USUAL).cases
     plays = np.array(band.ends if band.measured is None else [band.measured])
     worst = [
@@ -43,12 +43,12 @@ def rubbing_sentence(task: PlayTask, band: PlayBand, chosen: Evaluation, plain: 
         for evaluation in (chosen, plain)
     ]
     if max(worst) < _SHOWN:
-        return ""
+        return 0.0, ""
     low, high = USUAL
     beside: str = ""
     if chosen.profile != plain.profile:
         beside = Message("; the {plain} would end up to {off:.0f} mm off", plain=plain.title, off=worst[1])
-    return Message(
+    return worst[0], Message(
         "Reckoned as if the rod slid without friction, which only a ball bearing does. With a rod that rubs (friction "
         "{low:g} to {high:g}) and these plays the car would end up to {off:.0f} mm off{beside}. Say in [mechanics] "
         "what the car has, and cadgen optimize compares what helps.",

@@ -26,7 +26,7 @@ from cadgen.car.running.sampled import rolled_lift
 from cadgen.car.steering import Car
 from cadgen.check import Check
 from cadgen.curves.closed import ClosedCurve, Outline
-from cadgen.design import cam_model, variation
+from cadgen.design import cam_model, gear_model, variation
 from cadgen.design.as_built import AsBuiltSection
 from cadgen.design.course import body_of, layout_of
 from cadgen.design.load import with_overrides
@@ -45,6 +45,7 @@ from cadgen.jobs.cam.comparison import MeasuredCam, PlayComparison, ProfileCheck
 from cadgen.jobs.cam.course import OnCourse, course_checks, floor_with, on_course
 from cadgen.jobs.cam.mechanics import joint_sentences, mechanics_checks
 from cadgen.jobs.cam.path_check import lost_lift_check, path_checks
+from cadgen.jobs.cam.readiness import course_yield, reservations, wheel_checks, yield_check
 from cadgen.jobs.cam.wheel import DriveWheel, drive_wheel, field_notice, sense_notice
 from cadgen.laws.motion import Motion
 from cadgen.messages import Message
@@ -52,6 +53,7 @@ from cadgen.output.files.manifest import Origin
 from cadgen.output.report.tracks import Field
 from cadgen.parts.face import Face
 from cadgen.progress import Progress, silent
+from cadgen.verdict import Verdict, verdict_of
 
 # Lengthening the closing blend is tried by these factors.
 _BLEND_FACTORS = (1.5, 2.0, 3.0, 5.0, 8.0)
@@ -246,6 +248,31 @@ class CarUse(Application):
         rod = edge_follower(cam.follower, "what a broken edge costs")
         as_built = cam_model.as_built(self.design)
         return (edges_check(self.steering, rod, cam.curve, as_built, self.car, self.travel),)
+
+    def verdict(self, cam: CamPlan) -> Verdict:
+        """Verdict on the cam in the car, with the cars that keep the course."""
+        found = course_yield(self._with_play(cam), cam.curve)
+        counted = () if found is None else (yield_check(found, self.design.checks.min_yield_percent),)
+        return verdict_of((*cam.checks, *wheel_checks(self), *counted), reservations(self, found))
+
+    def _with_play(self, cam: CamPlan) -> "CarUse":
+        """The car with its comparison under play, which the plain profile is planned without."""
+        if self.comparison is not None or cam.kind is not ACTUAL or self.course is None or not self.play_known:
+            return self
+        other = _plan_against_play(self.design, ACTUAL, silent, measured=_measured_cam(self.design)).application
+        assert isinstance(other, CarUse)
+        return other
+
+    @property
+    def play_known(self) -> bool:
+        """Whether the design says how much play the gears have."""
+        return bool(variation.play_bands(self.design))
+
+    @property
+    def same_sense(self) -> int:
+        """Number of stages of a train that turns the cam the way of the drive wheel; 0 if it does not, or is unknown."""
+        stages = 1 if self.design.train is None else len(self.design.train.stages)
+        return stages if gear_model.sense_note(self.design, stages) else 0
 
     def changes(self, cam: CamPlan) -> Iterable[Sequence[tuple[str, str]]]:
         """A spline without kinks, and a longer closing blend where lift is lost in it."""

@@ -14,7 +14,8 @@ from cadgen.errors import CadgenError
 from cadgen.inference.monte_carlo.random_cars import margins_of_cars
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.steering_cam import CarUse, plan_cam
-from cadgen.jobs.tolerance import CarSample, ToleranceRun, tolerance_of, watched_fleet
+from cadgen.jobs.nominal_car import watched_fleet
+from cadgen.jobs.tolerance import CarSample, ToleranceRun, tolerance_of
 from cadgen.progress import Progress
 
 # Reserves that are tried one after the other as long as they help, two in any case: factors on the scatter.
@@ -75,7 +76,17 @@ class CarsOnPaths:
     @property
     def fewer(self) -> bool:
         """Whether fewer cars keep the course than on the path before."""
-        return self.before is not None and self.after.passed < self.before.passed
+        return self.share_before is not None and self.share < self.share_before
+
+    @property
+    def share(self) -> float:
+        """Share of the cars that keep the course on the path that was chosen, 0 to 1."""
+        return self.after.passed or 0.0
+
+    @property
+    def share_before(self) -> float | None:
+        """Share of the cars that keep it on the path before, 0 to 1; None without such a path."""
+        return None if self.before is None else self.before.passed
 
     @property
     def binding(self) -> tuple[str, float]:
@@ -96,7 +107,7 @@ def tried(cam: CamPlan, factor: float) -> Tried | None:
     use = CarUse.of(cam)
     if use.comparison is None or use.course is None:
         return None
-    fleet = watched_fleet(cam)
+    fleet = watched_fleet(use, cam.curve)
     if not fleet.items:
         return None
     seen = margins_of_cars(fleet, use.tolerances(), _FEW, seed=_SEED)

@@ -234,16 +234,16 @@ def _kept(cars: CarsOnPaths) -> Message:
     said = [
         Message(
             "{passed:.1f} % of {samples} cars within the tolerances keep the course with the {code} profile",
-            passed=100 * after.passed,
+            passed=100 * cars.share,
             samples=after.samples,
             code=after.cam.kind.code,
         )
     ]
-    if cars.before is not None:
-        said.append(Message(", where {passed:.1f} % do on the path before", passed=100 * cars.before.passed))
+    if cars.share_before is not None:
+        said.append(Message(", where {passed:.1f} % do on the path before", passed=100 * cars.share_before))
     if cars.fewer:
         said.insert(0, Message("fewer cars than on the path before: "))
-    if after.passed < 1.0:
+    if cars.share < 1.0:
         said.append(Message("; what binds is {key}, which {share:.1f} % keep", key=key, share=100 * share))
         if first.share > 0:
             name = Message(first.name.replace("_", " "))
@@ -287,8 +287,8 @@ def _cars_facts(cars: CarsOnPaths) -> Facts:
         cars=cars.after.samples,
         profile=cars.after.cam.kind.code,
         seed=cars.after.seed,
-        kept=cars.after.passed,
-        kept_before=None if before is None else before.passed,
+        kept=cars.share,
+        kept_before=cars.share_before,
         worst_end_position_before_mm=None if known is None else known.chosen.band.worst_distance,
         binding=key,
         binding_kept=share,

@@ -26,7 +26,7 @@ class FleetPicture:
         along: position error at the end along the planned heading, shape (m,), mm.
         across: position error to the left of the planned heading, shape (m,), mm.
         gate_width: width of the gate at the end, mm; None if there is none.
-        passed: share of the cars that pass every gate, 0 to 1.
+        passed: share of the cars that keep the course and its gates, 0 to 1; None where there is nothing to keep.
         shares: share of the variance by parameter, greatest first.
     """
 
@@ -34,7 +34,7 @@ class FleetPicture:
     along: Array
     across: Array
     gate_width: float | None
-    passed: float
+    passed: float | None
     shares: Mapping[str, float]
 
 
@@ -42,7 +42,8 @@ def draw_fleet(content: FleetPicture, folder: Path, name: str) -> list[str]:
     """Draw the distribution of end errors and its causes; return the files' names."""
     distance = np.hypot(content.along, content.across)
     with figure(11.0, 3.9) as picture:
-        picture.suptitle(f"{content.title}; {100 * content.passed:.1f} % pass every gate", x=0.01, ha="left")
+        kept = "" if content.passed is None else f"; {100 * content.passed:.1f} % keep the course"
+        picture.suptitle(f"{content.title}{kept}", x=0.01, ha="left")
         left, middle, right = picture.subplots(1, 3, width_ratios=(1.25, 1.0, 1.1))
         left.hist(distance, bins=_BINS, color=SKY)
         for share, style in zip(_SHARES, ("-", "--", ":"), strict=True):

@@ -112,7 +112,7 @@ class CarPage(PagePlan):
             end = self.simulation.after_error.end_distance
             rows.append((Message("end of the run, with play"), number(end, "mm", digits=1)))
             rows.append((Message("return error"), number(degrees(self.simulation.play), "°")))
-        if self.tolerance is not None:
+        if self.tolerance is not None and self.tolerance.passed is not None:
             rows.append((Message("cars that pass"), number(100 * self.tolerance.passed, "%", digits=2)))
         return tuple(rows)
 

@@ -211,13 +211,15 @@ def tolerance_section(run: ToleranceRun[CamPlan] | None, reason: str) -> Section
     title = Message("Tolerance")
     if run is None:
         return Section("tolerance", title, (reason,))
-    lead = Message(
-        "{samples} random cars with this cam (seed {seed}, {law} law): {passing:.2f} % keep the course and its gates.",
-        samples=run.samples,
-        seed=run.seed,
-        law=Message(run.law),
-        passing=100 * run.passed,
-    )
+    cars = {"samples": run.samples, "seed": run.seed, "law": Message(run.law)}
+    lead = Message("{samples} random cars with this cam (seed {seed}, {law} law).", **cars)
+    if run.passed is not None:
+        lead = Message(
+            "{samples} random cars with this cam (seed {seed}, {law} law): {passing:.2f} % keep the course and its "
+            "gates.",
+            passing=100 * run.passed,
+            **cars,
+        )
     spreads: tuple[tuple[str, Spread, str], ...] = (
         (Message("position at the end"), run.end_position, "mm"),
         (Message("heading at the end"), run.end_heading_deg, "°"),

@@ -1,0 +1,231 @@
+"""Readiness of a car's cam: how many cars keep the course, and what holds the cam back, with its cost and its cure.
+
+The cars are the same in every command: `SAMPLE` of them, drawn from the seed `SEED`. So a verdict depends on the design
+and its profile alone.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from math import degrees
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from cadgen.arrays import TURN
+from cadgen.check import Bound, Check, CheckCode
+from cadgen.curves.closed import ClosedCurve
+from cadgen.figures import Figure
+from cadgen.inference.monte_carlo.random_cars import margins_of_cars
+from cadgen.jobs.nominal_car import watched_fleet
+from cadgen.messages import Message
+from cadgen.verdict import Reservation
+
+if TYPE_CHECKING:
+    from cadgen.jobs.cam.steering_cam import CarUse
+
+SAMPLE, SEED = 1000, 1  # the standard error of a share of 25 % is 1.4 %, of one of 90 % it is 0.9 %
+GOOD_YIELD = 90.0  # %; below it the cars that are lost are a reservation
+# Relative difference of the outline's drive wheel from the wheel that the cam is for: up to the first it is rounding,
+# beyond the second the car of the design cannot drive the path.
+WHEEL_SAME, WHEEL_OTHER = 0.02, 0.25
+_LEAST_WHEEL = 0.02  # radius as a share of the wheelbase; a smaller wheel carries no car
+_SHOWN = 0.5  # mm; less off the end of the path is not worth a sentence
+
+
+@dataclass(frozen=True)
+class CourseYield:
+    """Cars that keep the course of their design.
+
+    Attributes:
+        percent: share of the cars that keep all of it.
+        binding: key of the part of the course that the fewest cars keep.
+        binding_percent: share of the cars that keep that part.
+    """
+
+    percent: float
+    binding: str
+    binding_percent: float
+
+
+def course_yield(use: "CarUse", cut: ClosedCurve) -> CourseYield | None:
+    """Share of random cars that keep the course; None without a course, or where the play is not known.
+
+    Args:
+        use: car with its comparison under play.
+        cut: curve that its cam is cut to, mm.
+
+    Raises:
+        DesignError: a tolerance is too large for first order.
+    """
+    if use.course is None or use.comparison is None:
+        return None
+    fleet = watched_fleet(use, cut)
+    if not fleet.items:
+        return None
+    met = margins_of_cars(fleet, use.tolerances(), SAMPLE, seed=SEED)
+    kept = met.margins >= 0
+    each = kept.mean(axis=1)
+    least = int(np.argmin(each))
+    return CourseYield(100 * float(kept.all(axis=0).mean()), met.items[least].key, 100 * float(each[least]))
+
+
+def yield_check(found: CourseYield, least: float) -> Check:
+    """Check of the share of cars that keep the course.
+
+    Args:
+        found: cars that keep the course.
+        least: least share that is allowed, %.
+    """
+    return Check(
+        CheckCode.CARS_KEEP_COURSE,
+        Message("cars that keep the course"),
+        found.percent,
+        "%",
+        least,
+        Bound.MIN,
+        _binds(found),
+        _tighter(found),
+    )
+
+
+def _binds(found: CourseYield) -> Message:
+    """Part of the course that the fewest cars keep."""
+    if found.binding_percent >= 100:
+        return Message("every part of it")
+    return Message("{key}, which {share:.1f} % keep", key=found.binding, share=found.binding_percent)
+
+
+def _tighter(found: CourseYield) -> Message:
+    return Message(
+        "hold tighter what cadgen tolerance --budget names, or give {key} more room in the path", key=found.binding
+    )
+
+
+def wheel_checks(use: "CarUse") -> tuple[Check, ...]:
+    """Check of the drive wheel that the cam needs: of its size, and against the one in the car's outline.
+
+    Args:
+        use: car that the cam steers.
+    """
+    radius, base = use.drive_wheel.radius, use.car.wheelbase
+    if radius is None:
+        return ()
+    outlined = _outlined(use)
+    advice = Message(
+        "change the ratio of [train], the wheel or the length of the path; cadgen gears --order search finds teeth"
+    )
+    size = Check(
+        CheckCode.DRIVE_WHEEL_GREATEST,
+        Message("drive wheel that the path needs"),
+        2 * radius,
+        "mm",
+        2 * base,
+        place=Message("car.wheelbase_mm is {base:g}: a larger wheel reaches past the front wheel", base=base),
+        advice=advice,
+    )
+    least = replace(
+        size,
+        code=CheckCode.DRIVE_WHEEL_LEAST,
+        name=Message("least drive wheel"),
+        limit=2 * base * _LEAST_WHEEL,
+        bound=Bound.MIN,
+        place=Message("{share:g} of the wheelbase", share=_LEAST_WHEEL),
+    )
+    if outlined is None:
+        return (size, least)
+    ratio = use.travel / (TURN / 2 * outlined)
+    drawn = Check(
+        CheckCode.DRIVE_WHEEL_OUTLINE,
+        Message("drive wheel against the outline"),
+        abs(2 * radius - outlined) / outlined * 100,
+        "%",
+        100 * WHEEL_OTHER,
+        place=Message(
+            "the cam is for a wheel of {needed:.1f} mm, car.outline.wheel_diameter_mm is {outlined:g}",
+            needed=2 * radius,
+            outlined=outlined,
+        ),
+        advice=Message(
+            "set car.outline.wheel_diameter_mm to {needed:.1f}, or take a [train] of {ratio:.2f} turns of the drive "
+            "wheel to one of the cam",
+            needed=2 * radius,
+            ratio=ratio,
+        ),
+    )
+    return (size, least, drawn)
+
+
+def _outlined(use: "CarUse") -> float | None:
+    """Diameter of the drive wheel in the car's outline, mm; None if it is not said."""
+    outline = use.design.car.outline
+    return None if outline is None else outline.wheel_diameter_mm
+
+
+def reservations(use: "CarUse", found: CourseYield | None) -> Iterator[Reservation]:
+    """What costs accuracy or cars, or is left open, of a cam whose checks hold.
+
+    Args:
+        use: car that the cam steers.
+        found: cars that keep the course; None where that is not known.
+    """
+    if found is not None and found.percent < GOOD_YIELD:
+        yield Reservation(
+            "cars-lost",
+            Message(
+                "{lost:.1f} % of the cars do not keep the course; what the fewest keep is {binds}",
+                lost=100 - found.percent,
+                binds=_binds(found),
+            ),
+            _tighter(found),
+            Figure("cars_lost", Message("cars lost"), 100 - found.percent, "%"),
+        )
+    comparison = use.comparison
+    if comparison is None and use.course is not None and not use.play_known:
+        yield Reservation(
+            "play-not-stated",
+            Message("the play of the gears is not stated, so nobody knows how many cars keep the course"),
+            Message("give [train], or the play measured at the camshaft in [play]"),
+        )
+    if comparison is not None and comparison.rubs > 0:
+        worst = comparison.rubs
+        yield Reservation(
+            "friction-not-stated",
+            Message("friction is not stated; a rod that rubs takes the car up to {worst:.0f} mm off", worst=worst),
+            Message("say in [mechanics] what the car has, and cadgen optimize compares what helps"),
+            Figure("friction", Message("off with friction"), worst, "mm"),
+        )
+    blend = use.drive_wheel.blend
+    if blend is not None and blend.off > _SHOWN:
+        yield Reservation(
+            "blend-on-path",
+            Message(
+                "the closing blend steers the last {stretch:.0f} mm, and ends {off:.1f} mm and {turned:.1f}° off the "
+                "path's end",
+                stretch=blend.stretch,
+                off=blend.off,
+                turned=degrees(abs(blend.turned)),
+            ),
+            Message("car.drive_wheel_radius_mm puts the blend behind the path"),
+            Figure("blend_off", Message("off the path's end"), blend.off, "mm"),
+        )
+    radius, outlined = use.drive_wheel.radius, _outlined(use)
+    if radius is not None and outlined is not None and abs(2 * radius - outlined) > WHEEL_SAME * outlined:
+        yield Reservation(
+            "wheel-of-outline",
+            Message(
+                "the cam is for a drive wheel of {needed:.1f} mm, and the outline has one of {outlined:g} mm",
+                needed=2 * radius,
+                outlined=outlined,
+            ),
+            Message("set car.outline.wheel_diameter_mm to {needed:.1f}", needed=2 * radius),
+        )
+    if use.same_sense:
+        yield Reservation(
+            "sense-of-train",
+            Message(
+                "with {stages} stages the camshaft turns the same way as the drive wheel, and the cam is made to turn "
+                "against it",
+                stages=use.same_sense,
+            ),
+            Message("put the disc on its shaft turned over, a hub with it, or add a stage"),
+        )
