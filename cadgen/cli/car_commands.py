@@ -122,11 +122,11 @@ def tolerance(
         again = command("tolerance", design, "--profile", profile, "--budget", overrides=overrides)
         make = command("cam", design, "--profile", profile, overrides=overrides)
         step = make if budget else Message("{again} says what to hold tighter", again=again)
-        verdict(
-            True,
-            Message("every check holds, and {passed:.1f} % of the cars pass", passed=100 * run.computed.passed),
-            step,
-        )
+        share = run.computed.passed
+        said = Message("every check holds")
+        if share is not None:
+            said = Message("every check holds, and {passed:.1f} % of the cars pass", passed=100 * share)
+        verdict(True, said, step)
     else:
         verdict(False, failed(run.cam.checks), Message("change the design as it is said above"))
 

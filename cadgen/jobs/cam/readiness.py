@@ -97,7 +97,8 @@ def _binds(found: CourseYield) -> Message:
 
 def _tighter(found: CourseYield) -> Message:
     return Message(
-        "hold tighter what cadgen tolerance --budget names, or give {key} more room in the path", key=found.binding
+        "hold tighter what cadgen tolerance --budget names, or give {key} more room in the path",
+        key=found.binding.partition(",")[0],  # of a gate of each lap
     )
 
 
@@ -168,7 +169,7 @@ def reservations(use: "CarUse", found: CourseYield | None) -> Iterator[Reservati
         use: car that the cam steers.
         found: cars that keep the course; None where that is not known.
     """
-    if found is not None and found.percent < GOOD_YIELD:
+    if found is not None and use.least_yield <= found.percent < GOOD_YIELD:
         yield Reservation(
             "cars-lost",
             Message(

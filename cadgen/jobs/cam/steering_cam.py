@@ -252,7 +252,7 @@ class CarUse(Application):
     def verdict(self, cam: CamPlan) -> Verdict:
         """Verdict on the cam in the car, with the cars that keep the course."""
         found = course_yield(self._with_play(cam), cam.curve)
-        counted = () if found is None else (yield_check(found, self.design.checks.min_yield_percent),)
+        counted = () if found is None else (yield_check(found, self.least_yield),)
         return verdict_of((*cam.checks, *wheel_checks(self), *counted), reservations(self, found))
 
     def _with_play(self, cam: CamPlan) -> "CarUse":
@@ -269,8 +269,13 @@ class CarUse(Application):
         return bool(variation.play_bands(self.design))
 
     @property
+    def least_yield(self) -> float:
+        """Least share of random cars that must keep the course, %."""
+        return self.design.checks.min_yield_percent
+
+    @property
     def same_sense(self) -> int:
-        """Number of stages of a train that turns the cam the way of the drive wheel; 0 if it does not, or is unknown."""
+        """Number of stages of a train that turns the cam the way of the drive wheel; 0 if it does not."""
         stages = 1 if self.design.train is None else len(self.design.train.stages)
         return stages if gear_model.sense_note(self.design, stages) else 0
 
