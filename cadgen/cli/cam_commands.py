@@ -4,17 +4,18 @@ import sys
 from pathlib import Path
 
 from cadgen.cli import help
-from cadgen.cli.options import design_options, formats_option, out_option, profile_option
+from cadgen.cli.options import all_option, design_options, formats_option, out_option, profile_option
 from cadgen.messages import Message
 
 
 @help.command()
 @design_options
 @profile_option
-def check(design: str | None, overrides: tuple[str, ...], profile: str | None, as_json: bool) -> None:
-    """Check a cam without making any file.
+@all_option
+def check(design: str | None, overrides: tuple[str, ...], profile: str | None, every: bool, as_json: bool) -> None:
+    """Say whether a cam is ready to be cut, without making any file.
 
-    Exit code 1 if a check fails.
+    Exit code 1 if it is not ready.
     """
     from cadgen.api.design import Design
     from cadgen.cli import show, show_play
@@ -27,13 +28,15 @@ def check(design: str | None, overrides: tuple[str, ...], profile: str | None, a
     if as_json:
         show.document(cam.facts())
     else:
-        show.checks(cam, cures)
-        show_play.comparison(cam)
+        show.checks(cam, cures, every=every)
+        if every:
+            show_play.comparison(cam)
         if cam.passed:
             kept = ["--profile", profile] if profile else []
-            verdict(True, Message("every check holds"), command("cam", design, *kept, overrides=overrides))
+            step = command("cam", design, *kept, overrides=overrides)
+            verdict(cam.verdict.readiness, Message("every check holds"), step)
         else:
-            verdict(False, failed(cam.checks), Message("change the design as it is said above"))
+            verdict(cam.verdict.readiness, failed(cam.failed), Message("change the design as it is said above"))
     sys.exit(0 if cam.passed else 1)
 
 
@@ -43,6 +46,7 @@ def check(design: str | None, overrides: tuple[str, ...], profile: str | None, a
 @out_option(default=Path("exports"), show_default=True, help="Folder for the files; it is made if need be.")
 @formats_option("step,stl,3mf,dxf,nc,xyz,csv")
 @help.option("--force", is_flag=True, help="Export even if a check fails, and say so in the manifest.")
+@all_option
 def cam(
     design: str | None,
     overrides: tuple[str, ...],
@@ -51,6 +55,7 @@ def cam(
     out: Path,
     formats: str | None,
     force: bool,
+    every: bool,
 ) -> None:
     """Make a cam: STEP, STL, 3MF, DXF, G-code and points, each read back and rolled against the rod.
 
@@ -70,27 +75,30 @@ def cam(
     if as_json:
         show.document(plan.facts() if written is None else written.entry)
     else:
-        show.checks(plan, cures)
-        show_play.comparison(plan)
+        show.checks(plan, cures, every=every)
+        if every:
+            show_play.comparison(plan)
         if written is not None:
             show.files(written, out)
         if plan.passed:
             kept = ["--profile", profile] if profile else []
             draw = command("draw", design, "--only cam", *kept, "--out", str(out), overrides=overrides)
             verdict(
-                True,
+                plan.verdict.readiness,
                 Message("every check holds, and each file in {out} was read back", out=out),
                 Message("cut it; {draw} draws it", draw=draw),
             )
         elif written is not None:
             verdict(
-                False, failed(plan.checks), Message("do not cut these files; change the design as it is said above")
+                plan.verdict.readiness,
+                failed(plan.failed),
+                Message("do not cut these files; change the design as it is said above"),
             )
         else:
             result = Message(
-                "{failing}, so nothing was exported (--force exports all the same)", failing=failed(plan.checks)
+                "{failing}, so nothing was exported (--force exports all the same)", failing=failed(plan.failed)
             )
-            verdict(False, result, Message("change the design as it is said above"))
+            verdict(plan.verdict.readiness, result, Message("change the design as it is said above"))
     sys.exit(0 if plan.passed or force else 1)
 
 
@@ -124,8 +132,8 @@ def optimize(design: str | None, overrides: tuple[str, ...], as_json: bool, out:
             show.files(written, out)
         if cam.passed:
             step = command("cam", design, "--profile", "optimized", overrides=overrides)
-            verdict(True, Message("the best profile keeps every limit"), step)
+            verdict(cam.verdict.readiness, Message("the best profile keeps every limit"), step)
         else:
-            result = Message("even the best profile fails a check: {failing}", failing=failed(cam.checks))
-            verdict(False, result, Message("change the design as it is said above"))
+            result = Message("even the best profile fails a check: {failing}", failing=failed(cam.failed))
+            verdict(cam.verdict.readiness, result, Message("change the design as it is said above"))
     sys.exit(0 if cam.passed else 1)

@@ -60,10 +60,16 @@ def simulate(
         if simulation.cam.passed:
             step = command("tolerance", design, "--profile", profile, overrides=overrides)
             verdict(
-                True, Message("every check holds"), Message("look at the pictures; {step} runs many cars", step=step)
+                simulation.cam.verdict.readiness,
+                Message("every check holds"),
+                Message("look at the pictures; {step} runs many cars", step=step),
             )
         else:
-            verdict(False, failed(simulation.cam.checks), Message("change the design as it is said above"))
+            verdict(
+                simulation.cam.verdict.readiness,
+                failed(simulation.cam.failed),
+                Message("change the design as it is said above"),
+            )
 
 
 @help.command()
@@ -126,9 +132,9 @@ def tolerance(
         said = Message("every check holds")
         if share is not None:
             said = Message("every check holds, and {passed:.1f} % of the cars pass", passed=100 * share)
-        verdict(True, said, step)
+        verdict(run.cam.verdict.readiness, said, step)
     else:
-        verdict(False, failed(run.cam.checks), Message("change the design as it is said above"))
+        verdict(run.cam.verdict.readiness, failed(run.cam.failed), Message("change the design as it is said above"))
 
 
 @help.command()

@@ -165,12 +165,13 @@ def plan(
         if planned.passed:
             path = command("plan", course, "--out exports", overrides=overrides)
             step = path if written is None or out is None else f"cadgen cam {out / written.files[0].name}"
-            verdict(True, Message("the path keeps the course, and every check of its cam holds"), step)
+            readiness = True if planned.cam is None else planned.cam.verdict.readiness
+            verdict(readiness, Message("the path keeps the course, and every check of its cam holds"), step)
         elif planned.cam is None:
             fault = Message("the course cannot be driven") if planned.proven else Message("no path was found")
             verdict(False, fault, Message("change it as it is said above"))
         else:
-            verdict(False, failed(planned.cam.checks), Message("change the design"))
+            verdict(planned.cam.verdict.readiness, failed(planned.cam.failed), Message("change the design"))
     raise SystemExit(0 if planned.passed else 1)
 
 
@@ -206,9 +207,14 @@ def card(design: str | None, profile: str | None, overrides: tuple[str, ...], as
             step = command("card", design, "--out exports", overrides=overrides)
             if written:
                 step = Message("print the card")
-            verdict(True, Message("the course is kept at all {count} spacings", count=len(result.settings)), step)
+            said = Message("the course is kept at all {count} spacings", count=len(result.settings))
+            verdict(result.cam.verdict.readiness, said, step)
         elif not result.cam.passed:
-            verdict(False, failed(result.cam.checks), Message("change the design as it is said above"))
+            verdict(
+                result.cam.verdict.readiness,
+                failed(result.cam.failed),
+                Message("change the design as it is said above"),
+            )
         else:
             result_of = Message(
                 "the course is not kept at {lost} of {count} spacings", lost=lost, count=len(result.settings)

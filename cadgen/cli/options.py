@@ -90,6 +90,13 @@ def profile_option(command: Command) -> Command:
     )(command)
 
 
+def all_option(command: Command) -> Command:
+    """Add --all for a command that shows the verdict on a cam."""
+    return help.option(
+        "--all", "every", is_flag=True, help="Show every check, by group, and what was assumed of the car."
+    )(command)
+
+
 def car_profile_option(default: str, meaning: str) -> Callable[[Command], Command]:
     """--profile of the cam on a car that was measured."""
     return help.option(

@@ -13,12 +13,13 @@ from typing import TYPE_CHECKING, Any
 import click
 from rich.text import Text
 
-from cadgen.check import Bound
+from cadgen.check import Bound, Check, CheckCode
 from cadgen.cli.output import hush
 from cadgen.figures import Sheet, rounded, with_unit
 from cadgen.messages import Message, joined, sentence, shown
 from cadgen.output.report.terminal import FittedConsole, table
 from cadgen.progress import Progress
+from cadgen.verdict import Readiness
 
 if TYPE_CHECKING:
     from cadgen import Card, Written
@@ -26,9 +27,23 @@ if TYPE_CHECKING:
     from cadgen.api.cam import Cam, Cures
     from cadgen.api.exploration import Exploration
     from cadgen.api.planning import Plan
-    from cadgen.check import Check
 
 
+_COLOURS = {Readiness.READY: "green", Readiness.RESERVATIONS: "yellow", Readiness.NOT_READY: "red"}
+# Checks of a car that its cam steers, apart from those of its course.
+_OF_CAR = (
+    CheckCode.PATH_WAYPOINT,
+    CheckCode.PATH_END,
+    CheckCode.LOST_LIFT_EFFECT,
+    CheckCode.LIFT_ERROR_WITH_PLAY,
+    CheckCode.CAM_RUNS_AHEAD,
+    CheckCode.CAM_HOLDS,
+    CheckCode.EDGES_BROKEN_MORE,
+    CheckCode.CARS_KEEP_COURSE,
+    CheckCode.DRIVE_WHEEL_GREATEST,
+    CheckCode.DRIVE_WHEEL_LEAST,
+    CheckCode.DRIVE_WHEEL_OUTLINE,
+)
 # Columns of a terminal below which a check's place stands under its name and not beside its figures.
 _NARROW = 72
 _MOST_ROWS = 10  # of the front of a study
@@ -85,16 +100,19 @@ def sentences(lines: Iterable[str]) -> None:
         console.print(sentence(line))
 
 
-def verdict(passed: bool, result: str, step: str = "") -> None:
-    """Print the last line: PASS or FAIL, and what to do next.
+def verdict(passed: "bool | Readiness", result: str, step: str = "") -> None:
+    """Print the last line: PASS or FAIL, or the readiness of a cam, and what to do next.
 
     Args:
-        passed: whether the command did all that was asked of it, and every check of its result holds.
+        passed: whether the command did all that was asked of it; of a cam, its readiness.
         result: result in a few words.
         step: what to do next.
     """
-    head = Text("PASS", "bold green") if passed else Text("FAIL", "bold red")
     line = Message("{result}; next: {step}", result=result, step=step) if step else result
+    if isinstance(passed, Readiness):
+        head = Text(shown(passed.words).upper(), f"bold {_COLOURS[passed]}")
+    else:
+        head = Text("PASS", "bold green") if passed else Text("FAIL", "bold red")
     Output().print(Text.assemble(head, f": {shown(line)}"))
 
 
@@ -117,14 +135,82 @@ def command(verb: str, design: str | None, *more: str, overrides: Sequence[str] 
     return Message("{command} (with the same --set)", command=words) if overrides else Message(words)
 
 
-def checks(cam: "Cam", cures: "Cures") -> None:
-    """Print the checks as a table, then the advice for each that failed, and the cures of lost lift."""
-    for text in filter(None, [cam.expected, cam.wheel]):
-        Output().print(text)
-    friction(cam)
-    figures(_of_profile(cam), cam.figures)
+def checks(cam: "Cam", cures: "Cures", *, every: bool) -> None:
+    """Print the verdict on a cam in a few lines, then what fails with its advice and cures; on request all rows.
+
+    Args:
+        cam: cam that was computed.
+        cures: cures of its lost lift.
+        every: whether every check is shown, by group, with what was assumed.
+    """
+    console = Output()
+    for line in (cam.expected, *summary(cam)) if cam.expected else summary(cam):
+        console.print(line)
+    if every:
+        console.print(cam.wheel)
+        friction(cam)
+        for title, rows in _groups(cam.figures):
+            figures(title, rows, gap=True)
+    else:
+        failures(cam)
     for line in cures.sentences():
-        Output().print(line)
+        console.print(line)
+
+
+def summary(cam: "Cam") -> Iterator[Text]:
+    """Lines on a cam: verdict, purpose, the figures that decide, the tightest check, and the reservations."""
+    ruling = cam.verdict
+    head = Text.assemble(
+        f"{shown(_of_profile(cam))}{shown(': ')}",
+        (shown(ruling.readiness.words), f"bold {_COLOURS[ruling.readiness]}"),
+    )
+    yield head
+    yield Text(shown(Message("For {purpose}.", purpose=cam.application.purpose(cam))))
+    if cam.deciding:
+        yield Text(shown(sentence(joined(cam.deciding))))
+    close = tightest(ruling.checks)
+    if close is not None:
+        least = Message("at least") if close.bound == Bound.MIN else Message("at most")
+        yield Text(
+            shown(
+                Message(
+                    "Tightest: {name} {value}, {least} {limit} allowed{place}.",
+                    name=label(close.name),
+                    value=close.text(),
+                    least=least,
+                    limit=with_unit(rounded(close.limit), close.unit_shown),
+                    place=Message(" ({place})", place=close.place) if close.place else "",
+                )
+            )
+        )
+    for reservation in ruling.reservations:
+        yield Text.assemble(
+            (f"{shown(Message('Reservation'))}{shown(': ')}", "yellow"), shown(sentence(reservation.sentence))
+        )
+
+
+def tightest(checks: "Sequence[Check]") -> "Check | None":
+    """Passed check whose value lies nearest to its limit, as a share of it; None if none has a limit with a unit.
+
+    Args:
+        checks: figures that were judged.
+    """
+    limited = [check for check in checks if check.unit and isfinite(check.limit) and check.limit and check.passed]
+    return min(limited, key=lambda check: abs(check.value - check.limit) / abs(check.limit), default=None)
+
+
+def _groups(checks: "Sequence[Check]") -> Iterator[tuple[Message, list[Check]]]:
+    """Checks by what they are of: the disc, the car, the course."""
+    titles = {
+        "course": Message("The course"),
+        "car": Message("The car on its path"),
+        "cam": Message("The cam"),
+    }
+    groups: dict[str, list[Check]] = {"cam": [], "car": [], "course": []}
+    for check in checks:
+        kind = check.code.value.partition("-")[0]
+        groups[kind if kind == "course" else "car" if check.code in _OF_CAR else "cam"].append(check)
+    yield from ((titles[name], rows) for name, rows in groups.items() if rows)
 
 
 def friction(cam: "Cam") -> None:

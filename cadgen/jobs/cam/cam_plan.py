@@ -9,13 +9,14 @@ from cadgen.cam.follower import Contact, Follower, Trim
 from cadgen.cam.limits import CheckLimits
 from cadgen.car.against_play.profile_kinds import ProfileKind
 from cadgen.car.running.friction import DiscMaterial
-from cadgen.check import Check, failing
+from cadgen.check import Check, CheckCode, failing
 from cadgen.curves.closed import ClosedCurve, Outline
 from cadgen.curves.derived import turned
 from cadgen.design.machining import DrawingText, Machining
 from cadgen.design.schema import Design, Export, MotionDesign
 from cadgen.figures import Facts, Figures
 from cadgen.laws.motion import Motion
+from cadgen.messages import Message
 from cadgen.output.files.manifest import Origin
 from cadgen.parts.blank import Blank
 from cadgen.parts.face import Face
@@ -50,6 +51,17 @@ class Making:
             machining=design.machining,
             export=design.export,
         )
+
+
+def steepest(checks: Iterable[Check]) -> tuple[str, ...]:
+    """Greatest pressure angle among checks, in words; none if it is not among them."""
+    angles = [
+        check for check in checks if check.code in (CheckCode.PRESSURE_ANGLE_RISE, CheckCode.PRESSURE_ANGLE_RETURN)
+    ]
+    return tuple(
+        Message("pressure angle {angle:.3g}°", angle=check.value)
+        for check in sorted(angles, key=lambda check: -check.value)[:1]
+    )
 
 
 class Application:
@@ -128,6 +140,14 @@ class Application:
     def verdict(self, cam: "CamPlan") -> Verdict:
         """Verdict on a cam: its checks, with what the application adds, and its reservations."""
         return verdict_of(cam.checks)
+
+    def purpose(self, cam: "CamPlan") -> str:
+        """What the cam is for, in a few words."""
+        return Message("a turn of the camshaft")
+
+    def deciding(self, cam: "CamPlan") -> tuple[str, ...]:
+        """Figures by which a cam is chosen, in words, the weightiest first."""
+        return steepest(cam.checks)
 
     def changes(self, cam: "CamPlan") -> Iterable[Sequence[tuple[str, str]]]:
         """Changes that may cure lost lift: groups of overrides as for `--set`, each with the present value as text.
@@ -215,6 +235,11 @@ class CamPlan:
     def passed(self) -> bool:
         """Whether the cam may be cut, with reservations or without."""
         return self.verdict.passed
+
+    @property
+    def deciding(self) -> tuple[str, ...]:
+        """Figures by which the cam is chosen, in words, the weightiest first."""
+        return self.application.deciding(self)
 
     @property
     def failed(self) -> tuple[Check, ...]:

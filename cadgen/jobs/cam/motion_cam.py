@@ -19,10 +19,11 @@ from cadgen.jobs.cam.cam_plan import Application, CamPlan, Making
 from cadgen.laws.motion import Motion
 from cadgen.laws.segments import Seam, SegmentMotion
 from cadgen.laws.unit import MM
-from cadgen.messages import Message
+from cadgen.messages import Message, clauses
 from cadgen.output.files.manifest import Origin
 from cadgen.parts.face import Face
 from cadgen.progress import Progress, silent
+from cadgen.verdict import Reservation, Verdict, verdict_of
 
 _DENSE = 7201  # stations at which the greatest velocity and acceleration are sought
 
@@ -66,6 +67,30 @@ class SegmentUse(Application):
                     Facts(cam_angle_deg=degrees(seam.cam_angle), derivative=seam.order) for seam in _seams(cam.motion)
                 ],
             )
+        )
+
+    def purpose(self, cam: "CamPlan") -> str:
+        """Travel of the follower in a turn, and the speed."""
+        lift = cam.follower.lift(cam.motion.q(np.linspace(0.0, TURN, _DENSE)))
+        said = Message(
+            "a {follower} that moves {travel:.4g} mm", follower=Message(cam.follower.noun), travel=float(np.ptp(lift))
+        )
+        if self.speed is None:
+            return said
+        return clauses(said, Message("at {speed:g} rev/min", speed=self.speed / TURN * 60))
+
+    def verdict(self, cam: "CamPlan") -> Verdict:
+        """Verdict on the cam, with a reservation where its acceleration jumps."""
+        return verdict_of(
+            cam.checks,
+            [
+                Reservation(
+                    "acceleration-jumps",
+                    Message("at {angle:.4g}° of cam angle the acceleration jumps", angle=degrees(seam.cam_angle)),
+                    Message("take a law that fits its neighbour, or go slowly"),
+                )
+                for seam in _seams(cam.motion)
+            ],
         )
 
     def notes(self, cam: "CamPlan") -> tuple[str, ...]:

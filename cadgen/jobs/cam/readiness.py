@@ -97,7 +97,7 @@ def _binds(found: CourseYield) -> Message:
 
 def _tighter(found: CourseYield) -> Message:
     return Message(
-        "hold tighter what cadgen tolerance --budget names, or give {key} more room in the path",
+        "hold tighter what cadgen tolerance --budget names, or lead the path with more room past {key}",
         key=found.binding.partition(",")[0],  # of a gate of each lap
     )
 
@@ -173,9 +173,9 @@ def reservations(use: "CarUse", found: CourseYield | None) -> Iterator[Reservati
         yield Reservation(
             "cars-lost",
             Message(
-                "{lost:.1f} % of the cars do not keep the course; what the fewest keep is {binds}",
+                "{lost:.1f} % of the cars leave the course, most of them at {key}",
                 lost=100 - found.percent,
-                binds=_binds(found),
+                key=found.binding,
             ),
             _tighter(found),
             Figure("cars_lost", Message("cars lost"), 100 - found.percent, "%"),

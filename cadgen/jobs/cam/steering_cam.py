@@ -24,7 +24,7 @@ from cadgen.car.running.drive import drive, start_pose
 from cadgen.car.running.mechanics import MechanicsBand
 from cadgen.car.running.sampled import rolled_lift
 from cadgen.car.steering import Car
-from cadgen.check import Check
+from cadgen.check import Check, CheckCode
 from cadgen.curves.closed import ClosedCurve, Outline
 from cadgen.design import cam_model, gear_model, variation
 from cadgen.design.as_built import AsBuiltSection
@@ -39,7 +39,7 @@ from cadgen.errors import DesignError
 from cadgen.figures import Facts, Figure, Figures
 from cadgen.inference.monte_carlo.random_cars import Tolerances
 from cadgen.jobs.cam.built_car import as_built_sentences, assumed_play, outlook_checks, outlook_sentence
-from cadgen.jobs.cam.cam_plan import Application, CamPlan, Making
+from cadgen.jobs.cam.cam_plan import Application, CamPlan, Making, steepest
 from cadgen.jobs.cam.car_facts import as_built_facts, comparison_facts
 from cadgen.jobs.cam.comparison import MeasuredCam, PlayComparison, ProfileChecks, against_play, known_trains, task_of
 from cadgen.jobs.cam.course import OnCourse, course_checks, floor_with, on_course
@@ -48,7 +48,7 @@ from cadgen.jobs.cam.path_check import lost_lift_check, path_checks
 from cadgen.jobs.cam.readiness import course_yield, reservations, wheel_checks, yield_check
 from cadgen.jobs.cam.wheel import DriveWheel, drive_wheel, field_notice, sense_notice
 from cadgen.laws.motion import Motion
-from cadgen.messages import Message
+from cadgen.messages import Message, clauses
 from cadgen.output.files.manifest import Origin
 from cadgen.output.report.tracks import Field
 from cadgen.parts.face import Face
@@ -250,10 +250,35 @@ class CarUse(Application):
         return (edges_check(self.steering, rod, cam.curve, as_built, self.car, self.travel),)
 
     def verdict(self, cam: CamPlan) -> Verdict:
-        """Verdict on the cam in the car, with the cars that keep the course."""
+        """Verdict on the cam in the car, with the cars that keep the course; an empty one of a cam not yet checked."""
+        if not cam.checks:
+            return verdict_of(())
         found = course_yield(self._with_play(cam), cam.curve)
         counted = () if found is None else (yield_check(found, self.least_yield),)
         return verdict_of((*cam.checks, *wheel_checks(self), *counted), reservations(self, found))
+
+    def purpose(self, cam: CamPlan) -> str:
+        """Drive wheel, length of the path and ratio of the train."""
+        wheel = self.drive_wheel
+        if wheel.radius is None:
+            return Message("a path of {path:.0f} mm", path=self.track.length)
+        said = Message(
+            "a drive wheel of {diameter:.1f} mm, a path of {path:.0f} mm",
+            diameter=2 * wheel.radius,
+            path=self.track.length,
+        )
+        turns = self.travel / (TURN * wheel.radius)
+        return clauses(said, Message("{turns:.4g} turns of the wheel to one of the cam", turns=turns))
+
+    def deciding(self, cam: CamPlan) -> tuple[str, ...]:
+        """Cars that keep the course, worst end over the play, and the pressure angle, in words."""
+        counted = [check for check in cam.verdict.checks if check.code == CheckCode.CARS_KEEP_COURSE]
+        ends = () if self.comparison is None else (self.comparison.chosen.band.worst_distance,)
+        return (
+            *(Message("{percent:.3g} % of the cars keep the course", percent=check.value) for check in counted),
+            *(Message("the play moves the finish by {end:.1f} mm at most", end=end) for end in ends),
+            *steepest(cam.checks),
+        )
 
     def _with_play(self, cam: CamPlan) -> "CarUse":
         """The car with its comparison under play, which the plain profile is planned without."""

@@ -6,6 +6,7 @@ import numpy as np
 
 from cadgen.figures import Facts
 from cadgen.messages import CHINESE, shown
+from cadgen.verdict import Readiness
 from cadgen.viewer.page.document import Chart, Going, Page, Scene
 from cadgen.viewer.page.mesh_block import Block
 
@@ -24,7 +25,7 @@ def data_of(page: Page, level: int = 9) -> tuple[str, str]:
         format=FORMAT,
         version=VERSION,
         name=page.name,
-        passed=page.passed,
+        passed=page.readiness != Readiness.NOT_READY,
         scene=_scene(page.scene, block),
         charts=[_chart(chart, block) for chart in page.charts],
         marks=[Facts(kind=mark.kind, angle=mark.angle) for mark in page.marks],

@@ -12,6 +12,7 @@ from functools import cached_property
 from cadgen.arrays import Array
 from cadgen.figures import Cell, Sheet
 from cadgen.geometry.meshes.mesh import Mesh
+from cadgen.verdict import Readiness
 from cadgen.viewer.page.mesh_block import Shaded, shaded
 
 
@@ -324,8 +325,9 @@ class Page:
     Attributes:
         name: name of the design.
         subtitle: kind and profile of the part.
-        passed: whether every check keeps its limit.
+        readiness: verdict on the cam and its gears.
         failures: what fails, the first things on the page.
+        reservations: what costs accuracy or cars, or is left open.
         summary: the figures at the top, by name.
         scene: what moves.
         charts: curves over the cam angle.
@@ -337,8 +339,9 @@ class Page:
 
     name: str
     subtitle: str
-    passed: bool
+    readiness: Readiness
     failures: tuple[Failure, ...]
+    reservations: tuple[Failure, ...]
     summary: tuple[tuple[str, Cell], ...]
     scene: Scene
     charts: tuple[Chart, ...]

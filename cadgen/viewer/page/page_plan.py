@@ -15,6 +15,7 @@ from cadgen.jobs.cam.motion_cam import plan_motion_cam
 from cadgen.jobs.gears.gear_train import GearTrain, plan_gears
 from cadgen.messages import Message
 from cadgen.progress import Progress, silent
+from cadgen.verdict import Readiness
 from cadgen.viewer.page.charts import charts_of, marks_of
 from cadgen.viewer.page.document import Chart, Mark, Scene, Section
 from cadgen.viewer.page.scene import still_scene
@@ -77,12 +78,17 @@ class PagePlan:
     @property
     def checks(self) -> tuple[Check, ...]:
         """Checks of cam and gears."""
-        return (*self.cam.checks, *(self.gears.checks if self.gears else ()))
+        return (*self.cam.verdict.checks, *(self.gears.checks if self.gears else ()))
 
     @property
     def passed(self) -> bool:
         """Whether every check keeps its limit, and nothing was refused that fails the design."""
         return all(check.passed for check in self.checks) and not any(refusal.fails for refusal in self.refusals)
+
+    @property
+    def readiness(self) -> Readiness:
+        """Verdict on cam and gears together."""
+        return self.cam.verdict.readiness if self.passed else Readiness.NOT_READY
 
     def drawn(self) -> tuple[Scene, tuple[str, ...]]:
         """Scene of the page, and remarks."""

@@ -19,8 +19,9 @@ def page_of(plan: PagePlan) -> Page:
     return Page(
         name=origin.name,
         subtitle=plan.cam.kind.code,
-        passed=plan.passed,
+        readiness=plan.readiness,
         failures=_failures(plan),
+        reservations=tuple(Failure(each.text, each.cure) for each in plan.cam.verdict.reservations),
         summary=plan.summary(),
         scene=scene,
         charts=plan.charts(),
