@@ -15,6 +15,7 @@ The rooms, in walking order; each imports only those before it.
 | `registry`   | kinds of one sort by their codes                                              |
 | `figures`    | figures and sheets of them, for terminal, page, files and JSON alike          |
 | `check`      | figures with limits and verdicts                                              |
+| `verdict`    | ready, ready with reservations, or not ready                                  |
 | `reading`    | files that a user names, refused by kind and size                             |
 | `writing`    | files that a user names, written whole or not at all                          |
 | `progress`   | the callback by which a job reports its progress                              |

@@ -296,6 +296,6 @@ class Cam(CamPlan, JobResult):
         from cadgen.jobs.cam.cam_files import write_cam
 
         place = folder_of(folder)
-        if not (self.passed or force):
+        if not (self.sound or force):
             raise CheckError(refusal(self.failed))
         return write_cam(self, place, self.find_cures(progress), progress, formats)

@@ -59,7 +59,8 @@ def cam(
 ) -> None:
     """Make a cam: STEP, STL, 3MF, DXF, G-code and points, each read back and rolled against the rod.
 
-    Nothing is exported and the exit code is 1 if a check fails, unless --force is given.
+    Nothing is exported if a check of the cam itself fails, unless --force is given. The exit code is 1 if the cam is
+    not ready: also if it is right, and its car is not.
     """
     from cadgen.api.design import Design
     from cadgen.cli import show, show_play
@@ -71,7 +72,7 @@ def cam(
     with show.progress(not as_json) as progress:
         plan = loaded.cam(profile, progress=progress)
         cures = plan.find_cures(progress)
-        written = plan.write(out, formats, force=force, progress=progress) if plan.passed or force else None
+        written = plan.write(out, formats, force=force, progress=progress) if plan.sound or force else None
     if as_json:
         show.document(plan.facts() if written is None else written.entry)
     else:

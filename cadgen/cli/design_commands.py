@@ -172,7 +172,7 @@ def plan(
             verdict(False, fault, Message("change it as it is said above"))
         else:
             verdict(planned.cam.verdict.readiness, failed(planned.cam.failed), Message("change the design"))
-    raise SystemExit(0 if planned.passed else 1)
+    raise SystemExit(0 if planned.passed and (planned.cam is None or planned.cam.passed) else 1)
 
 
 @help.command()

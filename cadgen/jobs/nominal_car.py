@@ -2,23 +2,23 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import numpy as np
 
-from cadgen.arrays import TURN
+from cadgen.arrays import TURN, Array
 from cadgen.car.course.approach import nearest_point
 from cadgen.car.course.body import place_of
 from cadgen.car.course.judge import Passage, turned_by
+from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import STEPS, turns_of
 from cadgen.car.running.mechanics import Mechanics
 from cadgen.curves.closed import ClosedCurve
+from cadgen.deviations.first_order import Expansion
 from cadgen.inference.monte_carlo.cars import Cars, Poses, nominal_cars
 from cadgen.inference.monte_carlo.course_margins import ClearanceItem, Complex, GateItem
-from cadgen.jobs.cam.course import CourseRun
-
-if TYPE_CHECKING:
-    from cadgen.jobs.cam.steering_cam import CarUse
+from cadgen.jobs.cam.comparison import PlayComparison
+from cadgen.jobs.cam.course import CourseRun, OnCourse
 
 _OUTLINE_STEP = 0.06  # mm; rolling errs by 0.01 um of lift
 _WINDOW = 600.0  # mm of the planned track to either side of a gate, in which a car may be early or late
@@ -26,8 +26,40 @@ _STEP = 10.0  # mm between its points
 _EDGE = "course.field"  # key of the field's edge
 
 
+class VariedCar(Protocol):
+    """Car of a design with its comparison under play, of which many cars differ."""
+
+    @property
+    def steering(self) -> PathMotion:
+        """Motion that its profile is cut for."""
+
+    @property
+    def comparison(self) -> PlayComparison | None:
+        """Comparison of the profile with the plain one under play."""
+
+    @property
+    def course(self) -> OnCourse | None:
+        """Course with the car that is to keep it."""
+
+    @property
+    def wheel_radius(self) -> float:
+        """Radius of the drive wheel, mm; infinite where it is not known."""
+
+    @property
+    def expansion(self) -> Expansion:
+        """How disc, frame and rod grow with heat."""
+
+    @property
+    def gate_width(self) -> float | None:
+        """Width of the gates at the waypoints, mm; None where the design states none."""
+
+    @property
+    def waypoints(self) -> Array:
+        """Cam angles at which the car passes the waypoints after the first, rad, shape (n,)."""
+
+
 def fleet_of(
-    use: "CarUse",
+    use: VariedCar,
     cut: ClosedCurve,
     stations: Sequence[int],
     mechanics: Mechanics | None,
@@ -62,7 +94,7 @@ def fleet_of(
     )
 
 
-def watched_fleet(use: "CarUse", cut: ClosedCurve) -> Cars:
+def watched_fleet(use: VariedCar, cut: ClosedCurve) -> Cars:
     """The nominal car of a design, with what it must keep of its course, and the gates at waypoints that it states.
 
     Args:
@@ -76,7 +108,7 @@ def watched_fleet(use: "CarUse", cut: ClosedCurve) -> Cars:
     return fleet if use.course is None else watching(fleet, use.course.planned)
 
 
-def gate_steps(use: "CarUse") -> list[int]:
+def gate_steps(use: VariedCar) -> list[int]:
     """Steps of the run at which the car passes a gate at a waypoint, for which the design states a width; and its end.
 
     On a closed path the car passes its waypoints, and its start, on every lap.

@@ -43,6 +43,7 @@ CALLED = {
 BY_METHODS = {
     "lang": "messages.choose",
     "as_json": "facts",
+    "every": "figures",
     "out": "write",
     "each": "calibrate_each",
     "ask_next": "next_measurement",

@@ -18,6 +18,7 @@ from cadgen.errors import MOST_REPEATED, brief
 from cadgen.jobs.cam.cam_plan import Application
 from cadgen.jobs.cam.cures import Cure, Cures
 from cadgen.output.files.publisher import Written
+from cadgen.verdict import verdict_of
 from tests.cli.conftest import one_sentence
 from tests.cli.test_commands import SQUARE_TURN
 
@@ -86,7 +87,7 @@ def test_a_reader_that_has_gone_does_not_change_the_verdict(tmp_path, quick, mor
 @pytest.mark.slow
 def test_a_terminal_that_knows_only_ascii(tmp_path, quick):
     plain = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONIOENCODING": "ascii"}
-    result = run(tmp_path, ["check", quick], env=plain, capture_output=True)
+    result = run(tmp_path, ["check", quick, "--all"], env=plain, capture_output=True)
     assert (result.returncode, result.stderr) == (0, "")
     assert re.search(r"cam angle \d+\.\d\d\?", result.stdout)
     assert result.stdout.isascii()
@@ -129,8 +130,10 @@ def test_numbers_are_never_folded(capsys, monkeypatch, columns):
         application=Application(),
         expected=None,
         figures=(check, check),
+        verdict=verdict_of((check, check)),
+        deciding=(),
     )
-    show.checks(plan, Cures((), (), 0))
+    show.checks(plan, Cures((), (), 0), every=True)
     printed = capsys.readouterr().out
     assert max(map(len, printed.splitlines())) <= columns
     assert "0.000456 µm" in printed
@@ -156,8 +159,10 @@ def test_brackets_and_colons_are_printed_as_they_are(capsys, monkeypatch):
         expected=None,
         profile="actual",
         figures=(check, check),
+        verdict=verdict_of((check, check)),
+        deciding=(),
     )
-    show.checks(plan, Cures((check,), (Cure("[x]", "1", ()),), 0))
+    show.checks(plan, Cures((check,), (Cure("[x]", "1", ()),), 0), every=True)
     printed = capsys.readouterr().out
     for text in (
         "car[1], actual",

@@ -239,7 +239,7 @@ def test_the_key_takes_the_phase_out(built):
     assert np.degrees(cam_model.blank(design.as_designed()).key.angle) == pytest.approx(30.0)
     plan = plan_cam(design, "actual")
     use = plan.application
-    assert use.as_built_facts(use.steering.blend_start)["key_turned_deg"] == pytest.approx(-1.5)
+    assert use.as_built_facts(use.steering.blend_start).json()["key_turned_deg"] == pytest.approx(-1.5)
     (line,) = (text for text in as_built_sentences(design, use.steering.blend_start) if "key" in text)
     assert line == "The key of the new cam is turned by -1.500°, which takes out the cam's phase."
 

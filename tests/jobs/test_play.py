@@ -124,7 +124,7 @@ def test_the_documentation_has_the_figures_of_the_command(compared):
 def test_each_row_is_compared_at_its_own_play(compared, carbon_free_car):
     """With the train reordered the actual profile is the same, so at one play nothing is off."""
     comparison = compared["carbon_free_car"].application.comparison
-    found = {(one["profile"], one["train"]): one for one in comparison_facts(comparison)["compared"]}
+    found = {(one["profile"], one["train"]): one for one in comparison_facts(comparison).json()["compared"]}
     for train in ("as-given", "reordered"):
         assert found["actual", train]["position_percent_off"] == pytest.approx(0.0, abs=1e-9)
     one = next(one for one in comparison.evaluations if one.name == "smoothed, reordered")
@@ -156,7 +156,7 @@ def test_smoothed_and_compensated_is_cut_for_its_own_best_play(compared):
 )
 def test_without_play_no_share_of_it_can_be_off(overrides):
     comparison = plan_cam(load_design("carbon_free_car", overrides), "optimized").application.comparison
-    figures = {one["profile"]: one for one in comparison_facts(comparison)["compared"]}
+    figures = {one["profile"]: one for one in comparison_facts(comparison).json()["compared"]}
     assert set(figures) == {"actual", "compensated", "smoothed", "smoothed+compensated"}
     for one in figures.values():
         assert one["heading_percent_off"] is one["position_percent_off"] is None

@@ -12,6 +12,8 @@
 | `mechanics`  | effect of friction and drag on a car's cam, in checks and words              |
 | `remedies`   | other remedies against play, on one sheet                                    |
 | `built_car`  | deviations of the car as built, in words                                     |
+| `path_check` | the car driven on its cam, held against the points of its path               |
+| `readiness`  | cars that keep the course, and what holds a car's cam back                   |
 | `wheel`      | the drive wheel that a cam is for, and the closing blend on the path         |
 | `course`     | the planned run and those with play, held against the course                 |
 | `car_facts`  | play, friction and the car as built as plain values                          |

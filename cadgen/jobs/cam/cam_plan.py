@@ -142,7 +142,7 @@ class Application:
         return verdict_of(cam.checks)
 
     def purpose(self, cam: "CamPlan") -> str:
-        """What the cam is for, in a few words."""
+        """Purpose of the cam, in a few words."""
         return Message("a turn of the camshaft")
 
     def deciding(self, cam: "CamPlan") -> tuple[str, ...]:
@@ -235,6 +235,11 @@ class CamPlan:
     def passed(self) -> bool:
         """Whether the cam may be cut, with reservations or without."""
         return self.verdict.passed
+
+    @property
+    def sound(self) -> bool:
+        """Whether every check of the cam itself keeps its limit; it may still not be ready for what it is for."""
+        return not failing(self.checks)
 
     @property
     def deciding(self) -> tuple[str, ...]:

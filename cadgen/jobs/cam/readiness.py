@@ -7,21 +7,20 @@ and its profile alone.
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from math import degrees
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import numpy as np
 
 from cadgen.arrays import TURN
+from cadgen.car.steering import Car
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.curves.closed import ClosedCurve
 from cadgen.figures import Figure
-from cadgen.inference.monte_carlo.random_cars import margins_of_cars
-from cadgen.jobs.nominal_car import watched_fleet
+from cadgen.inference.monte_carlo.random_cars import Tolerances, margins_of_cars
+from cadgen.jobs.cam.wheel import DriveWheel
+from cadgen.jobs.nominal_car import VariedCar, watched_fleet
 from cadgen.messages import Message
 from cadgen.verdict import Reservation
-
-if TYPE_CHECKING:
-    from cadgen.jobs.cam.steering_cam import CarUse
 
 SAMPLE, SEED = 1000, 1  # the standard error of a share of 25 % is 1.4 %, of one of 90 % it is 0.9 %
 GOOD_YIELD = 90.0  # %; below it the cars that are lost are a reservation
@@ -30,6 +29,41 @@ GOOD_YIELD = 90.0  # %; below it the cars that are lost are a reservation
 WHEEL_SAME, WHEEL_OTHER = 0.02, 0.25
 _LEAST_WHEEL = 0.02  # radius as a share of the wheelbase; a smaller wheel carries no car
 _SHOWN = 0.5  # mm; less off the end of the path is not worth a sentence
+
+
+class JudgedCar(VariedCar, Protocol):
+    """Car of a design on which a verdict is given."""
+
+    @property
+    def car(self) -> Car:
+        """The car in plan view."""
+
+    @property
+    def drive_wheel(self) -> DriveWheel:
+        """Drive wheel that the cam is for."""
+
+    @property
+    def outlined_wheel(self) -> float | None:
+        """Diameter of the drive wheel in the car's outline, mm; None if it is not said."""
+
+    @property
+    def travel(self) -> float:
+        """Travel of the drive wheel's rim for one turn of the cam, mm."""
+
+    @property
+    def play_known(self) -> bool:
+        """Whether the design says how much play the gears have."""
+
+    @property
+    def same_sense(self) -> int:
+        """Number of stages of a train that turns the cam the way of the drive wheel; 0 if it does not."""
+
+    @property
+    def least_yield(self) -> float:
+        """Least share of random cars that must keep the course, %."""
+
+    def tolerances(self) -> Tolerances:
+        """How cars of the design may differ."""
 
 
 @dataclass(frozen=True)
@@ -47,7 +81,7 @@ class CourseYield:
     binding_percent: float
 
 
-def course_yield(use: "CarUse", cut: ClosedCurve) -> CourseYield | None:
+def course_yield(use: JudgedCar, cut: ClosedCurve) -> CourseYield | None:
     """Share of random cars that keep the course; None without a course, or where the play is not known.
 
     Args:
@@ -102,7 +136,7 @@ def _tighter(found: CourseYield) -> Message:
     )
 
 
-def wheel_checks(use: "CarUse") -> tuple[Check, ...]:
+def wheel_checks(use: JudgedCar) -> tuple[Check, ...]:
     """Check of the drive wheel that the cam needs: of its size, and against the one in the car's outline.
 
     Args:
@@ -111,7 +145,7 @@ def wheel_checks(use: "CarUse") -> tuple[Check, ...]:
     radius, base = use.drive_wheel.radius, use.car.wheelbase
     if radius is None:
         return ()
-    outlined = _outlined(use)
+    outlined = use.outlined_wheel
     advice = Message(
         "change the ratio of [train], the wheel or the length of the path; cadgen gears --order search finds teeth"
     )
@@ -156,14 +190,8 @@ def wheel_checks(use: "CarUse") -> tuple[Check, ...]:
     return (size, least, drawn)
 
 
-def _outlined(use: "CarUse") -> float | None:
-    """Diameter of the drive wheel in the car's outline, mm; None if it is not said."""
-    outline = use.design.car.outline
-    return None if outline is None else outline.wheel_diameter_mm
-
-
-def reservations(use: "CarUse", found: CourseYield | None) -> Iterator[Reservation]:
-    """What costs accuracy or cars, or is left open, of a cam whose checks hold.
+def reservations(use: JudgedCar, found: CourseYield | None) -> Iterator[Reservation]:
+    """Reservations on a cam whose checks hold: what costs accuracy or cars, or is left open.
 
     Args:
         use: car that the cam steers.
@@ -209,7 +237,7 @@ def reservations(use: "CarUse", found: CourseYield | None) -> Iterator[Reservati
             Message("car.drive_wheel_radius_mm puts the blend behind the path"),
             Figure("blend_off", Message("off the path's end"), blend.off, "mm"),
         )
-    radius, outlined = use.drive_wheel.radius, _outlined(use)
+    radius, outlined = use.drive_wheel.radius, use.outlined_wheel
     if radius is not None and outlined is not None and abs(2 * radius - outlined) > WHEEL_SAME * outlined:
         yield Reservation(
             "wheel-of-outline",

@@ -294,6 +294,12 @@ class CarUse(Application):
         return bool(variation.play_bands(self.design))
 
     @property
+    def outlined_wheel(self) -> float | None:
+        """Diameter of the drive wheel in the car's outline, mm; None if it is not said."""
+        outline = self.design.car.outline
+        return None if outline is None else outline.wheel_diameter_mm
+
+    @property
     def least_yield(self) -> float:
         """Least share of random cars that must keep the course, %."""
         return self.design.checks.min_yield_percent

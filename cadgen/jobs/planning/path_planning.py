@@ -67,7 +67,7 @@ class PathPlanning(JobResult):
     @property
     def passed(self) -> bool:
         """Whether there is a path and all checks pass, at every spacing that was driven."""
-        return self.cam is not None and self.cam.passed and not any(each.failed for each in self.drawn)
+        return self.cam is not None and self.cam.sound and not any(each.failed for each in self.drawn)
 
     @property
     def sentences(self) -> tuple[str, ...]:

@@ -20,6 +20,7 @@ from cadgen.car.planner.gates import is_exact
 from cadgen.car.planner.path_plan import PathPlan, reasons
 from cadgen.car.planner.path_plan import best_plan as planned
 from cadgen.car.planner.path_task import Margins, PathTask
+from cadgen.check import failing
 from cadgen.design import cam_model, draw_model, gear_model
 from cadgen.design.course import body_of, layout_of, spacings_of
 from cadgen.design.load import design_of
@@ -226,7 +227,7 @@ def _kept_by_checks(
             kept=tightening,
             wheel_radius=radius,
         )
-        more = tightening.after(cam.failed)
+        more = tightening.after(failing(cam.checks))
         for each in settings:
             more = more.larger(tightening.after(each.failed))
         if more == tightening:

@@ -186,7 +186,7 @@ def test_friction_of_a_measured_car_in_its_design(effects, mechanics, friction, 
     told = " ".join(as_built_sentences(design, lift.blend_start))
     assert words in told
     assert ("as if the rod slid" in told) is ("as if the rod slid" in words)
-    facts = as_built_facts(design, lift.blend_start)
+    facts = as_built_facts(design, lift.blend_start).json()
     assert facts["play_found_without_friction"] is ("sliding friction" not in " ".join(effects))
 
 
