@@ -146,8 +146,8 @@ class Cam(CamPlan, JobResult):
     Example:
         >>> from cadgen import Design
         >>> cam = Design.load("carbon_free_car").cam(profile="actual")
-        >>> cam.passed
-        True
+        >>> cam.sound, cam.passed  # the cam is right, but its car's play is too much for it
+        (True, False)
         >>> cam.checks[0].name
         'pressure angle, rise'
         >>> files = cam.write("exports", formats=["step", "dxf"])  # doctest: +SKIP
@@ -163,8 +163,8 @@ class Cam(CamPlan, JobResult):
         return plan if isinstance(plan, cls) else cls(**{item.name: getattr(plan, item.name) for item in fields(plan)})
 
     def __repr__(self) -> str:
-        verdict = "passed" if self.passed else f"failed: {', '.join(check.name for check in self.failed)}"
-        return f"<Cam of {self.origin.name}, {self.profile} profile, {verdict}>"
+        failed = f": {', '.join(check.name for check in self.failed)}" if self.failed else ""
+        return f"<Cam of {self.origin.name}, {self.profile} profile, {self.verdict.readiness.words}{failed}>"
 
     @property
     def computed(self) -> CamPlan:

@@ -132,7 +132,7 @@ def test_objects_are_shown_in_a_line_and_can_be_compared(car):
         repr(
             car.with_({"cam.thickness_mm": 4})
         ): "<Design carbon_free_car of carbon_free_car.toml, changed by cam.thickness_mm=4>",
-        repr(cam): "<Cam of carbon_free_car, actual profile, passed>",
+        repr(cam): "<Cam of carbon_free_car, actual profile, not ready: cars that keep the course>",
         repr(cam.profile): f"<Profile actual of carbon_free_car, {cam.profile.length:.1f} mm long>",
         repr(cam.lift): f"<Lift of carbon_free_car, {len(cam.lift.peaks)} peaks and {len(cam.lift.valleys)} valleys>",
         repr(Measured({"x_mm": np.zeros(999), "y_mm": np.zeros(999)}, name="mine")): "<Measured mine: x_mm, y_mm>",
