@@ -74,7 +74,7 @@ def test_with_play_the_course_is_judged_where_that_is_asked(plan):
 def test_many_cars_are_held_against_the_course_as_one_car_is(plan):
     """Cars that differ in play and start alone, each driven exactly and judged by the sweep."""
     comparison, planned = plan.application.comparison, plan.application.course.planned
-    fleet = watching(fleet_of(plan, [STEPS], None, comparison.chosen.play), planned)
+    fleet = watching(fleet_of(plan.application, plan.curve, [STEPS], None, comparison.chosen.play), planned)
     rng, column = np.random.default_rng(1), {name: k for k, name in enumerate(COLUMNS)}
     deviations = np.zeros((12, len(COLUMNS)))
     low, high = comparison.band.ends
@@ -105,7 +105,7 @@ def test_many_cars_are_held_against_the_course_as_one_car_is(plan):
 def test_with_a_wheel_the_run_is_judged_to_the_finish():
     design = load_design(None, ["car.drive_wheel_radius_mm=70", "course.finish={at_mm=[6703.79, 7200], radius_mm=5}"])
     plan = plan_cam(design, "actual")
-    assert plan.passed
+    assert plan.sound
     assert plan.application.drive_wheel.blend is None
     assert plan.application.steering.blend_start == pytest.approx(plan.application.track.length / (70.0 * 45.0))
     assert plan.application.course.stop == plan.application.steering.blend_start

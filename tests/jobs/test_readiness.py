@@ -1,0 +1,124 @@
+"""One verdict on a cam: by its checks, the cars that keep its course, and what is left open."""
+
+import json
+from types import SimpleNamespace
+
+import pytest
+
+from cadgen import Design
+from cadgen.check import CheckCode
+from cadgen.jobs.cam.readiness import GOOD_YIELD, SAMPLE, SEED, wheel_checks
+from cadgen.verdict import Readiness
+
+CODES = {
+    "appendix_car": (Readiness.NOT_READY, {"friction-not-stated", "cars-lost", "blend-on-path"}),
+    "carbon_free_car": (Readiness.RESERVATIONS, {"friction-not-stated", "cars-lost", "blend-on-path"}),
+    "figure_eight": (Readiness.RESERVATIONS, {"friction-not-stated", "cars-lost", "sense-of-train"}),
+    "posts_and_walls": (Readiness.RESERVATIONS, {"friction-not-stated", "cars-lost", "sense-of-train"}),
+    "s_course": (Readiness.RESERVATIONS, {"friction-not-stated", "cars-lost", "sense-of-train"}),
+    "workshop_car": (Readiness.RESERVATIONS, {"cars-lost", "blend-on-path"}),
+}
+
+
+def codes(verdict):
+    return {reservation.code for reservation in verdict.reservations}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", sorted(CODES))
+def test_the_verdict_of_each_packaged_design(name):
+    verdict = Design.load(name).cam().verdict
+    assert (verdict.readiness, codes(verdict)) == CODES[name]
+    assert all(reservation.text and reservation.cure for reservation in verdict.reservations)
+
+
+def test_a_plain_cam_that_no_car_keeps_the_course_with_is_not_ready():
+    """The play of the paper's train takes the car past its gates: the cam is right, and nobody should cut it."""
+    cam = Design.load("carbon_free_car").cam("actual")
+    (failed,) = cam.failed
+    assert (failed.code, failed.limit, failed.place) == (
+        CheckCode.CARS_KEEP_COURSE,
+        25.0,
+        "course.gates.7, which 0.0 % keep",
+    )
+    assert failed.value < 0.5
+    assert cam.sound
+    assert not cam.passed
+
+
+def test_the_share_of_cars_is_that_of_a_tolerance_run_with_the_same_cars():
+    design = Design.load("s_course")
+    (check,) = [each for each in design.cam().verdict.checks if each.code == CheckCode.CARS_KEEP_COURSE]
+    run = design.tolerance(SAMPLE, seed=SEED)
+    assert check.value == pytest.approx(100 * run.passed)
+
+
+def test_the_least_share_is_the_designs_own():
+    design = Design.load("s_course").with_({"checks.min_yield_percent": 90.0})
+    verdict = design.cam().verdict
+    assert [check.code for check in verdict.failed] == [CheckCode.CARS_KEEP_COURSE]
+    assert "cars-lost" not in codes(verdict)  # said once, as what fails
+    assert GOOD_YIELD == 90.0
+
+
+@pytest.mark.parametrize(
+    ("diameter", "readiness", "code"),
+    [
+        (137.6, Readiness.RESERVATIONS, None),
+        (130.0, Readiness.RESERVATIONS, "wheel-of-outline"),
+        (90.0, Readiness.NOT_READY, "wheel-of-outline"),
+    ],
+)
+def test_the_wheel_of_the_outline_is_held_against_the_wheel_of_the_cam(diameter, readiness, code):
+    verdict = Design.load("s_course").with_({"car.outline.wheel_diameter_mm": diameter}).cam().verdict
+    assert verdict.readiness == readiness
+    assert ("wheel-of-outline" in codes(verdict)) == (code is not None)
+    if readiness == Readiness.NOT_READY:
+        (failed,) = verdict.failed
+        assert failed.code == CheckCode.DRIVE_WHEEL_OUTLINE
+        assert "137.6 mm, car.outline.wheel_diameter_mm is 90" in failed.place
+        assert "set car.outline.wheel_diameter_mm to 137.6, or take a [train] of 22.93 turns" in failed.advice
+
+
+def wheel(radius):
+    """A car of the paper's wheelbase without an outline, whose cam needs a wheel of this radius, mm."""
+    return SimpleNamespace(
+        drive_wheel=SimpleNamespace(radius=radius),
+        car=SimpleNamespace(wheelbase=167.0),
+        outlined_wheel=None,
+        travel=1.0,
+    )
+
+
+@pytest.mark.parametrize(
+    ("radius", "failed"),
+    [(64.0, None), (15_000.0, CheckCode.DRIVE_WHEEL_GREATEST), (1.0, CheckCode.DRIVE_WHEEL_LEAST)],
+)
+def test_a_wheel_that_no_car_has_is_not_ready(radius, failed):
+    """A wheel of 30 m, and one of 2 mm on a wheelbase of 167 mm."""
+    assert [check.code for check in wheel_checks(wheel(radius)) if not check.passed] == ([failed] if failed else [])
+
+
+def test_gates_are_never_invented():
+    """Without [course] no share of cars is told; a width of gates that the design states is kept."""
+    design = Design.load("carbon_free_car").with_({"course": None})
+    run = design.tolerance(200)
+    assert run.passed is None
+    assert run.facts()["yield"] is None
+    assert not [check for check in run.cam.verdict.checks if check.code == CheckCode.CARS_KEEP_COURSE]
+    stated = design.with_({"tolerances.gate_width_mm": 400.0}).tolerance(200)
+    assert (stated.gates, stated.gate_width) == (11, 400.0)
+    assert stated.passed is not None
+    narrow = design.with_({"tolerances.gate_width_mm": 100.0}).tolerance(200)
+    assert 0 < narrow.passed < stated.passed
+
+
+def test_all_commands_have_the_same_verdict(tmp_path):
+    design = Design.load("workshop_car")
+    cam = design.cam()
+    wanted = cam.facts()["verdict"]
+    assert wanted["readiness"] == "ready-with-reservations"
+    assert wanted["reservations"][0]["cost_unit"] == "%"
+    manifest = json.loads((cam.write(tmp_path, formats=["xyz"]).folder / "manifest.json").read_text())
+    assert wanted in [part["verdict"] for part in manifest["parts"].values()]
+    assert design.tolerance(50).cam.verdict.facts() == cam.verdict.facts()
