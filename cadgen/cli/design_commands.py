@@ -195,7 +195,7 @@ def card(design: str | None, profile: str | None, overrides: tuple[str, ...], as
     loaded = Design.load(design, overrides)
     with show.progress(not as_json) as progress:
         result = loaded.card(profile, progress=progress)
-        written = None if out is None or not result.cam.passed else result.write(out, progress=progress)
+        written = None if out is None or not result.cam.sound else result.write(out, progress=progress)
     if as_json:
         show.document(result.facts() if written is None else written.entry)
     else:
@@ -207,9 +207,8 @@ def card(design: str | None, profile: str | None, overrides: tuple[str, ...], as
             step = command("card", design, "--out exports", overrides=overrides)
             if written:
                 step = Message("print the card")
-            said = Message("the course is kept at all {count} spacings", count=len(result.settings))
-            verdict(result.cam.verdict.readiness, said, step)
-        elif not result.cam.passed:
+            verdict(True, Message("the course is kept at all {count} spacings", count=len(result.settings)), step)
+        elif not result.cam.sound:
             verdict(
                 result.cam.verdict.readiness,
                 failed(result.cam.failed),

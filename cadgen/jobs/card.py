@@ -9,6 +9,7 @@ from typing import Any, Generic, Self
 
 from cadgen.car.course.layout import Draw
 from cadgen.car.draws.drawn_spacing import DrawnSpacing
+from cadgen.check import failing
 from cadgen.design import cam_model, draw_model
 from cadgen.design.schema import Design
 from cadgen.errors import CheckError
@@ -64,7 +65,7 @@ class Card(JobResult, Generic[C]):
     @property
     def passed(self) -> bool:
         """Whether the cam passes its checks, and the settings keep the course at every spacing."""
-        return self.cam.passed and not any(each.failed for each in self.drawn)
+        return self.cam.sound and not any(each.failed for each in self.drawn)
 
     @property
     def worst(self) -> DrawnSpacing:
@@ -80,9 +81,9 @@ class Card(JobResult, Generic[C]):
             None if comparison is None else comparison.band.ends,
             None if laps is None else laps.in_run,
         )
-        if self.cam.passed:
+        if self.cam.sound:
             return tuple(lines)
-        names = joined(Message(check.name) for check in self.cam.failed)
+        names = joined(Message(check.name) for check in failing(self.cam.checks))
         return (Message("the cam itself fails its checks ({names}): see cadgen check", names=names), *lines)
 
     @property
@@ -105,7 +106,7 @@ class Card(JobResult, Generic[C]):
             profile=self.cam.kind.code,
             drive_wheel=self.use.drive_wheel.entry(),
             passed=self.passed,
-            failed=[check.code for check in self.cam.failed],
+            failed=[check.code for check in failing(self.cam.checks)],
             stated_spacing_mm=self.draw.stated,
             start_of=self.start_of,
             worst_error_mm=self.worst.error,
@@ -126,7 +127,7 @@ class Card(JobResult, Generic[C]):
             CheckError: the cam itself fails its checks.
             FileError: a file cannot be written.
         """
-        if not self.cam.passed:
+        if not self.cam.sound:
             raise CheckError(self.sentences[0])
         name = self.cam.origin.name
         html = settings_card.printed_card(

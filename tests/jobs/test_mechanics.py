@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from cadgen.car.against_play.profile_kinds import ACTUAL, COMPENSATED
+from cadgen.check import failing
 from cadgen.design import cam_model, variation
 from cadgen.design.load import load_design
 from cadgen.errors import CheckError, DesignError
@@ -196,7 +197,7 @@ def test_a_file_that_cannot_be_is_refused(overrides, said):
 def test_a_bearing_too_narrow_fails_a_check():
     overrides = ["follower.radius_mm=5.5", "follower.material=ball_bearing", "follower.width_mm=4"]
     plan = plan_cam(load_design("carbon_free_car", overrides), "actual")
-    (failed,) = plan.failed
+    (failed,) = failing(plan.checks)
     assert failed.name == "bearing width"
     assert failed.value > 5.0
     assert np.isfinite(failed.value)

@@ -168,7 +168,7 @@ def test_the_next_best_is_taken_if_the_best_fails_a_check():
     tight = ["machining.cutter_diameter_mm=8", "optimize.max_lift_error_um="]
     plan = plan_cam(load_design("carbon_free_car", tight), "optimized")
     assert plan.application.comparison.chosen.profile is ACTUAL
-    assert plan.passed
+    assert plan.sound
     assert plan.application.comparison.reasons[0] == "compensated refused: it fails largest cutter radius"
 
 
@@ -192,7 +192,7 @@ def test_smoothing_fails_the_lift_check_and_is_made_without_it():
     failing = plan_cam(load_design("carbon_free_car"), "smoothed")
     assert [check.name for check in failing.checks if not check.passed] == ["lift error with play"]
     free = plan_cam(load_design("carbon_free_car", ["optimize.max_lift_error_um="]), "smoothed")
-    assert free.passed
+    assert free.sound
     assert free.application.comparison.chosen.error.end_distance > free.application.comparison.before.error.end_distance
     sums = [one.deflection_sum for one in free.application.comparison.evaluations]
     assert 1 - sums[1] / sums[0] == pytest.approx(0.2715, abs=1e-4)

@@ -95,7 +95,7 @@ def wheel(radius):
     [(64.0, None), (15_000.0, CheckCode.DRIVE_WHEEL_GREATEST), (1.0, CheckCode.DRIVE_WHEEL_LEAST)],
 )
 def test_a_wheel_that_no_car_has_is_not_ready(radius, failed):
-    """A wheel of 30 m, and one of 2 mm on a wheelbase of 167 mm."""
+    """A wheel of 30 m, and one of 2 mm, on a wheelbase of 167 mm."""
     assert [check.code for check in wheel_checks(wheel(radius)) if not check.passed] == ([failed] if failed else [])
 
 

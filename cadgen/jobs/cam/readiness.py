@@ -27,7 +27,8 @@ GOOD_YIELD = 90.0  # %; below it the cars that are lost are a reservation
 # Relative difference of the outline's drive wheel from the wheel that the cam is for: up to the first it is rounding,
 # beyond the second the car of the design cannot drive the path.
 WHEEL_SAME, WHEEL_OTHER = 0.02, 0.25
-_LEAST_WHEEL = 0.02  # radius as a share of the wheelbase; a smaller wheel carries no car
+# Radius of a drive wheel as a share of the wheelbase: no car stands on smaller wheels, or between larger ones.
+_LEAST_WHEEL, _MOST_WHEEL = 0.02, 3.0
 _SHOWN = 0.5  # mm; less off the end of the path is not worth a sentence
 
 
@@ -154,8 +155,8 @@ def wheel_checks(use: JudgedCar) -> tuple[Check, ...]:
         Message("drive wheel that the path needs"),
         2 * radius,
         "mm",
-        2 * base,
-        place=Message("car.wheelbase_mm is {base:g}: a larger wheel reaches past the front wheel", base=base),
+        2 * base * _MOST_WHEEL,
+        place=Message("{share:g} of the wheelbase", share=_MOST_WHEEL),
         advice=advice,
     )
     least = replace(

@@ -10,7 +10,7 @@ import numpy as np
 from cadgen.arrays import TURN, Array
 from cadgen.cam.checks import cam_angles, check_cam
 from cadgen.cam.contact import roll
-from cadgen.cam.follower import Contact, Follower, Trim, edge_follower
+from cadgen.cam.follower import Contact, EdgeFollower, Follower, Trim, edge_follower
 from cadgen.car.against_play.evaluate import evaluate, rolled_on
 from cadgen.car.against_play.laps import Laps
 from cadgen.car.against_play.play_task import TrainTask
@@ -282,7 +282,13 @@ class CarUse(Application):
 
     def _with_play(self, cam: CamPlan) -> "CarUse":
         """The car with its comparison under play, which the plain profile is planned without."""
-        if self.comparison is not None or cam.kind is not ACTUAL or self.course is None or not self.play_known:
+        rides = isinstance(cam.follower_as_built, EdgeFollower)
+        if (
+            self.comparison is not None
+            or cam.kind is not ACTUAL
+            or self.course is None
+            or not (rides and self.play_known)
+        ):
             return self
         other = _plan_against_play(self.design, ACTUAL, silent, measured=_measured_cam(self.design)).application
         assert isinstance(other, CarUse)
