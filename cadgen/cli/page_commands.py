@@ -75,13 +75,15 @@ def report(
             tell(shown(text))
         if result.passed:
             verdict(
-                True,
+                result.computed.readiness,
                 Message("every check holds"),
                 Message("open {name} in a browser", name=out / written.files[0].name),
             )
         else:
             result_of = failed(result.failed) if result.failed else Message("a part of the design was refused")
-            verdict(False, result_of, Message("see the top of {name}", name=out / written.files[0].name))
+            verdict(
+                result.computed.readiness, result_of, Message("see the top of {name}", name=out / written.files[0].name)
+            )
     sys.exit(0 if result.passed else 1)
 
 
