@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from cadgen.check import Check, failing
-from cadgen.figures import Figure
+from cadgen.figures import Facts, Figure
 from cadgen.messages import Message
 
 
@@ -54,14 +54,14 @@ class Reservation:
         """Reservation with its cure."""
         return Message("{text}: {cure}", text=self.text, cure=self.cure)
 
-    def facts(self) -> dict[str, object]:
-        """Reservation as plain values, for JSON and manifests."""
-        cost = {} if self.cost is None else {"cost": self.cost.value, "cost_unit": self.cost.unit}
-        return {"code": self.code, "text": str(self.text), "cure": str(self.cure), **cost}
+    def entry(self) -> Facts:
+        """Reservation for JSON and manifests."""
+        said = Facts(code=self.code, text=self.text, cure=self.cure)
+        return said if self.cost is None else said | Facts(cost=self.cost.value, cost_unit=self.cost.unit)
 
 
 @dataclass(frozen=True)
-class Verdict:
+class PartVerdict:
     """Verdict on a part, by its checks and its reservations.
 
     Attributes:
@@ -89,20 +89,20 @@ class Verdict:
         """Whether the part may be cut, with reservations or without."""
         return self.readiness != Readiness.NOT_READY
 
-    def facts(self) -> dict[str, object]:
-        """Verdict as plain values, for JSON and manifests."""
-        return {
-            "readiness": self.readiness.value,
-            "failed_checks": [check.name for check in self.failed],
-            "reservations": [reservation.facts() for reservation in self.reservations],
-        }
+    def entry(self) -> Facts:
+        """Verdict for JSON and manifests."""
+        return Facts(
+            readiness=self.readiness.value,
+            failed_checks=[check.name for check in self.failed],
+            reservations=[reservation.entry() for reservation in self.reservations],
+        )
 
 
-def verdict_of(checks: Iterable[Check], reservations: Iterable[Reservation] = ()) -> Verdict:
+def verdict_of(checks: Iterable[Check], reservations: Iterable[Reservation] = ()) -> PartVerdict:
     """Verdict by checks and reservations.
 
     Args:
         checks: figures with their limits.
         reservations: reservations, the weightiest first.
     """
-    return Verdict(tuple(checks), tuple(reservations))
+    return PartVerdict(tuple(checks), tuple(reservations))

@@ -121,4 +121,4 @@ def test_all_commands_have_the_same_verdict(tmp_path):
     assert wanted["reservations"][0]["cost_unit"] == "%"
     manifest = json.loads((cam.write(tmp_path, formats=["xyz"]).folder / "manifest.json").read_text())
     assert wanted in [part["verdict"] for part in manifest["parts"].values()]
-    assert design.tolerance(50).cam.verdict.facts() == cam.verdict.facts()
+    assert design.tolerance(50).cam.verdict.entry().json() == cam.verdict.entry().json()

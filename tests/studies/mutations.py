@@ -270,7 +270,7 @@ MUTATIONS = (
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of a mutation: `killed`, `survived`, or why it could not be judged."""
+    """Outcome of a mutation: `killed`, `survived`, or why it could not be judged."""
 
     mutation: Mutation
     said: str

@@ -14,7 +14,7 @@ def cam_facts(plan: CamPlan, cures: Cures) -> Facts:
     facts = Facts(
         profile=plan.kind.code,
         passed=plan.passed,
-        verdict=plan.verdict.facts(),
+        verdict=plan.verdict.entry(),
         checks=[_check_facts(check) for check in plan.figures],
         cures=[
             Facts(override=cure.override, now=cure.now, then_fails=[check.name for check in cure.failing])

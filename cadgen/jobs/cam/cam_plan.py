@@ -20,7 +20,7 @@ from cadgen.messages import Message
 from cadgen.output.files.manifest import Origin
 from cadgen.parts.blank import Blank
 from cadgen.parts.face import Face
-from cadgen.verdict import Verdict, verdict_of
+from cadgen.verdict import PartVerdict, verdict_of
 
 
 @dataclass(frozen=True)
@@ -137,7 +137,7 @@ class Application:
         """Sentences for the cam's sheet."""
         return ()
 
-    def verdict(self, cam: "CamPlan") -> Verdict:
+    def verdict(self, cam: "CamPlan") -> PartVerdict:
         """Verdict on a cam: its checks, with what the application adds, and its reservations."""
         return verdict_of(cam.checks)
 
@@ -227,7 +227,7 @@ class CamPlan:
     phase: float = 0.0
 
     @cached_property
-    def verdict(self) -> Verdict:
+    def verdict(self) -> PartVerdict:
         """Verdict on the cam in its application: ready, with reservations, or not."""
         return self.application.verdict(self)
 

@@ -23,7 +23,7 @@ from cadgen.messages import Message, clauses
 from cadgen.output.files.manifest import Origin
 from cadgen.parts.face import Face
 from cadgen.progress import Progress, silent
-from cadgen.verdict import Reservation, Verdict, verdict_of
+from cadgen.verdict import PartVerdict, Reservation, verdict_of
 
 _DENSE = 7201  # stations at which the greatest velocity and acceleration are sought
 
@@ -79,7 +79,7 @@ class SegmentUse(Application):
             return said
         return clauses(said, Message("at {speed:g} rev/min", speed=self.speed / TURN * 60))
 
-    def verdict(self, cam: "CamPlan") -> Verdict:
+    def verdict(self, cam: "CamPlan") -> PartVerdict:
         """Verdict on the cam, with a reservation where its acceleration jumps."""
         return verdict_of(
             cam.checks,

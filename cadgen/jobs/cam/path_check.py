@@ -26,7 +26,7 @@ _END_ONLY = 1e-9  # rad; a waypoint this close to the end of the run is its end
 
 
 @dataclass(frozen=True)
-class PathError:
+class PathDeviation:
     """Distances of a driven car from the path that was planned for it.
 
     Attributes:
@@ -44,7 +44,7 @@ class PathError:
 
 def path_error(
     design: Design, track: Track, lift: PathMotion, driven: PathMotion, following: Following | None = None
-) -> PathError:
+) -> PathDeviation:
     """Drive the car on a cam, without play, and hold it against the points of its path.
 
     Args:
@@ -76,7 +76,7 @@ def path_error(
     point = run.drive_wheel @ [1, 1j] - 1j * design.path.offset_mm * np.exp(1j * run.heading)
     end = cam_model.path_end(design, track)
     turned = run.heading[-1] - track.heading(np.array([0.0, end]))[-1]
-    return PathError(
+    return PathDeviation(
         waypoint=np.abs(point[:-1] - wanted),
         numbers=numbers,
         end=float(abs(point[-1] - track.planned(end) @ [1, 1j])),

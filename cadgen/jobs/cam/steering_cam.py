@@ -53,7 +53,7 @@ from cadgen.output.files.manifest import Origin
 from cadgen.output.report.tracks import Field
 from cadgen.parts.face import Face
 from cadgen.progress import Progress, silent
-from cadgen.verdict import Verdict, verdict_of
+from cadgen.verdict import PartVerdict, verdict_of
 
 # Lengthening the closing blend is tried by these factors.
 _BLEND_FACTORS = (1.5, 2.0, 3.0, 5.0, 8.0)
@@ -249,7 +249,7 @@ class CarUse(Application):
         as_built = cam_model.as_built(self.design)
         return (edges_check(self.steering, rod, cam.curve, as_built, self.car, self.travel),)
 
-    def verdict(self, cam: CamPlan) -> Verdict:
+    def verdict(self, cam: CamPlan) -> PartVerdict:
         """Verdict on the cam in the car, with the cars that keep the course; an empty one of a cam not yet checked."""
         if not cam.checks:
             return verdict_of(())
