@@ -285,7 +285,7 @@ class CarUse(Application):
         rides = isinstance(cam.follower_as_built, EdgeFollower)
         if (
             self.comparison is not None
-            or cam.kind is not ACTUAL
+            or cam.kind != ACTUAL
             or self.course is None
             or not (rides and self.play_known)
         ):
