@@ -283,12 +283,7 @@ class CarUse(Application):
     def _with_play(self, cam: CamPlan) -> "CarUse":
         """The car with its comparison under play, which the plain profile is planned without."""
         rides = isinstance(cam.follower_as_built, EdgeFollower)
-        if (
-            self.comparison is not None
-            or cam.kind != ACTUAL
-            or self.course is None
-            or not (rides and self.play_known)
-        ):
+        if self.comparison is not None or cam.kind != ACTUAL or self.course is None or not (rides and self.play_known):
             return self
         other = _plan_against_play(self.design, ACTUAL, silent, measured=_measured_cam(self.design)).application
         assert isinstance(other, CarUse)
