@@ -91,7 +91,8 @@ def test_the_same_design_gives_the_same_bytes(optimized, cadgen, tmp_path):
 def test_a_failed_check_exports_nothing_unless_forced(cadgen, tmp_path):
     thick_walls = ("--set", "checks.min_wall_mm=50")
     result = cadgen("cam", "--profile", "actual", *thick_walls, "--out", "out", code=1)
-    assert "FAIL: thinnest wall fails, so nothing was exported" in " ".join(result.stdout.split())
+    failing = "NOT READY: thinnest wall, cars that keep the course fail, so nothing was exported"
+    assert failing in " ".join(result.stdout.split())
     assert not (tmp_path / "out").exists()
     # Every format of this cam is read back in tests/jobs/test_lift_errors.py.
     forced = ("--force", "--formats", "step,csv", "--json")
@@ -100,7 +101,7 @@ def test_a_failed_check_exports_nothing_unless_forced(cadgen, tmp_path):
     assert json.loads(result.stdout) == part
     assert part["passed"] is False
     failed = {check["name"] for check in part["checks"] if not check["passed"]}
-    assert failed == {"lost lift, undercut", "convex radius, theory"}
+    assert failed == {"lost lift, undercut", "convex radius, theory", "cars that keep the course"}
     cures = {cure["override"].partition("=")[0] for cure in part["cures"]}
     assert cures == {"path.spline", "follower.radius_mm", "cam.base_radius_mm", "checks.lost_lift_limit_um"}
 

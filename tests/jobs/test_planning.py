@@ -64,7 +64,7 @@ def test_the_papers_course_with_gates_of_50_mm():
     )
     assert band.worst_distance <= 173
     assert reordered.comparison.chosen.band.worst_distance <= 130
-    assert reordered.passed
+    assert reordered.sound
     track, before = (cam_model.track(design.values) for design in (planned.design, today))
     slopes, most = (np.abs(each.curvature_jets[:, 1:]).max(axis=0) for each in (track, before))
     assert (slopes <= 1.002 * most).all()

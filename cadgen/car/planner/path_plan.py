@@ -152,8 +152,9 @@ def _searched(task: PathTask, begin: Array | None, report: Callable[[str], None]
             length = float(np.linalg.norm(np.diff(places, axis=0), axis=1).sum())
             basis = _basis(length / _ARC_SPAN, vehicle)
             points = smooth_path(basis, places, np.ones(len(places), dtype=bool), start, finish)
-            plans.append(PathPlan(_search(task, basis, start, finish).best(points, words), task, points))
-            if not plans[-1].missed:
+            found = PathPlan(_search(task, basis, start, finish).best(points, words), task, points)
+            if not found.missed:  # where it fails, the path along the route says better what is in the way
+                plans.append(found)
                 break
     return min(plans, key=_merit)
 
