@@ -4,6 +4,7 @@ What is shown is put together once, as figures, cells and sheets. A renderer onl
 on a terminal and as text, `cadgen.viewer.page` as HTML, `as_json` as JSON. The module is light to import.
 """
 
+from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, is_dataclass
 from enum import StrEnum
@@ -105,12 +106,12 @@ class Facts:
         return {key: as_json(value) for key, value in self._values.items()}
 
 
-class JobResult:
+class JobResult(ABC):
     """Base of a result of a job, whose figures all go into JSON and manifests."""
 
+    @abstractmethod
     def entry(self) -> Facts:
         """Facts of the result, as in its entry of the manifest; keys end in the unit."""
-        raise NotImplementedError
 
     def facts(self) -> dict[str, Any]:
         """The result as plain values, as in the manifest and with `--json`; keys end in the unit."""

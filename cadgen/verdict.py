@@ -4,7 +4,6 @@ A part is ready if a careful builder would cut it as it stands. A reservation is
 or that the design leaves open; it names its cost and its cure. A check that fails makes the part not ready.
 """
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -66,7 +65,7 @@ class PartVerdict:
 
     Attributes:
         checks: figures that were judged.
-        reservations: reservations, the weightiest first.
+        reservations: reservations; one that costs cars stands first.
     """
 
     checks: tuple[Check, ...]
@@ -96,13 +95,3 @@ class PartVerdict:
             failed_checks=[check.name for check in self.failed],
             reservations=[reservation.entry() for reservation in self.reservations],
         )
-
-
-def verdict_of(checks: Iterable[Check], reservations: Iterable[Reservation] = ()) -> PartVerdict:
-    """Verdict by checks and reservations.
-
-    Args:
-        checks: figures with their limits.
-        reservations: reservations, the weightiest first.
-    """
-    return PartVerdict(tuple(checks), tuple(reservations))

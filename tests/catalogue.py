@@ -1,6 +1,7 @@
 """Texts of the package and what each language lacks: `python -m tests.catalogue zh` prints entries to be filled in.
 
-`python -m tests.catalogue click` compiles the translations of click's own words.
+`python -m tests.catalogue sort zh` moves each entry to the catalogue of the folder whose modules say its text, as
+`home` gives it. `python -m tests.catalogue click` compiles the translations of click's own words.
 """
 
 import ast
@@ -18,6 +19,7 @@ from cadgen.messages import Message
 PACKAGE = Path(__file__).parents[1] / "cadgen"
 
 
+OF_SCRIPTS = ("common", "script")  # catalogues that the page's scripts have, too
 CLICK = PACKAGE / "locale" / "zh" / "LC_MESSAGES" / "click.po"
 # Calls whose first argument is shown to people, with arguments or without.
 _TEXTS = {"Message", "progress", "CadgenError", "CheckError", "DesignError", "FileError"}
@@ -46,7 +48,16 @@ def used() -> dict[str, str]:
     found += [
         (file, re.findall(r'\b_\("([^"]+)"\)', file.read_text("utf-8"))) for file in sorted(PACKAGE.rglob("*.html"))
     ]
-    return {template: str(file.relative_to(PACKAGE)) for file, texts in found for template in texts}
+    first: dict[str, str] = {}
+    for file, texts in found:
+        for template in texts:
+            first.setdefault(template, str(file.relative_to(PACKAGE)))
+    return first
+
+
+def home(file: str) -> str:
+    """Name of the catalogue of a module's texts: its folder, or `cadgen` of a module that stands in none."""
+    return file.partition("/")[0] if "/" in file or "." not in file else "cadgen"
 
 
 def help_texts() -> Iterator[str]:
@@ -124,10 +135,28 @@ def compiled() -> bytes:
     return bytes(polib.pofile(str(CLICK)).to_binary())
 
 
+def sort(language: str) -> None:
+    """Move each entry to its home, in the order of the modules; a text that no module says as a whole stays."""
+    folder, said = PACKAGE / "locale" / language, used()
+    place = {text: number for number, text in enumerate(said)}
+    sorted_out: dict[str, list[polib.POEntry]] = {}
+    for file in sorted(folder.glob("*.po")):
+        for entry in polib.pofile(str(file)):
+            stays = file.stem in OF_SCRIPTS or entry.msgid not in said
+            sorted_out.setdefault(file.stem if stays else home(said[entry.msgid]), []).append(entry)
+    for name, found in sorted_out.items():
+        catalogue = polib.POFile(wrapwidth=120)
+        catalogue.metadata = {"Language": language, "Content-Type": "text/plain; charset=UTF-8"}
+        catalogue.extend(sorted(found, key=lambda entry: place.get(entry.msgid, len(place))))
+        catalogue.save(str(folder / f"{name}.po"))
+
+
 if sys.argv[1:] == ["click"]:
     CLICK.with_suffix(".mo").write_bytes(compiled())
+elif sys.argv[1:2] == ["sort"]:
+    sort(sys.argv[2])
 elif __name__ == "__main__":
     known = {entry.msgid for entry in entries(sys.argv[1])}
     for template, file in used().items():
         if template not in known and (not sys.argv[2:] or file.startswith(sys.argv[2])):
-            print(f"# {file}\n{polib.POEntry(msgid=template)}")
+            print(f"# {file}: belongs into {home(file)}.po\n{polib.POEntry(msgid=template)}")

@@ -8,7 +8,7 @@ import pytest
 
 from cadgen.errors import DesignError
 from cadgen.messages import CHINESE, Message, catalogue, joined, language_of, translate
-from tests.catalogue import CLICK, PACKAGE, compiled, entries, fields, used
+from tests.catalogue import CLICK, OF_SCRIPTS, PACKAGE, compiled, entries, fields, home, used
 
 
 def test_a_message_is_its_english_text():
@@ -82,6 +82,18 @@ def test_texts_of_checks_are_messages():
         if is_plain(text)
     }
     assert not plain
+
+
+def test_each_text_stands_in_the_catalogue_of_its_folder():
+    said = used()
+    elsewhere = {
+        text: home(said[text])
+        for file in (PACKAGE / "locale" / CHINESE).glob("*.po")
+        if file.stem not in OF_SCRIPTS
+        for text in catalogue(CHINESE, file.stem)
+        if text in said and home(said[text]) != file.stem
+    }
+    assert not elsewhere, f"run: python -m tests.catalogue sort {CHINESE}\n{elsewhere}"
 
 
 def test_the_words_of_the_pages_scripts_are_those_of_their_catalogue():

@@ -131,11 +131,11 @@ class RoundSlide(RoundFollower):
 
     @property
     def reach(self) -> float:
-        """How far across the ray the circle reaches, mm."""
+        """Greatest distance of a point of the circle from the ray, mm."""
         return self.radius + abs(self.offset)
 
     def most(self, x: Array, y: Array, off: Array) -> tuple[Array, ...]:
-        """Bound over all points within `off` mm: that of the point farthest ahead and nearest to the centre's line.
+        """Upper bound of `least` over points within `off` mm: that of the one ahead and nearest to the centre's ray.
 
         Args:
             x: coordinates along the ray from the camshaft, mm, shape (n,).

@@ -78,7 +78,7 @@ class PathMotion(Motion):
 
     @cached_property
     def mirrored(self) -> "PathMotion":
-        """The motion of a cam that turns the other way; its blend, which would come first, is not told apart."""
+        """Motion of a cam that turns the other way, on which the blend comes first and has no place of its own."""
         return replace(super().mirrored, blend_start=TURN)
 
 

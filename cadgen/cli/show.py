@@ -100,7 +100,7 @@ def sentences(lines: Iterable[str]) -> None:
         console.print(sentence(line))
 
 
-def verdict(passed: "bool | Readiness", result: str, step: str = "") -> None:
+def verdict(passed: bool | Readiness, result: str, step: str = "") -> None:
     """Print the last line: PASS or FAIL, or the readiness of a cam, and what to do next.
 
     Args:
@@ -144,8 +144,9 @@ def checks(cam: "Cam", cures: "Cures", *, every: bool) -> None:
         every: whether every check is shown, by group, with what was assumed.
     """
     console = Output()
-    for line in (cam.expected, *summary(cam)) if cam.expected else summary(cam):
-        console.print(line)
+    if cam.expected:
+        console.print(cam.expected)
+    console.print(*summary(cam), sep="\n")
     if every:
         console.print(cam.wheel)
         friction(cam)
@@ -160,11 +161,10 @@ def checks(cam: "Cam", cures: "Cures", *, every: bool) -> None:
 def summary(cam: "Cam") -> Iterator[Text]:
     """Lines on a cam: verdict, purpose, the figures that decide, the tightest check, and the reservations."""
     ruling = cam.verdict
-    head = Text.assemble(
+    yield Text.assemble(
         f"{shown(_of_profile(cam))}{shown(': ')}",
         (shown(ruling.readiness.words), f"bold {_COLOURS[ruling.readiness]}"),
     )
-    yield head
     yield Text(shown(Message("For {purpose}.", purpose=cam.application.purpose(cam))))
     if cam.deciding:
         yield Text(shown(sentence(joined(cam.deciding))))
@@ -201,16 +201,15 @@ def tightest(checks: "Sequence[Check]") -> "Check | None":
 
 def _groups(checks: "Sequence[Check]") -> Iterator[tuple[Message, list[Check]]]:
     """Checks by what they are of: the disc, the car, the course."""
-    titles = {
-        "course": Message("The course"),
-        "car": Message("The car on its path"),
-        "cam": Message("The cam"),
-    }
-    groups: dict[str, list[Check]] = {"cam": [], "car": [], "course": []}
-    for check in checks:
-        kind = check.code.value.partition("-")[0]
-        groups[kind if kind == "course" else "car" if check.code in _OF_CAR else "cam"].append(check)
-    yield from ((titles[name], rows) for name, rows in groups.items() if rows)
+    course = [check for check in checks if check.code.value.startswith("course-")]
+    car = [check for check in checks if check.code in _OF_CAR]
+    disc = [check for check in checks if check not in course and check not in car]
+    groups = (
+        (Message("The cam"), disc),
+        (Message("The car on its path"), car),
+        (Message("The course"), course),
+    )
+    yield from ((title, rows) for title, rows in groups if rows)
 
 
 def friction(cam: "Cam") -> None:

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def comparison(cam: "Cam") -> None:
-    """Print the effect of the profile against play, beside that of the profile before."""
+    """Print what the profile against play does, beside what the plain profile does."""
     console = Output()
     for note in cam.notes:
         console.print(note)

@@ -246,7 +246,7 @@ def begin(
 
 
 def _sample(places: tuple[tuple[float, float], ...], field: tuple[float, float]) -> Points:
-    """Points of an example within a field: as they are in that of the example, else smaller and in the middle."""
+    """Points of an example, made smaller and moved to the middle where the field is smaller than the example's."""
     share = min(1.0, *(size / full for size, full in zip(field, _EXAMPLE_FIELD, strict=True)))
     if share < 1:
         corner = [(size - share * full) / 2 for size, full in zip(field, _EXAMPLE_FIELD, strict=True)]

@@ -21,6 +21,7 @@ from cadgen.gears.train import Loose, Train, bearings
 from cadgen.messages import Message
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import Hub, Keyway, Lightening, SetScrew, Web
+from cadgen.verdict import Reservation
 
 T = TypeVar("T", int, float)
 
@@ -285,8 +286,8 @@ def _hub(keys: GearHub) -> Hub:
     return Hub(diameter=keys.diameter_mm, length=length, set_screw=screw)
 
 
-def sense_note(design: TrainDesign, stages: int) -> tuple[str, ...]:
-    """Sentence on a train that turns the cam the other way round; none if it does not, or has no cam to turn.
+def sense_reservation(design: TrainDesign, stages: int) -> Reservation | None:
+    """Reservation on a train that turns the cam the other way round; None if it does not, or has no cam to turn.
 
     The cam turns against the drive wheel of a car that drives forwards, and each stage turns the sense round.
 
@@ -295,12 +296,13 @@ def sense_note(design: TrainDesign, stages: int) -> tuple[str, ...]:
         stages: number of stages, all of them of external gears.
     """
     if design.cam is None or stages % 2:
-        return ()
-    return (
+        return None
+    return Reservation(
+        "sense-of-train",
         Message(
-            "with {stages} stages the camshaft turns the same way as the drive wheel, but the cam is "
-            "made to turn against it: put the disc on its shaft turned over, a hub with it, or add a "
-            "stage",
+            "with {stages} stages the camshaft turns the same way as the drive wheel, but the cam is made to turn "
+            "against it",
             stages=stages,
         ),
+        Message("put the disc on its shaft turned over, a hub with it, or add a stage"),
     )

@@ -16,7 +16,7 @@ from cadgen.laws.unit import Unit
 from cadgen.messages import Message
 
 _WHOLE = 1e-9  # of a turn; the angles of the segments add up to it but for the rounding of decimals
-# Of the greatest value of the same derivative over the turn: a smaller jump is rounding.
+# Share of the greatest value over the turn, of the same derivative or of the motion itself: a smaller jump is rounding.
 _JUMP = 1e-9
 _NAMES = (Message("motion"), Message("velocity"), Message("acceleration"))
 

@@ -18,7 +18,7 @@ from cadgen.errors import MOST_REPEATED, brief
 from cadgen.jobs.cam.cam_plan import Application
 from cadgen.jobs.cam.cures import Cure, Cures
 from cadgen.output.files.publisher import Written
-from cadgen.verdict import verdict_of
+from cadgen.verdict import PartVerdict
 from tests.cli.conftest import one_sentence
 from tests.cli.test_commands import SQUARE_TURN
 
@@ -130,7 +130,7 @@ def test_numbers_are_never_folded(capsys, monkeypatch, columns):
         application=Application(),
         expected=None,
         figures=(check, check),
-        verdict=verdict_of((check, check)),
+        verdict=PartVerdict((check, check)),
         deciding=(),
     )
     show.checks(plan, Cures((), (), 0), every=True)
@@ -159,7 +159,7 @@ def test_brackets_and_colons_are_printed_as_they_are(capsys, monkeypatch):
         expected=None,
         profile="actual",
         figures=(check, check),
-        verdict=verdict_of((check, check)),
+        verdict=PartVerdict((check, check)),
         deciding=(),
     )
     show.checks(plan, Cures((check,), (Cure("[x]", "1", ()),), 0), every=True)

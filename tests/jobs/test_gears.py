@@ -421,7 +421,7 @@ def test_more_teeth_than_step_takes_are_refused_before_a_file_is_made(paper, tmp
 def test_a_train_that_turns_the_cam_the_other_way_round_is_told():
     """Each pair of external gears turns the sense round: an even number of stages leaves that of the drive wheel."""
     car = load_design("carbon_free_car")
-    notes = {stages: gear_model.sense_note(car, stages) for stages in (1, 2, 3, 4)}
-    assert {stages for stages, note in notes.items() if note} == {2, 4}
-    assert "with 2 stages the camshaft turns the same way as the drive wheel" in notes[2][0]
-    assert gear_model.sense_note(car.model_copy(update={"cam": None}), 2) == ()
+    found = {stages: gear_model.sense_reservation(car, stages) for stages in (1, 2, 3, 4)}
+    assert {stages for stages, reservation in found.items() if reservation} == {2, 4}
+    assert "with 2 stages the camshaft turns the same way as the drive wheel" in found[2].sentence
+    assert gear_model.sense_reservation(car.model_copy(update={"cam": None}), 2) is None

@@ -11,7 +11,7 @@ from cadgen.arrays import TURN
 from cadgen.check import CheckCode
 from cadgen.design import cam_model
 from cadgen.errors import DesignError
-from cadgen.jobs.cam.path_check import MOST_OFF_PATH, path_checks, path_error
+from cadgen.jobs.cam.path_check import MOST_OFF_PATH, path_checks, path_deviation
 from tests.car.path_truth import car_of, driven, points_of, steering
 
 DATA = Path(__file__).parents[1] / "data" / "trials"
@@ -47,7 +47,7 @@ def test_a_lift_that_is_a_little_off_fails_where_it_leaves_the_path():
     late = lift.q.x[:-1] > TURN / 2
     changed = lift.q.c * np.where(late, 1.001, 1.0)
     wrong = replace(lift, q=type(lift.q)(changed, lift.q.x, extrapolate="periodic"))
-    error = path_error(design, track, lift, wrong)
+    error = path_deviation(design, track, lift, wrong)
     passed = cam_model.cam_angle(design, track, track.waypoint_arc[error.numbers - 1])
     assert (error.waypoint[passed < 3.0] < 1e-5).all()
     assert error.waypoint[-1] > MOST_OFF_PATH

@@ -61,6 +61,17 @@ def test_the_least_share_is_the_designs_own():
     assert GOOD_YIELD == 90.0
 
 
+def test_a_tolerance_too_wide_to_count_cars_by_is_a_reservation():
+    """Many cars are reckoned to first order; where that does not hold, the cam is judged by all that is known."""
+    verdict = Design.load("s_course").with_({"tolerances.steering_zero_deg": 5.0}).cam().verdict
+    assert verdict.readiness == Readiness.RESERVATIONS
+    first = verdict.reservations[0]
+    assert (first.code, first.text) == ("cars-not-counted", "nobody knows how many cars keep the course")
+    assert "the tolerance of steering_zero is 5 degrees" in first.cure
+    assert "make it 0.19 degrees or less" in first.cure
+    assert CheckCode.CARS_KEEP_COURSE not in {check.code for check in verdict.checks}
+
+
 @pytest.mark.parametrize(
     ("diameter", "readiness", "code"),
     [

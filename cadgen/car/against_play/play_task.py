@@ -79,7 +79,7 @@ class PlayTask:
     mechanics: MechanicsBand | None = None
 
     def planned(self) -> Run:
-        """Planned run, which is that of the lift wanted without play."""
+        """Run of the car by the lift wanted, without play."""
         return self.run(self.lift, 0.0)
 
     def run(
@@ -184,7 +184,7 @@ class TrainTask:
 
     @cached_property
     def planned(self) -> Run:
-        """Planned run, which is that of the lift wanted without play."""
+        """Run of the car by the lift wanted, without play."""
         return self.task.planned()
 
     def prepare(self) -> None:

@@ -194,12 +194,12 @@ def register(profile: ProfileKind) -> None:
 
 
 def codes(*, for_play: bool = False) -> tuple[str, ...]:
-    """Codes of the profiles; on request only of those that act against play."""
+    """Codes of all profiles, or of those that act against play alone."""
     return tuple(profile.code for profile in _PROFILES.values() if profile.for_play or not for_play)
 
 
 def compared() -> tuple[ProfileKind, ...]:
-    """Profiles that the best is chosen of: the actual profile, then all that are cut for play."""
+    """Profiles among which the best is chosen: the actual profile, then all that are cut for play."""
     return (ACTUAL, *(profile for profile in _PROFILES.values() if profile.for_play and not profile.best_of))
 
 

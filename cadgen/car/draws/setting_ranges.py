@@ -102,7 +102,7 @@ def _product(choice: tuple[float, float]) -> float:
 
 @dataclass(frozen=True, kw_only=True)
 class SettingRanges:
-    """Ranges of all settings; disc and head as changes from the design, the start from that of the scaled path.
+    """Ranges of a card's settings: disc and head as changes from the design, the start from that of the scaled path.
 
     Attributes:
         disc: place of the disc on its shaft, positive away from the fork axis, mm.

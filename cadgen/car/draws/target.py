@@ -135,7 +135,7 @@ class Target:
         return Pose(x=place.real, y=place.imag, heading=heading)
 
     def errors(self, values: Array) -> Complex:
-        """Error of the planned point against that of the path at the same motor position, x + iy, shape (m,), mm.
+        """Distance of the planned point from its place on the path at the same motor position, x + iy, shape (m,), mm.
 
         Args:
             values: settings, shape (6,), mm and rad.

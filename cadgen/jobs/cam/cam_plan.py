@@ -20,7 +20,7 @@ from cadgen.messages import Message
 from cadgen.output.files.manifest import Origin
 from cadgen.parts.blank import Blank
 from cadgen.parts.face import Face
-from cadgen.verdict import PartVerdict, verdict_of
+from cadgen.verdict import PartVerdict
 
 
 @dataclass(frozen=True)
@@ -139,7 +139,7 @@ class Application:
 
     def verdict(self, cam: "CamPlan") -> PartVerdict:
         """Verdict on a cam: its checks, with what the application adds, and its reservations."""
-        return verdict_of(cam.checks)
+        return PartVerdict(cam.checks)
 
     def purpose(self, cam: "CamPlan") -> str:
         """Purpose of the cam, in a few words."""
@@ -166,7 +166,7 @@ class Application:
         Raises:
             DesignError: the result is no design, or no cam.
         """
-        raise NotImplementedError
+        return cam.checks
 
     def of_file(self, cam: "CamPlan", outline: Outline, contact: Contact, limit: float) -> Figures:
         """Figures of a file's cam in its application.

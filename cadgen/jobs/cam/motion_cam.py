@@ -23,7 +23,7 @@ from cadgen.messages import Message, clauses
 from cadgen.output.files.manifest import Origin
 from cadgen.parts.face import Face
 from cadgen.progress import Progress, silent
-from cadgen.verdict import PartVerdict, Reservation, verdict_of
+from cadgen.verdict import PartVerdict, Reservation
 
 _DENSE = 7201  # stations at which the greatest velocity and acceleration are sought
 
@@ -44,24 +44,28 @@ class SegmentUse(Application):
         return self.design.motion.turns
 
     @property
-    def speed(self) -> float | None:
-        """Speed of the camshaft, rad/s; None where the design does not say."""
-        rpm = self.design.motion.speed_rpm
-        return None if rpm is None else rpm * TURN / 60
+    def seen(self) -> Face:
+        """Face on which the disc turns clockwise."""
+        return Face.OUTER if self.turns == DiscSense.CLOCKWISE else Face.INNER
 
-    def replanned(self, cam: "CamPlan", override: str) -> tuple[Check, ...]:
+    @property
+    def rpm(self) -> float | None:
+        """Speed of the camshaft, rev/min; None where the design does not say."""
+        return self.design.motion.speed_rpm
+
+    def replanned(self, cam: CamPlan, override: str) -> tuple[Check, ...]:
         """Checks of the same cam with a change of its design."""
         return plan_motion_cam(with_overrides(self.design, [override]), cam.kind.code).checks
 
-    def entry(self, cam: "CamPlan") -> Facts:
+    def entry(self, cam: CamPlan) -> Facts:
         """Sense, speed, and greatest velocity and acceleration of the follower."""
         unit = cam.motion.unit.symbol
-        peaks = {} if self.speed is None else self._peaks(cam)
+        peaks = {} if self.rpm is None else _peaks(cam, self.rpm)
         return Facts(
             motion=Facts(
                 unit=unit,
                 turns=self.turns.value,
-                speed_rpm=None if self.speed is None else self.speed / TURN * 60,
+                speed_rpm=self.rpm,
                 **{f"greatest_{name}_{unit}_per_{time}": value for name, (value, time) in peaks.items()},
                 jumps=[
                     Facts(cam_angle_deg=degrees(seam.cam_angle), derivative=seam.order) for seam in _seams(cam.motion)
@@ -69,78 +73,72 @@ class SegmentUse(Application):
             )
         )
 
-    def purpose(self, cam: "CamPlan") -> str:
+    def purpose(self, cam: CamPlan) -> str:
         """Travel of the follower in a turn, and the speed."""
         lift = cam.follower.lift(cam.motion.q(np.linspace(0.0, TURN, _DENSE)))
         said = Message(
             "a {follower} that moves {travel:.4g} mm", follower=Message(cam.follower.noun), travel=float(np.ptp(lift))
         )
-        if self.speed is None:
-            return said
-        return clauses(said, Message("at {speed:g} rev/min", speed=self.speed / TURN * 60))
+        return said if self.rpm is None else clauses(said, Message("at {speed:g} rev/min", speed=self.rpm))
 
-    def verdict(self, cam: "CamPlan") -> PartVerdict:
+    def verdict(self, cam: CamPlan) -> PartVerdict:
         """Verdict on the cam, with a reservation where its acceleration jumps."""
-        return verdict_of(
+        return PartVerdict(
             cam.checks,
-            [
+            tuple(
                 Reservation(
                     "acceleration-jumps",
-                    Message("at {angle:.4g}° of cam angle the acceleration jumps", angle=degrees(seam.cam_angle)),
+                    Message(
+                        "at {angle:.4g}° of cam angle the acceleration jumps from {before:.4g} to {after:.4g} "
+                        "{unit}/rad²",
+                        angle=degrees(seam.cam_angle),
+                        before=seam.before,
+                        after=seam.after,
+                        unit=cam.motion.unit.symbol,
+                    ),
                     Message("take a law that fits its neighbour, or go slowly"),
                 )
                 for seam in _seams(cam.motion)
-            ],
+            ),
         )
 
-    def notes(self, cam: "CamPlan") -> tuple[str, ...]:
-        """Sense of the disc, greatest velocity and acceleration, and where the acceleration jumps."""
-        seen = "outer" if self.turns == DiscSense.CLOCKWISE else "inner"
+    def notes(self, cam: CamPlan) -> tuple[str, ...]:
+        """Sense of the disc, and greatest velocity and acceleration."""
         said = [
             Message(
                 "The disc turns {turns}, seen on its outer face; files show its {seen} face, on which it turns "
                 "clockwise.",
                 turns=Message(self.turns.value),
-                seen=Message(seen),
+                seen=Message(self.seen.value),
             )
         ]
-        if self.speed is not None:
-            (velocity, _), (acceleration, _) = self._peaks(cam).values()
+        if self.rpm is not None:
+            (velocity, _), (acceleration, _) = _peaks(cam, self.rpm).values()
             unit, share = ("m", 1e-3) if cam.motion.unit == MM else (cam.motion.unit.symbol, 1.0)
             said.append(
                 Message(
                     "At {speed:g} rev/min the follower moves at up to {velocity:.4g} {unit}/s and {acceleration:.4g} "
                     "{unit}/s².",
-                    speed=self.speed / TURN * 60,
+                    speed=self.rpm,
                     velocity=velocity * share,
                     acceleration=acceleration * share,
                     unit=unit,
                 )
             )
-        said += [
-            Message(
-                "At {angle:.4g}° of cam angle the acceleration jumps from {before:.4g} to {after:.4g} {unit}/rad²: "
-                "take a law that fits its neighbour, or go slowly.",
-                angle=degrees(seam.cam_angle),
-                before=seam.before,
-                after=seam.after,
-                unit=cam.motion.unit.symbol,
-            )
-            for seam in _seams(cam.motion)
-        ]
         return tuple(said)
 
-    def drawing_notes(self, cam: "CamPlan") -> tuple[str, ...]:
+    def drawing_notes(self, cam: CamPlan) -> tuple[str, ...]:
         """Sense in which the disc turns."""
         return (Message("Turns clockwise, seen on this face."),)
 
-    def _peaks(self, cam: "CamPlan") -> dict[str, tuple[float, str]]:
-        """Greatest velocity and acceleration, by the second, with the unit of time."""
-        theta, speed = np.linspace(0.0, TURN, _DENSE), self.speed or 0.0
-        return {
-            name: (float(np.abs(cam.motion.q(theta, nu=order)).max()) * speed**order, time)
-            for order, name, time in ((1, "velocity", "s"), (2, "acceleration", "s2"))
-        }
+
+def _peaks(cam: CamPlan, rpm: float) -> dict[str, tuple[float, str]]:
+    """Greatest velocity and acceleration, by the second, with the unit of time."""
+    theta, speed = np.linspace(0.0, TURN, _DENSE), rpm * TURN / 60
+    return {
+        name: (float(np.abs(cam.motion.q(theta, nu=order)).max()) * speed**order, time)
+        for order, name, time in ((1, "velocity", "s"), (2, "acceleration", "s2"))
+    }
 
 
 def _seams(motion: Motion) -> tuple[Seam, ...]:
@@ -173,6 +171,7 @@ def plan_motion_cam(design: MotionDesign, profile: str | None = None, progress: 
     wanted = kind.curve(motion, follower)
     progress("checking the profile")
     checks = check_cam(motion, kind.rolling(follower), wanted.curve, wanted.trims, blank, limits)
+    use = SegmentUse(design)
     return CamPlan(
         origin=Origin.of(design),
         kind=kind,
@@ -182,9 +181,9 @@ def plan_motion_cam(design: MotionDesign, profile: str | None = None, progress: 
         trims=wanted.trims,
         blank=blank,
         faces=design.cam.faces_mm,
-        seen=Face.OUTER if design.motion.turns == DiscSense.CLOCKWISE else Face.INNER,
+        seen=use.seen,
         limits=limits,
         making=Making.of(design),
         checks=checks,
-        application=SegmentUse(design),
+        application=use,
     )

@@ -15,6 +15,7 @@ from cadgen.arrays import TURN
 from cadgen.car.steering import Car
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.curves.closed import ClosedCurve
+from cadgen.errors import DesignError
 from cadgen.figures import Figure
 from cadgen.inference.monte_carlo.random_cars import Tolerances, margins_of_cars
 from cadgen.jobs.cam.wheel import DriveWheel
@@ -25,7 +26,7 @@ from cadgen.verdict import Reservation
 SAMPLE, SEED = 1000, 1  # the standard error of a share of 25 % is 1.4 %, of one of 90 % it is 0.9 %
 GOOD_YIELD = 90.0  # %; below it the cars that are lost are a reservation
 # Relative difference of the outline's drive wheel from the wheel that the cam is for: up to the first it is rounding,
-# beyond the second the car of the design cannot drive the path.
+# beyond the second the outline is of another car.
 WHEEL_SAME, WHEEL_OTHER = 0.02, 0.25
 # Radius of a drive wheel as a share of the wheelbase: no car stands on smaller wheels, or between larger ones.
 _LEAST_WHEEL, _MOST_WHEEL = 0.02, 3.0
@@ -56,8 +57,8 @@ class JudgedCar(VariedCar, Protocol):
         """Whether the design says how much play the gears have."""
 
     @property
-    def same_sense(self) -> int:
-        """Number of stages of a train that turns the cam the way of the drive wheel; 0 if it does not."""
+    def sense(self) -> Reservation | None:
+        """Reservation on a train that turns the cam the other way round; None if it does not."""
 
     @property
     def least_yield(self) -> float:
@@ -102,6 +103,15 @@ def course_yield(use: JudgedCar, cut: ClosedCurve) -> CourseYield | None:
     each = kept.mean(axis=1)
     least = int(np.argmin(each))
     return CourseYield(100 * float(kept.all(axis=0).mean()), met.items[least].key, 100 * float(each[least]))
+
+
+def cars_not_counted(error: DesignError) -> Reservation:
+    """Reservation on a car of which nobody knows how many keep the course.
+
+    Args:
+        error: what stands in the way of a count, with its cure.
+    """
+    return Reservation("cars-not-counted", Message("nobody knows how many cars keep the course"), error.message)
 
 
 def yield_check(found: CourseYield, least: float) -> Check:
@@ -249,13 +259,5 @@ def reservations(use: JudgedCar, found: CourseYield | None) -> Iterator[Reservat
             ),
             Message("set car.outline.wheel_diameter_mm to {needed:.1f}", needed=2 * radius),
         )
-    if use.same_sense:
-        yield Reservation(
-            "sense-of-train",
-            Message(
-                "with {stages} stages the camshaft turns the same way as the drive wheel, and the cam is made to turn "
-                "against it",
-                stages=use.same_sense,
-            ),
-            Message("put the disc on its shaft turned over, a hub with it, or add a stage"),
-        )
+    if use.sense is not None:
+        yield use.sense

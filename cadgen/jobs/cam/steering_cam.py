@@ -26,7 +26,7 @@ from cadgen.car.running.sampled import rolled_lift
 from cadgen.car.steering import Car
 from cadgen.check import Check, CheckCode
 from cadgen.curves.closed import ClosedCurve, Outline
-from cadgen.design import cam_model, gear_model, variation
+from cadgen.design import cam_model, variation
 from cadgen.design.as_built import AsBuiltSection
 from cadgen.design.course import body_of, layout_of
 from cadgen.design.load import with_overrides
@@ -45,15 +45,22 @@ from cadgen.jobs.cam.comparison import MeasuredCam, PlayComparison, ProfileCheck
 from cadgen.jobs.cam.course import OnCourse, course_checks, floor_with, on_course
 from cadgen.jobs.cam.mechanics import joint_sentences, mechanics_checks
 from cadgen.jobs.cam.path_check import lost_lift_check, path_checks
-from cadgen.jobs.cam.readiness import course_yield, reservations, wheel_checks, yield_check
-from cadgen.jobs.cam.wheel import DriveWheel, drive_wheel, field_notice, sense_notice
+from cadgen.jobs.cam.readiness import (
+    CourseYield,
+    cars_not_counted,
+    course_yield,
+    reservations,
+    wheel_checks,
+    yield_check,
+)
+from cadgen.jobs.cam.wheel import DriveWheel, drive_wheel, field_notice, sense_of_train
 from cadgen.laws.motion import Motion
-from cadgen.messages import Message, clauses
+from cadgen.messages import Message, clauses, sentence
 from cadgen.output.files.manifest import Origin
 from cadgen.output.report.tracks import Field
 from cadgen.parts.face import Face
 from cadgen.progress import Progress, silent
-from cadgen.verdict import PartVerdict, verdict_of
+from cadgen.verdict import PartVerdict, Reservation
 
 # Lengthening the closing blend is tried by these factors.
 _BLEND_FACTORS = (1.5, 2.0, 3.0, 5.0, 8.0)
@@ -252,10 +259,15 @@ class CarUse(Application):
     def verdict(self, cam: CamPlan) -> PartVerdict:
         """Verdict on the cam in the car, with the cars that keep the course; an empty one of a cam not yet checked."""
         if not cam.checks:
-            return verdict_of(())
-        found = course_yield(self._with_play(cam), cam.curve)
+            return PartVerdict(())
+        found: CourseYield | None = None
+        uncounted: tuple[Reservation, ...] = ()
+        try:
+            found = course_yield(self._with_play(cam), cam.curve)
+        except DesignError as error:
+            uncounted = (cars_not_counted(error),)
         counted = () if found is None else (yield_check(found, self.least_yield),)
-        return verdict_of((*cam.checks, *wheel_checks(self), *counted), reservations(self, found))
+        return PartVerdict((*cam.checks, *wheel_checks(self), *counted), (*uncounted, *reservations(self, found)))
 
     def purpose(self, cam: CamPlan) -> str:
         """Drive wheel, length of the path and ratio of the train."""
@@ -306,10 +318,9 @@ class CarUse(Application):
         return self.design.checks.min_yield_percent
 
     @property
-    def same_sense(self) -> int:
-        """Number of stages of a train that turns the cam the way of the drive wheel; 0 if it does not."""
-        stages = 1 if self.design.train is None else len(self.design.train.stages)
-        return stages if gear_model.sense_note(self.design, stages) else 0
+    def sense(self) -> Reservation | None:
+        """Reservation on a train that turns the cam the other way round; None if it does not."""
+        return sense_of_train(self.design)
 
     def changes(self, cam: CamPlan) -> Iterable[Sequence[tuple[str, str]]]:
         """A spline without kinks, and a longer closing blend where lift is lost in it."""
@@ -354,7 +365,7 @@ class CarUse(Application):
         stop = self.wanted.blend_start
         return (
             *field_notice(design),
-            *sense_notice(design),
+            *(() if self.sense is None else (sentence(self.sense.sentence),)),
             *(assumed_play(design) if comparison else ()),
             *as_built_sentences(design, stop),
             *(laps.sentences(comparison.run, comparison.before, comparison.chosen) if laps and comparison else ()),

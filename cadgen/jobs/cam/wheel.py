@@ -12,7 +12,8 @@ from cadgen.car.running.drive import drive, start_pose
 from cadgen.design import cam_model, gear_model, variation
 from cadgen.design.schema import Design
 from cadgen.figures import Facts
-from cadgen.messages import Message, joined, sentence
+from cadgen.messages import Message, joined
+from cadgen.verdict import Reservation
 
 FIELD_NOTICE = Message(
     "[field] is drawn and checks nothing: with the field's size in [course.field], and posts, walls and gates in "
@@ -25,10 +26,9 @@ def field_notice(design: Design) -> list[str]:
     return [] if design.field is None else [FIELD_NOTICE]
 
 
-def sense_notice(design: Design) -> list[str]:
-    """Notice that the train turns the cam the other way round; empty if it does not, or is not known."""
-    stages = 1 if design.train is None else len(design.train.stages)
-    return [sentence(note) for note in gear_model.sense_note(design, stages)]
+def sense_of_train(design: Design) -> Reservation | None:
+    """Reservation on a train that turns the cam the other way round; None if it does not, or is not known."""
+    return gear_model.sense_reservation(design, 1 if design.train is None else len(design.train.stages))
 
 
 @dataclass(frozen=True)

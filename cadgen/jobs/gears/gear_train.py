@@ -210,6 +210,7 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
     trains = _Candidates(ranked, limits, design)
     made, skipped = _first_made(design, designed, trains, _baseline(order, designed_play, designed_standard), progress)
     chord = design.export.mesh_chord_um
+    sense = gear_model.sense_reservation(design, len(made.layout.train.stages))
     return GearTrain(
         origin=Origin.of(design),
         title=design.drawing,
@@ -227,7 +228,7 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
             *(note for number, cut in enumerate(made.layout.train.stages, 1) for note in cut.notes(number)),
             *_joint_notes(design, made.play),
             *(_notes(design, designed, limits) if limits else ()),
-            *gear_model.sense_note(design, len(made.layout.train.stages)),
+            *([] if sense is None else [sense.sentence]),
         ),
         layout=made.layout,
         checks=made.checks,
