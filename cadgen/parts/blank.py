@@ -6,7 +6,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from cadgen.arrays import TURN, Array
+from cadgen.arrays import TURN, Array, gauss_nodes
 from cadgen.curves.closed import Outline, cross, polar_angle
 from cadgen.curves.contour import Contour, circle, d_bore, keyway_bore
 from cadgen.errors import DesignError
@@ -17,6 +17,8 @@ from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, Mark, Web
 OVERSHOOT = 1.0  # mm by which a cutting tool sticks out of what it cuts
 PROFILE_STEP = 0.1  # mm between the profile's points when the walls are measured: 1e-4 mm of wall at 10 mm of radius
 _STEP = 0.05  # mm between points on bore and hub, which errs by 1e-4 mm of wall on a hub of 6 mm
+_SCREW_NODES = 24  # of the integral across a set screw's hole
+_BORE_CHORD = 1e-5  # mm; of the bore's polygon that this hole begins at
 _STATION = 64  # points of an outline, of which the first is tried before the others
 _ROUNDING = 1e-9  # mm, of a way along an outline
 
@@ -147,13 +149,38 @@ class Blank:
     def disc_volume(self, profile_area: float, thickness: float) -> float:
         """Volume of the disc without its hub, mm^3: profile_area (mm^2) less the contours, times the thickness (mm).
 
-        The chamfers of broken edges are not taken off: see `cadgen.curves.chamfer.chamfered_off`.
+        The chamfers of broken edges are not taken off: see `cadgen.curves.chamfer.chamfered_off`. The hub is apart:
+        see `hub_volume`.
 
         Args:
             profile_area: area inside the profile, mm².
             thickness: thickness of the disc, mm.
         """
         return (profile_area - sum(contour.area() for contour in self.inner_contours())) * thickness
+
+    def hub_volume(self) -> float:
+        """Volume of the hub beyond the face of its disc, mm³: the ring about the bore, less the set screw's hole.
+
+        Across the hole, at the distance y from its axis, its chord is 2 √(ρ² - y²) long. The wall reaches from the
+        bore, the keyway's floor or the flat to the hub's circle.
+        """
+        hub = self.hub
+        if hub is None:
+            return 0.0
+        whole = (np.pi * hub.diameter**2 / 4 - self.bore().area()) * hub.length
+        if hub.set_screw is None:
+            return float(whole)
+        screw, bore = hub.set_screw, self.bore()
+        hole = screw.diameter / 2
+        # y = ρ sin t makes the integrand smooth between the corners of the bore.
+        corners = (bore.vertices @ [1, 1j] * np.exp(-1j * screw.angle)).imag / hole
+        ends = np.unique(np.arcsin(np.clip([-1.0, *corners, 1.0], -1.0, 1.0)))
+        nodes, weights = gauss_nodes(_SCREW_NODES)
+        half = np.diff(ends)[:, None] / 2
+        t = ends[:-1, None] + half * (1 + nodes)
+        y = hole * np.sin(t)
+        wall = np.sqrt((hub.diameter / 2) ** 2 - y**2) - _reach(bore, screw.angle, y.ravel()).reshape(y.shape)
+        return float(whole - np.sum(half * weights * 2 * (hole * np.cos(t)) ** 2 * wall))
 
     def walls(self, profile: Outline) -> tuple[ThinWall, ...]:
         """Material between profile, bore, hub, set screw and lightening holes, at the thinnest place of each kind.
@@ -271,6 +298,23 @@ def _may_be_nearest(contour: Contour, points: Array) -> NDArray[np.bool_]:
     distance = _distance(contour, points[stations])
     lower = np.repeat(distance, _STATION)[: len(points)] - (way - np.repeat(way[stations], _STATION)[: len(points)])
     return np.asarray(lower <= distance.min() + _ROUNDING)
+
+
+def _reach(bore: Contour, angle: float, across: Array) -> Array:
+    """How far a bore reaches along lines in a direction, mm.
+
+    Args:
+        bore: bore with its keyway or flat.
+        angle: polar angle of the direction, rad.
+        across: distances of the lines from the axis, mm, shape (n,), less than the bore's radius.
+    """
+    points = bore.polygon(_BORE_CHORD) @ [1, 1j] * np.exp(-1j * angle)
+    start, stop = points, np.roll(points, -1)
+    ahead = stop.imag > start.imag  # run counterclockwise, only such sides look in the direction
+    start, way = start[ahead], (stop - start)[ahead]
+    share = (across[:, None] - start.imag) / way.imag
+    crossed = (share >= -_ROUNDING) & (share <= 1 + _ROUNDING)
+    return np.asarray(np.where(crossed, start.real + share * way.real, -np.inf).max(axis=1))
 
 
 def _beyond(points: Array, outline: Outline) -> Array:

@@ -14,12 +14,11 @@ from cadgen.car.against_play.remedies import holding
 from cadgen.car.path.wheel_track import Track
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import drive, turns_of
-from cadgen.car.running.friction import DiscMaterial
 from cadgen.car.steering import track_curvature, travel_ratio
 from cadgen.design import cam_model, variation
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
-from cadgen.jobs.cam.cam_plan import CamPlan
+from cadgen.jobs.cam.cam_plan import DENSITY, CamPlan
 from cadgen.jobs.cam.comparison import known_trains
 from cadgen.jobs.cam.steering_cam import comparison_of, plan_cam
 from cadgen.jobs.tolerance import CarSample, ToleranceRun, tolerance_of
@@ -108,16 +107,6 @@ class StudyFigure:
 # Greatest distance between the points of an outline whose diameter is taken, mm: the radius then errs by 1e-5 mm.
 _STEP = 0.1
 _DRIFT_STEPS = 720  # of a turn: the drift errs by some 0.01 %
-# g/cm3: handbooks' tables, such as those that The Engineering ToolBox collects; PLA by makers of filament.
-DENSITY: dict[DiscMaterial, float] = {
-    DiscMaterial.ALUMINIUM: 2.70,
-    DiscMaterial.STEEL: 7.85,
-    DiscMaterial.BRASS: 8.50,
-    DiscMaterial.ACRYLIC: 1.18,
-    DiscMaterial.PLA: 1.24,
-    DiscMaterial.POM: 1.41,
-}
-
 
 _FIGURES: Registry[StudyFigure] = Registry(Message("figure"), ())
 register, remove, codes, kind_of, has = (

@@ -27,6 +27,7 @@ from cadgen.viewer.editor.text_changes import Value, applied, changed, exchanged
 from cadgen.viewer.page.data import both
 
 MOST_STEPS = 200  # that can be undone
+_ENDING = ".toml"
 
 
 @dataclass(frozen=True)
@@ -185,7 +186,8 @@ class Session:
         """Write the design's file, and return its name.
 
         Args:
-            name: name of a new design and, with .toml, of its file; the file that was opened if left out.
+            name: name of a new design, with .toml or without; its file has the ending once. The file that was opened if
+                left out.
 
         Raises:
             DesignError: a copy of a packaged design needs a name, or no file can have it.
@@ -195,6 +197,9 @@ class Session:
             if name is None:
                 self._origin = self._origin.save(self._now.text)
             else:
+                name = name.strip()
+                if name.lower().endswith(_ENDING):  # typed as a file's name
+                    name = name[: -len(_ENDING)]
                 refuse_name(name)
                 version = _renamed(self._now, name)
                 self._origin = self._origin.save_as(name, version.text)

@@ -6,10 +6,11 @@ from math import degrees
 from typing import TYPE_CHECKING
 
 from cadgen.car.against_play.profile_kinds import ACTUAL
+from cadgen.check import CheckCode
 from cadgen.design import cam_model, variation
 from cadgen.design.schema import Design
 from cadgen.errors import CheckError, DesignError, FileError
-from cadgen.figures import Cell, Facts, number
+from cadgen.figures import Cell, Facts, State, number
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.car_facts import remedy_facts
 from cadgen.jobs.cam.cures import Cures, find_cures
@@ -106,14 +107,18 @@ class CarPage(PagePlan):
         return (*super().summary(), *rows)
 
     def results(self) -> tuple[tuple[str, Cell], ...]:
-        """End of the run and return error with play, and cars that pass."""
+        """End of the run and return error with play, and the cars of the verdict that keep the course."""
         rows: list[tuple[str, Cell]] = []
         if self.simulation is not None:
             end = self.simulation.after_error.end_distance
             rows.append((Message("end of the run, with play"), number(end, "mm", digits=1)))
             rows.append((Message("return error"), number(degrees(self.simulation.play), "°")))
-        if self.tolerance is not None and self.tolerance.passed is not None:
-            rows.append((Message("cars that pass"), number(100 * self.tolerance.passed, "%", digits=2)))
+        # The cars of the verdict, which are the same in every command, and not those of the tolerance run.
+        rows += [
+            (check.name, number(check.value, check.unit, State.PLAIN if check.passed else State.BAD))
+            for check in self.cam.verdict.checks
+            if check.code == CheckCode.CARS_KEEP_COURSE
+        ]
         return tuple(rows)
 
     def entry(self) -> Facts:

@@ -21,6 +21,7 @@ from cadgen.jobs.gears.gear_train import GearTrain
 from cadgen.jobs.simulation import Simulation
 from cadgen.jobs.tolerance import Spread, ToleranceRun
 from cadgen.messages import Message
+from cadgen.parts.blank import Blank
 from cadgen.parts.features import Keyway
 from cadgen.viewer.page.charts import name_before
 from cadgen.viewer.page.document import Section
@@ -35,6 +36,7 @@ _PLACES = {
     Place.NOTED: Message("recorded only"),
 }
 _STEP_DEG = 10
+_NO_ANGLE = 1e-9  # rad
 _LEAD = 4  # paragraphs of a calibration above its tables: expectation, warnings and verdict come first
 
 
@@ -211,15 +213,12 @@ def tolerance_section(run: ToleranceRun[CamPlan] | None, reason: str) -> Section
     title = Message("Tolerance")
     if run is None:
         return Section("tolerance", title, (reason,))
-    cars = {"samples": run.samples, "seed": run.seed, "law": Message(run.law)}
-    lead = Message("{samples} random cars with this cam (seed {seed}, {law} law).", **cars)
-    if run.passed is not None:
-        lead = Message(
-            "{samples} random cars with this cam (seed {seed}, {law} law): {passing:.2f} % keep the course and its "
-            "gates.",
-            passing=100 * run.passed,
-            **cars,
-        )
+    lead = Message(
+        "{samples} random cars with this cam (seed {seed}, {law} law).",
+        samples=run.samples,
+        seed=run.seed,
+        law=Message(run.law),
+    )
     spreads: tuple[tuple[str, Spread, str], ...] = (
         (Message("position at the end"), run.end_position, "mm"),
         (Message("heading at the end"), run.end_heading_deg, "°"),
@@ -285,10 +284,38 @@ def _inspection(cam: CamPlan, train: GearTrain | None) -> Section:
         (
             Message(
                 "Sizes to measure the parts by; write what you measure into the empty cells. The lift holds on the "
-                "finished cam with its follower, cam angle 0 at the keyway's zero."
+                "finished cam with its follower."
             ),
+            _zero(cam.made_blank),
         ),
         tuple(tables),
+    )
+
+
+def _zero(blank: Blank) -> Message:
+    """Place of cam angle 0 on the disc, by what a hand finds there: key, flat, set screw, mark, or none of them."""
+    where: tuple[str, float] | None = None
+    if blank.key is not None:
+        key = (
+            Message("the middle of the keyway") if isinstance(blank.key, Keyway) else Message("the middle of the flat")
+        )
+        where = key, blank.key.angle
+    elif blank.hub is not None and blank.hub.set_screw is not None:
+        where = Message("the set screw"), blank.hub.set_screw.angle
+    elif blank.mark is not None:
+        where = Message("the mark"), blank.mark.angle
+    if where is None:
+        return Message(
+            "The bore is plain: cam angle 0 is the X axis of drawing and files. Scribe it on the disc before the disc "
+            "leaves the machine."
+        )
+    what, angle = where
+    if abs(angle) < _NO_ANGLE:
+        return Message("Cam angle 0 is at {what}, on the X axis of drawing and files.", what=what)
+    return Message(
+        "Cam angle 0 is on the X axis of drawing and files, and {what} at {angle:.4g}°, counterclockwise there.",
+        what=what,
+        angle=degrees(angle) % 360,
     )
 
 
@@ -370,32 +397,32 @@ def _gear_sizes(layout: TrainLayout) -> Sheet | None:
 
 
 def _parts(cam: CamPlan, train: GearTrain | None) -> Section:
-    """Parts list."""
+    """Parts list; without gears it has no columns of gears, and without a material no column of the mass."""
+    gears, mass = train is not None, cam.mass
+    teeth = (number(None), number(None)) if gears else ()
     rows: list[tuple[Cell | str, ...]] = [
         (
             Message("cam"),
             cam.making.material or "–",
             number(1, digits=0),
-            number(None),
-            number(None),
+            *teeth,
             number(cam.made_blank.bore_diameter, "mm"),
             number(cam.thickness, "mm"),
-            number(cam.made_blank.disc_volume(cam.area, cam.thickness) * 1e-3, "cm³")
-            if cam.made_blank.hub is None
-            else number(None),
+            number(cam.volume * 1e-3, "cm³"),
+            *(() if mass is None else (number(mass, "g", digits=1),)),
         )
     ]
     if train is not None:
-        rows += _gear_rows(train.layout)
+        rows += [(*row, *(() if mass is None else (number(None),))) for row in _gear_rows(train.layout)]
     heads = (
         Message("part"),
         Message("material"),
         Message("quantity"),
-        Message("teeth"),
-        Message("module"),
+        *((Message("teeth"), Message("module")) if gears else ()),
         Message("bore"),
         Message("width"),
         Message("volume"),
+        *(() if mass is None else (Message("mass"),)),
     )
     tables = [Sheet("parts", Message("Parts"), heads, tuple(rows), words=2)]
     if train is not None:

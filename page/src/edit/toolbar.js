@@ -76,7 +76,7 @@ function naming(saved) {
   document.body.append(dialog);
   let folder = "";
   const where = () => {
-    const file = `${folder}/${input.value || "…"}.toml`;
+    const file = `${folder}/${input.value.trim().replace(/\.toml$/i, "") || "…"}.toml`;
     place.textContent = pick(both("The file will be {file}", { file }));
   };
   translated(where);

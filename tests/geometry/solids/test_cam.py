@@ -211,6 +211,27 @@ def test_any_blank_that_fits_gives_its_volume(blank):
     assert volume(part.solid) == pytest.approx(exact, rel=VOLUME_BAR)
 
 
+SCREWED = replace(HUB, set_screw=replace(SCREW, angle=0.7))
+
+
+@pytest.mark.parametrize(
+    "blank",
+    [
+        *HUB_BLANKS.values(),
+        Blank(bore_diameter=8.0, hub=replace(HUB, side="inner")),
+        Blank(bore_diameter=8.0, key=Keyway(width=3.0, depth=1.4, angle=0.7), hub=SCREWED),
+        Blank(bore_diameter=8.0, key=Keyway(width=3.0, depth=1.4, angle=0.4), hub=SCREWED),
+        Blank(bore_diameter=8.0, key=DFlat(depth=1.0, angle=0.7), hub=SCREWED),
+    ],
+    ids=[*HUB_BLANKS, "plain", "screw on the key", "screw beside the key", "screw on the flat"],
+)
+def test_the_volume_of_a_hub_is_the_kernels(blank):
+    profile, blank = circle((4.0, 4.0), 40.0).curve(), replace(blank, lightening=None)
+    hub = volume(make(profile, blank).solid) - blank.disc_volume(pi * 40.0**2, THICKNESS)
+    print(f"hub {hub:.2f} mm3, off by {blank.hub_volume() / hub - 1:.1e}")
+    assert blank.hub_volume() == pytest.approx(hub, rel=2e-6)
+
+
 def test_walls_against_closed_forms():
     """Eccentric rim of radius 40, 5 off the axis: the nearest rim is at polar angle pi, 35 mm off."""
     blank = Blank(

@@ -17,6 +17,13 @@ def changed_lines(before, after):
     return [line for line in ndiff(before.splitlines(), after.splitlines()) if line[0] in "+-"]
 
 
+@pytest.mark.parametrize("typed", ["mine", "mine.toml", " mine.TOML "])
+def test_a_name_is_saved_with_one_ending(session, file, typed):
+    assert session.save(typed) == "mine.toml"
+    assert (session.name, session.state()["file"]) == ("mine", "mine.toml")
+    assert {entry.name for entry in file.parent.iterdir()} == {"small.toml", "mine.toml"}
+
+
 def test_a_change_touches_its_own_number_and_comments_stay(session, file):
     session.change({"path.waypoints_mm.3": (2650.0, 1200.5), "car.wheelbase_mm": 170.0, "cam.thickness_mm": 3.5})
     session.change({"course.posts.1.at_mm": (2500.0, 310.0)})

@@ -17,11 +17,15 @@ from cadgen.design.load import complete_of, load_design
 from cadgen.figures import Cell, Sheet, number
 from cadgen.geometry.meshes.mesh import Mesh
 from cadgen.geometry.meshes.teeth import measured_pair
+from cadgen.geometry.solids.disc_solid import cam_part
+from cadgen.geometry.solids.kernel import volume
+from cadgen.jobs.cam.steering_cam import plan_cam
 from cadgen.viewer.page.car_page import plan_page
 from cadgen.viewer.page.html import html_of, table_html
 from cadgen.viewer.page.mesh_block import shaded
 from cadgen.viewer.page.page_plan import plan_motion_page
 from cadgen.viewer.page.report import page_facts, page_of
+from cadgen.viewer.page.sections import parts_sections, tolerance_section
 from cadgen.viewer.page.turning_train import turning_train
 from tests.cam.test_roller import ROLLER, TEXT, Roller
 from tests.viewer.page.english import left_in_english
@@ -218,6 +222,61 @@ def test_the_train_meshes_wherever_it_is_set(plan):
         assert drive.real == pytest.approx(-min(behind, abs(drive)))
         assert max(part.range[1] for part in train.parts) == pytest.approx(-2.0)
         assert train.parts[-1].angle == pytest.approx(0.0)
+
+
+HUB = ["blank.hub={diameter_mm=22,length_mm=9,set_screw={hole_diameter_mm=4,height_mm=4.5}}"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("features", [[], HUB, ["blank.lightening=", "blank.material=steel"]])
+@pytest.mark.parametrize("leg", [0.0, 0.4])
+def test_the_volume_on_the_page_is_the_kernels(features, leg):
+    cam = plan_cam(load_design("workshop_car", [f"blank.edge_break_mm={leg}", *features]), "actual", judged=False)
+    part = cam_part(cam.curve, cam.made_blank, cam.thickness, name="cam", description="test")
+    exact = volume(part.solid)
+    assert cam.volume == pytest.approx(exact, rel=1e-5)
+    (sheet,) = parts_sections(cam, None)[1].tables
+    row = {head: cell.value for head, cell in zip(sheet.heads, sheet.cells[0], strict=True)}
+    assert row["volume"] == pytest.approx(exact * 1e-3, rel=1e-3)
+    assert row["mass"] == pytest.approx(exact * 1e-3 * (7.85 if "blank.material=steel" in features else 2.70), rel=1e-3)
+    assert "teeth" not in row
+    assert "module" not in row
+
+
+def test_a_part_of_no_known_material_has_no_column_of_its_mass():
+    cam = plan_cam(load_design("workshop_car", ["blank.material="]), "actual", judged=False)
+    assert cam.mass is None
+    (sheet,) = parts_sections(cam, None)[1].tables
+    assert "mass" not in sheet.heads
+
+
+@pytest.mark.parametrize(
+    ("features", "words"),
+    [
+        ([], "Cam angle 0 is at the middle of the keyway, on the X axis"),
+        (["blank.keyway.angle_deg=30"], "and the middle of the keyway at 30°, counterclockwise"),
+        (["blank.keyway=", "blank.d_flat={across_mm=7}"], "Cam angle 0 is at the middle of the flat"),
+        (["blank.keyway=", *HUB], "Cam angle 0 is at the set screw"),
+        (["blank.keyway=", "blank.mark={diameter_mm=3,radius_mm=14,angle_deg=200}"], "the mark at 200°"),
+        (["blank.keyway="], "The bore is plain: cam angle 0 is the X axis"),
+    ],
+)
+def test_cam_angle_0_is_named_by_what_the_bore_has(features, words):
+    changes = ["blank.mark=", *features]
+    cam = plan_cam(load_design("workshop_car", changes), "actual", judged=False)
+    (sentence,) = [line for line in parts_sections(cam, None)[0].lead if "angle 0" in line]
+    assert words in sentence
+
+
+@pytest.mark.slow
+def test_the_cars_that_keep_the_course_are_those_of_the_verdict(plan):
+    """One number on the page, that of `cadgen check`, whatever sample the tolerance run has."""
+    (check,) = [check for check in plan.cam.verdict.checks if check.code == CheckCode.CARS_KEEP_COURSE]
+    tiles = dict(plan.summary())
+    assert tiles["cars that keep the course"].value == check.value
+    assert "cars that pass" not in tiles
+    assert plan.tolerance.samples == 60
+    assert not [line for line in tolerance_section(plan.tolerance, "").lead if "%" in line]
 
 
 PACKAGED = ("workshop_car", "appendix_car", "figure_eight", "s_course", "posts_and_walls")
