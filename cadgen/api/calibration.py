@@ -19,6 +19,7 @@ from cadgen.jobs.calibration.new_cam import Built
 from cadgen.output.files.publisher import Written, folder_of
 from cadgen.output.report.terminal import Block, plain
 from cadgen.progress import Progress, silent
+from cadgen.verdict import Readiness
 
 _REPORT_WIDTH = 110
 
@@ -138,6 +139,16 @@ class Calibrations(JobResult, Generic[D]):
             for source in calibration.sources
             for verdict in calibration.unclear.values()
         }
+
+    @property
+    def readiness(self) -> Readiness:
+        """Readiness of the file of which least is explained."""
+        return max((calibration.readiness for calibration in self.each), key=list(Readiness).index)
+
+    @property
+    def left(self) -> float:
+        """RMS of what remains without a name, over the noise, in the file that leaves most."""
+        return max(calibration.left for calibration in self.each)
 
     @property
     def report(self) -> list[Block]:

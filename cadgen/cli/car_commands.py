@@ -17,7 +17,8 @@ from cadgen.cli.options import (
     overrides_option,
     play_profile_option,
 )
-from cadgen.messages import Message, joined
+from cadgen.messages import Message
+from cadgen.verdict import Readiness
 
 if TYPE_CHECKING:
     from cadgen.api.calibration import Advice, Calibration, Predictions
@@ -184,6 +185,8 @@ def calibrate(
     FILE is a CSV file of measured lifts, profile, transmission, track, zones, or a track with its steering logged. Its
     columns decide which. Several files and kinds are judged together, as data of one car. DESIGN is the first argument
     if it names a packaged design or ends in .toml.
+
+    The exit code is 1 if not all that was measured is explained.
     """
     from cadgen.api.calibration import Calibration, Calibrations
     from cadgen.api.design import Design
@@ -220,25 +223,12 @@ def calibrate(
         written = None if out is None else result.write(out, progress=progress)
     if as_json:
         show.document(result.facts() | {name: part.facts() for name, part in more.items()})
-        return
+        raise SystemExit(0 if result.readiness != Readiness.NOT_READY else 1)
     write([*result.report, *(block for part in more.values() for block in part.report)], show.Output())
     if written is not None and out is not None:
         show.files(written, out)
-    unclear = result.unclear
-    if unclear:
-        kinds = joined(Message("{name} {what}", name=name, what=Message(what)) for name, what in unclear.items())
-        step: str = Message("measure again, or other data")
-        if not (ask_next or each):
-            step = Message("the same command with --next says what to measure")
-        verdict(False, Message("not all is explained ({kinds})", kinds=kinds), step)
-    elif isinstance(result, Calibration) and result.effects:
-        made = Message("--out writes the as-built design, for cadgen cam")
-        if written:
-            made = Message("cadgen cam on the as-built design")
-        verdict(True, Message("what was measured is explained"), made)
-    else:
-        step = "" if each else Message("nothing differs from the design: drive")
-        verdict(True, Message("what was measured is explained"), step)
+    show.explained(result, written=written is not None, asked=ask_next)
+    raise SystemExit(0 if result.readiness != Readiness.NOT_READY else 1)
 
 
 def _more(

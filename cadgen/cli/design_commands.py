@@ -8,7 +8,15 @@ import click
 
 from cadgen.car.planner import RESERVE, SEEDS, WITHIN_MM
 from cadgen.cli import help
-from cadgen.cli.options import Number, design_argument, design_options, out_option, overrides_option, profile_option
+from cadgen.cli.options import (
+    Number,
+    all_option,
+    design_argument,
+    design_options,
+    out_option,
+    overrides_option,
+    profile_option,
+)
 from cadgen.messages import Message
 
 
@@ -116,6 +124,7 @@ def new(
     help="Number of searches that run at once; the plan does not depend on it.  [default: 2]",
 )
 @overrides_option
+@all_option
 @help.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of sentences.")
 @out_option(help="Folder for NAME_planned.toml; without it no file is written.")
 def plan(
@@ -127,6 +136,7 @@ def plan(
     seeds: int,
     processes: int,
     overrides: tuple[str, ...],
+    every: bool,
     as_json: bool,
     out: Path | None,
 ) -> None:
@@ -159,7 +169,7 @@ def plan(
     if as_json:
         show.document(planned.facts() if written is None else written.entry)
     else:
-        show.plan(planned)
+        show.plan(planned, every=every)
         if written is not None and out is not None:
             show.files(written, out)
         if planned.passed:

@@ -22,8 +22,9 @@ from cadgen.progress import Progress
 from cadgen.verdict import Readiness
 
 if TYPE_CHECKING:
-    from cadgen import Card, Written
+    from cadgen import Card, Design, Written
     from cadgen.api.adjustment import Adjustment
+    from cadgen.api.calibration import Calibration, Calibrations
     from cadgen.api.cam import Cam, Cures
     from cadgen.api.exploration import Exploration
     from cadgen.api.planning import Plan
@@ -150,23 +151,34 @@ def checks(cam: "Cam", cures: "Cures", *, every: bool) -> None:
     if every:
         console.print(cam.wheel)
         friction(cam)
-        for title, rows in _groups(cam.figures):
-            figures(title, rows, gap=True)
-    else:
-        failures(cam)
+    rows(cam, every=every)
     for line in cures.sentences():
         console.print(line)
 
 
-def summary(cam: "Cam") -> Iterator[Text]:
-    """Lines on a cam: verdict, purpose, the figures that decide, the tightest check, and the reservations."""
+def rows(cam: "Cam", *, every: bool) -> None:
+    """Print the checks of a cam that fail, or all of them by group."""
+    if every:
+        for title, group in _groups(cam.figures):
+            figures(title, group, gap=True)
+    else:
+        failures(cam)
+
+
+def summary(cam: "Cam", *, counted: bool = False) -> Iterator[Text]:
+    """Lines on a cam: verdict, purpose, the figures that decide, the tightest check, and the reservations.
+
+    Args:
+        cam: cam that was computed.
+        counted: whether the figures that decide were shown already, those of more cars among them.
+    """
     ruling = cam.verdict
     yield Text.assemble(
         f"{shown(_of_profile(cam))}{shown(': ')}",
         (shown(ruling.readiness.words), f"bold {_COLOURS[ruling.readiness]}"),
     )
     yield Text(shown(Message("For {purpose}.", purpose=cam.application.purpose(cam))))
-    if cam.deciding:
+    if cam.deciding and not counted:
         yield Text(shown(sentence(joined(cam.deciding))))
     close = tightest(ruling.checks)
     if close is not None:
@@ -272,11 +284,17 @@ def _number(value: float) -> str:
     return shown(Message("none")) if value != value else shown(Message("any"))
 
 
-def plan(planned: "Plan[Any]") -> None:
-    """Print a planned path, and the checks of the cam for it if there is one."""
+def plan(planned: "Plan[Any]", *, every: bool) -> None:
+    """Print a planned path, and the verdict on the cam for it if there is one.
+
+    Args:
+        planned: planned path.
+        every: whether every check of the cam is shown.
+    """
     sentences(planned.sentences)
     if planned.cam is not None:
-        figures(_of_profile(planned.cam), planned.cam.checks, gap=True)
+        Output().print("", *summary(planned.cam, counted=True), sep="\n")
+        rows(planned.cam, every=every)
 
 
 def card(result: "Card[Cam]") -> None:
@@ -286,6 +304,35 @@ def card(result: "Card[Cam]") -> None:
     for line in result.legend:
         Output().print(f"{shown(line)}{shown(Message('.'))}", style="dim")
     failures(result.cam)
+
+
+def explained(result: "Calibration[Design] | Calibrations[Design]", *, written: bool, asked: bool) -> None:
+    """Print whether all that was measured is explained, and what to do next.
+
+    Args:
+        result: judged files, together or each alone.
+        written: whether the as-built design was written.
+        asked: whether it was said already what to measure next.
+    """
+    effects = getattr(result, "effects", None)  # none where each file was judged alone
+    if result.readiness == Readiness.NOT_READY:
+        kinds = joined(Message("{name} {what}", name=name, what=Message(what)) for name, what in result.unclear.items())
+        step: str = Message("measure again, or other data")
+        if effects is not None and not asked:
+            step = Message("the same command with --next says what to measure")
+        verdict(result.readiness, Message("not all is explained ({kinds})", kinds=kinds), step)
+        return
+    said: str = Message("what was measured is explained")
+    if result.readiness == Readiness.RESERVATIONS:
+        said = Message("{said}, but {left:.1f} times the noise remain and have no name", said=said, left=result.left)
+    if effects is None:
+        verdict(result.readiness, said)
+    elif not effects:
+        verdict(result.readiness, said, Message("nothing differs from the design: drive"))
+    elif written:
+        verdict(result.readiness, said, Message("cadgen cam on the as-built design"))
+    else:
+        verdict(result.readiness, said, Message("--out writes the as-built design, for cadgen cam"))
 
 
 def settings(adjustment: "Adjustment") -> None:

@@ -175,7 +175,7 @@ def test_where_nothing_is_claimed_no_as_built_design_is_written(cadgen, tmp_path
 def test_one_run_names_nothing(cadgen, tmp_path):
     rows = (MEASURED / "track_c.csv").read_text().splitlines(keepends=True)
     (tmp_path / "one.csv").write_text("".join(row for row in rows if row[0] in "#r1"))
-    facts = json.loads(cadgen("calibrate", "one.csv", "--json", code=0).stdout)
+    facts = json.loads(cadgen("calibrate", "one.csv", "--json", code=1).stdout)
     (track,) = facts["records"]
     assert (track["verdict"], track["claimed"], facts["as_built"]) == ("ambiguous", [], [])
     assert "one run only" in track["limits"][0]
@@ -185,7 +185,7 @@ def test_one_run_names_nothing(cadgen, tmp_path):
 @pytest.mark.slow
 @pytest.mark.long
 def test_the_wrong_design_is_said_to_be_wrong(cadgen):
-    facts = json.loads(cadgen("calibrate", "appendix_car", str(MEASURED / "track_c.csv"), "--json", code=0).stdout)
+    facts = json.loads(cadgen("calibrate", "appendix_car", str(MEASURED / "track_c.csv"), "--json", code=1).stdout)
     (track,) = facts["records"]
     assert (track["verdict"], track["claimed"]) == ("unexplained", [])
     assert "dwarfs every effect: check that the design" in track["sentence"]

@@ -130,6 +130,7 @@ class Judgement:
         rivals: likely subsets other than the best, best first.
         separate: for each claimed or rival effect, the measurement that would decide.
         limits: what cannot be judged with this data.
+        left: RMS of what remains without a name, over the noise; 1 where only noise remains.
     """
 
     verdict: Verdict
@@ -139,6 +140,7 @@ class Judgement:
     rivals: tuple[tuple[str, ...], ...]
     separate: tuple[str, ...]
     limits: tuple[str, ...] = ()
+    left: float = 1.0
 
 
 def sigmas_of(freedom: float, choices: int = 1) -> float:
@@ -228,7 +230,7 @@ def judge(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hypothesis]
             where=where,
             left=left,
         )
-        judgement = replace(judgement, limits=(*judgement.limits, limit))
+        judgement = replace(judgement, limits=(*judgement.limits, limit), left=left)
     if judgement.verdict != Verdict.NONE and any(runs_disagree(part, best) for part in joint.parts):
         sentence = Message("The runs differ from each other by more than the noise within them: nothing is claimed.")
         return replace(judgement, verdict=Verdict.RUNS_DISAGREE, sentence=sentence, claimed=()), best

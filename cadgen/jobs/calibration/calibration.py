@@ -30,12 +30,13 @@ from cadgen.inference.measurement.findings import Diagnosis, EvidenceDiagnosis, 
 from cadgen.inference.measurement.kinds.zones import Shortfall, Zones, judged, return_error, shortfall
 from cadgen.inference.measurement.nominal import Nominal
 from cadgen.inference.measurement.record import Kind, Method, Record, join, said
-from cadgen.inference.measurement.verdict import Judgement, Verdict
+from cadgen.inference.measurement.verdict import LEFT_OVER, Judgement, Verdict
 from cadgen.jobs.calibration.new_cam import Built, agreed_places, expected_of, placed, with_joint_effect
 from cadgen.jobs.calibration.sources import Source, stated_form_error
 from cadgen.jobs.cam.steering_cam import CarUse, plan_cam
 from cadgen.messages import Message, joined
 from cadgen.progress import Progress, silent
+from cadgen.verdict import Readiness
 
 # A closed path is refused with these.
 _LAPS = (
@@ -166,6 +167,18 @@ class CalibrationPlan:
     def unclear(self) -> dict[str, str]:
         """Verdicts that leave something unexplained or undecided, by the kind of data."""
         return {kind: verdict for kind, verdict in self.verdicts.items() if verdict not in SOUND}
+
+    @property
+    def left(self) -> float:
+        """RMS of what remains without a name, over the noise, where it is most; 1 where only noise remains."""
+        return max((diagnosis.judgement.left for diagnosis in self.diagnoses), default=1.0)
+
+    @property
+    def readiness(self) -> Readiness:
+        """Whether all that was measured is explained, and with it the car: a cam made by less may end anywhere."""
+        if self.unclear:
+            return Readiness.NOT_READY
+        return Readiness.RESERVATIONS if self.left > LEFT_OVER else Readiness.READY
 
     def verdict(self, kind: Kind) -> Verdict:
         """Verdict on the files of a kind."""

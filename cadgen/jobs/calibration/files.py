@@ -39,6 +39,7 @@ def calibration_facts(calibration: CalibrationPlan) -> Facts:
         form_error_from=c.form_error_from,
         wheelbase_mm=c.wheelbase and c.wheelbase[0],
         warnings=c.warnings,
+        readiness=c.readiness.value,
         files=[
             Facts(
                 file=source.path.name,

@@ -55,6 +55,16 @@ def test_few_logged_runs_name_nothing(measured):
 
 
 @pytest.mark.slow
+def test_a_path_error_that_no_effect_lowers_is_unexplained(measured):
+    """The logged steering of this tractor is 5.6 times too small: no effect of a size that can be explains it."""
+    told = calibrate_logged([load(measured / "forklift.csv")], 1400.0)
+    assert (told.verdict, told.judgement.claimed, told.judgement.reported) == ("unexplained", (), ())
+    assert told.residual.held_out > 300
+    assert "path error of 350 mm, on runs of" in told.judgement.sentence
+    assert "check scale and sign of the steering" in told.judgement.sentence
+
+
+@pytest.mark.slow
 @pytest.mark.long
 def test_tricycle_is_traced_on_runs_left_out(measured):
     some = [load(measured / f"{name}.csv").only(np.arange(4)) for name in ("circles", "squares")]
