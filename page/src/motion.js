@@ -7,25 +7,27 @@ export class Motion {
     this.goings = Object.fromEntries(scene.goings.map((going) => [going.code, going]));
     this.pressure = charts.find((chart) => chart.code === "pressure");
     const { goings } = this;
+    // Of a cam without a car there is no run: it stands where the motor does.
     this.withPlay = goings.played ?? null;
-    this.withoutPlay = goings.free;
-    this.planned = goings.planned ?? goings.free;
-    this.last = this.withoutPlay.motor[this.withoutPlay.motor.length - 1];
+    this.withoutPlay = goings.free ?? null;
+    this.planned = goings.planned ?? this.withoutPlay;
     this.arcs = new Map();
   }
 
-  /** Lift and tangent of the steering angle at a cam angle, rad. */
+  /** Lift and motion at a cam angle, rad: on a car the motion is the tangent of the steering angle. */
   lift(theta) {
-    const { lift, tan } = this.scene.lift;
-    const place = ((((theta % TURN) + TURN) % TURN) / TURN) * (lift.length - 1);
-    const left = Math.min(Math.floor(place), lift.length - 2);
+    const { lift, travel } = this.scene;
+    const place = ((((theta % TURN) + TURN) % TURN) / TURN) * (lift.lift.length - 1);
+    const left = Math.min(Math.floor(place), lift.lift.length - 2);
     const share = place - left;
     const between = (values) => values[left] + share * (values[left + 1] - values[left]);
-    return { lift: between(lift), tan: between(tan) };
+    const way = travel && { ahead: between(travel.ahead), across: between(travel.across), turned: between(travel.turned) };
+    return { lift: between(lift.lift), tan: between(lift.tan), way };
   }
 
   /** State of a run at a motor position, rad. */
   at(going, phi) {
+    if (!going) return { theta: phi, share: 0, x: 0, y: 0, heading: 0 };
     const { motor, lead, x, y, heading, play } = going;
     const end = motor.length - 1;
     const here = Math.min(Math.max(phi, motor[0]), motor[end]);
@@ -53,7 +55,7 @@ export class Motion {
   state(phi, play) {
     const going = play && this.withPlay ? this.withPlay : this.withoutPlay;
     const here = this.at(going, phi);
-    const { lift, tan } = this.lift(here.theta);
+    const { lift, tan, way } = this.lift(here.theta);
     const planned = this.at(this.planned, phi);
     return {
       ...here,
@@ -61,11 +63,12 @@ export class Motion {
       phi,
       lift,
       tan,
+      way,
       planned,
       plannedTan: this.lift(planned.theta).tan,
       off: Math.hypot(here.x - planned.x, here.y - planned.y),
       pressure: this.chart(this.pressure, 0, here.theta),
-      run: this.travel(going, phi),
+      run: going ? this.travel(going, phi) : NaN,
     };
   }
 

@@ -1,8 +1,8 @@
 // The assembly in 3D. Its frame is that of the cam's file: the camshaft is z, to the car's left; x is ahead and y down.
 import {
   AmbientLight, Box3, BoxGeometry, BufferAttribute, BufferGeometry, Color, CylinderGeometry, DirectionalLight, DoubleSide,
-  FrontSide, Group, LatheGeometry, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, PerspectiveCamera, Plane,
-  Scene, Sphere, Vector2, Vector3, WebGLRenderer,
+  ExtrudeGeometry, FrontSide, Group, LatheGeometry, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, PerspectiveCamera, Plane,
+  Scene, Shape, Sphere, Vector2, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
@@ -73,6 +73,8 @@ export class Assembly {
     this.root.clear();
     this.groups = new Map();
     this.fork = null;
+    this.rider = null; // section of a follower other than the rod, which moves as a whole
+    this.arm = null;
     this.build();
     for (const code of this.hidden) this.visible(code, false);
     this.colour();
@@ -82,7 +84,7 @@ export class Assembly {
   }
 
   build() {
-    const { shafts, parts, rod, wheel } = this.motion.scene;
+    const { shafts, parts, rod, wheel, section, travel, slide, arm } = this.motion.scene;
     this.shafts = shafts.map((shaft) => {
       const group = new Group();
       group.position.set(shaft.axis[0], shaft.axis[1], 0);
@@ -112,7 +114,31 @@ export class Assembly {
       this.add("follower", this.fork, post, "shaft");
       this.root.add(this.fork);
     }
+    if (section) {
+      const [low, high] = this.thickness();
+      this.rider = new Group();
+      this.rider.position.set(...travel.centre, 0);
+      this.root.add(this.rider);
+      this.add("follower", this.rider, plate(section, travel.centre, low - 1, high + 1), "rod");
+      if (slide) this.add("follower", this.rider, bar([0, 0], [slide.stem - travel.centre[0], 0], slide.half_width, low, high), "rod");
+      if (arm) {
+        this.arm = new Group();
+        this.arm.position.set(...arm.pivot, 0);
+        this.root.add(this.arm);
+        const off = travel.centre.map((value, i) => value - arm.pivot[i]);
+        this.arm.userData.at = Math.atan2(off[1], off[0]);
+        this.add("follower", this.arm, bar([0, 0], off, 3, high + 1, high + 4), "shaft");
+      }
+    }
     if (wheel) this.add("wheel", this.shafts[wheel[0]], wheelGeometry(wheel[2]), "wheel", wheel[1]);
+  }
+
+  /** Heights between which the disc lies. */
+  thickness() {
+    const disc = this.motion.scene.parts.find(({ code }) => code === "cam");
+    if (!disc) return [0, 1];
+    const { low, step } = disc.mesh;
+    return [low[2], low[2] + STEPS * step[2]];
   }
 
   add(code, group, geometry, material, height = 0) {
@@ -152,9 +178,9 @@ export class Assembly {
     this.size = high.distanceTo(low) / 2;
   }
 
-  /** Looks from a side; `start` is from the right, where the gears are. */
+  /** Looks from a side; `start` is from the right, where the gears of a car are, or on the face that files show. */
   view(name) {
-    const from = { start: [0.62, 0.5, this.motion.scene.rod?.side ?? 1], left: [0, 0, -1], right: [0, 0, 1], front: [1, 0, 0], top: [0, 1, -0.0001] }[name];
+    const from = { start: [0.62, 0.5, this.motion.scene.rod?.side ?? (this.motion.scene.car ? 1 : -1)], left: [0, 0, -1], right: [0, 0, 1], front: [1, 0, 0], top: [0, 1, -0.0001] }[name];
     const away = (this.size * 0.86) / Math.sin((this.camera.fov * Math.PI) / 360) / Math.min(1, this.camera.aspect * 1.05 || 1);
     this.camera.position.copy(this.middle).addScaledVector(new Vector3(...from).normalize(), away);
     this.camera.near = away / 50;
@@ -203,6 +229,13 @@ export class Assembly {
     this.shafts.forEach((group, index) => {
       group.rotation.z = this.motion.shaft(index, state);
     });
+    if (this.rider) {
+      const { travel, arm } = this.motion.scene;
+      const [x, y] = [travel.centre[0] + state.way.ahead, travel.centre[1] + state.way.across];
+      this.rider.position.set(x, y, 0);
+      this.rider.rotation.z = state.way.turned;
+      if (arm) this.arm.rotation.z = Math.atan2(y - arm.pivot[1], x - arm.pivot[0]) - this.arm.userData.at;
+    }
     if (this.fork) this.fork.rotation.y = this.motion.scene.rod.side * Math.atan(state.tan);
     this.ask();
   }
@@ -284,6 +317,19 @@ function rodGeometry(radius, low, high) {
   geometry.rotateX(Math.PI / 2);
   geometry.translate(0, 0, (low + high) / 2);
   return geometry;
+}
+
+/** A section of points in the plane between two heights, about its middle. */
+function plate(points, [x, y], low, high) {
+  const shape = new Shape(points.slice(0, -1).map(([px, py]) => new Vector2(px - x, py - y)));
+  return new ExtrudeGeometry(shape, { depth: high - low, bevelEnabled: false }).translate(0, 0, low);
+}
+
+/** A bar from one point to another of a plane, between two heights. */
+function bar([ax, ay], [bx, by], half, low, high) {
+  const length = Math.hypot(bx - ax, by - ay);
+  const made = new BoxGeometry(length, 2 * half, high - low).translate(length / 2, 0, (low + high) / 2);
+  return made.rotateZ(Math.atan2(by - ay, bx - ax)).translate(ax, ay, 0);
 }
 
 /** A wheel through which one sees: rim, hub and five spokes. */

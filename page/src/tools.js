@@ -15,7 +15,8 @@ export function tools(assembly) {
   canvas.addEventListener("keydown", (event) => key(event, assembly));
 
   const bar = element("div", { class: "bar3d" });
-  const views = [["start", both("All")], ["left", both("Left")], ["right", both("Right")], ["front", both("Front")], ["top", both("Top")]];
+  const [left, right] = assembly.motion.scene.car ? [both("Left"), both("Right")] : [both("Face"), both("Back")];
+  const views = [["start", both("All")], ["left", left], ["right", right], ["front", both("Front")], ["top", both("Top")]];
   for (const [name, text] of views) {
     const button = element("button", { type: "button", text });
     button.addEventListener("click", () => assembly.view(name));
@@ -52,7 +53,7 @@ function section(assembly) {
   const choices = [
     ["", both("No section")],
     ["z", both("Across shafts")],
-    ["x", both("Across the car")],
+    ["x", assembly.motion.scene.car ? both("Across the car") : both("Upright")],
     ["y", both("Level")],
   ];
   for (const [value, text] of choices) select.append(element("option", { value, text }));
@@ -70,7 +71,7 @@ function parts(assembly) {
   const menu = element("div", { class: "menu" });
   const fill = () => {
     const list = assembly.motion.scene.parts.map(({ code, label }) => [code, label]);
-    for (const [code, label] of [["shafts", both("shafts")], ["follower", both("rod and fork")], ["wheel", both("drive wheel")]]) {
+    for (const [code, label] of [["shafts", both("shafts")], ["follower", assembly.motion.scene.rod ? both("rod and fork") : both("follower")], ["wheel", both("drive wheel")]]) {
       if (assembly.groups.has(code)) list.push([code, label]);
     }
     const boxes = list.map(([code, label]) => {
@@ -110,7 +111,11 @@ function measure(assembly) {
       const off = b.clone().sub(a);
       const [ahead, up, left] = [off.x, off.y, -off.z].map((v) => v.toFixed(2));
       const length = off.length().toFixed(2);
-      result.textContent = pick(both("{length} mm (ahead {ahead}, up {up}, left {left})", { length, ahead, up, left }));
+      const [y, z] = [(-off.y).toFixed(2), left];
+      const said = assembly.motion.scene.car
+        ? both("{length} mm (ahead {ahead}, up {up}, left {left})", { length, ahead, up, left })
+        : both("{length} mm (x {ahead}, y {y}, z {z})", { length, ahead, y, z });
+      result.textContent = pick(said);
     }
   };
 

@@ -52,13 +52,16 @@ export function transport() {
     });
     strip.replaceChildren(...titles.map(([mark]) => mark));
     strip.classList.toggle("many", marks.length > MANY);
+    const { car, unit } = motion.scene;
+    const degrees = (rad) => `${plain((rad * 180) / Math.PI, 2)}°`;
     fields = [
-      ["lift", both("lift"), (s) => `${plain(s.lift, 3)} mm`],
-      ["steer", both("steering"), (s) => `${plain((motion.scene.car.steering * Math.atan(s.tan) * 180) / Math.PI, 2)}°`],
-      ["pressure", both("pressure angle"), (s) => `${plain(s.pressure, 1)}°`],
-      ["run", both("distance run"), (s) => `${(s.run / 1000).toFixed(2)} m`],
-      ["off", both("off the plan"), (s) => `${s.off.toFixed(1)} mm`],
-    ].filter(([code]) => code !== "off" || motion.goings.planned);
+      ["lift", both("lift"), (s) => `${plain(s.lift, 3)} mm`, unit !== "rad"],
+      ["swing", both("swing"), (s) => degrees(s.tan), unit === "rad"],
+      ["steer", both("steering"), (s) => degrees(car.steering * Math.atan(s.tan)), car],
+      ["pressure", both("pressure angle"), (s) => `${plain(s.pressure, 1)}°`, true],
+      ["run", both("distance run"), (s) => `${(s.run / 1000).toFixed(2)} m`, car],
+      ["off", both("off the plan"), (s) => `${s.off.toFixed(1)} mm`, motion.goings.planned],
+    ].filter(([, , , shown]) => shown);
     now.replaceChildren();
     values = fields.map(([code, label]) => {
       const value = element("b");

@@ -8,15 +8,49 @@ export function shapeStages() {
 }
 
 export function planViews(motion) {
-  const find = (id) => document.getElementById(id);
-  const [disc, inner, outer, section] = ["disc-layer", "rod-inner", "rod-outer", "follower-section"].map(find);
-  const [car, ghost, floor] = [find("car"), find("car-planned"), find("course-view")];
-  const { rod, base, car: shape, lift: { lift } } = motion.scene;
-  let carrying = "inner";
-  let ran = null;
-
+  const views = [camView(motion)];
+  if (motion.scene.car) views.push(courseView(motion));
   shapeStages();
+  return (state) => views.forEach((show) => show(state));
+}
+
+const find = (id) => document.getElementById(id);
+
+/** The disc and its follower, from the side. */
+function camView(motion) {
+  const [disc, inner, outer, section, arm] = ["disc-layer", "rod-inner", "rod-outer", "follower-section", "follower-arm"].map(find);
+  const { rod, base, travel } = motion.scene;
+  let carrying = "inner";
   disc.style.transformOrigin = `${disc.dataset.origin} 50%`;
+
+  return (state) => {
+    disc.style.transform = `rotate(${short(degrees(state.theta))}deg)`;
+    if (!rod) {
+      const [x, y] = travel.centre;
+      const { ahead, across, turned } = state.way;
+      section.setAttribute("transform", `translate(${short(ahead)} ${short(across)}) rotate(${short(degrees(turned))} ${short(x)} ${short(y)})`);
+      arm?.setAttribute("x2", short(x + ahead));
+      arm?.setAttribute("y2", short(y + across));
+      return;
+    }
+    const stretch = Math.hypot(1, state.tan);
+    for (const [ellipse, face] of [[inner, rod.faces[0]], [outer, rod.faces[1]]]) {
+      ellipse.setAttribute("cx", short(base + face * state.tan));
+      ellipse.setAttribute("rx", short(rod.radius * stretch));
+    }
+    const carries = state.tan >= 0 ? "inner" : "outer";
+    if (carries === carrying) return;
+    carrying = carries;
+    inner.classList.toggle("far", carries === "outer");
+    outer.classList.toggle("far", carries === "inner");
+  };
+}
+
+/** The car on its course, from above. */
+function courseView(motion) {
+  const [car, ghost, floor] = ["car", "car-planned", "course-view"].map(find);
+  const shape = motion.scene.car;
+  let ran = null;
   const { left, top, width, size } = Object.fromEntries(Object.entries(floor.dataset).map(([key, value]) => [key, Number(value)]));
   for (const drawn of [car, ghost]) {
     drawn.style.width = `${(100 * size) / width}%`;
@@ -33,22 +67,6 @@ export function planViews(motion) {
   }
 
   return (state) => {
-    disc.style.transform = `rotate(${short(degrees(state.theta))}deg)`;
-    if (rod) {
-      const stretch = Math.hypot(1, state.tan);
-      for (const [ellipse, face] of [[inner, rod.faces[0]], [outer, rod.faces[1]]]) {
-        ellipse.setAttribute("cx", short(base + face * state.tan));
-        ellipse.setAttribute("rx", short(rod.radius * stretch));
-      }
-      const carries = state.tan >= 0 ? "inner" : "outer";
-      if (carries !== carrying) {
-        carrying = carries;
-        inner.classList.toggle("far", carries === "outer");
-        outer.classList.toggle("far", carries === "inner");
-      }
-    } else {
-      section.setAttribute("transform", `translate(${short(state.lift - lift[0])} 0)`);
-    }
     stand(car, state, state.tan);
     const apart = motion.planned !== state.going;
     ghost.style.display = apart ? "" : "none";

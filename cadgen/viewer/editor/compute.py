@@ -22,7 +22,7 @@ from cadgen.viewer.page.report import page_of
 from cadgen.viewer.page.scene import floor_of
 
 # Of a preview: the tables and the figures at the top wait for the whole.
-_PREVIEWED = ("cam-box", "course-box", "legend", "charts")
+_PREVIEWED = ("cam-box", "cam-legend", "course-box", "legend", "charts")
 _LEVEL = 1  # of the compression: it goes no further than to this machine's own browser
 # Sections of a design that its gears do not depend on.
 _NOT_GEARS = {"path", "course", "field", "car", "cam", "follower", "machining", "checks", "drawing", "settings"}

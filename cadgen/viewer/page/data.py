@@ -7,7 +7,7 @@ import numpy as np
 from cadgen.figures import Facts
 from cadgen.messages import CHINESE, shown
 from cadgen.verdict import Readiness
-from cadgen.viewer.page.document import Chart, Going, Page, Scene
+from cadgen.viewer.page.document import Arm, Chart, Going, Page, Scene, Slide
 from cadgen.viewer.page.mesh_block import Block
 
 FORMAT, VERSION = "cadgen-report", 1
@@ -41,15 +41,25 @@ def both(text: str) -> list[str]:
 
 
 def _scene(scene: Scene, block: Block) -> Facts:
-    rod, car = scene.follower, scene.car
-    assert car is not None
+    rod, car, travel = scene.follower, scene.car, scene.travel
     return Facts(
         base=scene.base,
         rod=rod and Facts(radius=rod.radius, length=rod.length, faces=rod.faces, height=rod.height, side=rod.side),
-        lift=Facts(lift=block.add(scene.lift.lift), tan=block.add(scene.lift.tan_beta)),
+        unit=scene.unit,
+        lift=Facts(lift=block.add(scene.lift.lift), tan=block.add(scene.lift.q)),
+        travel=travel
+        and Facts(
+            centre=travel.centre,
+            ahead=block.add(travel.ahead),
+            across=block.add(travel.across),
+            turned=block.add(travel.turned),
+        ),
+        section=None if rod else scene.section,
+        slide=scene.guide if isinstance(scene.guide, Slide) else None,
+        arm=scene.guide if isinstance(scene.guide, Arm) else None,
         stop=scene.stop,
         goings=[_going(going, block) for going in scene.goings],
-        car=Facts(fork=car.fork, middle=car.middle, steering=car.steering),
+        car=car and Facts(fork=car.fork, middle=car.middle, steering=car.steering),
         shafts=[
             Facts(
                 label=both(shaft.label),

@@ -198,11 +198,56 @@ class Lift:
 
     Attributes:
         lift: lift of the follower, mm.
-        tan_beta: tangent of the steering angle.
+        q: motion, in the follower's unit: on a car the tangent of the steering angle.
     """
 
     lift: Array
-    tan_beta: Array
+    q: Array
+
+
+@dataclass(frozen=True)
+class Travel:
+    """Way of a follower's section from where it stands at cam angle 0, by the cam angles of `Lift`.
+
+    Attributes:
+        centre: place of its middle at cam angle 0 in the frame of the ray, mm.
+        ahead: way along the ray, shape (n,), mm.
+        across: way across it, shape (n,), mm.
+        turned: angle by which it is turned about its middle, shape (n,), rad.
+    """
+
+    centre: tuple[float, float]
+    ahead: Array
+    across: Array
+    turned: Array
+
+
+@dataclass(frozen=True)
+class Slide:
+    """Guide of a follower that moves along the ray, as it is drawn: two rails with the stem between them.
+
+    Attributes:
+        across: distance of the stem's middle from the ray, mm.
+        half_width: half width of the stem, mm.
+        rails: places along the ray where the rails begin and end, mm.
+        stem: place where the stem ends at cam angle 0, mm.
+    """
+
+    across: float
+    half_width: float
+    rails: tuple[float, float]
+    stem: float
+
+
+@dataclass(frozen=True)
+class Arm:
+    """Arm of a swinging follower, as it is drawn: a line from its pivot to the middle of the section.
+
+    Attributes:
+        pivot: place of the pivot in the frame of the ray, mm.
+    """
+
+    pivot: tuple[float, float]
 
 
 @dataclass(frozen=True)
@@ -276,14 +321,19 @@ class Scene:
         outline: profile of the disc, shape (n, 2), mm.
         openings: bore and holes of the disc, shape (m, 2) each, mm.
         follower: leaning rod, which leans as it moves; None for another follower, whose section moves as a whole.
+        noun: name of the follower.
+        unit: unit of its motion: mm, rad or tan.
         section: section of the follower at cam angle 0, by points in the frame of the ray, shape (k, 2), mm.
+        travel: way of that section; None of the leaning rod.
+        guide: what leads the follower; None of one on a car's fork, or where it is not known.
+        hint: sentence on the side from which cam and follower are seen.
         clearance: least distance of the follower from the camshaft where its motion is 0, mm.
         base: base radius of the follower, mm.
         lift: lift by cam angle.
         stop: motor position at which runs are judged, rad.
         goings: runs of the car.
         floor: course on the floor.
-        car: the car; None of a cam without one, whose page stands still.
+        car: the car; None of a cam without one.
         shafts: shafts, the camshaft first.
         parts: parts in 3D.
         wheel: index of the shaft, place along it and radius of the drive wheel, mm; None if it is not known.
@@ -292,7 +342,12 @@ class Scene:
     outline: Array
     openings: tuple[Array, ...]
     follower: RodShape | None
+    noun: str
+    unit: str
     section: Array
+    travel: Travel | None
+    guide: Slide | Arm | None
+    hint: str
     clearance: float
     base: float
     lift: Lift
@@ -303,11 +358,6 @@ class Scene:
     shafts: tuple[Shaft, ...]
     parts: tuple[Part, ...]
     wheel: tuple[int, float, float] | None = None
-
-    @property
-    def moves(self) -> bool:
-        """Whether the page's script moves it: a car, and the cam with it."""
-        return self.car is not None
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,8 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from importlib.resources import files
+from math import isfinite
+from typing import NamedTuple
 
 import numpy as np
 from jinja2 import Environment, FunctionLoader, StrictUndefined
@@ -24,33 +26,31 @@ from cadgen.viewer.page.document import Chart, FloorShape, Page
 from cadgen.viewer.page.plan_views import cam_view, coordinate, course_view
 
 _FOLDER = files("cadgen.viewer.page")
+_THINNED = 4  # of the points of a curve, one in so many is drawn without scripts
 _FILES = {False: ("page",), True: ("page", "edit")}  # of script and style, by whether the design can be edited
 
 NO_SCRIPT = Message(
-    "Scripts are off: the model stands still at cam angle 0, and the curves are left out. All tables are below."
+    "Scripts are off: the model stands still at cam angle 0, and the assembly in 3D is left out. All tables are below."
 )
 EDITING_NEEDS_SCRIPTS = Message("Editing needs scripts: allow them for this address.")
 
 
 def html_of(page: Page) -> str:
     """The whole page of a report."""
-    if not page.scene.moves:
-        return shell(page.name, pieces_of(page), moves=False)
     document, block = data_of(page)
     data = Markup(
         f'<script type="application/json" id="data">{document}</script>'
         f'<script type="text/plain" id="block">{block}</script>'
     )
-    return shell(page.name, pieces_of(page), data)
+    return shell(page.name, pieces_of(page), data, car=page.scene.car is not None)
 
 
 def pieces_of(page: Page) -> dict[str, Markup]:
     """Everything on the page that depends on its content, by the id of the element that it fills."""
-    charts = "charts" if page.scene.moves else "plots"
     return {
-        **{code: _piece(code, page) for code in ("verdict", "links", "top", "notes", "tables", "origin")},
-        "charts": _piece(charts, page),
+        **{code: _piece(code, page) for code in ("verdict", "links", "top", "notes", "charts", "tables", "origin")},
         "cam-box": _piece("cam", cam_view(page.scene)),
+        "cam-legend": _piece("cam_legend", page.scene),
         "course-box": _piece("course", course_view(page.scene.floor, page.scene.goings, page.scene.car)),
         "legend": _piece("legend", page.scene.goings),
     }
@@ -71,7 +71,7 @@ def table_html(sheet: Sheet) -> Markup:
     return _piece("table", sheet)
 
 
-def shell(name: str, pieces: Mapping[str, str], data: str = "", *, edited: bool = False, moves: bool = True) -> str:
+def shell(name: str, pieces: Mapping[str, str], data: str = "", *, edited: bool = False, car: bool = True) -> str:
     """The page around its content.
 
     Args:
@@ -79,9 +79,21 @@ def shell(name: str, pieces: Mapping[str, str], data: str = "", *, edited: bool 
         pieces: content by the id of the element that it fills; what is missing stays empty.
         data: HTML with the data of the script.
         edited: whether the design can be edited: the page then has a second script, which asks its own server.
-        moves: whether the page's script moves a car and its cam.
+        car: whether there is a car that the cam steers.
     """
-    codes = ("verdict", "links", "top", "cam-box", "course-box", "legend", "notes", "charts", "tables", "origin")
+    codes = (
+        "verdict",
+        "links",
+        "top",
+        "cam-box",
+        "cam-legend",
+        "course-box",
+        "legend",
+        "notes",
+        "charts",
+        "tables",
+        "origin",
+    )
     return (
         _templates()
         .get_template("page.html")
@@ -90,7 +102,7 @@ def shell(name: str, pieces: Mapping[str, str], data: str = "", *, edited: bool 
             pieces={code: pieces.get(code, "") for code in codes},
             data=data,
             edited=edited,
-            moves=moves,
+            car=car,
             policy=policy(edited=edited),
             styles=[Markup(_static(f"{file}.css")) for file in _FILES[edited]],
             scripts=[Markup(_static(f"{file}.js")) for file in _FILES[edited]],
@@ -175,16 +187,32 @@ def _labels(text: str) -> Markup:
     return Markup(' aria-label="{}" data-label-zh="{}"').format(text, shown(text, CHINESE))
 
 
-def _plotted(chart: Chart) -> tuple[tuple[str, ...], tuple[str, str, str]]:
-    """Curves of a chart as points of SVG in a frame of 360 by 120, and the place of 0 with least and greatest value."""
-    values = [curve.values for curve in chart.curves]
+class Plot(NamedTuple):
+    """Curves of a chart in a frame of 360 by 120 for readers without scripts, as text of SVG.
+
+    Attributes:
+        lines: points of each curve.
+        up: places of the ticks at least value, zero and greatest value, each with its text.
+        across: places of the ticks by the cam angle.
+    """
+
+    lines: tuple[str, ...]
+    up: tuple[tuple[str, str], ...]
+    across: tuple[tuple[str, str], ...]
+
+
+def _plotted(chart: Chart) -> Plot:
+    values = [curve.values[::_THINNED] for curve in chart.curves]
     low = min(0.0, *(float(np.nanmin(one)) for one in values))
     high = max(0.0, *(float(np.nanmax(one)) for one in values))
     scale = 120 / ((high - low) or 1.0)
+    angle = np.degrees(chart.angle[::_THINNED])
     lines = tuple(
-        _points(zip(np.degrees(chart.angle).tolist(), ((high - one) * scale).tolist(), strict=True)) for one in values
+        _points((x, y) for x, y in zip(angle.tolist(), ((high - one) * scale).tolist(), strict=True) if isfinite(y))
+        for one in values
     )
-    return lines, (coordinate(high * scale), f"{low:.4g}", f"{high:.4g}")
+    up = tuple((coordinate((high - value) * scale), f"{value:.4g}") for value in sorted({low, 0.0, high}))
+    return Plot(lines, up, tuple((str(place), f"{place}°") for place in range(0, 361, 60)))
 
 
 def _points(points: Iterable[Iterable[float]]) -> str:

@@ -4,10 +4,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
 
-from cadgen.check import Check
+import numpy as np
+
+from cadgen.arrays import TURN
+from cadgen.check import Check, CheckCode
 from cadgen.design.schema import MotionDesign, TrainDesign
 from cadgen.errors import DesignError
-from cadgen.figures import Cell, Facts, State
+from cadgen.figures import Cell, Facts, State, number
 from cadgen.gears.choices import Order
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.cures import Cures, find_cures
@@ -16,9 +19,9 @@ from cadgen.jobs.gears.gear_train import GearTrain, plan_gears
 from cadgen.messages import Message
 from cadgen.progress import Progress, silent
 from cadgen.verdict import Readiness
-from cadgen.viewer.page.charts import charts_of, marks_of
+from cadgen.viewer.page.charts import STATIONS, charts_of, marks_of
 from cadgen.viewer.page.document import Chart, Mark, Scene, Section
-from cadgen.viewer.page.scene import still_scene
+from cadgen.viewer.page.scene import plain_scene
 from cadgen.viewer.page.sections import checks_section, parts_sections
 
 
@@ -92,7 +95,8 @@ class PagePlan:
 
     def drawn(self) -> tuple[Scene, tuple[str, ...]]:
         """Scene of the page, and remarks."""
-        return still_scene(self.cam), self.cam.application.notes(self.cam)
+        scene, notes = plain_scene(self.cam, self.gears)
+        return scene, (*self.cam.application.notes(self.cam), *notes)
 
     def charts(self) -> tuple[Chart, ...]:
         """Curves over the cam angle."""
@@ -120,8 +124,20 @@ class PagePlan:
         return tuple(rows)
 
     def results(self) -> tuple[tuple[str, Cell], ...]:
-        """Figures at the top of what the application brings, by name."""
-        return ()
+        """Figures at the top of what the cam is for, by name: travel and steepest place."""
+        lift = self.cam.follower_as_built.lift(self.cam.motion.q(np.linspace(0.0, TURN, STATIONS + 1)))
+        angles = [
+            check
+            for check in self.cam.checks
+            if check.code in (CheckCode.PRESSURE_ANGLE_RISE, CheckCode.PRESSURE_ANGLE_RETURN)
+        ]
+        return (
+            (Message("travel of the follower"), number(float(np.ptp(lift)), "mm")),
+            *(
+                (check.name, number(check.value, check.unit, State.PLAIN if check.passed else State.BAD, 1))
+                for check in angles
+            ),
+        )
 
     def entry(self) -> Facts:
         """Figures of what the application brings."""

@@ -8,9 +8,11 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.parts.face import Face
-from cadgen.viewer.page.document import CarShape, FloorKind, FloorShape, Going, Scene
+from cadgen.viewer.page.document import Arm, CarShape, FloorKind, FloorShape, Going, Scene, Slide
 
 _MARGIN = 4.0  # mm about the cam
+_PIVOT = 4.0  # mm, radius of a pivot's circle
+_STEM = 0.85  # of the way between the rails is the stem's
 _ROOM = 220.0  # mm about the floor
 _TRACK = 6  # of a run's positions, one in so many is on its track
 _WHEEL = (32.0, 10.0)  # mm, half length and half width of a wheel whose size is not known
@@ -46,8 +48,23 @@ class RodSection:
 
 
 @dataclass(frozen=True)
+class GuideView:
+    """What leads a follower: rails and stem of a slide, or the pivot of an arm; coordinates as text, mm.
+
+    Attributes:
+        rails: places along and across the ray of the ends of each rail; empty of an arm.
+        stem: corner of the stem with its length and width; empty of an arm.
+        pivot: place of the pivot; None of a slide.
+    """
+
+    rails: tuple[tuple[str, str, str], ...] = ()
+    stem: tuple[str, str, str, str] | None = None
+    pivot: tuple[str, str] | None = None
+
+
+@dataclass(frozen=True)
 class CamView:
-    """Cam and follower, seen from the left of the car with its front to the left; coordinates as text, mm.
+    """Cam and follower, the ray of the cam angle to the left; coordinates as text, mm.
 
     All drawings have the frame of the file, mirrored, with the camshaft at the place that the disc turns about.
 
@@ -63,6 +80,8 @@ class CamView:
         base: base radius.
         sections: sections of the rod, that in the carrying face last; empty for another follower.
         follower: section of another follower at cam angle 0, as points of SVG.
+        centre: middle of that section; None of the rod.
+        guide: what leads it; None where that is not drawn.
     """
 
     box: str
@@ -76,20 +95,22 @@ class CamView:
     base: str
     sections: tuple[RodSection, ...]
     follower: str
+    centre: tuple[str, str] | None
+    guide: GuideView | None
 
 
 def cam_view(scene: Scene) -> CamView:
     """Cam and follower from the side."""
-    n, rod, tan_beta = coordinate, scene.follower, float(scene.lift.tan_beta[0])
+    n, rod, tan_beta = coordinate, scene.follower, float(scene.lift.q[0])
     reach = float(np.hypot(*scene.outline.T).max())
     if rod is None:
-        ahead = float(scene.section[:, 0].max() + scene.lift.lift.max() - scene.lift.lift[0]) + 2
-        inner, aside = scene.clearance, float(np.abs(scene.section[:, 1]).max())
+        inner = scene.clearance
+        ahead, behind, aside = _room(scene)
     else:
         ahead, inner = scene.base + float(np.abs(scene.lift.lift).max()) + rod.radius + 6, scene.base - rod.radius
-        aside = rod.radius
-    left, wide = -max(ahead, reach) - _MARGIN, max(ahead, reach) + reach + 2 * _MARGIN
-    high = 2 * (max(reach, aside) + _MARGIN)
+        behind, aside = 0.0, rod.radius
+    left = -max(ahead, reach) - _MARGIN
+    wide, high = max(reach, behind) + _MARGIN - left, 2 * (max(reach, aside) + _MARGIN)
     ray = scene.outline[int(np.argmin(np.abs(np.arctan2(scene.outline[:, 1], scene.outline[:, 0]))))][0]
     outlines = (scene.outline, *scene.openings)
     sections = (
@@ -118,7 +139,42 @@ def cam_view(scene: Scene) -> CamView:
         base=n(scene.base),
         sections=sections,
         follower="" if rod else " ".join(f"{n(x)},{n(y)}" for x, y in scene.section),
+        centre=None if scene.travel is None else (n(scene.travel.centre[0]), n(scene.travel.centre[1])),
+        guide=_guide_view(scene),
     )
+
+
+def _room(scene: Scene) -> tuple[float, float, float]:
+    """Room that a follower and its guide take ahead of the camshaft, behind it and to either side, mm."""
+    travel = scene.travel
+    assert travel is not None
+    low, high = scene.section.min(axis=0), scene.section.max(axis=0)
+    ends = [
+        (low[0] + travel.ahead.min(), low[1] + travel.across.min()),
+        (high[0] + travel.ahead.max(), high[1] + travel.across.max()),
+    ]
+    match scene.guide:
+        case Slide(stem=stem):
+            ends.append((stem + float(travel.ahead.max()), 0.0))
+        case Arm(pivot=(x, y)):
+            ends += [(x - _PIVOT, y - _PIVOT), (x + _PIVOT, y + _PIVOT)]
+    along, across = np.array(ends, dtype=float).T
+    return float(along.max()), float(-along.min()), float(np.abs(across).max())
+
+
+def _guide_view(scene: Scene) -> GuideView | None:
+    n = coordinate
+    match scene.guide:
+        case Slide(across=across, half_width=half, rails=(begin, end), stem=stem):
+            assert scene.travel is not None
+            foot = scene.travel.centre[0]
+            return GuideView(
+                rails=tuple((n(begin), n(end), n(across + side * half)) for side in (-1, 1)),
+                stem=(n(foot), n(across - _STEM * half), n(stem - foot), n(2 * _STEM * half)),
+            )
+        case Arm(pivot=(x, y)):
+            return GuideView(pivot=(n(x), n(y)))
+    return None
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,7 @@ from math import hypot
 import numpy as np
 
 from cadgen.arrays import TURN, Array
+from cadgen.cam.contact import roll_curve
 from cadgen.cam.follower import EdgeFollower
 from cadgen.car.course.body import place_of
 from cadgen.car.course.layout import CarPoint, Course, Gate, Shape, Side
@@ -20,10 +21,12 @@ from cadgen.geometry.meshes.mesh import Mesh, cam_mesh
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.steering_cam import CarUse
 from cadgen.jobs.gears.gear_train import GearTrain
+from cadgen.laws.unit import MM
 from cadgen.messages import Message
 from cadgen.parts.face import Face
 from cadgen.viewer.page.charts import name_before
 from cadgen.viewer.page.document import (
+    Arm,
     CarShape,
     Colour,
     FloorKind,
@@ -34,6 +37,8 @@ from cadgen.viewer.page.document import (
     RodShape,
     Scene,
     Shaft,
+    Slide,
+    Travel,
 )
 from cadgen.viewer.page.turning_train import GAP, Stand, TurningPart, TurningTrain, turning_train
 
@@ -41,7 +46,11 @@ POSITIONS = 1440  # of the motor: one each quarter of a degree, and to either si
 LIFTS = 2880  # straight lines between them err by 0.1 um where the lift bends by 150 mm/rad^2
 _OUTLINE = 0.5  # mm between points of the profile in the plan view
 _SEEN = 1.5  # mm, radius of a point that is drawn
+_PLATE = 4.0  # mm, thickness of a follower of which only the side is known that touches the disc
 _HOLE_CHORD = 0.02  # mm
+# Half width of a slide's stem: share of the follower's half width, and bounds, mm. Rails are so many half widths long.
+_STEM_SHARE, _STEM_LEAST, _STEM_MOST, _RAILS = 0.35, 1.5, 8.0, 5.0
+_STRAIGHT = 1e-3  # mm², or share: a way that is no arc about a pivot
 _BESIDE = 1e-7  # rad, before a jump
 MOST_TRIANGLES = 60_000
 # mm, of the meshes shown: the finest with which they are few enough.
@@ -82,15 +91,21 @@ def scene_of(plan: CamPlan, gears: GearTrain | None) -> tuple[Scene, tuple[str, 
     outline = plan.curve.outline(_OUTLINE).points
     bodies = bodies_of(plan, gears, float(np.hypot(*outline.T).max()))
     use = CarUse.of(plan)
-    tan_beta = use.rolled(plan).q(np.linspace(0.0, TURN, LIFTS + 1) % TURN)
+    tan_beta = np.asarray(use.rolled(plan).q(np.linspace(0.0, TURN, LIFTS + 1) % TURN))
+    rod = _rod(plan, bodies)
     scene = Scene(
         outline=outline,
         openings=tuple(contour.polygon(_HOLE_CHORD) for contour in plan.made_blank.inner_contours()),
-        follower=_rod(plan, bodies),
-        section=_section(plan, float(tan_beta[0])),
+        follower=rod,
+        noun=plan.follower_as_built.noun,
+        unit=plan.motion.unit.symbol,
+        section=section_of(plan, float(tan_beta[0])),
+        travel=None if rod else travel_of(plan, tan_beta),
+        guide=None,
+        hint=Message("seen from the left of the car, the front to the left"),
         clearance=_clearance(plan),
         base=float(plan.follower_as_built.base_radius),
-        lift=Lift(lift=np.asarray(plan.follower_as_built.lift(tan_beta)), tan_beta=np.asarray(tan_beta)),
+        lift=Lift(lift=np.asarray(plan.follower_as_built.lift(tan_beta)), q=tan_beta),
         stop=use.wanted.blend_start,
         goings=tuple(_goings(plan)),
         floor=figures_of(use.layout),
@@ -112,30 +127,92 @@ def scene_of(plan: CamPlan, gears: GearTrain | None) -> tuple[Scene, tuple[str, 
     return scene, (*bodies.notes, *noted)
 
 
-def still_scene(plan: CamPlan) -> Scene:
-    """A cam without a car: the disc and its lift."""
-    q = plan.motion.q(np.linspace(0.0, TURN, LIFTS + 1) % TURN)
-    return Scene(
+def plain_scene(plan: CamPlan, gears: GearTrain | None) -> tuple[Scene, tuple[str, ...]]:
+    """A cam without a car, its follower and its train; and remarks on what has no solid.
+
+    Where the profile cannot give the motion, the follower moves as it rolls on the disc.
+
+    Args:
+        plan: plan of the cam.
+        gears: plan of the train; None without one.
+    """
+    theta = np.linspace(0.0, TURN, LIFTS + 1) % TURN
+    q = np.asarray(plan.motion.q(theta))
+    if plan.trims:
+        rolled, _ = roll_curve(plan.curve, plan.follower, theta[:-1])
+        q = np.append(rolled.q, rolled.q[:1])
+    notes: list[str] = []
+    train = None if gears is None else _train(plan, gears, 1, 0.0)
+    parts = _parts(plan, train, notes)
+    shafts = [_camshaft(plan, train)]
+    if train is not None:
+        shafts += [_shaft(part, None, drawn=number > 0) for number, part in enumerate(reversed(train.parts))]
+    section, travel = section_of(plan, float(q[0])), travel_of(plan, q)
+    scene = Scene(
         outline=plan.curve.outline(_OUTLINE).points,
         openings=tuple(contour.polygon(_HOLE_CHORD) for contour in plan.made_blank.inner_contours()),
         follower=None,
-        section=_section(plan, float(q[0])),
+        noun=plan.follower_as_built.noun,
+        unit=plan.motion.unit.symbol,
+        section=section,
+        travel=travel,
+        guide=_slide(plan, section, travel) if plan.motion.unit == MM else arm_of(travel),
+        hint=Message("seen on its {seen} face, on which it turns clockwise", seen=Message(str(plan.seen))),
         clearance=_clearance(plan),
         base=float(plan.follower_as_built.base_radius),
-        lift=Lift(lift=np.asarray(plan.follower_as_built.lift(q)), tan_beta=np.asarray(q)),
+        lift=Lift(lift=np.asarray(plan.follower_as_built.lift(q)), q=q),
         stop=TURN,
         goings=(),
         floor=(),
         car=None,
-        shafts=(),
-        parts=(),
+        shafts=tuple(shafts),
+        parts=tuple(parts),
     )
+    return scene, tuple(notes)
 
 
-def _section(plan: CamPlan, q: float) -> Array:
+def travel_of(plan: CamPlan, q: Array) -> Travel:
+    """Way of the follower's section: that of its middle, and the turn that fits it best about that."""
+    rolling, plane = plan.follower, plan.follower.planes[0]
+    sections = np.array([rolling.outline(float(one), plane) @ [1, 1j] for one in q])
+    if abs(sections[0, 0] - sections[0, -1]) < _SEEN:
+        sections = sections[:, :-1]  # of a closed one, which ends where it begins
+    middles = sections.mean(axis=1)
+    about = sections - middles[:, None]
+    turned = np.angle((about * about[0].conj()).sum(axis=1))
+    way = middles - middles[0]
+    return Travel((float(middles[0].real), float(middles[0].imag)), way.real, way.imag, turned)
+
+
+def _slide(plan: CamPlan, section: Array, travel: Travel) -> Slide:
+    """Guide of a slide, as far beyond the follower as it moves."""
+    across, high = travel.centre[1], float(np.ptp(section[:, 1])) / 2
+    half_width = min(max(_STEM_SHARE * high, _STEM_LEAST), _STEM_MOST)
+    begin = float(section[:, 0].max() + travel.ahead.max()) + half_width
+    end = begin + _RAILS * half_width
+    return Slide(across, half_width, (begin, end), end + half_width - float(travel.ahead.min()))
+
+
+def arm_of(travel: Travel) -> Arm | None:
+    """Arm of a section whose middle moves on a circle; None where it does not move, or not so."""
+    middle = complex(*travel.centre) + travel.ahead + 1j * travel.across
+    far = int(np.argmax(np.abs(middle - middle[0])))
+    between = int(np.argmin(np.abs(np.abs(middle - middle[0]) - np.abs(middle[far] - middle[0]) / 2)))
+    a, b = middle[between] - middle[0], middle[far] - middle[0]
+    twice = 2 * (a.conjugate() * b).imag
+    if abs(twice) < _STRAIGHT:
+        return None
+    pivot = middle[0] + (abs(a) ** 2 * b - abs(b) ** 2 * a) / (1j * twice)
+    radius = np.abs(middle - pivot)
+    return None if np.ptp(radius) > _STRAIGHT * radius.max() else Arm((float(pivot.real), float(pivot.imag)))
+
+
+def section_of(plan: CamPlan, q: float) -> Array:
     """Section of the follower that rolls on the cam, in its first plane; of a point a small circle, to be seen."""
     rolling = plan.follower
     section = rolling.outline(q, rolling.planes[0])
+    if np.hypot(*(section[0] - section[-1])) > _SEEN:  # a side alone: drawn as a plate
+        section = np.concatenate([section, section[::-1] + np.array([_PLATE, 0.0]), section[:1]])
     seen = np.ptp(section, axis=0).max() > _SEEN
     angle = np.linspace(0.0, TURN, 25)
     return section if seen else section[:1] + _SEEN * np.column_stack([np.cos(angle), np.sin(angle)])
@@ -253,7 +330,7 @@ def bodies_of(plan: CamPlan, gears: GearTrain | None, cam_radius: float) -> Bodi
     (inner, outer), use = plan.faces, CarUse.of(plan)
     side = -1 if use.side == Side.RIGHT else 1
     fork = -inner if side > 0 else outer
-    train = None if gears is None else _train(plan, gears, side)
+    train = None if gears is None else _train(plan, gears, side, _behind(plan))
     notes: list[str] = []
     parts = _parts(plan, train, notes)
     shafts, wheel = [_camshaft(plan, train)], None
@@ -269,13 +346,13 @@ def bodies_of(plan: CamPlan, gears: GearTrain | None, cam_radius: float) -> Bodi
     return Bodies(tuple(shafts), tuple(parts), wheel, fork, side, tuple(notes))
 
 
-def _train(plan: CamPlan, gears: GearTrain, side: int) -> TurningTrain:
-    """The train on the side of the cam that looks to the fork."""
+def _train(plan: CamPlan, gears: GearTrain, side: int, behind: float) -> TurningTrain:
+    """The train below the disc (side 1) or above it, the drive so many mm behind the camshaft."""
     (inner, outer), hub = plan.faces, plan.made_blank.hub
     towards = hub is not None and (hub.side == Face.INNER) == (side > 0)
     stands = hub.length if hub is not None and towards else 0.0
     plane = -GAP - stands if side > 0 else outer - inner + GAP + stands
-    return turning_train(gears.layout, _behind(plan), plane, side)
+    return turning_train(gears.layout, behind, plane, side)
 
 
 def _behind(plan: CamPlan) -> float:

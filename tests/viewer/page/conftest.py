@@ -1,11 +1,16 @@
 """One plan and one page of the paper's car for all tests of the page; Chromium where there is one."""
 
+from pathlib import Path
+
 import pytest
 
-from cadgen.design.load import load_design
+from cadgen.cam.followers import table
+from cadgen.design.load import complete_of, load_design
 from cadgen.viewer.page.car_page import plan_page
 from cadgen.viewer.page.html import html_of
+from cadgen.viewer.page.page_plan import plan_motion_page
 from cadgen.viewer.page.report import page_of
+from tests.cam.test_roller import ROLLER, TEXT
 from tests.viewer.page.chromium import chromium_path
 
 SAMPLES = 60
@@ -37,3 +42,11 @@ def failing(minimal, written):
 def chromium():
     """Path of a Chromium; the tests that need it are skipped where there is none."""
     return chromium_path()
+
+
+@pytest.fixture
+def feeder():
+    """A design by its motion with the roller of the how-to, offset on its slide."""
+    table.register(ROLLER)
+    yield lambda changes=(): plan_motion_page(complete_of(TEXT, Path("feeder.toml"), list(changes)))
+    table.remove(ROLLER)

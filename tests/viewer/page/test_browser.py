@@ -2,6 +2,8 @@
 
 import pytest
 
+from cadgen.viewer.page.html import html_of
+from cadgen.viewer.page.report import page_of
 from tests.viewer.page.chromium import ARGUMENTS, READY, serious_faults
 
 
@@ -183,6 +185,44 @@ def test_without_scripts_the_tables_read(browser, address):
     page.goto(address)
     assert "pressure angle, rise" in page.inner_text("#checks")
     assert page.locator("#disc-layer").is_visible()
+    context.close()
+
+
+@pytest.mark.slow
+def test_the_page_of_a_motion_moves(browser, feeder, tmp_path):
+    """Disc and follower by the slider and by the button, in the picture and in 3D; with curves, and without scripts."""
+    file = tmp_path / "page.html"
+    file.write_text(html_of(page_of(feeder())), encoding="utf-8")
+    context = browser.new_context(viewport={"width": 1280, "height": 800}, locale="en-GB")
+    page, said = context.new_page(), []
+    page.on("console", lambda message: said.append(message.text) if message.type == "error" else None)
+    page.on("pageerror", lambda error: said.append(str(error)))
+    page.goto(file.as_uri())
+    page.wait_for_selector(READY, state="attached")
+    slide(page, 105.0)  # on the upper dwell
+    assert page.evaluate("() => document.getElementById('disc-layer').style.transform") == "rotate(105deg)"
+    moved = page.locator("#follower-section").get_attribute("transform")
+    assert moved.startswith("translate(14 0) rotate(0 ")
+    assert page.inner_text("#now .lift b") == "14.000 mm"
+    assert page.locator("#now > span").count() == 2  # lift and pressure angle: there is no car
+    assert page.locator(".plot canvas").count() == 3
+    assert page.locator("#scene canvas").count() == 1
+    page.click("#go")
+    page.wait_for_function("() => Number(document.getElementById('angle').value) > 106")
+    page.click("#go")
+    page.set_viewport_size({"width": 390, "height": 844})
+    page.wait_for_function("document.querySelector('.plot canvas').clientWidth < 390")
+    assert page.evaluate("() => document.documentElement.scrollWidth") <= 390
+    assert serious_faults(page) == []
+    assert said == []
+    context.close()
+
+    context = browser.new_context(java_script_enabled=False)
+    page = context.new_page()
+    page.goto(file.as_uri())
+    assert page.locator("#follower-section").is_visible()
+    assert page.locator(".still").first.is_visible()
+    assert page.locator(".still text").count() >= 3 * 7
     context.close()
 
 

@@ -3,17 +3,16 @@
 import base64
 import hashlib
 import re
+from dataclasses import replace
 from html import unescape
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from cadgen import Design, Report
 from cadgen.cam.contact import roll_curve
-from cadgen.cam.followers import table
 from cadgen.check import CheckCode
-from cadgen.design.load import complete_of, load_design
+from cadgen.design.load import load_design
 from cadgen.figures import Cell, Sheet, number
 from cadgen.geometry.meshes.mesh import Mesh
 from cadgen.geometry.meshes.teeth import measured_pair
@@ -21,13 +20,14 @@ from cadgen.geometry.solids.disc_solid import cam_part
 from cadgen.geometry.solids.kernel import volume
 from cadgen.jobs.cam.steering_cam import plan_cam
 from cadgen.viewer.page.car_page import plan_page
+from cadgen.viewer.page.document import Travel
 from cadgen.viewer.page.html import html_of, table_html
 from cadgen.viewer.page.mesh_block import shaded
-from cadgen.viewer.page.page_plan import plan_motion_page
 from cadgen.viewer.page.report import page_facts, page_of
+from cadgen.viewer.page.scene import arm_of, section_of, travel_of
 from cadgen.viewer.page.sections import parts_sections, tolerance_section
 from cadgen.viewer.page.turning_train import turning_train
-from tests.cam.test_roller import ROLLER, TEXT, Roller
+from tests.cam.test_roller import Roller, SquareFace
 from tests.viewer.page.english import left_in_english
 from tests.viewer.page.reading import Tables, at, data, going
 
@@ -299,16 +299,80 @@ def test_the_page_of_a_packaged_design_is_small_and_whole_in_chinese(name):
     assert all(0 <= mark.angle <= 2 * np.pi for mark in page.marks)  # a lap has no blend to mark
 
 
+UNDERCUT = ["motion.segments.1.in_deg=40", "motion.segments.2.dwell_deg=90", "follower.radius_mm=30"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("changes", [[], UNDERCUT], ids=["as given", "with lift lost"])
+def test_the_roller_of_a_motion_touches_the_disc_wherever_the_slider_stands(feeder, changes):
+    """Distance of the roller's centre from the cut curve, turned to the cam angle, is the roller's radius."""
+    plan = feeder(changes)
+    scene = data(html_of(page_of(plan)))["scene"]
+    assert bool(plan.cam.trims) == bool(changes)
+    outline, radius, travel = plan.cam.curve.outline(0.01).points @ [1, 1j], plan.cam.follower.radius, scene["travel"]
+    theta = np.linspace(0.0, 2 * np.pi, len(travel["ahead"]))
+    off = []
+    for place in range(0, len(theta), 97):
+        way = travel["ahead"][place] + 1j * travel["across"][place]
+        centre = (complex(*travel["centre"]) + way) * np.exp(1j * theta[place])
+        off.append(np.abs(outline - centre).min() - radius)
+    print(f"gap or overlap at the roller: {1e3 * np.abs(off).max():.2f} um")
+    assert np.abs(off).max() < TOUCH
+    assert np.ptp(travel["across"]) == 0
+    assert np.ptp(travel["ahead"]) == pytest.approx(14.0, abs=2.0 if changes else 1e-4)
+
+
+@pytest.mark.slow
+def test_the_page_of_a_motion_has_what_moves_and_nothing_of_a_car(feeder):
+    plan = feeder()
+    page = page_of(plan)
+    html = html_of(page)
+    scene = data(html)["scene"]
+    assert (scene["car"], scene["goings"], scene["unit"], scene["arm"]) == (None, [], "mm", None)
+    assert [part["code"] for part in scene["parts"]] == ["cam"]
+    assert 'id="course-figure"' not in html
+    # The slide's guide stands beyond the roller at its farthest, and the stem within it at its nearest.
+    slide, travel = page.scene.guide, page.scene.travel
+    assert slide.across == travel.centre[1] == pytest.approx(8.0)
+    assert slide.rails[0] > page.scene.section[:, 0].max() + travel.ahead.max()
+    assert slide.stem + travel.ahead.min() > slide.rails[1]
+    assert [cell.value for name, cell in page.summary if name == "travel of the follower"] == [pytest.approx(14.0)]
+    # What is what is said below the picture, and curves have ticks where scripts are off.
+    legend = unescape(html[html.index('id="cam-legend"') : html.index('id="notes"')])
+    assert all(words in legend for words in ("roller", "guide of the slide", "mark of cam angle 0", "outer face"))
+    assert html.count("<noscript><svg") == len(page.charts) == 3
+    assert all(f">{place}°</text>" in html for place in (0, 60, 360))
+
+
+def test_a_swinging_follower_has_its_pivot_and_a_straight_way_none():
+    """The middle of the section goes 20 degrees to and fro on an arc of 50 mm about (30, 40)."""
+    swing = np.radians(20) * (1 - np.cos(np.linspace(0, 2 * np.pi, 721))) / 2
+    way = 50 * np.exp(1j * (swing - 1.0))
+    ways = Travel((30 + way[0].real, 40 + way[0].imag), (way - way[0]).real, (way - way[0]).imag, swing)
+    assert arm_of(ways).pivot == pytest.approx((30.0, 40.0), abs=1e-9)
+    still = np.zeros(721)
+    assert arm_of(Travel((41.0, 0.0), still, still, still)) is None
+    assert arm_of(Travel((41.0, 0.0), 3 * swing, 2 * swing, still)) is None
+    wavy = Travel((41.0, 0.0), swing, np.sin(9 * swing), still)
+    assert arm_of(wavy) is None
+
+
+def test_a_flat_face_is_drawn_as_a_plate_that_turns_with_its_arm(feeder):
+    cam = feeder().cam
+    face = replace(cam, follower_as_built=SquareFace(base=30.0, radius=4.0))
+    section = section_of(face, 2.0)
+    assert section[0] == pytest.approx(section[-1])
+    assert section[:, 0].min() == pytest.approx(32.0)
+    assert np.ptp(section, axis=0) == pytest.approx([4.0, 8.0])
+    assert travel_of(face, np.array([0.0, 2.0])).ahead == pytest.approx([0.0, 2.0])
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(
     "changes", [[], ["checks.min_convex_radius_mm=100", "machining.cutter_diameter_mm=90", "checks.min_wall_mm=60"]]
 )
-def test_the_page_of_a_motion_is_whole_in_chinese(changes):
-    table.register(ROLLER)
-    try:
-        html = html_of(page_of(plan_motion_page(complete_of(TEXT, Path("feeder.toml"), changes))))
-    finally:
-        table.remove(ROLLER)
+def test_the_page_of_a_motion_is_whole_in_chinese(feeder, changes):
+    html = html_of(page_of(feeder(changes)))
     assert ('id="failures"' in html) == bool(changes)
     own = [f"尖脊易磨损：{Roller.milder}"] if changes else []  # advice of the plug-in, which has no catalogue
     assert left_in_english(html) == ["feeder", *own]  # the design's name
