@@ -1,20 +1,25 @@
 """Texts for people: an English template with named arguments, which can be said in other languages.
 
 A `Message` is the English text, and keeps its template and arguments. `translate` says it in another language by the
-catalogues in `cadgen/locale/LANGUAGE/*.po`, whose keys are the English templates. What has no entry stays English. Only
+catalogues in `cadgen/locale/LANGUAGE/*.po`, whose keys are the English templates; a plug-in has its own in the same
+folders of its package. What has no entry stays English. Only
 what shows texts to people translates: values, JSON and manifests are English in every language.
 """
 
+import logging
 from collections.abc import Iterable, Mapping
 from contextvars import ContextVar
 from functools import cache, reduce
 from importlib.resources import files
+from importlib.util import find_spec
 
+_log = logging.getLogger(__name__)
 ENGLISH, CHINESE = "en", "zh"
 LANGUAGES = (ENGLISH, CHINESE)
 # Environment variables by which a system states its user's language, in the order in which gettext asks them.
 _VARIABLES = ("LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG")
 _chosen: ContextVar[str] = ContextVar("language", default=ENGLISH)
+_PACKAGES = ["cadgen"]  # that have catalogues, the first of which counts where several have a text
 
 
 class Message(str):
@@ -167,25 +172,48 @@ def _message(template: str, arguments: Mapping[str, object]) -> Message:
     return Message(template, **arguments)
 
 
+def speak_for(package: str) -> None:
+    """Translate a package's texts, too, by the catalogues `locale/LANGUAGE/*.po` in its folder, if it has any.
+
+    Args:
+        package: name of the package of a plug-in; a module of one file has no folder.
+    """
+    spec = find_spec(package)
+    if package not in _PACKAGES and spec is not None and spec.submodule_search_locations:
+        _PACKAGES.append(package)
+        _catalogue.cache_clear()
+
+
 @cache
 def _catalogue(language: str) -> Mapping[str, str]:
     """Translations by English template, from all catalogues of a language."""
-    folder = files("cadgen").joinpath("locale", language)
-    if not folder.is_dir():
-        return {}
-    names = sorted(file.name for file in folder.iterdir())
-    known = [catalogue(language, name.removesuffix(".po")) for name in names if name.endswith(".po")]
-    return {template: text for one in known for template, text in one.items()}
+    known: dict[str, str] = {}
+    for package in reversed(_PACKAGES):
+        folder = files(package).joinpath("locale", language)
+        names = sorted(file.name for file in folder.iterdir()) if folder.is_dir() else []
+        for name in names:
+            if name.endswith(".po"):
+                try:
+                    known |= catalogue(language, name.removesuffix(".po"), package)
+                except (OSError, ValueError) as error:
+                    if package == _PACKAGES[0]:
+                        raise
+                    _log.warning("the catalogue %s of the plug-in %s cannot be read (%s)", name, package, error)
+    return known
 
 
-def catalogue(language: str, name: str) -> dict[str, str]:
+def catalogue(language: str, name: str, package: str = "cadgen") -> dict[str, str]:
     """Translations of one catalogue by English template.
 
     Args:
         language: code of the language, such as `zh`.
         name: name of the catalogue's file, without `.po`.
+        package: package in whose folder it stands.
+
+    Raises:
+        OSError: the catalogue is none that can be read.
     """
     from polib import pofile  # loaded for another language alone
 
-    text = files("cadgen").joinpath("locale", language, f"{name}.po").read_text("utf-8")
+    text = files(package).joinpath("locale", language, f"{name}.po").read_text("utf-8")
     return {entry.msgid: entry.msgstr for entry in pofile(text) if entry.msgstr}

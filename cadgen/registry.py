@@ -21,7 +21,7 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Generic, Protocol, TypeVar
 
 from cadgen.errors import DesignError, brief
-from cadgen.messages import Message, joined
+from cadgen.messages import Message, joined, speak_for
 
 _log = logging.getLogger(__name__)
 # One letter at least, as in 3mf. A unit at the end is written as it is, such as _J.
@@ -49,6 +49,7 @@ def load_plugins(group: str, register: Callable[[Any], object]) -> None:
             for each in brought if isinstance(brought, tuple) else (brought,):
                 register(each)
                 _brought[id(each)] = name, version
+            speak_for(point.module.partition(".")[0])
         except (Exception, SystemExit) as error:
             _log.warning(
                 Message(

@@ -107,6 +107,34 @@ print(TRACK.catalogue.named("bent axle").separated_by, "bent axle" in [e.name fo
     assert run(script, tmp_path).stdout == "look at it True\n"
 
 
+SPEAK = """
+from cadgen.laws.table import codes
+from cadgen.messages import shown
+codes()
+print(shown("Half a cosine.", "zh"), shown("roller", "zh"))
+"""
+
+
+@pytest.mark.parametrize(
+    ("entry", "said"),
+    [
+        ('msgid "Half a cosine."\nmsgstr "半个余弦。"\n\nmsgid "roller"\nmsgstr "轮"\n', "半个余弦。 滚子"),
+        ('msgid "a\nfoo\n', "Half a cosine. 滚子"),
+    ],
+    ids=["its own, and no other's", "unreadable"],
+)
+def test_it_brings_its_translations(tmp_path, entry, said):
+    folder = tmp_path / "harmonic" / "locale" / "zh"
+    folder.mkdir(parents=True)
+    (tmp_path / "harmonic" / "__init__.py").write_text(LAW.replace('print("harmonic is loaded")', ""))
+    (folder / "laws.po").write_text(entry, encoding="utf-8")
+    install(tmp_path, "cadgen-harmonic", "1.2", {"cadgen.laws": {"harmonic": "harmonic:HARMONIC"}})
+    done = run(SPEAK, tmp_path)
+    assert done.stdout.strip() == said
+    unread = "the catalogue laws.po of the plug-in harmonic cannot be read"
+    assert (unread in done.stderr) == ("Half a" in said)
+
+
 def test_the_manifest_names_it(folder):
     install(folder, "cadgen-harmonic", "1.2", {"cadgen.laws": {"harmonic": "harmonic:HARMONIC"}})
     script = """
@@ -146,6 +174,8 @@ def test_the_tricycle_is_known_once_it_is_installed(tmp_path):
     assert "one run only" in " ".join(known.stdout.split()), known.stderr
     (part,) = json.loads((tmp_path / "site" / "out" / "manifest.json").read_text())["parts"].values()
     assert part["plugins"] == {project["name"]: project["version"]}
+    chinese = run(MAIN, tmp_path / "site", "calibrate", "log.csv", "--lang", "zh")
+    assert "转向增益" in chinese.stdout
     own = run(
         "import pytest, sys; sys.exit(pytest.main(['-q', '-p', 'no:cacheprovider', sys.argv[1]]))",
         tmp_path / "site",
