@@ -10,7 +10,7 @@ from typing import Annotated, TypeVar
 from pydantic import Field, model_validator
 
 from cadgen.car.running.friction import DiscMaterial
-from cadgen.design.section import HERE, WORD, DesignSection, Feature, ZeroOrFeature
+from cadgen.design.section import HERE, WORD, CellText, DesignSection, Feature, ZeroOrFeature
 from cadgen.errors import DesignError
 from cadgen.messages import Message
 from cadgen.parts.face import Face
@@ -135,6 +135,7 @@ class SetScrewSection(DesignSection):
     hole_diameter_mm: Feature = Field(le=50, description="of the hole to be tapped; less than the bore's diameter")
     height_mm: float = Field(gt=0, le=200, description="from the disc's face to the hole's axis")
     angle_deg: float = Field(default=0.0, ge=-360, le=360, description="polar angle of the hole")
+    thread: CellText | None = Field(default=None, description="to be tapped in it, such as `M3`; for the drawing")
 
 
 class HubSection(DesignSection):

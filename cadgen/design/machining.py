@@ -5,7 +5,7 @@ from typing import Self
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 
 from cadgen.car.running.friction import DiscMaterial
-from cadgen.design.section import HERE, LONGEST_LINE, DesignSection, one_line
+from cadgen.design.section import LONGEST_CELL, LONGEST_LINE, DesignSection, drawn_line, one_line
 from cadgen.messages import Message
 
 USUAL_FEED = 240.0  # mm/min, where the design gives neither a feed nor a material
@@ -134,11 +134,6 @@ class Machining(DesignSection):
         return self
 
 
-LONGEST_FINISH = 36  # letters that its cell holds
-# The last letter of Latin, Greek and Cyrillic; punctuation and signs; Chinese, Japanese and Korean ones.
-_LETTERS = ((0x20, 0x52F), (0x2010, 0x22FF), (0x2E80, 0xD7A3), (0xF900, 0xFAFF), (0xFE30, 0xFE4F), (0xFF00, 0xFFEF))
-
-
 class DrawingText(DesignSection):
     """Texts of the title blocks of drawings, besides the material and the fits of [blank]."""
 
@@ -149,16 +144,4 @@ class DrawingText(DesignSection):
     @field_validator("title", "finish")
     @classmethod
     def _fits_its_cell(cls, text: str | None, info: ValidationInfo) -> str | None:
-        if text is None:
-            return None
-        unknown = [letter for letter in text if not any(low <= ord(letter) <= high for low, high in _LETTERS)]
-        if unknown and text.isprintable():
-            raise ValueError(
-                Message(
-                    "{here} has {unknown}, which the fonts of drawings lack: write it in Latin, Greek, Cyrillic, "
-                    "Chinese, Japanese or Korean letters",
-                    here=HERE,
-                    unknown=unknown[0],
-                )
-            )
-        return one_line(text, LONGEST_FINISH if info.field_name == "finish" else LONGEST_LINE)
+        return None if text is None else drawn_line(text, LONGEST_CELL if info.field_name == "finish" else LONGEST_LINE)

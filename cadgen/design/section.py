@@ -7,16 +7,29 @@ from enum import StrEnum
 from typing import Annotated, Any, Generic, TypeVar, get_args, get_type_hints
 
 from annotated_types import Ge, Le
-from pydantic import BaseModel, ConfigDict, Field, GetCoreSchemaHandler, Strict, create_model, model_validator
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    ConfigDict,
+    Field,
+    GetCoreSchemaHandler,
+    Strict,
+    create_model,
+    model_validator,
+)
 from pydantic_core import CoreSchema, core_schema
 
 from cadgen.car.path import path_kinds
+from cadgen.errors import DesignError
 from cadgen.messages import Message, joined
 
 FARTHEST_MM = 1e6  # one kilometre; a coordinate beyond it is a slip of unit
 
 LEAST_FEATURE_MM = 0.01  # no tool cuts a smaller one, and the CAD kernel takes points 1e-7 mm apart for one
 LONGEST_LINE = 60  # letters that a title block holds
+LONGEST_CELL = 36  # letters that one of its smaller cells holds
+# The last letter of Latin, Greek and Cyrillic; punctuation and signs; Chinese, Japanese and Korean ones.
+_LETTERS = ((0x20, 0x52F), (0x2010, 0x22FF), (0x2E80, 0xD7A3), (0xF900, 0xFAFF), (0xFE30, 0xFE4F), (0xFF00, 0xFFEF))
 
 # Beside an enumeration: files have its words, and the design its members.
 WORD = Strict(False)
@@ -51,6 +64,46 @@ def one_line(text: str, longest: int = LONGEST_LINE) -> str:
             Message("{here} must be one line of 1 to {longest} letters: shorten it", here=HERE, longest=longest)
         )
     return text
+
+
+def drawn_line(text: str, longest: int = LONGEST_CELL) -> str:
+    """The text, of so many letters at most, all of which the fonts of drawings have.
+
+    Raises:
+        ValueError: it is empty, too long, has more than one line or another letter.
+    """
+    unknown = [letter for letter in text if not any(low <= ord(letter) <= high for low, high in _LETTERS)]
+    if unknown and text.isprintable():
+        raise ValueError(
+            Message(
+                "{here} has {unknown}, which the fonts of drawings lack: write it in Latin, Greek, Cyrillic, "
+                "Chinese, Japanese or Korean letters",
+                here=HERE,
+                unknown=unknown[0],
+            )
+        )
+    return one_line(text, longest)
+
+
+CellText = Annotated[str, AfterValidator(drawn_line)]
+
+
+def fit_in_table(fit: str) -> str:
+    """The name of a fit, which the table of fits must have.
+
+    Raises:
+        ValueError: not a fit of the table.
+    """
+    from cadgen.gears.fits import zones_of
+
+    try:
+        zones_of(fit)
+    except DesignError as error:
+        raise ValueError(Message("{here}: {error}", here=HERE, error=error.message)) from None
+    return fit
+
+
+FitName = Annotated[str, AfterValidator(fit_in_table)]
 
 
 def listed(items: Sequence[str], conjunction: str) -> Message:

@@ -5,20 +5,24 @@ from functools import cache
 from typing import Annotated, Any
 
 from annotated_types import Gt, Le
-from pydantic import Field, SerializeAsAny, Strict, WrapValidator, create_model
+from pydantic import Field, SerializeAsAny, Strict, WrapValidator, create_model, model_validator
 
 from cadgen.design.blank import Held
 from cadgen.design.section import (
+    HERE,
     WORD,
     ByKind,
+    CellText,
     DesignSection,
     Feature,
     FeatureOrNone,
+    FitName,
     OneOf,
     keys_in,
     listed,
     section_with,
 )
+from cadgen.errors import DesignError
 from cadgen.gears.choices import Thinning
 from cadgen.gears.stage_kinds import SPUR, StageKind, codes, has, kind_of
 from cadgen.messages import Message
@@ -139,6 +143,17 @@ class GearHub(DesignSection):
     set_screw_mm: FeatureOrNone = Field(
         default=0.0, le=50, description="diameter of a radial hole through it; 0 for none"
     )
+    set_screw_thread: CellText | None = Field(
+        default=None, description="to be tapped in that hole, such as `M3`; for the drawing"
+    )
+
+    @model_validator(mode="after")
+    def _thread_has_its_hole(self) -> "GearHub":
+        if self.set_screw_thread is not None and not self.set_screw_mm:
+            raise ValueError(
+                Message("{here}.set_screw_thread needs the hole that it is tapped in: give set_screw_mm", here=HERE)
+            )
+        return self
 
 
 class GearWeb(DesignSection):
@@ -162,10 +177,29 @@ class GearBlankSection(Held):
     """
 
     bore_diameter_mm: FeatureOrNone = Field(default=0.0, le=500, description="of the hole for the shaft; 0 for none")
+    bore_fit: FitName | None = Field(
+        default=None, max_length=20, description="of the bore on its shaft by ISO 286, such as `H7/h6`; for the drawing"
+    )
+    material: CellText | None = Field(default=None, description="for the drawing; left out, that of the train")
     keyway: GearKeyway | None = None
     hub: GearHub | None = None
     web: GearWeb | None = None
     lightening: GearLightening | None = None
+
+    @model_validator(mode="after")
+    def _bore_fit_is_of_the_bore(self) -> "GearBlankSection":
+        if self.bore_fit is not None and not self.bore_diameter_mm:
+            raise ValueError(Message("{here}.bore_fit needs the bore that it is of: give bore_diameter_mm", here=HERE))
+        return self
+
+
+class PlateSection(DesignSection):
+    """The plates that hold the axes of the train, for their drawing."""
+
+    material: CellText | None = Field(default=None, description="of the plates, such as `plywood 5 mm`")
+    hole_fit: FitName | None = Field(
+        default=None, max_length=20, description="of the holes and the shafts in them by ISO 286, such as `H7/h6`"
+    )
 
 
 class SearchSection(DesignSection):
@@ -251,13 +285,29 @@ class TrainSection(DesignSection):
     clearance_mm: float = Field(
         default=0.3, gt=0, le=100, description="least gap between bodies on different shafts, teeth in mesh apart"
     )
+    material: CellText | None = Field(default=None, description="of the gears, such as `POM`; for their drawings")
     stages: Annotated[tuple[StageItem, ...], Strict(False)] = Field(
         min_length=1, max_length=MOST_STAGES, description=f"at least one, and at most {MOST_STAGES}"
     )
     drive: GearBlankSection = GearBlankSection()
     intermediate: GearBlankSection = GearBlankSection()
     output: GearBlankSection = GearBlankSection()
+    plate: PlateSection | None = None
     search: SearchSection = SearchSection()
+
+    @model_validator(mode="after")
+    def _fits_are_of_sizes_in_the_table(self) -> "TrainSection":
+        from cadgen.gears.fits import zones_of
+
+        for place, blank in (("drive", self.drive), ("intermediate", self.intermediate), ("output", self.output)):
+            holes = self.plate.hole_fit if self.plate else None
+            for key, fit in ((f"train.{place}.bore_fit", blank.bore_fit), ("train.plate.hole_fit", holes)):
+                try:
+                    if fit is not None:
+                        zones_of(fit, blank.bore_diameter_mm)
+                except DesignError as error:
+                    raise ValueError(Message("{key}: {error}", key=key, error=error.message)) from None
+        return self
 
 
 # A train without spur gears needs neither module nor width.

@@ -105,8 +105,8 @@ def flat_play(clearance: float, diameter: float, across: float) -> float:
     return 2 * (acos(flat / radius) - acos((flat + clearance) / radius))
 
 
-def clearance(fit: str, size: float) -> tuple[float, float]:
-    """Least and greatest clearance of a fit, mm; what would be tight is 0.
+def deviations(fit: str, size: float) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Lower and upper deviation of the hole of a fit, then of its shaft, mm.
 
     Args:
         fit: such as `H7/g6`.
@@ -133,4 +133,18 @@ def clearance(fit: str, size: float) -> tuple[float, float]:
     else:
         top = -float(AWAY[shaft][step])
         bottom = top - own
-    return max(low - top, 0.0) / 1e3, max(high - bottom, 0.0) / 1e3
+    return (low / 1e3, high / 1e3), (bottom / 1e3, top / 1e3)
+
+
+def clearance(fit: str, size: float) -> tuple[float, float]:
+    """Least and greatest clearance of a fit, mm; what would be tight is 0.
+
+    Args:
+        fit: such as `H7/g6`.
+        size: nominal, mm.
+
+    Raises:
+        DesignError: not a fit of this table, or a size beyond it.
+    """
+    (low, high), (bottom, top) = deviations(fit, size)
+    return max(low - top, 0.0), max(high - bottom, 0.0)

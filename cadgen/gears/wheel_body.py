@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import asin, degrees, floor, hypot, isfinite, pi
+from math import asin, degrees, floor, hypot, isfinite, pi, sin
 
 from cadgen.errors import DesignError
 from cadgen.gears.stage import Wheel
@@ -11,11 +11,12 @@ from cadgen.messages import Message
 from cadgen.parts.blank import Blank
 from cadgen.parts.body import Body, RadialHole, Slab
 from cadgen.parts.face import Face
-from cadgen.parts.features import DFlat, Hub, Keyway
+from cadgen.parts.features import DFlat, Hub, Keyway, Lightening
 from cadgen.parts.loop import Loop, circle, loop_of
 
 # Least wall elsewhere in mm: thinner ones bend under the cutter.
 LEAST_WALL = 0.4
+STEPS = 10  # in a mm, of diameters that follow from others: a shop's drills and gauges have no finer ones
 
 
 def gear_body(form: Wheel, blank: Blank | None = None) -> Body:
@@ -80,7 +81,7 @@ def with_collar(blank: Blank, lower: Wheel, upper: Wheel, length: float, clearan
             most=most,
         )
     room = smaller.root_diameter - 2 * max(LEAST_WALL, clearance)
-    return replace(blank, hub=Hub(diameter=max(floor(room * 10) / 10, least), length=length))
+    return replace(blank, hub=Hub(diameter=max(floor(room * STEPS) / STEPS, least), length=length))
 
 
 def cluster_body(lower: Wheel, upper: Wheel, blank: Blank | None = None, turn: float = 0.0) -> Body:
@@ -134,8 +135,46 @@ def fits(form: Wheel, blank: Blank, *, upper: bool | None = None) -> bool:
 
 
 def _rim_diameter(blank: Blank, form: Wheel) -> float:
-    """Where the rim ends inwards: at the web's recess if there is one, else as deep as the teeth need it."""
-    return form.root_diameter - 2 * (blank.web.rim_thickness if blank.web else form.least_rim)
+    """Diameter at which the rim ends inwards, mm: that of the web's recess, or as deep as the teeth need it.
+
+    A recess has a size in whole tenths, with the rim no thinner than asked for, if the holes have room beside it.
+    """
+    if not blank.web:
+        return form.root_diameter - 2 * form.least_rim
+    exact = form.root_diameter - 2 * blank.web.rim_thickness
+    even = floor(exact * STEPS) / STEPS
+    smallest = blank.lightening.hole_diameter if blank.lightening else 0.0
+    return even if _holes_circle(blank, even)[1] >= smallest else exact
+
+
+def _holes_circle(blank: Blank, rim: float) -> tuple[float, float]:
+    """Diameter of the circle of holes, mm, and of the largest holes that have their walls there, negative for none.
+
+    Midway between hub and rim it has a size in whole tenths, if the holes have room on it.
+
+    Args:
+        blank: blank of the gear.
+        rim: diameter at which the rim ends inwards, mm.
+    """
+    low, holes = _inner_diameter(blank), blank.lightening
+    middle = (low + rim) / 2
+    ring = holes.circle_diameter if holes else None
+    even = round(middle * STEPS) / STEPS
+    for diameter in (even, middle) if ring is None else (ring,):
+        largest = (rim - low) / 2 - abs(diameter - middle) - 2 * LEAST_WALL
+        if not holes or (largest >= holes.hole_diameter and _keep_apart(holes, diameter)):
+            break
+    return diameter, largest
+
+
+def _keep_apart(holes: Lightening, on: float) -> bool:
+    """Whether holes on a circle of the diameter `on`, mm, have walls between them."""
+    return holes.count < 2 or on * sin(pi / holes.count) >= holes.hole_diameter + 2 * LEAST_WALL
+
+
+def _inner_diameter(blank: Blank) -> float:
+    """Diameter from which on a web is free: that of the hub, or of bore and keyway, mm."""
+    return max(blank.hub.diameter if blank.hub else 0.0, _reach(blank))
 
 
 def _reach(blank: Blank) -> float:
@@ -305,10 +344,8 @@ def _lightening_holes(blank: Blank, form: Wheel) -> tuple[Loop, ...]:
     if not blank.lightening:
         return ()
     count, diameter = blank.lightening.count, blank.lightening.hole_diameter
-    low, high = max(blank.hub.diameter if blank.hub else 0.0, _reach(blank)), _rim_diameter(blank, form)
-    middle, ring = (low + high) / 2, blank.lightening.circle_diameter
-    pitch_radius = (middle if ring is None else ring) / 2
-    largest = (high - low) / 2 - abs(2 * pitch_radius - middle) - 2 * LEAST_WALL
+    low, high, ring = _inner_diameter(blank), _rim_diameter(blank, form), blank.lightening.circle_diameter
+    on, largest = _holes_circle(blank, high)
     if not (count >= 1 and LEAST_WALL <= diameter <= largest):
         raise DesignError(
             "{gear} has {count} lightening holes of {diameter:g} mm between {low:.4g} and {high:.4g} mm diameter;"
@@ -320,7 +357,7 @@ def _lightening_holes(blank: Blank, form: Wheel) -> tuple[Loop, ...]:
             high=high,
             cure=_range(LEAST_WALL, largest, Message("leave them out")),
         )
-    most = pi / asin(min((diameter + 2 * LEAST_WALL) / (2 * pitch_radius), 1.0))
+    most = pi / asin(min((diameter + 2 * LEAST_WALL) / on, 1.0))
     if not count <= max(most, 1.0):
         raise DesignError(
             "{gear} has {count} lightening holes of {diameter:g} mm on a circle of {circle:.4g} mm diameter; give at"
@@ -328,8 +365,8 @@ def _lightening_holes(blank: Blank, form: Wheel) -> tuple[Loop, ...]:
             gear=str(form),
             count=count,
             diameter=diameter,
-            circle=2 * pitch_radius,
+            circle=on,
             most=max(int(most), 1),
         )
-    centers = blank.lightening.centers() if ring else blank.lightening.centers_off_keyway(2 * pitch_radius)
+    centers = blank.lightening.centers() if ring else blank.lightening.centers_off_keyway(on)
     return tuple(circle(diameter, complex(x, y)) for x, y in centers)

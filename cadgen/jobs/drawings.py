@@ -27,6 +27,7 @@ from cadgen.jobs.gears.gear_train import GearTrain
 from cadgen.messages import ENGLISH, Message, joined, language
 from cadgen.output.drawing.cam_sheet import EVERY, CamPart, cam_drawing
 from cadgen.output.drawing.gear_sheets import Axis, GearPart, gear_drawing, gear_rows, plate_drawing
+from cadgen.output.drawing.shaft_fit import fit_limits, hole_class
 from cadgen.output.drawing.sheet import DrawingSheet, Title, scale_text
 from cadgen.output.files.dxf import write_outline
 from cadgen.output.files.manifest import NAME, ManifestEntry, Origin, sound_parts
@@ -114,27 +115,24 @@ def title_of(origin: Origin, text: DrawingText | None, part: str, material: str,
     )
 
 
-def not_stated(text: DrawingText | None, cam: CamPlan | None) -> dict[str, str]:
+def not_stated(text: DrawingText | None, cam: CamPlan | None, train: GearTrain | None) -> dict[str, str]:
     """Facts that the sheets leave open, each with the key of the design that states it.
 
     Args:
         text: texts of the design's title blocks.
         cam: cam that is drawn; None for the train alone.
+        train: train that is drawn; None for the cam alone.
     """
     keys: dict[str, tuple[str, object]] = {}
     if cam is not None:
         keys = {
             "material": ("blank.material", cam.making.material),
-            "fit of the bore": ("blank.bore_fit", cam.making.bore_fit),
+            "fit of the bore": ("blank.bore_fit", cam.making.fit.bore),
             **cam.application.open_keys(),
         }
     keys["finish"] = ("drawing.finish", text and text.finish)
-    return {name: key for name, (key, value) in keys.items() if not value}
-
-
-def bore_class(fit: str | None) -> str:
-    """Tolerance class of a bore from its fit: `H7` of `H7/g6`; empty without a fit."""
-    return fit.partition("/")[0].strip() if fit else ""
+    further = {} if train is None else train.making.open_keys(len(train.layout.parts))
+    return {name: key for name, (key, value) in keys.items() if not value} | further
 
 
 _CAM_ENDINGS = ("_spline.dxf", "_arcs.dxf", ".step", ".nc")  # of the files that a sheet names
@@ -159,7 +157,7 @@ def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
         least=(float(radii[least]), float(dense[least])),
         blank=plan.made_blank,
         thickness=plan.thickness,
-        bore_fit=bore_class(making.bore_fit),
+        fit=making.fit,
         profile_tolerance=use.profile_tolerance or None,
         follower=Message(plan.follower.noun),
         leans=plan.follower.leans,
@@ -218,8 +216,10 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
             ],
             " and ",
         )
+        made = plan.making.shaft(part.shaft, len(layout.parts))
         sheet = GearPart(
             part=part,
+            fit=made.fit,
             data=data,
             files=folder.files(stem, origin.content_hash, _PART_ENDINGS),
             pitch_diameters=tuple(
@@ -230,7 +230,7 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
             notes=(Message("Shaft {shaft} of the train, counted from the drive.", shaft=part.shaft),),
         )
         name = Message("{part}: {bodies}", part=part.name, bodies=bodies)
-        title = title_of(origin, plan.title, name, "", stem, folder)
+        title = title_of(origin, plan.title, name, made.material or "", stem, folder)
         yield stem, gear_drawing(sheet, title)
     axes = tuple(
         Axis(
@@ -239,11 +239,12 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
             y=part.axis.imag,
             bore=part.blank.bore_diameter,
             reach=max(gear.tip_diameter for gear in part.gears) / 2,
+            hole=hole_class(plan.making.holes),
         )
         for part in layout.parts
     )
     stem = f"{plan.stem}_plate"
-    title = title_of(origin, plan.title, Message("plate for the axes"), "", stem, folder)
+    title = title_of(origin, plan.title, Message("plate for the axes"), plan.making.plate or "", stem, folder)
     pair = replace(title, quantity=2 * title.quantity)
     yield stem, plate_drawing(axes, tuple(_plate_notes(plan)), pair)
 
@@ -251,7 +252,14 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
 def _plate_notes(plan: GearTrain) -> Iterator[str]:
     yield Message("Seen along the axes from the output's end. Broken circles: tips of the gears, for room.")
     yield Message("Two to a machine, before and behind the gears. Thickness as the bearings need.")
-    yield Message("Holes as large as the shafts: open them for your bearings. Where no bore is given there is no hole.")
+    holes = plan.making.holes
+    if holes is None:
+        yield Message(
+            "Holes as large as the shafts: open them for your bearings. Where no bore is given there is no hole."
+        )
+    else:
+        for size in sorted({part.blank.bore_diameter for part in plan.layout.parts} - {0.0}):
+            yield fit_limits(Message("Hole Ø{size:g}", size=size), Message("shaft"), holes, size)
     yield Message("Places of the axes: hold the distances below, not the general tolerance.")
     for number, stage in enumerate(plan.layout.train.stages, 1):
         deviation = stage.distance_deviation
@@ -330,9 +338,9 @@ def write_drawings(parts: Parts, out: Path, progress: Progress = silent) -> Writ
 
     further = {"omitted": omitted}
     if parts.cam is not None:
-        further["not_stated"] = not_stated(parts.cam.making.title, parts.cam)
+        further["not_stated"] = not_stated(parts.cam.making.title, parts.cam, parts.train)
     elif parts.train is not None:
-        further["not_stated"] = not_stated(parts.train.title, None)
+        further["not_stated"] = not_stated(parts.train.title, None, parts.train)
     return publish(
         parts.stem,
         out,

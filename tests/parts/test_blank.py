@@ -9,7 +9,7 @@ import pytest
 from cadgen.curves.contour import circle
 from cadgen.errors import DesignError
 from cadgen.gears.tooth import GearForm
-from cadgen.gears.wheel_body import gear_body
+from cadgen.gears.wheel_body import LEAST_WALL, gear_body
 from cadgen.geometry.meshes.mesh import body_mesh
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, Mark, SetScrew, Web
@@ -92,7 +92,13 @@ def test_the_circle_of_a_gear_s_holes_is_midway_or_as_given():
 
     ring = Lightening(count=5, hole_diameter=2.0)
     rim = GEAR.root_diameter - 0.5 * (GEAR.tip_diameter - GEAR.root_diameter)
-    assert radii(ring) == pytest.approx([(16.0 + rim) / 4] * 5)
+    middle = (16.0 + rim) / 2
+    even = round(10 * middle) / 10
+    assert abs(even - middle) > 0.01
+    assert [2 * radius for radius in radii(ring)] == pytest.approx([even] * 5, abs=1e-9)
+    # Holes that have room only exactly midway stay there: no gear that could be made is refused for a round size.
+    widest = replace(ring, hole_diameter=(rim - 16.0) / 2 - 2 * LEAST_WALL)
+    assert [2 * radius for radius in radii(widest)] == pytest.approx([middle] * 5, abs=1e-9)
     assert radii(replace(ring, circle_diameter=20.0)) == pytest.approx([10.0] * 5)
     with pytest.raises(DesignError, match="lightening holes of 2 mm"):
         radii(replace(ring, circle_diameter=18.0))
@@ -113,6 +119,20 @@ def test_the_circle_of_a_gear_s_holes_is_midway_or_as_given():
 def test_a_gear_refuses_what_only_a_disc_may_have(blank, message):
     with pytest.raises(DesignError, match=message):
         gear_body(GEAR, blank)
+
+
+def test_the_recess_of_a_web_has_a_round_size_and_leaves_the_rim():
+    def recess(rim, holes=None):
+        blank = replace(HUBBED, web=Web(thickness=2.0, rim_thickness=rim), lightening=holes)
+        return 2 * gear_body(GEAR, blank).slabs[0].rings[1].radii[1]
+
+    for rim in (1.5, 1.77, 2.0, 2.03):
+        exact = GEAR.root_diameter - 2 * rim
+        assert exact - 0.1 < recess(rim) <= exact + 1e-9
+        assert abs(10 * recess(rim) - round(10 * recess(rim))) < 1e-9
+    exact = GEAR.root_diameter - 4.0
+    widest = Lightening(count=3, hole_diameter=(exact - 16.0) / 2 - 2 * LEAST_WALL)
+    assert recess(2.0, widest) == pytest.approx(exact, abs=1e-9)
 
 
 @pytest.mark.parametrize(

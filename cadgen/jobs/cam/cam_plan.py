@@ -18,6 +18,7 @@ from cadgen.design.schema import Design, Export, MotionDesign
 from cadgen.figures import Facts, Figures
 from cadgen.laws.motion import Motion
 from cadgen.messages import Message
+from cadgen.output.drawing.shaft_fit import ShaftFit
 from cadgen.output.files.manifest import Origin
 from cadgen.parts.blank import Blank
 from cadgen.parts.face import Face
@@ -40,14 +41,14 @@ class Making:
 
     Attributes:
         material: material of the disc; None where the design does not say.
-        bore_fit: fit of the bore, such as H7/g6; None where the design does not say.
+        fit: fits and joint of the bore on its shaft.
         title: texts of the title block of its sheet; None where the design does not say.
         machining: cutter, speeds, tabs and drilling.
         export: how finely files follow the outline.
     """
 
     material: DiscMaterial | None
-    bore_fit: str | None
+    fit: ShaftFit
     title: DrawingText | None
     machining: Machining
     export: Export
@@ -55,9 +56,11 @@ class Making:
     @classmethod
     def of(cls, design: Design | MotionDesign) -> "Making":
         """Making of a design's cam."""
+        blank = design.blank
+        screw = blank.hub.set_screw if blank.hub else None
         return cls(
-            material=design.blank.material,
-            bore_fit=design.blank.bore_fit,
+            material=blank.material,
+            fit=ShaftFit.of(blank, blank.bore_fit, screw.thread if screw else None),
             title=design.drawing,
             machining=design.machining,
             export=design.export,

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from cadgen.check import Check
 from cadgen.design import gear_model
 from cadgen.design.schema import TrainDesign
+from cadgen.design.train import GearBlankSection, PlateSection, TrainSection
 from cadgen.errors import DesignError
 from cadgen.figures import Facts
 from cadgen.gears.choices import Order, Thinning
@@ -22,6 +23,7 @@ from cadgen.gears.train import Loose, Train, TrainPlay, WholePlay, teeth_of, tra
 from cadgen.geometry.meshes.made_train import MadeTrain, failing_stages, make_train
 from cadgen.jobs.gears.assembly import Assembly, checks_facts, parts_facts, return_error, stages_facts
 from cadgen.messages import Message, joined
+from cadgen.output.drawing.shaft_fit import ShaftFit
 from cadgen.output.files.manifest import Origin
 from cadgen.progress import Progress, silent
 
@@ -51,6 +53,85 @@ class NotMadeError(DesignError):
         self.ranked, self.baseline = ranked, baseline
 
 
+@dataclass(frozen=True, slots=True)
+class ShaftMaking:
+    """Material and fits of the part on a shaft, for its drawing.
+
+    Attributes:
+        place: place of the shaft in the train, a key of the design.
+        material: material of the part; None where the design does not say.
+        fit: fits and joint of its bore.
+        bored: whether it has a bore, and thus a fit to be stated.
+    """
+
+    place: str
+    material: str | None
+    fit: ShaftFit
+    bored: bool
+
+
+@dataclass(frozen=True, slots=True)
+class TrainMaking:
+    """Materials and fits of a train for its drawings.
+
+    Attributes:
+        drive: part on the drive's shaft.
+        intermediate: part on each shaft between.
+        output: part on the camshaft.
+        plate: material of the plates; None where the design does not say.
+        holes: fit of their holes; None where the design does not say.
+    """
+
+    drive: ShaftMaking
+    intermediate: ShaftMaking
+    output: ShaftMaking
+    plate: str | None
+    holes: str | None
+
+    @classmethod
+    def of(cls, keys: TrainSection) -> TrainMaking:
+        """Making by the keys of a train."""
+
+        def shaft(place: str, given: GearBlankSection) -> ShaftMaking:
+            fit = ShaftFit.of(given, given.bore_fit, given.hub.set_screw_thread if given.hub else None)
+            return ShaftMaking(place, given.material or keys.material, fit, bored=given.bore_diameter_mm > 0)
+
+        plate = keys.plate or PlateSection()
+        return cls(
+            shaft("drive", keys.drive),
+            shaft("intermediate", keys.intermediate),
+            shaft("output", keys.output),
+            plate.material,
+            plate.hole_fit,
+        )
+
+    def shaft(self, number: int, shafts: int) -> ShaftMaking:
+        """Making of the part on a shaft.
+
+        Args:
+            number: number of the shaft, from 1 at the drive.
+            shafts: how many there are.
+        """
+        return self.drive if number == 1 else self.output if number == shafts else self.intermediate
+
+    def open_keys(self, shafts: int) -> dict[str, str]:
+        """Facts that the sheets leave open, each with its key.
+
+        Args:
+            shafts: how many shafts there are.
+        """
+        each = (self.drive, *([self.intermediate] if shafts > 2 else []), self.output)
+        keys = {} if all(part.material for part in each) else {"material of the gears": "train.material"}
+        for part in each:
+            if part.bored and not part.fit.bore:
+                keys[f"fit of the bore, {part.place}"] = f"train.{part.place}.bore_fit"
+        if not self.plate:
+            keys["material of the plates"] = "train.plate.material"
+        if not self.holes:
+            keys["fit of the plates' holes"] = "train.plate.hole_fit"
+        return keys
+
+
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class GearTrain(Assembly):
     """The gear train of a design, computed and checked: what `Design.gears` gives. Lengths are mm and angles rad.
@@ -58,6 +139,7 @@ class GearTrain(Assembly):
     Attributes:
         origin: design that the train was planned from.
         title: texts of the design's title blocks; None where it has none.
+        making: what the drawings say of its parts and of the plates besides their shapes.
         mesh_chord: greatest chord error of the parts' meshes that the design gives, mm; None where it gives none.
         order: order of the stages: `as-given`, `reordered` or `search`.
         designed: play of the train as the design has it.
@@ -75,6 +157,7 @@ class GearTrain(Assembly):
 
     origin: Origin
     title: DrawingText | None
+    making: TrainMaking
     mesh_chord: float | None
     order: Order
     designed: TrainPlay
@@ -214,6 +297,7 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
     return GearTrain(
         origin=Origin.of(design),
         title=design.drawing,
+        making=TrainMaking.of(gear_model.train_keys(design)),
         mesh_chord=None if chord is None else chord * 1e-3,
         order=order,
         designed=designed_play,

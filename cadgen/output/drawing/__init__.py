@@ -4,6 +4,7 @@
 |---------------|---------------------------------------------------------------------------|
 | `sheet`       | curves, dimensions, tables and title of a sheet, as data                  |
 | `section`     | section of a body through its axis; the hole of a set screw in the views  |
+| `shaft_fit`   | fits of a part on its shaft: classes and limits                           |
 | `placement`   | places for texts where few lines cross them                               |
 | `cam_sheet`   | sheet of a cam                                                            |
 | `gear_sheets` | sheets of the parts of a train, and of the plate that holds the axes      |

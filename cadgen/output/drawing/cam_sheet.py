@@ -12,9 +12,9 @@ from cadgen.curves.contour import Contour, circle
 from cadgen.messages import Message
 from cadgen.output.drawing.placement import placed_dimensions
 from cadgen.output.drawing.section import Layer, ScrewHole, edges_behind_cut, material, outlines_and_hatches
+from cadgen.output.drawing.shaft_fit import ShaftFit, deeper
 from cadgen.output.drawing.sheet import (
     EDGE,
-    FIT_OPEN,
     LEFT,
     SHOWN,
     SIZES,
@@ -30,10 +30,10 @@ from cadgen.output.drawing.sheet import (
     Stroke,
     Title,
     View,
-    across_axis,
     along_axis,
     arrow,
     axial_diameter,
+    bore_and_keyway,
     centre_cross,
     chosen_sheet,
     cutting_plane,
@@ -65,7 +65,7 @@ class CamPart:
         least: least radius, likewise.
         blank: bore, keyway, hub, holes, broken edges.
         thickness: between the faces, mm.
-        bore_fit: tolerance class of the bore, such as `H7`; empty if none is given.
+        fit: fits and joint of the bore on its shaft.
         profile_tolerance: half width of the zone of the outline, mm; None if none is given.
         follower: name of the follower.
         leans: whether it leans on an edge of the rim, so that a broken edge moves it.
@@ -81,7 +81,7 @@ class CamPart:
     least: tuple[float, float]
     blank: Blank
     thickness: float
-    bore_fit: str
+    fit: ShaftFit
     profile_tolerance: float | None
     follower: str
     leans: bool
@@ -155,14 +155,15 @@ def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
 
 def _face_dimensions(cam: CamPart, scale: float) -> list[Dimension]:
     blank, gap = cam.blank, _GAP / scale
-    fit = f" {cam.bore_fit}" if cam.bore_fit else ""
     aside = degrees(blank.key.angle if blank.key else 0.0) + 125.0
     dimensions: list[Dimension] = [
-        DiameterDimension(name="bore", centre=(0.0, 0.0), diameter=blank.bore_diameter, angle=aside, suffix=fit)
+        DiameterDimension(
+            name="bore", centre=(0.0, 0.0), diameter=blank.bore_diameter, angle=aside, suffix=cam.fit.bore_class
+        )
     ]
     match blank.key:
         case Keyway():
-            dimensions.append(keyway_width(blank.key, blank.bore_diameter, 0.7 * gap, scale))
+            dimensions.append(keyway_width(blank.key, blank.bore_diameter, 0.7 * gap, scale, cam.fit.key_class))
         case DFlat(depth=depth, angle=angle):
             radius, c, s = blank.bore_diameter / 2, cos(angle), sin(angle)
             off = radius + 0.7 * gap
@@ -173,6 +174,7 @@ def _face_dimensions(cam: CamPart, scale: float) -> list[Dimension]:
                     end=((radius - depth) * c, (radius - depth) * s),
                     at=(off * s, -off * c),
                     angle=degrees(angle),
+                    suffix=cam.fit.flat_class,
                 )
             )
     if blank.mark:
@@ -227,10 +229,9 @@ def _section(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     axis = Stroke(np.array([[low - 0.5 * gap, 0.0], [high + 0.5 * gap, 0.0]]), LineKind.CENTRE)
     dimensions: list[Dimension] = [along_axis("thickness", (0.0, thickness), top, top + 0.8 * gap)]
     if isinstance(blank.key, Keyway):
-        radius, depth = blank.bore_diameter / 2, blank.key.depth
         side = boss.high if boss else thickness
         at = max(side, thickness) + gap
-        dimensions.append(across_axis("bore and keyway", side, (-radius, radius + depth), at))
+        dimensions.append(bore_and_keyway(blank, f" +{deeper(blank.key.width):g}/0", side, at, scale))
     if boss:
         outer, half = boss.high > thickness, boss.diameter / 2
         end = boss.high if outer else boss.low
@@ -336,8 +337,7 @@ def _notes(cam: CamPart) -> Iterator[str]:
         yield Message("Plain bore: scribe the arrow at θ = 0 before the part leaves the machine.")
     if blank.lightening:
         yield Message("First hole at θ = {angle}°.", angle=rounded(degrees(blank.lightening.start_angle)))
-    if not cam.bore_fit:
-        yield FIT_OPEN
+    yield from cam.fit.notes(blank)
     if blank.edge_break:
         yield Message(
             "Both edges of the outline broken {leg:g} × 45°; the {follower} rides between them.",
@@ -369,9 +369,10 @@ def _notes(cam: CamPart) -> Iterator[str]:
     if blank.hub and blank.hub.set_screw:
         screw = blank.hub.set_screw
         yield Message(
-            "Radial hole Ø{diameter:g} through the hub's wall, to be tapped, {height:g} mm from the disc's face, at θ ="
+            "Radial hole Ø{diameter:g} through the hub's wall, {tapped}, {height:g} mm from the disc's face, at θ ="
             " {angle:g}°.",
             diameter=screw.diameter,
+            tapped=cam.fit.tapped(),
             height=screw.height,
             angle=degrees(screw.angle),
         )

@@ -15,9 +15,9 @@ from cadgen.gears.stage import Stage
 from cadgen.messages import Message
 from cadgen.output.drawing.placement import Room, placed_dimensions
 from cadgen.output.drawing.section import Layer, ScrewHole, edges_behind_cut, material, outlines_and_hatches
+from cadgen.output.drawing.shaft_fit import ShaftFit, deeper
 from cadgen.output.drawing.sheet import (
     EDGE,
-    FIT_OPEN,
     LEFT,
     ROW,
     SHOWN,
@@ -34,9 +34,9 @@ from cadgen.output.drawing.sheet import (
     Stroke,
     Title,
     View,
-    across_axis,
     along_axis,
     axial_diameter,
+    bore_and_keyway,
     centre_cross,
     chosen_sheet,
     cutting_plane,
@@ -102,6 +102,7 @@ class GearPart:
         data: names and values of the table of each gear, from below.
         pitch_diameters: diameters of the pitch circles that are drawn, mm.
         files: name and hash of each file that holds the part.
+        fit: fits and joint of the bore on its shaft.
         notes: further sentences.
     """
 
@@ -109,6 +110,7 @@ class GearPart:
     data: tuple[tuple[tuple[str, str], ...], ...]
     pitch_diameters: tuple[float, ...]
     files: tuple[tuple[str, str], ...]
+    fit: ShaftFit
     notes: tuple[str, ...]
 
 
@@ -176,9 +178,10 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     curves += centre_cross(reach + 0.4 * gap)
     dimensions: list[Dimension] = []
     if blank.bore_diameter:
-        dimensions.append(DiameterDimension(name="bore", centre=(0.0, 0.0), diameter=blank.bore_diameter, angle=125.0))
+        size, fit = blank.bore_diameter, gear.fit.bore_class
+        dimensions.append(DiameterDimension(name="bore", centre=(0.0, 0.0), diameter=size, angle=125.0, suffix=fit))
     if isinstance(blank.key, Keyway):
-        dimensions.append(keyway_width(blank.key, blank.bore_diameter, 0.7 * gap, scale))
+        dimensions.append(keyway_width(blank.key, blank.bore_diameter, 0.7 * gap, scale, gear.fit.key_class))
     if holes:
         centres = [complex(_points(hole).mean(axis=0) @ np.array([1.0, 1.0j])) for hole in holes]
         first = centres[len(centres) // 3]
@@ -189,7 +192,10 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
         dimensions += [
             DiameterDimension(name="hole", centre=at, diameter=size, angle=angle, prefix=many),
             DiameterDimension(
-                name="circle of holes", centre=(0.0, 0.0), diameter=circle, angle=angle + 180 / len(holes)
+                name="circle of holes",
+                centre=(0.0, 0.0),
+                diameter=circle,
+                angle=angle + 180 / len(holes),
             ),
         ]
         curves.append(ring(circle, LineKind.CENTRE))
@@ -248,9 +254,8 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
         ]
     dimensions += _lengths(part, low, high, gap, screw)
     if isinstance(blank.key, Keyway):
-        radius = blank.bore_diameter / 2
-        up = radius + blank.key.depth
-        dimensions.append(across_axis("bore and keyway", high, (-radius, up), high + 0.9 * gap))
+        more = f" +{deeper(blank.key.width):g}/0"
+        dimensions.append(bore_and_keyway(blank, more, high, high + 0.9 * gap, scale))
     rows_below = [
         each.at[1] for each in dimensions if isinstance(each, LinearDimension) and not each.angle and each.at[1] < 0.0
     ]
@@ -309,9 +314,9 @@ def _notes(gear: GearPart) -> Iterator[str]:
     if blank.hub and blank.hub.set_screw:
         screw = blank.hub.set_screw
         yield Message(
-            "Radial hole Ø{diameter:g} through the hub's wall, to be tapped, {height:g} mm from the gear's face, "
-            "{place}.",
+            "Radial hole Ø{diameter:g} through the hub's wall, {tapped}, {height:g} mm from the gear's face, {place}.",
             diameter=screw.diameter,
+            tapped=gear.fit.tapped(),
             height=screw.height,
             place=Message("over the keyway") if blank.key else Message("in line with a tooth"),
         )
@@ -328,7 +333,10 @@ def _notes(gear: GearPart) -> Iterator[str]:
             size=size,
             circle=circle,
         )
-    yield FIT_OPEN if blank.bore_diameter else Message("No bore: the design states none.")
+    if blank.bore_diameter:
+        yield from gear.fit.notes(blank)
+    else:
+        yield Message("No bore: the design states none.")
     yield from gear.notes
 
 
@@ -355,6 +363,7 @@ class Axis:
         y: likewise.
         bore: diameter of the part's bore, mm; 0 for none.
         reach: radius of the largest gear on it, mm.
+        hole: class of its hole in the plate, such as `H7`; empty where none is given.
     """
 
     shaft: int
@@ -362,6 +371,7 @@ class Axis:
     y: float
     bore: float
     reach: float
+    hole: str = ""
 
 
 def _distances(first: Axis, second: Axis, gap: float) -> Iterator[LinearDimension]:
@@ -428,7 +438,14 @@ def plate_drawing(axes: tuple[Axis, ...], notes: tuple[str, ...], title: Title) 
     ]
     rows: list[tuple[str, ...]] = [(Message("shaft"), "x, mm", "y, mm", Message("shaft Ø, mm"))]
     for axis in axes:
-        rows.append((str(axis.shaft), f"{axis.x:.3f}", f"{axis.y:.3f}", f"{axis.bore:g}" if axis.bore else ""))
+        rows.append(
+            (
+                str(axis.shaft),
+                f"{axis.x:.3f}",
+                f"{axis.y:.3f}",
+                f"{axis.bore:g} {axis.hole}".strip() if axis.bore else "",
+            )
+        )
     table_at = (width - EDGE - table_width, height - EDGE - 2.0)
     table = SheetTable(title=Message("axes, from that of the drive"), at=table_at, widths=_WIDTHS, rows=tuple(rows))
     return DrawingSheet(

@@ -24,15 +24,16 @@ from cadgen.output.drawing.sheet import (
 )
 
 _CHORD = 0.02  # mm, of curves
-_LETTER = 0.66  # mean width of a letter in heights
+_LETTER = 0.76  # mean width of a letter in heights
 _GAP = 0.6  # mm on paper between a dimension line and its text, as in the DXF
-_AIR = 0.5  # mm on paper around a text that is better left free
+_AIR = 1.2  # mm on paper around a text that is better left free
 # How much worse a mm of a line through a text is than a mm farther off: lines of the part, and all others.
 _HEAVY, _LIGHT, _FAR = 10.0, 3.0, 0.05
+_ACROSS = 8.0  # cost of a dimension line across a line of the part, as much as being 100 degrees turned
 _TURN = 0.08  # cost of a turned dimension line, a degree
 _OUT = 9.0  # mm on paper from a circle to the middle of its text, where there is room
 _STEP = 3.0  # mm on paper between places along a dimension line
-_TURNS = (0, 8, -8, 16, -16, 24, -24, 32, -32, 40, -40)  # degrees
+_TURNS = (0, *(side * turn for turn in range(8, 180, 8) for side in (1, -1)))  # degrees
 
 
 Placed = TypeVar("Placed", DiameterDimension, LinearDimension, Label)
@@ -101,10 +102,11 @@ class Room:
 
     def _best(self, every: Sequence[tuple[Placed, float]]) -> Placed:
         def cost(each: tuple[Placed, float]) -> float:
-            box, _ = self._drawn(each[0])
+            box, lines = self._drawn(each[0])
             air = box.buffer(_AIR)
             through = (_HEAVY * self._heavy.intersection(air).length, _LIGHT * self._light.intersection(air).length)
-            return float(each[1] + sum(through) + _HEAVY * self._texts.intersection(air).area)
+            across = sum(int(shapely.get_num_coordinates(self._heavy.intersection(line))) for line in lines)
+            return float(each[1] + sum(through) + _ACROSS * across + _HEAVY * self._texts.intersection(air).area)
 
         best, _ = min(every, key=cost)
         self.take(best)
@@ -115,13 +117,13 @@ class Room:
         scale = self._scale
         if isinstance(placed, Label):
             return _box(placed.text, scale * np.array(placed.at), 0.0, placed.height, above=False), []
-        text = f"{placed.prefix}{DIAMETER if isinstance(placed, DiameterDimension) else ''}{rounded(length_of(placed))}"
-        text += placed.suffix
+        sign = DIAMETER if isinstance(placed, DiameterDimension) else ""
+        text = f"{placed.prefix}{sign}{rounded(length_of(placed))}{placed.suffix}"
         if isinstance(placed, DiameterDimension):
             along = _unit(placed.angle)
             centre = scale * np.array(placed.centre)
             middle = centre + (placed.reach or scale * placed.diameter / 2 + _OUT) * along
-            line = shapely.LineString([centre, middle])
+            line = shapely.LineString([centre, middle + _LETTER * TEXT * len(text) / 2 * along])
             return _box(text, middle, placed.angle, TEXT, above=True), [line]
         along = _unit(placed.angle)
         base, start, end = (scale * np.array(point) for point in (placed.at, placed.start, placed.end))

@@ -1,7 +1,7 @@
 """A sheet as data: views with curves and dimensions, tables, notes, a title. Paper and part are in mm."""
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from textwrap import wrap
 
@@ -10,6 +10,7 @@ import numpy as np
 from cadgen.arrays import Array
 from cadgen.curves.contour import Contour, circle
 from cadgen.messages import Message
+from cadgen.parts.blank import Blank
 from cadgen.parts.features import Keyway
 
 SIZES = {"A4": (297.0, 210.0), "A3": (420.0, 297.0)}  # landscape, ISO 5457
@@ -22,7 +23,6 @@ SHOWN = 12  # letters of a file's hash
 _INDENT = "   "  # of the further lines of a note
 BEYOND = 6.0  # mm on paper from the end of a short dimension line to the middle of its number beside it
 DIAMETER = "Ø"  # as ezdxf writes it
-FIT_OPEN = Message("Fit of the bore: not stated; choose it with the shaft.")
 _LETTER = 0.79  # greatest mean width of the letters of a line in heights: of one with many figures and wide letters
 WIDEST = 0.86  # the same of names with digits and underscores
 _WIDE = 1.4  # the same of Chinese, Japanese and Korean letters
@@ -332,7 +332,7 @@ def arrow(start: Array, end: Array, head: tuple[float, float], line: LineKind = 
     return [Stroke(np.array([start, end]), line), Stroke(np.array([barbs[0], end, barbs[1]]), line)]
 
 
-def keyway_width(key: Keyway, bore_diameter: float, gap: float, scale: float) -> LinearDimension:
+def keyway_width(key: Keyway, bore_diameter: float, gap: float, scale: float, suffix: str = "") -> LinearDimension:
     """Dimension of the width of a keyway in the view along the axis.
 
     Args:
@@ -340,6 +340,7 @@ def keyway_width(key: Keyway, bore_diameter: float, gap: float, scale: float) ->
         bore_diameter: diameter of the bore, mm.
         gap: distance of the dimension line from the floor of the keyway, mm.
         scale: mm on paper for a mm of the part.
+        suffix: class of the width, with a blank before it.
     """
     out, c, s = bore_diameter / 2 + key.depth, np.cos(key.angle), np.sin(key.angle)
 
@@ -352,8 +353,29 @@ def keyway_width(key: Keyway, bore_diameter: float, gap: float, scale: float) ->
         end=point(out, key.width / 2),
         at=point(out + gap, 0.0),
         angle=np.degrees(key.angle) + 90.0,
-        beside=scale * key.width / 2 + BEYOND,
+        beside=scale * key.width / 2 + BEYOND + WIDEST * TEXT * len(suffix) / 2,
+        suffix=suffix,
     )
+
+
+def bore_and_keyway(blank: Blank, suffix: str, z: float, at: float, scale: float) -> LinearDimension:
+    """Dimension of bore and keyway together in a section; its limits follow it where its line has room for them.
+
+    Args:
+        blank: part with a keyway.
+        suffix: limits, with a blank before them.
+        z: height of its ends, mm.
+        at: height of the dimension line, mm.
+        scale: mm on paper for a mm of the part.
+    """
+    assert isinstance(blank.key, Keyway)
+    low, high = -blank.bore_diameter / 2, blank.bore_diameter / 2 + blank.key.depth
+    long = TEXT * WIDEST * len(rounded(high - low) + suffix)
+    plain = across_axis("bore and keyway", z, (low, high), at)
+    if scale * (high - low) >= long:
+        return replace(plain, suffix=suffix)
+    beside = scale * (high - low) / 2 + long / 2 + 1.0
+    return plain if blank.hub else replace(plain, suffix=suffix, beside=beside)
 
 
 def cutting_plane(angle: float, reach: float, scale: float) -> tuple[tuple[Stroke, ...], tuple[Label, Label]]:

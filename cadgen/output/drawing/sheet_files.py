@@ -33,6 +33,7 @@ from matplotlib.patches import PathPatch
 from cadgen.errors import FileError
 from cadgen.messages import ENGLISH, Message, translate
 from cadgen.output.drawing.sheet import (
+    DIAMETER,
     EDGE,
     LEFT,
     ROW,
@@ -50,6 +51,7 @@ from cadgen.output.drawing.sheet import (
     Stroke,
     View,
     is_wide,
+    rounded,
     scale_text,
     width_of,
     wrapped,
@@ -70,6 +72,8 @@ _PATTERNS = {
     LineKind.PHANTOM: [15.5, 9.0, -1.5, 1.0, -1.5, 1.0, -1.5],
 }
 _THIN = 18
+# Letters that LibreCAD's fonts lack, and what stands for them in a DXF. The page has them.
+_PLAIN = str.maketrans({"θ": "theta", "–": "-", "—": "-", "−": "-", "Ø": "%%c"})
 _HATCH_STEP = 2.0  # mm on paper
 _DIMGAP = 0.6  # mm on paper between a dimension line and its number
 
@@ -78,6 +82,8 @@ def dxf_bytes(drawing: DrawingSheet, language: str = ENGLISH) -> bytes:
     """The DXF of a sheet: the same bytes for the same sheet and language."""
     with fixed_dates():
         document = document_of(drawing, language)
+        for entity in document.modelspace().query("TEXT"):
+            entity.dxf.text = entity.dxf.text.translate(_PLAIN)
         # Of the classes that every file has, ezdxf keeps a set, whose order is by chance.
         document.classes.add_required_classes(document.dxfversion)
         document.classes.classes = dict(sorted(document.classes.classes.items()))
@@ -190,7 +196,9 @@ class _Place:
                 self.space.add_line(*np.asarray(piece.coords).tolist(), dxfattribs={"layer": LineKind.HATCH.value})
 
     def _dimension(self, dimension: Dimension) -> None:
-        text = f"{dimension.prefix}<>{dimension.suffix}"
+        # Of "<>" in a diameter some readers make its sign and some do not; "%%c" every reader knows.
+        number = f"%%c{rounded(dimension.diameter)}" if isinstance(dimension, DiameterDimension) else "<>"
+        text = f"{dimension.prefix}{number}{dimension.suffix}".replace(DIAMETER, "%%c")
         attributes = {"layer": LineKind.DIMENSION.value}
         made: ezdxf.entities.DimStyleOverride
         if isinstance(dimension, DiameterDimension):
@@ -205,12 +213,14 @@ class _Place:
                 dxfattribs=attributes,
             )
         else:
+            upright = 90.0 - (90.0 - dimension.angle) % 180.0  # so that no number stands on its head
+            ends = sorted((dimension.start, dimension.end), key=Vec2.from_deg_angle(upright).dot)
             made = self.space.add_linear_dim(
                 base=self._on_paper(dimension.at),
-                p1=self._on_paper(dimension.start),
-                p2=self._on_paper(dimension.end),
+                p1=self._on_paper(ends[0]),
+                p2=self._on_paper(ends[1]),
                 location=self._number_place(dimension) if dimension.beside else None,
-                angle=90.0 - (90.0 - dimension.angle) % 180.0,  # so that no number stands on its head
+                angle=upright,
                 text=text,
                 dimstyle=_STYLE,
                 override={"dimtmove": 2, "dimtofl": 1} if dimension.beside else {},

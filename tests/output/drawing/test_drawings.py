@@ -2,6 +2,7 @@
 
 import csv
 import json
+import re
 from math import hypot
 
 import numpy as np
@@ -10,8 +11,9 @@ import trimesh
 
 from cadgen import Design, draw
 from cadgen.errors import CheckError, DesignError, FileError
+from cadgen.output.drawing.shaft_fit import deeper, fit_limits, limits
 from cadgen.output.drawing.sheet import DrawingSheet, LinearDimension, Title, View
-from cadgen.output.drawing.sheet_files import read_dimensions
+from cadgen.output.drawing.sheet_files import document_of, read_dimensions
 
 CLOSE = 1e-4  # mm
 
@@ -293,6 +295,145 @@ def test_two_dimensions_of_a_sheet_have_two_names():
     assert sheet(views[:1]).dimensions == {"width": 5.0}
     with pytest.raises(ValueError, match="two dimensions of a sheet are named width"):
         sheet(views)
+
+
+@pytest.mark.parametrize("angle", range(-180, 181, 15))
+@pytest.mark.parametrize("beside", [0.0, 22.0])
+def test_arrows_of_a_dimension_point_from_its_middle_to_its_ends(angle, beside):
+    """A block of an arrow points along +X at its place; of oblique ones both pointed inwards, with the lines inside."""
+    way = np.array([np.cos(np.radians(angle)), np.sin(np.radians(angle))])
+    across = np.array([-way[1], way[0]])
+    one = LinearDimension(
+        name="oblique",
+        start=(0.0, 0.0),
+        end=tuple((30.0 * way + 2.0 * across).tolist()),
+        at=tuple((5.0 * across).tolist()),
+        angle=float(angle),
+        beside=beside,
+    )
+    view = View(place=(100.0, 100.0), curves=(), dimensions=(one,))
+    (drawn,) = document_of(sheet((view,))).modelspace().query("DIMENSION")
+    arrows = [entity for entity in drawn.virtual_entities() if entity.dxftype() == "INSERT"]
+    places = np.array([arrow.dxf.insert.vec2 for arrow in arrows]) - 100.0
+    assert sorted((places @ way).tolist()) == pytest.approx([0.0, 30.0], abs=1e-9)
+    assert places @ across == pytest.approx([5.0, 5.0], abs=1e-9)
+    for arrow, away in zip(arrows, places - places.mean(axis=0), strict=True):
+        turned = np.radians(arrow.dxf.rotation)
+        assert np.array([np.cos(turned), np.sin(turned)]) @ away == pytest.approx(15.0, abs=1e-9)
+
+
+# ISO 286-2, tables 6 (H), 10 (JS) and 12 (P) of holes, 8 (g) and 9 (h) of shafts, um.
+@pytest.mark.parametrize(
+    ("fit", "size", "said"),
+    [
+        ("H7/h6", 8.0, "bore H7: +0.015/0; shaft h6: 0/-0.009 mm."),
+        ("H7/g6", 8.0, "bore H7: +0.015/0; shaft g6: -0.005/-0.014 mm."),
+        ("JS9/h9", 3.0, "bore JS9: ±0.0125; shaft h9: 0/-0.025 mm."),
+        ("P9/h9", 3.0, "bore P9: -0.006/-0.031; shaft h9: 0/-0.025 mm."),
+        ("P9/h9", 6.0, "bore P9: -0.012/-0.042; shaft h9: 0/-0.03 mm."),
+        ("F8/h6", 20.0, "bore F8: +0.053/+0.02; shaft h6: 0/-0.013 mm."),
+    ],
+)
+def test_a_fit_is_said_by_its_limit_deviations(fit, size, said):
+    assert fit_limits("bore", "shaft", fit, size) == said
+
+
+def test_a_keyway_may_be_deeper_by_what_its_standard_allows():
+    """DIN 6885-1 and GB/T 1095: +0.1 for keys of 2 x 2 to 6 x 6, +0.2 for 8 x 7 to 32 x 18, +0.3 from 36 x 20 on."""
+    assert [deeper(width) for width in (2.0, 6.0, 8.0, 32.0, 36.0, 100.0)] == [0.1, 0.1, 0.2, 0.2, 0.3, 0.3]
+    assert limits(0.0, 0.1) == "+0.1/0"
+    assert limits(-0.1, 0.2) == "+0.2/-0.1"
+
+
+@pytest.mark.slow
+def test_what_holds_a_wheel_on_its_shaft_is_on_its_sheet(design, tmp_path):
+    """Width of the keyway with its class and its limits, depth with its limits, bore with its fit; thread; material."""
+    import ezdxf
+
+    keyed = {"joint": "keyed", "joint_fit": "JS9/h9", "bore_fit": "H7/h6"}
+    changes = {f"{place}.{key}": value for place in ("blank", "train.output") for key, value in keyed.items()}
+    changes |= {
+        "blank.hub": {
+            "diameter_mm": 24.0,
+            "length_mm": 10.0,
+            "set_screw": {"hole_diameter_mm": 2.5, "height_mm": 4.5, "thread": "M3"},
+        },
+        "train.material": "POM",
+        "train.drive.material": "brass",
+        "train.drive.hub.set_screw_thread": "M3 x 0.5",
+        "train.plate": {"material": "plywood 5 mm", "hole_fit": "H8/h7"},
+    }
+    told = design.with_(changes)
+    written = draw(tmp_path, cam=told.cam("actual"), train=told.gears())
+    assert written.entry["not_stated"] == {
+        "material": "blank.material",
+        "finish": "drawing.finish",
+        "fit of the bore, drive": "train.drive.bore_fit",
+        "fit of the bore, intermediate": "train.intermediate.bore_fit",
+    }
+
+    def said(stem):
+        space = ezdxf.readfile(tmp_path / f"{stem}_drawing.dxf").modelspace()
+        notes = " ".join(text.dxf.text.strip() for text in space.query("TEXT"))
+        return notes, {entity.dxf.text for entity in space.query("DIMENSION")}
+
+    for stem in ("carbon_free_car_actual", "carbon_free_car_as-given_4_wheel"):
+        notes, dimensions = said(stem)
+        assert "Bore %%c8 H7: +0.015/0; shaft h6: 0/-0.009 mm." in notes
+        assert "Bore and keyway 9.4: +0.1/0 mm (DIN 6885-1)." in notes
+        assert "Keyway 3 JS9: ±0.0125; key h9: 0/-0.025 mm." in notes
+        assert {"%%c8 H7", "<> JS9"} <= dimensions
+        assert "not stated" not in notes.replace("finish not stated", "").replace("material not stated", "")
+    assert "to be tapped M3, 4.5 mm from the disc's face" in said("carbon_free_car_actual")[0]
+    notes, _ = said("carbon_free_car_as-given_1_pinion")
+    assert "to be tapped M3 x 0.5" in notes
+    assert "brass" in notes
+    assert "POM" in said("carbon_free_car_as-given_2_cluster")[0]
+    notes, _ = said("carbon_free_car_as-given_plate")
+    assert "plywood 5 mm" in notes
+    assert "8 H8" in notes
+    assert "Hole %%c8 H8: +0.022/0; shaft h7: 0/-0.015 mm." in notes
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"train.output.bore_fit": "H7"}, r'train\.output\.bore_fit: the fit "H7" is not in the table'),
+        ({"train.plate.hole_fit": "H7"}, r'train\.plate\.hole_fit: the fit "H7" is not in the table'),
+        (
+            {"train.output.bore_diameter_mm": 60.0, "train.plate.hole_fit": "H7/h6"},
+            r"train\.plate\.hole_fit: the fit .* is for a size of 60 mm, and the table ends at 50 mm",
+        ),
+        (
+            {"train.intermediate.bore_diameter_mm": 0.0, "train.intermediate.bore_fit": "H7/h6"},
+            r"train\.intermediate\.bore_fit needs the bore",
+        ),
+        ({"train.drive.hub": {"diameter_mm": 10.0, "set_screw_thread": "M3"}}, r"set_screw_thread needs the hole"),
+        ({"train.material": "x" * 37}, r"train\.material must be one line of 1 to 36 letters"),
+        ({"train.plate.material": "🚗"}, r"train\.plate\.material has 🚗, which the fonts of drawings lack"),
+    ],
+)
+def test_a_fit_or_thread_that_is_of_nothing_is_refused(design, change, message):
+    with pytest.raises(DesignError, match=message):
+        design.with_(change)
+
+
+@pytest.mark.slow
+def test_a_dxf_has_no_letter_that_readers_lose(folder, trains_folder):
+    """LibreCAD's own font has neither theta nor the dash, and of a text it takes %%c for the sign of a diameter."""
+    import ezdxf
+
+    for file in (*folder.glob("*_drawing.dxf"), *trains_folder.glob("*_drawing.dxf")):
+        space = ezdxf.readfile(file).modelspace()
+        texts = [entity.dxf.text for entity in space.query("TEXT")]
+        texts += [entity.dxf.text for entity in space.query("DIMENSION")]
+        assert len(texts) > 20
+        assert set("".join(texts)) <= {*map(chr, range(32, 127)), *"×°±µ²"}, file.name
+        diameters = [entity for entity in space.query("DIMENSION") if entity.dimtype == 3]
+        assert diameters or "plate" in file.name
+        for entity in diameters:  # the number is written, for some readers make no sign of "<>"
+            length = read_dimensions(file)[entity.get_xdata("CADGEN")[-1].value]
+            assert float(re.search(r"%%c([\d.]+)", entity.dxf.text)[1]) == pytest.approx(length, abs=5e-4)
 
 
 @pytest.mark.parametrize(("turn", "lines"), [(0.0, {"VISIBLE"}), (90.0, {"PHANTOM"}), (-60.0, {"VISIBLE"})])
