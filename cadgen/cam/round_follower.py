@@ -50,13 +50,19 @@ class RoundFollower(Follower):
 
     def refuse(self, motion: Motion) -> None:
         """Refuse a motion that brings the camshaft within the circle."""
-        room = np.abs(self.at(motion.stations[1])) - self.radius
-        if room.min() <= 0:
+        angles, stations = motion.stations
+        distance = np.abs(self.at(stations))
+        nearest = int(np.argmin(distance))
+        if distance[nearest] <= self.radius:
             raise DesignError(
-                "the {noun} comes within {room:.4g} mm of the camshaft, so nothing is left of the disc: {milder}",
+                "the {noun} of {radius:g} mm comes within {distance:.4g} mm of the camshaft at cam angle {angle:.1f} "
+                "degrees, so nothing is left of the disc: raise {base_key}, or {higher}",
                 noun=self.noun,
-                room=float(room.min() + self.radius),
-                milder=self.milder,
+                radius=self.radius,
+                distance=float(distance[nearest]),
+                angle=np.degrees(angles[nearest]),
+                base_key=self.base_key,
+                higher=motion.higher(float(angles[np.argmin(stations)])),
             )
 
     def piece(self, motion: Motion, face: float, start: float, stop: float) -> "Rim":

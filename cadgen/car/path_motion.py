@@ -68,6 +68,14 @@ class PathMotion(Motion):
             return Message("raise cam.blend_deg (the closing blend steers there)")
         return Message("widen the turn there ({key})", key=key) if key else Message("widen the turn there")
 
+    def higher(self, cam_angle: float) -> str:
+        """Advice that keeps the follower farther from the camshaft at a cam angle, as part of a sentence.
+
+        Args:
+            cam_angle: cam angle, rad.
+        """
+        return Message("widen the turn there")
+
     def fewer(self, count: int) -> str:
         """Advice for a path with too many ripples, as part of a sentence.
 

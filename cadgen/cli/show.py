@@ -122,7 +122,7 @@ def failed(checks: "Sequence[Check]") -> Message:
     names = list(dict.fromkeys(check.name for check in checks if not check.passed))
     if len(names) == 1:
         return Message("{name} fails", name=label(names[0]))
-    return Message("{names} fail", names=joined(map(label, names)))
+    return Message("{names} fail", names=joined(map(label, names), "; "))
 
 
 def label(name: str) -> Message:

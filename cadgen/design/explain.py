@@ -138,7 +138,7 @@ def _sentence(kind: str, place: Place, value: Any, context: Mapping[str, Any], k
             )
         if kind == "too_short":
             return Message(
-                "{name} is empty: write {heading} before the keys of each, with some of {names}",
+                "{name} is empty: write {heading} before the keys of each in its place, with some of {names}",
                 name=name,
                 heading=heading,
                 names=listed(table.names, "and"),

@@ -58,6 +58,14 @@ class Motion:
             Message("make the motion milder there ({key})", key=key) if key else Message("make the motion milder there")
         )
 
+    def higher(self, cam_angle: float) -> str:
+        """Advice that keeps the follower farther from the camshaft at a cam angle, as part of a sentence.
+
+        Args:
+            cam_angle: cam angle, rad.
+        """
+        return Message("raise the motion there")
+
     def fewer(self, count: int) -> str:
         """Advice for a motion with too many ripples, as part of a sentence.
 

@@ -147,10 +147,27 @@ class SegmentMotion(Motion):
             cam_angle: cam angle, rad.
             key: key that shapes the motion; the segment is named in its place.
         """
-        at = next((n for n, s in enumerate(self.segments) if cam_angle % TURN <= s.stop), len(self.segments) - 1)
-        # A dwell is no cause: the segment before it is.
-        number = next((n for n in range(at, -1, -1) if self.segments[n].law is not None), at) + 1
+        number = self._moving(cam_angle)
+        if self.q(cam_angle) < 0:
+            return Message(
+                "give the segment there more of the turn (motion.segments.{number}.in_deg), or lead it less far below "
+                "the base circle",
+                number=number,
+            )
         return Message("give the segment there more of the turn (motion.segments.{number}.in_deg)", number=number)
+
+    def higher(self, cam_angle: float) -> str:
+        """Advice that keeps the follower farther from the camshaft at a cam angle, as part of a sentence.
+
+        Args:
+            cam_angle: cam angle, rad.
+        """
+        return Message("lead the follower less far in (motion.segments.{number})", number=self._moving(cam_angle))
+
+    def _moving(self, cam_angle: float) -> int:
+        """Number of the segment at a cam angle, from 1; of a dwell that of the segment before it, which leads there."""
+        at = next((n for n, s in enumerate(self.segments) if cam_angle % TURN <= s.stop), len(self.segments) - 1)
+        return next((n for n in range(at, -1, -1) if self.segments[n].law is not None), at) + 1
 
     def extrema(self) -> tuple[Array, Array]:
         """Cam angles of the peaks and of the valleys, rad, in order: of a dwell its beginning."""

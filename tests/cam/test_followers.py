@@ -131,7 +131,7 @@ def test_hollow_corners_cost_nothing(appendix_car):
 
 
 def test_a_roller_too_large_is_refused(carbon_free_car):
-    with pytest.raises(DesignError, match=r"so nothing is left of the disc: lower follower.radius_mm or raise"):
+    with pytest.raises(DesignError, match=r"nothing is left of the disc: raise cam\.base_radius_mm, or widen the turn"):
         actual_profile(carbon_free_car.lift, SlidingRoller(base_radius=70.0, radius=69.0, arm=25.0))
 
 

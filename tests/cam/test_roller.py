@@ -124,6 +124,12 @@ def test_peaks_and_valleys_are_where_dwells_begin():
     np.testing.assert_allclose(np.degrees(valleys), [240.0])
 
 
+def plan_motion_cam(design):
+    from cadgen.jobs.cam.motion_cam import plan_motion_cam
+
+    return plan_motion_cam(design)
+
+
 def loaded(changes=()):
     from pathlib import Path
 
@@ -147,7 +153,10 @@ def loaded(changes=()):
         ("motion.segments.1={to_deg=3, in_deg=80, law='cycloidal'}", "motion.segments.1.to_deg is not of a follower"),
         ("motion.segments.2.to_mm=3", "motion.segments.2 has dwell_deg and to_mm"),
         ("motion.segments.3.law=", "motion.segments.3 has to_mm and in_deg"),
-        ("motion.segments=[]", "motion.segments is empty: write [[motion.segments]] before the keys of each"),
+        (
+            "motion.segments=[]",
+            "motion.segments is empty: write [[motion.segments]] before the keys of each in its",
+        ),
         ("motion.segments=", "[[motion.segments]] is missing: add it, with some of to_mm, rise_mm"),
         ("motion.turns=", 'motion.turns is missing: add it, "clockwise" or "counterclockwise"'),
         ("follower={kind='rod', radius_mm=3}", 'follower.kind is "rod", which follows the steering of a car'),
@@ -162,6 +171,24 @@ def loaded(changes=()):
 def test_bad_motions_are_refused(registered, change, words):
     with pytest.raises(DesignError, match=re.escape(words)):
         loaded([change])
+
+
+@pytest.mark.parametrize("cure", ["cam.base_circle_radius_mm=90", "motion.segments.1.to_mm=-4"])
+def test_a_lift_that_leaves_no_disc_is_refused_with_cures_that_work(registered, cure):
+    deep = ["motion.segments.1.to_mm=-45", "motion.segments.1.in_deg=120", "motion.segments.4.dwell_deg=80"]
+    words = (
+        r"the roller of 9 mm comes within [\d.]+ mm of the camshaft at cam angle [\d.]+ degrees, so nothing is "
+        r"left of the disc: raise cam\.base_circle_radius_mm, or lead the follower less far in \(motion\.segments\.1\)"
+    )
+    with pytest.raises(DesignError, match=words):
+        plan_motion_cam(loaded(deep))
+    assert plan_motion_cam(loaded([*deep, cure])).passed
+
+
+def test_a_motion_that_stands_still_is_a_reservation(registered):
+    cam = plan_motion_cam(loaded(["motion.segments=[{dwell_deg=360}]"]))
+    (still,) = cam.verdict.reservations
+    assert (still.code, still.text) == ("no-motion", "the follower stands still through the whole turn")
 
 
 def test_a_design_has_a_motion_or_a_car(registered):

@@ -83,6 +83,13 @@ class SegmentUse(Application):
 
     def verdict(self, cam: CamPlan) -> PartVerdict:
         """Verdict on the cam, with a reservation where its acceleration jumps."""
+        if all(segment.law is None for segment in self.design.motion.segments):
+            still = Reservation(
+                "no-motion",
+                Message("the follower stands still through the whole turn"),
+                Message("give motion.segments a rise and a return"),
+            )
+            return PartVerdict(cam.checks, (still,))
         return PartVerdict(
             cam.checks,
             tuple(
