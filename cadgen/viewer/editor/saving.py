@@ -66,20 +66,26 @@ class EditedFile:
             raise _unwritable(self.file, error) from None
         return EditedFile(self.folder, self.file, content)
 
+    def changed_outside(self) -> bool:
+        """Whether another program has changed the file since it was last read or written; not if it was removed."""
+        if self.file is None:
+            return False
+        try:
+            return self.file.is_symlink() or _read(self.file) != self.content
+        except FileNotFoundError:
+            return False
+        except (OSError, ValueError):  # another program has put something else there
+            return True
+
     def _unchanged(self, file: Path) -> bool:
         """Whether a file is as it was last read or written, or was removed: then it is written again.
 
         Raises:
             FileError: the file is read-only.
         """
-        try:
-            if file.is_symlink() or _read(file) != self.content:
-                return False
-        except FileNotFoundError:
-            return True
-        except (OSError, ValueError):  # another program has put something else there
+        if self.changed_outside():
             return False
-        if not os.access(file, os.W_OK):
+        if file.exists() and not os.access(file, os.W_OK):
             raise FileError(
                 "{file} is read-only: save under another name, or allow writing to it", file=brief(file.name)
             )

@@ -4,6 +4,7 @@
 |---------------------------------|---------------------------------------------------------------------|
 | `GET /`                         | the page, empty                                                     |
 | `GET /state`                    | revision, numbers, points, what can be undone                       |
+| `GET /news`                     | revision, file, and whether another program has changed it          |
 | `POST /change`                  | `{"changes": {key: number or [x, y]}, "gesture": text}` -> state    |
 | `POST /insert`                  | `{"key": key, "at": [x, y]}` -> state                               |
 | `POST /remove`                  | `{"key": key}` -> state                                             |
@@ -11,16 +12,19 @@
 | `POST /undo`, `POST /redo`      | state                                                               |
 | `POST /save`                    | `{}` or `{"name": text}` -> state                                   |
 | `GET /result?stage=&revision=`  | HTML and data of `preview` or `whole`; 409 once a newer one is there |
+| ... `&patience=`                | 202 if it is not there after so many seconds: ask again             |
 
 Every refusal is `{"error": sentence, "zh": sentence}`, in English and in Chinese: 4xx.
 """
 
+import asyncio
 import json
 import signal
 import socket
 import sys
 import webbrowser
 from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from threading import Condition, Thread, current_thread, main_thread
 from typing import Any, NamedTuple
@@ -46,6 +50,7 @@ _STATUS = {State.DONE: 200, State.REFUSED: 422, State.SUPERSEDED: 409, State.FAU
 _PATIENCE_S = 2  # for answers that are under way at the end
 _NEWER = Message("a newer version of the design is there: ask for that one")
 _MOST_LETTERS = 100  # of the name of a gesture
+_MOST_PATIENCE_S = 60  # of a page that waits for a result
 
 
 class Asked(NamedTuple):
@@ -131,11 +136,30 @@ def application(service: Service, address: Address) -> ASGIApp:
     async def state(request: Request) -> Response:
         return JSONResponse(service.session.state())
 
+    async def news(request: Request) -> Response:
+        return JSONResponse(await run_in_threadpool(service.session.news))
+
+    # Results have threads of their own, and all who wait for one version share one: however many wait, a change has a
+    # thread at once. Of each stage one thread computes, and one waits for its turn with the newest version.
+    threads = {stage: ThreadPoolExecutor(2, f"result-{stage}") for stage in Stage}
+    awaited: dict[tuple[Stage, int], asyncio.Future[Result]] = {}
+
     async def result(request: Request) -> Response:
-        stage, revision = request.query_params.get("stage"), request.query_params.get("revision", "")
+        query = request.query_params
+        stage, revision, patience = query.get("stage"), query.get("revision", ""), query.get("patience", "")
         if stage not in service.workers or not revision.isdecimal() or len(revision) > 12:
             return refused(400, Message("stage must be preview or whole, and revision a whole number"))
-        found = await run_in_threadpool(service.result, Stage(stage), int(revision))
+        if patience and not (patience.isdecimal() and len(patience) < 4 and int(patience) <= _MOST_PATIENCE_S):
+            return refused(400, Message("patience must be a whole number of at most {most} s", most=_MOST_PATIENCE_S))
+        wanted = Stage(stage), int(revision)
+        if wanted not in awaited:
+            loop = asyncio.get_running_loop()
+            awaited[wanted] = loop.run_in_executor(threads[wanted[0]], service.result, *wanted)
+            awaited[wanted].add_done_callback(lambda _: awaited.pop(wanted))
+        done, _ = await asyncio.wait([awaited[wanted]], timeout=int(patience) if patience else None)
+        if not done:
+            return JSONResponse({}, 202)
+        found = done.pop().result()
         if found.state == State.SUPERSEDED:
             return refused(409, _NEWER)
         return Response(found.body, _STATUS[found.state], media_type="application/json")
@@ -175,7 +199,7 @@ def application(service: Service, address: Address) -> ASGIApp:
         "redo": lambda body: session.redo(),
         "save": lambda body: session.save(None if body.name is None else _text("name", body.name)),
     }
-    routes = [Route("/", page), Route("/state", state), Route("/result", result)]
+    routes = [Route("/", page), Route("/state", state), Route("/news", news), Route("/result", result)]
     routes += [Route(f"/{name}", action(act), methods=["POST"]) for name, act in actions.items()]
 
     async def not_there(request: Request, error: Exception) -> Response:

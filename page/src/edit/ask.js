@@ -22,3 +22,13 @@ export async function ask(path, body) {
   if (!response.ok) throw new Refusal([answer.error, answer.zh], response.status, answer.floor);
   return answer;
 }
+
+const PATIENCE = 1; // s: a browser has six connections to a server, and one that waits for a result would keep a change waiting
+
+/** Asks for a result again and again until it is there. */
+export async function askForResult(stage, revision) {
+  for (;;) {
+    const answer = await ask(`result?stage=${stage}&revision=${revision}&patience=${PATIENCE}`);
+    if (answer.document) return answer;
+  }
+}

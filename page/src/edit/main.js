@@ -1,5 +1,5 @@
 // Edits the design: sends changes one after the other, and shows the results as they come, the newest alone.
-import { ask } from "./ask.js";
+import { ask, askForResult } from "./ask.js";
 import { controls } from "./controls.js";
 import { handles } from "./handles.js";
 import { toolbar } from "./toolbar.js";
@@ -13,6 +13,7 @@ const visit = Math.random().toString(36).slice(2); // moves of another page, or 
 let pending = null; // change that waits for the one before
 let sending = false;
 let posted = Promise.resolve(); // the last request that acts: they go one after the other
+let elsewhere = false; // whether the newest change was made on another page, and is not shown yet
 let place = null; // shows a sentence where the last change was made
 const shown = { preview: 0, whole: 0 }; // revisions
 // Functions that take a sentence away. A refusal stays until a change is taken: a result that was on its way
@@ -21,6 +22,7 @@ const said = { refusal: new Set(), fault: new Set() };
 
 const STATES = {
   computing: both("computing …"),
+  elsewhere: both("changed in another tab: these numbers are old, computing …"),
   preview: both("preview: actual profile"),
   whole: both("up to date"),
   fault: both("the last good part is shown"),
@@ -146,10 +148,10 @@ const results = () => Promise.all([show("preview"), show("whole")]);
 async function show(stage) {
   const { revision } = state;
   if (shown[stage] === revision) return;
-  tell("computing");
+  tell(elsewhere ? "elsewhere" : "computing");
   const where = place;
   try {
-    const answer = await ask(`result?stage=${stage}&revision=${revision}`);
+    const answer = await askForResult(stage, revision);
     const data = await unpack(answer.document, answer.block);
     if (revision < Math.max(shown.whole, shown.preview) || (stage === "preview" && shown.whole >= revision)) return;
     if (revision !== state.revision && stage === "whole") return;
@@ -162,14 +164,15 @@ async function show(stage) {
     root.dataset[stage] = revision;
     if (revision !== state.revision) return;
     unsay("fault");
-    if (stage === "whole") delete root.dataset.stale;
-    tell(stage);
+    if (stage === "whole") {
+      delete root.dataset.stale;
+      elsewhere = false;
+    }
+    tell(elsewhere ? "elsewhere" : stage);
   } catch (error) {
     if (revision !== state.revision) return;
     if (error.status === 409) {
-      // Another page has changed the design.
-      take(await ask("state"));
-      if (revision !== state.revision) results();
+      await follow();
       return;
     }
     if (error.floor && !shown.preview && !shown.whole) {
@@ -178,6 +181,36 @@ async function show(stage) {
       floor.place();
     }
     fail("fault", error, where);
+  }
+}
+
+/** Takes the design as another page has left it. */
+async function follow() {
+  const { revision } = state;
+  const answer = await ask("state");
+  if (sending || revision !== state.revision) return; // this page's own change has brought it
+  take(answer);
+  if (answer.revision === revision) return;
+  elsewhere = true;
+  await results();
+}
+
+const NEWS = 2000; // ms from question to question whether another page has changed something
+const outside = element("p", { id: "changed-outside", class: "fault", role: "status" });
+let asking = false;
+
+/** Asks what is new as long as the page is seen: another page may have changed the design or saved it, another program the file. */
+async function news() {
+  if (asking || sending || document.hidden || !state || root.dataset.state === "gone") return;
+  asking = true;
+  try {
+    const { revision, file, unsaved, changed_outside } = await ask("news");
+    say(outside, changed_outside ? both("{file} was changed by another program: the numbers here are those before. Open the design again, or save under another name.", { file }) : undefined);
+    if (!sending && (revision > state.revision || unsaved !== state.unsaved || file !== state.file)) await follow();
+  } catch (error) {
+    fail("refusal", error, null);
+  } finally {
+    asking = false;
   }
 }
 
@@ -210,6 +243,10 @@ function fail(kind, error, where) {
   tell(shown.preview || shown.whole ? "fault" : "none");
   complain(kind, error.said, where);
 }
+
+document.getElementById("edit").prepend(outside);
+setInterval(news, NEWS);
+document.addEventListener("visibilitychange", news);
 
 addEventListener("beforeunload", (event) => {
   if (state?.unsaved) event.preventDefault();

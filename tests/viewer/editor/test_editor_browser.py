@@ -209,3 +209,57 @@ def test_a_waypoint_is_dragged_and_the_cam_follows(shown, session, file):
     assert file.read_text() == TEXT.replace("[2600.0, 1200.0]", f"[{x!r}, {y!r}]")
     # Refusals and superseded results are statuses, which the browser reports; nothing else is.
     assert all("422" in text or "409" in text for text in shown.said), shown.said
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_a_second_tab_says_when_its_numbers_are_old(shown, session, file):
+    """It follows the first one, keeps what is typed in it, and says what another program has done to the file."""
+    from playwright.sync_api import expect
+
+    second = shown.context.browser.new_page(viewport={"width": 1280, "height": 720}, locale="en-GB")
+    second.set_default_timeout(120_000)
+    second.goto(shown.url)
+    second.wait_for_selector(READY, state="attached")
+    current(second, session)
+    number = second.locator("#control-cam-thickness_mm")
+    number.fill("4")  # not sent yet
+    held = []
+    second.route("**/result?*", lambda request: held.append(request))
+    shown.locator("#control-car-wheelbase_mm").fill("171")
+    with shown.expect_response("**/change"):
+        shown.keyboard.press("Enter")
+    second.wait_for_selector("html[data-state=elsewhere][data-stale]", state="attached")
+    assert second.inner_text("#status").startswith("changed in another tab: these numbers are old")
+    expect(second.locator("#control-car-wheelbase_mm")).to_have_value("171")
+    expect(number).to_have_value("4")
+    for request in held:
+        request.continue_()
+    second.unroute("**/result?*")
+    current(second, session)
+    assert second.locator("html").get_attribute("data-state") == "whole"
+    # Saved in the one, saved in the other.
+    second.wait_for_selector("#save.due")
+    shown.keyboard.press("Control+s")
+    second.wait_for_selector("#save:not(.due)")
+    assert not second.inner_text("#changed-outside")
+    file.write_text(TEXT.replace("# C", "# by another program"))
+    for page in (shown, second):
+        page.wait_for_selector("#changed-outside:not(:empty)")
+        assert page.inner_text("#changed-outside").startswith("small.toml was changed by another program")
+    second.click("#language")
+    assert "small.toml" in second.inner_text("#changed-outside")
+    assert "其他程序" in second.inner_text("#changed-outside")
+    second.close()
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_it_is_saved_under_a_name_with_its_ending(shown, session, file):
+    shown.click("#save-as")
+    shown.fill("#save-name", "mine.toml")
+    assert shown.inner_text("#naming .hint").endswith("/mine.toml")
+    shown.keyboard.press("Enter")
+    shown.wait_for_selector("#naming:not([open])", state="attached")
+    assert shown.inner_text("h1 span") == "mine"
+    assert {entry.name for entry in file.parent.iterdir()} == {"small.toml", "mine.toml"}

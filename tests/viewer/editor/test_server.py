@@ -1,8 +1,10 @@
 """The server behind its guard: the page alone gets through, and every refusal is one sentence."""
 
+import asyncio
 import random
 import re
 import threading
+import time
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
@@ -177,6 +179,104 @@ def test_a_request_that_waits_is_answered_when_it_is_superseded(session):
         assert first.result(60).state == "superseded"
 
 
+class Held(Here):
+    """A worker whose first job does not end until it is told to; the others are answered at once."""
+
+    def __init__(self):
+        self.begun, self.end, self.jobs = threading.Event(), threading.Event(), []
+
+    def run(self, job):
+        self.jobs.append(job.revision)
+        if len(self.jobs) == 1:
+            self.begun.set()
+            self.end.wait(300)
+            return Result("superseded")
+        return Result("done", b'{"revision": %d}' % job.revision)
+
+
+WAITING = 120
+
+
+@pytest.mark.parametrize("patience", ["", "&patience=60"])
+def test_many_waiting_results_delay_no_change(session, address, patience):
+    """120 pages wait for a result that does not come; a change is answered all the same, and stale work is dropped."""
+    httpx = pytest.importorskip("httpx")
+    held = Held()
+    service = Service(session, {"preview": Here(), "whole": held})
+    own = f"http://{address.host}"
+
+    async def run():
+        async with httpx.AsyncClient(
+            transport=httpx.ASGITransport(application(service, address)),
+            base_url=f"{own}/{address.token}/",
+            headers={"origin": own},
+            timeout=None,
+        ) as client:
+
+            def results(revision):
+                path = f"result?stage=whole&revision={revision}{patience}"
+                return [asyncio.create_task(client.get(path)) for _ in range(WAITING)]
+
+            first = results(1)
+            await asyncio.to_thread(held.begun.wait, 300)
+            begun = time.perf_counter()
+            changed = [
+                await client.post("change", json={"changes": {"car.wheelbase_mm": 170.0 + number}})
+                for number in range(5)
+            ]
+            took = time.perf_counter() - begun
+            print(f"{WAITING} waiting results: a change takes {1e3 * took / 5:.1f} ms")
+            assert [answer.status_code for answer in changed] == [200] * 5
+            assert not any(task.done() for task in first)  # the computation goes on
+            # One version is computed once, however many wait; the versions between are never begun.
+            last = [task for revision in range(2, 7) for task in results(revision)]
+            await asyncio.sleep(0)
+            held.end.set()
+            codes = [(await task).status_code for task in (*first, *last)]
+            assert codes == [409] * (5 * WAITING) + [200] * WAITING
+            assert held.jobs == [1, 6]
+
+    asyncio.run(asyncio.wait_for(run(), 120))
+
+
+def test_a_result_that_is_not_there_in_time_is_asked_for_again(client, service, session):
+    held = Held()
+    service.workers["whole"] = held
+    path = "result?stage=whole&revision={}&patience={}"
+    with client:  # one loop for all requests, as a server has
+        assert client.get(path.format(1, "x")).status_code == 400
+        assert client.get(path.format(1, 61)).status_code == 400
+        assert client.get(path.format(1, 0)).status_code == 202
+        client.post("change", json={"changes": {"car.wheelbase_mm": 170.0}})
+        assert client.get(path.format(2, 0)).status_code == 202
+        held.end.set()
+        answer = client.get(path.format(2, 60))
+        assert (answer.status_code, answer.json()) == (200, {"revision": 2})
+
+
+def test_what_is_new_is_told_to_every_page(client, session, file):
+    assert client.get("news").json() == {
+        "revision": 1,
+        "file": "small.toml",
+        "unsaved": False,
+        "changed_outside": False,
+    }
+    client.post("change", json={"changes": {"car.wheelbase_mm": 170.0}})
+    news = client.get("news").json()
+    assert (news["revision"], news["unsaved"], news["changed_outside"]) == (2, True, False)
+    file.write_text(TEXT.replace("# C", "# by another program"))
+    assert client.get("news").json()["changed_outside"]
+    client.post("save", json={"name": "mine.toml"})
+    assert client.get("news").json() == {
+        "revision": 3,
+        "file": "mine.toml",
+        "unsaved": False,
+        "changed_outside": False,
+    }
+    (file.parent / "mine.toml").unlink()  # a file that was removed is written again
+    assert not client.get("news").json()["changed_outside"]
+
+
 def test_a_fault_is_a_sentence_too(service, address):
     testclient = pytest.importorskip("starlette.testclient")
     service.act = lambda _: {}["of its own"]
@@ -220,7 +320,7 @@ def test_a_design_that_cannot_be_driven_is_told_and_its_floor_is_shown(client):
     assert 'class="post"' in answer["floor"]
     client.post("undo", json={})
     answer = client.get("result?stage=preview&revision=3").json()
-    assert sorted(answer["pieces"]) == ["cam-box", "charts", "course-box", "legend"]
+    assert sorted(answer["pieces"]) == ["cam-box", "cam-legend", "charts", "course-box", "legend"]
     assert answer["document"]["format"] == "cadgen-report"
 
 
