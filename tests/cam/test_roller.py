@@ -173,7 +173,7 @@ def test_bad_motions_are_refused(registered, change, words):
         loaded([change])
 
 
-@pytest.mark.parametrize("cure", ["cam.base_circle_radius_mm=90", "motion.segments.1.to_mm=-4"])
+@pytest.mark.parametrize("cure", ["cam.base_circle_radius_mm=150", "motion.segments.1.to_mm=-4"])
 def test_a_lift_that_leaves_no_disc_is_refused_with_cures_that_work(registered, cure):
     deep = ["motion.segments.1.to_mm=-45", "motion.segments.1.in_deg=120", "motion.segments.4.dwell_deg=80"]
     words = (
