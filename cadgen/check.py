@@ -91,6 +91,8 @@ class CheckCode(StrEnum):
     BODIES_OVERLAP = "bodies-overlap"
     PATH_WAYPOINT = "path-waypoint"
     PATH_END = "path-end"
+    CUT_WAYPOINT = "cut-waypoint"
+    CUT_END = "cut-end"
     CARS_KEEP_COURSE = "cars-keep-course"
     DRIVE_WHEEL_GREATEST = "drive-wheel-greatest"
     DRIVE_WHEEL_LEAST = "drive-wheel-least"

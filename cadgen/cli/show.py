@@ -35,6 +35,8 @@ _COLOURS = {Readiness.READY: "green", Readiness.RESERVATIONS: "yellow", Readines
 _OF_CAR = (
     CheckCode.PATH_WAYPOINT,
     CheckCode.PATH_END,
+    CheckCode.CUT_WAYPOINT,
+    CheckCode.CUT_END,
     CheckCode.LOST_LIFT_EFFECT,
     CheckCode.LIFT_ERROR_WITH_PLAY,
     CheckCode.CAM_RUNS_AHEAD,

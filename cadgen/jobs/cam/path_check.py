@@ -1,10 +1,11 @@
 """Lift held against the path that it was computed from, and what a cam loses of it against the car's run.
 
 The lift of a cam is computed from the curvature of the path. Here the way back is gone: the car is driven by the lift
-from the start of the path, and where it gets to is compared with the path's own points. What the cut cam gives of that
-lift is a second check: how far lost lift moves the car.
+from the start of the path, and where it gets to is compared with the path's own points. It is driven by the lift wanted,
+and by the lift that the follower gets rolled on the curve that is cut. How far lost lift moves the car is a check too.
 """
 
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from math import degrees
 
@@ -12,16 +13,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
+from cadgen.cam.checks import CONTACT_LIMIT_UM, LOST_LIFT
 from cadgen.car.path.wheel_track import Track
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import Run, drive, start_pose
 from cadgen.check import Check, CheckCode
 from cadgen.design import cam_model
 from cadgen.design.schema import Design
+from cadgen.figures import Figure
 from cadgen.messages import Message
+from cadgen.verdict import Reservation
 
 # mm; integration and rounding together stay below 1e-6 mm on every packaged design.
 MOST_OFF_PATH = 0.1
+_WORTH_SAYING = 0.5  # mm that lost lift moves the car; less is not worth a sentence
 _END_ONLY = 1e-9  # rad; a waypoint this close to the end of the run is its end
 
 
@@ -110,15 +115,48 @@ def path_checks(design: Design, track: Track, lift: PathMotion) -> tuple[Check, 
         track: track of the drive wheel.
         lift: lift wanted.
     """
-    error = path_deviation(design, track, lift, lift)
+    codes = (CheckCode.PATH_WAYPOINT, CheckCode.PATH_END)
+    names = (Message("driven past the waypoints"), Message("driven to the path's end"))
+    return _checks(codes, names, track, path_deviation(design, track, lift, lift), MOST_OFF_PATH)
+
+
+def cut_checks(
+    design: Design, track: Track, lift: PathMotion, rolled: PathMotion, of_cam: Iterable[Check]
+) -> tuple[Check, ...]:
+    """Checks that the cam that is cut drives the car without play along its path, if it is cut for the lift wanted.
+
+    A cam against play is cut for another lift: on that one the car needs its play to keep the path.
+
+    Args:
+        design: loaded design.
+        track: track of the drive wheel.
+        lift: lift wanted.
+        rolled: lift of the follower rolled on the curve that is cut.
+        of_cam: checks of the cam. Where they say that lift is lost, or where the car as built reshapes discs, the car
+            may be as much farther off as `checks.lost_lift_effect_mm` allows.
+    """
+    lost = any(check.code in LOST_LIFT and check.value > CONTACT_LIMIT_UM for check in of_cam if check.unit == "µm")
+    given_up = design.checks.lost_lift_effect_mm if lost or cam_model.as_built(design).shapes_discs else 0.0
+    codes = (CheckCode.CUT_WAYPOINT, CheckCode.CUT_END)
+    names = (
+        Message("waypoints on the cut cam"),
+        Message("path's end on the cut cam"),
+    )
+    return _checks(codes, names, track, path_deviation(design, track, lift, rolled), MOST_OFF_PATH + given_up)
+
+
+def _checks(
+    codes: tuple[CheckCode, CheckCode], names: tuple[Message, Message], track: Track, error: PathDeviation, most: float
+) -> tuple[Check, ...]:
+    """Checks of the waypoints and of the end of a path, both to be passed within `most` mm."""
     worst = int(np.argmax(error.waypoint)) if error.waypoint.size else None
     return (
         Check(
-            CheckCode.PATH_WAYPOINT,
-            Message("driven past the waypoints"),
+            codes[0],
+            names[0],
             0.0 if worst is None else float(error.waypoint[worst]),
             "mm",
-            MOST_OFF_PATH,
+            most,
             place=""
             if worst is None
             else Message(
@@ -130,12 +168,28 @@ def path_checks(design: Design, track: Track, lift: PathMotion) -> tuple[Check, 
             advice=Message("look at the path there: {points_key}", points_key=track.points_key),
         ),
         Check(
-            CheckCode.PATH_END,
-            Message("driven to the path's end"),
+            codes[1],
+            names[1],
             error.end,
             "mm",
-            MOST_OFF_PATH,
+            most,
             place=Message("heading {turned:.4f}° off", turned=degrees(error.end_heading)),
             advice=Message("look at the end of the path: {points_key}", points_key=track.points_key),
         ),
     )
+
+
+def lost_lift_reservation(checks: Iterable[Check]) -> Iterator[Reservation]:
+    """Reservation where lost lift moves the car by more than `_WORTH_SAYING`, though by no more than is allowed.
+
+    Args:
+        checks: checks of the cam in its car.
+    """
+    for check in checks:
+        if check.code == CheckCode.LOST_LIFT_EFFECT and check.passed and check.value > _WORTH_SAYING:
+            yield Reservation(
+                "lift-lost",
+                Message("lost lift moves the car by up to {off:.1f} mm", off=check.value),
+                check.advice,
+                Figure("lift_lost", Message("moved by lost lift"), check.value, "mm"),
+            )

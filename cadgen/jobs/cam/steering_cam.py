@@ -44,7 +44,7 @@ from cadgen.jobs.cam.car_facts import as_built_facts, comparison_facts
 from cadgen.jobs.cam.comparison import MeasuredCam, PlayComparison, ProfileChecks, against_play, known_trains, task_of
 from cadgen.jobs.cam.course import OnCourse, course_checks, floor_with, on_course
 from cadgen.jobs.cam.mechanics import joint_sentences, mechanics_checks
-from cadgen.jobs.cam.path_check import lost_lift_check, path_checks
+from cadgen.jobs.cam.path_check import cut_checks, lost_lift_check, lost_lift_reservation, path_checks
 from cadgen.jobs.cam.readiness import (
     CourseYield,
     cars_not_counted,
@@ -267,7 +267,8 @@ class CarUse(Application):
         except DesignError as error:
             uncounted = (cars_not_counted(error),)
         counted = () if found is None else (yield_check(found, self.least_yield),)
-        return PartVerdict((*cam.checks, *wheel_checks(self), *counted), (*uncounted, *reservations(self, found)))
+        held_back = (*uncounted, *reservations(self, found), *lost_lift_reservation(cam.checks))
+        return PartVerdict((*cam.checks, *wheel_checks(self), *counted), held_back)
 
     def purpose(self, cam: CamPlan) -> str:
         """Drive wheel, length of the path and ratio of the train."""
@@ -541,12 +542,13 @@ def _plan(design: Design, profile: ProfileKind, progress: Progress, *, judged: b
     progress("checking the profile")
     limits = cam_model.check_limits(design)
     course, laps = on_course(design, track, lift), _laps(design, track, lift)
+    of_cam = check_cam(
+        lift, profile.rolling(rod), wanted.curve, wanted.trims, blank, limits, cut=cut, application=blend_checks
+    )
     checks = (
-        *check_cam(
-            lift, profile.rolling(rod), wanted.curve, wanted.trims, blank, limits, cut=cut, application=blend_checks
-        ),
+        *of_cam,
         *path_checks(design, track, lift),
-        *_loss_of_plain(design, track, profile, lift, rod, cut),
+        *(_on_cut(design, track, lift, rod, cut, of_cam) if profile.gives_lift and not profile.by_axis else ()),
         *mechanics_checks(design, rod, lift, variation.mechanics(design, rod, lift)),
         *course_checks(course),
         *(laps.checks(None) if laps else ()),
@@ -555,16 +557,14 @@ def _plan(design: Design, profile: ProfileKind, progress: Progress, *, judged: b
     return _car_plan(CarUse(design, track, lift, None, course, laps), profile, rod, cut, wanted.trims, checks)
 
 
-def _loss_of_plain(
-    design: Design, track: Track, profile: ProfileKind, lift: PathMotion, rod: Follower, cut: ClosedCurve
+def _on_cut(
+    design: Design, track: Track, lift: PathMotion, rod: Follower, cut: ClosedCurve, of_cam: tuple[Check, ...]
 ) -> tuple[Check, ...]:
-    """Check of what lost lift costs the car; none of a curve that no follower is to ride on."""
-    if profile.by_axis or not profile.gives_lift:
-        return ()
+    """Checks of the car on the cam that is cut for the lift wanted: what lost lift costs it, and its path."""
     rolled = rolled_on(cam_model.as_built(design).roll_new, cut, rod, lift, lift.blend_start)
     car, travel, start = cam_model.car(design), cam_model.travel(design, track), start_pose(track)
     wanted, got = (drive(each, car, travel, start=start, stop=lift.blend_start) for each in (lift, rolled))
-    return (lost_lift_check(design, wanted, got),)
+    return (lost_lift_check(design, wanted, got), *cut_checks(design, track, lift, rolled, of_cam))
 
 
 def _plan_against_play(
@@ -585,9 +585,11 @@ def _plan_against_play(
     chosen = comparison.chosen
     progress("checking the profile")
     course, laps = on_course(design, track, lift), _laps(design, track, lift)
+    of_cam = checks.of(chosen)
     checked = (
-        *checks.of(chosen),
+        *of_cam,
         *path_checks(design, track, lift),
+        *(() if chosen.profile.for_play else cut_checks(design, track, lift, chosen.rolled, of_cam)),
         *course_checks(course, comparison),
         *(laps.checks(chosen) if laps else ()),
         *outlook_checks(design),
