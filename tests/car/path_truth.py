@@ -6,9 +6,9 @@ axes are r / cos(beta) along the ray and r across. The rod rests where one of th
 neither cuts into it. The car then rolls along the curvature -tan(beta) / (L + A1 tan(beta)).
 """
 
-import tomllib
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from scipy.interpolate import CubicSpline
@@ -27,19 +27,25 @@ class Car:
     sign: float
 
 
-def car_of(design: str) -> Car:
-    """Dimensions from the text of a design file."""
-    file = tomllib.loads(design)
-    cam = file["cam"]
-    thick = cam["thickness_mm"]
-    inner = cam["inner_face_mm"] if "inner_face_mm" in cam else cam["mid_plane_mm"] - thick / 2
+def car_of(sections: dict[str, Any]) -> Car:
+    """Dimensions from the sections of a design file; the rod rides on the land between broken edges."""
+    cam = sections["cam"]
+    inner, outer, middle, thick = (
+        cam.get(key) for key in ("inner_face_mm", "outer_face_mm", "mid_plane_mm", "thickness_mm")
+    )
+    if thick is None:
+        half = outer - middle if inner is None else middle - inner if outer is None else (outer - inner) / 2
+        thick = 2 * half
+    if inner is None:
+        inner = middle - thick / 2 if outer is None else outer - thick
+    broken = sections.get("blank", {}).get("edge_break_mm", 0.0)
     return Car(
-        wheelbase=file["car"]["wheelbase_mm"],
-        drive_wheel=file["car"]["drive_wheel_offset_mm"],
+        wheelbase=sections["car"]["wheelbase_mm"],
+        drive_wheel=sections["car"]["drive_wheel_offset_mm"],
         base=cam["base_radius_mm"],
-        faces=(inner, inner + thick),
-        rod=file["follower"]["radius_mm"],
-        offset=file["path"]["offset_mm"],
+        faces=(inner + broken, inner + thick - broken),
+        rod=sections["follower"]["radius_mm"],
+        offset=sections["path"].get("offset_mm", 0.0),
         sign=-1.0 if cam.get("side") == "right" else 1.0,
     )
 

@@ -1,5 +1,6 @@
 """The car driven on its cam passes the points of its path; what turns back on itself is refused by name."""
 
+import tomllib
 from dataclasses import replace
 from pathlib import Path
 
@@ -105,7 +106,7 @@ def test_an_independent_driver_reaches_the_waypoints_on_the_points_that_are_cut(
     design = Design.load(name)
     cam = design.cam("actual")
     cam.write(tmp_path, formats=["xyz"], force=True)  # the appendix's car is not ready
-    car = car_of((DESIGNS / f"{name}.toml").read_text())
+    car = car_of(tomllib.loads((DESIGNS / f"{name}.toml").read_text()))
     angles = np.arange(7200) * TURN / 7200
     tangent = steering(points_of(next(tmp_path.glob("*.xyz"))), car, angles)
     track, values = cam_model.track(design.values), design.values

@@ -1,11 +1,13 @@
 """Fuzzed designs and measured data through the command line: every run ends in the contract and within its bounds.
 
-    python -m tests.studies.fuzz --command check --cases 10000 --seed 1 [--first N] [--log FILE] [--record] [--show N]
+    python -m tests.studies.fuzz --command check --cases 10000 --seed 1 [--deep] [--log FILE] [--record] [--show N]
 
 Every case runs in a fork of a process that has the program's modules loaded, through `cadgen.cli.main`, and is judged
 by what a user sees: exit code, sentences, processor time, memory. With `--log` each outcome is kept in a file as it
-comes; the same command again does what is missing, and `--record` writes what the log holds to `studies`. A fault
-is reproduced by `--show NUMBER`, which leaves the case's files in the folder `fuzz_case` and prints its command.
+comes; the same command again does what is missing, and `--record` writes what the log holds to `studies`. With
+`--deep` most designs get behind the reader, and each actual profile that `cam` writes, or that `check` says may be cut,
+is driven by an independent driver (`fuzz_truth`). A fault is reproduced by `--show NUMBER`, which leaves the case's
+files in the folder `fuzz_case` and prints its command.
 """
 
 import argparse
@@ -26,15 +28,19 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import asdict, dataclass
 from functools import partial
 from importlib import import_module
+from itertools import pairwise
 from pathlib import Path
 from pkgutil import walk_packages
+from typing import Any
 
 import cadgen
+from cadgen.cam.followers import table as followers
 from cadgen.car.against_play.profile_kinds import codes
 from cadgen.design.load import packaged_designs
 from cadgen.inference.measurement import kinds
 from tests.conftest import TRICYCLE
-from tests.studies import fuzz_data, fuzz_designs
+from tests.docs.blocks import DOCS, blocks
+from tests.studies import fuzz_data, fuzz_designs, fuzz_truth
 
 COMMANDS = (
     "check",
@@ -48,12 +54,17 @@ COMMANDS = (
     "draw",
     "report",
     "adjust",
+    "plan",
+    "explore",
 )
 CPU_SECONDS, MEMORY_KB, WALL_SECONDS = 60, 2_000_000, 3600
+SEARCH_SECONDS = 300  # of processor time for what searches: plan, and explore, which computes several designs
+SEARCHING = ("plan", "explore")
 ADDRESS_SPACE = 6 * 2**30  # beyond which a run is ended; libraries reserve more than they use
 LONGEST_LINE, MOST_LINES = 900, 7
 PROFILES = codes()
 KERNEL_COMMANDS = ("cam", "gears")
+JUDGED = "judged"  # folder of the cam that is made only to be driven
 PAGES = Path(__file__).parents[2] / "studies"
 
 
@@ -70,9 +81,25 @@ class Outcome:
     faults: tuple[str, ...]
 
 
-def arguments(command: str, seed: int, number: int, folder: Path) -> tuple[list[str], tuple[str, ...]]:
+def arguments(
+    command: str, seed: int, number: int, folder: Path, *, deep: bool = False
+) -> tuple[list[str], tuple[str, ...]]:
     """Write a case's files and return its command line, and what was changed."""
     rng = random.Random(f"{seed}/{command}/{number}")
+    file = folder / "design.toml"
+    as_json = ["--json"] if command in SEARCHING and rng.random() < 0.5 else []
+    if command == "plan":
+        one = fuzz_designs.course(seed, number)
+        file.write_bytes(one.content)
+        reserve = ["--reserve", f"{rng.choice([0, 0.5, 1, 3])}"]
+        out = ["--out", str(folder / "out")] if rng.random() < 0.5 else []
+        return [command, str(file), "--processes", "1", *reserve, *out, *as_json], one.changes
+    if command == "explore":
+        one, study = fuzz_designs.study(seed, number)
+        file.write_bytes(one.content)
+        (folder / "study.toml").write_bytes(study)
+        place = ["--out", str(folder / "out"), "--processes", "1"]
+        return [command, str(folder / "study.toml"), *place, *as_json], one.changes
     if command == "calibrate":
         made = fuzz_data.data(seed, number)
         for name, content in made.files.items():
@@ -80,8 +107,7 @@ def arguments(command: str, seed: int, number: int, folder: Path) -> tuple[list[
         out = ["--out", str(folder / "out")] if rng.random() < 0.3 else []
         return [command, *(str(folder / name) for name in made.files), *made.options, *out], made.changes
     order = rng.choice(["as-given", "reordered", "search"]) if command == "gears" else ""
-    one = fuzz_designs.case(seed, number, searching=order == "search", deep=_deep(command))
-    file = folder / "design.toml"
+    one = fuzz_designs.case(seed, number, searching=order == "search", deep=_deep(command, deep))
     file.write_bytes(one.content)
     args = [command, str(file), *(part for text in one.overrides for part in ("--set", text))]
     if rng.random() < 0.5:
@@ -89,6 +115,11 @@ def arguments(command: str, seed: int, number: int, folder: Path) -> tuple[list[
     if command in ("cam", "gears", "simulate", "card", "draw", "report", "adjust"):
         args += ["--out", str(folder / "out")]
     match command:
+        case "check" | "cam" if deep:
+            args += (
+                ["--profile", rng.choice(PROFILES) if rng.random() < 0.2 else "actual"] if rng.random() < 0.9 else []
+            )
+            args += ["--formats", "xyz"] if command == "cam" and rng.random() < 0.9 else []
         case "check" | "cam":
             args += ["--profile", rng.choice(PROFILES)] if rng.random() < 0.4 else []
         case "gears":
@@ -104,8 +135,10 @@ def arguments(command: str, seed: int, number: int, folder: Path) -> tuple[list[
     return args, one.changes
 
 
-def _deep(command: str) -> tuple[str, ...]:
-    """Designs whose cases are to get behind the reader, which `check` has tried."""
+def _deep(command: str, deep: bool) -> tuple[str, ...]:
+    """Designs whose cases are to get behind the reader, which `check` has tried; none where any file will do."""
+    if deep:
+        return (*packaged_designs(), "draws/s_course.toml", "draws/eight.toml", "motion")
     return {
         "card": ("draws/s_course.toml", "draws/eight.toml"),
         "draw": tuple(packaged_designs()),
@@ -114,20 +147,45 @@ def _deep(command: str) -> tuple[str, ...]:
     }.get(command, ())
 
 
-def run(command: str, seed: int, number: int) -> Outcome:
+def run(command: str, seed: int, deep: bool, number: int) -> Outcome:
     """Run a case in a fork of this process and judge it."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        args, changes = arguments(command, seed, number, folder)
-        child = os.fork()
-        if child == 0:
-            _run_in_child(args, folder)
-        _, status, used = os.wait4(child, 0)
+        args, changes = arguments(command, seed, number, folder, deep=deep)
+        status, used = _forked(args, folder, SEARCH_SECONDS if command in SEARCHING else CPU_SECONDS)
         said, printed = (_tail(folder / stream) for stream in ("stderr", "stdout"))
-    code = os.waitstatus_to_exitcode(status)
-    seconds, kilobytes = used.ru_utime + used.ru_stime, used.ru_maxrss
-    faults = tuple(judge(command, code, said, printed, seconds, kilobytes, as_json="--json" in args))
-    return Outcome(number, code, round(seconds, 2), round(kilobytes / 1000), said[:400], changes, faults)
+        code = os.waitstatus_to_exitcode(status)
+        seconds, kilobytes = used.ru_utime + used.ru_stime, used.ru_maxrss
+        faults = list(judge(command, code, said, printed, seconds, kilobytes, as_json="--json" in args))
+        if deep and command in ("check", "cam"):
+            faults += _driven(args, folder, code)
+    words = (said or _error(printed))[:400]
+    return Outcome(number, code, round(seconds, 2), round(kilobytes / 1000), words, changes, tuple(faults))
+
+
+def _driven(args: list[str], folder: Path, code: int) -> list[str]:
+    """Faults of the actual profile of a case, driven by the independent driver on its points."""
+    if "actual" not in args or (code != 0 and args[0] == "check"):
+        return []
+    written = folder / "out"
+    if args[0] == "check":
+        written = folder / JUDGED
+        cam = [*(arg for arg in args[1:] if arg != "--json"), "--formats", "xyz", "--out", str(written)]
+        status, _ = _forked(["cam", *cam], folder / "again", CPU_SECONDS)
+        if (made := os.waitstatus_to_exitcode(status)) != 0:
+            return [f"check says that it may be cut, and cam ends with exit code {made}"]
+    overrides = [value for option, value in pairwise(args) if option == "--set"]
+    return list(fuzz_truth.judge(folder / "design.toml", overrides, written, code))
+
+
+def _forked(args: list[str], folder: Path, seconds: int) -> tuple[int, resource.struct_rusage]:
+    """Status of a command run in a fork of this process, and the time and memory that it used."""
+    folder.mkdir(exist_ok=True)
+    child = os.fork()
+    if child == 0:
+        _run_in_child(args, folder, seconds)
+    _, status, used = os.wait4(child, 0)
+    return status, used
 
 
 def judge(
@@ -140,9 +198,12 @@ def judge(
         yield f"exit code {code}"
     message = said
     if as_json and code >= 0:
+        message += _error(printed)
         try:
             document = json.loads(printed)
-            message += document.get("error", "") if isinstance(document, dict) else ""
+            ruling = document.get("verdict") if isinstance(document, dict) else None
+            if isinstance(ruling, dict) and (ruling.get("readiness") == "not-ready") != (code != 0):
+                yield f"exit code {code} for {ruling.get('readiness')}"
         except ValueError:
             if not said:
                 yield "no JSON document"
@@ -161,19 +222,28 @@ def judge(
         yield "something said beside success"
     if len(lines) > MOST_LINES or any(len(line) > LONGEST_LINE for line in lines):
         yield f"{len(lines)} lines, the longest of {max(map(len, lines))} characters"
-    if seconds > CPU_SECONDS:
+    if seconds > (SEARCH_SECONDS if command in SEARCHING else CPU_SECONDS):
         yield f"{seconds:.0f} s of processor time"
     if kilobytes > MEMORY_KB:
         yield f"{kilobytes / 1e6:.1f} GB"
 
 
-def _run_in_child(args: list[str], folder: Path) -> None:
+def _error(printed: str) -> str:
+    """Error that a JSON document tells; empty if it is none, or tells none."""
+    try:
+        document = json.loads(printed)
+    except ValueError:
+        return ""
+    return str(document.get("error", "")) if isinstance(document, dict) else ""
+
+
+def _run_in_child(args: list[str], folder: Path, seconds: int) -> None:
     """Never returns: what the process says goes to two files, and its limits end it."""
     code = 99
     try:
         for number, name in ((1, "stdout"), (2, "stderr")):
             os.dup2(os.open(folder / name, os.O_CREAT | os.O_WRONLY), number)
-        resource.setrlimit(resource.RLIMIT_CPU, (CPU_SECONDS + 5, CPU_SECONDS + 8))
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds + 5, seconds + 8))
         resource.setrlimit(resource.RLIMIT_AS, (ADDRESS_SPACE, ADDRESS_SPACE))
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         signal.alarm(WALL_SECONDS)
@@ -207,11 +277,18 @@ def load_modules(command: str) -> None:
     if command == "calibrate" and not kinds.has("steered track"):  # logs of a vehicle without a cam are among its files
         sys.path.append(str(TRICYCLE / "src"))
         kinds.register(import_module("cadgen_tricycle").STEERED_TRACK)
+    if not followers.has("roller"):  # the cams by a motion are of the roller of the how-to
+        shown = next(block.text for block in blocks(DOCS / "how-to/followers.md") if block.language == "python")
+        made: dict[str, Any] = {}
+        exec(shown.partition("# The line that registers it")[0], made)
+        followers.register(made["ROLLER"])
 
 
-def outcomes(command: str, seed: int, numbers: Sequence[int], processes: int = 1) -> Iterator[Outcome]:
+def outcomes(
+    command: str, seed: int, numbers: Sequence[int], processes: int = 1, *, deep: bool = False
+) -> Iterator[Outcome]:
     """Run the cases of these numbers, as they are done."""
-    work = partial(run, command, seed)
+    work = partial(run, command, seed, deep)
     if processes == 1:
         load_modules(command)
         yield from map(work, numbers)
@@ -228,22 +305,23 @@ def main() -> None:
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--processes", type=int, default=2)
+    parser.add_argument("--deep", action="store_true", help="designs that the reader takes; check and cam are judged")
     parser.add_argument("--log", type=Path, help="keep each outcome here, and skip what it holds already")
-    parser.add_argument("--record", action="store_true", help="write studies/fuzz_COMMAND.md")
+    parser.add_argument("--record", action="store_true", help="write studies/fuzz_COMMAND.md, or fuzz_COMMAND_deep.md")
     parser.add_argument("--show", type=int, metavar="NUMBER", help="only write this case and print its command")
     given = parser.parse_args()
     os.environ["OPENBLAS_NUM_THREADS"] = "1"
     if given.show is not None:
         folder = Path("fuzz_case")
         folder.mkdir(exist_ok=True)
-        args, changes = arguments(given.command, given.seed, given.show, folder)
+        args, changes = arguments(given.command, given.seed, given.show, folder, deep=given.deep)
         print("; ".join(changes))
         print(shlex.join(["python", "-m", "cadgen", *args]))
         return
     done = _logged(given.log)
     numbers = [n for n in range(given.first, given.first + given.cases) if n not in done]
     begun = time.monotonic()
-    for one in outcomes(given.command, given.seed, numbers, given.processes):
+    for one in outcomes(given.command, given.seed, numbers, given.processes, deep=given.deep):
         done[one.number] = one
         if given.log:
             with given.log.open("a") as log:
@@ -258,7 +336,8 @@ def main() -> None:
     print(f"{time.monotonic() - begun:.0f} s", file=sys.stderr)
     if given.record:
         PAGES.mkdir(parents=True, exist_ok=True)
-        (PAGES / f"fuzz_{given.command}.md").write_text(report(given.command, given.seed, every))
+        name = f"fuzz_{given.command}_deep.md" if given.deep else f"fuzz_{given.command}.md"
+        (PAGES / name).write_text(report(given.command, given.seed, every, deep=given.deep))
     sys.exit(1 if any(one.faults for one in every) else 0)
 
 
@@ -286,12 +365,12 @@ def table(every: Sequence[Outcome]) -> str:
     return "\n".join(["| figure | value |", "|---|---|", *rows])
 
 
-def report(command: str, seed: int, every: Sequence[Outcome]) -> str:
+def report(command: str, seed: int, every: Sequence[Outcome], *, deep: bool = False) -> str:
     """The record of a study."""
     from cadgen import __version__
 
     first, count = min(one.number for one in every), len(every)
-    option = f" --first {first}" if first else ""
+    option = (f" --first {first}" if first else "") + (" --deep" if deep else "")
     about = fuzz_data if command == "calibrate" else fuzz_designs
     faulty = [
         f"- {one.number}: {', '.join(one.faults)} ({_plain('; '.join(one.changes))})" for one in every if one.faults
@@ -303,8 +382,9 @@ def report(command: str, seed: int, every: Sequence[Outcome]) -> str:
                 " ".join((about.__doc__ or "").split()),
                 "A fault is: a traceback or an internal fault; an exit code or a message outside the contract; exit "
                 "code 3 of a command that neither reads nor writes other files; a warning of a library; more than "
-                f"{CPU_SECONDS} s of processor time; more than {MEMORY_KB / 1e6:g} GB, with all that Python and the "
-                "libraries need themselves.",
+                f"{SEARCH_SECONDS if command in SEARCHING else CPU_SECONDS} s of processor time; more than "
+                f"{MEMORY_KB / 1e6:g} GB, with all that Python and the libraries need themselves.",
+                *((_OF_DEEP,) if deep else ()),
                 f"    python -m tests.studies.fuzz --command {command} --cases {count} --seed {seed}{option} --record",
                 f"cadgen {__version__}",
                 table(every),
@@ -313,6 +393,14 @@ def report(command: str, seed: int, every: Sequence[Outcome]) -> str:
         )
         + "\n"
     )
+
+
+_OF_DEEP = (
+    "A fault is also a false *ready*. Of three in four designs the actual profile is asked for. Where it may be cut, "
+    "and where a manifest goes with it, an independent driver takes the car along the exported points. It must pass "
+    "each waypoint within 0.1 mm and 0.05 mm for the driver's own error, or within what the manifest says. A drive "
+    "wheel or a path out of all proportion is a fault as well, and an exit code that does not follow the verdict."
+)
 
 
 def _plain(text: str) -> str:

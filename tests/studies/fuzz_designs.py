@@ -2,6 +2,7 @@
 
 The first cases are systematic: each numeric key at either end of its range. What a key is and
 where its range ends is read from the schema; which of these designs can be is what is to be found out.
+Deep cases have mostly changes that the reader takes, of any number that the design has.
 """
 
 import copy
@@ -66,6 +67,43 @@ SECTIONS: dict[Place, Any] = {
         ],
     },
 }
+# Sections of deep cases besides these.
+DEEP_SECTIONS: dict[Place, Any] = {
+    **SECTIONS,
+    ("mechanics",): {"friction_least": 0.05, "friction_greatest": 0.2, "rod_force_N": 1.5, "drag_greatest_Nmm": 20.0},
+    ("field",): {"size_mm": [8000.0, 8000.0], "obstacles_mm": [[1000.0, 2000.0]]},
+    ("blank", "edge_break_mm"): 0.2,
+    ("cam", "side"): "right",
+    ("checks", "lost_lift_effect_mm"): 0.2,
+    ("tolerances", "gate_width_mm"): 200.0,
+    ("optimize", "max_end_position_mm"): 200.0,
+}
+# The least course that `cadgen plan` has something to do on: with it a plan takes seconds.
+SHORT_COURSE: dict[str, Any] = {
+    "margin_mm": 20.0,
+    "field": {"corner_mm": [-500.0, -1000.0], "size_mm": [4500.0, 2000.0]},
+    "start": {"at_mm": [0.0, 0.0], "heading_deg": 0.0},
+    "posts": [{"at_mm": [1000.0, 0.0], "radius_mm": 10.0, "side": "left"}],
+    "gates": [{"at_mm": [1800.0, 0.0], "radius_mm": 60.0}],
+    "finish": {"at_mm": [2800.0, 0.0], "radius_mm": 300.0},
+}
+# A cam by its motion, of the follower that docs/how-to/followers.md registers.
+MOTION: dict[str, Any] = {
+    "name": "feeder",
+    "motion": {
+        "turns": "clockwise",
+        "speed_rpm": 420,
+        "segments": [
+            {"to_mm": 14.0, "in_deg": 80.0, "law": "polynomial_3_4_5"},
+            {"dwell_deg": 50.0},
+            {"to_mm": 0.0, "in_deg": 110.0, "law": "cycloidal"},
+            {"dwell_deg": 120.0},
+        ],
+    },
+    "follower": {"kind": "roller", "radius_mm": 9.0, "offset_mm": 8.0},
+    "cam": {"base_circle_radius_mm": 32.0, "thickness_mm": 10.0},
+}
+STILL_READ = 0.93  # share of the changes of deep cases that a reader may take
 STRANGE: tuple[Any, ...] = (
     "", "0", "nan", "1e3", "ä ☃ 車", "\\", "[", "x" * 5000, "../../etc/passwd", True, False, [], {}, [[]], [1], [1, 2],
     [1, 2, 3], ["a"], [[0, 0]] * 3, {"a": {"b": 1}}, [{}], [{"teeth": 20}], float("nan"), float("inf"), -float("inf"),
@@ -141,7 +179,8 @@ _BASES = ("appendix_car", "carbon_free_car", "workshop_car")
 def bases(names: tuple[str, ...] = _BASES) -> dict[str, dict[str, Any]]:
     """Packaged designs, or designs of `tests/data` by their paths there, as parsed TOML."""
     packaged = packaged_designs()
-    return {name: tomllib.loads(packaged.get(name, DATA / name).read_text()) for name in names}
+    made = {"motion": MOTION}
+    return {name: made.get(name) or tomllib.loads(packaged.get(name, DATA / name).read_text()) for name in names}
 
 
 @cache
@@ -171,12 +210,21 @@ def case(seed: int, number: int, *, searching: bool = False, deep: tuple[str, ..
     designs = bases(deep or _BASES)
     name = rng.choices(list(designs), weights=[1 if name == "appendix_car" else 5 for name in designs])[0]
     values, changes, overrides = copy.deepcopy(designs[name]), [name], []
-    for place, section in SECTIONS.items():
+    if deep and rng.random() < 0.3 and values.pop("course", None):
+        values.pop("settings", None)
+        changes.append("without course")
+    for place, section in (DEEP_SECTIONS if deep and "path" in values else SECTIONS).items():
+        if deep and _excluded(place, values):
+            continue
         if rng.random() < 0.06 or (searching and place == ("train", "search")):
             _put(values, place, copy.deepcopy(section))
             changes.append(f"with {_name(place)}")
     for _ in range(rng.choices([1, 2, 3], weights=[5, 3, 2])[0]):
-        number_change, path_change = (_mild, _points_moved) if deep and rng.random() < 0.85 else (_numeric, _waypoints)
+        number_change, path_change = (
+            (_mild, _points_moved) if deep and rng.random() < STILL_READ else (_numeric, _waypoints)
+        )
+        if "path" not in values:
+            path_change = _mild
         change = rng.choices(
             [number_change, _choice, path_change, _wrong, _without, _unknown, _items],
             [60, 6, 14, 8, 5, 3, 4] if number_change is _numeric else [80, 3, 14, 0, 2, 0, 1],
@@ -223,15 +271,53 @@ def _numeric(rng: random.Random, values: dict[str, Any]) -> Change:
 
 
 def _mild(rng: random.Random, values: dict[str, Any]) -> Change:
-    """A number that the file has, changed a little or much within its range."""
-    there = [key for key in keys() if key.kind in ("number", "integer")]
-    places = [(key, _somewhere(rng, values, key.place)) for key in there]
-    key, place = rng.choice([each for each in places if isinstance(_get(values, each[1]), (int, float))])
-    now = float(_get(values, place))
-    value = now * rng.choice([rng.uniform(0.95, 1.05), rng.uniform(0.95, 1.05), rng.uniform(0.3, 3)]) or 0.01
-    value = min(max(value, key.low if key.low is not None else -1e9), key.high if key.high is not None else 1e9)
-    _put(values, place, round(value) if key.kind == "integer" else value)
-    return f"{_name(place)} = {value!r}", place, _get(values, place)
+    """A number that the file has, changed a little or much within its range; each section as often as another."""
+    sections = [section for section, below in values.items() if list(_leaves(below, ()))]
+    section = rng.choice(sections)
+    place = (section, *rng.choice(list(_leaves(values[section], ()))))
+    now, (low, high) = _get(values, place), _range(tuple(0 if isinstance(part, int) else part for part in place))
+    value = float(now) * rng.choice([rng.uniform(0.95, 1.05), rng.uniform(0.95, 1.05), rng.uniform(0.3, 3)]) or 0.01
+    if isinstance(now, int):
+        value = round(value)
+    value = min(max(value, low), high)
+    _put(values, place, value)
+    if place[-1] in ("in_deg", "dwell_deg"):  # the last dwell takes what the other segments leave of the turn
+        segments = values["motion"]["segments"]
+        taken = sum(segment.get("in_deg") or segment.get("dwell_deg") for segment in segments[:-1])
+        _put(values, ("motion", "segments", len(segments) - 1), {"dwell_deg": 360.0 - taken})
+    return f"{_name(place)} = {value!r}", place, value
+
+
+def _excluded(place: Place, values: dict[str, Any]) -> bool:
+    """Whether a design has what cannot stand beside a section."""
+    against: dict[Place, Place] = {
+        ("blank", "d_flat"): ("blank", "keyway"),
+        ("tolerances", "gate_width_mm"): ("course", "gates"),
+        ("train", "search"): ("motion",),
+        ("play",): ("motion",),
+        ("as_built",): ("motion",),
+    }
+    return place in against and bool(_get(values, against[place]))
+
+
+def _leaves(values: Any, place: Place) -> Iterator[Place]:
+    """Places of the numbers in tables; those in lists, such as points, are not among them."""
+    if isinstance(values, dict):
+        for key, below in values.items():
+            if isinstance(below, (int, float)) and not isinstance(below, bool):
+                yield (*place, key)
+            else:
+                yield from _leaves(below, (*place, key))
+    elif isinstance(values, list):
+        for number, below in enumerate(values):
+            if isinstance(below, dict):
+                yield from _leaves(below, (*place, number))
+
+
+def _range(place: Place) -> tuple[float, float]:
+    """Range of a key; all numbers of one that the schema does not have, such as those of other followers."""
+    found = next((key for key in keys() if key.place == place), Key(place, "number"))
+    return found.low if found.low is not None else -1e9, found.high if found.high is not None else 1e9
 
 
 def _points_moved(rng: random.Random, values: dict[str, Any]) -> Change:
@@ -329,6 +415,77 @@ def _items(rng: random.Random, values: dict[str, Any]) -> Change:
     count = rng.choice([0, 1, 2, 5, 6, 7, 12, 100])
     _put(values, place, [copy.deepcopy(now[k % len(now)]) for k in range(count)])
     return f"{count} of {_name(place)}", (), None
+
+
+def course(seed: int, number: int) -> Case:
+    """A case for `cadgen plan`: mostly a short course for a small car, else a packaged course."""
+    rng = random.Random(f"{seed}/course/{number}")
+    name = rng.choices(["s_course", "posts_and_walls", "figure_eight"], weights=[18, 1, 1])[0]
+    values, changes = copy.deepcopy(bases((name,))[name]), [name]
+    if name == "s_course":
+        values["course"] = copy.deepcopy(SHORT_COURSE)
+        values["tolerances"] |= {"inner_face_mm": 0.02, "outer_face_mm": 0.02}  # it steers more than they allow else
+        changes.append("short")
+        if rng.random() < 0.3:
+            del values["path"]["control_points_mm"]
+    for _ in range(rng.choices([0, 1, 2, 3], weights=[1, 5, 3, 2])[0]):
+        change = _place_moved if rng.random() < 0.4 else _mild if rng.random() < 0.85 else _numeric
+        changes.append(change(rng, values)[0])
+    return Case(tomli_w.dumps(values).encode(), (), tuple(changes))
+
+
+def _place_moved(rng: random.Random, values: dict[str, Any]) -> Change:
+    """A post, gate, start or finish of the course moved a little or much."""
+    course = values["course"]
+    places = [item for key in ("posts", "gates") for item in course.get(key, ()) if "at_mm" in item]
+    one = rng.choice([*places, *(course[key] for key in ("start", "finish") if "at_mm" in course.get(key, {}))])
+    size = 10 ** rng.uniform(0, 3)
+    one["at_mm"] = [round(coordinate + rng.gauss(0, size), 3) for coordinate in one["at_mm"]]
+    return f"a place of the course moved by {size:.2g}", (), None
+
+
+def study(seed: int, number: int) -> tuple[Case, bytes]:
+    """A case for `cadgen explore`: a deep design, and a study of two or three designs about it."""
+    rng = random.Random(f"{seed}/study/{number}")
+    one = case(seed, number, deep=tuple(packaged_designs()))
+    try:
+        values = tomllib.loads(one.content.decode())
+    except ValueError:
+        values = copy.deepcopy(bases()[DEFAULT_DESIGN])
+    kind = rng.choice(["full_factorial", "sobol", "latin_hypercube"])
+    vary = []
+    for _ in range(1 if kind == "full_factorial" else rng.choice([1, 2])):
+        section = rng.choice([name for name, below in values.items() if list(_leaves(below, ()))])
+        place = (section, *rng.choice(list(_leaves(values[section], ()))))
+        now = _get(values, place)
+        ends = sorted([now * rng.uniform(0.9, 1.0), now * rng.uniform(1.0, 1.2)])
+        if isinstance(now, int):
+            ends = [now - 1, now + rng.choice([1, 2])]
+        choice = {"values": [ends[0], now]} if kind == "full_factorial" else {"least": ends[0], "most": ends[1]}
+        vary.append({"key": _name(place), **choice})
+    made: dict[str, Any] = {
+        "base": "design.toml",
+        "objectives": rng.sample(_FIGURES, rng.choice([1, 2, 3])),
+        "record": rng.sample(_FIGURES, rng.choice([0, 2])),
+        "cars": rng.choice([1, 50]),
+        "best": rng.choice([0, 1, 3]),
+        "vary": vary,
+        "plan": {"kind": kind} if kind == "full_factorial" else {"kind": kind, "designs": rng.choice([1, 2, 3])},
+    }
+    if rng.random() < 0.3:
+        made["limits"] = [{"figure": rng.choice(_FIGURES), "most": 10 ** rng.uniform(-2, 4)}]
+    if rng.random() < 0.3:
+        made["checks"] = []
+    if rng.random() < 0.1:
+        made["replan"] = {"within_mm": 0.0}
+    changes = (*one.changes, f"{kind} of {', '.join(item['key'] for item in vary)}")
+    return Case(one.content, (), changes), tomli_w.dumps(made).encode()
+
+
+_FIGURES = (
+    "worst_end_mm", "worst_end_heading_deg", "passed_percent", "disc_diameter_mm", "disc_mass_g", "holding_energy_J",
+    "cutting_time_min", "return_error_deg", "drift_mm",
+)  # fmt: skip
 
 
 def _damaged(rng: random.Random, text: bytes) -> tuple[str, bytes]:
