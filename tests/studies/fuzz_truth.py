@@ -84,7 +84,7 @@ def farthest(model: Any, values: dict[str, Any], cloud: Path) -> float | None:
 
 
 def _out_of_size(model: Any, values: dict[str, Any]) -> Iterator[str]:
-    """What no careful builder would cut: a drive wheel or a path out of all proportion."""
+    """Drive wheel or path out of all proportion, which no careful builder would cut."""
     base, track = values["car"]["wheelbase_mm"], cam_model.track(model)
     knots = values["path"].get("waypoints_mm") or values["path"]["control_points_mm"]
     if (length := sum(map(dist, knots[1:], knots[:-1]))) < LEAST_PATH * base:
