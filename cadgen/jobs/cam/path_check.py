@@ -1,8 +1,8 @@
 """Lift held against the path that it was computed from, and what a cam loses of it against the car's run.
 
 The lift of a cam is computed from the curvature of the path. Here the way back is gone: the car is driven by the lift
-from the start of the path, and where it gets to is compared with the path's own points. It is driven by the lift wanted,
-and by the lift that the follower gets rolled on the curve that is cut. How far lost lift moves the car is a check too.
+from the start of the path, and where it gets to is compared with the path's own points. It is driven by the lift
+wanted, and by the lift of the follower rolled on the curve that is cut. How far lost lift moves the car is a check too.
 """
 
 from collections.abc import Iterable, Iterator
