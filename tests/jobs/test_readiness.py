@@ -1,6 +1,8 @@
 """One verdict on a cam: by its checks, the cars that keep its course, and what is left open."""
 
 import json
+import re
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
@@ -10,6 +12,7 @@ from cadgen.check import CheckCode
 from cadgen.jobs.cam.readiness import GOOD_YIELD, SAMPLE, SEED, wheel_checks
 from cadgen.verdict import Readiness
 
+ROOT = Path(__file__).parents[2]
 CODES = {
     "appendix_car": (Readiness.NOT_READY, {"friction-not-stated", "cars-lost", "blend-on-path"}),
     "carbon_free_car": (Readiness.RESERVATIONS, {"friction-not-stated", "cars-lost", "blend-on-path"}),
@@ -30,6 +33,22 @@ def test_the_verdict_of_each_packaged_design(name):
     verdict = Design.load(name).cam().verdict
     assert (verdict.readiness, codes(verdict)) == CODES[name]
     assert all(reservation.text and reservation.cure for reservation in verdict.reservations)
+
+
+@pytest.mark.slow
+def test_every_term_of_the_lines_on_a_packaged_design_is_explained_in_the_readme(capsys):
+    """A term is a heading of the glossary."""
+    from cadgen.cli import show
+
+    for name in CODES:
+        print(*show.summary(Design.load(name).cam()))
+    said = " ".join(capsys.readouterr().out.split())
+    terms = re.findall(r"^### (.+)$", (ROOT / "docs" / "glossary.md").read_text("utf-8"), re.MULTILINE)
+    used = {term for term in terms if re.search(rf"\b{re.escape(term)}s?\b", said, re.IGNORECASE)}
+    rows = re.findall(r"^\| ([^|]+) \| [^|]+ \|$", (ROOT / "README.md").read_text("utf-8"), re.MULTILINE)
+    explained = {word for row in rows for word in re.split(r"[,;] ", row)}
+    assert used - {"cam", "ready", "follower", "stage", "tolerance"} <= explained | {"blend"}
+    assert "closing blend" in explained
 
 
 def test_a_plain_cam_that_no_car_keeps_the_course_with_is_not_ready():
