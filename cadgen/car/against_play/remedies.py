@@ -59,8 +59,16 @@ class Holding:
 
 
 def holding(lift: PathMotion, band: MechanicsBand) -> Holding:
-    """The drag that a cam needs to stay on its gears wherever it falls."""
+    """Drag that a cam needs to stay on its gears wherever it falls while the car drives.
+
+    The closing blend behind the finish often falls most steeply, and nobody minds where the cam is there.
+
+    Args:
+        lift: lift of the cam.
+        band: range of the forces on the cam.
+    """
     theta = np.linspace(0.0, TURN, _STATIONS, endpoint=False)
+    theta = theta[theta <= lift.blend_start]
     free = band.at(0.0, 0.0).torque(lift, theta)
     held = band.at(band.friction[0], 0.0).torque(lift, theta)
     worst = int(np.argmax(free))

@@ -100,8 +100,13 @@ def levers(lift: PathMotion, follower: EdgeFollower, theta: Array) -> Levers:
 
 
 def holding_friction(lift: PathMotion, follower: EdgeFollower) -> tuple[float, float]:
-    """Least coefficient of friction with which a cam without drag never leads, and the cam angle (rad) that decides."""
-    theta = np.arange(0.0, TURN, _STEP)
+    """Least friction with which a cam without drag never leads while the car drives, and the deciding cam angle, rad.
+
+    Args:
+        lift: lift of the cam.
+        follower: the rod and the faces.
+    """
+    theta = np.arange(0.0, min(lift.blend_start, TURN), _STEP)
     at = levers(lift, follower, theta)
     needed = np.where(at.driving > 0, at.driving / at.holding, 0.0)
     most = int(np.argmax(needed))

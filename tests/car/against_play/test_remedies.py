@@ -26,6 +26,8 @@ from cadgen.car.running.drive import drive, start_pose
 from cadgen.car.running.friction import BEARING, STEEL_ON, USUAL, friction_band
 from cadgen.car.running.mechanics import Mechanics, MechanicsBand
 from cadgen.car.running.run_errors import run_error
+from cadgen.design import cam_model
+from cadgen.design.load import load_design
 from cadgen.deviations.as_built import AS_DESIGNED
 
 ENDS = np.radians([0.512, 0.962])
@@ -96,6 +98,29 @@ def test_drag_that_holds_whatever_play_and_friction(task):
     # Less drag is no half cure.
     weak = replace(task.mechanics, friction=(0.0, 0.0), drag=(20.0, 20.0))
     assert worst(task, task.lift, weak) > 200.0
+
+
+@pytest.mark.parametrize(("name", "drag"), [("s_course", 61.8), ("posts_and_walls", 45.2)])
+def test_a_brake_is_for_the_driven_part_of_the_turn(name, drag):
+    """The closing blends of these cams fall twice as steeply as anything before, behind the finish."""
+    design = load_design(name)
+    track = cam_model.track(design)
+    lift, car, length = cam_model.lift(design, track), cam_model.car(design), cam_model.travel(design, track)
+    band = MechanicsBand(follower=cam_model.leaning(design, "a test"))
+    need = holding(lift, band)
+    assert need.drag == pytest.approx(drag, abs=0.1)
+    theta = np.linspace(0, 2 * np.pi, 100_001)
+    ahead = -np.gradient(band.follower.lift(lift.q(theta)), theta)
+    assert need.torque == pytest.approx(ahead[theta < lift.blend_start].max(), rel=1e-3)
+    assert ahead.max() > 1.9 * need.torque
+    planned = drive(lift, car, length)
+    for strength, most in ((need.drag, 0.01), (0.9 * need.torque, np.inf)):
+        leads = Mechanics(follower=band.follower, drag=strength).leads(lift)
+        run = drive(lift, car, length, following=leads.follow(lift, np.radians(0.784)))
+        end = run_error(run, planned).end_distance
+        print(f"{name}, brake of {strength:.0f} N mm: {end:.3f} mm at the end")
+        assert end <= most
+    assert end > 1.0  # with too weak a one
 
 
 @pytest.mark.slow
