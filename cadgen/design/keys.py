@@ -176,7 +176,7 @@ def elsewhere(parent: str, wrong: str, kinds: Kinds = USUAL) -> list[str]:
 
 def is_unit_slip(wrong: str, right: str) -> bool:
     """True if a name lacks the unit at the end of the right one, or has another."""
-    return _stem(wrong) == _stem(last(right)) and _unit(right) != ""
+    return _stem(wrong) == _stem(last(right)) and unit_of(right) != ""
 
 
 def dotted(*parts: str | int) -> str:
@@ -201,7 +201,8 @@ def without_unit(name: str) -> str:
     return next((name.removesuffix(ending) for ending in _UNITS if name.endswith(ending)), name)
 
 
-def _unit(name: str) -> str:
+def unit_of(name: str) -> str:
+    """Unit at the end of a key's name; empty where it has none."""
     return next((unit for ending, unit in _UNITS.items() if name.endswith(ending)), "")
 
 
@@ -240,7 +241,7 @@ def _section_in(annotation: Any) -> type[DesignSection] | None:
 
 
 def _key(name: str, info: FieldInfo) -> Key:
-    return Key(name, _unit(name), _kinds(info.annotation)[0], info)
+    return Key(name, unit_of(name), _kinds(info.annotation)[0], info)
 
 
 def _bound(limits: Sequence[Any], names: tuple[str, str]) -> float | None:

@@ -5,7 +5,7 @@ A sheet's title block names the design by its hash, and its notes name the files
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from datetime import UTC, datetime
 from itertools import chain
 from math import inf
@@ -15,9 +15,10 @@ import numpy as np
 
 from cadgen.arrays import TURN
 from cadgen.curves.biarc import arcs
+from cadgen.design.keys import unit_of, without_unit
 from cadgen.design.machining import DrawingText
 from cadgen.errors import FileError
-from cadgen.figures import Facts, Figures
+from cadgen.figures import Facts, Figures, with_unit
 from cadgen.gears.layout import TrainLayout, TrainPart
 from cadgen.gears.tooth import GearForm
 from cadgen.inference.measurement.record import Direction
@@ -34,6 +35,7 @@ from cadgen.output.files.manifest import NAME, ManifestEntry, Origin, sound_part
 from cadgen.output.files.publisher import Artifact, Written, publish, require, text_file
 from cadgen.parts.face import Face
 from cadgen.progress import Progress, silent
+from cadgen.verdict import Readiness
 
 _HASH = 12  # letters of a design's hash in a title block
 
@@ -160,13 +162,50 @@ def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
         fit=making.fit,
         profile_tolerance=use.profile_tolerance or None,
         follower=Message(plan.follower.noun),
+        sizes=_follower(plan),
         leans=plan.follower.leans,
         face=Message("inner face") if plan.seen == Face.INNER else Message("outer face"),
         files=folder.files(plan.stem, plan.origin.content_hash, _CAM_ENDINGS),
         notes=(*use.drawing_notes(plan), *([plan.kind.note] if plan.kind.note else [])),
     )
     name = Message("{cam}, {kind} profile", cam=Message(use.noun), kind=Message(str(plan.kind)))
-    return cam_drawing(part, title_of(plan.origin, making.title, name, making.material or "", plan.stem, folder))
+    title = title_of(plan.origin, making.title, name, making.material or "", plan.stem, folder)
+    return cam_drawing(part, replace(title, verdict=_verdict(plan)))
+
+
+def _follower(plan: CamPlan) -> Message:
+    """Follower of a cam with its sizes as the design gives them, in a sentence."""
+    section = plan.application.design.follower
+    given = {field.name: getattr(section.keys, field.name) for field in fields(section.keys)}
+    sizes = [
+        Message(
+            "{name} {value}",
+            name=Message(without_unit(key).replace("_", " ")),
+            value=with_unit(f"{value:g}" if isinstance(value, float | int) else Message(_words(value)), unit_of(key)),
+        )
+        for key, value in given.items()
+        if value is not None
+    ]
+    noun = Message(plan.follower_as_built.noun)
+    return Message("Follower: {parts}.", parts=joined([noun, *sizes], ", "))
+
+
+def _words(value: object) -> str:
+    return str(value).replace("_", " ")
+
+
+def _verdict(plan: CamPlan) -> str:
+    """Verdict on a cam in a short line; empty for one that is ready."""
+    verdict = plan.verdict
+    match verdict.readiness:
+        case Readiness.NOT_READY:
+            first, *others = (Message(check.name) for check in verdict.failed)
+            if others:
+                return Message("NOT READY: {check} and {count} more", check=first, count=len(others))
+            return Message("NOT READY: {check}", check=first)
+        case Readiness.RESERVATIONS:
+            return Message("ready with reservations, see cadgen check {name}", name=plan.origin.name)
+    return ""
 
 
 def inspection_csv(plan: CamPlan) -> str:

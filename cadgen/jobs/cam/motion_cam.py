@@ -135,8 +135,11 @@ class SegmentUse(Application):
         return tuple(said)
 
     def drawing_notes(self, cam: CamPlan) -> tuple[str, ...]:
-        """Sense in which the disc turns."""
-        return (Message("Turns clockwise, seen on this face."),)
+        """Sense in which the disc turns, and the base circle."""
+        return (
+            Message("Turns clockwise, seen on this face."),
+            Message("Base circle: radius {radius:g} mm.", radius=self.design.seat.base_radius),
+        )
 
 
 def _peaks(cam: CamPlan, rpm: float) -> dict[str, tuple[float, str]]:

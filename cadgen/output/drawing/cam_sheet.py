@@ -18,7 +18,6 @@ from cadgen.output.drawing.sheet import (
     LEFT,
     SHOWN,
     SIZES,
-    TITLE_SIZE,
     Closed,
     DiameterDimension,
     Dimension,
@@ -26,6 +25,7 @@ from cadgen.output.drawing.sheet import (
     Label,
     LinearDimension,
     LineKind,
+    NoteColumn,
     SheetTable,
     Stroke,
     Title,
@@ -33,11 +33,14 @@ from cadgen.output.drawing.sheet import (
     along_axis,
     arrow,
     axial_diameter,
+    beside_title,
     bore_and_keyway,
     centre_cross,
     chosen_sheet,
     cutting_plane,
+    have_room,
     keyway_width,
+    over_title,
     ring,
     rounded,
     section_name,
@@ -49,6 +52,9 @@ from cadgen.parts.features import DFlat, Keyway
 EVERY = 10  # degrees between the rows of the table of radii
 _CHORD = 0.01  # mm, of outlines in a section
 _GAP = 9.0  # mm on paper from the part to a dimension line, and from line to line
+_BEFORE = 17.0  # mm on paper between frame and face
+_COLUMN = 31.0  # width of each of the tables of radii, and what is between them, mm
+_TABLES = 3 * _COLUMN
 _ARROW = 14.0  # mm on paper of the arrow at the zero mark
 _STEEP = 0.35  # of the sine of the angle between that arrow and the plane of the section
 
@@ -68,6 +74,7 @@ class CamPart:
         fit: fits and joint of the bore on its shaft.
         profile_tolerance: half width of the zone of the outline, mm; None if none is given.
         follower: name of the follower.
+        sizes: follower and its sizes, in a sentence.
         leans: whether it leans on an edge of the rim, so that a broken edge moves it.
         face: words for the face that is seen.
         files: name and hash of each file that holds the outline.
@@ -84,6 +91,7 @@ class CamPart:
     fit: ShaftFit
     profile_tolerance: float | None
     follower: str
+    sizes: str
     leans: bool
     face: str
     files: tuple[tuple[str, str], ...]
@@ -92,28 +100,37 @@ class CamPart:
 
 def cam_drawing(cam: CamPart, title: Title) -> DrawingSheet:
     """Sheet A4, or A3 where the cam is larger than A4 shows at 1:1."""
-    across = 2 * cam.greatest[0]
-    axial = cam.thickness + (cam.blank.hub.length if cam.blank.hub else 0.0)
-    table_width = 3 * 34.0
-    beside = (table_width + 85.0, TITLE_SIZE[1] + 25.0)
-    size, scale = chosen_sheet((across + axial, across), beside, 1.0, 2.0)
-    width, height = SIZES[size]
-    least = EDGE + TITLE_SIZE[1] + 19.0 + _letters_below(cam) + scale * across / 2
-    face_at = (LEFT + 22.0 + scale * across / 2, max(least, height / 2 + 5.0))
-    hub = cam.blank.hub
+    across, hub = 2 * cam.greatest[0], cam.blank.hub
+    axial = cam.thickness + (hub.length if hub else 0.0)
+    notes = tuple(_notes(cam))
+
+    def tables_of(size: str) -> tuple[SheetTable, ...]:
+        width, height = SIZES[size]
+        return _radii(cam, (width - EDGE - _TABLES, height - EDGE - 2.0))
+
+    def columns_of(size: str) -> tuple[NoteColumn, ...]:
+        return over_title(tables_of(size), _TABLES, title), beside_title(size)
+
+    # Beside the views: arrows of the section, dimensions of the hub; under them: their names.
+    between, after = (40.0 if hub and hub.side == Face.INNER else 27.0), 24.0
+    letters = _letters_below(cam)
+    beside, under = _BEFORE + between + after + _TABLES, title.height + 28.0 + letters
+    size, scale = chosen_sheet(
+        (across + axial, across), (beside, under), 1.0, 2.0, lambda size: have_room(notes, columns_of(size))
+    )
+    _, height = SIZES[size]
+    least = EDGE + title.height + 17.0 + letters + scale * across / 2
+    face_at = (LEFT + _BEFORE + scale * across / 2, max(least, height / 2 + 5.0))
     below = hub.length if hub and hub.side == Face.INNER else 0.0
-    section_at = (face_at[0] + scale * across / 2 + 38.0 + scale * below, face_at[1])
-    table_at = (width - EDGE - table_width, height - EDGE - 2.0)
-    tables = _radii(cam, table_at)
+    section_at = (face_at[0] + scale * (across / 2 + below) + between, face_at[1])
     return DrawingSheet(
         size=size,
         scale=scale,
         title=title,
         views=(_face(cam, face_at, scale), _section(cam, section_at, scale)),
-        tables=tables,
-        notes=tuple(_notes(cam)),
-        notes_at=(table_at[0], table_at[1] - max(table.height for table in tables) - 3.0),
-        notes_width=table_width,
+        tables=tables_of(size),
+        notes=notes,
+        columns=columns_of(size),
     )
 
 
@@ -297,8 +314,8 @@ def _radii(cam: CamPart, at: tuple[float, float]) -> tuple[SheetTable, ...]:
     return tuple(
         SheetTable(
             title=Message("outline about the axis") if number == 0 else "",
-            at=(at[0] + number * 34.0, at[1]),
-            widths=(13.0, 20.0),
+            at=(at[0] + number * _COLUMN, at[1]),
+            widths=(13.0, 17.0),
             rows=(head, *cells[number * third : (number + 1) * third]),
         )
         for number in range(3)
@@ -314,7 +331,11 @@ def _notes(cam: CamPart) -> Iterator[str]:
         least=least,
         at_least=degrees(at_least) % 360,
     )
-    yield Message("θ counts counterclockwise from the arrow. The table is for inspection; cut from a file (sha256):")
+    yield Message(
+        "θ counts counterclockwise from the arrow, where the {follower} stands at cam angle 0.", follower=cam.follower
+    )
+    yield cam.sizes
+    yield Message("The table is for inspection; cut from a file (sha256):")
     yield from (f"   {name}  {digest[:SHOWN]}" for name, digest in cam.files)
     if not cam.files:
         yield Message("   none lies in this folder: make one with cadgen cam.")

@@ -19,7 +19,6 @@ from cadgen.output.drawing.shaft_fit import ShaftFit, deeper
 from cadgen.output.drawing.sheet import (
     EDGE,
     LEFT,
-    ROW,
     SHOWN,
     SIZES,
     TITLE_SIZE,
@@ -30,17 +29,21 @@ from cadgen.output.drawing.sheet import (
     Label,
     LinearDimension,
     LineKind,
+    NoteColumn,
     SheetTable,
     Stroke,
     Title,
     View,
     along_axis,
     axial_diameter,
+    beside_title,
     bore_and_keyway,
     centre_cross,
     chosen_sheet,
     cutting_plane,
+    have_room,
     keyway_width,
+    over_title,
     ring,
     rounded,
     section_name,
@@ -118,29 +121,39 @@ def gear_drawing(gear: GearPart, title: Title) -> DrawingSheet:
     """Sheet A4, or A3 where the part is larger than A4 shows at 1:1."""
     body = gear.part.body
     across, axial = 2 * _reach(body), body.slabs[-1].end - body.slabs[0].start
-    table_width = sum(_TABLE)
-    size, scale = chosen_sheet((across + axial, across), (table_width + 74.0, TITLE_SIZE[1] + 30.0), 2.0, 5.0)
-    rows = sum(len(data) + 1 for data in gear.data)
-    if rows * ROW > SIZES[size][1] - 2 * EDGE - TITLE_SIZE[1] - 6.0:
-        size = "A3"  # for its tables
+    table_width, notes = sum(_TABLE), tuple(_notes(gear))
+
+    def tables_of(size: str) -> tuple[SheetTable, ...]:
+        width, height = SIZES[size]
+        tables, top = [], height - EDGE - 2.0
+        for data, name in zip(gear.data, _names(gear.part), strict=True):
+            at = (width - EDGE - table_width, top)
+            tables.append(SheetTable(title=name, at=at, widths=_TABLE, rows=data, headed=False))
+            top -= tables[-1].height + 1.0
+        return tuple(tables)
+
+    def columns_of(size: str) -> tuple[NoteColumn, ...]:
+        return beside_title(size), over_title(tables_of(size), table_width, title)
+
+    def holds(size: str) -> bool:
+        _, under = columns_of(size)
+        return under.height >= 0.0 and have_room(notes, columns_of(size))
+
+    beside = table_width + 74.0
+    size, scale = chosen_sheet((across + axial, across), (beside, TITLE_SIZE[1] + 30.0), 1.0, 5.0, holds)
     width, height = SIZES[size]
+    spare = width - LEFT - EDGE - beside - scale * (across + axial)
     middle = EDGE + TITLE_SIZE[1] + (height - 2 * EDGE - TITLE_SIZE[1]) / 2 + 2.0
-    face_at = (LEFT + 14.0 + scale * across / 2, middle)
+    face_at = (LEFT + 14.0 + max(spare, 0.0) / 2 + scale * across / 2, middle)
     section_at = (face_at[0] + scale * across / 2 + 30.0, middle)
-    tables, top = [], height - EDGE - 2.0
-    for data, name in zip(gear.data, _names(gear.part), strict=True):
-        at = (width - EDGE - table_width, top)
-        tables.append(SheetTable(title=name, at=at, widths=_TABLE, rows=data, headed=False))
-        top -= tables[-1].height + 1.0
     return DrawingSheet(
         size=size,
         scale=scale,
         title=title,
         views=(_face(gear, face_at, scale), _section(gear, section_at, scale)),
-        tables=tuple(tables),
-        notes=tuple(_notes(gear)),
-        notes_at=(LEFT + 3.0, EDGE + TITLE_SIZE[1]),
-        notes_width=width - EDGE - TITLE_SIZE[0] - LEFT - 6.0,
+        tables=tables_of(size),
+        notes=notes,
+        columns=columns_of(size),
     )
 
 
@@ -399,8 +412,22 @@ def plate_drawing(axes: tuple[Axis, ...], notes: tuple[str, ...], title: Title) 
     right, high = (_ROUND * ceil(value / _ROUND) for value in most.tolist())
     table_width = sum(_WIDTHS)
     beside = (table_width + 40.0, TITLE_SIZE[1] + 30.0)
-    size, scale = chosen_sheet((right - left, high - low), beside, 1.0, 2.0)
-    width, height = SIZES[size]
+    rows: list[tuple[str, ...]] = [(Message("shaft"), "x, mm", "y, mm", Message("shaft Ø, mm"))]
+    for axis in axes:
+        hole = f"{axis.bore:g} {axis.hole}".strip() if axis.bore else ""
+        rows.append((str(axis.shaft), f"{axis.x:.3f}", f"{axis.y:.3f}", hole))
+
+    def table_of(size: str) -> SheetTable:
+        at = (SIZES[size][0] - EDGE - table_width, SIZES[size][1] - EDGE - 2.0)
+        return SheetTable(title=Message("axes, from that of the drive"), at=at, widths=_WIDTHS, rows=tuple(rows))
+
+    def columns_of(size: str) -> tuple[NoteColumn, ...]:
+        return over_title([table_of(size)], table_width, title), beside_title(size)
+
+    size, scale = chosen_sheet(
+        (right - left, high - low), beside, 1.0, 2.0, lambda size: have_room(notes, columns_of(size))
+    )
+    _, height = SIZES[size]
     place = (
         LEFT + 24.0 - scale * left,
         EDGE + TITLE_SIZE[1] + 6.0 + (height - 2 * EDGE - TITLE_SIZE[1] - scale * (high - low)) / 2 - scale * low,
@@ -436,25 +463,12 @@ def plate_drawing(axes: tuple[Axis, ...], notes: tuple[str, ...], title: Title) 
         for first, second in pairwise(axes)
         if (first.x, first.y) != (second.x, second.y)
     ]
-    rows: list[tuple[str, ...]] = [(Message("shaft"), "x, mm", "y, mm", Message("shaft Ø, mm"))]
-    for axis in axes:
-        rows.append(
-            (
-                str(axis.shaft),
-                f"{axis.x:.3f}",
-                f"{axis.y:.3f}",
-                f"{axis.bore:g} {axis.hole}".strip() if axis.bore else "",
-            )
-        )
-    table_at = (width - EDGE - table_width, height - EDGE - 2.0)
-    table = SheetTable(title=Message("axes, from that of the drive"), at=table_at, widths=_WIDTHS, rows=tuple(rows))
     return DrawingSheet(
         size=size,
         scale=scale,
         title=title,
         views=(View(place=place, curves=tuple(curves), dimensions=tuple(dimensions), labels=tuple(labels)),),
-        tables=(table,),
+        tables=(table_of(size),),
         notes=notes,
-        notes_at=(table_at[0], table_at[1] - table.height - 3.0),
-        notes_width=table_width,
+        columns=columns_of(size),
     )

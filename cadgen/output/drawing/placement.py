@@ -30,6 +30,7 @@ _AIR = 1.2  # mm on paper around a text that is better left free
 # How much worse a mm of a line through a text is than a mm farther off: lines of the part, and all others.
 _HEAVY, _LIGHT, _FAR = 10.0, 3.0, 0.05
 _ACROSS = 8.0  # cost of a dimension line across a line of the part, as much as being 100 degrees turned
+_OUTSIDE, _FRAME = 10.0, 12.0  # cost of a mm farther from the part than a view has room on its sheet, and that room, mm
 _TURN = 0.08  # cost of a turned dimension line, a degree
 _OUT = 9.0  # mm on paper from a circle to the middle of its text, where there is room
 _STEP = 3.0  # mm on paper between places along a dimension line
@@ -102,11 +103,15 @@ class Room:
 
     def _best(self, every: Sequence[tuple[Placed, float]]) -> Placed:
         def cost(each: tuple[Placed, float]) -> float:
-            box, lines = self._drawn(each[0])
-            air = box.buffer(_AIR)
-            through = (_HEAVY * self._heavy.intersection(air).length, _LIGHT * self._light.intersection(air).length)
-            across = sum(int(shapely.get_num_coordinates(self._heavy.intersection(line))) for line in lines)
-            return float(each[1] + sum(through) + _ACROSS * across + _HEAVY * self._texts.intersection(air).area)
+            box, drawn = self._drawn(each[0])
+            lines, air = shapely.union_all(drawn), box.buffer(_AIR)
+            farthest = float(np.linalg.norm(shapely.get_coordinates([box, lines]), axis=1).max())
+            outside = _OUTSIDE * max(farthest - self._reach - _FRAME, 0.0)
+            text = _HEAVY * (self._heavy.intersection(air).length + self._texts.intersection(air).area)
+            text += _LIGHT * self._light.intersection(air).length
+            line = _ACROSS * shapely.get_num_coordinates(self._heavy.intersection(lines))
+            line += _LIGHT * self._light.intersection(lines).length
+            return float(each[1] + outside + text + line)
 
         best, _ = min(every, key=cost)
         self.take(best)
@@ -123,7 +128,8 @@ class Room:
             along = _unit(placed.angle)
             centre = scale * np.array(placed.centre)
             middle = centre + (placed.reach or scale * placed.diameter / 2 + _OUT) * along
-            line = shapely.LineString([centre, middle + _LETTER * TEXT * len(text) / 2 * along])
+            # As long as the text of letters as wide as they are high, which is how the DXF has it.
+            line = shapely.LineString([centre, middle + (TEXT * len(text) / 2 + _AIR) * along])
             return _box(text, middle, placed.angle, TEXT, above=True), [line]
         along = _unit(placed.angle)
         base, start, end = (scale * np.array(point) for point in (placed.at, placed.start, placed.end))

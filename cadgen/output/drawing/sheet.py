@@ -1,6 +1,7 @@
 """A sheet as data: views with curves and dimensions, tables, notes, a title. Paper and part are in mm."""
 
 import re
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from textwrap import wrap
@@ -199,6 +200,7 @@ class Title:
         date: date of the manifest, or of the drawing, ISO 8601.
         design: name and hash of the design.
         number: number of the drawing: the stem of its files.
+        verdict: verdict on the part in a line over the block; empty for a part that is ready, or is not judged.
     """
 
     part: str
@@ -209,6 +211,55 @@ class Title:
     date: str
     design: str
     number: str
+    verdict: str = ""
+
+    @property
+    def height(self) -> float:
+        """Height of the block with the verdict over it, mm."""
+        return TITLE_SIZE[1] + (7.0 if self.verdict else 0.0)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NoteColumn:
+    """Room for notes.
+
+    Attributes:
+        at: upper left corner on the paper, mm.
+        width: width, mm.
+        height: height, mm.
+    """
+
+    at: tuple[float, float]
+    width: float
+    height: float
+
+    @property
+    def lines(self) -> int:
+        """Number of lines that it holds."""
+        return max(int(self.height / ROW), 0)
+
+
+def beside_title(size: str) -> NoteColumn:
+    """Column of notes to the left of the title block.
+
+    Args:
+        size: size of the sheet.
+    """
+    width, _ = SIZES[size]
+    left, top = LEFT + 3.0, EDGE + TITLE_SIZE[1]
+    return NoteColumn(at=(left, top), width=width - EDGE - TITLE_SIZE[0] - left - 3.0, height=TITLE_SIZE[1] - 1.0)
+
+
+def over_title(tables: Sequence[SheetTable], width: float, title: Title) -> NoteColumn:
+    """Column of notes under tables and over the title block.
+
+    Args:
+        tables: tables, the first one farthest to the left.
+        width: width of the column, mm.
+        title: title block.
+    """
+    low = min(table.at[1] - table.height for table in tables) - 3.0
+    return NoteColumn(at=(tables[0].at[0], low), width=width, height=low - EDGE - title.height - 2.0)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -222,8 +273,7 @@ class DrawingSheet:
         views: views of the part.
         tables: tables.
         notes: sentences for the shop, broken into lines where they are drawn.
-        notes_at: upper left corner of the notes, mm.
-        notes_width: width of their column, mm.
+        columns: columns that the notes fill one after the other.
     """
 
     size: str
@@ -232,8 +282,7 @@ class DrawingSheet:
     views: tuple[View, ...]
     tables: tuple[SheetTable, ...]
     notes: tuple[str, ...]
-    notes_at: tuple[float, float]
-    notes_width: float
+    columns: tuple[NoteColumn, ...]
 
     def __post_init__(self) -> None:
         names = [dimension.name for view in self.views for dimension in view.dimensions]
@@ -475,8 +524,38 @@ def wrapped(note: str, width: float) -> list[str]:
     return lines
 
 
+def placed_notes(notes: Sequence[str], columns: Sequence[NoteColumn]) -> Iterator[tuple[str, tuple[float, float]]]:
+    """Lines of notes with the places where they begin on the paper, mm; what has no room runs out of the last column.
+
+    Args:
+        notes: notes, in the language in which they are drawn.
+        columns: columns, of which each is filled with whole notes.
+    """
+    number, used = 0, 0
+    for note in notes:
+        lines = wrapped(note, columns[number].width)
+        if used + len(lines) > columns[number].lines and number + 1 < len(columns):
+            number, used = number + 1, 0
+            lines = wrapped(note, columns[number].width)
+        left, top = columns[number].at
+        for line in lines:
+            yield line, (left, top - (used + 0.7) * ROW)
+            used += 1
+
+
+def have_room(notes: Sequence[str], columns: Sequence[NoteColumn]) -> bool:
+    """Whether notes stay within their columns."""
+    last = columns[-1]
+    lowest = last.at[1] - last.height
+    return all(at[1] >= lowest for _, at in placed_notes(notes, columns) if at[0] == last.at[0])
+
+
 def chosen_sheet(
-    part: tuple[float, float], beside: tuple[float, float], good: float, greatest: float
+    part: tuple[float, float],
+    beside: tuple[float, float],
+    good: float,
+    greatest: float,
+    holds: Callable[[str], bool] = lambda size: True,
 ) -> tuple[str, float]:
     """Size and scale of the sheet for a part: A4 where it is shown there as large as is `good`, else the larger scale.
 
@@ -485,10 +564,11 @@ def chosen_sheet(
         beside: width and height on paper for everything else within the frame, mm.
         good: scale that A4 suffices for.
         greatest: greatest scale.
+        holds: function that says of a size whether tables and notes have room on it; A3 is taken in any case.
     """
     scales = {}
     for size, (width, height) in SIZES.items():
         room = (width - LEFT - EDGE - beside[0], height - 2 * EDGE - beside[1])
         scales[size] = chosen_scale(part, room, greatest) or SCALES[-1]
-    size = "A4" if scales["A4"] >= min(good, scales["A3"]) else "A3"
+    size = "A4" if scales["A4"] >= min(good, scales["A3"]) and holds("A4") else "A3"
     return size, scales[size]

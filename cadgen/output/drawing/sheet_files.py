@@ -51,10 +51,10 @@ from cadgen.output.drawing.sheet import (
     Stroke,
     View,
     is_wide,
+    placed_notes,
     rounded,
     scale_text,
     width_of,
-    wrapped,
 )
 from cadgen.output.files.dxf import fixed_dates
 
@@ -73,7 +73,8 @@ _PATTERNS = {
 }
 _THIN = 18
 # Letters that LibreCAD's fonts lack, and what stands for them in a DXF. The page has them.
-_PLAIN = str.maketrans({"θ": "theta", "–": "-", "—": "-", "−": "-", "Ø": "%%c"})
+_SIGN = "%%c"  # of a diameter, as every reader knows it
+_PLAIN = str.maketrans({"θ": "theta", "–": "-", "—": "-", "−": "-", DIAMETER: _SIGN})
 _HATCH_STEP = 2.0  # mm on paper
 _DIMGAP = 0.6  # mm on paper between a dimension line and its number
 
@@ -113,10 +114,8 @@ def document_of(drawing: DrawingSheet, language: str = ENGLISH) -> Document:
         _Place(space, view, drawing.scale, say).draw()
     for table in drawing.tables:
         _table(space, table, say)
-    left, top = drawing.notes_at
-    lines = [line for note in drawing.notes for line in wrapped(say(note), drawing.notes_width)]
-    for number, written in enumerate(lines):
-        _text(space, written, (left, top - (number + 0.7) * ROW), TEXT)
+    for written, at in placed_notes([say(note) for note in drawing.notes], drawing.columns):
+        _text(space, written, at, TEXT)
     _frame(space, drawing, say)
     width, height = SIZES[drawing.size]
     space.reset_extents((0.0, 0.0, 0.0), (width, height, 0.0))
@@ -196,9 +195,9 @@ class _Place:
                 self.space.add_line(*np.asarray(piece.coords).tolist(), dxfattribs={"layer": LineKind.HATCH.value})
 
     def _dimension(self, dimension: Dimension) -> None:
-        # Of "<>" in a diameter some readers make its sign and some do not; "%%c" every reader knows.
-        number = f"%%c{rounded(dimension.diameter)}" if isinstance(dimension, DiameterDimension) else "<>"
-        text = f"{dimension.prefix}{number}{dimension.suffix}".replace(DIAMETER, "%%c")
+        # Of "<>" in a diameter some readers make its sign, and some do not.
+        number = f"{DIAMETER}{rounded(dimension.diameter)}" if isinstance(dimension, DiameterDimension) else "<>"
+        text = f"{dimension.prefix}{number}{dimension.suffix}"
         attributes = {"layer": LineKind.DIMENSION.value}
         made: ezdxf.entities.DimStyleOverride
         if isinstance(dimension, DiameterDimension):
@@ -227,6 +226,9 @@ class _Place:
                 dxfattribs=attributes,
             )
         made.render()
+        made.dimension.dxf.text = text.replace(DIAMETER, _SIGN)
+        for drawn in made.dimension.get_geometry_block().query("MTEXT"):
+            drawn.text = drawn.text.replace(DIAMETER, _SIGN)
         made.dimension.set_xdata(APP, [(1000, dimension.name)])
 
     def _number_place(self, dimension: LinearDimension) -> Vec2:
@@ -311,6 +313,9 @@ def _frame(space: Modelspace, drawing: DrawingSheet, say: Callable[[str], str]) 
         fitting = min(3.0 if span > 1 else TEXT, (span * column - 2.0) / max(width_of(text), 1.0))
         _text(space, text, (left + 1.0, low + 1.8), fitting)
     _first_angle(space, x + across - 9.0, y + 3.5 * row)
+    if title.verdict:
+        verdict = say(title.verdict)
+        _text(space, verdict, (x + 1.0, y + up + 2.0), min(3.5, (across - 2.0) / width_of(verdict)))
 
 
 def _first_angle(space: Modelspace, x: float, y: float) -> None:

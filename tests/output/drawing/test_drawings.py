@@ -11,6 +11,7 @@ import trimesh
 
 from cadgen import Design, draw
 from cadgen.errors import CheckError, DesignError, FileError
+from cadgen.jobs.drawings import Folder, sheet_of
 from cadgen.output.drawing.shaft_fit import deeper, fit_limits, limits
 from cadgen.output.drawing.sheet import DrawingSheet, LinearDimension, Title, View
 from cadgen.output.drawing.sheet_files import document_of, read_dimensions
@@ -233,9 +234,7 @@ def test_the_sheet_names_the_files_by_their_hashes(folder, cam):
 def sheet(views=(), title="t", finish=""):
     """A sheet with hardly anything on it."""
     block = Title(part="p", title=title, material="", finish=finish, quantity=1, date="", design="d", number="n")
-    return DrawingSheet(
-        size="A4", scale=1.0, title=block, views=views, tables=(), notes=(), notes_at=(0.0, 0.0), notes_width=90.0
-    )
+    return DrawingSheet(size="A4", scale=1.0, title=block, views=views, tables=(), notes=(), columns=())
 
 
 @pytest.mark.slow
@@ -295,6 +294,72 @@ def test_two_dimensions_of_a_sheet_have_two_names():
     assert sheet(views[:1]).dimensions == {"width": 5.0}
     with pytest.raises(ValueError, match="two dimensions of a sheet are named width"):
         sheet(views)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_the_verdict_on_a_cam_stands_over_its_title(design, tmp_path, monkeypatch, language):
+    """In a short line: the check that fails, or where the reservations are; nothing on a cam that is ready."""
+    from cadgen import messages
+    from cadgen.check import Bound, Check, CheckCode
+    from cadgen.verdict import PartVerdict, Reservation
+
+    walls = [Check(CheckCode.THINNEST_WALL, name, 1.0, "mm", 2.0, Bound.MIN) for name in ("thinnest wall", "lost lift")]
+    doubt = Reservation("friction", "friction is not stated", "state it")
+    said = {
+        "en": (
+            "NOT READY: thinnest wall",
+            "NOT READY: thinnest wall and 1 more",
+            "ready with reservations, see cadgen ",
+        ),
+        "zh": ("未就绪：最薄壁厚", "未就绪：最薄壁厚，另有 1 项", "就绪，有保留意见，见 cadgen "),
+    }[language]
+    before = messages.language()
+    messages.choose(language)
+    try:
+        for verdict, line in (
+            (PartVerdict(tuple(walls[:1])), said[0]),
+            (PartVerdict(tuple(walls)), said[1]),
+            (PartVerdict((), (doubt,)), said[2] + "check carbon_free_car"),
+            (PartVerdict(()), None),
+        ):
+            made = design.cam("actual")
+            monkeypatch.setitem(made.computed.__dict__, "verdict", verdict)
+            drawn = document_of(sheet_of(made.computed, Folder.at(tmp_path)), language)
+            lines = {text.dxf.text: text for text in drawn.modelspace().query("TEXT")}
+            assert line is None or line in lines
+            assert sum(
+                text[:9] in ("NOT READY", "ready wit") or text[:2] in ("未就", "就绪") for text in lines
+            ) == bool(line)
+            if line:
+                at = lines[line].dxf.insert
+                (frame,) = [
+                    line
+                    for line in drawn.modelspace().query("LWPOLYLINE")
+                    if len(line) == 3 and not line.closed and line.dxf.layer == "FRAME"
+                ]
+                left, up = min(point[0] for point in frame), max(point[1] for point in frame)
+                assert left < at.x
+                assert up < at.y < up + 7.0
+    finally:
+        messages.choose(before)
+
+
+@pytest.mark.slow
+def test_a_cam_by_its_motion_says_follower_and_cam_angle(tmp_path):
+    """Kind, radius, offset, base circle, and where cam angle 0 lies; and it has room on A4 at 1:1."""
+    from cadgen.cam.followers import table
+    from tests.cam.test_roller import ROLLER, TEXT
+
+    if not table.has(ROLLER.code):
+        table.register(ROLLER)
+    made = Design.from_toml(TEXT).cam()
+    sheet = sheet_of(made.computed, Folder.at(tmp_path))
+    said = " ".join(sheet.notes)
+    assert "Follower: roller, radius 9 mm, offset 8 mm." in said
+    assert "Base circle: radius 32 mm." in said
+    assert "θ counts counterclockwise from the arrow, where the roller stands at cam angle 0." in said
+    assert (sheet.size, sheet.scale) == ("A4", 1.0)
 
 
 @pytest.mark.parametrize("angle", range(-180, 181, 15))

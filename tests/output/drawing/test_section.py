@@ -6,8 +6,23 @@ from matplotlib.font_manager import FontProperties
 from matplotlib.textpath import TextToPath
 
 from cadgen.curves.contour import circle, keyway_bore
+from cadgen.output.drawing.placement import placed_dimensions
 from cadgen.output.drawing.section import Layer, edges_behind_cut, material
-from cadgen.output.drawing.sheet import TEXT, chosen_scale, chosen_sheet, rounded, scale_text, width_of, wrapped
+from cadgen.output.drawing.sheet import (
+    ROW,
+    TEXT,
+    Closed,
+    DiameterDimension,
+    NoteColumn,
+    chosen_scale,
+    chosen_sheet,
+    have_room,
+    placed_notes,
+    rounded,
+    scale_text,
+    width_of,
+    wrapped,
+)
 
 
 def ring(diameter, centre=(0.0, 0.0)):
@@ -67,3 +82,33 @@ def test_a_note_in_chinese_is_broken_between_its_letters_and_not_in_its_words():
     assert "".join(line.removeprefix("   ") for line in lines) == note
     assert all(TEXT * width_of(line) <= 50.0 for line in lines)
     assert sum("0.0195" in line for line in lines) == 2
+
+
+def test_notes_flow_from_column_to_column_whole():
+    columns = (
+        NoteColumn(at=(10.0, 100.0), width=60.0, height=3 * ROW),
+        NoteColumn(at=(5.0, 40.0), width=120.0, height=4 * ROW),
+    )
+    short, long = "One line.", "A sentence that takes two lines of the narrow column."
+    assert len(wrapped(long, 60.0)) == 2
+    lines = list(placed_notes([short, long, short, long], columns))
+    assert [at[0] for _, at in lines] == [10.0] * 3 + [5.0] * 2  # the second column is wide enough for it in a line
+    assert [at[1] for _, at in lines[:3]] == pytest.approx([100.0 - (n + 0.7) * ROW for n in range(3)])
+    assert lines[3][1][1] == pytest.approx(40.0 - 0.7 * ROW)
+    assert have_room([short] * 7, columns)
+    assert not have_room([short] * 8, columns)
+
+
+def test_a_sheet_is_as_large_as_its_notes_need():
+    assert chosen_sheet((90.0, 90.0), (100.0, 60.0), 1.0, 2.0, lambda size: size != "A4") == ("A3", 2.0)
+
+
+def test_a_diameter_is_written_where_its_line_crosses_no_edge():
+    """Of a hole in a ring, the number lay across the rim beside it; here the rim leaves room on one side alone."""
+    rim = [Closed(circle((0.0, 0.0), 50.0)), Closed(circle((-35.0, 0.0), 9.0))]
+    hole = DiameterDimension(name="hole", centre=(-35.0, 0.0), diameter=18.0, angle=180.0, prefix="6 × ")
+    (placed,) = placed_dimensions([hole], rim, [], 1.0)
+    end = np.array([-35.0, 0.0]) + (placed.reach + 10.0) * np.array(
+        [np.cos(np.radians(placed.angle)), np.sin(np.radians(placed.angle))]
+    )
+    assert np.hypot(*end) < 50.0
