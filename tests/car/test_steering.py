@@ -1,11 +1,13 @@
 """Curvature <-> steering: the paper's two cases, the inverse, and turns that cannot be held."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from cadgen.car.path.spline import plan_path
 from cadgen.car.path.wheel_track import offset_track
-from cadgen.car.steering import Car, steering_jets, tan_steering, track_curvature
+from cadgen.car.steering import Car, steering_jets, tan_steering, track_curvature, wheel_tangent
 from cadgen.curves.piecewise import quintic_hermite
 from cadgen.errors import DesignError
 
@@ -33,6 +35,14 @@ def test_the_turn_centre_lies_on_the_front_wheels_axle():
 def test_inverse():
     k = np.linspace(-1 / 250, 1 / 250, 101)
     np.testing.assert_allclose(track_curvature(tan_steering(k, CAR), CAR), k, atol=1e-15)
+
+
+@pytest.mark.parametrize(("zero", "gain"), [(0.1, 1.0), (-0.2, 1.0), (0.0, 1.3), (0.15, 0.8), (0.3, -1.0)])
+def test_the_front_wheel_turns_by_zero_and_gain_of_its_lever(zero, gain):
+    """Angles are added as angles: beta_w = atan(g tan(beta)) + beta_0."""
+    car = replace(CAR, steering_zero=zero, steering_gain=gain)
+    tangent = np.tan(np.radians(np.linspace(-35.0, 35.0, 29)))
+    np.testing.assert_allclose(np.arctan(wheel_tangent(tangent, car)), np.arctan(gain * tangent) + zero, atol=1e-14)
 
 
 def test_jets_follow_the_chain_rule(carbon_free_car):

@@ -107,7 +107,7 @@ MUTATIONS = (
         "cadgen/output/files/manifest.py",
         "json.dumps(self.content, allow_nan=False)",
         "json.dumps(self.content)",
-        f"{FOLDER}::test_a_damaged_entry_of_the_manifest_is_dropped",
+        f"{FOLDER}::test_an_entry_of_true_files_with_no_number_is_dropped",
     ),
     Mutation(
         "cadgen/writing.py",

@@ -1,8 +1,14 @@
 """A small slice of the fuzz study, and that it sees what it is there for."""
 
+import json
+import tomllib
+
+import numpy as np
 import pytest
 
-from tests.studies import fuzz, fuzz_data, fuzz_designs
+from cadgen import Design
+from cadgen.design.load import packaged_designs
+from tests.studies import fuzz, fuzz_data, fuzz_designs, fuzz_truth
 
 
 @pytest.mark.slow
@@ -22,6 +28,43 @@ def test_cases_are_made_again_from_seed_and_number():
         assert fuzz_designs.case(3, number) == fuzz_designs.case(3, number)
         assert fuzz_data.data(3, number) == fuzz_data.data(3, number)
     assert fuzz_designs.case(3, 1234) != fuzz_designs.case(4, 1234)
+
+
+def test_deep_cases_courses_and_studies_are_made_again_and_are_mostly_whole_designs():
+    deep = fuzz._deep("check", True)
+    made = [fuzz_designs.case(3, number, deep=deep) for number in range(60)]
+    assert made == [fuzz_designs.case(3, number, deep=deep) for number in range(60)]
+    assert {name for case in made for name in case.changes} >= {"motion", "figure_eight", "draws/eight.toml"}
+    for number in range(5):
+        assert fuzz_designs.course(3, number) == fuzz_designs.course(3, number)
+        assert fuzz_designs.study(3, number) == fuzz_designs.study(3, number)
+    one, study = fuzz_designs.study(3, 1)
+    (key, *_) = (vary["key"] for vary in tomllib.loads(study.decode())["vary"])
+    assert key in one.changes[-1]
+
+
+@pytest.mark.slow
+def test_the_independent_driver_finds_a_false_ready(tmp_path):
+    """A cloud that is 0.02 % too large, and an outline with another wheel, are not what a ready cam has."""
+    design = packaged_designs()["s_course"]
+    assert Design.load("s_course").cam("actual").write(tmp_path, formats=["xyz"])
+    assert not list(fuzz_truth.judge(design, (), tmp_path, 0))
+    other = "car.outline.wheel_diameter_mm=60"
+    assert [fault[:39] for fault in fuzz_truth.judge(design, [other], tmp_path, 0)] == [
+        "a false ready: a drive wheel of 137.6 mm"[:39]
+    ]
+    (cloud,) = tmp_path.glob("*.xyz")
+    points = np.loadtxt(cloud, comments="#")
+    np.savetxt(cloud, points * [1.0002, 1.0002, 1.0], fmt="%.6f")
+    for code, words in ((0, "a false ready"), (1, "not as the manifest says")):
+        (fault,) = fuzz_truth.judge(design, (), tmp_path, code)
+        assert fault.startswith(f"{words}: a waypoint is missed by")
+
+
+def test_an_exit_code_that_does_not_follow_the_verdict_is_a_fault():
+    printed = json.dumps({"verdict": {"readiness": "not-ready"}})
+    assert "exit code 0 for not-ready" in fuzz.judge("check", 0, "", printed, 1.0, 1e5, as_json=True)
+    assert not list(fuzz.judge("check", 1, "", printed, 1.0, 1e5, as_json=True))
 
 
 def test_either_end_of_every_range_is_among_the_cases():

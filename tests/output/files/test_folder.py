@@ -484,6 +484,18 @@ def test_a_damaged_entry_of_the_manifest_is_dropped(tmp_path, part):
     assert json.loads((tmp_path / "manifest.json").read_text())["parts"] == {"new": {"files": {}}}
 
 
+@pytest.mark.parametrize(("value", "kept"), [("1.5", {"old", "new"}), ("NaN", {"new"}), ("1e999", {"new"})])
+def test_an_entry_of_true_files_with_no_number_is_dropped(tmp_path, value, kept):
+    """Its file lies there with the hash that it lists, so only the value that JSON cannot write decides."""
+    (tmp_path / "b").write_text("kept")
+    sha256 = hashlib.sha256(b"kept").hexdigest()
+    entry = f'{{"files": {{"b": {{"sha256": "{sha256}"}}}}, "value": {value}}}'
+    (tmp_path / "manifest.json").write_text(f'{{"format": 1, "parts": {{"old": {entry}}}}}')
+    put(tmp_path, "new")
+    assert set(json.loads((tmp_path / "manifest.json").read_text())["parts"]) == kept
+    assert (tmp_path / "b").read_text() == "kept"
+
+
 def test_an_entry_keeps_the_files_that_a_later_run_leaves(tmp_path):
     put(tmp_path, "cam", step="old", dxf="old", csv="old")
     put(tmp_path, "cam_step", step="new")
