@@ -38,17 +38,18 @@ class Tabs(DesignSection):
 
 
 class Drilling(DesignSection):
-    """Programs that drill bore, lightening holes and mark, one for each drill, from the zero of the outline.
+    """Programs that make bore, lightening holes and mark, from the zero of the outline.
 
-    Without this section nothing is drilled.
+    Holes at least half a millimetre wider than the outline's cutter are milled with it, all in one program; the others
+    are drilled, each size by a program of its own. Without this section no holes are made.
     """
 
     bore_diameter_mm: float | None = Field(
         default=None,
         ge=0.2,
         le=200,
-        description="of the drill for the bore, such as 7.8 before a reamer of 8; left out, the bore's own, or the "
-        "widest that spares its flat",
+        description="of the drill for the bore, such as 7.8 before a reamer of 8; holes of this size are drilled; left "
+        "out, the bore's own, or the widest that spares its flat",
     )
     point_angle_deg: float = Field(default=118.0, ge=60, le=180, description="of the drills' points")
     spindle_rpm: float | None = Field(

@@ -11,6 +11,7 @@
 | `nc`           | programs for a mill, and the time that they take                             |
 | `gcode`        | the program that mills an outline, over its tabs                             |
 | `drilling`     | the programs that drill holes                                                |
+| `hole_milling` | the program that mills holes wider than the cutter                           |
 | `gcode_machine`| an interpreter of programs                                                   |
 | `gcode_reader` | the outline, the tabs and the holes that programs leave                      |
 | `xyz`          | clouds of points for a curve of a CAD system                                 |

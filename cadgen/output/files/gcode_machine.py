@@ -45,11 +45,13 @@ class Work:
         safe: least height of rapid moves sideways, mm; a hub and every clamp end below it.
         hub_radius: radius of a hub about the origin with the tool's own radius, mm; 0 without a hub.
         hub_height: height of the hub above the face, mm.
+        helices: whether arcs may go down, as they do in holes; of an outline they would tell nothing.
     """
 
     safe: float
     hub_radius: float = 0.0
     hub_height: float = 0.0
+    helices: bool = False
 
     def top(self, place: Array) -> float:
         """Height of the work under the tool, mm.
@@ -169,7 +171,7 @@ class _Machine:
             )
         elif np.isnan(start).any():
             raise RefusedError("cuts before X, Y and Z are known")
-        elif sideways and start[2] != end[2]:
+        elif sideways and start[2] != end[2] and not (self.work.helices and self.motion in ("G2", "G3")):
             raise RefusedError("cuts sideways and down at once, so no outline can be told from it")
         if self.motion in ("G2", "G3"):
             centre = start[:2] + np.array([values.get("I", 0.0), values.get("J", 0.0)])

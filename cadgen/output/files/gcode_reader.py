@@ -90,13 +90,7 @@ def read_gcode(
             than those of the design, a pass through air where a tab is taken off.
     """
     program = run_program(path, Work(safe=machining.safe_height_mm + hub_height))
-    number_of_tool = machining.tool_number
-    if program.tool != ("" if number_of_tool is None else f"T{number_of_tool}"):
-        raise FileError(
-            "{file} takes the tool {tool}: write it again",
-            file=path.name,
-            tool=program.tool or Message("in the spindle"),
-        )
+    _refuse_tool(path, program, machining)
     try:
         _refuse_feeds(program, machining, material)
         rounds = _MilledRounds.of(program)
@@ -106,6 +100,16 @@ def read_gcode(
     except RefusedError as refused:
         raise FileError("{file} {fault}: do not run this program", file=path.name, fault=refused.args[0]) from refused
     return Milled(outline, tabs)
+
+
+def _refuse_tool(path: Path, program: Program, machining: Machining) -> None:
+    number = machining.tool_number
+    if program.tool != ("" if number is None else f"T{number}"):
+        raise FileError(
+            "{file} takes the tool {tool}: write it again",
+            file=path.name,
+            tool=program.tool or Message("in the spindle"),
+        )
 
 
 def _refuse_feeds(program: Program, machining: Machining, material: DiscMaterial | None) -> None:
@@ -475,3 +479,139 @@ def _compared(floors: dict[bytes, Move], expected: Sequence[tuple[Array, float, 
             raise RefusedError("does not drill through at X {x:.3f} Y {y:.3f}", x=place[0], y=place[1])
         worst = max(worst, off[nearest])
     return worst
+
+
+@dataclass(frozen=True)
+class RoundHole:
+    """A round hole that a program must leave.
+
+    Attributes:
+        place: its centre, mm.
+        diameter: its diameter, mm.
+        top: height of the work there, mm.
+        bottom: height of the work's lower face there, mm.
+    """
+
+    place: tuple[float, float]
+    diameter: float
+    top: float
+    bottom: float
+
+
+def read_hole_milling(
+    path: Path, machining: Machining, holes: Sequence[RoundHole], *, material: DiscMaterial | None, hub: Hub | None
+) -> tuple[float, float]:
+    """Run a program that mills holes and return the greatest error of their places and of their diameters, mm.
+
+    Args:
+        path: program to read.
+        machining: cutter, with its greatest feeds and depth, and heights.
+        holes: holes that it must leave.
+        material: material of the disc, by which the feed goes; None if none is given.
+        hub: hub of the disc; None without one.
+
+    Raises:
+        FileError: a word that is not understood, a rapid move through the work, a plunge, a cut too deep or too fast, a
+            cut beyond a hole, a core that is left, a hole of a wrong size, at a wrong place, or not through.
+    """
+    above = hub.length if hub and hub.side == Face.OUTER else 0.0
+    cutter = machining.cutter_diameter_mm
+    work = Work(
+        safe=machining.safe_height_mm + max((hole.top for hole in holes), default=0.0),
+        hub_radius=(hub.diameter + cutter) / 2 if hub and above else 0.0,
+        hub_height=above,
+        helices=True,
+    )
+    program = run_program(path, work)
+    _refuse_tool(path, program, machining)
+    cuts = [move for move in program.moves if move.motion != "G0"]
+    try:
+        if program.stops:
+            raise RefusedError("stops before its end")
+        owners = [_hole_of(move, holes, cutter / 2) for move in cuts]
+        errors = []
+        for number, hole in enumerate(holes):
+            own = [move for move, owner in zip(cuts, owners, strict=True) if owner == number]
+            _refuse_depths(own, hole, machining, material)
+            errors.append(_milled_errors(own, hole, cutter / 2))
+    except RefusedError as refused:
+        raise FileError("{file} {fault}: do not run this program", file=path.name, fault=refused.args[0]) from refused
+    places, diameters = np.array(errors).T
+    return float(places.max()), float(diameters.max())
+
+
+def _hole_of(move: Move, holes: Sequence[RoundHole], radius: float) -> int:
+    """Number of the hole that a cut lies in; refuses one that reaches beyond it."""
+    places = move.places(_TAB_STEP)
+    beyond = [float(np.linalg.norm(places - hole.place, axis=1).max()) + radius - hole.diameter / 2 for hole in holes]
+    nearest = int(np.argmin(beyond))
+    if beyond[nearest] > 4 * HALF_DIGIT_MM:
+        raise RefusedError("cuts {off:.3f} mm beyond a hole in line {line}", off=beyond[nearest], line=move.line)
+    return nearest
+
+
+def _refuse_depths(cuts: Sequence[Move], hole: RoundHole, machining: Machining, material: DiscMaterial | None) -> None:
+    """Refuse plunges, steps down that are too deep, and feeds too fast along a turn or down."""
+    floor = hole.top
+    for move in cuts:
+        down, sideways = float(move.start[2] - move.end[2]), move.length
+        if down and not sideways:
+            if move.end[2] < hole.top - HALF_DIGIT_MM:
+                raise RefusedError("plunges in line {line}", line=move.line)
+            allowed = machining.plunge_feed_mm_per_min
+        else:
+            allowed = machining.feed(material)
+            if down:
+                allowed = min(allowed, machining.plunge_feed_mm_per_min * float(np.hypot(down, sideways)) / down)
+        if move.feed > allowed * (1 + 1e-6):
+            raise RefusedError(
+                "cuts at {feed:g} mm/min in line {line}; {allowed:g} is allowed there",
+                feed=move.feed,
+                line=move.line,
+                allowed=allowed,
+            )
+        if floor - move.end[2] > machining.step_down_mm + 2 * HALF_DIGIT_MM:
+            raise RefusedError(
+                "cuts {depth:.3f} mm deep at once in line {line}; {allowed:g} mm is allowed",
+                depth=floor - move.end[2],
+                line=move.line,
+                allowed=machining.step_down_mm,
+            )
+        if move.sweep and not down:
+            floor = float(move.end[2])
+
+
+def _milled_errors(cuts: Sequence[Move], hole: RoundHole, radius: float) -> tuple[float, float]:
+    """Errors of place and diameter of a hole by the whole turns on its lowest level, mm.
+
+    On every level the widest turn must be the same, so that the wall is straight, and from the middle outwards the
+    cutter must leave nothing between two turns.
+    """
+    x, y = hole.place
+    levels: dict[float, list[Move]] = {}
+    for move in cuts:
+        if abs(move.sweep) > TURN - 1e-9 and move.start[2] == move.end[2]:
+            levels.setdefault(float(move.end[2]), []).append(move)
+    if not levels or min(levels) > hole.bottom + HALF_DIGIT_MM:
+        raise RefusedError("does not mill through at X {x:.3f} Y {y:.3f}", x=x, y=y)
+    worst, off = 0.0, 0.0
+    for turns in levels.values():
+        rings = sorted((float(np.hypot(*(turn.start[:2] - turn.centre))), turn) for turn in turns)
+        reaches = [-radius, *(ring for ring, _ in rings)]
+        if max(np.diff(reaches), default=0.0) > 2 * radius:
+            raise RefusedError("leaves a core at X {x:.3f} Y {y:.3f}", x=x, y=y)
+        reach, widest = rings[-1]
+        place = float(np.hypot(*(widest.centre - hole.place)))
+        found = 2 * (reach + radius)
+        if place > 4 * HALF_DIGIT_MM:
+            raise RefusedError("has no hole at X {x:.3f} Y {y:.3f}", x=x, y=y)
+        if abs(found - hole.diameter) > 4 * HALF_DIGIT_MM:
+            raise RefusedError(
+                "leaves a hole of {found:.3f} mm at X {x:.3f} Y {y:.3f} instead of {diameter:g}",
+                found=found,
+                x=x,
+                y=y,
+                diameter=hole.diameter,
+            )
+        worst, off = max(worst, abs(found - hole.diameter)), max(off, place)
+    return off, worst

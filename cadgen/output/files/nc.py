@@ -1,4 +1,4 @@
-"""Programs for a mill (G-code) that a cam needs: the outline, and one for each drill; and the time that they take."""
+"""Programs for a mill (G-code) that a cam needs, of outline, holes and drills, and the time that they take."""
 
 from __future__ import annotations
 
@@ -16,7 +16,8 @@ from cadgen.figures import Facts
 from cadgen.output.files.drilling import drill_feed, drills_of, pecks, point_length, write_drilling
 from cadgen.output.files.dxf import edges_note
 from cadgen.output.files.gcode import RaisedHub, cutter_path, levels_of, write_gcode
-from cadgen.output.files.gcode_reader import read_drilling, read_gcode
+from cadgen.output.files.gcode_reader import RoundHole, read_drilling, read_gcode, read_hole_milling
+from cadgen.output.files.hole_milling import hole_minutes, is_milled, write_hole_milling
 from cadgen.output.files.publisher import Artifact
 from cadgen.parts.blank import Blank
 from cadgen.parts.face import Face
@@ -35,7 +36,7 @@ def cam_programs(cam: CamExport, folder: Path) -> Iterator[Artifact]:
 
 
 def programs(cam: CamExport, folder: Path, step: float) -> Iterator[tuple[Artifact, Outline | None]]:
-    """Write and read back the program of the outline, with the outline that it leaves, and those of the drills.
+    """Write and read back the program of the outline, with the outline that it leaves, and those of the holes.
 
     Args:
         cam: cam to make.
@@ -51,7 +52,10 @@ def programs(cam: CamExport, folder: Path, step: float) -> Iterator[tuple[Artifa
     drilling = machining.drilling
     # Rapid moves pass over a hub on the outer face.
     above = RaisedHub(hub.diameter / 2, hub.length) if hub and hub.side == Face.OUTER else None
-    drills = drills_of(blank, cam.thickness, drilling) if drilling else ()
+    every = drills_of(blank, cam.thickness, drilling) if drilling else ()
+    wide = [size for size in every if is_milled(size, machining)]
+    drills = [size for size in every if size not in wide]
+    holes = folder / f"{cam.stem}_holes.nc"
     tolerance = cam.export.arc_tolerance_um * 1e-3
     centre = cutter_path(cam.curve, machining.cutter_diameter_mm / 2, largest_cutter(cam.curve), tolerance)
     outline = folder / f"{cam.stem}.nc"
@@ -64,7 +68,7 @@ def programs(cam: CamExport, folder: Path, step: float) -> Iterator[tuple[Artifa
         name=cam.stem,
         material=cam.material,
         hub=above,
-        drilled=[drill.file_name(cam.stem) for drill in drills],
+        drilled=[drill.file_name(cam.stem) for drill in drills] + [holes.name] * bool(wide),
         notes=(*cam.notes, *filter(None, [edges])),
     )
     height = above.height if above else 0.0
@@ -78,6 +82,17 @@ def programs(cam: CamExport, folder: Path, step: float) -> Iterator[tuple[Artifa
             ]
         )
     yield Artifact(outline.name, facts), milled.outline
+    if wide:
+        write_hole_milling(holes, wide, machining, name=cam.stem, material=cam.material)
+        expected = [RoundHole(hole.place, size.diameter, hole.top, hole.bottom) for size in wide for hole in size.holes]
+        off, wrong = read_hole_milling(holes, machining, expected, material=cam.material, hub=hub)
+        said = Facts(
+            cutter_diameter_mm=machining.cutter_diameter_mm,
+            holes=len(expected),
+            place_error_um=off * 1e3,
+            diameter_error_um=wrong * 1e3,
+        )
+        yield Artifact(holes.name, said), None
     for drill in drills:
         assert drilling is not None
         path = folder / drill.file_name(cam.stem)
@@ -87,7 +102,7 @@ def programs(cam: CamExport, folder: Path, step: float) -> Iterator[tuple[Artifa
             machining,
             drilling,
             diameter=drill.diameter,
-            bore=drills[0].diameter,
+            bore=every[0].diameter,
             holes=blank.holes(),
             thickness=cam.thickness,
             hub=hub,
@@ -130,7 +145,7 @@ def milling_minutes(length: float, machining: Machining, thickness: float, mater
 
 
 def drilling_minutes(blank: Blank, machining: Machining, thickness: float, material: DiscMaterial | None) -> float:
-    """Time at the feeds of the programs that drill a disc, min; 0 without [machining.drilling].
+    """Time at the feeds of the programs that make a disc's holes, min; 0 without [machining.drilling].
 
     Args:
         blank: bore, hub, holes and mark.
@@ -143,6 +158,9 @@ def drilling_minutes(blank: Blank, machining: Machining, thickness: float, mater
         return 0.0
     minutes = 0.0
     for drill in drills_of(blank, thickness, drilling):
+        if is_milled(drill, machining):
+            minutes += sum(hole_minutes(hole, drill.diameter, machining, material) for hole in drill.holes)
+            continue
         below = point_length(drill.diameter, drilling) + machining.break_through_mm
         peck = drilling.peck_mm or drill.diameter
         feed = drill_feed(drill.diameter, drilling, material)[1]

@@ -29,7 +29,9 @@ def minutes_of(program: Path) -> float:
             case 2 | 3:
                 x, y = start["X"] + words["I"], start["Y"] + words["J"]
                 turned = atan2(at["Y"] - y, at["X"] - x) - atan2(start["Y"] - y, start["X"] - x)
-                length = hypot(words["I"], words["J"]) * ((turned if words["G"] == 3 else -turned) % (2 * pi))
+                # Equal ends make a whole turn.
+                turned = (turned if words["G"] == 3 else -turned) % (2 * pi) or 2 * pi
+                length = hypot(hypot(words["I"], words["J"]) * turned, at["Z"] - start["Z"])
             case _:
                 continue
         minutes += length / feed
@@ -37,15 +39,22 @@ def minutes_of(program: Path) -> float:
 
 
 @pytest.mark.parametrize(
-    "machining",
+    ("machining", "ends"),
     [
-        Machining(),
-        Machining(cutter_teeth=3, step_down_mm=3.3, safe_height_mm=0.5, lead_radius_mm=1.0),
-        Machining(tabs=Tabs(), drilling=Drilling()),
-        Machining(feed_mm_per_min=300.0, tabs=Tabs(count=4, height_mm=2.5), drilling=Drilling(peck_mm=0.7)),
+        (Machining(), []),
+        (Machining(cutter_teeth=3, step_down_mm=3.3, safe_height_mm=0.5, lead_radius_mm=1.0), []),
+        # Bore and lightening holes are wider than the cutter, and milled; the mark is drilled.
+        (Machining(tabs=Tabs(), drilling=Drilling()), ["holes", "drill_3"]),
+        (
+            Machining(feed_mm_per_min=300.0, tabs=Tabs(count=4, height_mm=2.5), drilling=Drilling(peck_mm=0.7)),
+            ["holes", "drill_3"],
+        ),
+        (Machining(drilling=Drilling(bore_diameter_mm=7.8)), ["holes", "drill_7.8", "drill_3"]),
+        (Machining(cutter_diameter_mm=2.0, step_down_mm=0.4, drilling=Drilling()), ["holes"]),
+        (Machining(cutter_diameter_mm=8.0, drilling=Drilling()), ["drill_8", "drill_6", "drill_3"]),
     ],
 )
-def test_the_time_is_that_of_the_moves(machining, tmp_path):
+def test_the_time_is_that_of_the_moves(machining, ends, tmp_path):
     blank = BLANK
     cam = CamExport(
         stem="disc",
@@ -61,9 +70,10 @@ def test_the_time_is_that_of_the_moves(machining, tmp_path):
         export=Export(arc_tolerance_um=0.1),
         machining=machining,
     )
-    outline, *drills = [minutes_of(tmp_path / each.name) for each, _ in programs(cam, tmp_path, 0.1)]
+    made = [each.name for each, _ in programs(cam, tmp_path, 0.1)]
+    assert made == ["disc.nc", *(f"disc_{end}.nc" for end in ends)]
+    outline, *drills = [minutes_of(tmp_path / name) for name in made]
     # The way along a tab is reckoned as straight: on this circle 0.003 mm of 7 are left out.
     close = 1e-5 if machining.tabs is None else 5e-5
     assert milling_minutes(120 * pi, machining, 3.0, "aluminium") == pytest.approx(outline, rel=close)
     assert drilling_minutes(blank, machining, 3.0, "aluminium") == pytest.approx(sum(drills), rel=1e-5)
-    assert len(drills) == (3 if machining.drilling else 0)
