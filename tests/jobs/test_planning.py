@@ -7,9 +7,17 @@ import numpy as np
 import pytest
 
 from cadgen import Design
+from cadgen.car.planner.constraints import LimitKind, PathLimit
+from cadgen.car.planner.kinematics import Basis
+from cadgen.car.planner.path_plan import PathPlan, Reason
+from cadgen.car.planner.path_task import Margins
+from cadgen.car.planner.search import PathSearch, fixed_start
 from cadgen.design import cam_model
 from cadgen.design.begin import EXAMPLE, text_of
+from cadgen.design.load import course_of
 from cadgen.errors import CheckError, DesignError
+from cadgen.jobs.planning.path_planning import PathPlanning
+from cadgen.jobs.planning.task import task_of
 from tests.studies import courses
 
 GATES = [f"course.gates.{number}.radius_mm=50" for number in range(1, 13)]
@@ -204,6 +212,30 @@ def test_a_post_on_the_start_is_refused():
         DesignError, match=r"course\.posts\.1 stands on the car at its start, .*: move the post, or the start"
     ):
         Design.from_toml(text, train_only=True).plan()
+
+
+@pytest.mark.parametrize(
+    ("amount", "words"),
+    [
+        (9.0, "move course.posts.1 by 9.1 mm, or lower course.margin_mm by that"),
+        (9.96, "move course.posts.1 by 10.1 mm"),
+        (11.0, "move course.posts.1 by 11.1 mm"),
+    ],
+)
+def test_no_less_than_no_margin_is_advised(amount, words):
+    """The design asks for 10 mm; after a check has failed the planner itself keeps more."""
+    design = course_of(SMALL, Path("small.toml"), ())[0]
+    task = task_of(design, drawn=None, near=None, within=0.0, calm=None, tightening=Margins(margin=3.0))
+    assert task.course.margin == 13
+    basis = Basis(16)
+    path = PathSearch(task, basis, fixed_start(basis, (False, None)), lambda _: []).path(
+        np.outer(np.arange(16.0), [9, 1])
+    )
+    reason = Reason(PathLimit(LimitKind.CLEARANCE, "course.posts.1"), amount, (0.0, 0.0), enough=True)
+    found = PathPlanning(
+        asked=design, task=task, plan=PathPlan(path, task, path.points), text="", cam=None, reasons=(reason,)
+    )
+    assert found.sentences[0].endswith(f"least change that does: {words}")
 
 
 @pytest.mark.slow

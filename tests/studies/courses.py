@@ -276,14 +276,17 @@ def _clipped(a: np.ndarray, b: np.ndarray, low: np.ndarray, high: np.ndarray) ->
     return a + share * (b - a)
 
 
-def swept(text: str, course: Case) -> dict[str, float]:
-    """Least distance of the planned car from each obstacle and from the edge, by brute force, mm."""
+def swept(text: str, course: Case, factor: float = 1.0) -> dict[str, float]:
+    """Least distance of the planned car from each obstacle and from the edge, by brute force, mm.
+
+    At another spacing path and obstacles are `factor` times as far from the origin; car and field stay.
+    """
     import tomllib
 
     from scipy.interpolate import BSpline
 
     path = tomllib.loads(text)["path"]
-    points = np.array(path["control_points_mm"])
+    points = factor * np.array(path["control_points_mm"])
     last = len(points) - 5
     knots = np.concatenate([np.zeros(5), np.arange(last + 1), np.full(5, last)])
     spline = BSpline(knots, points, 5)
@@ -295,7 +298,7 @@ def swept(text: str, course: Case) -> dict[str, float]:
     middle = r + (path["offset_mm"] - (A1 + A2) / 2) * normal
     result = {}
     for key, corners, reach in course.obstacles:
-        every = rim(corners) if len(corners) > 1 else corners
+        every = rim(factor * corners) if len(corners) > 1 else factor * corners
         near = (
             np.hypot(*(middle[:, None] - every[None, :: max(len(every) // 20, 1)]).transpose(2, 0, 1)).min(axis=1) < 900
         )

@@ -1,9 +1,10 @@
-"""Paths of arcs and straights to begin a search with: shortest ways of a car that turns no tighter than a radius.
+"""Paths of arcs and straights from gate to gate, round what stands in the way, to begin a search with.
 
-From pose to pose there are six such ways, two arcs with a straight or a third arc between (L. E. Dubins, Amer. J. Math.
-79 (1957) 497). Each stop has several headings, and each leg may go over one of some poses that are drawn at random, so
-that other draws give ways on other sides of what stands there. The best sequence of poses is found by dynamic
-programming; where a way crosses an obstacle, or passes a post on the wrong side, it is very dear.
+From pose to pose there are six shortest ways of a car that turns no tighter than a radius: two arcs with a straight or
+a third arc between (L. E. Dubins, Amer. J. Math. 79 (1957) 497). Each stop has several headings, and each leg may go
+over one of some poses that are drawn at random, so that other draws give ways on other sides of what stands there. The
+best sequence of poses is found by dynamic programming; where a way crosses an obstacle, or passes a post on the wrong
+side, it is very dear.
 """
 
 import itertools
@@ -21,20 +22,19 @@ _HEADINGS = 24
 _BETWEEN = 60  # poses drawn at random for each leg
 _SAMPLES = 40  # of a way
 _BESIDE = 400.0  # mm from a post within which its side counts; on another part of the way it may be passed otherwise
-_ROOM = 1.2  # times the least radius: curvature does not jump on a path
 _AGREE = 1e-6  # of a radius: a way that does not end where it should is none
 # Directions of the three parts of a way: left, straight, right.
 _WORDS = ((1, 0, 1), (-1, 0, -1), (1, 0, -1), (-1, 0, 1), (-1, 1, -1), (1, -1, 1))
 _SPACING = 60.0  # mm between the places of the result
 
 
-def arcs_along(task: PathTask, seed: int, room: float = _ROOM) -> Array:
+def arcs_along(task: PathTask, seed: int, room: float) -> Array:
     """Places of the planned point on a way of arcs and straights along a course, shape (k, 2), mm.
 
     Args:
         task: what is planned; its gates are passed in their order.
         seed: seed of the poses between the stops.
-        room: radius of the arcs, as a factor on the least one.
+        room: radius of the arcs, as a factor on the least one; above 1, for the curvature of a path does not jump.
 
     Raises:
         DesignError: the course has nothing to drive to.

@@ -34,8 +34,9 @@ class Barrier:
 
     Attributes:
         key: place in the design file.
-        points: its points, shape (k, 2), mm.
-        corners: corners of an area, shape (c, 2), mm; empty if it is none.
+        points: its points, close together, shape (k, 2), mm.
+        line: its corners in order, the two ends of a wall or the place of a post, shape (c, 2), mm.
+        filled: whether `line` is the outline of an area.
         inside: whether the car must stay within the area.
         reach: radius of a post, half the thickness of a wall, mm.
         margin: distance to keep, mm.
@@ -47,13 +48,19 @@ class Barrier:
 
     key: str
     points: Array
-    corners: Array
+    line: Array
+    filled: bool
     inside: bool
     reach: float
     margin: float
     side: Side | None = None
     under: bool = False
     grown: float = 1.0
+
+    @property
+    def corners(self) -> Array:
+        """Corners of an area, shape (c, 2), mm; empty if it is none."""
+        return self.line if self.filled else self.line[:0]
 
 
 def barriers_of(course: Course, body: CarBody, draw: Draw | None = None) -> tuple[Barrier, ...]:
@@ -74,7 +81,8 @@ def _barriers(course: Course, body: CarBody, grown: float) -> tuple[Barrier, ...
         Barrier(
             obstacle.key,
             _points(obstacle.shape),
-            _corners(obstacle.shape),
+            np.array(obstacle.shape.points),
+            filled=obstacle.shape.filled,
             inside=False,
             reach=obstacle.shape.reach * grown,
             margin=course.margin * grown,
@@ -85,20 +93,16 @@ def _barriers(course: Course, body: CarBody, grown: float) -> tuple[Barrier, ...
         for obstacle in course.obstacles
     ]
     if course.edge is not None:
-        corners = _corners(course.edge)
+        corners = np.array(course.edge.points)
         # Inside a convex field the corners of the car are all that can be outside.
-        along = np.roll(corners, -1, axis=0) - corners
-        after = np.roll(along, -1, axis=0)
-        turns = along[:, 0] * after[:, 1] - along[:, 1] * after[:, 0]
-        convex = (turns >= 0).all() or (turns <= 0).all()
-        points = np.zeros((0, 2)) if convex else _points(course.edge)
-        margin = course.margin * grown
-        barriers.append(Barrier("course.field", points, corners, inside=True, reach=0.0, margin=margin, grown=grown))
+        points = np.zeros((0, 2)) if _convex(corners) else _points(course.edge)
+        barriers.append(
+            Barrier(
+                "course.field", points, corners, filled=True, inside=True, reach=0.0, margin=course.margin * grown,
+                grown=grown,
+            )
+        )  # fmt: skip
     return tuple(barriers)
-
-
-def _corners(shape: Shape) -> Array:
-    return np.array(shape.points) if shape.filled else np.zeros((0, 2))
 
 
 def _points(shape: Shape) -> Array:
@@ -157,6 +161,16 @@ class Clearances:
     def _parts(self) -> tuple[tuple[Array, bool], ...]:
         return parts_of(self.vehicle)
 
+    @cached_property
+    def _outer(self) -> tuple[Array, ...]:
+        """Parts of the car without those that lie within another, convex one."""
+        every = [corners for corners, _ in self._parts]
+        return tuple(
+            part
+            for number, part in enumerate(every)
+            if not any(_convex(whole) and polygon_holds(part, whole).all() for whole in every[:number])
+        )
+
     def constraints(self, points: Array) -> list[Constraint]:
         """Constraints of the barriers on a path by its control points, shape (n, 2), mm.
 
@@ -171,15 +185,16 @@ class Clearances:
         return kept + [each.tightened(spare) for each in kept if (spare := self.spare.get(each.limit.key, 0.0)) > 0]
 
     def _constraint(self, barrier: Barrier, motion: Kinematics, radius: float) -> Constraint | None:
-        place, far = motion.jets[0], radius * barrier.grown + barrier.reach + barrier.margin + _FAR
-        if barrier.inside:
-            near = _signed(place, barrier.corners)[0] > -far
-        else:
-            near = np.linalg.norm(place[:, None] - barrier.points[None], axis=2).min(axis=1) < far
+        far = radius * barrier.grown + barrier.reach + barrier.margin + _FAR
+        away = (
+            _signed(motion.jets[0], barrier.line)[0] if barrier.filled else _from_line(motion.jets[0], barrier.line)[0]
+        )
+        near = away > -far if barrier.inside else away < far
         if not near.any():
             return None
         close = Kinematics(motion.places[np.flatnonzero(near)], motion.points, motion.offset)
-        parts = [corners * barrier.grown for corners, wheel in self._parts if wheel or not barrier.under]
+        parts = [corners for corners, wheel in self._parts if wheel] if barrier.under else self._outer
+        parts = [corners * barrier.grown for corners in parts]
         distance, by = _nearest(barrier, close, parts)
         if barrier.side is not None:
             distance, by = _on_side(barrier, close, parts, distance, by)
@@ -191,21 +206,27 @@ class Clearances:
 def _nearest(barrier: Barrier, motion: Kinematics, parts: list[Array]) -> tuple[Array, Array]:
     """Least distance at each place, shape (m,), and its derivative, shape (m, 12)."""
     m = len(motion.places.u)
-    best = np.full(m, np.inf)
+    best, every = np.full(m, np.inf), np.arange(m)
     x, y, direction = np.zeros(m), np.zeros(m), np.zeros((m, 2))
     frame = np.stack([motion.ahead, motion.left], axis=1)  # rows: ahead, left
-    # The barrier's points in the car's frame.
-    seen = np.einsum("mab,mkb->mka", frame, barrier.points[None] - motion.jets[0][:, None])
+    # Outside of a part its corners are what counts; of the other points those that may be within.
+    ends = len(barrier.line)
+    points = barrier.line if ends == 1 else np.vstack([barrier.line, barrier.points])
+    dx, dy = points.T[:, None] - motion.jets[0].T[:, :, None]
+    apart = dx**2 + dy**2
     for corners in parts:
         if len(corners) > 2 and len(barrier.points):
-            away, normal = _signed(seen.reshape(-1, 2), corners)
-            away = away.reshape(m, -1)
-            first = away.argmin(axis=1)
-            value = away[np.arange(m), first]
+            reach = float(np.linalg.norm(corners, axis=1).max())
+            row, column = np.nonzero((apart <= reach**2) | (np.arange(len(points)) < ends))
+            off = np.stack([dx[row, column], dy[row, column]], axis=1)
+            seen = np.einsum("pab,pb->pa", frame[row], off)
+            away, normal = _signed(seen, corners)
+            first = np.lexsort((away, row))[np.searchsorted(row, every)]
+            value = away[first]
             better = value < best
-            at = seen[np.arange(m), first]
+            at = seen[first]
             # The point of the car that is nearest moves towards the barrier as the normal in the car's frame says.
-            turned = np.einsum("mab,ma->mb", frame, normal.reshape(m, -1, 2)[np.arange(m), first])
+            turned = np.einsum("mab,ma->mb", frame, normal[first])
             best[better], x[better], y[better] = value[better], at[better, 0], at[better, 1]
             direction[better] = -turned[better]
         value, corner, out = _corner_distance(barrier, motion, corners)
@@ -224,12 +245,12 @@ def _corner_distance(barrier: Barrier, motion: Kinematics, corners: Array) -> tu
         + corners[None, :, 1:] * motion.left[:, None]
     )
     flat = placed.reshape(-1, 2)
-    if len(barrier.corners):
-        away, out = _signed(flat, barrier.corners)
+    if barrier.filled:
+        away, out = _signed(flat, barrier.line)
         if barrier.inside:
             away, out = -away, -out
     else:
-        away, out = _from_line(flat, barrier.points)
+        away, out = _from_line(flat, barrier.line)
     away = away.reshape(m, -1)
     number = away.argmin(axis=1)
     every = np.arange(m)
@@ -274,20 +295,32 @@ def _from_line(points: Array, line: Array) -> tuple[Array, Array]:
     """Distance of points from a line of points, and the unit vectors away from it, shapes (n,) and (n, 2)."""
     if len(line) == 1:
         off = points - line[0]
-        away = np.linalg.norm(off, axis=1)
+        away = np.hypot(off[:, 0], off[:, 1])
         return away, off / np.maximum(away, 1e-12)[:, None]
-    best, out = np.full(len(points), np.inf), np.zeros_like(points)
-    for a, b in itertools.pairwise(line):
-        along = b - a
-        share = np.clip((points - a) @ along / max(float(along @ along), 1e-12), 0.0, 1.0)
-        off = points - a - share[:, None] * along
-        away = np.linalg.norm(off, axis=1)
-        nearer = away < best
-        best[nearer] = away[nearer]
-        # On the line itself, the side to its left.
-        side = np.array([-along[1], along[0]]) / max(float(np.hypot(*along)), 1e-12)
-        out[nearer] = np.where(away[nearer, None] > 1e-9, off[nearer] / np.maximum(away[nearer], 1e-12)[:, None], side)
-    return best, out
+    (x, y), (ax, ay), (dx, dy) = points.T, line[:-1].T[:, :, None], np.diff(line, axis=0).T[:, :, None]
+    # From each piece, a row, to each point, a column.
+    px, py = x - ax, y - ay
+    share = np.clip((px * dx + py * dy) / np.maximum(dx**2 + dy**2, 1e-12), 0.0, 1.0)
+    px, py = px - share * dx, py - share * dy
+    every = np.arange(len(points))
+    nearest = (px**2 + py**2).argmin(axis=0)
+    off = np.stack([px[nearest, every], py[nearest, every]], axis=1)
+    away = np.hypot(off[:, 0], off[:, 1])
+    out = off / np.maximum(away, 1e-12)[:, None]
+    on = away <= 1e-9  # on the line itself, the side to its left
+    if on.any():
+        along = np.concatenate([dx, dy], axis=1)[nearest[on]]
+        left = np.stack([-along[:, 1], along[:, 0]], axis=1)
+        out[on] = left / np.maximum(np.hypot(left[:, 0], left[:, 1]), 1e-12)[:, None]
+    return away, out
+
+
+def _convex(corners: Array) -> bool:
+    """Whether a polygon is convex."""
+    along = np.roll(corners, -1, axis=0) - corners
+    after = np.roll(along, -1, axis=0)
+    turns = along[:, 0] * after[:, 1] - along[:, 1] * after[:, 0]
+    return bool((turns >= 0).all() or (turns <= 0).all())
 
 
 def polygon_holds(points: Array, corners: Array) -> NDArray[np.bool_]:

@@ -86,7 +86,9 @@ class Constraint:
 
     @property
     def violation(self) -> float:
-        """Sum of what is beyond the limit."""
+        """Sum of what is beyond the limit; of a distance that is kept besides, the most that is missing."""
+        if self.limit.spare:
+            return max(self.worst, 0.0)
         return float(np.maximum(self.values, 0.0).sum())
 
     @property

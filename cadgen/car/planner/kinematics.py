@@ -91,7 +91,13 @@ class Basis:
 
     def even(self, each: int) -> Places:
         """Places at even parameters, `each` of them to a span and the last one."""
-        return self.at(np.linspace(0.0, self.stop, each * self.spans + 1))
+        if each not in self._even:
+            self._even[each] = self.at(np.linspace(0.0, self.stop, each * self.spans + 1))
+        return self._even[each]
+
+    @cached_property
+    def _even(self) -> dict[int, Places]:
+        return {}
 
 
 _STEP = 1e-30  # of a complex step, which has no rounding to trade against

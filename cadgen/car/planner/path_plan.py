@@ -19,7 +19,7 @@ from cadgen.car.planner.gates import Passing
 from cadgen.car.planner.kinematics import Basis
 from cadgen.car.planner.path_task import PathTask, Vehicle
 from cadgen.car.planner.route import End, fitted_to, planned_end, route_of, smooth_path
-from cadgen.car.planner.search import PathSearch, SearchedPath, fixed_ends, fixed_start
+from cadgen.car.planner.search import UNEVEN, PathSearch, SearchedPath, fixed_ends, fixed_start, left
 
 _SPAN = 320.0  # mm of the path to a span of the B-spline
 _SPANS_A_STOP = 4
@@ -32,9 +32,6 @@ _CALMNESS = (1.0, 10.0, 40.0)
 ROOMS = (1.2, 1.05)
 # Limits whose violation is not by such a turn.
 _STANDING = (LimitKind.CLEARANCE, LimitKind.FIELD)
-UNEVEN = (LimitKind.FAST, LimitKind.SLOW)  # limits that serve the search alone
-_LEFT, _LEFT_MM = 2e-3, 0.01  # of a limit or rad, and mm of a gate or a clearance: what a search may leave
-_IN_MM = (LimitKind.GATE, LimitKind.CLEARANCE, LimitKind.FIELD)
 
 # Of the search for reasons.
 _QUIET = 1e-3  # of the spread of the play: here only limits count
@@ -54,14 +51,6 @@ _ROUNDS = 30  # of each penalty
 _NEARLY = 0.02  # as `left`, of the other limits: how far one must give way is wanted to a percent or so
 
 
-def left(limit: PathLimit) -> float:
-    """Greatest violation that a search may leave, in the unit of the limit: a share, rad or mm.
-
-    Of a gate and a clearance that is less than is kept from their edges for what happens between the places.
-    """
-    return _LEFT_MM if limit.kind in _IN_MM else _LEFT
-
-
 @dataclass(frozen=True, eq=False)
 class PathPlan:
     """Planned path with its task and the path it was begun from.
@@ -79,11 +68,7 @@ class PathPlan:
     @property
     def missed(self) -> dict[PathLimit, float]:
         """Limits that are not kept, with the greatest excess of each."""
-        return {
-            limit: most
-            for limit, most in self.path.violated.items()
-            if most > left(limit) and limit.kind not in UNEVEN and not limit.spare
-        }
+        return self.path.missed
 
 
 def best_plan(

@@ -24,6 +24,7 @@ from scipy.sparse import csr_array, eye_array, hstack, vstack
 from cadgen.arrays import Array
 from cadgen.car.planner.constraints import (
     Constraint,
+    LimitKind,
     PathLimit,
     driving_constraints,
     evenness_constraints,
@@ -49,6 +50,16 @@ class Fixed:
     matrix: Array
 
 
+def weight(constraint: Constraint, penalty: float) -> float:
+    """Cost of a violation by one, mm of the end of the run.
+
+    Args:
+        constraint: whose weight counts; that of a distance which is kept besides grows up to the usual penalty alone.
+        penalty: factor on its weight.
+    """
+    return constraint.weight * (min(penalty, _PENALTIES[-1]) if constraint.limit.spare else penalty)
+
+
 def best_step(
     cost: PlayCost, constraints: list[Constraint], penalty: float, step: float, fixed: Fixed
 ) -> tuple[Array, float]:
@@ -67,7 +78,9 @@ def best_step(
     points = 2 * cost.line.motion.places.count
     intervals = len(cost.rises)
     constraints = [kept for each in constraints if len((kept := each.reachable(step)).values)]
-    beyond = sum(len(each.values) for each in constraints)
+    # A violation for each place, and one for all places of a distance that is kept besides.
+    sizes = [1 if each.limit.spare else len(each.values) for each in constraints]
+    beyond = sum(sizes)
     # Variables: points, falls, the error, violations.
     columns, slopes = cost.by_rises()
     by_rise = _sparse(columns, slopes * _SCALE, points)
@@ -79,9 +92,20 @@ def best_step(
     weights = np.zeros(0)
     if constraints:
         matrix = vstack([each.matrix(points) for each in constraints])
-        blocks.append(hstack([matrix, csr_array((beyond, intervals + 1)), -eye_array(beyond)]))
-        bounds_above.append(-np.concatenate([each.values for each in constraints]))
-        weights = penalty * np.concatenate([np.full(len(each.values), each.weight) for each in constraints])
+        values = np.concatenate([each.values for each in constraints])
+        rows, columns = (
+            np.arange(len(values)),
+            np.concatenate(
+                [
+                    first + np.arange(len(each.values)) % size
+                    for each, size, first in zip(constraints, sizes, np.cumsum([0, *sizes]), strict=False)
+                ]
+            ),
+        )
+        violated = csr_array((np.ones(len(values)), (rows, columns)), shape=(len(values), beyond))
+        blocks.append(hstack([matrix, csr_array((len(values), intervals + 1)), -violated]))
+        bounds_above.append(-values)
+        weights = np.repeat([weight(each, penalty) for each in constraints], sizes)
     objective = np.concatenate([np.zeros(points), np.full(intervals, cost.calm / _SCALE), [1.0], weights])
     low = np.concatenate([np.full(points, -step), np.zeros(intervals + 1 + beyond)])
     high = np.concatenate([np.full(points, step), np.full(intervals + 1 + beyond, np.inf)])
@@ -132,6 +156,12 @@ EACH = 8  # places of a span at which the limits are held; an even number, for S
 # Penalties in turn: first the search may go through what is not allowed, at last it hardly may.
 _PENALTIES = (1.0, 10.0, 100.0)
 _FIRST_STEPS = (60.0, 10.0, 10.0)  # mm
+# Where play costs much by a little steering, a limit gives way even then: a penalty is exact only beyond what it saves.
+_MORE_PENALTIES = (1e3, 1e4)
+_MORE_STEP = 10.0  # mm
+UNEVEN = (LimitKind.FAST, LimitKind.SLOW)  # limits that serve the search alone
+_LEFT, _LEFT_MM = 2e-3, 0.01  # of a limit or rad, and mm of a gate or a clearance: what a search may leave
+_IN_MM = (LimitKind.GATE, LimitKind.CLEARANCE, LimitKind.FIELD)
 _MOST_ROUNDS = 40  # of each penalty
 _LEAST_STEP, _WIDEST_STEP = 0.05, 150.0  # mm
 _LEAST_GAIN = 0.02  # mm of the cost
@@ -141,6 +171,17 @@ _POOR, _GOOD = 0.25, 0.7  # shares of the promised gain
 
 # Constraints that depend on the course, as a function of the control points.
 CourseConstraints = Callable[[Array], list[Constraint]]
+
+
+def left(limit: PathLimit) -> float:
+    """Greatest violation that a search may leave, in the unit of the limit: a share, rad or mm.
+
+    Of a gate and a clearance that is less than is kept from their edges for what happens between the places.
+
+    Args:
+        limit: which limit.
+    """
+    return _LEFT_MM if limit.kind in _IN_MM else _LEFT
 
 
 @dataclass(frozen=True, eq=False)
@@ -163,7 +204,7 @@ class SearchedPath:
         Args:
             penalty: factor of the cost of what is violated.
         """
-        return self.cost.cost + penalty * sum(each.weight * each.violation for each in self.constraints)
+        return self.cost.cost + sum(weight(each, penalty) * each.violation for each in self.constraints)
 
     @property
     def violated(self) -> dict[PathLimit, float]:
@@ -173,6 +214,15 @@ class SearchedPath:
             if each.worst > 0:
                 worst[each.limit] = max(worst.get(each.limit, 0.0), each.worst)
         return worst
+
+    @property
+    def missed(self) -> dict[PathLimit, float]:
+        """Limits that are not kept, with the greatest excess of each."""
+        return {
+            limit: most
+            for limit, most in self.violated.items()
+            if most > left(limit) and limit.kind not in UNEVEN and not limit.spare
+        }
 
 
 @dataclass(frozen=True, eq=False)
@@ -227,6 +277,9 @@ class PathSearch:
         path = self.path(points)
         for penalty, step in zip(_PENALTIES, _FIRST_STEPS, strict=True):
             path = self._descend(path, penalty, step, report, rounds)
+        for penalty in _MORE_PENALTIES if self.loose is None else ():
+            if path.missed:
+                path = self._descend(path, penalty, _MORE_STEP, report, rounds)
         return path
 
     def _descend(

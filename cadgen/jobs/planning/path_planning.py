@@ -414,7 +414,8 @@ def _cure(reason: Reason, task: PathTask, design: Design) -> str:
         return Message(
             "make {key} {amount:.1f} mm wider to either side, or move it by that", key=key, amount=amount + 0.1
         )
-    if amount + 0.1 > task.course.margin:  # less than no margin cannot be asked for
+    # Less than no margin cannot be asked for; that of the task may be more than that of the design.
+    if design.course is None or amount + 0.1 > design.course.margin_mm:
         if kind == LimitKind.FIELD:
             return Message("make the field {amount:.1f} mm larger there", amount=amount + 0.1)
         return Message("move {key} by {amount:.1f} mm", key=key, amount=amount + 0.1)

@@ -97,7 +97,7 @@ def plan_design(
     asked = _Asked(design, text, drawn, wanted, progress)
     path = _planned(asked, Margins())
     if not path.passed or path.cam is None:
-        return path
+        return _explained(asked, path)
     try:
         first = tried(path.cam, 0.0)
     except DesignError as error:
@@ -128,7 +128,9 @@ def _chosen(asked: _Asked, path: PathPlanning, cam: CamPlan, cars: Tried) -> Pat
         if path.cam is not None and more is not None:
             found.append((path, path.cam, more))
         elif wanted.reserve is not None:
-            return path
+            return _explained(asked, path)
+        else:  # more room than this there is not
+            break
         if wanted.reserve is None and saturated([each for _, _, each in found]):
             break
     every = [cars for _, _, cars in found]
@@ -140,7 +142,7 @@ def _chosen(asked: _Asked, path: PathPlanning, cam: CamPlan, cars: Tried) -> Pat
 def _planned(
     asked: _Asked, tightening: Margins, spare: Mapping[str, float] | None = None, begin: Array | None = None
 ) -> PathPlanning:
-    """Plan a path, with what its checks ask for, or the reasons why none was found.
+    """Plan a path, with what its checks ask for.
 
     Where a course is drawn and the path from scratch cannot be set for all its spacings, the search is begun from the
     path of a narrow range about the stated spacing.
@@ -163,10 +165,15 @@ def _planned(
         if not middle.missed:
             other = _kept_by_checks(asked, tightening, spare, rounded(middle.path.points))
             path = other if other.passed else path
-    if path.plan.missed:
-        asked.progress("looking for the reason")
-        path = replace(path, reasons=reasons(path.plan))
     return path
+
+
+def _explained(asked: _Asked, path: PathPlanning) -> PathPlanning:
+    """A path with the reasons why it keeps not all limits."""
+    if not path.plan.missed:
+        return path
+    asked.progress("looking for the reason")
+    return replace(path, reasons=reasons(path.plan))
 
 
 def _kept_by_checks(
