@@ -4,7 +4,7 @@ For a reason, each limit that the best path violates is made loose in turn: viol
 others stay dear. If all others can be kept then, the violation that is left says how far this limit must give way.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -12,6 +12,7 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.car.path.spline import DEGREE
+from cadgen.car.planner import SEEDS
 from cadgen.car.planner.arcs import arcs_along
 from cadgen.car.planner.barriers import Clearances, barriers_of
 from cadgen.car.planner.constraints import Constraint, Corridor, LimitKind, PathLimit
@@ -30,6 +31,8 @@ _LEAST_SPANS, _MOST_SPANS = 16, 110
 _CALMNESS = (1.0, 10.0, 40.0)
 # Of a path that is begun from arcs: their radius as a factor on the least one, in the order in which they are tried.
 ROOMS = (1.2, 1.05)
+_WAYS = 2  # draws of the poses between the stops that arcs go over, after the first
+_SIZES = (0.3, 0.65, 1.0)  # of a car that grows, in turn
 # Limits whose violation is not by such a turn.
 _STANDING = (LimitKind.CLEARANCE, LimitKind.FIELD)
 
@@ -132,16 +135,75 @@ def _searched(task: PathTask, begin: Array | None, report: Callable[[str], None]
         if all(limit.kind in _STANDING for limit in plans[-1].missed):
             break
     if begin is None and task.corridor is None and plans[-1].missed:
-        for room in ROOMS:
-            places = arcs_along(task, seed, room)
-            length = float(np.linalg.norm(np.diff(places, axis=0), axis=1).sum())
-            basis = _basis(length / _ARC_SPAN, vehicle)
-            points = smooth_path(basis, places, np.ones(len(places), dtype=bool), start, finish)
-            found = PathPlan(_search(task, basis, start, finish).best(points, words), task, points)
+        for found in _further(task, seed, (start, finish)):
             if not found.missed:  # where it fails, the path along the route says better what is in the way
                 plans.append(found)
                 break
     return min(plans, key=_merit)
+
+
+def _further(task: PathTask, seed: int, ends: tuple[End, End]) -> Iterator[PathPlan]:
+    """Paths where none was found along the route: from arcs, and with a car that grows.
+
+    Args:
+        task: what is planned.
+        seed: number of the search.
+        ends: start and finish.
+    """
+    for room in ROOMS:
+        arcs, points = _of_arcs(task, seed, room, ends)
+        yield PathPlan(_search(task, arcs, *ends).best(points), task, points)
+    yield _grown(task, seed, ends)
+    for way in range(1, _WAYS + 1):
+        arcs, points = _of_arcs(task, seed + SEEDS[1] * way, ROOMS[0], ends)
+        yield PathPlan(_search(task, arcs, *ends).best(points), task, points)
+
+
+def _of_arcs(task: PathTask, seed: int, room: float, ends: tuple[End, End]) -> tuple[Basis, Array]:
+    """B-splines and control points of a smooth path along a way of arcs and straights."""
+    places = arcs_along(task, seed, room)
+    length = float(np.linalg.norm(np.diff(places, axis=0), axis=1).sum())
+    basis = _basis(length / _ARC_SPAN, task.vehicle)
+    return basis, smooth_path(basis, places, np.ones(len(places), dtype=bool), *ends)
+
+
+def _grown(task: PathTask, seed: int, ends: tuple[End, End]) -> PathPlan:
+    """Path of a car that grows to its size, with the room that it keeps, from arcs of the smallest one.
+
+    Among posts a small car finds its side of each, and as it grows they push it there.
+    """
+    basis, begin = _of_arcs(_smaller(task, _SIZES[0]), seed, ROOMS[0], ends)
+    points = begin
+    for size in _SIZES:
+        path = _search(_smaller(task, size), basis, *ends).best(points)
+        if path.missed:
+            break
+        points = path.points
+    return PathPlan(path, task, begin)
+
+
+def _smaller(task: PathTask, size: float) -> PathTask:
+    """Task with a car `size` times as large about its middle, and with so much of the room that it keeps."""
+    body = task.vehicle.body
+    middle = np.mean(body.corners or [wheel.centre for wheel in body.wheels], axis=0)
+
+    def shrunk(point: tuple[float, float]) -> tuple[float, float]:
+        x, y = (middle + size * (np.array(point) - middle)).tolist()
+        return x, y
+
+    body = replace(
+        body,
+        corners=tuple(map(shrunk, body.corners)),
+        wheels=tuple(
+            replace(each, centre=shrunk(each.centre), radius=size * each.radius, width=size * each.width)
+            for each in body.wheels
+        ),
+    )
+    return replace(
+        task,
+        vehicle=replace(task.vehicle, body=body),
+        course=replace(task.course, margin=size * task.course.margin),
+    )
 
 
 def _search(task: PathTask, basis: Basis, start: End, finish: End) -> PathSearch:

@@ -164,7 +164,7 @@ _LEFT, _LEFT_MM = 2e-3, 0.01  # of a limit or rad, and mm of a gate or a clearan
 _IN_MM = (LimitKind.GATE, LimitKind.CLEARANCE, LimitKind.FIELD)
 _MOST_ROUNDS = 40  # of each penalty
 _LEAST_STEP, _WIDEST_STEP = 0.05, 150.0  # mm
-_LEAST_GAIN = 0.02  # mm of the cost
+_LEAST_GAINS = (1.0, 0.2, 0.02)  # mm of the cost that a programme must promise, with each penalty
 _SHRINK, _GROW = 1 / 3, 2.0
 _LOOSE = 3e-3  # of the weight of a limit that is to give way
 _POOR, _GOOD = 0.25, 0.7  # shares of the promised gain
@@ -274,17 +274,25 @@ class PathSearch:
             report: function that is called with the cost as it falls.
             rounds: most programmes that are solved with each penalty.
         """
-        path = self.path(points)
-        for penalty, step in zip(_PENALTIES, _FIRST_STEPS, strict=True):
-            path = self._descend(path, penalty, step, report, rounds)
+        before = path = self.path(points)
+        for penalty, step, least in zip(_PENALTIES, _FIRST_STEPS, _LEAST_GAINS, strict=True):
+            before, path = path, self._descend(path, penalty, (step, least), report, rounds)
         for penalty in _MORE_PENALTIES if self.loose is None else ():
-            if path.missed:
-                path = self._descend(path, penalty, _MORE_STEP, report, rounds)
+            if not path.missed or path is before:  # a path that no step makes better is not by a greater penalty
+                break
+            before, path = path, self._descend(path, penalty, (_MORE_STEP, _LEAST_GAINS[-1]), report, rounds)
         return path
 
     def _descend(
-        self, path: SearchedPath, penalty: float, step: float, report: Callable[[float], None] | None, rounds: int
+        self,
+        path: SearchedPath,
+        penalty: float,
+        first: tuple[float, float],
+        report: Callable[[float], None] | None,
+        rounds: int,
     ) -> SearchedPath:
+        """Path after programmes with a penalty; `first` is the step to begin with and the least gain to go on for."""
+        step, least = first
         for _ in range(rounds):
             total = path.total(penalty)
             try:
@@ -303,7 +311,7 @@ class PathSearch:
                 step *= _SHRINK
             elif share > _GOOD:
                 step = min(step * _GROW, _WIDEST_STEP)
-            if step < _LEAST_STEP or gain < _LEAST_GAIN:
+            if step < _LEAST_STEP or gain < least:
                 break
         return path
 

@@ -155,7 +155,8 @@ class PathPlanning(JobResult):
         if not self.proven:
             lines.append(
                 Message(
-                    "tried: smooth paths and paths of arcs along the gates in one order; --seeds 5 tries other ways"
+                    "tried: smooth paths, paths of arcs and those of a car that grows, along the gates in one order; "
+                    "--seeds 5 tries other ways"
                 )
             )
         return lines
