@@ -48,3 +48,13 @@ def test_settings_are_refused_before_planning(monkeypatch, changes, words):
     design = Design.load(TRIALS / "e_450.toml", train_only=True).with_(changes)
     with pytest.raises(DesignError, match=words):
         design.plan()
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_a_closed_s_ring_is_planned_with_room_for_the_cars():
+    """On ten laps play costs metres; for that the pressure angle was let go by 2 %, and no path was found."""
+    plan = Design.load(TRIALS / "ring_s.toml", train_only=True).plan(reserve=1)
+    print(*plan.sentences, sep="\n")
+    assert plan.passed
+    assert [each["reserve"] for each in plan.facts()["yield"]["tried"]] == [0, 1]

@@ -172,18 +172,23 @@ def _grown(task: PathTask, seed: int, ends: tuple[End, End]) -> PathPlan:
 
     Among posts a small car finds its side of each, and as it grows they push it there.
     """
-    basis, begin = _of_arcs(_smaller(task, _SIZES[0]), seed, ROOMS[0], ends)
+    basis, begin = _of_arcs(smaller(task, _SIZES[0]), seed, ROOMS[0], ends)
     points = begin
     for size in _SIZES:
-        path = _search(_smaller(task, size), basis, *ends).best(points)
+        path = _search(smaller(task, size), basis, *ends).best(points)
         if path.missed:
             break
         points = path.points
     return PathPlan(path, task, begin)
 
 
-def _smaller(task: PathTask, size: float) -> PathTask:
-    """Task with a car `size` times as large about its middle, and with so much of the room that it keeps."""
+def smaller(task: PathTask, size: float) -> PathTask:
+    """Task with a car `size` times as large about its middle, and with so much of the room that it keeps.
+
+    Args:
+        task: what is planned.
+        size: size of the outline and the wheels as a factor; the steering stays.
+    """
     body = task.vehicle.body
     middle = np.mean(body.corners or [wheel.centre for wheel in body.wheels], axis=0)
 

@@ -7,9 +7,12 @@ import numpy as np
 import pytest
 
 from cadgen.car.course.layout import Course, Gate, Obstacle, Shape
+from cadgen.car.planner.barriers import Clearances, barriers_of
 from cadgen.car.planner.gates import planned_place
-from cadgen.car.planner.path_plan import best_plan, reasons
+from cadgen.car.planner.kinematics import Basis
+from cadgen.car.planner.path_plan import best_plan, reasons, smaller
 from cadgen.car.planner.path_task import PathTask
+from cadgen.car.planner.search import PathSearch, best_step, fixed_ends
 
 
 def disc(key: str, x: float, y: float, radius: float, heading: float | None = None, tolerance: float = pi / 2) -> Gate:
@@ -38,6 +41,33 @@ def test_a_post_on_the_way_is_passed_on_either_side(task):
         near = int(np.linalg.norm(motion.jets[0] - [2000, 100], axis=1).argmin())
         sides[side] = (motion.jets[0][near] - [2000, 100]) @ motion.left[near]
     assert sides["right"] < -100 < 100 < sides["left"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("penalty", [1.0, 100.0, 1e4])
+def test_a_programme_that_may_not_move_promises_what_the_path_costs(task, penalty):
+    """Violations of limits add up place by place; of a distance that is kept besides the greatest one counts."""
+    posts = tuple(
+        Obstacle(kind="post", key=f"course.posts.{k}", shape=Shape.disc((x, y), 10.0))
+        for k, (x, y) in enumerate([(1000.0, 0.0), (2500.0, 300.0)], 1)
+    )
+    course = replace(task.course, obstacles=posts)
+    asked = replace(
+        task, course=course, spare={"course.posts.1": 40.0, "course.posts.2": 300.0, "course.gates.1": 20.0}
+    )
+    path = best_plan(asked).path
+    points = path.points + 30 * np.random.default_rng(3).normal(size=path.points.shape)
+    basis = Basis(len(points))
+    clearances = Clearances(basis, asked.vehicle, barriers_of(course, asked.vehicle.body), asked.spare)
+    fixed = fixed_ends(len(points), (True, 0.0), (False, None))
+    path = PathSearch(asked, basis, fixed, clearances.constraints).path(points)
+    spare = [each for each in path.constraints if each.limit.spare]
+    assert len(spare) == 2
+    for each in spare:
+        assert each.violation == max(each.values) > 0
+    assert sum(each.violation > each.worst > 0 for each in path.constraints if not each.limit.spare) > 2
+    _, promised = best_step(path.cost, list(path.constraints), penalty, 1e-9, fixed)
+    assert promised == pytest.approx(path.total(penalty), rel=1e-6)
 
 
 @pytest.mark.slow
@@ -83,6 +113,18 @@ def test_a_hairpin_whose_route_has_a_sharp_corner_is_driven(task):
     )
     found = best_plan(replace(task, course=course))
     assert not found.missed
+
+
+def test_a_smaller_car_is_one_about_its_middle(task):
+    """Every point of it is nearer to the middle of the outline by the size, and it keeps so much less room."""
+    small, body = smaller(task, 0.3), task.vehicle.body
+    assert small.course.margin == pytest.approx(3.0)
+    middle = np.array([(45 - 215) / 2, (55 - 215) / 2])
+    np.testing.assert_allclose(np.array(small.vehicle.body.corners) - middle, 0.3 * (np.array(body.corners) - middle))
+    for one, whole in zip(small.vehicle.body.wheels, body.wheels, strict=True):
+        np.testing.assert_allclose(np.array(one.centre) - middle, 0.3 * (np.array(whole.centre) - middle))
+        assert (one.radius, one.width) == pytest.approx((0.3 * whole.radius, 0.3 * whole.width))
+    assert small.vehicle.car == task.vehicle.car
 
 
 @pytest.mark.parametrize(
