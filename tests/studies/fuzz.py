@@ -58,8 +58,9 @@ COMMANDS = (
     "explore",
 )
 CPU_SECONDS, MEMORY_KB, WALL_SECONDS = 60, 2_000_000, 3600
-SEARCH_SECONDS = 300  # of processor time for what searches: plan, and explore, which computes several designs
-SEARCHING = ("plan", "explore")
+# Of processor time for what searches: plan, card at every spacing, and explore, which computes several designs.
+SEARCH_SECONDS = 300
+SEARCHING = ("plan", "card", "explore")
 ADDRESS_SPACE = 6 * 2**30  # beyond which a run is ended; libraries reserve more than they use
 LONGEST_LINE, MOST_LINES = 900, 7
 PROFILES = codes()
@@ -87,7 +88,7 @@ def arguments(
     """Write a case's files and return its command line, and what was changed."""
     rng = random.Random(f"{seed}/{command}/{number}")
     file = folder / "design.toml"
-    as_json = ["--json"] if command in SEARCHING and rng.random() < 0.5 else []
+    as_json = ["--json"] if command in ("plan", "explore") and rng.random() < 0.5 else []
     if command == "plan":
         one = fuzz_designs.course(seed, number)
         file.write_bytes(one.content)

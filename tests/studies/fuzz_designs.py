@@ -283,7 +283,10 @@ def _mild(rng: random.Random, values: dict[str, Any]) -> Change:
     _put(values, place, value)
     if place[-1] in ("in_deg", "dwell_deg"):  # the last dwell takes what the other segments leave of the turn
         segments = values["motion"]["segments"]
-        taken = sum(segment.get("in_deg") or segment.get("dwell_deg") for segment in segments[:-1])
+        angles = [
+            segment.get("in_deg", segment.get("dwell_deg")) for segment in segments[:-1] if isinstance(segment, dict)
+        ]
+        taken = sum(angle for angle in angles if isinstance(angle, (int, float)))
         _put(values, ("motion", "segments", len(segments) - 1), {"dwell_deg": 360.0 - taken})
     return f"{_name(place)} = {value!r}", place, value
 
