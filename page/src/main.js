@@ -1,7 +1,8 @@
 // Puts the page together: what can be read works at once, then the plan views and curves, then the assembly in 3D.
 import { load, unpack } from "./data.js";
 import { Motion } from "./motion.js";
-import { planViews, shapeStages } from "./views.js";
+import { courseMap } from "./course_map.js";
+import { planViews } from "./views.js";
 import { drawCharts } from "./charts.js";
 import { transport } from "./transport.js";
 import { both, element, fill, language, pick, remembered, say, speak, translated } from "./words.js";
@@ -44,7 +45,7 @@ function trouble(words) {
   say(line, words);
 }
 
-const page = { bar: null, charts: null, assembly: null, fit: null, motion: null };
+const page = { map: null, bar: null, charts: null, assembly: null, fit: null, motion: null };
 
 /** Shows a model, the first one or another in place of it: angle, camera and choices stay. */
 async function present(data) {
@@ -54,7 +55,7 @@ async function present(data) {
   const { bar, charts } = page;
   bar.use(motion, data.marks);
   charts.use(data, motion);
-  bar.listen("views", planViews(motion));
+  bar.listen("views", planViews(motion, page.map));
   if (page.assembly) {
     page.assembly.use(motion);
     page.fit();
@@ -119,6 +120,7 @@ function beginning() {
     if (on) root.dataset.printing = "";
     else delete root.dataset.printing;
     page.charts.print(on);
+    page.map?.print(on);
     page.assembly?.colour();
     picture(page.assembly, on);
     bar.changed();
@@ -154,6 +156,9 @@ languages();
 addEventListener("beforeprint", () => printed(true));
 addEventListener("afterprint", () => printed(false));
 document.getElementById("print").addEventListener("click", () => print());
+page.map = courseMap();
+const floor = document.getElementById("course-view");
+if (floor) page.map.take(floor);
 // A page that is served has no data of its own: its second script asks for them, and shows them by these functions.
-globalThis.cadgenPage = { both, present, unpack, element, fill, pick, say, shapeStages, translated };
+globalThis.cadgenPage = { courseMap: page.map, both, present, unpack, element, fill, pick, say, translated };
 if (document.getElementById("data")) own();

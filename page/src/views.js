@@ -7,9 +7,9 @@ export function shapeStages() {
   for (const stage of document.querySelectorAll(".stage")) stage.style.setProperty("--aspect", stage.dataset.aspect);
 }
 
-export function planViews(motion) {
+export function planViews(motion, map) {
   const views = [camView(motion)];
-  if (motion.scene.car) views.push(courseView(motion));
+  if (motion.scene.car) views.push(courseView(motion, map));
   shapeStages();
   return (state) => views.forEach((show) => show(state));
 }
@@ -47,18 +47,19 @@ function camView(motion) {
 }
 
 /** The car on its course, from above. */
-function courseView(motion) {
+function courseView(motion, map) {
   const [car, ghost, floor] = ["car", "car-planned", "course-view"].map(find);
   const shape = motion.scene.car;
+  const size = Number(floor.dataset.size);
   let ran = null;
-  const { left, top, width, size } = Object.fromEntries(Object.entries(floor.dataset).map(([key, value]) => [key, Number(value)]));
+  let last = null;
   for (const drawn of [car, ghost]) {
-    drawn.style.width = `${(100 * size) / width}%`;
     drawn.style.height = "auto";
     drawn.style.visibility = "visible";
   }
 
   function stand(drawn, pose, tan) {
+    const { left, top } = map.frame;
     const [x, y] = [(pose.x - left) / size - 0.5, (top - pose.y) / size - 0.5];
     drawn.style.transform = `translate(${short(100 * x)}%, ${short(100 * y)}%) rotate(${short(-degrees(pose.heading))}deg)`;
     const turned = `rotate(${Math.round(-shape.steering * degrees(Math.atan(tan)) * 2) / 2})`;
@@ -66,7 +67,8 @@ function courseView(motion) {
     if (front.getAttribute("transform") !== turned) front.setAttribute("transform", turned);
   }
 
-  return (state) => {
+  function show(state) {
+    last = state;
     stand(car, state, state.tan);
     const apart = motion.planned !== state.going;
     ghost.style.display = apart ? "" : "none";
@@ -75,5 +77,11 @@ function courseView(motion) {
       ran = state.going.code;
       for (const code of ["played", "free"]) find(`track-${code}`)?.classList.toggle("now", ran === code);
     }
-  };
+  }
+
+  map.listen("cars", () => {
+    for (const drawn of [car, ghost]) drawn.style.width = `${(100 * size) / map.frame.width}%`;
+    if (last) show(last);
+  });
+  return show;
 }

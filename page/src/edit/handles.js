@@ -2,7 +2,7 @@
 import { kindsBar } from "./kinds.js";
 import { nearest, ordered, roomiest } from "./lines.js";
 
-const { both, element, pick, say, shapeStages, translated } = globalThis.cadgenPage;
+const { both, courseMap: map, element, pick, say, translated } = globalThis.cadgenPage;
 
 const FARTHEST = 1e6; // mm, as of the schema
 const [ARROW, FINE] = [10, 1]; // mm, of an arrow key
@@ -41,7 +41,6 @@ export function handles(figure, change, step) {
   let layer = "path";
   let chosen = null; // key
   let drag = null;
-  let frame = null;
   let gestures = 0;
   const buttons = new Map();
 
@@ -63,6 +62,7 @@ export function handles(figure, change, step) {
 
   function set(one) {
     const button = buttons.get(one.key);
+    const { frame } = map;
     if (!button || !frame) return;
     button.style.left = `${(100 * (one.x - frame.left)) / frame.width}%`;
     button.style.top = `${(100 * (frame.top - one.y)) / frame.height}%`;
@@ -134,10 +134,10 @@ export function handles(figure, change, step) {
     const end = { "course.start": path[0], "course.finish": path[0]?.closed ? path[0] : path.at(-1) }[key];
     if (alone) return insertItem(key, end ? [end.x, end.y] : [0, 0]);
     const [gates, of] = [ordered(points, key), point(chosen)?.item];
-    if (key !== "course.gates" || !count) return insertItem(`${key}.${count + 1}`, roomiest(points, frame));
+    if (key !== "course.gates" || !count) return insertItem(`${key}.${count + 1}`, roomiest(points, map.frame));
     const here = of?.startsWith(`${key}.`) ? Number(of.slice(key.length + 1)) : count;
     const [one, next, last] = [gates[here - 1], gates[here], gates[here - 2]];
-    const aside = [frame.width / 20, 0];
+    const aside = [map.frame.width / 20, 0];
     const at = one.map((value, i) => (next ? (value + next[i]) / 2 : last ? 2 * value - last[i] : value + aside[i]));
     return insertItem(`${key}.${here + 1}`, at);
   }
@@ -155,10 +155,9 @@ export function handles(figure, change, step) {
 
   /** Adds a point, a gate or a post where the floor is clicked twice: to the line that is nearest, in its order. */
   box.addEventListener("dblclick", (event) => {
-    if (!frame || event.target.closest(".handle")) return;
-    const { left, top, width, height } = overlay.getBoundingClientRect();
-    const x = frame.left + ((event.clientX - left) / width) * frame.width;
-    const y = frame.top - ((event.clientY - top) / height) * frame.height;
+    if (!map.frame || event.target.closest("button")) return;
+    const [x, y] = map.at(event.clientX, event.clientY);
+    const near = NEAR * Math.abs(map.at(event.clientX + 1, event.clientY)[0] - x);
     const line = (name, places, closed = false) => ({ name, places, closed });
     const here = points.filter((one) => one.layer === layer && one.listed);
     const lists = [...new Set(here.map(({ listed }) => listed))].map((listed) => {
@@ -167,7 +166,7 @@ export function handles(figure, change, step) {
     });
     const found = nearest(layer === "gates" ? [line("course.gates", ordered(points, "course.gates"))] : lists, [x, y]);
     if (layer === "gates") insertItem(`course.gates.${found?.at ?? 1}`, [x, y]);
-    else if (layer === "path" || found?.away < (NEAR * frame.width) / width) insert({ listed: found.name }, found.at, [x, y]);
+    else if (layer === "path" || found?.away < near) insert({ listed: found.name }, found.at, [x, y]);
     else insertItem(`course.posts.${ordered(points, "course.posts").length + 1}`, [x, y]);
   });
 
@@ -183,8 +182,8 @@ export function handles(figure, change, step) {
     const button = event.currentTarget;
     button.setPointerCapture(event.pointerId);
     choose(one.key);
-    const { width, height } = overlay.getBoundingClientRect();
-    drag = { key: one.key, gesture: `drag ${(gestures += 1)}`, from: [event.clientX, event.clientY], at: [one.x, one.y], scale: [frame.width / width, frame.height / height], moved: false };
+    const [x, y] = map.at(event.clientX, event.clientY);
+    drag = { key: one.key, gesture: `drag ${(gestures += 1)}`, from: [event.clientX, event.clientY], off: [one.x - x, one.y - y], moved: false };
   }
 
   function on(event) {
@@ -193,7 +192,8 @@ export function handles(figure, change, step) {
     const [right, down] = [event.clientX - drag.from[0], event.clientY - drag.from[1]];
     if (!drag.moved && Math.hypot(right, down) < 2) return;
     drag.moved = true;
-    move(one, drag.at[0] + right * drag.scale[0], drag.at[1] - down * drag.scale[1], drag.gesture, false);
+    const [x, y] = map.at(event.clientX, event.clientY);
+    move(one, x + drag.off[0], y + drag.off[1], drag.gesture, false);
   }
 
   function end() {
@@ -227,6 +227,7 @@ export function handles(figure, change, step) {
     if (!rest) run = `keys ${(gestures += 1)}`;
     clearTimeout(rest);
     move(one, one.x + by[0], one.y + by[1], run, false);
+    map.reveal(one.x, one.y);
     rest = setTimeout(() => {
       rest = 0;
       change({ changes: {}, gesture: run, settled: true, where });
@@ -244,7 +245,10 @@ export function handles(figure, change, step) {
       button.addEventListener("pointermove", on);
       button.addEventListener("pointerup", end);
       button.addEventListener("pointercancel", end);
-      button.addEventListener("focus", () => chosen !== key && choose(key));
+      button.addEventListener("focus", () => {
+        if (chosen !== key) choose(key);
+        if (!drag) map.reveal(point(key).x, point(key).y);
+      });
       button.addEventListener("keydown", (event) => keyed(event, point(key)));
       buttons.set(key, button);
     }
@@ -276,6 +280,11 @@ export function handles(figure, change, step) {
     name_();
   });
 
+  map.listen("handles", () => {
+    overlay.dataset.aspect = String(map.frame.width / map.frame.height);
+    points.forEach(set);
+  });
+
   return {
     show(state) {
       const keys = (list) => list.map(({ key }) => key).join();
@@ -291,22 +300,9 @@ export function handles(figure, change, step) {
     /** Takes another drawing of the floor; amid a move it keeps the frame of the one before. */
     ground(stage) {
       const old = box.querySelector("#course-view");
-      if (old && drag) {
-        Object.assign(stage.dataset, { left: old.dataset.left, top: old.dataset.top, width: old.dataset.width, height: old.dataset.height, aspect: old.dataset.aspect });
-        stage.querySelector("svg").setAttribute("viewBox", old.querySelector("svg").getAttribute("viewBox"));
-      }
       if (old) old.replaceWith(stage);
       else box.prepend(stage);
-    },
-    /** Sets every point where the drawing has it. */
-    place() {
-      const stage = box.querySelector("#course-view");
-      if (!stage) return;
-      const { left, top, width, height, aspect } = stage.dataset;
-      frame = { left: Number(left), top: Number(top), width: Number(width), height: Number(height) };
-      overlay.dataset.aspect = aspect;
-      shapeStages();
-      points.forEach(set);
+      map.take(stage, Boolean(drag));
     },
   };
 }

@@ -4,7 +4,7 @@ import { controls } from "./controls.js";
 import { handles } from "./handles.js";
 import { toolbar } from "./toolbar.js";
 
-const { both, element, fill, pick, present, say, shapeStages, translated, unpack } = globalThis.cadgenPage;
+const { both, element, fill, pick, present, say, translated, unpack } = globalThis.cadgenPage;
 const root = document.documentElement;
 
 let state = null; // of the server's design, after the last change that it took
@@ -160,7 +160,6 @@ async function show(stage) {
     else if (whole) withGears(data.scene, whole.scene);
     lay(answer.pieces);
     await present(data);
-    floor.place();
     root.dataset[stage] = revision;
     if (revision !== state.revision) return;
     unsay("fault");
@@ -177,8 +176,6 @@ async function show(stage) {
     }
     if (error.floor && !shown.preview && !shown.whole) {
       lay({ "course-box": error.floor });
-      shapeStages();
-      floor.place();
     }
     fail("fault", error, where);
   }

@@ -263,3 +263,62 @@ def test_it_is_saved_under_a_name_with_its_ending(shown, session, file):
     shown.wait_for_selector("#naming:not([open])", state="attached")
     assert shown.inner_text("h1 span") == "mine"
     assert {entry.name for entry in file.parent.iterdir()} == {"small.toml", "mine.toml"}
+
+
+@pytest.mark.slow
+@pytest.mark.long
+@pytest.mark.parametrize("size", [(1280, 720), (820, 1000), (390, 844)])
+def test_failures_leave_the_course_under_the_pointer(shown, session, size):
+    """They come and go, from a page elsewhere, while a point is held; nothing moves but the point."""
+    places = (
+        "() => ['course-box', 'course-view', 'edit'].map((id) => document.getElementById(id).getBoundingClientRect())"
+    )
+    shown.set_viewport_size({"width": size[0], "height": size[1]})
+    key = "path.waypoints_mm.3"
+    box = shown.locator(f'.handle[data-key="{key}"]').bounding_box()
+    x, y = round(box["x"] + box["width"] / 2), round(box["y"] + box["height"] / 2)
+    shown.mouse.move(x, y)
+    shown.mouse.down()
+    with shown.expect_response("**/change"):
+        shown.mouse.move(x + 4, y - 2)
+    before, seen = shown.evaluate(places), set()
+    for limit, there in ((100.0, 1), (1.0, 0), (100.0, 1)):
+        session.change({"checks.min_convex_radius_mm": limit})
+        current(shown, session)
+        assert shown.locator("#failures").count() == there
+        assert shown.evaluate(places) == before
+        seen.add(shown.evaluate("([x, y]) => document.elementFromPoint(x, y).dataset.key", [x + 4, y - 2]))
+    assert seen == {key}
+    shown.mouse.up()
+    assert shown.locator("#failures").is_visible()
+    assert shown.evaluate(places)[0] == before[0]
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_points_are_dragged_on_a_course_that_is_brought_nearer(shown, session):
+    """The point goes with the pointer, the part of the course that is shown stays, and a point beyond it comes in."""
+    frame = "() => document.querySelector('#course-view svg').getAttribute('viewBox').split(' ').map(Number)"
+    whole = shown.evaluate(frame)
+    box = shown.locator('.handle[data-key="path.waypoints_mm.3"]').bounding_box()
+    x, y = round(box["x"] + box["width"] / 2), round(box["y"] + box["height"] / 2)
+    shown.mouse.move(x, y)
+    shown.mouse.wheel(0, -600)
+    shown.wait_for_selector("#course-box.zoomed")
+    near, stage = shown.evaluate(frame), shown.locator("#course-view").bounding_box()
+    scale = near[2] / stage["width"]  # mm by px
+    assert near[2] < 0.5 * whole[2]
+    dragged(shown, "path.waypoints_mm.3", 8, -6)
+    shown.wait_for_selector(f'{CURRENT}:not([data-whole="1"])', state="attached")
+    current(shown, session)
+    point = session.now.design.path.keys.waypoints_mm[2]
+    assert point == pytest.approx((2600.0 + 8 * scale, 1200.0 + 6 * scale), abs=2 * scale)
+    assert shown.evaluate(frame) == pytest.approx(near, abs=1e-6)
+    far = shown.locator('.handle[data-key="path.waypoints_mm.5"]')
+    far.focus()
+    place, view = far.bounding_box(), shown.locator("#course-box").bounding_box()
+    assert view["x"] <= place["x"] + place["width"] / 2 <= view["x"] + view["width"]
+    assert view["y"] <= place["y"] + place["height"] / 2 <= view["y"] + view["height"]
+    shown.keyboard.press("0")
+    assert shown.evaluate(frame)[2] > near[2]
+    assert all("409" in text for text in shown.said), shown.said

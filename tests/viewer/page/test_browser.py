@@ -235,3 +235,111 @@ def test_a_design_that_fails_says_so_first(browser, failing, tmp_path):
     page.wait_for_selector(READY, state="attached")
     assert page.locator("#failures").bounding_box()["y"] < 200
     page.close()
+
+
+FRAME = "() => document.querySelector('#course-view svg').getAttribute('viewBox').split(' ').map(Number)"
+# Middle of a drawing on the screen, and the place on the floor that is drawn there, y upwards.
+PLACE = """([x, y, id]) => {
+  if (id) {
+    const r = document.getElementById(id).getBoundingClientRect();
+    [x, y] = [r.x + r.width / 2, r.y + r.height / 2];
+  }
+  const stage = document.getElementById('course-view').getBoundingClientRect();
+  const box = document.querySelector('#course-view svg').getAttribute('viewBox');
+  const [left, top, width, height] = box.split(' ').map(Number);
+  return [left + (x - stage.x) / stage.width * width, -top - (y - stage.y) / stage.height * height];
+}"""
+
+
+@pytest.mark.slow
+def test_the_course_is_brought_nearer_moved_and_shown_as_a_whole(shown):
+    slide(shown, 100.0)
+    shown.locator("#course-box").scroll_into_view_if_needed()
+    whole, box = shown.evaluate(FRAME), shown.locator("#course-box").bounding_box()
+    x, y = round(box["x"] + 0.6 * box["width"]), round(box["y"] + 0.5 * box["height"])  # of an event they are whole
+    under, car = shown.evaluate(PLACE, [x, y, ""]), shown.evaluate(PLACE, [0, 0, "car"])
+    half_a_pixel = whole[2] / shown.locator("#course-view").bounding_box()["width"] / 2
+    shown.mouse.move(x, y)
+    shown.mouse.wheel(0, -600)
+    shown.wait_for_function("w => document.querySelector('#course-box.zoomed') !== null", arg=0)
+    near = shown.evaluate(FRAME)
+    assert near[2] < 0.7 * whole[2]
+    # What was under the pointer is there still, and the car stands where it stood on the floor.
+    assert shown.evaluate(PLACE, [x, y, ""]) == pytest.approx(under, abs=1.0)
+    assert shown.evaluate(PLACE, [0, 0, "car"]) == pytest.approx(car, abs=half_a_pixel)
+    assert near[2] / near[3] == pytest.approx(box["width"] / box["height"], rel=0.02)  # it fills its box
+
+    # The ground goes with the pointer.
+    shown.mouse.down()
+    shown.mouse.move(x - 20, y + 15)
+    shown.mouse.move(x - 40, y + 30)
+    shown.mouse.up()
+    assert shown.evaluate(PLACE, [x - 40, y + 30, ""]) == pytest.approx(under, abs=3.0)
+    assert shown.evaluate(PLACE, [0, 0, "car"]) == pytest.approx(car, abs=half_a_pixel)
+
+    # Keys: nearer, to the right, all; buttons; and never beyond the course.
+    shown.locator("#course-box").focus()
+    now = shown.evaluate(FRAME)
+    shown.keyboard.press("+")
+    closer = shown.evaluate(FRAME)
+    assert closer[2] == pytest.approx(now[2] / 1.4, rel=1e-6)
+    shown.keyboard.press("ArrowRight")
+    assert shown.evaluate(FRAME)[0] > closer[0]
+    for _ in range(80):
+        shown.keyboard.press("ArrowRight")
+        shown.keyboard.press("ArrowDown")
+    last = shown.evaluate(FRAME)
+    assert last[0] + last[2] == pytest.approx(whole[0] + whole[2])
+    assert last[1] + last[3] == pytest.approx(whole[1] + whole[3])
+    shown.keyboard.press("0")
+    assert shown.evaluate(FRAME) == whole
+    for _ in range(20):
+        shown.click("#map-nearer")
+    assert shown.evaluate(FRAME)[2] > whole[2] / 100  # as near as it comes
+    shown.click("#map-farther")
+    shown.click("#map-fit")
+    assert shown.evaluate(FRAME) == whole
+
+    # All of it is shown: the wheel turns the page.
+    shown.evaluate("() => scrollTo(0, 0)")
+    box = shown.locator("#course-box").bounding_box()
+    shown.mouse.move(box["x"] + 50, box["y"] + 50)
+    shown.mouse.wheel(0, 200)
+    shown.wait_for_function("() => scrollY > 0")
+    assert shown.evaluate(FRAME) == whole
+    shown.evaluate("() => scrollTo(0, 0)")
+
+
+@pytest.mark.slow
+def test_two_fingers_bring_the_course_nearer_and_one_moves_it(browser, address):
+    context = browser.new_context(viewport={"width": 390, "height": 844}, locale="en-GB", has_touch=True)
+    page = context.new_page()
+    page.goto(address)
+    page.wait_for_selector(READY, state="attached")
+    page.locator("#course-box").scroll_into_view_if_needed()
+    box, whole = page.locator("#course-box").bounding_box(), page.evaluate(FRAME)
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    touch = page.context.new_cdp_session(page)
+
+    def fingers(kind, *places):
+        points = [{"x": a, "y": b, "id": number} for number, (a, b) in enumerate(places)]
+        touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+    under = page.evaluate(PLACE, [x, y, ""])
+    fingers("touchStart", (x - 20, y), (x + 20, y))
+    for apart in (30, 45, 60):
+        fingers("touchMove", (x - apart, y), (x + apart, y))
+    fingers("touchEnd")
+    near = page.evaluate(FRAME)
+    assert near[2] < 0.6 * whole[2]
+    assert page.evaluate(PLACE, [x, y, ""]) == pytest.approx(under, abs=0.02 * whole[2])
+    scrolled = page.evaluate("() => scrollY")
+    under = page.evaluate(PLACE, [x, y, ""])
+    fingers("touchStart", (x, y))
+    for way in (10, 20, 30):
+        fingers("touchMove", (x - way, y - way))
+    fingers("touchEnd")
+    assert page.evaluate(PLACE, [x - 30, y - 30, ""]) == pytest.approx(under, abs=0.02 * whole[2])
+    assert page.evaluate("() => scrollY") == scrolled  # the map is moved, and not the page
+    assert page.evaluate("() => [visualViewport.scale, document.documentElement.scrollWidth]") == [1, 390]
+    context.close()
