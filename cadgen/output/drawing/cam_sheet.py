@@ -146,7 +146,7 @@ def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
         *centre_cross(reach + 0.4 * gap),
     ]
     labels = [
-        Label(text="θ = 0", at=(zero + 0.6 * _ARROW / scale, 2.2 / scale)),
+        Label(text="0°", at=(zero + 0.6 * _ARROW / scale, 2.2 / scale)),
         Label(
             text=Message("{face}: this face up", face=cam.face),
             at=(0.0, -reach - 1.1 * gap - _letters_below(cam) / scale),

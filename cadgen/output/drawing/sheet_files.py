@@ -5,7 +5,7 @@ with matplotlib, and one of the system's for Chinese, Japanese and Korean.
 """
 
 import io
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -74,7 +74,7 @@ _PATTERNS = {
 _THIN = 18
 # Letters that LibreCAD's fonts lack, and what stands for them in a DXF. The page has them.
 _SIGN = "%%c"  # of a diameter, as every reader knows it
-_PLAIN = str.maketrans({"θ": "theta", "–": "-", "—": "-", "−": "-", DIAMETER: _SIGN})
+_PLAIN = str.maketrans({"θ": "theta", "–": "-", "—": "-", "−": "-"})
 _HATCH_STEP = 2.0  # mm on paper
 _DIMGAP = 0.6  # mm on paper between a dimension line and its number
 
@@ -82,9 +82,9 @@ _DIMGAP = 0.6  # mm on paper between a dimension line and its number
 def dxf_bytes(drawing: DrawingSheet, language: str = ENGLISH) -> bytes:
     """The DXF of a sheet: the same bytes for the same sheet and language."""
     with fixed_dates():
-        document = document_of(drawing, language)
+        document = document_of(drawing, language, _PLAIN)
         for entity in document.modelspace().query("TEXT"):
-            entity.dxf.text = entity.dxf.text.translate(_PLAIN)
+            entity.dxf.text = entity.dxf.text.replace(DIAMETER, _SIGN)
         # Of the classes that every file has, ezdxf keeps a set, whose order is by chance.
         document.classes.add_required_classes(document.dxfversion)
         document.classes.classes = dict(sorted(document.classes.classes.items()))
@@ -93,11 +93,17 @@ def dxf_bytes(drawing: DrawingSheet, language: str = ENGLISH) -> bytes:
     return text.getvalue().encode(document.output_encoding, errors="dxfreplace")
 
 
-def document_of(drawing: DrawingSheet, language: str = ENGLISH) -> Document:
-    """The sheet as a document of ezdxf, with its texts in a language; names of dimensions stay English."""
+def document_of(drawing: DrawingSheet, language: str = ENGLISH, plain: Mapping[int, str] | None = None) -> Document:
+    """The sheet as a document of ezdxf, with its texts in a language; names of dimensions stay English.
+
+    Args:
+        drawing: sheet.
+        language: language of the texts.
+        plain: texts that stand for letters which readers of the document may lack.
+    """
 
     def say(text: str) -> str:
-        return str(translate(text, language))
+        return str(translate(text, language)).translate(plain or {})
 
     document = ezdxf.new("R2010", units=_MM)
     document.styles.add(_STYLE, font=FONT)

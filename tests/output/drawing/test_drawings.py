@@ -2,8 +2,12 @@
 
 import csv
 import json
+import os
 import re
+import shutil
+import subprocess
 from math import hypot
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -17,6 +21,7 @@ from cadgen.output.drawing.sheet import DrawingSheet, LinearDimension, Title, Vi
 from cadgen.output.drawing.sheet_files import document_of, read_dimensions
 
 CLOSE = 1e-4  # mm
+LIBRECAD_FONT = Path("/usr/share/librecad/fonts/standard.lff")
 
 
 def measured(solid) -> dict[str, set[float]]:
@@ -616,3 +621,53 @@ def test_no_text_stands_in_another_or_on_an_edge_of_the_part(trains_folder, fold
         ]
         for text, box in texts:
             assert not any(edge.intersects(box) for edge in edges), (sheet.name, text)
+
+
+def ink(page, folder):
+    """Dark pixels of a page of PDF, 3 a mm, by poppler."""
+    subprocess.run(["pdftoppm", "-r", "76.2", "-gray", "-singlefile", page, folder / "page"], check=True)
+    head, size, _, data = (folder / "page.pgm").read_bytes().split(b"\n", 3)
+    assert head == b"P5"
+    width, height = map(int, size.split())
+    return np.frombuffer(data, np.uint8, width * height).reshape(height, width) < 160
+
+
+@pytest.mark.slow
+@pytest.mark.long
+@pytest.mark.skipif(
+    not (shutil.which("librecad") and shutil.which("pdftoppm")), reason="LibreCAD or poppler is not installed"
+)
+def test_librecad_draws_the_sheets_as_the_pages_have_them(folder, trains_folder, tmp_path):
+    """Its page from the DXF, at full size, has lines where the page has them; moved by 1.7 mm it has not."""
+    from scipy.ndimage import binary_dilation
+
+    for file in (*folder.glob("*_drawing.dxf"), *trains_folder.glob("*_drawing.dxf")):
+        copy = tmp_path / file.name
+        shutil.copy(file, copy)
+        own = ink(file.with_suffix(".pdf"), tmp_path)
+        run = ["librecad", "dxf2pdf", "-s", "1", "-p", "420x297", copy.name]  # of an A4 sheet its lower left
+        quiet = {"QT_QPA_PLATFORM": "offscreen", "XDG_RUNTIME_DIR": str(tmp_path)}
+        subprocess.run(run, cwd=tmp_path, env=os.environ | quiet, capture_output=True, check=True, timeout=120)
+        other = ink(copy.with_suffix(".pdf"), tmp_path)
+        rows, columns = np.minimum(own.shape, other.shape)
+        own, other = own[-rows:, :columns], other[-rows:, :columns]
+        near = binary_dilation(other, iterations=2)
+        found, moved = near[own].mean(), np.roll(near, (5, 5), (0, 1))[own].mean()
+        print(f"{file.name}: {found:.1%} of the lines are there, {moved:.1%} if moved")
+        assert found > 0.85
+        assert moved < 0.6
+
+
+@pytest.mark.slow
+@pytest.mark.long
+@pytest.mark.skipif(not LIBRECAD_FONT.is_file(), reason="LibreCAD is not installed")
+def test_librecad_has_every_letter_of_the_sheets(folder, trains_folder):
+    """Its own fonts lack theta and the dash: what they lack it leaves out without a word."""
+    import ezdxf
+
+    known = {chr(int(code, 16)) for code in re.findall(r"^\[([0-9a-f]+)\]", LIBRECAD_FONT.read_text("utf-8"), re.M)}
+    assert not {"θ", "–"} & known
+    for file in (*folder.glob("*_drawing.dxf"), *trains_folder.glob("*_drawing.dxf")):
+        space = ezdxf.readfile(file).modelspace()
+        letters = set("".join(entity.dxf.text for entity in space.query("TEXT DIMENSION")))
+        assert letters <= known | {" "}, file.name
