@@ -169,7 +169,7 @@ def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
         notes=(*use.drawing_notes(plan), *([plan.kind.note] if plan.kind.note else [])),
     )
     name = Message("{cam}, {kind} profile", cam=Message(use.noun), kind=Message(str(plan.kind)))
-    title = title_of(plan.origin, making.title, name, making.material or "", plan.stem, folder)
+    title = title_of(plan.origin, making.title, name, Message(str(making.material or "")), plan.stem, folder)
     return cam_drawing(part, replace(title, verdict=_verdict(plan)))
 
 

@@ -299,7 +299,7 @@ def _frame(space: Modelspace, drawing: DrawingSheet, say: Callable[[str], str]) 
         (0, 3, 2, Message("title"), title.title),
         (2, 3, 1, Message("scale"), f"{scale_text(drawing.scale)}  ({drawing.size})"),
         (0, 2, 1, Message("material"), title.material or Message("not stated")),
-        (1, 2, 1, Message("finish"), title.finish or Message("not stated")),
+        (1, 2, 1, Message("surface finish"), title.finish or Message("not stated")),
         (2, 2, 1, Message("general tolerances"), "ISO 2768-m"),
         (0, 1, 2, Message("design"), title.design),
         (2, 1, 1, Message("date"), title.date),
