@@ -181,17 +181,15 @@ def _follower(plan: CamPlan) -> Message:
         Message(
             "{name} {value}",
             name=Message(without_unit(key).replace("_", " ")),
-            value=with_unit(f"{value:g}" if isinstance(value, float | int) else Message(_words(value)), unit_of(key)),
+            value=with_unit(
+                f"{value:g}" if isinstance(value, float | int) else Message(str(value).replace("_", " ")), unit_of(key)
+            ),
         )
         for key, value in given.items()
         if value is not None
     ]
     noun = Message(plan.follower_as_built.noun)
     return Message("Follower: {parts}.", parts=joined([noun, *sizes], ", "))
-
-
-def _words(value: object) -> str:
-    return str(value).replace("_", " ")
 
 
 def _verdict(plan: CamPlan) -> str:

@@ -114,12 +114,12 @@ def cam_drawing(cam: CamPart, title: Title) -> DrawingSheet:
     # Beside the views: arrows of the section, dimensions of the hub; under them: their names.
     between, after = (40.0 if hub and hub.side == Face.INNER else 27.0), 24.0
     letters = _letters_below(cam)
-    beside, under = _BEFORE + between + after + _TABLES, title.height + 28.0 + letters
+    beside, under = _BEFORE + between + after + _TABLES, title.height + 29.0 + letters
     size, scale = chosen_sheet(
         (across + axial, across), (beside, under), 1.0, 2.0, lambda size: have_room(notes, columns_of(size))
     )
     _, height = SIZES[size]
-    least = EDGE + title.height + 17.0 + letters + scale * across / 2
+    least = EDGE + title.height + 18.0 + letters + scale * across / 2
     face_at = (LEFT + _BEFORE + scale * across / 2, max(least, height / 2 + 5.0))
     below = hub.length if hub and hub.side == Face.INNER else 0.0
     section_at = (face_at[0] + scale * (across / 2 + below) + between, face_at[1])

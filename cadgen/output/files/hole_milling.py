@@ -2,8 +2,8 @@
 
 The cutter goes down in a helix, so that it need not cut at its centre; at each level it then widens the hole ring by
 ring, so that no core comes loose, and at last it leaves the wall through the middle. Turns are counterclockwise, which
-inside a hole is climb milling. At the wall of a ring the tooth is faster than the cutter's middle by (r + c) / r, where
-r is the radius of the ring and c that of the cutter; the feed is less by as much.
+inside a hole is climb milling. On a ring of radius r a cutter of radius c is faster at its wall than in its middle, by
+(r + c) / r; the feed is less by as much.
 """
 
 from collections.abc import Iterator, Sequence
