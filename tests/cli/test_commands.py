@@ -109,9 +109,14 @@ def test_without_a_name_beside_one_design_the_one_that_is_taken_is_said_first_an
             "cadgen: no design was named, so this is the packaged carbon_free_car, not my car.toml in this folder: "
             f"for that one, write cadgen {command[0]} 'my car.toml'"
         )
-        lines = CliRunner().invoke(cli, command, standalone_mode=False).stderr.splitlines()
+        run = CliRunner().invoke(cli, command, standalone_mode=False)
+        lines = run.stderr.splitlines()
         assert (lines[0], lines[-1]) == (said, said)
         assert not any(said in line for line in lines[1:-1])
+        if run.stdout:  # last of all, not after itself
+            assert run.output.splitlines()[0] == run.output.splitlines()[-1] == said
+            assert run.stdout.splitlines()[-1] in run.output.splitlines()[1:-1]
+        assert bool(run.stdout) == (command[0] in ("check", "simulate"))
     assert CliRunner().invoke(cli, ["check", "my car.toml"]).stderr == ""
     (tmp_path / "other.toml").write_text(SQUARE_TURN)  # which of the two could be meant is not known
     assert CliRunner().invoke(cli, ["check"]).stderr == ""

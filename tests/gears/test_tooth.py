@@ -9,7 +9,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from cadgen.errors import DesignError
-from cadgen.gears.tooth import GearForm, tooth_of
+from cadgen.gears.tooth import GearForm, involute, tooth_of
 from cadgen.parts.loop import bernstein, bezier_poles, chord_parameters
 
 # Rounding of the rolled rack's distance on a gear of 100 mm, with a margin.
@@ -142,6 +142,14 @@ def test_tooth_thickness_of_the_literature() -> None:
     form = gear(12, 10.0, 0.3)
     assert form.tooth_thickness == pytest.approx(17.8918, abs=5e-5)
     assert form.tip_diameter == pytest.approx(146.0)
+
+
+@pytest.mark.parametrize(
+    ("degrees", "printed"), [(14.5, 0.005545), (20.0, 0.014904), (25.0, 0.029975), (30.0, 0.053751)]
+)
+def test_the_involute_function_is_that_of_the_tables(degrees: float, printed: float) -> None:
+    """Tables of inv α with six digits, as in handbooks of gears."""
+    assert involute(radians(degrees)) == pytest.approx(printed, abs=5.1e-7)
 
 
 def test_thinning_feeds_the_rack_and_leaves_the_tip() -> None:

@@ -251,7 +251,7 @@ MUTATIONS = (
         "cadgen/gears/tooth.py",
         "return tan(angle) - angle",
         "return tan(angle)",
-        "tests/gears/test_tooth.py::test_tooth_thickness_of_the_literature",
+        "tests/gears/test_tooth.py::test_the_involute_function_is_that_of_the_tables",
     ),
     Mutation(
         "cadgen/gears/backlash.py",
