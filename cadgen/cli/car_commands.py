@@ -71,6 +71,7 @@ def simulate(
                 failed(simulation.cam.failed),
                 Message("change the design as it is said above"),
             )
+    raise SystemExit(0 if simulation.cam.passed else 1)
 
 
 @help.command()
@@ -118,7 +119,7 @@ def tolerance(
         written = None if out is None else run.write(out, progress=progress)
     if as_json:
         show.document(run.facts() if written is None else written.entry)
-        return
+        raise SystemExit(0 if run.cam.passed else 1)
     show_play.fleet(run)
     if run.budget is not None:
         show_play.budget(run.budget)
@@ -136,6 +137,7 @@ def tolerance(
         verdict(run.cam.verdict.readiness, said, step)
     else:
         verdict(run.cam.verdict.readiness, failed(run.cam.failed), Message("change the design as it is said above"))
+    raise SystemExit(0 if run.cam.passed else 1)
 
 
 @help.command()

@@ -18,6 +18,7 @@ from cadgen.cli.options import (
 from cadgen.cli.output import tell
 from cadgen.gears.choices import Order
 from cadgen.messages import Message, joined, shown
+from cadgen.verdict import Readiness
 
 
 @help.command()
@@ -167,12 +168,13 @@ def draw(
         written = drawn(out, cam=cam, train=train, force=force, progress=progress) if passed or force else None
     if as_json:
         show.document({"passed": passed} if written is None else written.entry)
-        sys.exit(0 if passed or force else 1)
+        sys.exit(0 if force or (passed and (cam is None or cam.passed)) else 1)
     broken = failed([check for part in (cam, train) if part is not None for check in part.checks])
     if written is None:
-        see = joined((command(verb, design) for verb, part in (("check", cam), ("gears", train)) if part), " and ")
+        asked = [(verb, part) for verb, part in (("check", cam), ("gears", train)) if part is not None]
+        see = joined((command(verb, design, overrides=overrides) for verb, part in asked if part.checks), " and ")
         verdict(
-            False,
+            Readiness.NOT_READY if cam is not None else False,
             Message("{broken}, so nothing was drawn (--force draws all the same)", broken=broken),
             Message("{see} say what to change", see=see),
         )
@@ -183,7 +185,17 @@ def draw(
             look = Message("print the PDF at 100 %, and lay the part on it")
             if without:
                 look = Message("open the DXF in a CAD program")
-            verdict(True, Message("each dimension was read back"), look)
+            if cam is not None and not cam.passed:
+                verdict(
+                    cam.verdict.readiness, failed(cam.failed), Message("do not make these parts; change the design")
+                )
+            else:
+                readiness = True if cam is None else cam.verdict.readiness
+                verdict(readiness, Message("each dimension was read back"), look)
         else:
-            verdict(False, broken, Message("do not make these parts; change the design"))
-    sys.exit(0 if passed or force else 1)
+            verdict(
+                Readiness.NOT_READY if cam is not None else False,
+                broken,
+                Message("do not make these parts; change the design"),
+            )
+    sys.exit(0 if force or (passed and (cam is None or cam.passed)) else 1)

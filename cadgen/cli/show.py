@@ -2,6 +2,7 @@
 
 import json
 import os
+import shlex
 import shutil
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -116,7 +117,7 @@ def verdict(passed: bool | Readiness, result: str, step: str = "") -> None:
         head = Text(shown(passed.words).upper(), f"bold {_COLOURS[passed]}")
     else:
         head = Text("PASS", "bold green") if passed else Text("FAIL", "bold red")
-    Output().print(Text.assemble(head, f": {shown(line)}"))
+    Output().print(Text.assemble(head, f"{shown(': ')}{shown(line)}"))
 
 
 def failed(checks: "Sequence[Check]") -> Message:
@@ -134,7 +135,7 @@ def label(name: str) -> Message:
 
 def command(verb: str, design: str | None, *more: str, overrides: Sequence[str] = ()) -> Message:
     """A command on the same design, as it is typed; many overrides are only named."""
-    words = " ".join(["cadgen", verb, *([design] if design else []), *more])
+    words = " ".join(["cadgen", verb, *([shlex.quote(design)] if design else []), *more])
     return Message("{command} (with the same --set)", command=words) if overrides else Message(words)
 
 
@@ -182,7 +183,7 @@ def summary(cam: "Cam", *, counted: bool = False) -> Iterator[Text]:
     yield Text(shown(Message("For {purpose}.", purpose=cam.application.purpose(cam))))
     if cam.deciding and not counted:
         yield Text(shown(sentence(joined(cam.deciding))))
-    close = tightest(ruling.checks)
+    close = tightest(ruling.checks) if ruling.passed else None
     if close is not None:
         least = Message("at least") if close.bound == Bound.MIN else Message("at most")
         yield Text(

@@ -29,7 +29,7 @@ GATE_RADIUS = 50.0
 
 _TEXT = Message("""\
 # {name}: a car steered by a cam. Lengths in mm, angles in degrees; docs/design-file.md has every key.
-#   cadgen check {name}.toml       every figure with its limit; the first line names the drive wheel that the cam is for
+#   cadgen check {name}.toml       whether you may cut it, and for which drive wheel; --all shows every check
 #   cadgen plan {name}.toml        the path on which most cars keep the course
 #   cadgen cam {name}.toml         the files
 name = "{name}"
@@ -118,6 +118,11 @@ friction_greatest = 0.20
 # centre_distance_mm = 45.0
 # driver = {{ teeth = 30 }}
 # driven = {{ teeth = 150 }}
+#
+# [[train.stages]]
+# centre_distance_mm = 40.0
+# driver = {{ teeth = 40 }}
+# driven = {{ teeth = 120 }}
 """)
 
 _OPEN = {

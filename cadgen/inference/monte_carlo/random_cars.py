@@ -339,14 +339,13 @@ def _refuse_wide(cars: Cars, tolerances: Tolerances) -> None:
             unit = name.unit
             shown = degrees if unit == "rad" else float
             raise DesignError(
-                "the tolerance of {name} is {half:g} {unit}, which turns the front wheel by up to {turned:.2g} rad; "
-                "many cars are reckoned to first order, good up to {good:g} rad: make it {least:g} "
-                "{unit} or less",
-                name=name,
+                "{key} is {half:g} {unit}, which turns the front wheel by up to {turned:.2g} degrees; many cars are "
+                "reckoned to first order, good up to {good:.2g} degrees: make it {least:g} {unit} or less",
+                key=f"tolerances.{name.tolerance_key}" if name.zone else name,
                 half=shown(half),
                 unit=_WORDS[unit],
-                turned=half * steepest,
-                good=MOST_STEERING,
+                turned=degrees(half * steepest),
+                good=degrees(MOST_STEERING),
                 least=_below(shown(MOST_STEERING / steepest)),
             )
 

@@ -6,7 +6,7 @@ and its profile alone.
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from math import degrees
+from math import ceil, degrees, nan
 from typing import Protocol
 
 import numpy as np
@@ -28,8 +28,9 @@ GOOD_YIELD = 90.0  # %; below it the cars that are lost are a reservation
 # Relative difference of the outline's drive wheel from the wheel that the cam is for: up to the first it is rounding,
 # beyond the second the outline is of another car.
 WHEEL_SAME, WHEEL_OTHER = 0.02, 0.25
-# Radius of a drive wheel as a share of the wheelbase: no car stands on smaller wheels, or between larger ones.
-_LEAST_WHEEL, _MOST_WHEEL = 0.02, 3.0
+# Radius of a drive wheel as a share of the wheelbase: no car stands on smaller wheels, and a larger one reaches past
+# the axle of the front wheel.
+_LEAST_WHEEL, _MOST_WHEEL = 0.02, 1.0
 _SHOWN = 0.5  # mm; less off the end of the path is not worth a sentence
 
 
@@ -105,28 +106,30 @@ def course_yield(use: JudgedCar, cut: ClosedCurve) -> CourseYield | None:
     return CourseYield(100 * float(kept.all(axis=0).mean()), met.items[least].key, 100 * float(each[least]))
 
 
-def cars_not_counted(error: DesignError) -> Reservation:
-    """Reservation on a car of which nobody knows how many keep the course.
+def not_counted(error: DesignError, least: float) -> Check:
+    """Check that fails, for nobody knows how many cars keep the course.
 
     Args:
         error: what stands in the way of a count, with its cure.
+        least: least share that is allowed, %.
     """
-    return Reservation("cars-not-counted", Message("nobody knows how many cars keep the course"), error.message)
+    name, place = Message("cars that keep the course"), Message("cannot be counted")
+    return Check(CheckCode.CARS_KEEP_COURSE, name, nan, "%", least, Bound.MIN, place, error.message)
 
 
-def yield_check(found: CourseYield, least: float) -> Check:
+def yield_check(use: JudgedCar, found: CourseYield) -> Check:
     """Check of the share of cars that keep the course.
 
     Args:
+        use: car that the cam steers.
         found: cars that keep the course.
-        least: least share that is allowed, %.
     """
     return Check(
         CheckCode.CARS_KEEP_COURSE,
         Message("cars that keep the course"),
         found.percent,
         "%",
-        least,
+        use.least_yield,
         Bound.MIN,
         _binds(found),
         _tighter(found),
@@ -142,7 +145,7 @@ def _binds(found: CourseYield) -> Message:
 
 def _tighter(found: CourseYield) -> Message:
     return Message(
-        "hold tighter what cadgen tolerance --budget names, or lead the path with more room past {key}",
+        "hold tighter what the budget of cadgen tolerance names, or lead the path with more room past {key}",
         key=found.binding.partition(",")[0],  # of a gate of each lap
     )
 
@@ -158,7 +161,7 @@ def wheel_checks(use: JudgedCar) -> tuple[Check, ...]:
         return ()
     outlined = use.outlined_wheel
     advice = Message(
-        "change the ratio of [train], the wheel or the length of the path; cadgen gears --order search finds teeth"
+        "change the ratio of [train], the wheel or the length of the path; the search of cadgen gears finds teeth"
     )
     size = Check(
         CheckCode.DRIVE_WHEEL_GREATEST,
@@ -166,7 +169,7 @@ def wheel_checks(use: JudgedCar) -> tuple[Check, ...]:
         2 * radius,
         "mm",
         2 * base * _MOST_WHEEL,
-        place=Message("{share:g} of the wheelbase", share=_MOST_WHEEL),
+        place=Message("a larger one reaches past the front axle"),
         advice=advice,
     )
     least = replace(
@@ -175,7 +178,7 @@ def wheel_checks(use: JudgedCar) -> tuple[Check, ...]:
         name=Message("least drive wheel"),
         limit=2 * base * _LEAST_WHEEL,
         bound=Bound.MIN,
-        place=Message("{share:g} of the wheelbase", share=_LEAST_WHEEL),
+        place=Message("{share:g} of the wheelbase", share=2 * _LEAST_WHEEL),
     )
     if outlined is None:
         return (size, least)
@@ -192,8 +195,8 @@ def wheel_checks(use: JudgedCar) -> tuple[Check, ...]:
             outlined=outlined,
         ),
         advice=Message(
-            "set car.outline.wheel_diameter_mm to {needed:.1f}, or take a [train] of {ratio:.2f} turns of the drive "
-            "wheel to one of the cam",
+            "take a [train] of {ratio:.2f} turns of the drive wheel to one of the cam, or set "
+            "car.outline.wheel_diameter_mm to {needed:.1f} if the car can have that wheel",
             needed=2 * radius,
             ratio=ratio,
         ),
@@ -220,10 +223,16 @@ def reservations(use: JudgedCar, found: CourseYield | None) -> Iterator[Reservat
             Figure("cars_lost", Message("cars lost"), 100 - found.percent, "%"),
         )
     comparison = use.comparison
-    if comparison is None and use.course is not None and not use.play_known:
+    if use.course is not None and found is not None and not any(use.tolerances().half_widths.values()):
+        yield Reservation(
+            "tolerances-not-stated",
+            Message("no tolerance is stated, so the cars that were counted differ by their play alone"),
+            Message("say in [tolerances] what the workshop holds; cadgen new writes usual ones"),
+        )
+    if comparison is None and not use.play_known:
         yield Reservation(
             "play-not-stated",
-            Message("the play of the gears is not stated, so nobody knows how many cars keep the course"),
+            Message("the play of the gears is not stated, and where the car ends depends on it"),
             Message("give [train], or the play measured at the camshaft in [play]"),
         )
     if comparison is not None and comparison.rubs > 0:
@@ -245,11 +254,20 @@ def reservations(use: JudgedCar, found: CourseYield | None) -> Iterator[Reservat
                 off=blend.off,
                 turned=degrees(abs(blend.turned)),
             ),
-            Message("car.drive_wheel_radius_mm puts the blend behind the path"),
+            Message("give [train]; then car.drive_wheel_radius_mm can put the blend behind the path")
+            if use.drive_wheel.radius is None
+            else Message(
+                "set car.drive_wheel_radius_mm to {radius:.2f}, for a wheel with which the path ends before the blend",
+                radius=ceil(100 * use.drive_wheel.radius * TURN / use.drive_wheel.finish) / 100,
+            ),
             Figure("blend_off", Message("off the path's end"), blend.off, "mm"),
         )
     radius, outlined = use.drive_wheel.radius, use.outlined_wheel
-    if radius is not None and outlined is not None and abs(2 * radius - outlined) > WHEEL_SAME * outlined:
+    if (
+        radius is not None
+        and outlined is not None
+        and WHEEL_SAME * outlined < abs(2 * radius - outlined) <= WHEEL_OTHER * outlined
+    ):
         yield Reservation(
             "wheel-of-outline",
             Message(

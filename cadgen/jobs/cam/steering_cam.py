@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from math import degrees
+from math import degrees, isfinite
 
 import numpy as np
 
@@ -47,8 +47,8 @@ from cadgen.jobs.cam.mechanics import joint_sentences, mechanics_checks
 from cadgen.jobs.cam.path_check import cut_checks, lost_lift_check, lost_lift_reservation, path_checks
 from cadgen.jobs.cam.readiness import (
     CourseYield,
-    cars_not_counted,
     course_yield,
+    not_counted,
     reservations,
     wheel_checks,
     yield_check,
@@ -261,13 +261,15 @@ class CarUse(Application):
         if not cam.checks:
             return PartVerdict(())
         found: CourseYield | None = None
-        uncounted: tuple[Reservation, ...] = ()
+        counted: tuple[Check, ...] = ()
+        played = self._with_play(cam)
         try:
-            found = course_yield(self._with_play(cam), cam.curve)
+            found = course_yield(played, cam.curve)
         except DesignError as error:
-            uncounted = (cars_not_counted(error),)
-        counted = () if found is None else (yield_check(found, self.least_yield),)
-        held_back = (*uncounted, *reservations(self, found), *lost_lift_reservation(cam.checks))
+            counted = (not_counted(error, self.least_yield),)
+        if found is not None:
+            counted = (yield_check(self, found),)
+        held_back = (*reservations(played, found), *lost_lift_reservation(cam.checks))
         return PartVerdict((*cam.checks, *wheel_checks(self), *counted), held_back)
 
     def purpose(self, cam: CamPlan) -> str:
@@ -288,7 +290,11 @@ class CarUse(Application):
         counted = [check for check in cam.verdict.checks if check.code == CheckCode.CARS_KEEP_COURSE]
         ends = () if self.comparison is None else (self.comparison.chosen.band.worst_distance,)
         return (
-            *(Message("{percent:.3g} % of the cars keep the course", percent=check.value) for check in counted),
+            *(
+                Message("{percent:.1f} % of the cars keep the course", percent=check.value)
+                for check in counted
+                if isfinite(check.value)
+            ),
             *(Message("the play moves the finish by {end:.1f} mm at most", end=end) for end in ends),
             *steepest(cam.checks),
         )
