@@ -80,15 +80,30 @@ def test_the_least_share_is_the_designs_own():
     assert GOOD_YIELD == 90.0
 
 
-def test_a_tolerance_too_wide_to_count_cars_by_is_a_reservation():
-    """Many cars are reckoned to first order; where that does not hold, the cam is judged by all that is known."""
+def test_a_tolerance_too_wide_to_count_cars_by_is_not_ready():
+    """Many cars are reckoned to first order; where that does not hold, nobody knows how many keep the course."""
     verdict = Design.load("s_course").with_({"tolerances.steering_zero_deg": 5.0}).cam().verdict
-    assert verdict.readiness == Readiness.RESERVATIONS
-    first = verdict.reservations[0]
-    assert (first.code, first.text) == ("cars-not-counted", "nobody knows how many cars keep the course")
-    assert "the tolerance of steering_zero is 5 degrees" in first.cure
-    assert "make it 0.19 degrees or less" in first.cure
-    assert CheckCode.CARS_KEEP_COURSE not in {check.code for check in verdict.checks}
+    (failed,) = verdict.failed
+    assert (failed.code, failed.place) == (CheckCode.CARS_KEEP_COURSE, "cannot be counted")
+    assert "tolerances.steering_zero_deg is 5 degrees" in failed.advice
+    assert "make it 0.19 degrees or less" in failed.advice
+    held = Design.load("s_course").with_({"tolerances.steering_zero_deg": 0.19}).cam().verdict
+    assert all(check.place != "cannot be counted" for check in held.checks)
+
+
+def test_what_a_design_does_not_state_is_a_reservation():
+    bare = Design.load("s_course").with_({"tolerances": None})
+    assert "tolerances-not-stated" in codes(bare.cam().verdict)
+    without = Design.load("carbon_free_car").with_({"train": None, "course": None, "tolerances": None})
+    assert "play-not-stated" in codes(without.cam().verdict)
+
+
+def test_the_cure_of_a_blend_on_the_path_names_a_wheel_that_does():
+    design = Design.load("carbon_free_car")
+    (blend,) = [each for each in design.cam().verdict.reservations if each.code == "blend-on-path"]
+    (radius,) = re.findall(r"set car.drive_wheel_radius_mm to ([\d.]+), for a wheel", blend.cure)
+    cured = design.with_({"car.drive_wheel_radius_mm": float(radius)}).cam().verdict
+    assert "blend-on-path" not in codes(cured)
 
 
 @pytest.mark.parametrize(
@@ -96,7 +111,7 @@ def test_a_tolerance_too_wide_to_count_cars_by_is_a_reservation():
     [
         (137.6, Readiness.RESERVATIONS, None),
         (130.0, Readiness.RESERVATIONS, "wheel-of-outline"),
-        (90.0, Readiness.NOT_READY, "wheel-of-outline"),
+        (90.0, Readiness.NOT_READY, None),  # said once, as what fails
     ],
 )
 def test_the_wheel_of_the_outline_is_held_against_the_wheel_of_the_cam(diameter, readiness, code):
@@ -107,7 +122,7 @@ def test_the_wheel_of_the_outline_is_held_against_the_wheel_of_the_cam(diameter,
         (failed,) = verdict.failed
         assert failed.code == CheckCode.DRIVE_WHEEL_OUTLINE
         assert "137.6 mm, car.outline.wheel_diameter_mm is 90" in failed.place
-        assert "set car.outline.wheel_diameter_mm to 137.6, or take a [train] of 22.93 turns" in failed.advice
+        assert "take a [train] of 22.93 turns of the drive wheel" in failed.advice
 
 
 def wheel(radius):

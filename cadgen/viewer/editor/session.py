@@ -231,7 +231,7 @@ class Session:
             return facts.json()
 
     def news(self) -> dict[str, Any]:
-        """What another page, or another program, may have changed: cheap to ask for again and again."""
+        """State that another page, or another program, may have changed: cheap to ask for again and again."""
         with self._lock:
             facts = Facts(
                 revision=self.revision,

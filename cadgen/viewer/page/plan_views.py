@@ -49,7 +49,7 @@ class RodSection:
 
 @dataclass(frozen=True)
 class GuideView:
-    """What leads a follower: rails and stem of a slide, or the pivot of an arm; coordinates as text, mm.
+    """Guide of a follower as it is drawn: rails and stem of a slide, or the pivot of an arm; coordinates as text, mm.
 
     Attributes:
         rails: places along and across the ray of the ends of each rail; empty of an arm.

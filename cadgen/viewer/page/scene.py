@@ -172,7 +172,12 @@ def plain_scene(plan: CamPlan, gears: GearTrain | None) -> tuple[Scene, tuple[st
 
 
 def travel_of(plan: CamPlan, q: Array) -> Travel:
-    """Way of the follower's section: that of its middle, and the turn that fits it best about that."""
+    """Way of the follower's section: that of its middle, and the turn that fits it best about that.
+
+    Args:
+        plan: cam.
+        q: motions of the follower, in its unit (mm or rad), shape (n,).
+    """
     rolling, plane = plan.follower, plan.follower.planes[0]
     sections = np.array([rolling.outline(float(one), plane) @ [1, 1j] for one in q])
     if abs(sections[0, 0] - sections[0, -1]) < _SEEN:
@@ -208,7 +213,12 @@ def arm_of(travel: Travel) -> Arm | None:
 
 
 def section_of(plan: CamPlan, q: float) -> Array:
-    """Section of the follower that rolls on the cam, in its first plane; of a point a small circle, to be seen."""
+    """Section of the follower that rolls on the cam, in its first plane, mm; of a point a small circle, to be seen.
+
+    Args:
+        plan: cam.
+        q: motion of the follower, in its unit (mm or rad).
+    """
     rolling = plan.follower
     section = rolling.outline(q, rolling.planes[0])
     if np.hypot(*(section[0] - section[-1])) > _SEEN:  # a side alone: drawn as a plate

@@ -138,9 +138,12 @@ def test_first_order_misses_two_percent_at_the_widest_tolerance(carbon_free_car,
     [
         (
             {"rod_radius": 10.0},
-            r"rod_radius is 10 mm, which turns the front wheel by up to 0\.\d+ rad.*0\.0\d+ mm or less",
+            r"tolerances\.rod_radius_mm is 10 mm, which turns the front wheel by up to 26 degrees.*0\.0\d+ mm or less",
         ),
-        ({"steering_zero": np.radians(1.0)}, r"steering_zero is 1 degrees.*make it 0\.2\d degrees or less"),
+        (
+            {"steering_zero": np.radians(1.0)},
+            r"tolerances\.steering_zero_deg is 1 degrees.*0\.2\d degrees or less",
+        ),
         ({"wheelbase": 20.0}, "wheelbase is 20 mm, more than a tenth of the 167 mm itself: make it 16 mm or less"),
         ({"wheel_radius": 10.0}, "wheel_radius is 10 mm, more than a tenth of the 63.7 mm itself"),
     ],
