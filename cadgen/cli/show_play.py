@@ -38,7 +38,7 @@ def comparison(cam: "Cam") -> None:
             first = Message("the {profile} profile", profile=Message(before.profile.code))
         made_for = Message("not cut for any play")
         if chosen.profile.dilated:
-            made_for = Message("cut for {play:.3f}°", play=degrees(chosen.made_for))
+            made_for = Message("cut for {window}", window=chosen.cut_for)
         text = Message(
             "{profile} profile, {train}, {made_for}: with that play the run ends {end:.1f} mm and {heading:.3f}° off, "
             "over the band of {low:.3f} to {high:.3f}° {worst:.0f} mm at most; with {first} {worst_before:.0f} mm. ",
@@ -95,7 +95,7 @@ def methods(cam: "Cam") -> None:
             _row(
                 state,
                 name,
-                f"{degrees(evaluation.made_for):.3f}°" if cut else "",
+                evaluation.cut_for if cut else "",
                 figures["end_position_without_play"].text(".0f"),
                 figures["greatest_position_without_play"].text(".0f"),
                 figures["lift_error"].text(".0f"),
@@ -229,7 +229,7 @@ def runs(simulation: "Simulation[Cam]") -> None:
     name = Message(str(chosen.profile))
     cut = name
     if chosen.profile.dilated:
-        cut = Message("{profile}, cut for {play:.3f}°", profile=name, play=degrees(chosen.made_for))
+        cut = Message("{profile}, cut for {window}", profile=name, window=chosen.cut_for)
     rows = tuple(
         (name, *(figure.text("z.4f" if figure.unit == "°" else ".2f") for figure in error.figures.values()))
         for name, error in (

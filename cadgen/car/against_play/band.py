@@ -6,7 +6,7 @@ least. `fixed_profile_bound` says how much of that no profile with the same peak
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 
 import numpy as np
@@ -15,6 +15,7 @@ from scipy.optimize import brentq, minimize_scalar
 from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import EdgeFollower
 from cadgen.car.against_play.compensation import compensated_lift, lost_dips
+from cadgen.car.against_play.windows import WindowSearch
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import drive, turns_of
 from cadgen.car.running.mechanics import Mechanics
@@ -59,12 +60,13 @@ class BandResult:
 
     Attributes:
         lift: lift of the profile.
-        made_for: play that the profile is cut for, rad.
+        made_for: play that the profile is cut for, rad; the greatest of `windows` where there are several.
         plays: plays across the band, shape (n,), rad.
         heading: heading error at the end of the run at each play, with the friction and drag that make it greatest,
             shape (n,), rad.
         distance: position error at the end, likewise, shape (n,), mm.
         worst: friction and drag with the greatest position error; None where they are left out.
+        windows: windows of the falls one by one, rad; empty where one is for all.
     """
 
     lift: PathMotion
@@ -73,6 +75,7 @@ class BandResult:
     heading: Array
     distance: Array
     worst: Mechanics | None = None
+    windows: tuple[float, ...] = ()
 
     @property
     def worst_heading(self) -> float:
@@ -111,7 +114,7 @@ def best_for_band(
     it is cut for; then one end of the band is best to cut for.
 
     With friction the cam leads on part of each fall, and by how much the profile must make up for that depends on it:
-    then the play to cut for may lie below the band, and what is made least is the worst end over plays and frictions.
+    then each fall may have a window of its own, and what is made least is the worst end over plays and frictions.
 
     Args:
         lift: lift that is compensated.
@@ -165,7 +168,7 @@ def _best_with_friction(
     wanted: PathMotion,
     mechanics: Sequence[Mechanics],
 ) -> BandResult:
-    """`best_for_band` over plays and frictions: a coarse search, made fine where it is best."""
+    """`best_for_band` over plays and frictions: a coarse search for one window, made fine; then one for each fall."""
 
     def at(made_for: float, plays: Array) -> BandResult:
         cam = compensated_lift(lift, follower, made_for)
@@ -180,7 +183,16 @@ def _best_with_friction(
     around = float(tried[max(best - 1, 0)]), float(tried[min(best + 1, _COARSE - 1)])
     fine = minimize_scalar(worst, bounds=around, method="bounded", options={"xatol": _FINE})
     made_for = min(float(fine.x), float(tried[best]), key=worst)
-    return at(made_for, np.linspace(*band, BAND_PLAYS))
+    plays = np.linspace(*band, BAND_PLAYS) if band[1] > band[0] else np.array(band[:1])
+    cars = [(play, forces) for play in dict.fromkeys(band) for forces in mechanics]
+    search = WindowSearch(lift, wanted, follower, car, length, cars)
+    search.run(made_for)
+    if search.worst >= worst(made_for) - _NO_BETTER:
+        return at(made_for, plays)
+    windows = tuple(search.best.tolist())
+    cam = compensated_lift(lift, follower, windows)
+    found = over_band(cam, wanted, car, length, plays, max(windows), mechanics=mechanics)
+    return replace(found, windows=windows)
 
 
 def over_band(

@@ -6,7 +6,7 @@ use the lift that it is cut for, gives the lift that the car gets.
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from math import inf, isnan
+from math import degrees, inf, isnan
 from typing import TypeVar
 
 import numpy as np
@@ -42,7 +42,7 @@ class Evaluation:
         profile: profile that was evaluated.
         train: order of the stages of the train.
         play: return error of the run, rad.
-        made_for: width of the window by which its lift is dilated, rad; see `CutLift`.
+        windows: widths of the windows by which its lift is dilated, rad; see `CutLift`.
         lift: lift that the profile is cut for.
         wanted: outline wanted of the finished disc.
         cut: curve that is cut; that of `wanted` unless the car's [as_built] requires another.
@@ -61,7 +61,7 @@ class Evaluation:
     profile: ProfileKind
     train: StageOrder
     play: float
-    made_for: float
+    windows: tuple[float, ...]
     lift: PathMotion
     wanted: ActualProfile
     cut: ClosedCurve
@@ -75,6 +75,19 @@ class Evaluation:
     least_swing: float = LEAST_SWING
     lost: tuple[LostDip, ...] = ()
     measured: bool = False
+
+    @property
+    def made_for(self) -> float:
+        """The widest window, rad."""
+        return max(self.windows)
+
+    @property
+    def cut_for(self) -> str:
+        """The window that the profile is cut for, or those of all falls, in degrees."""
+        least, most = degrees(min(self.windows)), degrees(self.made_for)
+        if len(self.windows) == 1:
+            return f"{most:.3f}°"
+        return Message("{least:.3f} to {most:.3f}°, by fall", least=least, most=most)
 
     @property
     def name(self) -> str:
@@ -137,7 +150,7 @@ def evaluate_measured(work: TrainTask, profile: ProfileKind, lift: PathMotion, c
     Raises:
         DesignError: the band of play does not run upwards from 0 or more.
     """
-    return _evaluation(work, profile, CutLift(lift, work.window), ActualProfile(cut, ()), cut, measured=True)
+    return _evaluation(work, profile, CutLift(lift, work.windows), ActualProfile(cut, ()), cut, measured=True)
 
 
 def rolled_on(
@@ -172,17 +185,18 @@ def _evaluation(
 ) -> Evaluation:
     task, band, planned, follower = work.task, work.band, work.planned, work.task.follower
     lift, made_for = cut_lift.lift, cut_lift.made_for
+    windows = np.array(cut_lift.windows)
     roll = task.as_built.roll_measured if measured else task.as_built.roll_new
     rolled = rolled_on(roll, cut, follower, lift, task.lift.blend_start)
     play = work.run_at(made_for)
     least_swing = max(LEAST_SWING, task.as_built.unevenness(measured=measured) / follower.inner)
     run = task.run(rolled, play, least_swing=least_swing, cut=lift)
-    dips = lost_dips(task.lift, made_for) if profile.dilated and not measured else ()
+    dips = lost_dips(task.lift, windows if len(windows) > 1 else made_for) if profile.dilated and not measured else ()
     return Evaluation(
         profile=profile,
         train=work.train,
         play=play,
-        made_for=made_for,
+        windows=cut_lift.windows,
         lift=lift,
         wanted=wanted,
         cut=cut,

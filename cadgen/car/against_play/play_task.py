@@ -144,18 +144,24 @@ class TrainTask:
     band: PlayBand
 
     @cached_property
-    def window(self) -> float:
-        """The window of the dilation that is best for the lift wanted: `window_of`, rad.
+    def windows(self) -> tuple[float, ...]:
+        """The windows of the dilation that are best for the lift wanted: `windows_of`, rad.
 
         Raises:
             DesignError: the band does not run upwards from 0 or more.
         """
-        return self.window_of(self.task.lift)
+        return self.windows_of(self.task.lift)
 
-    def window_of(self, lift: PathMotion) -> float:
+    @property
+    def window(self) -> float:
+        """The widest of `windows`, rad; errors as there."""
+        return max(self.windows)
+
+    def windows_of(self, lift: PathMotion) -> tuple[float, ...]:
         """The measured play or, where none is measured, the window with the least worst end of run over the band, rad.
 
-        With friction it is the window of the dilation that does so over plays and frictions, also for a measured play.
+        With friction they are the windows of the dilation that do so over plays and frictions, also for a measured
+        play: one for all falls, or one for each.
 
         Args:
             lift: lift that is to be compensated.
@@ -168,9 +174,9 @@ class TrainTask:
         if measured is not None:
             ends = measured, measured
             if not mechanics:
-                return measured
+                return (measured,)
         best = best_for_band(lift, task.follower, task.car, task.length, ends, wanted=task.lift, mechanics=mechanics)
-        return best.made_for
+        return best.windows or (best.made_for,)
 
     @cached_property
     def smoothed(self) -> PathMotion:

@@ -28,17 +28,23 @@ class CutLift:
 
     Attributes:
         lift: lift by cam angle.
-        made_for: width of the window by which the lift is dilated, rad: the play that it is cut for, or with friction
-            the closest to it. For a lift that is not dilated, the width for `compensated`.
+        windows: widths of the windows by which the lift is dilated, rad, one for all falls or one for each: the play
+            that it is cut for, or with friction the closest to it. For a lift that is not dilated, those for
+            `compensated`.
     """
 
     lift: PathMotion
-    made_for: float
+    windows: tuple[float, ...]
+
+    @property
+    def made_for(self) -> float:
+        """The widest window, rad."""
+        return max(self.windows)
 
 
 def wanted_lift(work: TrainTask) -> CutLift:
     """Planned lift as it is."""
-    return CutLift(work.task.lift, work.window)
+    return CutLift(work.task.lift, work.windows)
 
 
 def envelope(lift: Motion, follower: Follower) -> ActualProfile:
@@ -112,23 +118,23 @@ def _published_curve(lift: Motion, follower: Follower) -> ActualProfile:
     return ActualProfile(published_profile(lift, rod), ())
 
 
-def _dilated(work: TrainTask, lift: PathMotion, window: float) -> CutLift:
+def _dilated(work: TrainTask, lift: PathMotion, windows: tuple[float, ...]) -> CutLift:
     from cadgen.car.against_play.compensation import compensated_lift
 
-    return CutLift(compensated_lift(lift, work.task.follower, window), window)
+    return CutLift(compensated_lift(lift, work.task.follower, windows if len(windows) > 1 else windows[0]), windows)
 
 
 # Functions with names, so that a kind, and a cam that has it, can be pickled.
 def _compensated_lift(work: TrainTask) -> CutLift:
-    return _dilated(work, work.task.lift, work.window)
+    return _dilated(work, work.task.lift, work.windows)
 
 
 def _smoothed_lift(work: TrainTask) -> CutLift:
-    return CutLift(work.smoothed, work.window)
+    return CutLift(work.smoothed, work.windows)
 
 
 def _smoothed_compensated_lift(work: TrainTask) -> CutLift:
-    return _dilated(work, work.smoothed, work.window_of(work.smoothed))
+    return _dilated(work, work.smoothed, work.windows_of(work.smoothed))
 
 
 ACTUAL = ProfileKind(code="actual", meaning="the exact envelope of the rod")

@@ -96,10 +96,10 @@ def play_section(
     low, high = comparison.band.ends
     lead = Message(
         "The train gives a return error of {low:.3f}° to {high:.3f}° at the camshaft; the profile is cut for "
-        "{cut:.3f}°, and the runs have {play:.3f}°.",
+        "{cut}, and the runs have {play:.3f}°.",
         low=degrees(low),
         high=degrees(high),
-        cut=degrees(comparison.chosen.made_for),
+        cut=comparison.chosen.cut_for,
         play=degrees(simulation.play),
     )
     tables = [_methods(comparison), _runs(simulation)]

@@ -35,7 +35,7 @@ def registered(monkeypatch):
         code="late",
         meaning="nothing about play",
         for_play=True,
-        lift=lambda work: CutLift(work.task.lift, work.window),
+        lift=lambda work: CutLift(work.task.lift, work.windows),
     )
     for profile in (ground, late):
         profile_kinds.register(profile)
