@@ -15,7 +15,7 @@ from scipy.optimize import brentq, minimize_scalar
 from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import EdgeFollower
 from cadgen.car.against_play.compensation import compensated_lift, lost_dips
-from cadgen.car.against_play.windows import WindowSearch
+from cadgen.car.against_play.fall_windows import WindowSearch
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import drive, turns_of
 from cadgen.car.running.mechanics import Mechanics
