@@ -137,7 +137,7 @@ def application(service: Service, address: Address) -> ASGIApp:
         return JSONResponse(service.session.state())
 
     async def news(request: Request) -> Response:
-        return JSONResponse(await run_in_threadpool(service.session.news))
+        return JSONResponse((await run_in_threadpool(service.session.news)).json())
 
     # Results have threads of their own, and all who wait for one version share one: however many wait, a change has a
     # thread at once. Of each stage one thread computes, and one waits for its turn with the newest version.

@@ -230,16 +230,15 @@ class Session:
             )
             return facts.json()
 
-    def news(self) -> dict[str, Any]:
+    def news(self) -> Facts:
         """State that another page, or another program, may have changed: cheap to ask for again and again."""
         with self._lock:
-            facts = Facts(
+            return Facts(
                 revision=self.revision,
                 file=self._file.name,
                 unsaved=self.unsaved,
                 changed_outside=self._origin.changed_outside(),
             )
-            return facts.json()
 
     def _step(self, version: Version) -> None:
         self._undo = [*self._undo[1 - MOST_STEPS :], self._now]
