@@ -137,7 +137,7 @@ BAD = {
         2,
         "has a rim of 100 mm between its root of",
     ),
-    "holes": (["train.output.lightening.holes=100"], 2, "on a circle of 35.2 mm diameter; give at most 11"),
+    "holes": (["train.output.lightening.holes=100"], 2, "on a circle of 35.15 mm diameter; give at most 11"),
     "tiny": (["train.module_mm=1e-9"], 2, "of module 1e-09 does not meet at the centre distance 45 mm"),
     "grades of a search": (["train.stages.2.driver.grade=9"], 2, "one tolerance grade, and those given have 7 and 9"),
 }

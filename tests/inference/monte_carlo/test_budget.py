@@ -146,11 +146,11 @@ def test_other_tolerances_leave_the_numbers_of_a_seed_as_they_are():
 @pytest.mark.parametrize(
     ("name", "half", "words"),
     [
-        ("eccentricity", 0.3, "eccentricity is 0.3 mm, which turns the front wheel"),
-        ("temperature", 90.0, "temperature is 90 K, which turns the front wheel"),
+        ("eccentricity", 0.3, "tolerances.eccentricity_mm is 0.3 mm, which turns the front wheel"),
+        ("temperature", 90.0, "tolerances.temperature_K is 90 K, which turns the front wheel"),
         ("wheel_runout", 7.0, "more than a tenth of the 63.7 mm"),
-        ("edge_break", 0.5, "edge_break is 0.5 mm"),
-        ("steering_lost_motion", np.radians(0.5), "steering_lost_motion is 0.5 degrees"),
+        ("edge_break", 0.5, "tolerances.edge_break_mm is 0.5 mm"),
+        ("steering_lost_motion", np.radians(0.5), "tolerances.steering_lost_motion_deg is 0.5 degrees"),
     ],
 )
 def test_what_is_beyond_first_order_is_refused(fleet, contact, carbon_free_car, name, half, words):
