@@ -280,6 +280,8 @@ def test_a_design_comes_back_from_pickle(name):
         assert (again.sha256, again.values.overrides) == (design.sha256, design.values.overrides)
 
 
+@pytest.mark.long
+@pytest.mark.slow
 def test_a_cam_comes_back_from_pickle_and_writes_the_same_files(tmp_path, car):
     for number, cam in enumerate((car.cam("actual"), car.cam("optimized"))):
         again = pickle.loads(pickle.dumps(cam))

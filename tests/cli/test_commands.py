@@ -146,6 +146,7 @@ def test_no_kernel_is_imported(arguments):
     assert result.stderr.split("LOADED ")[1] == ""
 
 
+@pytest.mark.long
 @pytest.mark.slow
 @pytest.mark.skipif(
     sys.platform != "linux" or len(os.sched_getaffinity(0)) == 1, reason="no second process that makes the solids"

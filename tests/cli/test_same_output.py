@@ -53,6 +53,8 @@ def outputs(folder: Path, command: list[str]) -> list[tuple[int, bytes, dict[str
     return found
 
 
+@pytest.mark.long
+@pytest.mark.slow
 def test_a_judgement_is_the_same_whatever_the_environment(tmp_path):
     """The fast slice: least squares over many rows, which threads add up in another order."""
     first, second = outputs(tmp_path, ["calibrate", str(DATA / "measured/lift_a.csv")])

@@ -21,6 +21,9 @@ from tests.studies.circles import draw, go_round
 SEED, NUMBER = 607, 203  # of the study of whole circles: play, gain and zero, with a stylus that was not compensated
 
 
+pytestmark = pytest.mark.long  # the calibration that all of them look at takes half a minute
+
+
 @pytest.fixture(scope="module")
 def told():
     """A calibration by a track and a profile that do not say which of several effects there is beside the sure ones."""
@@ -56,7 +59,6 @@ def test_the_cam_is_made_for_a_whole_subset_and_says_which_names_are_not_sure(to
 
 
 @pytest.mark.slow
-@pytest.mark.long
 @pytest.mark.parametrize(
     ("car", "verdict", "before", "after"),
     [

@@ -238,6 +238,7 @@ def test_no_less_than_no_margin_is_advised(amount, words):
     assert found.sentences[0].endswith(f"least change that does: {words}")
 
 
+@pytest.mark.long
 @pytest.mark.slow
 def test_a_field_in_which_the_car_cannot_turn_round_is_named():
     text = SMALL.replace("corner_mm = [-600.0, -1500.0], size_mm = [5600.0, 3500.0]", NARROW).partition("gates = [")[0]

@@ -35,6 +35,7 @@ def test_the_verdict_of_each_packaged_design(name):
     assert all(reservation.text and reservation.cure for reservation in verdict.reservations)
 
 
+@pytest.mark.long
 @pytest.mark.slow
 def test_every_term_of_the_lines_on_a_packaged_design_is_explained_in_the_readme(capsys):
     """A term is a heading of the glossary."""

@@ -18,6 +18,7 @@ def end_of(nominal, **numbers):
     return float(np.abs(off[-1]))
 
 
+@pytest.mark.long
 @pytest.mark.slow
 def test_the_play_of_a_dial_s_stand_is_not_the_train_s(synthetic_car, nominal):
     """It was, and the old cam was expected to end 208 mm off, the new one 1187; 1102 and 13 were driven."""

@@ -302,7 +302,7 @@ def test_two_dimensions_of_a_sheet_have_two_names():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("language", ["en", "zh"])
+@pytest.mark.parametrize("language", ["en", pytest.param("zh", marks=pytest.mark.long)])
 def test_the_verdict_on_a_cam_stands_over_its_title(design, tmp_path, monkeypatch, language):
     """In a short line: the check that fails, or where the reservations are; nothing on a cam that is ready."""
     from cadgen import messages
@@ -415,6 +415,7 @@ def test_a_keyway_may_be_deeper_by_what_its_standard_allows():
     assert limits(-0.1, 0.2) == "+0.2/-0.1"
 
 
+@pytest.mark.long
 @pytest.mark.slow
 def test_what_holds_a_wheel_on_its_shaft_is_on_its_sheet(design, tmp_path):
     """Width of the keyway with its class and its limits, depth with its limits, bore with its fit; thread; material."""

@@ -378,6 +378,7 @@ def test_the_page_of_a_motion_is_whole_in_chinese(feeder, changes):
     assert left_in_english(html) == ["feeder", *own]  # the design's name
 
 
+@pytest.mark.long
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "changes"),
