@@ -132,7 +132,7 @@ def not_stated(text: DrawingText | None, cam: CamPlan | None, train: GearTrain |
             "fit of the bore": ("blank.bore_fit", cam.making.fit.bore),
             **cam.application.open_keys(),
         }
-    keys["finish"] = ("drawing.finish", text and text.finish)
+    keys["surface finish"] = ("drawing.finish", text and text.finish)
     further = {} if train is None else train.making.open_keys(len(train.layout.parts))
     return {name: key for name, (key, value) in keys.items() if not value} | further
 

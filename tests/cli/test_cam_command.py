@@ -91,7 +91,7 @@ def test_the_same_design_gives_the_same_bytes(optimized, cadgen, tmp_path):
 def test_a_failed_check_exports_nothing_unless_forced(cadgen, tmp_path):
     thick_walls = ("--set", "checks.min_wall_mm=50")
     result = cadgen("cam", "--profile", "actual", *thick_walls, "--out", "out", code=1)
-    failing = "NOT READY: thinnest wall, cars that keep the course fail, so nothing was exported"
+    failing = "NOT READY: thinnest wall; cars that keep the course fail, so nothing was exported"
     assert failing in " ".join(result.stdout.split())
     assert not (tmp_path / "out").exists()
     # Every format of this cam is read back in tests/jobs/test_lift_errors.py.

@@ -92,7 +92,7 @@ def test_optimize_fails_if_even_the_best_profile_fails_a_check(cadgen):
 def test_predictions_on_a_failing_profile_say_so(cadgen):
     for command in (("simulate", "--profile", "smoothed", "--out", "s"), ("tolerance", "--profile", "actual")):
         more = ("--samples", "100") if command[0] == "tolerance" else ()
-        words = " ".join(cadgen(*command, *more, code=0).stdout.split())
+        words = " ".join(cadgen(*command, *more, code=1).stdout.split())
         assert f"the {command[2]} profile fails its checks" in words
         assert "lift error with play: the profile leaves the planned path" in words
 
@@ -144,7 +144,7 @@ OFF = {
 @pytest.mark.long
 def test_the_budget_ranks_what_may_be_off_and_says_what_to_hold_tighter(cadgen, tmp_path):
     changes = [part for key, value in OFF.items() for part in ("--set", f"{key}={value}")]
-    result = cadgen("tolerance", "--samples", "200", "--budget", "--out", "p", *changes, code=0)
+    result = cadgen("tolerance", "--samples", "200", "--budget", "--out", "p", *changes, code=1)
     print(result.stdout)
     assert max(map(len, result.stdout.splitlines())) <= 80
     words = " ".join(result.stdout.split())

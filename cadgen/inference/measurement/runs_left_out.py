@@ -10,7 +10,7 @@ The verdict names effects that take away a part of the path error on runs left o
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
@@ -303,7 +303,6 @@ def _judgement(left_out: LeftOut) -> Judgement:
     limits: tuple[str, ...] = ()
     if likely and chosen.error > LEFT_OF_EXTENT * left_out.extent:
         limits = (Message("{after:.0f} mm of path error remain and have no name", after=chosen.error),)
-        verdict = Verdict.PARTIAL if verdict in (Verdict.TRACED, Verdict.COMBINATION) else verdict
     if runs < LEAST_RUNS:
         given = Message("one run") if runs == 1 else Message("{count} runs", count=runs)
         few = Message("{given} only: give at least {least}, to judge on runs left out", given=given, least=LEAST_RUNS)
@@ -329,4 +328,8 @@ def _judgement(left_out: LeftOut) -> Judgement:
             judgement = unclaimed(judgement, [finding.effect], why)
     unsure = [finding.effect for finding in findings if finding.within_error]
     why = Message("{within}, which {runs} runs cannot tell from chance", within=within_words(chosen.sigmas), runs=runs)
-    return unclaimed(judgement, unsure, why)
+    judgement = unclaimed(judgement, unsure, why)
+    large = chosen.error > LEFT_OF_EXTENT * left_out.extent
+    if large and judgement.verdict in (Verdict.TRACED, Verdict.COMBINATION):
+        return replace(judgement, verdict=Verdict.PARTIAL)
+    return judgement

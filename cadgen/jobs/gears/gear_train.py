@@ -121,14 +121,16 @@ class TrainMaking:
             shafts: how many shafts there are.
         """
         each = (self.drive, *([self.intermediate] if shafts > 2 else []), self.output)
-        keys = {} if all(part.material for part in each) else {"material of the gears": "train.material"}
+        keys: dict[str, str] = {}
+        if not all(part.material for part in each):
+            keys[Message("material of the gears")] = "train.material"
         for part in each:
             if part.bored and not part.fit.bore:
-                keys[f"fit of the bore, {part.place}"] = f"train.{part.place}.bore_fit"
+                keys[Message("fit of the bore, {place}", place=Message(part.place))] = f"train.{part.place}.bore_fit"
         if not self.plate:
-            keys["material of the plates"] = "train.plate.material"
+            keys[Message("material of the plates")] = "train.plate.material"
         if not self.holes:
-            keys["fit of the plates' holes"] = "train.plate.hole_fit"
+            keys[Message("fit of the plates' holes")] = "train.plate.hole_fit"
         return keys
 
 

@@ -214,7 +214,7 @@ def test_what_the_sheets_leave_open_is_named_with_its_key(folder, cam, tmp_path)
     assert entry["not_stated"] == {
         "material": "blank.material",
         "fit of the bore": "blank.bore_fit",
-        "finish": "drawing.finish",
+        "surface finish": "drawing.finish",
     }
     stated = {"blank.material": "aluminium", "blank.bore_fit": "H7/g6", "drawing.finish": "Ra 1.6"}
     told = Design.load("carbon_free_car").with_(stated).cam("actual")
@@ -438,7 +438,7 @@ def test_what_holds_a_wheel_on_its_shaft_is_on_its_sheet(design, tmp_path):
     written = draw(tmp_path, cam=told.cam("actual"), train=told.gears())
     assert written.entry["not_stated"] == {
         "material": "blank.material",
-        "finish": "drawing.finish",
+        "surface finish": "drawing.finish",
         "fit of the bore, drive": "train.drive.bore_fit",
         "fit of the bore, intermediate": "train.intermediate.bore_fit",
     }
