@@ -2,8 +2,8 @@
 
 A `Message` is the English text, and keeps its template and arguments. `translate` says it in another language by the
 catalogues in `cadgen/locale/LANGUAGE/*.po`, whose keys are the English templates; a plug-in has its own in the same
-folders of its package. What has no entry stays English. Only
-what shows texts to people translates: values, JSON and manifests are English in every language.
+folders of its package. What has no entry stays English. Only what shows texts to people translates: values, JSON and
+manifests are English in every language.
 """
 
 import logging

@@ -152,7 +152,8 @@ def draw(
     """Draw the cam, every part of the gear train and the plate for its axes, as PDF and DXF, each dimension read back.
 
     Beside them: the outline of every gear as DXF for a laser or a wire, and a form for the inspection of the cam that
-    cadgen calibrate reads. Nothing is drawn and the exit code is 1 if a check fails, unless --force is given.
+    cadgen calibrate reads. Unless --force is given, nothing is drawn if a check of the cam itself or of the gears
+    fails, and the exit code is 1 if a part is not ready.
     """
     from cadgen.api.design import Design
     from cadgen.api.drawing import draw as drawn
@@ -165,37 +166,30 @@ def draw(
         cam = None if only == "train" else loaded.cam(profile, progress=progress)
         train = loaded.gears(order, progress=progress) if with_train else None
         passed = (cam is None or cam.sound) and (train is None or train.passed)
+        ready = passed and (cam is None or cam.passed)
         written = drawn(out, cam=cam, train=train, force=force, progress=progress) if passed or force else None
     if as_json:
         show.document({"passed": passed} if written is None else written.entry)
-        sys.exit(0 if force or (passed and (cam is None or cam.passed)) else 1)
-    broken = failed([check for part in (cam, train) if part is not None for check in part.checks])
+        sys.exit(0 if ready or force else 1)
+    unready = False if cam is None else Readiness.NOT_READY
+    own = [check for part in (cam, train) if part is not None for check in part.checks]
+    broken = failed(cam.failed if passed and cam is not None else own)
     if written is None:
-        asked = [(verb, part) for verb, part in (("check", cam), ("gears", train)) if part is not None]
-        see = joined((command(verb, design, overrides=overrides) for verb, part in asked if part.checks), " and ")
+        asked = [verb for verb, part in (("check", cam), ("gears", train)) if part is not None]
+        see = joined((command(verb, design, overrides=overrides) for verb in asked), " and ")
         verdict(
-            Readiness.NOT_READY if cam is not None else False,
+            unready,
             Message("{broken}, so nothing was drawn (--force draws all the same)", broken=broken),
-            Message("{see} say what to change", see=see),
+            Message("see {see} for what to change", see=see),
         )
     else:
         show.drawings(written, out)
-        if passed:
-            without = "PDF" in written.omitted
-            look = Message("print the PDF at 100 %, and lay the part on it")
-            if without:
-                look = Message("open the DXF in a CAD program")
-            if cam is not None and not cam.passed:
-                verdict(
-                    cam.verdict.readiness, failed(cam.failed), Message("do not make these parts; change the design")
-                )
-            else:
-                readiness = True if cam is None else cam.verdict.readiness
-                verdict(readiness, Message("each dimension was read back"), look)
+        look = Message("print the PDF at 100 %, and lay the part on it")
+        if "PDF" in written.omitted:
+            look = Message("open the DXF in a CAD program")
+        if ready:
+            readiness = True if cam is None else cam.verdict.readiness
+            verdict(readiness, Message("each dimension was read back"), look)
         else:
-            verdict(
-                Readiness.NOT_READY if cam is not None else False,
-                broken,
-                Message("do not make these parts; change the design"),
-            )
-    sys.exit(0 if force or (passed and (cam is None or cam.passed)) else 1)
+            verdict(unready, broken, Message("do not make these parts; change the design"))
+    sys.exit(0 if ready or force else 1)

@@ -181,7 +181,7 @@ def rounded_dilation(lift: PathMotion, play: float | Array, *, fall: float, half
 
 
 def _window_at(pairs: Array, play: float | Array, theta: Array) -> float | Array:
-    """Width of the window at cam angles: a fall's own, on a rise from that of the fall before to the next one's."""
+    """Width of the window at cam angles: a fall has its own, and a rise goes over from one to the next."""
     if np.ndim(play) == 0:
         return play
     middle = (pairs[:, 1] + np.append(pairs[1:, 0], pairs[0, 0] + TURN)) / 2
@@ -258,7 +258,7 @@ PLATEAU_FALL = 0.005
 # Half the angle of the valley's quintic over the play. It costs about as much heading as the sliver itself.
 VALLEY_SHARE = 0.25
 _ROOT = 1e-15  # rad; roots are found to rounding
-_LEAST_WINDOW = np.radians(0.004)  # of one fall among others; a narrower one moves the end by less than a millimetre
+_LEAST_WINDOW = np.radians(0.004)  # of one fall among others; a narrower one has no room for its plateau and blends
 _FULL_PLATEAU = np.radians(0.3)
 # No plateau takes more than this share of the fall that follows it.
 _GREATEST_SHARE = 1 / 16

@@ -2,8 +2,8 @@
 
 With friction the gears still drive the cam on the first part of a fall, and it leads by the play B on the rest. Turned
 ahead by a window w, the part that is driven comes w late and the part that leads comes B - w early. On each fall
-another window makes the two turn the car by as much as the wanted fall does, so that the headings between the falls,
-and with them the end of the run, are met.
+another window makes the two turn the car by as much as the wanted fall does. So the headings between the falls are met,
+and with them the end of the run.
 
 The windows are found by Gauss-Newton steps through the exact chain: dilation, leads, run. What a window does to the
 heading is seen on all falls at once, since each acts where it is; what a heading does to the end is its lever to the
@@ -32,7 +32,7 @@ _HEADING = 300.0  # mm by rad: what a heading between two falls counts beside th
 _PROBE = 1e-4  # rad, of all windows at once
 _WIDEST = 1.6  # times the greatest play
 _KEPT = 20.0  # mm by rad: what a window off the one for all counts; it decides on falls that do next to nothing
-_STEPS_MOST = 8  # of a search; each runs every car of the band three times
+_STEPS_MOST = 8  # of a search; each runs every car of the band twice, and once more where a step is halved
 _LITTLE = 0.02  # of the sum of squares; a step that gains less is the last
 _SEARCHES = 3  # each counts the cars that ended farthest off in the one before for more
 _MOST = 40  # falls; a rougher lift has one window
@@ -98,22 +98,24 @@ class WindowSearch:
         """
         start = windows
 
-        def rest(at: Array) -> Array:
-            return np.concatenate([self._residual(at, weight), _KEPT * (at - start)])
+        def residual(at: Array, found: Array) -> Array:
+            return np.concatenate([(found * self._scale * weight[:, None]).ravel(), _KEPT * (at - start)])
 
-        now = rest(windows)
+        found = self._vectors(windows)
+        now = residual(windows, found)
         for _ in range(_STEPS_MOST):
-            slope = np.vstack([self._jacobian(windows, weight), _KEPT * np.eye(len(windows))])
+            slope = np.vstack([self._jacobian(windows, found, weight), _KEPT * np.eye(len(windows))])
             step = lsq_linear(slope, -now, bounds=(-windows - 1e-15, most - windows + 1e-15)).x
             for share in (1.0, 0.5, 0.25):
                 tried = np.clip(windows + share * step, 0.0, most)
-                then = rest(tried)
+                after = self._vectors(tried)
+                then = residual(tried, after)
                 if then @ then < now @ now:
                     break
             else:
                 break
             gained = 1 - (then @ then) / (now @ now)
-            windows, now = tried, then
+            windows, found, now = tried, after, then
             if gained < _LITTLE:
                 break
         return windows
@@ -146,15 +148,12 @@ class WindowSearch:
             self.best, self.worst = windows.copy(), worst
         return found
 
-    def _residual(self, windows: Array, weight: Array) -> Array:
-        return np.asarray((self._vectors(windows) * self._scale * weight[:, None]).ravel())
-
-    def _jacobian(self, windows: Array, weight: Array) -> Array:
+    def _jacobian(self, windows: Array, found: Array, weight: Array) -> Array:
+        """Derivatives of the weighted vectors by the windows, of which `found` are those at hand."""
         probed = self._vectors(windows + _PROBE)
-        now = self._vectors(windows)
-        turned = np.diff((probed - now)[:, 2:], axis=1, prepend=0.0) / _PROBE  # of the car, by each window
+        turned = np.diff((probed - found)[:, 2:], axis=1, prepend=0.0) / _PROBE  # of the car, by each window
         count = len(windows)
-        rows = np.empty((len(now), 2 + count, count))
+        rows = np.empty((len(found), 2 + count, count))
         rows[:, :2] = turned[:, None, :] * self._levers.T
         rows[:, 2:] = np.tril(np.ones((count, count))) * turned[:, None, :]
         return np.asarray((rows * self._scale[:, None] * weight[:, None, None]).reshape(-1, count))

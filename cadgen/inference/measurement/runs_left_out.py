@@ -301,7 +301,8 @@ def _judgement(left_out: LeftOut) -> Judgement:
         )
     likely = [chosen, *rivals] if verdict not in (Verdict.NONE, Verdict.UNEXPLAINED) else []
     limits: tuple[str, ...] = ()
-    if likely and chosen.error > LEFT_OF_EXTENT * left_out.extent:
+    large = chosen.error > LEFT_OF_EXTENT * left_out.extent
+    if likely and large:
         limits = (Message("{after:.0f} mm of path error remain and have no name", after=chosen.error),)
     if runs < LEAST_RUNS:
         given = Message("one run") if runs == 1 else Message("{count} runs", count=runs)
@@ -329,7 +330,6 @@ def _judgement(left_out: LeftOut) -> Judgement:
     unsure = [finding.effect for finding in findings if finding.within_error]
     why = Message("{within}, which {runs} runs cannot tell from chance", within=within_words(chosen.sigmas), runs=runs)
     judgement = unclaimed(judgement, unsure, why)
-    large = chosen.error > LEFT_OF_EXTENT * left_out.extent
     if large and judgement.verdict in (Verdict.TRACED, Verdict.COMBINATION):
         return replace(judgement, verdict=Verdict.PARTIAL)
     return judgement
