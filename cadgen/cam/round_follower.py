@@ -141,7 +141,7 @@ class RoundSlide(RoundFollower):
         return self.radius + abs(self.offset)
 
     def most(self, x: Array, y: Array, off: Array) -> tuple[Array, ...]:
-        """Upper bound of `least` over points within `off` mm: that of the one ahead and nearest to the centre's ray.
+        """Upper bound of `least` over all points within `off` mm of each point.
 
         Args:
             x: coordinates along the ray from the camshaft, mm, shape (n,).

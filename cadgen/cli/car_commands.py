@@ -41,7 +41,7 @@ def simulate(
     """Run the car with play in its gears, on the actual profile and on one against play.
 
     Writes the tracks of the three wheels as CSV, and pictures of lift, tracks and errors as PNG and SVG. A profile
-    that fails a check is run all the same, and the check is named.
+    that fails a check is run all the same, and the check is named. The exit code is 1 if the cam is not ready.
     """
     from cadgen.api.design import Design
     from cadgen.cli import show, show_play
@@ -105,7 +105,8 @@ def tolerance(
     """Run random cars within the tolerances of [tolerances] and [train].
 
     Reports where they end, how many pass all gates, and which tolerance matters most. A seed gives the same numbers
-    on any number of processes. A profile that fails a check is run all the same, and the check is named.
+    on any number of processes. A profile that fails a check is run all the same, and the check is named. The exit code
+    is 1 if the cam is not ready.
     """
     from cadgen.api.design import Design
     from cadgen.cli import show, show_play

@@ -317,20 +317,21 @@ def explained(result: "Calibration[Design] | Calibrations[Design]", *, written: 
         written: whether the as-built design was written.
         asked: whether it was said already what to measure next.
     """
-    effects = getattr(result, "effects", None)  # none where each file was judged alone
+    from cadgen.api.calibration import Calibration
+
     if result.readiness == Readiness.NOT_READY:
         kinds = joined(Message("{name} {what}", name=name, what=Message(what)) for name, what in result.unclear.items())
         step: str = Message("measure again, or other data")
-        if effects is not None and not asked:
+        if isinstance(result, Calibration) and not asked:
             step = Message("the same command with --next says what to measure")
         verdict(result.readiness, Message("not all is explained ({kinds})", kinds=kinds), step)
         return
     said: str = Message("what was measured is explained")
     if result.readiness == Readiness.RESERVATIONS:
         said = Message("{said}, but {left:.1f} times the noise remain and have no name", said=said, left=result.left)
-    if effects is None:
+    if not isinstance(result, Calibration):
         verdict(result.readiness, said)
-    elif not effects:
+    elif not result.effects:
         verdict(result.readiness, said, Message("nothing differs from the design: drive"))
     elif written:
         verdict(result.readiness, said, Message("cadgen cam on the as-built design"))

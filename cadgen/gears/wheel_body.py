@@ -135,7 +135,7 @@ def fits(form: Wheel, blank: Blank, *, upper: bool | None = None) -> bool:
 
 
 def _rim_diameter(blank: Blank, form: Wheel) -> float:
-    """Diameter at which the rim ends inwards, mm: that of the web's recess, or as deep as the teeth need it.
+    """Inner diameter of the rim, mm, where the recess of the web begins or the teeth need no more.
 
     A recess has a size in whole tenths, with the rim no thinner than asked for, if the holes have room beside it.
     """
@@ -173,7 +173,7 @@ def _keep_apart(holes: Lightening, on: float) -> bool:
 
 
 def _inner_diameter(blank: Blank) -> float:
-    """Diameter from which on a web is free: that of the hub, or of bore and keyway, mm."""
+    """Least inner diameter of a recess in the web, mm: outside it hub, bore and keyway leave room."""
     return max(blank.hub.diameter if blank.hub else 0.0, _reach(blank))
 
 

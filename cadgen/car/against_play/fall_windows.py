@@ -12,6 +12,7 @@ end.
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 from scipy.optimize import lsq_linear
@@ -20,7 +21,7 @@ from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import EdgeFollower
 from cadgen.car.against_play.compensation import compensated_lift
 from cadgen.car.path_motion import PathMotion
-from cadgen.car.running.drive import drive, turns_of
+from cadgen.car.running.drive import Run, drive, turns_of
 from cadgen.car.running.mechanics import Mechanics
 from cadgen.car.running.play import falls
 from cadgen.car.running.run_errors import run_error
@@ -68,17 +69,11 @@ class WindowSearch:
         Args:
             start: that window, rad.
         """
-        pairs = falls(self.lift)
-        if not 2 <= len(pairs) <= _MOST or not any(len(car.leads(self.lift).intervals) for _, car in self.cars):
+        count = len(self._pairs)
+        if not 2 <= count <= _MOST or not any(len(car.leads(self.lift).intervals) for _, car in self.cars):
             return
-        self._steps = _STEPS * turns_of(self.wanted.blend_start)
-        self._planned = drive(self.wanted, self.car, self.length, steps=self._steps)
-        next_peak = np.append(pairs[1:, 0], pairs[0, 0] + TURN)
-        # Between two falls, on the rise; the last of a run may be cut short by its end.
-        self._marks = np.minimum((pairs[:, 1] + next_peak) / 2, self.wanted.blend_start)
-        self._levers = self._levers_of(pairs)
         most = _WIDEST * max(play for play, _ in self.cars)
-        windows, weight = np.full(len(pairs), min(start, most)), np.ones(len(self.cars))
+        windows, weight = np.full(count, min(start, most)), np.ones(len(self.cars))
         for _ in range(_SEARCHES if len(self.cars) > 1 else 1):
             try:
                 windows = self._search(windows, weight, most)
@@ -120,13 +115,33 @@ class WindowSearch:
                 break
         return windows
 
-    def _levers_of(self, pairs: Array) -> Array:
+    @cached_property
+    def _pairs(self) -> Array:
+        return falls(self.lift)
+
+    @property
+    def _steps(self) -> int:
+        return _STEPS * turns_of(self.wanted.blend_start)
+
+    @cached_property
+    def _planned(self) -> Run:
+        return drive(self.wanted, self.car, self.length, steps=self._steps)
+
+    @cached_property
+    def _marks(self) -> Array:
+        """Cam angles between two falls, on the rise, rad; the last may be cut short by the end of the run."""
+        next_peak = np.append(self._pairs[1:, 0], self._pairs[0, 0] + TURN)
+        return np.asarray(np.minimum((self._pairs[:, 1] + next_peak) / 2, self.wanted.blend_start))
+
+    @cached_property
+    def _levers(self) -> Array:
         """Move of the end, along and across its heading, by a turn at each fall, mm by rad, shape (k, 2)."""
         run = self._planned
         place = run.drive_wheel @ [1, 1j]
         stop = self.wanted.blend_start
-        at = np.interp(np.minimum(pairs.mean(axis=1), stop), run.motor, np.arange(len(run.motor)))
-        end, heading = _at(place, run.motor, stop), float(np.interp(stop, run.motor, run.heading))
+        at = np.interp(np.minimum(self._pairs.mean(axis=1), stop), run.motor, np.arange(len(run.motor)))
+        end = np.interp(stop, run.motor, place.real) + 1j * np.interp(stop, run.motor, place.imag)
+        heading = float(np.interp(stop, run.motor, run.heading))
         turned = 1j * (end - place[at.astype(int)]) * np.exp(-1j * heading)
         return np.stack([turned.real, turned.imag], axis=1)
 
@@ -161,7 +176,3 @@ class WindowSearch:
     @property
     def _scale(self) -> Array:
         return np.concatenate([[1.0, 1.0], np.full(len(self._marks), _HEADING)])
-
-
-def _at(place: Array, motor: Array, angle: float) -> complex:
-    return complex(np.interp(angle, motor, place.real), np.interp(angle, motor, place.imag))

@@ -200,7 +200,7 @@ def register(profile: ProfileKind) -> None:
 
 
 def codes(*, for_play: bool = False) -> tuple[str, ...]:
-    """Codes of all profiles, or of those that act against play alone."""
+    """Codes of the profiles that can be chosen."""
     return tuple(profile.code for profile in _PROFILES.values() if profile.for_play or not for_play)
 
 

@@ -102,7 +102,9 @@ def _product(choice: tuple[float, float]) -> float:
 
 @dataclass(frozen=True, kw_only=True)
 class SettingRanges:
-    """Ranges of a card's settings: disc and head as changes from the design, the start from that of the scaled path.
+    """Ranges within which the settings of a card are sought.
+
+    Disc and head are changes from the design, and the start is one from that of the scaled path.
 
     Attributes:
         disc: place of the disc on its shaft, positive away from the fork axis, mm.

@@ -2,8 +2,8 @@
 
 From pose to pose there are six shortest ways of a car that turns no tighter than a radius: two arcs with a straight or
 a third arc between (L. E. Dubins, Amer. J. Math. 79 (1957) 497). Each stop has several headings, and each leg may go
-over one of some poses that are drawn at random, so that other draws give ways on other sides of what stands there. The
-best sequence of poses is found by dynamic programming; where a way crosses an obstacle, or passes a post on the wrong
+over one of some poses that are drawn at random. So other draws give ways on other sides of what stands there. The best
+sequence of poses is found by dynamic programming; where a way crosses an obstacle, or passes a post on the wrong
 side, it is very dear.
 """
 

@@ -163,7 +163,7 @@ class Clearances:
 
     @cached_property
     def _outer(self) -> tuple[Array, ...]:
-        """Parts of the car without those that lie within another, convex one."""
+        """Parts that make up the outline of the car: none lies within another, convex one."""
         every = [corners for corners, _ in self._parts]
         return tuple(
             part

@@ -128,7 +128,7 @@ class Application:
         return None
 
     def envelope(self, cam: "CamPlan") -> ClosedCurve:
-        """Curve on which the follower gets its motion, mm: the one that is cut, unless others make up for it."""
+        """Curve on which the follower of the design gets its motion, mm; without deviations the one that is cut."""
         return cam.curve
 
     def figures(self, cam: "CamPlan") -> tuple[Check, ...]:
@@ -252,7 +252,7 @@ class CamPlan:
 
     @property
     def sound(self) -> bool:
-        """Whether every check of the cam itself keeps its limit; it may still not be ready for what it is for."""
+        """Whether every check of the cam itself keeps its limit, whatever its application finds."""
         return not failing(self.checks)
 
     @property
@@ -300,7 +300,7 @@ class CamPlan:
 
     @property
     def follower(self) -> Follower:
-        """Follower that rolls on this profile: that of the design, or its reference point."""
+        """Follower that rolls on this profile, which for some profiles is its reference point."""
         return self.kind.rolling(self.follower_as_built)
 
     @cached_property
