@@ -317,7 +317,7 @@ class CamPlan:
     def volume(self) -> float:
         """Volume of the part with its hub and its broken edges, mm³, in closed form or by quadrature.
 
-        The kernel's solid has the same within 1e-6 of it, and takes longer.
+        The solid of the kernel has the same within 1e-5 of it, by a test, and takes longer.
         """
         blank = self.blank
         chamfers = 2 * chamfered_off(self.curve, blank.edge_break) if blank.edge_break else 0.0
