@@ -59,7 +59,6 @@ class Design(LoadedDesign):
         Raises:
             DesignError: the path cannot be driven, there is no such profile, or nothing is known of the play that it
                 is for.
-            CheckError: no profile keeps the limits of [optimize].
         """
         from cadgen.api.cam import Cam
         from cadgen.jobs.cam.motion_cam import plan_motion_cam
@@ -97,7 +96,6 @@ class Design(LoadedDesign):
 
         Raises:
             DesignError: as `cam`, or the play is out of its range.
-            CheckError: no profile keeps the limits of [optimize].
         """
         from cadgen.api.cam import Cam
         from cadgen.jobs.cam.steering_cam import plan_cam
@@ -114,7 +112,6 @@ class Design(LoadedDesign):
 
         Raises:
             DesignError: nothing is known of the play.
-            CheckError: no profile keeps the limits of [optimize].
         """
         from cadgen.api.cam import Cam
         from cadgen.api.runs import Comparison
@@ -151,7 +148,6 @@ class Design(LoadedDesign):
 
         Raises:
             DesignError: as `cam`, or nothing varies.
-            CheckError: no profile keeps the limits of [optimize].
             FileError: the memory does not suffice for so many cars.
         """
         from cadgen.api.cam import Cam

@@ -10,6 +10,7 @@ from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
     from cadgen.api.cam import Cam
+    from cadgen.jobs.drawings import Parts
     from cadgen.jobs.gears.gear_train import GearTrain
 
 
@@ -43,7 +44,7 @@ def draw(
         >>> draw("exports", cam=design.cam(), train=design.gears())  # doctest: +SKIP
     """
     from cadgen.api.cam import Cam
-    from cadgen.jobs.drawings import Parts, write_drawings
+    from cadgen.jobs.drawings import write_drawings
     from cadgen.jobs.gears.gear_train import GearTrain
 
     place = folder_of(folder)
@@ -51,19 +52,31 @@ def draw(
         instance("cam", cam, Cam)
     if train is not None:
         instance("train", train, GearTrain)
-    origins = [cam.computed.origin] if cam is not None else []
-    origins += [train.origin] if train is not None else []
-    if not origins:
-        raise DesignError("there is nothing to draw: give cam, train, or both")
-    if len({origin.content_hash for origin in origins}) > 1:
+    parts = parts_of(cam, train)
+    if cam is not None and train is not None and train.origin.content_hash != parts.design_hash:
         raise DesignError("cam and train are of two designs: take both from the same Design")
     failed = [check for part in (cam, train) if part is not None for check in part.checks if not check.passed]
     if failed and not force:
         raise CheckError(refusal(failed))
-    parts = Parts(
-        name=origins[0].name,
-        design_hash=origins[0].content_hash,
-        cam=None if cam is None else cam.computed,
-        train=train,
-    )
     return write_drawings(parts, place, progress)
+
+
+def parts_of(cam: "Cam | None", train: "GearTrain | None") -> "Parts":
+    """Parts of one design that are drawn together.
+
+    Args:
+        cam: cam; None for the train alone.
+        train: train; None for the cam alone.
+
+    Raises:
+        DesignError: there is neither.
+    """
+    from cadgen.jobs.drawings import Parts
+
+    if cam is not None:
+        origin = cam.computed.origin
+    elif train is not None:
+        origin = train.origin
+    else:
+        raise DesignError("there is nothing to draw: give cam, train, or both")
+    return Parts(origin.name, origin.content_hash, None if cam is None else cam.computed, train)

@@ -157,6 +157,7 @@ def draw(
     """
     from cadgen.api.design import Design
     from cadgen.api.drawing import draw as drawn
+    from cadgen.api.drawing import parts_of
     from cadgen.cli import show
     from cadgen.cli.show import command, failed, verdict
 
@@ -169,7 +170,9 @@ def draw(
         ready = passed and (cam is None or cam.passed)
         written = drawn(out, cam=cam, train=train, force=force, progress=progress) if passed or force else None
     if as_json:
-        show.document({"passed": passed} if written is None else written.entry)
+        ruling = parts_of(cam, train).verdict
+        unmade = {"passed": ruling.passed, "verdict": ruling.entry().json()}
+        show.document(unmade if written is None else written.entry)
         sys.exit(0 if ready or force else 1)
     unready = False if cam is None else Readiness.NOT_READY
     own = [check for part in (cam, train) if part is not None for check in part.checks]

@@ -107,6 +107,7 @@ class Card(JobResult, Generic[C]):
             drive_wheel=self.use.drive_wheel.entry(),
             passed=self.passed,
             failed=[check.code for check in failing(self.cam.checks)],
+            verdict=self.cam.verdict.entry(),
             stated_spacing_mm=self.draw.stated,
             start_of=self.start_of,
             worst_error_mm=self.worst.error,

@@ -35,7 +35,7 @@ from cadgen.output.files.manifest import NAME, ManifestEntry, Origin, sound_part
 from cadgen.output.files.publisher import Artifact, Written, publish, require, text_file
 from cadgen.parts.face import Face
 from cadgen.progress import Progress, silent
-from cadgen.verdict import Readiness
+from cadgen.verdict import PartVerdict, Readiness
 
 _HASH = 12  # letters of a design's hash in a title block
 
@@ -341,6 +341,12 @@ class Parts:
     train: GearTrain | None
 
     @property
+    def verdict(self) -> PartVerdict:
+        """Verdict on the cam in its application, with the checks of the train."""
+        cam = PartVerdict(()) if self.cam is None else self.cam.verdict
+        return PartVerdict((*cam.checks, *(() if self.train is None else self.train.checks)), cam.reservations)
+
+    @property
     def stem(self) -> str:
         """Name of the entry in the manifest."""
         kinds = [part for part, there in (("cam", self.cam), ("train", self.train)) if there is not None]
@@ -382,7 +388,13 @@ def write_drawings(parts: Parts, out: Path, progress: Progress = silent) -> Writ
         parts.stem,
         out,
         files,
-        Facts(design=parts.name, design_sha256=parts.design_hash, date=folder.date),
+        Facts(
+            design=parts.name,
+            design_sha256=parts.design_hash,
+            date=folder.date,
+            passed=parts.verdict.passed,
+            verdict=parts.verdict.entry(),
+        ),
         lambda _: Facts(**{key: value for key, value in further.items() if value}),
     )
 

@@ -101,6 +101,7 @@ class Simulation(JobResult, Generic[C]):
             profile=plan.kind.code,
             passed=plan.passed,
             failed_checks=[check.name for check in plan.failed],
+            verdict=plan.verdict.entry(),
             method=comparison.chosen.profile.code,
             return_error_deg=degrees(self.play),
             cut_for_deg=degrees(comparison.chosen.made_for),
@@ -176,7 +177,6 @@ def simulate(
 
     Raises:
         DesignError: as `plan_cam`, or the play is negative.
-        CheckError: no profile keeps the limits of [optimize].
     """
     return simulated(plan_cam(design, profile, progress), play_deg, progress)
 

@@ -164,6 +164,7 @@ class ToleranceRun(JobResult, Generic[C]):
             friction_note=comparison_of(plan).rubbing,
             passed=plan.passed,
             failed_checks=[check.name for check in plan.failed],
+            verdict=plan.verdict.entry(),
             as_built=use.as_built_facts(use.steering.blend_start),
             samples=self.samples,
             seed=self.seed,
@@ -264,7 +265,6 @@ def run_tolerance(
 
     Raises:
         DesignError: as `plan_cam`, or nothing varies.
-        CheckError: no profile keeps the limits of [optimize].
         FileError: the memory does not suffice for so many cars.
     """
     plan = plan_cam(design, profile, progress, with_play=True)

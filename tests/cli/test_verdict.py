@@ -1,9 +1,12 @@
 """The last line of every command: PASS or FAIL, and the next step."""
 
 import inspect
+import json
+import re
 
 import pytest
 
+from cadgen import Design
 from cadgen.cli import cli
 from cadgen.cli.show import command, verdict
 
@@ -30,3 +33,38 @@ def test_it_fits_a_narrow_terminal(width, monkeypatch, capsys):
         "PASS: every check holds, and each file in exports was read back; next: cadgen cam my_car.toml "
         "--profile optimized (with the same --set)"
     )
+
+
+RUBS = ["--set", "mechanics.friction_least=0.1", "--set", "mechanics.friction_greatest=0.5"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "command",
+    [
+        ["check"],
+        pytest.param(["cam"], marks=pytest.mark.long),
+        pytest.param(["draw", "--only", "cam"], marks=pytest.mark.long),
+        pytest.param(["plan"], marks=pytest.mark.long),
+        pytest.param(["tolerance", "--profile", "optimized", "--samples", "300"], marks=pytest.mark.long),
+        pytest.param(["simulate"], marks=pytest.mark.long),
+    ],
+    ids=lambda words: words[0],
+)
+def test_a_design_that_no_profile_serves_ends_in_the_verdict(cadgen, command):
+    """With its reason and a cure: friction misses the lift by more than the design allows."""
+    facts = json.loads(cadgen(*command, "carbon_free_car", *RUBS, "--json", code=1).stdout)
+    assert not facts["passed"]
+    assert facts["verdict"]["readiness"] == "not-ready"
+    assert "lift error with play" in facts["verdict"]["failed_checks"]
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_its_cures_work():
+    plain = Design.load("carbon_free_car").with_({"mechanics.friction_least": 0.1, "mechanics.friction_greatest": 0.5})
+    (refused,) = (check for check in plain.cam().failed if check.code == "lift-error-with-play")
+    raised = float(re.search(r"raise optimize\.max_lift_error_um to ([\d.]+),", refused.advice)[1])
+    assert 'set optimize.hardware = ["drag"]' in refused.advice
+    for cure in ({"optimize.max_lift_error_um": raised}, {"optimize.hardware": ["drag"]}):
+        assert "lift-error-with-play" not in [check.code for check in plain.with_(cure).cam().failed]

@@ -1,16 +1,18 @@
 """Limit of the lift error: what the old cam misses by more does not refuse a new one."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from cadgen.car.against_play.evaluate import FigureLimit
+from cadgen.check import CheckCode
 from cadgen.jobs.cam.comparison import LIFT_ERROR, ProfileChecks, _lift_check, _lifted
 
 LIMITS = (
-    FigureLimit(figure="position error on the run", most=5.0, unit="mm"),
-    FigureLimit(figure=LIFT_ERROR, most=50.0, unit="µm"),
+    FigureLimit(figure="on the run", most=5.0, unit="mm", code=CheckCode.RUN_POSITION_WITH_PLAY, key="a"),
+    FigureLimit(figure=LIFT_ERROR, most=50.0, unit="µm", code=CheckCode.LIFT_ERROR_WITH_PLAY, key="b"),
 )
 
 
@@ -28,7 +30,7 @@ def cam(micrometres):
 )
 def test_limit_of_the_lift_error_on_a_car_that_was_measured(old, profiles, most):
     limits, words = _lifted(LIMITS, cam(old), [cam(each) for each in profiles])
-    assert limits == (LIMITS[0], FigureLimit(figure=LIFT_ERROR, most=most, unit="µm"))
+    assert limits == (LIMITS[0], replace(LIMITS[1], most=most))
     assert bool(words) == (most > 50.0)
     assert all("114 µm at least" in sentence and "300 µm on this car" in sentence for sentence in words)
 

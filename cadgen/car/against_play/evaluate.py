@@ -24,6 +24,7 @@ from cadgen.car.running.drive import Run
 from cadgen.car.running.play import LEAST_SWING
 from cadgen.car.running.run_errors import Event, RunError, deflection_sum, deflections, run_error
 from cadgen.car.running.sampled import rolled_lift
+from cadgen.check import CheckCode
 from cadgen.curves.closed import ClosedCurve
 from cadgen.errors import CheckError
 from cadgen.gears.choices import StageOrder
@@ -231,11 +232,19 @@ class FigureLimit:
         figure: name of the figure.
         most: greatest value allowed, in `unit`.
         unit: unit of the figure, for messages.
+        code: code of the check that fails where no profile keeps the limit.
+        key: key of the limit in the design file.
     """
 
     figure: str
     most: float
     unit: str
+    code: CheckCode
+    key: str
+
+    def kept_by(self, candidate: "ProfileCandidate") -> bool:
+        """Whether a candidate keeps the limit; a figure that is not a number keeps none."""
+        return candidate.figures[self.figure] <= self.most
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -269,18 +278,15 @@ def choose(
         CheckError: no candidate keeps the limits. The message has the limit that binds on the nearest candidate, and
             by how much it is exceeded.
     """
-    broken = [
-        [limit for limit in limits if not candidate.figures[limit.figure] <= limit.most] for candidate in candidates
-    ]
+    broken = [[limit for limit in limits if not limit.kept_by(candidate)] for candidate in candidates]
     kept = [candidate for candidate, breaks in zip(candidates, broken, strict=True) if not breaks]
     if not kept:
-        nearest = min(candidates, key=lambda candidate: max(_excess(candidate, limit) for limit in limits))
-        binding = max(limits, key=lambda limit: _excess(nearest, limit))
+        near, binding = nearest(candidates, limits)
         raise CheckError(
             "none of the profiles compared keeps the design's limits: the nearest, {name}, {beyond}: "
             "raise the limit in [optimize], or take a train with less backlash",
-            name=Message(nearest.name),
-            beyond=_beyond(nearest, binding),
+            name=Message(near.name),
+            beyond=_beyond(near, binding),
         )
     best = min(kept, key=lambda candidate: candidate.figures[objective])
     reasons = []
@@ -306,6 +312,19 @@ def choose(
             )
         reasons.append(joined((Message(candidate.name), verdict), " "))
     return Choice(best=best, reasons=tuple(reasons))
+
+
+def nearest(
+    candidates: Sequence[ProfileCandidate], limits: Sequence[FigureLimit]
+) -> tuple[ProfileCandidate, FigureLimit]:
+    """Candidate nearest to keeping every limit, and the limit that it exceeds most, as a share of the limit.
+
+    Args:
+        candidates: at least one candidate.
+        limits: at least one limit.
+    """
+    near = min(candidates, key=lambda candidate: max(_excess(candidate, limit) for limit in limits))
+    return near, max(limits, key=lambda limit: _excess(near, limit))
 
 
 def _excess(candidate: ProfileCandidate, limit: FigureLimit) -> float:

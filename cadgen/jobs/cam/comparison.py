@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from math import degrees, inf, radians
+from math import ceil, degrees, inf, isfinite, radians
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from cadgen.car.against_play.evaluate import (
     choose,
     evaluate,
     evaluate_measured,
+    nearest,
 )
 from cadgen.car.against_play.play_task import PlayTask, TrainTask
 from cadgen.car.against_play.profile_kinds import ACTUAL, ProfileKind, compared
@@ -70,6 +71,7 @@ class PlayComparison:
             if the rod slides without friction.
         rubbing: effect of friction on the run, a sentence; empty if the design has friction or it changes nothing.
         rubs: worst end of the run with that friction, mm.
+        beyond: failed checks of the limits of [optimize], where no profile keeps them all.
     """
 
     task: PlayTask
@@ -81,6 +83,16 @@ class PlayComparison:
     bound: EndBound
     rubbing: str
     rubs: float = 0.0
+    beyond: tuple[Check, ...] = ()
+
+    def checked(self, checks: Sequence[Check]) -> tuple[Check, ...]:
+        """Checks of the chosen profile, with the limits of [optimize] that it exceeds as the nearest of all.
+
+        Args:
+            checks: checks of the profile itself.
+        """
+        codes = [check.code for check in self.beyond]
+        return (*(check for check in checks if check.code not in codes), *self.beyond)
 
     def gain(self, evaluation: Evaluation) -> tuple[float | None, float | None]:
         """Shares of heading and position error at the end that a profile takes off; None where there is hardly any.
@@ -291,10 +303,17 @@ _RUN_ERROR = Message("position error on the run")
 
 @dataclass(frozen=True)
 class Best:
-    """Profile chosen on a train, and a sentence on each profile compared."""
+    """Profile chosen on a train, and a sentence on each profile compared.
+
+    Attributes:
+        evaluation: profile that is chosen.
+        reasons: sentences.
+        beyond: failed checks of the limits of [optimize], where no profile keeps them all.
+    """
 
     evaluation: Evaluation
     reasons: tuple[str, ...]
+    beyond: tuple[Check, ...] = ()
 
 
 def best_of(
@@ -310,10 +329,8 @@ def best_of(
             refused for missing it by less. None without.
 
     Returns:
-        If no profile passes its checks, the best without them, so that its own checks show what fails.
-
-    Raises:
-        CheckError: no profile keeps the limits of [optimize].
+        If no profile passes its checks, the best without them, so that its own checks show what fails. If none keeps
+        the limits of [optimize], the nearest, with a failed check for each limit that it exceeds.
     """
     allowed, deciding = _limits(checks.design, band), _deciding(band)
     missed: tuple[str, ...] = ()
@@ -327,7 +344,12 @@ def best_of(
         name: ProfileCandidate(name=name, figures=_figures(checks, evaluation, band))
         for name, evaluation in remaining.items()
     }
-    first = remaining[choose(list(candidates.values()), allowed, objective=deciding, unit="mm").best.name]
+    try:
+        first = remaining[choose(list(candidates.values()), allowed, objective=deciding, unit="mm").best.name]
+    except CheckError as error:
+        near, _ = nearest(list(candidates.values()), allowed)
+        beyond = tuple(_exceeded(limit, near) for limit in allowed if not limit.kept_by(near))
+        return Best(remaining[near.name], (error.message, *missed), beyond)
     refused: list[str] = []
     while remaining:
         try:
@@ -349,6 +371,27 @@ def best_of(
     return Best(first, (*refused, *missed))
 
 
+def _exceeded(limit: FigureLimit, near: ProfileCandidate) -> Check:
+    """Failed check of a limit of [optimize] that no profile keeps, with a value of its key that the nearest keeps."""
+    value = near.figures[limit.figure]
+    return Check(
+        limit.code,
+        limit.figure,
+        value,
+        "°" if limit.unit == "degrees" else limit.unit,
+        limit.most,
+        Bound.MAX,
+        Message("{profile}, the nearest of the profiles compared", profile=Message(near.name)),
+        Message(
+            "no profile compared keeps this: raise {key} to {value:g}, or take a train with less backlash",
+            key=limit.key,
+            value=ceil(value * 100) / 100,
+        )
+        if isfinite(value)
+        else Message("no profile compared keeps this: remove {key}, or take a train with less backlash", key=limit.key),
+    )
+
+
 def _deciding(band: PlayBand) -> str:
     """Name of the figure that decides the choice: with a measured play other cars do not matter."""
     if band.measured is None:
@@ -366,12 +409,16 @@ def _limits(design: Design, band: PlayBand) -> tuple[FigureLimit, ...]:
     """Limits of [optimize]."""
     keys = design.optimize
     limits = (
-        (_deciding(band), keys.max_end_position_mm, "mm"),
-        (_heading(band), keys.max_end_heading_deg, "degrees"),
-        (_RUN_ERROR, keys.max_run_position_mm, "mm"),
-        (LIFT_ERROR, keys.max_lift_error_um, "µm"),
+        (_deciding(band), "max_end_position_mm", "mm", CheckCode.END_POSITION_WITH_PLAY),
+        (_heading(band), "max_end_heading_deg", "degrees", CheckCode.END_HEADING_WITH_PLAY),
+        (_RUN_ERROR, "max_run_position_mm", "mm", CheckCode.RUN_POSITION_WITH_PLAY),
+        (LIFT_ERROR, "max_lift_error_um", "µm", CheckCode.LIFT_ERROR_WITH_PLAY),
     )
-    return tuple(FigureLimit(figure=name, most=most, unit=unit) for name, most, unit in limits if most is not None)
+    return tuple(
+        FigureLimit(figure=name, most=most, unit=unit, code=code, key=f"optimize.{key}")
+        for name, key, unit, code in limits
+        if (most := getattr(keys, key)) is not None
+    )
 
 
 def _lifted(
@@ -436,8 +483,9 @@ def against_play(
 ) -> PlayComparison:
     """Compare a profile, or the best of all that keep the design's limits and the cam's checks, with the plain one.
 
-    If no profile passes the checks, the best is chosen without them, so that its own checks show what fails. Limits and
-    choice go by the worst end over the band, or, if the play was measured, by the end with that play.
+    If no profile passes the checks, the best is chosen without them, so that its own checks show what fails. If none
+    keeps the limits, the nearest is chosen, and a check of each limit that it exceeds fails. Limits and choice go by
+    the worst end over the band, or, if the play was measured, by the end with that play.
 
     Args:
         profile: the actual profile or one for play.
@@ -448,7 +496,6 @@ def against_play(
 
     Raises:
         DesignError: the design has no play.
-        CheckError: no profile keeps the limits of [optimize]; the message adds another order of the stages that would.
     """
     design, task = checks.design, checks.task
     works = {name: TrainTask(task, name, band) for name, band in known_trains(design).items()}
@@ -457,6 +504,7 @@ def against_play(
     old = None if measured is None else evaluate_measured(work, measured.profile, measured.lift, measured.curve)
     compared_on: dict[StageOrder, tuple[Evaluation, ...]] = {}
     reasons: list[str] = []
+    beyond: tuple[Check, ...] = ()
     for name, on_train in works.items():
         if name == order or all_trains:
             compared_on[name], refusals = _evaluations(on_train, profile, progress)
@@ -466,16 +514,11 @@ def against_play(
     chosen = compared_on[order][-1]
     if profile.best_of:
         progress("choosing the profile")
-        try:
-            best = best_of(compared_on[order], work.band, checks, old)
-        except CheckError as error:
+        best = best_of(compared_on[order], work.band, checks, old)
+        if best.beyond:
             others = {name: other_work for name, other_work in works.items() if name != order}
-            raise CheckError(
-                "{error}{order}{friction}",
-                error=error.message,
-                order=_other_order(others, profile, checks),
-                friction=_with_friction(design, task),
-            ) from error
+            more = (_other_order(others, profile, checks), _with_friction(design, task))
+            beyond = tuple(replace(check, advice=joined((check.advice, *more), "")) for check in best.beyond)
         chosen = best.evaluation
         reasons += best.reasons
     reasons += _lost_sentences(task, chosen)
@@ -497,6 +540,7 @@ def against_play(
         bound=work.bound(),
         rubbing=said,
         rubs=worst,
+        beyond=beyond,
     )
 
 
@@ -566,8 +610,8 @@ def _with_friction(design: Design, task: PlayTask) -> str:
     if known is None or known.friction[1] == 0 or Hardware.DRAG in (design.optimize.hardware or ()):
         return ""
     return Message(
-        "; with friction no profile gives the lift wanted on each fall, but a brake on the disc does: --set "
-        "'optimize.hardware=[\"drag\"]', or remove optimize.max_lift_error_um to see what else helps in cadgen optimize"
+        "; with friction no profile gives the lift wanted on each fall, but a brake on the disc does: set "
+        'optimize.hardware = ["drag"]; cadgen optimize shows what else helps'
     )
 
 
@@ -575,14 +619,13 @@ def _other_order(works: Mapping[StageOrder, TrainTask], profile: ProfileKind, ch
     """Advice on another order of the train's stages that keeps the limits and the checks; empty if there is none."""
     for name, work in works.items():
         try:
-            best = best_of(_evaluations(work, profile, silent)[0], work.band, checks).evaluation
-        except (DesignError, CheckError):
+            best = best_of(_evaluations(work, profile, silent)[0], work.band, checks)
+        except DesignError:
             continue
-        if not failing(checks.of(best)):
+        if not best.beyond and not failing(checks.of(best.evaluation)):
             return Message(
-                ", or set the stages in the order {order}, with which {profile} keeps them all: --set "
-                "optimize.order={order}",
+                ", or set optimize.order to {order}: with the stages in that order {profile} keeps them all",
                 order=name,
-                profile=Message(str(best.profile)),
+                profile=Message(str(best.evaluation.profile)),
             )
     return ""

@@ -499,7 +499,6 @@ def plan_cam(
     Raises:
         DesignError: the path cannot be driven, the rod leaves no disc, there is no such profile, or nothing is
             known of the play that the profile is for.
-        CheckError: no profile keeps the limits of [optimize].
     """
     kind = default_profile(design) if profile is None else profile_of(profile)
     if kind.for_play or (with_play and kind is ACTUAL):
@@ -591,7 +590,7 @@ def _plan_against_play(
     chosen = comparison.chosen
     progress("checking the profile")
     course, laps = on_course(design, track, lift), _laps(design, track, lift)
-    of_cam = checks.of(chosen)
+    of_cam = comparison.checked(checks.of(chosen))
     checked = (
         *of_cam,
         *path_checks(design, track, lift),

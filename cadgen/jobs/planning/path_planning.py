@@ -42,7 +42,6 @@ class PathPlanning(JobResult):
         text: text of the design file with the path; empty if none was found.
         cam: plan of the cam for the path with all checks; None if no path was found.
         reasons: limits of which each is in the way where no path was found; empty if one was.
-        failed: sentence on a limit of [optimize] that no profile keeps; empty if there is one.
         drawn: settings with which the path was driven at some of the spacings that can be drawn; empty without them.
         kept: what was kept from the limits besides.
         cars: cars within the tolerances on this path, on that before it, and on others; None if nothing varies or the
@@ -57,7 +56,6 @@ class PathPlanning(JobResult):
     text: str
     cam: CamPlan | None
     reasons: tuple[Reason, ...] = ()
-    failed: str = ""
     drawn: tuple[DrawnSpacing, ...] = ()
     kept: Margins = field(default_factory=Margins)
     cars: CarsOnPaths | None = None
@@ -124,10 +122,6 @@ class PathPlanning(JobResult):
         return tuple(lines)
 
     def _refusal(self) -> list[str]:
-        if self.failed:
-            return [
-                Message("the path can be driven, but not with the limits of [optimize]: {failed}", failed=self.failed)
-            ]
         if not self.reasons:
             names = joined(list(map(str, self.plan.missed)))
             return [
@@ -189,6 +183,7 @@ class PathPlanning(JobResult):
             return_error_deg=None if comparison is None else [degrees(end) for end in comparison.band.ends],
             **{"yield": self.cars and _cars_facts(self.cars)},
             failed=[] if cam is None else [check.code for check in cam.failed],
+            verdict=None if cam is None else cam.verdict.entry(),
             settings=settings.rows(design, self.drawn),
             said=self.sentences,
             proven=self.proven,

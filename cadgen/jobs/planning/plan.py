@@ -3,7 +3,7 @@
 Of several such paths, with more and more room at gates and obstacles, the one is kept that most cars drive (`cars`).
 """
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from math import ceil, pi
 from pathlib import Path
@@ -20,13 +20,13 @@ from cadgen.car.planner.gates import is_exact
 from cadgen.car.planner.path_plan import PathPlan, reasons
 from cadgen.car.planner.path_plan import best_plan as planned
 from cadgen.car.planner.path_task import Margins, PathTask
-from cadgen.check import failing
+from cadgen.check import Check, failing
 from cadgen.design import cam_model, draw_model, gear_model
 from cadgen.design.course import body_of, layout_of, spacings_of
 from cadgen.design.load import design_of
 from cadgen.design.planned import planned_text, rounded
 from cadgen.design.schema import Design
-from cadgen.errors import CheckError, DesignError
+from cadgen.errors import DesignError
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.steering_cam import CarUse, plan_cam
 from cadgen.jobs.card import card_of
@@ -154,7 +154,7 @@ def _planned(
         begin: control points to go on from, shape (n, 2), mm; None to plan from scratch.
     """
     path = _kept_by_checks(asked, tightening, spare, begin)
-    if not path.passed and not path.failed and path.task.draw is not None and begin is None:
+    if not path.passed and path.task.draw is not None and begin is None:
         asked.progress("planning from a narrower range of spacings")
         wanted = asked.wanted
         narrow = task_of(
@@ -215,8 +215,6 @@ def _kept_by_checks(
         try:
             made = design_of(written, Path(f"{design.name}.toml"))
             cam = plan_cam(made, None, progress)
-        except CheckError as error:
-            return PathPlanning(asked=design, task=task, plan=result, text="", cam=None, failed=error.message)
         except DesignError:
             # The closing blend is too steep for the rod to follow it: the other limits are those of the plan.
             if number == rounds - 1 or task.vehicle.closed:
@@ -234,7 +232,7 @@ def _kept_by_checks(
             kept=tightening,
             wheel_radius=radius,
         )
-        more = tightening.after(failing(cam.checks))
+        more = tightening.after(_due_to_path(cam))
         for each in settings:
             more = more.larger(tightening.after(each.failed))
         if more == tightening:
@@ -242,6 +240,13 @@ def _kept_by_checks(
         tightening, begin = more, rounded(result.path.points)
     assert path is not None  # the last round gives one or raises
     return path
+
+
+def _due_to_path(cam: CamPlan) -> Iterator[Check]:
+    """Failed checks on which a path has influence: with friction, limits that no profile keeps are the rod's."""
+    comparison = CarUse.of(cam).comparison
+    rubs = comparison is not None and comparison.task.mechanics is not None
+    yield from (check for check in failing(cam.checks) if not (rubs and comparison and check in comparison.beyond))
 
 
 def _settings(design: Design, task: PathTask, cam: CamPlan, progress: Progress) -> tuple[DrawnSpacing, ...]:

@@ -1,6 +1,5 @@
 """The page of a car's cam: runs, random cars and calibration besides the cam and its gears, each computed once."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from math import degrees
 from typing import TYPE_CHECKING
@@ -9,7 +8,7 @@ from cadgen.car.against_play.profile_kinds import ACTUAL
 from cadgen.check import CheckCode
 from cadgen.design import cam_model, variation
 from cadgen.design.schema import Design
-from cadgen.errors import CheckError, DesignError, FileError
+from cadgen.errors import DesignError, FileError
 from cadgen.figures import Cell, Facts, State, number
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.car_facts import remedy_facts
@@ -150,8 +149,7 @@ def plan_page(
 
     Args:
         design: loaded design.
-        profile: code of a profile; the default of `plan_cam` if left out. If no profile keeps the limits of [optimize],
-            the report is of the actual one, and says so first.
+        profile: code of a profile; the default of `plan_cam` if left out.
         samples: number of random cars.
         processes: number of processes that run at once; no number depends on it.
         sources: measured data.
@@ -164,10 +162,7 @@ def plan_page(
     refusals: list[Refusal] = []
     with_play = bool(variation.play_bands(design)) and cam_model.follower(design).leans
 
-    def wanted() -> CamPlan:
-        return plan_cam(design, profile, progress, all_trains=True, with_play=with_play)
-
-    cam = _cam(design, wanted, refusals, progress)
+    cam = plan_cam(design, profile, progress, all_trains=True, with_play=with_play)
     gears = gears_of(design, plan_gears, refusals, progress)
     simulation, run = None, None
     further: tuple[Remedy, ...] = ()
@@ -216,7 +211,7 @@ def plan_edited(design: Design, make_gears: MakeGears, progress: Progress = sile
         DesignError: no cam can be computed.
     """
     refusals: list[Refusal] = []
-    cam = _cam(design, lambda: plan_cam(design, None, progress), refusals, progress)
+    cam = plan_cam(design, None, progress)
     gears = gears_of(design, make_gears, refusals, progress)
     progress("running the car")
     simulation = None if CarUse.of(cam).comparison is None else simulated(cam)
@@ -238,15 +233,6 @@ def plan_preview(design: Design, progress: Progress = silent) -> CarPage:
     """
     cam = plan_cam(design, ACTUAL.code, progress, judged=False)
     return CarPage(cam=cam, cures=Cures((), (), 0), gears=None, scope=Scope.PREVIEW)
-
-
-def _cam(design: Design, make: Callable[[], CamPlan], refusals: list[Refusal], progress: Progress) -> CamPlan:
-    """The cam, or the actual one with a refusal if no profile keeps the limits of [optimize]."""
-    try:
-        return make()
-    except CheckError as error:
-        refusals.append(Refusal(Topic.PROFILE, error.message, fails=True))
-        return plan_cam(design, ACTUAL.code, progress)
 
 
 def _measured_profile(design: Design, known: str) -> str:

@@ -4,11 +4,12 @@ import numpy as np
 import pytest
 
 from cadgen.car.against_play.evaluate import FigureLimit, ProfileCandidate, choose
+from cadgen.check import CheckCode
 from cadgen.errors import CheckError
 
 LIMITS = (
-    FigureLimit(figure="position error", most=50.0, unit="mm"),
-    FigureLimit(figure="path deviation", most=20.0, unit="mm"),
+    FigureLimit(figure="position error", most=50.0, unit="mm", code=CheckCode.END_POSITION_WITH_PLAY, key="a"),
+    FigureLimit(figure="path deviation", most=20.0, unit="mm", code=CheckCode.RUN_POSITION_WITH_PLAY, key="b"),
 )
 
 
