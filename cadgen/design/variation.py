@@ -26,6 +26,7 @@ from cadgen.deviations.deviation import (
     RETURN_ERROR,
     ROD_FORCE,
     SLIDING_FRICTION,
+    START_GAP,
     TEMPERATURE,
     TOLERANCES,
     Deviation,
@@ -225,9 +226,20 @@ def half_widths(design: Design, forces: MechanicsBand | None) -> dict[Deviation,
         halves[SLIDING_FRICTION], halves[DRAG] = (float(np.ptp(band)) / 2 for band in (forces.friction, forces.drag))
     elif halves[ROD_FORCE] > 0:
         raise DesignError("tolerances.rod_force_N needs the force itself: add [mechanics] with rod_force_N")
+    if halves[START_GAP] > 0 and not braked(design):
+        raise DesignError(
+            "tolerances.start_gap_deg is of a cam that a brake holds; without a brake the rod turns the cam to its "
+            "gears, or ahead of them: add mechanics.drag_least_Nmm, or remove tolerances.start_gap_deg"
+        )
     if halves[TEMPERATURE] > 0 and design.blank.material is None:
         raise DesignError("tolerances.temperature_K needs to know what the disc is made of: set blank.material")
     return {name: half for name, half in halves.items() if half > 0}
+
+
+def braked(design: Design) -> bool:
+    """Whether a brake or felt holds the cam back, or `optimize.hardware` allows one."""
+    given = design.mechanics
+    return Hardware.DRAG in (design.optimize.hardware or ()) or (given is not None and given.drag_Nmm[1] > 0)
 
 
 def expansion(design: Design) -> Expansion:

@@ -266,6 +266,19 @@ TEMPERATURE = Deviation(
     fleeting=True,
     zone=Zone(100, "how far from that of the adjustment; needs `blank.material`, and goes by `frame_material`"),
 )
+# The cam of a braked car stands where it was left, and the gears have so far to turn before they reach it.
+START_GAP = Deviation(
+    "start gap",
+    "start_gap",
+    "rad",
+    one_sided=True,
+    fleeting=True,
+    zone=Zone(
+        10,
+        "between the teeth at the start of a run, at the camshaft, at most the play; a brake holds the cam there. Left "
+        "out or 0 where the drive is turned forward until the cam moves",
+    ),
+)
 # Only measured, never varied.
 SHAFT_RUNOUT = Deviation("run-out of the shaft", unit="mm")
 WORN_NOSE = Deviation("worn nose", unit="mm")
@@ -277,15 +290,20 @@ VARIED = (
     *(BASE_RADIUS, INNER_FACE, OUTER_FACE, ROD_RADIUS, PROFILE_OFFSET, STEERING_ZERO, WHEELBASE, DRIVE_WHEEL_OFFSET),
     *(WHEEL_RADIUS, CAM_PHASE, START_X, START_Y, START_HEADING, RETURN_ERROR, SLIDING_FRICTION, DRAG, ROD_FORCE),
     *(EDGE_BREAK, EDGE_WEAR, TAPER, ROD_HEIGHT, ECCENTRIC_BORE, WOBBLE, STEERING_LOST_MOTION, WHEEL_RUNOUT),
-    TEMPERATURE,
+    *(TEMPERATURE, START_GAP),
 )
 _FIRST = [sum(1 + other.directed for other in VARIED[:number]) for number in range(len(VARIED) + 1)]
 _COLUMNS = {each.name: list(range(_FIRST[k], _FIRST[k + 1])) for k, each in enumerate(VARIED)}
 # Names of the columns, and units of their values.
 COLUMNS = {f"{each.key}{part}": each.unit for each in VARIED for part in (("_0", "_90") if each.directed else ("",))}
-# What has a half width: all but the return error, which has a band; sizes with a direction last, in which order a seed
-# draws them.
-TOLERANCES = tuple(sorted((each for each in VARIED if each != RETURN_ERROR), key=lambda each: each.directed))
+_DRAWN_LAST = (START_GAP,)
+# What has a half width: all but the return error, which has a band. In this order a seed draws them: sizes with a
+# direction after those without, and what came to the catalogue later after both, so that it leaves their numbers alone.
+TOLERANCES = tuple(
+    sorted(
+        (each for each in VARIED if each != RETURN_ERROR), key=lambda each: 2 * (each in _DRAWN_LAST) + each.directed
+    )
+)
 # What a hand sets after a trial run.
 SETTABLE = tuple(each for each in VARIED if each.hand and each.hand.limit)
 # The same by the part that is set.

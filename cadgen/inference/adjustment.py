@@ -197,7 +197,7 @@ class LikelyCars:
     """LikelyCars that explain the trial runs, m of them.
 
     Attributes:
-        table: their deviations, shape (m, 29), columns as `deviation.COLUMNS`.
+        table: their deviations, shape (m, c), columns as `deviation.COLUMNS`.
         head: by how much the micrometer head stands off what it was last set to, shape (m,), mm.
         last: settings of the last trial run.
     """
@@ -207,7 +207,7 @@ class LikelyCars:
     last: Settings
 
     def run(self, settings: Settings, turned: Array | float = 0.0) -> Array:
-        """Deviations in a run with settings, shape (m, 29).
+        """Deviations in a run with settings, shape (m, c).
 
         Args:
             settings: what is set for the run.
@@ -315,7 +315,7 @@ class _Fit:
     columns: list[int]
 
     def cars(self, cells: Array, value: Array, scales: Array) -> Array:
-        """Deviations in this run: shape (c, 29), for the car's own, then the run's, in units of `scales`."""
+        """Deviations in this run: shape (m, c), for the car's own, then the run's, in units of `scales`."""
         table = np.zeros((len(cells), len(COLUMNS)))
         table[:, [name.column for name in _GRIDDED]] = cells
         own = (BASE_RADIUS, *self.prior.noise.starts)
@@ -409,7 +409,7 @@ def track_of(nominal: Cars, lever: complex, table: Array, stations: Array | None
     Args:
         nominal: the nominal car.
         lever: place of the point in the car's frame from the drive wheel, x + iy, mm.
-        table: deviations, shape (m, 29), columns as `deviation.COLUMNS`.
+        table: deviations, shape (m, c), columns as `deviation.COLUMNS`.
         stations: motor positions of each car, shape (m, g), rad; the nominal car's if left out.
     """
     tracks = []
@@ -425,7 +425,7 @@ def started(places: Complex, table: Array, setting: Deviation, by: float) -> Com
 
     Args:
         places: of a point of the cars, shape (m, g), mm.
-        table: their deviations, shape (m, 29), columns as `deviation.COLUMNS`.
+        table: their deviations, shape (m, c), columns as `deviation.COLUMNS`.
         setting: one of `STARTS`.
         by: what is added to it, mm or rad.
     """

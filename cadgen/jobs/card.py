@@ -81,6 +81,7 @@ class Card(JobResult, Generic[C]):
             None if comparison is None else comparison.band.ends,
             None if laps is None else laps.in_run,
         )
+        lines += self.use.before_each_run
         if self.cam.sound:
             return tuple(lines)
         names = joined(Message(check.name) for check in failing(self.cam.checks))

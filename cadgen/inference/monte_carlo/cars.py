@@ -37,6 +37,7 @@ from cadgen.deviations.deviation import (
     RETURN_ERROR,
     ROD_FORCE,
     SLIDING_FRICTION,
+    START_GAP,
     START_HEADING,
     START_X,
     START_Y,
@@ -111,7 +112,7 @@ class CamTorques:
         """Friction, drag and rod force of cars, each of shape (m,).
 
         Args:
-            deviations: deviations of m cars, columns and units as `deviation.COLUMNS`, shape (m, 29).
+            deviations: deviations of m cars, columns and units as `deviation.COLUMNS`, shape (m, c).
         """
         nominal = self.mechanics
         friction = np.maximum(nominal.friction + deviations[:, SLIDING_FRICTION.column], 0.0)
@@ -124,7 +125,7 @@ class CamTorques:
         A car with fewer stretches than another has some of no length at the end.
 
         Args:
-            deviations: deviations of m cars, columns and units as `deviation.COLUMNS`, shape (m, 29).
+            deviations: deviations of m cars, columns and units as `deviation.COLUMNS`, shape (m, c).
         """
         friction, drag, force = self.of_cars(deviations)
         rate = self.mechanics.rod_rate * np.ones_like(force)
@@ -188,12 +189,27 @@ def lead_intervals(peak: Array, valley: Array, play: Array, phase: Array, last: 
     return LeadIntervals(motor, cam, np.broadcast_to(waits, cam.shape))
 
 
+def standing(stretches: LeadIntervals, gap: Array) -> LeadIntervals:
+    """Runs whose gears first turn through a gap between the teeth, while the cam stands.
+
+    Args:
+        stretches: runs without a gap.
+        gap: of each car, at the camshaft, shape (m,), rad.
+    """
+    begins = stretches.motor[:, :1] - gap[:, None]
+    return LeadIntervals(
+        np.concatenate([begins, stretches.motor], axis=1),
+        np.concatenate([stretches.motor[:, :1], stretches.cam], axis=1),
+        np.concatenate([np.ones(begins.shape, dtype=bool), stretches.waits], axis=1),
+    )
+
+
 def behind_a_brake(forces: CamTorques, deviations: Array, play: Array, phase: Array, last: float) -> LeadIntervals:
     """Runs of cams with play on a shaft that is braked: car by car, for there shaft and cam lead in turn.
 
     Args:
         forces: torques on the cam.
-        deviations: deviations of m cars, shape (m, 29), columns and units as `deviation.COLUMNS`.
+        deviations: deviations of m cars, shape (m, c), columns and units as `deviation.COLUMNS`.
         play: return error of each car, rad, shape (m,).
         phase: angle by which each cam stands ahead on its shaft, rad, shape (m,).
         last: motor position at which the runs end, rad.
@@ -325,7 +341,7 @@ def run_cars(cars: Cars, deviations: Array, stations: Array | None = None) -> Po
 
     Args:
         cars: nominal car.
-        deviations: deviations of m cars, shape (m, 29), columns and units as `deviation.COLUMNS`.
+        deviations: deviations of m cars, shape (m, c), columns and units as `deviation.COLUMNS`.
         stations: motor positions of each car, shape (m, g), rad; the same for all if left out.
     """
     own = None if stations is None else np.broadcast_to(stations, (len(deviations), np.shape(stations)[-1]))
@@ -347,12 +363,15 @@ def _run(cars: Cars, deviations: Array, stations: Array | None) -> Poses:
         stretch = behind_a_brake(cars.forces, deviations, play, phase, last)
     else:
         stretch = lead_intervals(*cars.forces.leads(deviations), play, phase, last)
+    gap = np.clip(deviations[:, START_GAP.column], 0.0, play)
+    if gap.any():
+        stretch = standing(stretch, gap)
     turned, moved = track.between(stretch.cam, stretch.motor[:, 1:] - stretch.motor[:, :-1], stretch.waits)
     zero = np.zeros((len(play), 1))
     heading = deviations[:, START_HEADING.columns] + np.concatenate([zero, np.cumsum(turned, axis=1)], axis=1)
     position = np.concatenate([zero, np.cumsum(np.exp(1j * heading[:, :-1]) * moved, axis=1)], axis=1)
 
-    motor = (cars.stations if stations is None else stations) + phase[:, None]
+    motor = (cars.stations if stations is None else stations) + (phase - gap)[:, None]
     # Car by car: of thousands of stations and stretches, a table of all with all would take gigabytes.
     begins = zip(stretch.motor[:, :-1], motor, strict=True)
     at = np.stack([np.searchsorted(starts, positions, side="right") for starts, positions in begins]) - 1

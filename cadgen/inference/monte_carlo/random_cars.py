@@ -80,7 +80,7 @@ class Tolerances:
             )
 
     def draw(self, generator: np.random.Generator, count: int, nominal_play: float) -> Array:
-        """Deviations of random cars, shape (count, 29), columns as `deviation.COLUMNS`.
+        """Deviations of random cars, shape (count, c), columns as `deviation.COLUMNS`.
 
         Args:
             generator: source of the random numbers.
@@ -200,7 +200,7 @@ def errors_of_cars(cars: Cars, deviations: Array) -> CarErrors:
 
     Args:
         cars: nominal car.
-        deviations: deviations of m cars, shape (m, 29), columns and units as `deviation.COLUMNS`.
+        deviations: deviations of m cars, shape (m, c), columns and units as `deviation.COLUMNS`.
     """
     return _errors(cars, run_cars(cars, deviations))
 
@@ -368,7 +368,7 @@ def _below(value: float) -> float:
 
 
 def sensitivities(cars: Cars, tolerances: Tolerances) -> tuple[Sensitivity, ...]:
-    """Effect of each varying parameter on the end of the run, by central differences, greatest share first."""
+    """Effect of each varying parameter on the end of the run, by differences, greatest share first."""
     spreads = {name: tolerances.zone(name).std for name in tolerances.half_widths}
     play = tolerances.draw(np.random.default_rng(0), _SPREAD_SAMPLES, cars.play)[:, RETURN_ERROR.column]
     spreads[RETURN_ERROR] = float(play.std())
@@ -378,8 +378,9 @@ def sensitivities(cars: Cars, tolerances: Tolerances) -> tuple[Sensitivity, ...]
     parts = [(name, column) for name in names for column in name.columns]
     steps = np.array([UNITS[name.unit] for name, _ in parts])
     deviations = np.zeros((2 * len(parts), len(COLUMNS)))
-    for row, (_, column) in enumerate(parts):
-        deviations[2 * row : 2 * row + 2, column] = np.array([-0.5, 0.5]) * steps[row]
+    for row, (name, column) in enumerate(parts):
+        ends = [0.0, 1.0] if name.one_sided else [-0.5, 0.5]
+        deviations[2 * row : 2 * row + 2, column] = np.array(ends) * steps[row]
     errors = errors_of_cars(cars, deviations)
     moved = np.stack(
         [np.diff(e[:, cars.end].reshape(-1, 2))[:, 0] for e in (errors.heading, errors.along, errors.across)], axis=1

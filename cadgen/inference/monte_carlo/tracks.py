@@ -176,7 +176,7 @@ class Tracks:
 
         Args:
             steered: nominal car.
-            deviations: deviations of m cars, columns as `COLUMNS` of the catalogue, shape (m, 29).
+            deviations: deviations of m cars, columns as `COLUMNS` of the catalogue, shape (m, c).
             rate: travel of each car's rim for a rad of the cam, mm, shape (m,).
             first, last: between what cam angles, rad.
         """

@@ -20,6 +20,7 @@ from cadgen.deviations.deviation import (
     RETURN_ERROR,
     SETTINGS,
     SLIDING_FRICTION,
+    START_GAP,
     STARTS,
     STEERING_ZERO,
     VARIED,
@@ -365,7 +366,7 @@ def _spreads(plan: CamPlan) -> dict[Deviation, float]:
     sigma = dict(_LEAST)
     for name, width in CarUse.of(plan).half_widths().items():
         # Deviations of the start are in each run's own settings and noise.
-        if name not in (*STARTS, SLIDING_FRICTION):
+        if name not in (*STARTS, START_GAP, SLIDING_FRICTION):
             # A value that is anywhere within the zone, or one direction of such a size.
             spread = WIDER * width / (sqrt(6) if name.directed else sqrt(3))
             sigma[name] = max(sigma.get(name, 0.0), spread)

@@ -4,15 +4,18 @@ from math import degrees, inf
 
 import numpy as np
 
+from cadgen.arrays import TURN
 from cadgen.cam.follower import Follower, edge_follower
 from cadgen.car.against_play.band import PlayBand, over_band
 from cadgen.car.against_play.evaluate import Evaluation
 from cadgen.car.against_play.play_task import PlayTask
 from cadgen.car.against_play.remedies import holding, touched_width
 from cadgen.car.path_motion import PathMotion
+from cadgen.car.running.drive import Run
 from cadgen.car.running.friction import USUAL
 from cadgen.car.running.mechanics import MechanicsBand
 from cadgen.car.running.run_errors import run_error
+from cadgen.car.steering import Car, wheel_curvature, wheel_tangent, wheel_travel_ratio
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.design import variation
 from cadgen.design.play import Hardware
@@ -125,6 +128,34 @@ def joint_sentences(design: Design) -> list[str]:
     ]
 
 
+def start_sentence(planned: Run, car: Car, travel: float, play: float) -> Message:
+    """What to do before each run of a car whose cam a brake holds, and what it costs if it is left out.
+
+    The car then goes through the gap on the circle of its first steering angle, and its run ends so much earlier on
+    the planned track.
+
+    Args:
+        planned: planned run, from motor position 0.
+        car: dimensions of the car.
+        travel: travel of the drive wheel's rim for one turn of the cam, mm.
+        play: greatest gap between the teeth, at the camshaft, rad.
+    """
+    x, y = planned.drive_wheel.T
+    at, stop = (x + 1j * y), float(planned.motor[-1] - play)
+    arc = travel * play / TURN * float(wheel_travel_ratio(wheel_tangent(planned.tan_beta[:1], car), car)[0])
+    turned = arc * float(wheel_curvature(wheel_tangent(planned.tan_beta[:1], car), car)[0])
+    circle = arc * np.sinc(turned / TURN) * np.exp(1j * (turned / 2 + planned.heading[0]))
+    last = np.interp(stop, planned.motor, at.real) + 1j * np.interp(stop, planned.motor, at.imag)
+    end = circle + np.exp(1j * turned) * (last - at[0]) + at[0]
+    return Message(
+        "Before each run turn the drive forward until the cam moves, then set the car down: the brake leaves the cam "
+        "where it stood, and a gap between the teeth, up to {play:.3f}° at the camshaft, moves the end of the run by "
+        "up to {moved:.0f} mm.",
+        play=degrees(play),
+        moved=abs(end - at[-1]),
+    )
+
+
 def border_sentences(design: Design, task: PlayTask, chosen: Evaluation, band: PlayBand) -> list[str]:
     """Advice besides the cam, and warnings where the cam may be held in one run and lead in the next, in words."""
     known, keys = task.mechanics, design.mechanics
@@ -145,6 +176,8 @@ def border_sentences(design: Design, task: PlayTask, chosen: Evaluation, band: P
                 energy=need.energy,
             )
         )
+    if known.drag[1] > 0 and max(band.ends) > 0:
+        lines.append(start_sentence(task.planned(), task.car, task.length, max(band.ends)))
     if Hardware.TRIM in (design.optimize.hardware or ()):
         lines.append(
             Message(

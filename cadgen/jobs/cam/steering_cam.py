@@ -43,7 +43,7 @@ from cadgen.jobs.cam.cam_plan import Application, CamPlan, Making, steepest
 from cadgen.jobs.cam.car_facts import as_built_facts, comparison_facts
 from cadgen.jobs.cam.comparison import MeasuredCam, PlayComparison, ProfileChecks, against_play, known_trains, task_of
 from cadgen.jobs.cam.course import OnCourse, course_checks, floor_with, on_course
-from cadgen.jobs.cam.mechanics import joint_sentences, mechanics_checks
+from cadgen.jobs.cam.mechanics import joint_sentences, mechanics_checks, start_sentence
 from cadgen.jobs.cam.path_check import cut_checks, lost_lift_check, lost_lift_reservation, path_checks
 from cadgen.jobs.cam.readiness import (
     CourseYield,
@@ -389,6 +389,26 @@ class CarUse(Application):
             *assumed_play(self.design),
             *joint_sentences(self.design),
             *as_built_sentences(self.design, stop),
+            *self._start_notes(),
+        )
+
+    def _start_notes(self) -> tuple[Message, ...]:
+        """What to do before each run, with what it costs where the play is known."""
+        if not self.before_each_run or self.comparison is None:
+            return self.before_each_run
+        task, play = self.comparison.task, max(self.comparison.band.ends)
+        return (start_sentence(task.planned(), task.car, task.length, play),)
+
+    @property
+    def before_each_run(self) -> tuple[Message, ...]:
+        """What to do before each run of a car whose cam a brake holds, in words."""
+        if not (self.play_known and variation.braked(self.design)):
+            return ()
+        return (
+            Message(
+                "Before each run turn the drive forward until the cam moves, then set the car down: the brake leaves "
+                "the cam where it stood."
+            ),
         )
 
     def as_built_facts(self, stop: float) -> Facts | None:
@@ -416,11 +436,13 @@ class CarUse(Application):
         )
 
     def drawing_notes(self, cam: CamPlan) -> tuple[str, ...]:
-        """Tolerances of the faces' distances from the fork axis."""
+        """Tolerances of the faces' distances from the fork axis, and what to do before each run with a brake."""
         inner, outer = self.design.tolerances.inner_face_mm, self.design.tolerances.outer_face_mm
+        begin = self.before_each_run
         if not (inner or outer):
-            return ()
+            return begin
         return (
+            *begin,
             Message(
                 "Faces: inner ± {inner:g}, outer ± {outer:g} mm from the fork axis, as the cars are reckoned.",
                 inner=inner,
