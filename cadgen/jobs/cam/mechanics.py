@@ -129,7 +129,7 @@ def joint_sentences(design: Design) -> list[str]:
 
 
 def start_sentence(planned: Run, car: Car, travel: float, play: float) -> Message:
-    """What to do before each run of a car whose cam a brake holds, and what it costs if it is left out.
+    """Advice for each start of a car whose cam a brake holds, with what it costs if it is left out.
 
     The car then goes through the gap on the circle of its first steering angle, and its run ends so much earlier on
     the planned track.

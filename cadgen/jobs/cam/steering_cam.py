@@ -393,7 +393,7 @@ class CarUse(Application):
         )
 
     def _start_notes(self) -> tuple[Message, ...]:
-        """What to do before each run, with what it costs where the play is known."""
+        """Advice for each start, with what it costs where the play is known."""
         if not self.before_each_run or self.comparison is None:
             return self.before_each_run
         task, play = self.comparison.task, max(self.comparison.band.ends)
@@ -401,7 +401,7 @@ class CarUse(Application):
 
     @property
     def before_each_run(self) -> tuple[Message, ...]:
-        """What to do before each run of a car whose cam a brake holds, in words."""
+        """Advice for each start of a car whose cam a brake holds, in words."""
         if not (self.play_known and variation.braked(self.design)):
             return ()
         return (
