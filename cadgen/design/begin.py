@@ -92,6 +92,7 @@ outer_face_mm = 0.05
 rod_radius_mm = 0.005
 profile_offset_mm = 0.01           # the disc cut too large all round
 steering_zero_deg = 0.02           # front wheel, set on a trial run
+steering_lost_motion_deg = 0.005   # half of the play between rod and front wheel
 wheelbase_mm = 0.1
 drive_wheel_offset_mm = 0.1
 # wheel_radius_mm = 0.02           # with [train]

@@ -94,6 +94,13 @@ class TolerancesSection(_Zones):
     frame_material: Annotated[DiscMaterial, WORD] | None = Field(
         default=None, description="of what holds camshaft and fork apart; left out, aluminium"
     )
+    gear_seat_mm: float | None = Field(
+        default=None,
+        ge=0,
+        le=1,
+        description="eccentricity of each gear of [train] on its shaft, by its seat and its bearings; where it is "
+        "given, 0 too, the cars vary by the cumulative pitch of their gears as well",
+    )
     gate_width_mm: float | None = Field(
         default=None,
         gt=0,

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 from functools import partial
-from math import degrees, inf, radians
+from math import degrees, inf, pi, radians
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,7 +23,9 @@ from cadgen.design.section import listed
 from cadgen.deviations.deviation import (
     DRAG,
     ECCENTRIC_BORE,
+    GEAR_ERRORS,
     RETURN_ERROR,
+    ROD_BENDING,
     ROD_FORCE,
     SLIDING_FRICTION,
     START_GAP,
@@ -37,9 +39,12 @@ from cadgen.gears.choices import Order, StageOrder
 from cadgen.gears.distribution import ZoneSum
 from cadgen.gears.fits import clearance as fit_clearance
 from cadgen.gears.synthesis import arrange
-from cadgen.gears.train import WholePlay
+from cadgen.gears.train import OnceATurn, WholePlay, once_a_turn
 from cadgen.inference.monte_carlo.random_cars import Sampler, Tolerances
 
+# Young's modulus of rods, N/mm^2: handbooks' tables.
+_STEEL = 206e3
+_ELASTIC = {"aluminium": 70e3, "brass": 100e3}
 _STATIONS = 3600  # of the turn at which forces are looked at
 
 
@@ -220,6 +225,9 @@ def half_widths(design: Design, forces: MechanicsBand | None) -> dict[Deviation,
     for each in TOLERANCES:
         value = getattr(tolerances, each.tolerance_key, None) or 0.0 if each.zone else 0.0
         halves[each] = radians(value) if each.unit == "rad" else value
+    if tolerances.gear_seat_mm is not None:
+        shafts = zip(GEAR_ERRORS, once_a_turn_of(design), strict=False)
+        halves.update({each: shaft.size for each, shaft in shafts})
     if (fit := design.blank.bore_fit) is not None:
         halves[ECCENTRIC_BORE] += fit_clearance(fit, design.blank.bore_diameter_mm)[1] / 2
     if forces is not None:
@@ -234,6 +242,31 @@ def half_widths(design: Design, forces: MechanicsBand | None) -> dict[Deviation,
     if halves[TEMPERATURE] > 0 and design.blank.material is None:
         raise DesignError("tolerances.temperature_K needs to know what the disc is made of: set blank.material")
     return {name: half for name, half in halves.items() if half > 0}
+
+
+def once_a_turn_of(design: Design) -> tuple[OnceATurn, ...]:
+    """Transmission error of every shaft of the train as it is built, from the camshaft on; empty without [train]."""
+    if design.train is None:
+        return ()
+    built = train_plays(design)[design.optimize.order].teeth
+    return () if built is None else once_a_turn(built.train, design.tolerances.gear_seat_mm or 0.0)
+
+
+def of_the_parts(design: Design, forces: MechanicsBand | None) -> dict[Deviation, float]:
+    """Half of the zones that follow from gears and rod: what a budget has even where [tolerances] says nothing.
+
+    Args:
+        design: a loaded design.
+        forces: range of the forces on its cam.
+    """
+    shafts = zip(GEAR_ERRORS, once_a_turn_of(design), strict=False)
+    halves = {deviation: shaft.size for deviation, shaft in shafts if shaft.size > 0}
+    if design.mechanics is not None and forces is not None and design.follower.bearing_width is None:
+        rod, stiff = forces.follower, _ELASTIC.get(str(design.follower.surface), _STEEL)
+        if rod.radius > 0:
+            lever = abs(rod.inner + rod.outer) / 2
+            halves[ROD_BENDING] = forces.rod_force * lever**3 / (3 * stiff * pi * rod.radius**4 / 4)
+    return halves
 
 
 def braked(design: Design) -> bool:

@@ -87,7 +87,8 @@ class Deviation:
         key: name in tables, in JSON, and in `[tolerances]` before the unit; empty where many cars do not vary it.
         unit: unit of its values in tables: `mm`, `rad`, `N`, `Nmm`, `K`, or `1` for a ratio.
         directed: whether it is a size with a direction: its values are two components, towards polar angles of 0 and
-            90 degrees of the disc, or towards the ground at the start and a quarter turn of the wheel later.
+            90 degrees of the disc, or towards the ground at the start and a quarter turn of the wheel later; of the
+            camshaft in its frame, towards the fork axis and up; of gears, the cosine and the sine of a turn.
         one_sided: whether it lies between 0 and its half width.
         fleeting: whether it differs from run to run, or a trim itself sets it no closer: then no trim takes it out.
         zone: its key in `[tolerances]`; None where another section gives it, or none.
@@ -249,8 +250,8 @@ STEERING_LOST_MOTION = Deviation(
     "steering lost motion",
     "steering_lost_motion",
     "rad",
-    fleeting=True,
-    zone=Zone(10, "half of the play between rod and front wheel, which stands anywhere in it and anew in each run"),
+    one_sided=True,
+    zone=Zone(10, "half of the play between rod and front wheel, by which the wheel lags in turns to either side"),
 )
 WHEEL_RUNOUT = Deviation(
     "wheel run-out",
@@ -279,6 +280,32 @@ START_GAP = Deviation(
         "out or 0 where the drive is turned forward until the cam moves",
     ),
 )
+ROD_BENDING = Deviation(  # at its contact with the disc, at zero lift
+    "rod bending",
+    "rod_bending",
+    "mm",
+    one_sided=True,
+    zone=Zone(1, "by which the rod's force bends it where it touches the disc, at zero lift"),
+)
+WIND_UP = Deviation(
+    "wind-up",
+    "wind_up",
+    "rad",
+    one_sided=True,
+    zone=Zone(10, "by which the camshaft lags its gears where the lift rises most steeply: shafts that twist"),
+)
+BEARING_SEATS = Deviation(
+    "bearing seats",
+    "bearing_seats",
+    "rad",
+    directed=True,
+    zone=Zone(10, "by which the camshaft leans in the frame, in any direction: the seats of its bearings"),
+)
+# Each gear is ahead and behind once in a turn of its shaft, by its cumulative pitch and by its seat.
+GEAR_ERRORS = tuple(
+    Deviation(f"gears of shaft {number} from the camshaft", f"gears_of_shaft_{number}", "rad", directed=True)
+    for number in range(5)
+)
 # Only measured, never varied.
 SHAFT_RUNOUT = Deviation("run-out of the shaft", unit="mm")
 WORN_NOSE = Deviation("worn nose", unit="mm")
@@ -290,13 +317,13 @@ VARIED = (
     *(BASE_RADIUS, INNER_FACE, OUTER_FACE, ROD_RADIUS, PROFILE_OFFSET, STEERING_ZERO, WHEELBASE, DRIVE_WHEEL_OFFSET),
     *(WHEEL_RADIUS, CAM_PHASE, START_X, START_Y, START_HEADING, RETURN_ERROR, SLIDING_FRICTION, DRAG, ROD_FORCE),
     *(EDGE_BREAK, EDGE_WEAR, TAPER, ROD_HEIGHT, ECCENTRIC_BORE, WOBBLE, STEERING_LOST_MOTION, WHEEL_RUNOUT),
-    *(TEMPERATURE, START_GAP),
+    *(TEMPERATURE, START_GAP, ROD_BENDING, WIND_UP, BEARING_SEATS, *GEAR_ERRORS),
 )
 _FIRST = [sum(1 + other.directed for other in VARIED[:number]) for number in range(len(VARIED) + 1)]
 _COLUMNS = {each.name: list(range(_FIRST[k], _FIRST[k + 1])) for k, each in enumerate(VARIED)}
 # Names of the columns, and units of their values.
 COLUMNS = {f"{each.key}{part}": each.unit for each in VARIED for part in (("_0", "_90") if each.directed else ("",))}
-_DRAWN_LAST = (START_GAP,)
+_DRAWN_LAST = VARIED[VARIED.index(START_GAP) :]
 # What has a half width: all but the return error, which has a band. In this order a seed draws them: sizes with a
 # direction after those without, and what came to the catalogue later after both, so that it leaves their numbers alone.
 TOLERANCES = tuple(

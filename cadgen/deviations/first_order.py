@@ -8,12 +8,18 @@ As `cadgen.cam.followers.rod` has it:
   off the disc's middle by w - m, goes to the other side by gamma (w - m);
 - a rod **above** the camshaft's plane is a disc below it;
 - a **taper** of the cut makes one face larger along its normal, and the other smaller, by half of it;
+- a **camshaft that leans** in the frame is a wobble towards a direction that does not turn;
+- gears that are **ahead and behind** once in a turn of their shaft, and shafts that **wind up**, turn the disc;
+- a rod that **bends** gives way as a cantilever does: of the deflection d at zero lift, tan(beta) loses
+  d (w^2 / m^3) (1 + T^2)^(5/2), with m the middle of the faces;
+- a front wheel with **lost motion** lags the rod by half of it in every turn, to either side;
 - **heat** scales the disc about the shaft, and the frame, which holds camshaft and fork apart.
 
 Near zero steering the two edges of the rim lift the rod almost equally. A taper or a wobble can then make
 the other edge carry the rod, instead of the edge that carries it on the nominal disc (`OtherEdge`).
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
@@ -25,15 +31,20 @@ from cadgen.cam.follower import Contact, EdgeFollower, FirstOrder
 from cadgen.car.running.friction import DiscMaterial
 from cadgen.deviations.deviation import (
     BASE_RADIUS,
+    BEARING_SEATS,
     ECCENTRIC_BORE,
+    GEAR_ERRORS,
     INNER_FACE,
     OUTER_FACE,
     PROFILE_OFFSET,
+    ROD_BENDING,
     ROD_HEIGHT,
     ROD_RADIUS,
+    STEERING_LOST_MOTION,
     STEERING_ZERO,
     TAPER,
     TEMPERATURE,
+    WIND_UP,
     WOBBLE,
 )
 from cadgen.deviations.disc import eccentric
@@ -41,7 +52,7 @@ from cadgen.deviations.disc import eccentric
 # Deviations that turn the rod, in the order of the rows.
 STEERING = (
     *(BASE_RADIUS, INNER_FACE, OUTER_FACE, ROD_RADIUS, PROFILE_OFFSET, STEERING_ZERO, TAPER, ROD_HEIGHT),
-    *(ECCENTRIC_BORE, WOBBLE, TEMPERATURE),
+    *(ECCENTRIC_BORE, WOBBLE, TEMPERATURE, STEERING_LOST_MOTION, ROD_BENDING, WIND_UP, BEARING_SEATS, *GEAR_ERRORS),
 )
 # Column of each row in a table of deviations.
 ROWS = [column for each in STEERING for column in each.columns]
@@ -64,13 +75,13 @@ class OtherEdge:
 
     Attributes:
         below: amount by which tan(beta) would be less if this edge alone carried the rod, shape (n,).
-        rising: excess of its derivatives of tan(beta) by `COLUMNS` over those of the carrying edge, shape (3, n).
+        rising: excess of its derivatives of tan(beta) by `COLUMNS` over those of the carrying edge, shape (5, n).
     """
 
     below: Array
     rising: Array
 
-    COLUMNS: ClassVar[list[int]] = [*TAPER.columns, *WOBBLE.columns]
+    COLUMNS: ClassVar[list[int]] = [*TAPER.columns, *WOBBLE.columns, *BEARING_SEATS.columns]
 
     @classmethod
     def of(cls, contact: Contact, follower: EdgeFollower) -> "OtherEdge":
@@ -86,7 +97,7 @@ class OtherEdge:
         """Cam angles at which cars ride on this edge, and the angle by which it turns the rod.
 
         Args:
-            deviations: deviations in `COLUMNS`, mm and rad, shape (m, 3).
+            deviations: deviations in `COLUMNS`, mm and rad, shape (m, 5).
             columns: indices of cam angles, shape (j,).
 
         Returns:
@@ -124,7 +135,13 @@ def displaced(first: FirstOrder, cam_angle: Array, x: Array | float, y: Array | 
 
 
 def steering_derivatives(
-    contact: Contact, follower: EdgeFollower, gain: float = 1.0, expansion: Expansion | None = None
+    contact: Contact,
+    follower: EdgeFollower,
+    gain: float = 1.0,
+    expansion: Expansion | None = None,
+    *,
+    orders: Sequence[float] = (),
+    stiffening: float = 0.0,
 ) -> Array:
     """Derivatives of tan(beta) at each cam angle by the dimensions of cam and rod.
 
@@ -133,12 +150,13 @@ def steering_derivatives(
     Args:
         contact: contact of the nominal rod with the nominal disc, at n cam angles.
         follower: the rod and the faces.
-        gain: gain g of the lever.
+        gain: gain g of the lever, a number.
         expansion: thermal expansion of disc and frame; none if left out.
+        orders: turns of each shaft of the train for one of the camshaft, from the camshaft on.
+        stiffening: share by which the rod's force grows for a mm of lift, 1/mm.
 
     Returns:
-        Shape (13, n), rows as `STEERING`: per mm, but steering zero and wobble per rad, temperature per K; two rows
-        of a deviation with a direction, towards the polar angles 0 and 90 degrees.
+        Shape (r, n), a row for each of `ROWS`: per mm, rad or K; two rows of a deviation with a direction.
     """
     T, w, y = contact.q, contact.face, contact.across
     first = follower.first_order(contact)
@@ -165,11 +183,34 @@ def steering_derivatives(
     # Along the outline's normal in the plane of the edge, (h / sqrt(1 + T^2), -y) before it is made a unit.
     normal = np.hypot(height / root, y)
     offset = first.displaced(height / root / normal, -y / normal) if follower.radius > 0 else 1 / divisor
+    # Turned ahead, the disc brings the point nearer along the ray and takes it back across.
+    turned = first.displaced(y, -x)
+    torque = turned / max(float(np.abs(turned).max()), 1e-300)
+    ones, nothing = np.ones_like(T), np.zeros_like(T)
+    leaning = [
+        face * (x * along + y * across) - (w - middle) * first.displaced(along, across)
+        for along, across in ((ones, nothing), (nothing, ones))
+    ]
+    bent = -(w**2) / abs(middle) ** 3 * root**5 * (1 + stiffening * contact.lift) * np.sign(middle)
+    runs = [
+        part
+        for order in [*orders, *[None] * len(GEAR_ERRORS)][: len(GEAR_ERRORS)]
+        for part in (
+            (np.zeros_like(T), np.zeros_like(T))
+            if order is None
+            else (turned * np.cos(order * contact.cam_angle), turned * np.sin(order * contact.cam_angle))
+        )
+    ]
     more = [
         np.where(inner, -0.5, 0.5) * offset,
         first.displaced(np.zeros_like(T), -np.ones_like(T)),
         *shifted,
         *wobbles,
         grown,
+        -np.sign(T) * zero,
+        bent,
+        -torque * turned,
+        *leaning,
+        *runs,
     ]
     return np.stack([*base, *more])

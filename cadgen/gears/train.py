@@ -15,14 +15,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from math import degrees, prod
+from math import cos, degrees, prod
 
 import numpy as np
 
 from cadgen.errors import DesignError
 from cadgen.gears.choices import Law
 from cadgen.gears.distribution import ZoneSum
+from cadgen.gears.pair import Pair
 from cadgen.gears.stage import Departure, PlayZone, Stage
+from cadgen.gears.tolerances import flank_tolerance
 from cadgen.messages import Message
 
 
@@ -171,6 +173,51 @@ def bearings(train: Train, clearance: float) -> tuple[Loose, ...]:
             cure=Message("preload the bearings of stage {number}, which have", number=number),
         )
         for number, (stage, ratio) in enumerate(zip(train.stages, ratios, strict=True), 1)
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class OnceATurn:
+    """Error of the gears of one shaft, once in its turn, seen at the camshaft.
+
+    Attributes:
+        order: turns of the shaft for one of the camshaft.
+        size: greatest amplitude, its gears together, rad.
+        least: amplitude that is left where wheel and pinion stand so that they cancel, rad.
+    """
+
+    order: float
+    size: float
+    least: float
+
+
+def once_a_turn(train: Train, seat: float = 0.0) -> tuple[OnceATurn, ...]:
+    """Transmission error of every shaft, from the camshaft on; of stages of spur gears alone.
+
+    A gear's cumulative pitch runs through F_p in a turn: a sine of F_p / 2 on its pitch circle. A gear off its shaft's
+    axis by e adds e / cos(alpha).
+
+    Args:
+        train: the train.
+        seat: eccentricity of each gear on its shaft, mm.
+
+    Raises:
+        DesignError: a gear that ISO 1328 does not cover.
+    """
+    ratios = [float(ratio) for ratio in train.output_ratios]
+    orders = [*ratios[::-1], float(train.ratio)]
+    sizes: list[list[float]] = [[] for _ in orders]
+    for place, (stage, ratio) in enumerate(zip(train.stages[::-1], ratios[::-1], strict=True)):
+        if not isinstance(stage, Pair):
+            continue
+        for shaft, gear in ((place, stage.driven), (place + 1, stage.driver)):
+            form = gear.form
+            pitch = float(flank_tolerance("F_p", form.reference_diameter, form.normal_module, gear.grade))
+            arc = pitch / 2 + seat / cos(form.transverse_pressure_angle)
+            sizes[shaft].append(arc / (stage.driven_pitch_radius * ratio))
+    return tuple(
+        OnceATurn(order=order, size=sum(each), least=2 * max(each, default=0.0) - sum(each))
+        for order, each in zip(orders, sizes, strict=True)
     )
 
 

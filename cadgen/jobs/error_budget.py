@@ -4,8 +4,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from math import degrees
 
-from cadgen.deviations.deviation import Deviation
+from cadgen.deviations.deviation import GEAR_ERRORS, Deviation
 from cadgen.figures import Facts
+from cadgen.gears.train import OnceATurn
 from cadgen.inference.monte_carlo.budget import Budget, Cost, Process, by_process, error_budget
 from cadgen.inference.monte_carlo.cars import Cars
 from cadgen.inference.monte_carlo.random_cars import Tolerances
@@ -21,10 +22,12 @@ class BudgetSheet:
     Attributes:
         budget: budget of the design.
         processes: budget of a disc with the usual tolerances of each process.
+        shafts: error of the gears of each shaft, from the camshaft on.
     """
 
     budget: Budget
     processes: Mapping[Process, Budget]
+    shafts: tuple[OnceATurn, ...] = ()
 
     def sentences(self) -> list[Message]:
         """Advice on the tolerance to hold tighter, and the meaning of the marks, in words."""
@@ -54,6 +57,7 @@ class BudgetSheet:
                         after=untrimmed.after,
                     )
                 )
+        lines += self._of_gears()
         if any(not cost.repeats for cost in costs):
             lines.append(
                 Message("* is anew in every run, or is how closely the trim itself is set: no trim takes it out.")
@@ -61,6 +65,28 @@ class BudgetSheet:
         if any(cost.rough for budget in (self.budget, *self.processes.values()) for cost in budget.costs):
             lines.append(Message("~ is beyond what first order is good for: of that size, and no closer."))
         return lines
+
+    def _of_gears(self) -> list[Message]:
+        """Advice on the phases in which the gears are put together, which cost nothing."""
+        costs = {cost.deviation: cost for cost in self.budget.costs}
+        rows = [
+            (costs[each], shaft.least / shaft.size)
+            for each, shaft in zip(GEAR_ERRORS, self.shafts, strict=False)
+            if each in costs and shaft.size > 0
+        ]
+        if not rows:
+            return []
+        return [
+            Message(
+                "Put together at their worst the gears move the end by {before:.0f} mm, {after:.0f} after a trim. Mark "
+                "where each runs out most, and set wheel and pinion of each shaft so that they take each other out: "
+                "{left:.0f} mm, {trimmed:.0f} after a trim.",
+                before=sum(cost.before for cost, _ in rows),
+                after=sum(cost.after for cost, _ in rows),
+                left=sum(cost.before * share for cost, share in rows),
+                trimmed=sum(cost.after * share for cost, share in rows),
+            )
+        ]
 
     def rows(self) -> list[tuple[str, list[str]]]:
         """Rows of a table: each deviation with its cost by process, greatest first, then all together."""
@@ -102,15 +128,24 @@ def _costs(budget: Budget) -> Facts:
     )
 
 
-def budget_sheet(play_zones: Mapping[str, float], fleet: Cars, tolerances: Tolerances) -> BudgetSheet:
+def budget_sheet(
+    play_zones: Mapping[str, float],
+    fleet: Cars,
+    tolerances: Tolerances,
+    of_the_parts: Mapping[Deviation, float],
+    shafts: tuple[OnceATurn, ...] = (),
+) -> BudgetSheet:
     """The error budget of a design.
 
     Args:
         play_zones: half of the zone of each part of the play, rad.
         fleet: nominal car of the design.
         tolerances: tolerances of its cars.
+        of_the_parts: half widths that follow from gears and rod where the tolerances say nothing.
+        shafts: error of the gears of each shaft, from the camshaft on.
     """
-    return BudgetSheet(budget=error_budget(fleet, tolerances.half_widths, play_zones), processes=by_process(fleet))
+    halves = {**of_the_parts, **tolerances.half_widths}
+    return BudgetSheet(budget=error_budget(fleet, halves, play_zones), processes=by_process(fleet), shafts=shafts)
 
 
 def unit_of(name: Deviation) -> tuple[str, float]:

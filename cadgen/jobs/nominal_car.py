@@ -50,6 +50,10 @@ class VariedCar(Protocol):
         """How disc, frame and rod grow with heat."""
 
     @property
+    def shaft_orders(self) -> Sequence[float]:
+        """Turns of each shaft of the train for one of the camshaft, from the camshaft on."""
+
+    @property
     def gate_width(self) -> float | None:
         """Width of the gates at the waypoints, mm; None where the design states none."""
 
@@ -91,6 +95,7 @@ def fleet_of(
         stations=stations,
         mechanics=mechanics,
         expansion=use.expansion,
+        orders=use.shaft_orders,
     )
 
 

@@ -313,7 +313,7 @@ def tolerance_of(plan: C, sample: CarSample, progress: Progress = silent) -> Tol
     sheet = None
     if sample.with_budget:
         progress("ranking what may be off")
-        sheet = budget_sheet(use.play_zones(), fleet, tolerances)
+        sheet = budget_sheet(use.play_zones(), fleet, tolerances, use.of_the_parts(), use.shafts)
     passages = () if use.course is None else use.course.planned.driven.passages
     return ToleranceRun(
         cam=plan,

@@ -41,8 +41,6 @@ from cadgen.deviations.deviation import (
     START_HEADING,
     START_X,
     START_Y,
-    STEERING_LOST_MOTION,
-    STEERING_ZERO,
     TEMPERATURE,
     WHEEL_RADIUS,
     WHEELBASE,
@@ -288,6 +286,7 @@ def nominal_cars(
     least_swing: float = LEAST_SWING,
     mechanics: Mechanics | None = None,
     expansion: Expansion | None = None,
+    orders: Sequence[float] = (),
 ) -> Cars:
     """Prepare a nominal car.
 
@@ -304,6 +303,7 @@ def nominal_cars(
         least_swing: rises and falls of tan(beta) smaller than this are noise, not events.
         mechanics: friction and drag of the nominal car; the rod slides freely if left out.
         expansion: thermal expansion of disc and frame; none if left out.
+        orders: turns of each shaft of the train for one of the camshaft, from the camshaft on.
 
     Raises:
         DesignError: the cam angles are not an even grid of a turn, or the stations are none or not in order.
@@ -319,7 +319,14 @@ def nominal_cars(
     x, y = (planned.drive_wheel[chosen] - origin).T
     return Cars(
         tan_beta=contact.q,
-        derivatives=steering_derivatives(contact, follower, car.steering_gain, expansion),
+        derivatives=steering_derivatives(
+            contact,
+            follower,
+            car.steering_gain,
+            expansion,
+            orders=orders,
+            stiffening=0.0 if mechanics is None else mechanics.rod_rate / mechanics.rod_force,
+        ),
         other=OtherEdge.of(contact, follower),
         falls=falls(lift, least_swing),
         car=car,
@@ -383,13 +390,12 @@ def _run(cars: Cars, deviations: Array, stations: Array | None) -> Poses:
 
 
 def _combined(cars: Cars, deviations: Array) -> Array:
-    """Deviations with broken and worn edges, play in the steering and a frame grown by heat among what they change."""
+    """Deviations with broken and worn edges and a frame grown by heat among what they change."""
     out = deviations.copy()
     edges = deviations[:, EDGE_BREAK.column] + deviations[:, EDGE_WEAR.column]
     growth = cars.expansion.frame * deviations[:, TEMPERATURE.column]
     out[:, INNER_FACE.column] += edges
     out[:, OUTER_FACE.column] -= edges
-    out[:, STEERING_ZERO.column] += deviations[:, STEERING_LOST_MOTION.column]
     out[:, WHEELBASE.column] += cars.car.wheelbase * growth
     out[:, DRIVE_WHEEL_OFFSET.column] += cars.car.drive_wheel_offset * growth
     return out

@@ -15,8 +15,6 @@ from cadgen.deviations.deviation import (
     INNER_FACE,
     OUTER_FACE,
     RETURN_ERROR,
-    STEERING_LOST_MOTION,
-    STEERING_ZERO,
     TOLERANCES,
     VARIED,
     WHEEL_RADIUS,
@@ -355,8 +353,6 @@ def steering_effect(cars: Cars, name: Deviation) -> float:
     row = dict(zip(ROWS, cars.derivatives, strict=True))
     if name in (EDGE_BREAK, EDGE_WEAR):
         return float(np.abs(row[INNER_FACE.column] - row[OUTER_FACE.column]).max())
-    if name == STEERING_LOST_MOTION:
-        return float(np.abs(row[STEERING_ZERO.column]).max())
     parts = [row[column] for column in name.columns if column in row]
     return float(np.sqrt(sum(part**2 for part in parts)).max()) if parts else 0.0
 

@@ -37,7 +37,7 @@ class Steered:
 
     Attributes:
         tan_beta: nominal steering on an even grid of one turn from cam angle 0, shape (n,).
-        derivatives: derivatives of tan_beta, shape (13, n); see `first_order.steering_derivatives`.
+        derivatives: derivatives of tan_beta, shape (r, n); see `first_order.steering_derivatives`.
         other: edge of the disc that does not carry the nominal rod.
         car: nominal dimensions.
         length: travel of the drive wheel in one turn of the cam, mm.

@@ -37,6 +37,7 @@ from cadgen.deviations.deviation import Deviation
 from cadgen.deviations.first_order import Expansion
 from cadgen.errors import DesignError
 from cadgen.figures import Facts, Figure, Figures
+from cadgen.gears.train import OnceATurn
 from cadgen.inference.monte_carlo.random_cars import Tolerances
 from cadgen.jobs.cam.built_car import as_built_sentences, assumed_play, outlook_checks, outlook_sentence
 from cadgen.jobs.cam.cam_plan import Application, CamPlan, Making, steepest
@@ -218,6 +219,20 @@ class CarUse(Application):
     def half_widths(self) -> dict[Deviation, float]:
         """Half of each tolerance zone; errors as of `tolerances`."""
         return variation.half_widths(self.design, self._forces)
+
+    def of_the_parts(self) -> dict[Deviation, float]:
+        """Half of the zones that follow from gears and rod, mm and rad."""
+        return variation.of_the_parts(self.design, self._forces)
+
+    @cached_property
+    def shafts(self) -> tuple[OnceATurn, ...]:
+        """Error of the gears of each shaft, once in its turn, from the camshaft on; empty without a train."""
+        return variation.once_a_turn_of(self.design)
+
+    @property
+    def shaft_orders(self) -> tuple[float, ...]:
+        """Turns of each shaft of the train for one of the camshaft, from the camshaft on."""
+        return tuple(shaft.order for shaft in self.shafts)
 
     @property
     def gate_width(self) -> float | None:
