@@ -184,6 +184,13 @@ class MechanicsSection(DesignSection):
         default=Braked.DISC,
         description="what it acts on: the disc itself, or its shaft, on which the disc may have play that is not held",
     )
+    speed_m_per_s: float | None = Field(
+        default=None,
+        gt=0,
+        le=20,
+        description="of the drive wheel; leads are reckoned without inertia, as of a slow car: the result says how "
+        "much later a faster one leads",
+    )
     drive_torque_Nmm: float | None = Field(
         default=None, gt=0, le=1e7, description="what the drive can give at the camshaft"
     )
