@@ -366,6 +366,8 @@ def budget(content: "BudgetSheet") -> None:
         )
     together = Message("all, root of squares")
     rows.append((together, "", f"{content.budget.before:.1f} mm", f"{content.budget.after:.1f} mm"))
+    if content.anew:
+        rows.append((Message("of it anew in every run"), "", f"{content.anew:.1f} mm", f"{content.anew:.1f} mm"))
     heads = (Message("what may be off"), Message("by"), Message("before"), Message("trimmed"))
     title = Message("error budget: how far the end of the run is moved, before and after a trim")
     sheet(Sheet("budget", title, heads, tuple(rows)))

@@ -16,6 +16,7 @@ from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import wheel_radius as drive_wheel_radius
 from cadgen.car.running.friction import USUAL, DiscMaterial, friction_band
 from cadgen.car.running.mechanics import MechanicsBand
+from cadgen.car.running.side_slip import CHANGE, side_slip
 from cadgen.design import cam_model, gear_model
 from cadgen.design.play import Braked, Hardware, MechanicsSection
 from cadgen.design.schema import Design
@@ -27,6 +28,7 @@ from cadgen.deviations.deviation import (
     RETURN_ERROR,
     ROD_BENDING,
     ROD_FORCE,
+    SIDE_SLIP,
     SLIDING_FRICTION,
     START_GAP,
     TEMPERATURE,
@@ -253,7 +255,7 @@ def once_a_turn_of(design: Design) -> tuple[OnceATurn, ...]:
 
 
 def of_the_parts(design: Design, forces: MechanicsBand | None) -> dict[Deviation, float]:
-    """Half of the zones that follow from gears and rod: what a budget has even where [tolerances] says nothing.
+    """Half of the zones that follow from gears, rod and wheels: what a budget has even where [tolerances] says nothing.
 
     Args:
         design: a loaded design.
@@ -261,6 +263,7 @@ def of_the_parts(design: Design, forces: MechanicsBand | None) -> dict[Deviation
     """
     shafts = zip(GEAR_ERRORS, once_a_turn_of(design), strict=False)
     halves = {deviation: shaft.size for deviation, shaft in shafts if shaft.size > 0}
+    halves[SIDE_SLIP] = CHANGE * side_slip(cam_model.car(design))
     if design.mechanics is not None and forces is not None and design.follower.bearing_width is None:
         rod, stiff = forces.follower, _ELASTIC.get(str(design.follower.surface), _STEEL)
         if rod.radius > 0:

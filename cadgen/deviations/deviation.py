@@ -306,6 +306,18 @@ GEAR_ERRORS = tuple(
     Deviation(f"gears of shaft {number} from the camshaft", f"gears_of_shaft_{number}", "rad", directed=True)
     for number in range(5)
 )
+# Like a turn of the front wheel, for one run.
+SIDE_SLIP = Deviation(
+    "side slip",
+    "side_slip",
+    "rad",
+    fleeting=True,
+    zone=Zone(
+        10,
+        "by which the slip angles of front and rear wheels together differ from run to run, with the rolling "
+        "resistance of the wheels that are not driven",
+    ),
+)
 # Only measured, never varied.
 SHAFT_RUNOUT = Deviation("run-out of the shaft", unit="mm")
 WORN_NOSE = Deviation("worn nose", unit="mm")
@@ -317,7 +329,7 @@ VARIED = (
     *(BASE_RADIUS, INNER_FACE, OUTER_FACE, ROD_RADIUS, PROFILE_OFFSET, STEERING_ZERO, WHEELBASE, DRIVE_WHEEL_OFFSET),
     *(WHEEL_RADIUS, CAM_PHASE, START_X, START_Y, START_HEADING, RETURN_ERROR, SLIDING_FRICTION, DRAG, ROD_FORCE),
     *(EDGE_BREAK, EDGE_WEAR, TAPER, ROD_HEIGHT, ECCENTRIC_BORE, WOBBLE, STEERING_LOST_MOTION, WHEEL_RUNOUT),
-    *(TEMPERATURE, START_GAP, ROD_BENDING, WIND_UP, BEARING_SEATS, *GEAR_ERRORS),
+    *(TEMPERATURE, START_GAP, ROD_BENDING, WIND_UP, BEARING_SEATS, *GEAR_ERRORS, SIDE_SLIP),
 )
 _FIRST = [sum(1 + other.directed for other in VARIED[:number]) for number in range(len(VARIED) + 1)]
 _COLUMNS = {each.name: list(range(_FIRST[k], _FIRST[k + 1])) for k, each in enumerate(VARIED)}
@@ -339,6 +351,8 @@ SETTINGS = {
     for part in dict.fromkeys(each.hand.part for each in SETTABLE if each.hand)
 }
 STARTS = (START_X, START_Y, START_HEADING)
+# What comes anew in every run, which no trim and no cam takes out.
+EACH_RUN = (*STARTS, START_GAP, SIDE_SLIP)
 
 
 def tolerance(key: str) -> Deviation:

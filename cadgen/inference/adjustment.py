@@ -27,6 +27,7 @@ from cadgen.deviations.deviation import (
     COLUMNS,
     RETURN_ERROR,
     SETTABLE,
+    SIDE_SLIP,
     SLIDING_FRICTION,
     START_HEADING,
     START_X,
@@ -122,17 +123,20 @@ class TrialNoise:
         start: place of the start in each direction, mm.
         heading: heading of the start, rad.
         head: setting of the micrometer head, mm; its error stays as it is until the head is turned again.
+        side_slip: side slip of a run, as a turn of the front wheel, rad.
     """
 
     point: float = 10.0
     start: float = 3.0
     heading: float = float(np.radians(0.15))
     head: float = 0.002
+    side_slip: float = 0.0
 
     @property
-    def starts(self) -> Mapping[Deviation, float]:
-        """Standard deviations of each start, mm and rad."""
-        return {START_X: self.start, START_Y: self.start, START_HEADING: self.heading}
+    def runs(self) -> Mapping[Deviation, float]:
+        """Standard deviations of what comes anew in each run, the start last, mm and rad."""
+        slip = {SIDE_SLIP: self.side_slip} if self.side_slip > 0 else {}
+        return {**slip, START_X: self.start, START_Y: self.start, START_HEADING: self.heading}
 
 
 def stations_of(track: Complex, points: Complex) -> NDArray[np.intp]:
@@ -268,7 +272,7 @@ def explain(nominal: Cars, lever: complex, prior: CarPrior, trials: Sequence[Tri
     # Each turn of the head leaves an error of its own, which stays for the runs that follow.
     settings = [trial.settings.head for trial in trials]
     turns = np.cumsum([0, *(later != earlier for earlier, later in pairwise(settings))]).tolist()
-    starts = list(noise.starts.values())
+    starts = list(noise.runs.values())
     # Deviations of the car, errors of the head, and of each start, all in units of their standard deviations.
     unit = np.concatenate([prior.scales(), np.full(turns[-1] + 1, noise.head), *(starts for _ in trials)])
     shared, first = len(columns), len(columns) + turns[-1] + 1
@@ -318,7 +322,7 @@ class _Fit:
         """Deviations in this run: shape (m, c), for the car's own, then the run's, in units of `scales`."""
         table = np.zeros((len(cells), len(COLUMNS)))
         table[:, [name.column for name in _GRIDDED]] = cells
-        own = (BASE_RADIUS, *self.prior.noise.starts)
+        own = (BASE_RADIUS, *self.prior.noise.runs)
         for number, column in enumerate((*self.prior.columns, *(each.column for each in own))):
             table[:, column] += value[:, number] * scales[number]
         for name, setting in self.trial.settings.deviations.items():
@@ -363,14 +367,14 @@ class _System:
         count, width = value.shape
         residuals, derivatives = [], []
         for fit in fits:
-            columns, starts = fit.columns, list(fit.prior.noise.starts)
+            columns = fit.columns
             own, scales = value[:, columns], unit[columns]
             table = fit.cars(cells, own, scales)
             track = track_of(fit.nominal, fit.lever, table)
             at, along = fit.assigned(track)
             places = np.take_along_axis(track, at, axis=1)
             # The places of the points alone, with each deviation of car and head greater by a standard deviation.
-            number = len(columns) - len(starts)
+            number = len(columns) - len(STARTS)
             moved = (own[:, None, :] + np.eye(len(columns))[:number]).reshape(-1, len(columns))
             cars = fit.cars(np.repeat(cells, number, axis=0), moved, scales)
             stations = np.repeat(fit.nominal.stations[at], number, axis=0)
@@ -529,7 +533,7 @@ def forecast(
         settings: what is set for the run.
     """
     table = cars.run(settings, noise.head * generator.standard_normal(len(cars.head)))
-    for name, sigma in noise.starts.items():
+    for name, sigma in noise.runs.items():
         table[:, name.column] += sigma * generator.standard_normal(len(table))
     errors = np.abs(_errors(nominal, table))
     return Forecast(end=errors[:, -1], way=errors.max(axis=1))

@@ -7,7 +7,7 @@ from math import degrees
 from cadgen.deviations.deviation import GEAR_ERRORS, Deviation
 from cadgen.figures import Facts
 from cadgen.gears.train import OnceATurn
-from cadgen.inference.monte_carlo.budget import Budget, Cost, Process, by_process, error_budget
+from cadgen.inference.monte_carlo.budget import Budget, Cost, Process, by_process, each_run, error_budget
 from cadgen.inference.monte_carlo.cars import Cars
 from cadgen.inference.monte_carlo.random_cars import Tolerances
 from cadgen.messages import Message
@@ -28,6 +28,11 @@ class BudgetSheet:
     budget: Budget
     processes: Mapping[Process, Budget]
     shafts: tuple[OnceATurn, ...] = ()
+
+    @property
+    def anew(self) -> float:
+        """Sum of all that comes anew in every run, as the root of squares, mm: no trim and no cam takes it out."""
+        return each_run(self.budget.costs)
 
     def sentences(self) -> list[Message]:
         """Advice on the tolerance to hold tighter, and the meaning of the marks, in words."""
@@ -105,6 +110,7 @@ class BudgetSheet:
     def entry(self) -> Facts:
         """Cost of every deviation, each in the unit that its key names."""
         return _costs(self.budget) | Facts(
+            anew_in_every_run_mm=self.anew,
             processes={process: _costs(budget) for process, budget in self.processes.items()},
             advice=self.sentences(),
         )

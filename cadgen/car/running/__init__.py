@@ -8,5 +8,6 @@
 | `drive`     | cam angle -> steering -> heading and the tracks of the three wheels (eq. 20-24), by one   |
 |             | integration for simulation, profiles and measured tracks alike; the run as poses          |
 | `run_errors`| deflection errors of the events (eq. 28, 30); heading and position errors along the run   |
+| `side_slip` | slip angles by which the wheels hold the yaw of one driven wheel                          |
 | `sampled`   | steering known at sampled cam angles, such as a rolled outline's -> a motion              |
 """

@@ -18,7 +18,7 @@ some 150 mm, 3 mm thick. The sources call them normal for it; a shop's own figur
   the bead.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from math import radians
@@ -29,6 +29,7 @@ from numpy.typing import NDArray
 from cadgen.arrays import TURN, Array
 from cadgen.deviations.deviation import (
     COLUMNS,
+    EACH_RUN,
     ECCENTRIC_BORE,
     EDGE_BREAK,
     INNER_FACE,
@@ -110,6 +111,11 @@ class Budget:
     def after(self) -> float:
         """All costs after a trim together, as the root of the sum of squares, mm."""
         return float(np.sqrt(sum(cost.after**2 for cost in self.costs)))
+
+
+def each_run(costs: Iterable[Cost]) -> float:
+    """Costs of what comes anew in every run together, as the root of the sum of squares, mm."""
+    return float(np.sqrt(sum(cost.after**2 for cost in costs if cost.deviation in EACH_RUN)))
 
 
 def error_budget(cars: Cars, half_widths: Mapping[Deviation, float], plays: Mapping[str, float]) -> Budget:

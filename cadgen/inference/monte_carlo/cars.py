@@ -36,11 +36,13 @@ from cadgen.deviations.deviation import (
     OUTER_FACE,
     RETURN_ERROR,
     ROD_FORCE,
+    SIDE_SLIP,
     SLIDING_FRICTION,
     START_GAP,
     START_HEADING,
     START_X,
     START_Y,
+    STEERING_ZERO,
     TEMPERATURE,
     WHEEL_RADIUS,
     WHEELBASE,
@@ -390,12 +392,13 @@ def _run(cars: Cars, deviations: Array, stations: Array | None) -> Poses:
 
 
 def _combined(cars: Cars, deviations: Array) -> Array:
-    """Deviations with broken and worn edges and a frame grown by heat among what they change."""
+    """Deviations with broken and worn edges, side slip and a frame grown by heat among what they change."""
     out = deviations.copy()
     edges = deviations[:, EDGE_BREAK.column] + deviations[:, EDGE_WEAR.column]
     growth = cars.expansion.frame * deviations[:, TEMPERATURE.column]
     out[:, INNER_FACE.column] += edges
     out[:, OUTER_FACE.column] -= edges
+    out[:, STEERING_ZERO.column] += deviations[:, SIDE_SLIP.column]
     out[:, WHEELBASE.column] += cars.car.wheelbase * growth
     out[:, DRIVE_WHEEL_OFFSET.column] += cars.car.drive_wheel_offset * growth
     return out

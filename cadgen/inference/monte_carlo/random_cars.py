@@ -15,6 +15,8 @@ from cadgen.deviations.deviation import (
     INNER_FACE,
     OUTER_FACE,
     RETURN_ERROR,
+    SIDE_SLIP,
+    STEERING_ZERO,
     TOLERANCES,
     VARIED,
     WHEEL_RADIUS,
@@ -353,6 +355,8 @@ def steering_effect(cars: Cars, name: Deviation) -> float:
     row = dict(zip(ROWS, cars.derivatives, strict=True))
     if name in (EDGE_BREAK, EDGE_WEAR):
         return float(np.abs(row[INNER_FACE.column] - row[OUTER_FACE.column]).max())
+    if name == SIDE_SLIP:
+        return float(np.abs(row[STEERING_ZERO.column]).max())
     parts = [row[column] for column in name.columns if column in row]
     return float(np.sqrt(sum(part**2 for part in parts)).max()) if parts else 0.0
 

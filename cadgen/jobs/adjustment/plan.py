@@ -1,7 +1,7 @@
 """Adjustment by trial runs: cars that explain them, the best settings by hand, and what to expect then."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from math import ceil, degrees, radians, sqrt
 from pathlib import Path
@@ -17,11 +17,11 @@ from cadgen.design.schema import Design
 from cadgen.deviations.deviation import (
     BASE_RADIUS,
     CAM_PHASE,
+    EACH_RUN,
     RETURN_ERROR,
     SETTINGS,
+    SIDE_SLIP,
     SLIDING_FRICTION,
-    START_GAP,
-    STARTS,
     STEERING_ZERO,
     VARIED,
     ByHand,
@@ -102,6 +102,7 @@ class AdjustmentPlan:
         before: position errors to expect with the settings of the last trial run, mm.
         after: position errors to expect with the new settings, mm.
         allowed: position error at the end that the next run may have, mm: half the narrowest gate, or 60 without gates.
+        steady: position errors to expect with the new settings and no side slip, mm; None if none is reckoned with.
     """
 
     plan: CamPlan
@@ -115,6 +116,7 @@ class AdjustmentPlan:
     before: Forecast
     after: Forecast
     allowed: float
+    steady: Forecast | None = None
 
     @property
     def explained(self) -> bool:
@@ -154,6 +156,10 @@ class AdjustmentPlan:
                 worse=100 * self.worse,
             )
         )
+        if self.steady is not None:
+            said.append(
+                Message("without the side slip that comes anew in every run: {steady}", steady=_range(self.steady))
+            )
         if self.after.end_quantile(0.95) > self.allowed:
             said.append(
                 Message(
@@ -300,7 +306,8 @@ class Bench:
         sigma = _spreads(plan)
         if len(grid[RETURN_ERROR]) == 1:
             sigma[RETURN_ERROR] = max(0.03 * play, radians(0.01))
-        noise = TrialNoise(point=wanted.noise, head=wanted.division / sqrt(12))
+        slip = CarUse.of(plan).half_widths().get(SIDE_SLIP, 0.0) / sqrt(3)
+        noise = TrialNoise(point=wanted.noise, head=wanted.division / sqrt(12), side_slip=slip)
         ordered = {each: sigma[each] for each in VARIED if each in sigma}
         use, origin = CarUse.of(plan), plan.origin
         fine, coarse = (
@@ -346,6 +353,10 @@ class Bench:
             forecast(self.coarse, cars, chosen, noise, np.random.default_rng(SEED))
             for chosen in (Settings(), last, settings)
         )
+        steady = None
+        if noise.side_slip > 0:
+            still = replace(noise, side_slip=0.0)
+            steady = forecast(self.coarse, cars, settings, still, np.random.default_rng(SEED))
         return AdjustmentPlan(
             plan=self.plan,
             described=self.described,
@@ -358,6 +369,7 @@ class Bench:
             before=before,
             after=after,
             allowed=self.allowed,
+            steady=steady,
         )
 
 
@@ -366,7 +378,7 @@ def _spreads(plan: CamPlan) -> dict[Deviation, float]:
     sigma = dict(_LEAST)
     for name, width in CarUse.of(plan).half_widths().items():
         # Deviations of the start are in each run's own settings and noise.
-        if name not in (*STARTS, START_GAP, SLIDING_FRICTION):
+        if name not in (*EACH_RUN, SLIDING_FRICTION):
             # A value that is anywhere within the zone, or one direction of such a size.
             spread = WIDER * width / (sqrt(6) if name.directed else sqrt(3))
             sigma[name] = max(sigma.get(name, 0.0), spread)

@@ -56,6 +56,7 @@ SIZES = {
     "drag": 0.5,
     "rod_force": 0.05,
     "start_gap": 0.005,
+    "side_slip": 2e-4,
 }
 # Rows of a car whose rod rubs and whose gears have play.
 RUBBING = ("play", "friction", "drag", "rod_force")
@@ -175,7 +176,7 @@ def exact(name, size, built, disc, base) -> complex:
             wheelbase=built.car.wheelbase * grown,
             offset=built.car.drive_wheel_offset * grown,
         )
-    if name == "steering_zero":
+    if name in ("steering_zero", "side_slip"):
         return off(wheel=lambda tangent: np.tan(np.arctan(tangent) + size))
     if name == "steering_lost_motion":
         return off(wheel=lambda tangent: np.tan(np.arctan(tangent) - size * np.sign(tangent)))
