@@ -49,6 +49,8 @@ _BLOCK = 100  # cars run at once: their tables stay in the processor's cache
 _STEPS = 4
 # Share of the mean square error along the run beside that at its end. More would trade the finish for the way.
 _WAY = 0.25
+_REPEATED = 3  # runs with the same settings, at least, whose scatter says something
+_SLIP_PROBE = 1e-4  # rad
 _RIDGE = 1e-4  # of the limits, in the units of errors: settings that hardly matter stay where they are
 
 
@@ -137,6 +139,40 @@ class TrialNoise:
         """Standard deviations of what comes anew in each run, the start last, mm and rad."""
         slip = {SIDE_SLIP: self.side_slip} if self.side_slip > 0 else {}
         return {**slip, START_X: self.start, START_Y: self.start, START_HEADING: self.heading}
+
+
+@dataclass(frozen=True, kw_only=True)
+class RunScatter:
+    """How far runs with the same settings end apart.
+
+    Attributes:
+        count: number of runs.
+        end: standard deviation of the places where they end, mm, that of the measured points taken out.
+        side_slip: half width of a side slip that would do it alone, rad: three standard deviations.
+    """
+
+    count: int
+    end: float
+    side_slip: float
+
+    @classmethod
+    def of(cls, nominal: Cars, trials: Sequence[Trial], noise: TrialNoise) -> "RunScatter | None":
+        """Scatter of the runs with the settings of the last; None for fewer than three.
+
+        Args:
+            nominal: the nominal car.
+            trials: in the order of driving.
+            noise: standard deviations of points and starts.
+        """
+        ends = np.array([trial.points[-1] for trial in trials if trial.settings == trials[-1].settings])
+        if len(ends) < _REPEATED:
+            return None
+        square = float(np.sum(np.abs(ends - ends.mean()) ** 2)) / (len(ends) - 1)
+        end = float(np.sqrt(max(square - 2 * noise.point**2, 0.0)))
+        cars = np.zeros((2, len(COLUMNS)))
+        cars[1, SIDE_SLIP.column] = _SLIP_PROBE
+        places = run_cars(nominal, cars).position[:, -1]
+        return cls(count=len(ends), end=end, side_slip=3 * end * _SLIP_PROBE / float(abs(places[1] - places[0])))
 
 
 def stations_of(track: Complex, points: Complex) -> NDArray[np.intp]:

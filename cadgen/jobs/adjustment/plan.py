@@ -32,6 +32,7 @@ from cadgen.inference.adjustment import (
     CarPrior,
     Forecast,
     Posterior,
+    RunScatter,
     Settings,
     Trial,
     TrialNoise,
@@ -103,6 +104,7 @@ class AdjustmentPlan:
         after: position errors to expect with the new settings, mm.
         allowed: position error at the end that the next run may have, mm: half the narrowest gate, or 60 without gates.
         steady: position errors to expect with the new settings and no side slip, mm; None if none is reckoned with.
+        scatter: how far runs with the settings of the last end apart; None for fewer than three.
     """
 
     plan: CamPlan
@@ -117,6 +119,7 @@ class AdjustmentPlan:
     after: Forecast
     allowed: float
     steady: Forecast | None = None
+    scatter: RunScatter | None = None
 
     @property
     def explained(self) -> bool:
@@ -159,6 +162,16 @@ class AdjustmentPlan:
         if self.steady is not None:
             said.append(
                 Message("without the side slip that comes anew in every run: {steady}", steady=_range(self.steady))
+            )
+        if self.scatter is not None:
+            said.append(
+                Message(
+                    "{count} runs with the same settings scatter by {end:.0f} mm at the end, which no trim and no cam "
+                    "takes out; a side slip alone that does it: --set tolerances.side_slip_deg={slip:.2g}",
+                    count=self.scatter.count,
+                    end=self.scatter.end,
+                    slip=degrees(self.scatter.side_slip),
+                )
             )
         if self.after.end_quantile(0.95) > self.allowed:
             said.append(
@@ -370,6 +383,7 @@ class Bench:
             after=after,
             allowed=self.allowed,
             steady=steady,
+            scatter=RunScatter.of(self.coarse, trials, noise),
         )
 
 
