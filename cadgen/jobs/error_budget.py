@@ -4,7 +4,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from math import degrees
 
-from cadgen.deviations.deviation import GEAR_ERRORS, Deviation
+from cadgen.car.running.side_slip import STIFFNESS
+from cadgen.deviations.deviation import GEAR_ERRORS, SIDE_SLIP, Deviation
 from cadgen.figures import Facts
 from cadgen.gears.train import OnceATurn
 from cadgen.inference.monte_carlo.budget import Budget, Cost, Process, by_process, each_run, error_budget
@@ -23,11 +24,13 @@ class BudgetSheet:
         budget: budget of the design.
         processes: budget of a disc with the usual tolerances of each process.
         shafts: error of the gears of each shaft, from the camshaft on.
+        slip_assumed: whether the side slip is a guess, because the design does not give it.
     """
 
     budget: Budget
     processes: Mapping[Process, Budget]
     shafts: tuple[OnceATurn, ...] = ()
+    slip_assumed: bool = False
 
     @property
     def anew(self) -> float:
@@ -37,7 +40,7 @@ class BudgetSheet:
     def sentences(self) -> list[Message]:
         """Advice on the tolerance to hold tighter, and the meaning of the marks, in words."""
         lines = []
-        costs = self.budget.costs
+        costs = [cost for cost in self.budget.costs if not (self.slip_assumed and cost.deviation == SIDE_SLIP)]
         if costs:
             first = costs[0]
             kept = max(self.budget.after**2 - 0.75 * first.after**2, 0.0) ** 0.5
@@ -63,6 +66,15 @@ class BudgetSheet:
                     )
                 )
         lines += self._of_gears()
+        if self.slip_assumed:
+            lines.append(
+                Message(
+                    "The side slip is for a cornering stiffness of {stiffness:g} for a rad and a unit of load; nobody "
+                    "has measured it, and 10 to 50 are as likely. Let the car run ten times, and give "
+                    "tolerances.side_slip_deg.",
+                    stiffness=STIFFNESS,
+                )
+            )
         if any(not cost.repeats for cost in costs):
             lines.append(
                 Message("* is anew in every run, or is how closely the trim itself is set: no trim takes it out.")
@@ -151,7 +163,12 @@ def budget_sheet(
         shafts: error of the gears of each shaft, from the camshaft on.
     """
     halves = {**of_the_parts, **tolerances.half_widths}
-    return BudgetSheet(budget=error_budget(fleet, halves, play_zones), processes=by_process(fleet), shafts=shafts)
+    return BudgetSheet(
+        budget=error_budget(fleet, halves, play_zones),
+        processes=by_process(fleet),
+        shafts=shafts,
+        slip_assumed=SIDE_SLIP in halves and SIDE_SLIP not in tolerances.half_widths,
+    )
 
 
 def unit_of(name: Deviation) -> tuple[str, float]:
