@@ -24,7 +24,7 @@ from cadgen.cam.round_follower import CircleArc
 from cadgen.car.path_motion import PathMotion
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
-from cadgen.jobs.calibration.calibration import nominal_of
+from cadgen.jobs.calibration.cam_on_car import nominal_of
 from cadgen.jobs.cam.cam_files import write_cam
 from cadgen.jobs.cam.cures import find_cures
 from cadgen.jobs.cam.steering_cam import plan_cam

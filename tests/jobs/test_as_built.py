@@ -15,7 +15,7 @@ from cadgen.curves.closed import Outline
 from cadgen.design import cam_model, variation
 from cadgen.design.load import load_design, packaged_designs
 from cadgen.errors import DesignError
-from cadgen.jobs.calibration.calibration import nominal_of
+from cadgen.jobs.calibration.cam_on_car import nominal_of
 from cadgen.jobs.cam.built_car import as_built_sentences, outlook_checks, outlook_sentence
 from cadgen.jobs.cam.cam_files import write_cam
 from cadgen.jobs.cam.cures import find_cures

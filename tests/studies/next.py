@@ -79,7 +79,7 @@ class Outcome:
 @cache
 def _ground():
     from cadgen.design.load import load_design
-    from cadgen.jobs.calibration.calibration import nominal_of
+    from cadgen.jobs.calibration.cam_on_car import nominal_of
     from tests.conftest import build
     from tests.inference.measurement import synthetic as syn
 

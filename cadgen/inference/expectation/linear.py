@@ -22,14 +22,13 @@ from cadgen.arrays import TURN, Array
 from cadgen.deviations import deviation
 from cadgen.deviations.deviation import Deviation, Place
 from cadgen.deviations.effect import Active, Effect
-from cadgen.inference.expectation.outlook import ways
 from cadgen.inference.measurement.diagnosis import SOUND
 from cadgen.inference.measurement.evidence import Evidence, Noise, Spectrum, estimate_noise, grid_of
 from cadgen.inference.measurement.findings import EvidenceDiagnosis
 from cadgen.inference.measurement.joint import Merged
 from cadgen.inference.measurement.kinds import TRACK, TRANSMISSION
 from cadgen.inference.measurement.kinds.track import TrackModel
-from cadgen.inference.measurement.model import Model, repeating, slopes
+from cadgen.inference.measurement.model import Model, moved, repeating, slopes
 from cadgen.inference.measurement.nominal import Nominal
 from cadgen.inference.measurement.record import Kind, Record
 from cadgen.inference.measurement.reservations import resolved
@@ -168,7 +167,7 @@ class Linear:
         for effect in self.effects:
             here = names.get(effect.key)
             at = own if here is None or any(e is here for e, _ in own) else [*own, (here, here.start)]
-            out.append(ways(self.track, here, at, len(effect.parameters)))
+            out.append(_end_by_number(self.track, here, at, len(effect.parameters)))
         mine = np.flatnonzero(self.track.rows.run == 0)
         last = repeating(self.track)[mine[[len(mine) // 2 - 1, -1]]]
         # The floor stays; the old disc goes, and its form error with it.
@@ -502,3 +501,17 @@ class Knowledge:
             mean = np.asarray(np.linalg.solve(precision, subset.drawn))
             out.append(replace(subset, weight=subset.weight * chance, precision=precision, mean=mean))
         return out
+
+
+def _end_by_number(model: TrackModel, effect: Effect | None, active: Active, width: int) -> Array:
+    """How the end answers each number of an effect, shape (numbers,), complex."""
+    if effect is None:
+        return np.zeros(width, dtype=complex)
+    values = next(np.asarray(v, dtype=float) for e, v in active if e is effect)
+    others = [(e, v) for e, v in active if e is not effect]
+    out = np.zeros(width, dtype=complex)
+    for k, step in enumerate(effect.steps):
+        low, high = moved(effect, values, k, -step), moved(effect, values, k, step)
+        before, after = (model.finish([*others, (effect, there)]) for there in (low, high))
+        out[k] = (after - before) / (high[k] - low[k])
+    return out

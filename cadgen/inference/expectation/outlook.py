@@ -1,33 +1,35 @@
-"""The loop closed on paper: where the car as built ends, on the old cam and on a new one made for what is claimed.
+"""The loop closed on paper: where the car as built ends, on the cam that it has and on the one that would be cut next.
 
-A new cam takes out what is claimed and left to it, at the values found; everything else stays, and so does the error
-of the values. To first order that error moves the end on the new cam as it does on the old one. With P the end of the
-run on the cam that was measured, p what the car has, and c what the new cam is made for:
+Both cams are driven, with what the car has. What it has is drawn from the likely subsets, claimed or not, by their
+weights, and within each from its normal distribution about the values found:
 
-    old error = P(p) - P(0),    new error = P(p without what goes with the old disc) - P(c).
+    old error = P(cam on the car, p) - F,    new error = P(cam as it will be cut, q) - F,
 
-To each comes what the records show beside all effects, and to the new one what the form error of the new disc makes of
-it, another one than the old disc's. p is drawn from the likely subsets, claimed or not, by their weights, and within
-each from its normal distribution about the values found.
+where F is the planned end of the run, P the end by the model of a track, p one draw, and q the same without what goes
+with the old disc. Play and friction act with
+their whole effect; what effects on disc and rod do to the lift is rolled for the values found, and to first order about
+them. To each error comes what the records show beside all effects, and to the new one what the form error of the new
+disc makes of it, another one than the old disc's.
 """
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import Array
+from cadgen.deviations import deviation
+from cadgen.deviations.as_built import OF_SHAFT
 from cadgen.deviations.effect import Active, Effect
+from cadgen.deviations.track import RETURN_ERROR, SLIDING_FRICTION
 from cadgen.inference.measurement.findings import EvidenceDiagnosis, Likely
-from cadgen.inference.measurement.kinds import kind_of
 from cadgen.inference.measurement.kinds.track import KIND, TrackModel, run_of
-from cadgen.inference.measurement.model import moved
 from cadgen.inference.measurement.nominal import Nominal
 from cadgen.inference.measurement.reservations import TYPICAL
 from cadgen.inference.measurement.verdict import Verdict
 
-DRAWS = 4000
+DRAWS = 200
 RANGE = (5.0, 95.0)  # percent
 # A rest of this many times the noise is not explained, and what the new cam will do is not known.
 EXPLAINED = 1.3
@@ -37,6 +39,7 @@ WORSE = 0.05
 SAME = 1.0
 
 Name = tuple[str, str]  # code of the kind of data that an effect is claimed in, and its name there
+Band = tuple[float, float]
 
 
 @dataclass(frozen=True)
@@ -65,39 +68,69 @@ class Outlook:
         return self.explained is not False and self.worse <= WORSE
 
 
+@dataclass(frozen=True, kw_only=True)
+class NextCam:
+    """A cam planned for what was claimed, as it will be cut.
+
+    Attributes:
+        nominal: the car as designed with that cam on it.
+        phase: by how much it is set back on its shaft from where the old one stands, rad.
+        gone: what goes with the old disc.
+    """
+
+    nominal: Nominal
+    phase: float
+    gone: frozenset[Name]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Unmeasured:
+    """Play and friction that a car may have where no track shows how it runs, rad and 1: from least to greatest.
+
+    Attributes:
+        play: return error.
+        friction: between rod and disc.
+    """
+
+    play: Band = (0.0, 0.0)
+    friction: Band = (0.0, 0.0)
+
+
 def outlook(
-    diagnoses: tuple[EvidenceDiagnosis, ...], nominal: Nominal, taken: Mapping[Name, Array], gone: frozenset[Name]
+    diagnoses: Sequence[EvidenceDiagnosis], nominal: Nominal, new: NextCam, planned: complex, unmeasured: Unmeasured
 ) -> Outlook:
-    """Predict the end of the run on the old cam and on a new one.
+    """Drive the car on the cam that it has, and on the next one.
 
     Args:
         diagnoses: what the records of the car show, by one verdict.
-        nominal: the design that they were measured against.
-        taken: what the new cam is made for, with the values, internal units.
-        gone: what goes with the old disc.
+        nominal: the car as designed with the cam that is on it.
+        new: the next cam.
+        planned: end of the planned run, x + iy, mm.
+        unmeasured: play and friction, of a car without a track.
     """
-    model = run_of(nominal)
     track = next((d for d in diagnoses if d.kind is KIND), None)
     beside, spread = (0j, 0.0) if track is None else track.beside
     # All records have one judgement, but where they contradict each other: then the track knows best how the car runs.
     likeliest = (track or diagnoses[0]).likely
     rng = np.random.default_rng(0)
     counts = rng.multinomial(DRAWS, [likely.weight for likely in likeliest])
-    draws = [
-        _drawn(model, likely, count, taken, gone, rng, measured=track is not None)
-        for likely, count in zip(likeliest, counts.tolist(), strict=True)
-        if count
-    ]
-    old, new = (np.concatenate([pair[k] for pair in draws]) for k in (0, 1))
-    rest = beside + spread * (rng.standard_normal(DRAWS) + 1j * rng.standard_normal(DRAWS))
-    old, new = np.abs(old + rest), np.abs(new + rest + new_form(model, DRAWS, rng))
-    least, most = np.percentile(new, RANGE)
+    models = run_of(nominal), run_of(new.nominal)
+    ends: tuple[list[NDArray[np.complex128]], ...] = ([], [])
+    for likely, count in zip(likeliest, counts.tolist(), strict=True):
+        if count:
+            cars = _drawn(models[0], likely, count, rng, None if track else unmeasured)
+            ends[0].append(_ends(models[0], cars, count))
+            ends[1].append(_ends(models[1], _with(cars, new), count))
+    rest = beside + spread * (rng.standard_normal(DRAWS) + 1j * rng.standard_normal(DRAWS)) - planned
+    old = np.abs(np.concatenate(ends[0]) + rest)
+    on_new = np.abs(np.concatenate(ends[1]) + rest + new_form(models[1], DRAWS, rng))
+    least, most = np.percentile(on_new, RANGE)
     return Outlook(
         old=float(np.median(old)),
-        new=float(np.median(new)),
+        new=float(np.median(on_new)),
         least=float(least),
         most=float(most),
-        worse=float(np.mean(new > old + SAME)),
+        worse=float(np.mean(on_new > old + SAME)),
         explained=(False if diagnoses[0].contradicted else None) if track is None else _explained(track),
         contradicted=diagnoses[0].contradicted,
     )
@@ -123,57 +156,80 @@ def _explained(track: EvidenceDiagnosis) -> bool:
     return track.verdict not in (Verdict.UNEXPLAINED, Verdict.RUNS_DISAGREE) and left <= EXPLAINED * r.noise
 
 
+@dataclass(frozen=True)
+class _Drawn:
+    """An effect of many cars: its values as found, shape (k,), and those of each car, shape (cars, k)."""
+
+    name: Name
+    effect: Effect
+    found: Array
+    values: Array
+
+
 def _drawn(
-    model: TrackModel,
-    likely: Likely,
-    count: int,
-    taken: Mapping[Name, Array],
-    gone: frozenset[Name],
-    rng: np.random.Generator,
-    *,
-    measured: bool,
-) -> tuple[Array, Array]:
-    """Errors of the end, x + iy, on the old cam and on the new one, drawn from one subset, shape (count,) each, mm.
+    model: TrackModel, likely: Likely, count: int, rng: np.random.Generator, unmeasured: Unmeasured | None
+) -> list[_Drawn]:
+    """Cars drawn from one subset, by their effects in a track.
 
     Where a track was measured, what does not act in it is not of the car's run: the play of a dial's stand is another
-    play than the train's.
+    play than the train's. Where none was, play and friction are drawn from what they may be.
     """
-    acts = [KIND.code in kinds or not measured for kinds in likely.shown]
-    here = [
-        (name, _in_track(model, effect, name[0]) if runs else None, values)
-        for (name, effect, values), runs in zip(likely.effects, acts, strict=True)
-    ]
-    acting: Active = [(effect, values) for _, effect, values in here if effect]
-    stays: Active = [(effect, values) for name, effect, values in here if effect and name not in gone]
-    kept = np.array([e is not None and n not in gone for n, e, v in here for _ in v], dtype=bool)
-    answers = np.concatenate([ways(model, effect, acting, len(values)) for _, effect, values in here] or [np.empty(0)])
-    cut_for = [(effect, taken[name]) for name, effect, _ in here if effect and name in taken]
-    # What only data that were judged apart show, such as the play of zones.
-    for name, values in taken.items():
-        if all(name != other for other, _, _ in here):
-            effect = kind_of(name[0]).catalogue.named(name[1])
-            if effect and (effect := _in_track(model, effect, name[0])):
-                cut_for.append((effect, values))
-    drawn = np.zeros((count, len(answers)))
-    if len(answers):
-        drawn = rng.multivariate_normal(np.zeros(len(answers)), likely.covariance, count)
-    old = model.finish(acting) - model.finish([]) + drawn @ answers
-    new = model.finish(stays) - model.finish(cut_for) + drawn @ (answers * kept)
-    return old, new
+    found = np.concatenate([values for _, _, values in likely.effects] or [np.empty(0)])
+    values = np.empty((count, 0))
+    if len(found):
+        values = rng.multivariate_normal(found, likely.covariance, count)
+    cars, last = [], 0
+    for (name, effect, numbers), kinds in zip(likely.effects, likely.shown, strict=True):
+        first, last = last, last + len(numbers)
+        acting = _in_track(model, effect, name[0]) if unmeasured or KIND.code in kinds else None
+        if acting is not None:
+            cars.append(_Drawn(name, acting, numbers, np.clip(values[:, first:last], *acting.bounds)))
+    if unmeasured is not None:
+        for effect, band in ((RETURN_ERROR, unmeasured.play), (SLIDING_FRICTION, unmeasured.friction)):
+            if band[1] > 0 and all(car.effect.deviation != effect.deviation for car in cars):
+                name = KIND.code, effect.name
+                cars.append(_Drawn(name, effect, np.array([sum(band) / 2]), rng.uniform(*band, (count, 1))))
+    return cars
 
 
-def ways(model: TrackModel, effect: Effect | None, active: Active, width: int) -> Array:
-    """How the end answers each number of an effect, shape (numbers,), complex."""
-    if effect is None:
-        return np.zeros(width, dtype=complex)
-    values = next(np.asarray(v, dtype=float) for e, v in active if e is effect)
-    others = [(e, v) for e, v in active if e is not effect]
-    out = np.zeros(width, dtype=complex)
-    for k, step in enumerate(effect.steps):
-        low, high = moved(effect, values, k, -step), moved(effect, values, k, step)
-        before, after = (model.finish([*others, (effect, there)]) for there in (low, high))
-        out[k] = (after - before) / (high[k] - low[k])
+def _with(cars: Sequence[_Drawn], new: NextCam) -> list[_Drawn]:
+    """The same cars with the next cam on their shafts: without the old disc, and with the new one set back."""
+    c, s = np.cos(new.phase), np.sin(new.phase)
+    out = []
+    for car in cars:
+        if car.name in new.gone or (car.effect.shape and car.effect.form_of is not None):
+            continue
+        if car.effect.deviation == deviation.CAM_PHASE:
+            car = replace(car, found=car.found - new.phase, values=car.values - new.phase)
+        elif car.effect.deviation in OF_SHAFT:
+            turn = np.array([[c, -s], [s, c]])
+            car = replace(car, found=car.found @ turn, values=car.values @ turn)
+        out.append(car)
     return out
+
+
+def _ends(model: TrackModel, cars: Sequence[_Drawn], count: int) -> NDArray[np.complex128]:
+    """Ends of the runs of many cars on one cam, x + iy, shape (count,), mm."""
+    rolled = [car for car in cars if car.effect.stage in model.rolled.stages]
+    others = [car for car in cars if car.effect.stage not in model.rolled.stages]
+    disc: Active = [(car.effect, car.found) for car in rolled]
+    steps = [
+        (model.rolled.first_order(car.effect, number, disc, model.rows), car.values[:, number] - car.found[number])
+        for car in rolled
+        for number in range(len(car.found))
+    ]
+    return np.array(
+        [
+            model.finish(
+                [
+                    *disc,
+                    *((effect, by[car : car + 1]) for effect, by in steps),
+                    *((other.effect, other.values[car]) for other in others),
+                ]
+            )
+            for car in range(count)
+        ]
+    )
 
 
 def _in_track(model: TrackModel, effect: Effect, kind: str) -> Effect | None:
@@ -184,4 +240,6 @@ def _in_track(model: TrackModel, effect: Effect, kind: str) -> Effect | None:
         same = next((e for e in KIND.catalogue.effects if e.deviation == effect.deviation), None)
         if same is not None:
             return same
-    return effect if effect.stage in model.behind and not (effect.instrument or effect.shape) else None
+    if effect.shape:
+        return None if effect.form_of is None else model.rolled.shown(effect)
+    return effect if effect.stage in model.behind and not effect.instrument else None

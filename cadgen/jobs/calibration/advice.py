@@ -21,8 +21,9 @@ from cadgen.inference.expectation.predict import Prediction, predict, predict_lo
 from cadgen.inference.measurement.findings import EvidenceDiagnosis, PathDiagnosis
 from cadgen.inference.measurement.nominal import MACHINED_UM, LoggedCar, Nominal
 from cadgen.inference.measurement.record import Method, Record, join, refuse_wrong_units
-from cadgen.jobs.calibration.calibration import INCLINOMETER_DEG, CalibrationPlan, nominal_of, wheelbase_of
+from cadgen.jobs.calibration.calibration import CalibrationPlan, wheelbase_of
 from cadgen.jobs.calibration.calibration_report import SIGNS
+from cadgen.jobs.calibration.cam_on_car import INCLINOMETER_DEG, nominal_of
 from cadgen.jobs.calibration.sources import Source
 from cadgen.messages import Message, joined
 from cadgen.output.report.terminal import Block, Heading, plain
@@ -59,7 +60,7 @@ class Advice(JobResult):
             progress: function that is called with a few words on each step.
 
         Raises:
-            DesignError: see `calibration.nominal_of`.
+            DesignError: see `cam_on_car.nominal_of`.
         """
         nominal = nominal_of(design, profile, progress)
         floor = MACHINED_UM if form_error_um is None else form_error_um
@@ -77,7 +78,7 @@ class Advice(JobResult):
             progress: function that is called with a few words on each step.
 
         Raises:
-            DesignError: see `calibration.nominal_of`.
+            DesignError: see `cam_on_car.nominal_of`.
             FileError: the records contradict each other, or are of another car than the cam steers.
         """
         c = calibration

@@ -3,25 +3,19 @@
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from math import degrees, pi, radians
+from math import degrees, radians
 from typing import Any
 
 import numpy as np
 
-from cadgen.cam.contact import roll_curve
-from cadgen.cam.follower import EdgeFollower
-from cadgen.car.path_motion import PathMotion
-from cadgen.car.running.mechanics import Mechanics, holding_friction
-from cadgen.car.running.sampled import rolled_lift
-from cadgen.design import cam_model, gear_model, variation
+from cadgen.car.running.mechanics import holding_friction
+from cadgen.design import variation
 from cadgen.design.as_built import EffectSection
 from cadgen.design.schema import Design
 from cadgen.deviations import deviation
 from cadgen.deviations.deviation import Place
-from cadgen.errors import FileError
-from cadgen.gears.choices import Order, StageOrder
-from cadgen.gears.spur import spur_pairs
-from cadgen.gears.synthesis import arrange
+from cadgen.errors import CheckError, DesignError, FileError
+from cadgen.gears.choices import StageOrder
 from cadgen.inference.expectation.outlook import Outlook
 from cadgen.inference.measurement.claims import Claim, Shared, claims, no_friction, no_play, shared
 from cadgen.inference.measurement.diagnosis import SOUND, calibrate_logged
@@ -31,20 +25,12 @@ from cadgen.inference.measurement.kinds.zones import Shortfall, Zones, judged, r
 from cadgen.inference.measurement.nominal import Nominal
 from cadgen.inference.measurement.record import Kind, Method, Record, join, said
 from cadgen.inference.measurement.verdict import LEFT_OVER, Judgement, Verdict
+from cadgen.jobs.calibration.cam_on_car import nominal_of, ratios_and_teeth, refuse_laps
 from cadgen.jobs.calibration.new_cam import Built, agreed_places, expected_of, placed, with_joint_effect
 from cadgen.jobs.calibration.sources import Source, stated_form_error
-from cadgen.jobs.cam.steering_cam import CarUse, plan_cam
 from cadgen.messages import Message, joined
 from cadgen.progress import Progress, silent
 from cadgen.verdict import Readiness
-
-# A closed path is refused with these.
-_LAPS = (
-    "a calibration",
-    "calibrate the car on a design with an open path, and give a measured return error as play.measured_deg",
-)
-_STATIONS = 3600  # at which any other is rolled
-INCLINOMETER_DEG = 0.01  # standard deviation of play.measured_deg
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -123,6 +109,7 @@ class CalibrationPlan:
         warnings: what does not fit, but was let pass.
         outlook: what a new cam is expected to do; None where nothing is claimed that it could take out.
         outlook_agreed: the same once the user agrees to all that a cam can take out; None where nothing waits for that.
+        no_cam: why no new cam can be planned for what is claimed; None where one can, or none is needed.
         nominal: the design as data of its kinds were judged against it; None without such data.
         holds: friction from which on the cam never leads, and the cam angle that takes it, rad; None where no such data
             show a car without play.
@@ -142,6 +129,7 @@ class CalibrationPlan:
     holds: tuple[float, float] | None = None
     outlook: Outlook | None = None
     outlook_agreed: Outlook | None = None
+    no_cam: Message | None = None
     nominal: Nominal | None = None
 
     @cached_property
@@ -176,7 +164,7 @@ class CalibrationPlan:
     @property
     def readiness(self) -> Readiness:
         """Whether all that was measured is explained, and with it the car: a cam made by less may end anywhere."""
-        if self.unclear:
+        if self.unclear or self.no_cam is not None or (self.outlook is not None and not self.outlook.sound):
             return Readiness.NOT_READY
         return Readiness.RESERVATIONS if self.left > LEFT_OVER else Readiness.READY
 
@@ -210,14 +198,16 @@ def calibrate(
         DesignError: the design or its profile cannot be built, or it has no train for a transmission's data.
         FileError: files that cannot be judged together, whose units cannot be, or that the design has in it already.
     """
-    cam_model.refuse_laps(design, *_LAPS)
+    refuse_laps(design)
     _refuse_known(design, sources)
     floor, stated = stated_form_error(sources, form_error_um)
     diagnoses: dict[Kind, Diagnosis] = {}
     track_length, holds, known = None, None, None
     records = {method: [s.record for s in sources if s.kind.method is method] for method in Method}
     zones = (
-        zone_means(design, join(records[Method.ZONE_MEANS]), _train(design)[0]) if records[Method.ZONE_MEANS] else None
+        zone_means(design, join(records[Method.ZONE_MEANS]), ratios_and_teeth(design)[0])
+        if records[Method.ZONE_MEANS]
+        else None
     )
     if records[Method.EVIDENCE]:
         known = replace(nominal or nominal_of(design, profile, progress), form_error=floor * 1e-3)
@@ -252,16 +242,23 @@ def calibrate(
     if known is None:
         return calibration
 
+    refused: list[Message] = []
+
     def expected(built: Sequence[Built], places: Sequence[Place]) -> Outlook | None:
         claimed = [(each.claim, place) for each, place in zip(built, places, strict=True)]
-        return expected_of(design, known, calibration.diagnoses, claimed)
+        try:
+            return expected_of(design, known, calibration.diagnoses, claimed, profile, progress)
+        except (DesignError, CheckError) as error:
+            refused.append(error.message)
+            return None
 
     def with_claims(some: Sequence[Claim]) -> Outlook | None:
         built = placed(some)
         return expected(built, [each.place for each in built])
 
     taken, outlook = with_joint_effect(calibration.diagnoses, found, with_claims)
-    calibration = replace(calibration, claims=taken, outlook=outlook)
+    no_cam = refused[0] if refused and outlook is None else None
+    calibration = replace(calibration, claims=taken, outlook=outlook, no_cam=no_cam)
     given, agreed = [built.place for built in calibration.built], agreed_places(calibration.built)
     return calibration if agreed == given else replace(calibration, outlook_agreed=expected(calibration.built, agreed))
 
@@ -276,60 +273,6 @@ def calibrate_each(
     """Judge every file alone, as if each were of a car of its own. Arguments and errors as in `calibrate`."""
     nominal = nominal_of(design, profile, progress)
     return tuple(calibrate(design, profile, [source], form_error_um, progress, nominal) for source in sources)
-
-
-def nominal_of(design: Design, profile: str, progress: Progress = silent) -> Nominal:
-    """Nominal state for data of a cam and its car: the cam as this design makes it, the car as designed.
-
-    Raises:
-        DesignError, CheckError: see `plan_cam`.
-    """
-    cam_model.refuse_laps(design, *_LAPS)
-    bare = design.as_designed()
-    rod = cam_model.leaning(bare, "a calibration")
-    plan = plan_cam(design, profile, progress)
-    follower = rod.point() if plan.kind.by_axis else rod
-    use = CarUse.of(plan)
-    lift = cut = use.steering
-    if design.as_built is not None or not plan.kind.gives_lift:
-        # What is cut gives the rod of the designed car another lift than the planned one.
-        angle = np.linspace(0.0, 2 * pi, _STATIONS, endpoint=False)
-        lift = rolled_lift(roll_curve(plan.on_shaft, follower, angle)[0], lift, blend_start=lift.blend_start)
-        cut = cut if plan.kind.gives_lift else lift
-    ratios, teeth = _train(design)
-    return Nominal(
-        lift=lift,
-        cut=cut,
-        mechanics=_forces(bare, follower, cut),
-        play=_measured_play(bare),
-        follower=follower,
-        profile=plan.on_shaft,
-        car=cam_model.car(bare),
-        track=use.track,
-        ratios=ratios,
-        teeth=teeth,
-    )
-
-
-def _forces(design: Design, rod: EdgeFollower, lift: PathMotion) -> Mechanics | None:
-    """Rod force and drag by [mechanics]; None without it."""
-    band = variation.mechanics(design, rod, lift)
-    return None if band is None else band.nominal
-
-
-def _measured_play(design: Design) -> tuple[float, float] | None:
-    """Return error of [play] that was measured with the rod lifted, and its standard deviation, rad."""
-    given = None if design.play is None else design.play.measured_deg
-    return None if given is None else (radians(given), radians(INCLINOMETER_DEG))
-
-
-def _train(design: Design) -> tuple[tuple[float, ...], tuple[int, ...]]:
-    """Ratio and driven wheel's teeth of each stage, in the order that the car has; nothing without [train]."""
-    if design.train is None:
-        return (), ()
-    train = arrange(gear_model.train(design), Order(design.optimize.order))[0].train
-    pairs = spur_pairs(train, Message("a calibration is"))
-    return tuple(float(pair.ratio) for pair in pairs), tuple(pair.driven.form.teeth for pair in pairs)
 
 
 def _claims(design: Design, diagnoses: Iterable[Diagnosis], zones: ZoneMeans | None) -> list[Claim]:

@@ -8,23 +8,24 @@ are taken out all the same, since their joint effect is known.
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from math import isfinite
 
 import numpy as np
 
-from cadgen.arrays import Array
-from cadgen.design import variation
+from cadgen.design import cam_model
+from cadgen.design.as_built import AsBuiltSection
 from cadgen.design.schema import Design
-from cadgen.deviations import deviation
 from cadgen.deviations.deviation import Place
-from cadgen.deviations.effect import UNITS
-from cadgen.deviations.track import RETURN_ERROR
-from cadgen.inference.expectation.outlook import Name, Outlook, outlook
+from cadgen.inference.expectation.outlook import NextCam, Outlook, outlook
 from cadgen.inference.measurement.claims import Claim, at_work
 from cadgen.inference.measurement.findings import Diagnosis, EvidenceDiagnosis, Finding, Likely, Value
 from cadgen.inference.measurement.hypothesis import on_bound
 from cadgen.inference.measurement.kinds import TRACK, kind_of
 from cadgen.inference.measurement.nominal import Nominal
 from cadgen.inference.measurement.verdict import Verdict
+from cadgen.jobs.calibration.cam_on_car import nominal_of, planned_end, unmeasured
+from cadgen.jobs.cam.steering_cam import default_profile
+from cadgen.progress import Progress, silent
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,34 +82,69 @@ def _instruments(claim: Claim) -> bool:
 
 
 def expected_of(
-    design: Design, nominal: Nominal, diagnoses: Sequence[Diagnosis], placed: Sequence[tuple[Claim, Place]]
+    design: Design,
+    nominal: Nominal,
+    diagnoses: Sequence[Diagnosis],
+    placed: Sequence[tuple[Claim, Place]],
+    profile: str,
+    progress: Progress = silent,
 ) -> Outlook | None:
     """Where the run ends on the old cam and on a new one; None if the new one would be the old.
 
     Args:
-        design: that the new cam is made by.
+        design: loaded design.
         nominal: what the records were measured against.
         diagnoses: what they show.
         placed: everything claimed, and what becomes of it.
+        profile: of the cam that is on the car.
+        progress: function that is called with a few words on each step.
+
+    Raises:
+        DesignError, CheckError: no cam can be planned for it.
     """
     judged = tuple(d for d in diagnoses if isinstance(d, EvidenceDiagnosis))
-    taken: dict[Name, Array] = {}
-    gone: set[Name] = set()
-    for claim, place in placed:
-        name = claim.kind.code, claim.finding.effect
-        if place in (Place.CAR, Place.PROCESS) and not claim.absent:
-            taken[name] = np.array([value.value * UNITS[value.unit] for value in claim.finding.values])
-        elif place == Place.PART:
-            gone.add(name)
-    if not (taken or gone):
+    gone = {(c.kind.code, c.finding.effect) for c, place in placed if place == Place.PART}
+    if not gone and not any(place in _TAKEN_OUT and not claim.absent for claim, place in placed):
         return None
-    assumed = variation.tabled_play(design)
-    if assumed is not None and not any(claim.deviation == deviation.RETURN_ERROR for claim, _ in placed):
-        # Where nothing is known of the play, a new cam is made for the tabled one.
-        taken[TRACK.code, RETURN_ERROR.name] = np.array([assumed])
-    return outlook(judged, nominal, taken, frozenset(gone))
+    progress("driving the car on the next cam")
+    built = as_built_design(design, placed, profile)
+    new = NextCam(
+        nominal=replace(nominal_of(built, default_profile(built).code), form_error=nominal.form_error),
+        phase=cam_model.as_built(built).phase,
+        gone=frozenset(gone),
+    )
+    return outlook(judged, nominal, new, planned_end(design, nominal), unmeasured(design, nominal))
 
 
+def as_built_design(design: Design, placed: Sequence[tuple[Claim, Place]], profile: str) -> Design:
+    """The design with everything claimed, as its file will have it.
+
+    Args:
+        design: loaded design.
+        placed: everything claimed, and what becomes of it.
+        profile: of the cam that is on the car.
+    """
+    effects = [
+        {
+            "effect": str(claim.finding.effect),
+            "kind": claim.kind.code,
+            "place": place,
+            "values": [
+                *(
+                    {"name": v.name, "value": v.value, "sigma": v.sigma if isfinite(v.sigma) else None}
+                    for v in claim.finding.values
+                ),
+                *({"name": name, "value": number} for name, number in claim.finding.indices),
+            ],
+        }
+        for claim, place in placed
+    ]
+    cut_for = [e.model_dump() for e in design.as_built.effects if e.place in _TAKEN_OUT] if design.as_built else []
+    section = AsBuiltSection.model_validate({"profile": profile, "effects": effects, "cut_for": cut_for})
+    return design.model_copy(update={"as_built": section})
+
+
+_TAKEN_OUT = (Place.CAR, Place.PROCESS)
 _UNSURE = (Verdict.AMBIGUOUS, Verdict.PARTIAL)
 # A whole subset is taken if it leaves less than this share of what the claims alone leave.
 BETTER = 0.8

@@ -12,7 +12,8 @@ from cadgen.inference.expectation.linear import Rows
 from cadgen.inference.measurement.kinds import LIFT, PROFILE, TRACK, TRANSMISSION
 from cadgen.jobs.calibration import advice
 from cadgen.jobs.calibration.advice import Advice
-from cadgen.jobs.calibration.calibration import calibrate, nominal_of
+from cadgen.jobs.calibration.calibration import calibrate
+from cadgen.jobs.calibration.cam_on_car import nominal_of
 from cadgen.jobs.calibration.sources import Source
 from tests.inference.measurement.synthetic import Car as Bed
 from tests.studies.circles_truth import Car, World, drawn_form
