@@ -113,9 +113,15 @@ class Room:
             line += _LIGHT * self._light.intersection(lines).length
             return float(each[1] + outside + text + line)
 
-        best, _ = min(every, key=cost)
-        self.take(best)
-        return best
+        # A place costs at least what it costs without its lines: the search ends where that alone is more than the best.
+        least, best = np.inf, len(every)
+        for number in sorted(range(len(every)), key=lambda each: every[each][1]):
+            if every[number][1] > least:
+                break
+            least, best = min((least, best), (cost(every[number]), number))
+        placed, _ = every[best]
+        self.take(placed)
+        return placed
 
     def _drawn(self, placed: Dimension | Label) -> tuple[shapely.Polygon, list[shapely.Geometry]]:
         """Box of the text, and the lines that are drawn with it."""
