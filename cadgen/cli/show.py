@@ -327,9 +327,12 @@ def explained(result: "Calibration[Design] | Calibrations[Design]", *, written: 
         step: str = Message("measure again, or other data")
         if isinstance(result, Calibration) and not asked:
             step = Message("the same command with --next says what to measure")
-        verdict(result.readiness, Message("not all is explained ({kinds})", kinds=kinds), step)
+        said: str = Message("not all is explained ({kinds})", kinds=kinds)
+        if not result.unclear:
+            said = Message("what was measured is explained, but no new cam is sure to bring the car nearer")
+        verdict(result.readiness, said, step)
         return
-    said: str = Message("what was measured is explained")
+    said = Message("what was measured is explained")
     if result.readiness == Readiness.RESERVATIONS:
         said = Message("{said}, but {left:.1f} times the noise remain and have no name", said=said, left=result.left)
     if not isinstance(result, Calibration):

@@ -45,7 +45,7 @@ from cadgen.errors import DesignError
 from cadgen.messages import Message
 
 # Effects of a disc that stand still on the shaft, whatever way the disc's key is turned.
-OF_SHAFT = (deviation.ECCENTRIC_BORE, deviation.SHAFT_RUNOUT)
+_OF_SHAFT = (deviation.ECCENTRIC_BORE, deviation.SHAFT_RUNOUT)
 
 _Act = Callable[[Disc, Array, Any], Disc]
 
@@ -296,7 +296,7 @@ class AsBuilt:
         for placed in self.effects:
             if placed.effect.stage is DISC and placed.place in places:
                 values, act = np.array(placed.values), placed.effect.act
-                if placed.place == Place.CAR and placed.effect.deviation in OF_SHAFT:
+                if placed.place == Place.CAR and placed.effect.deviation in _OF_SHAFT:
                     c, s = np.cos(turned), np.sin(turned)
                     values = np.array([c * values[0] + s * values[1], c * values[1] - s * values[0]])
                 if placed.effect.deviation == deviation.AXIS_REVERSAL:

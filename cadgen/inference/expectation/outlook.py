@@ -13,14 +13,12 @@ disc makes of it, another one than the old disc's.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import Array
-from cadgen.deviations import deviation
-from cadgen.deviations.as_built import OF_SHAFT
 from cadgen.deviations.effect import Active, Effect
 from cadgen.deviations.track import RETURN_ERROR, SLIDING_FRICTION
 from cadgen.inference.measurement.findings import EvidenceDiagnosis, Likely
@@ -30,6 +28,7 @@ from cadgen.inference.measurement.reservations import TYPICAL
 from cadgen.inference.measurement.verdict import Verdict
 
 DRAWS = 200
+LEAST_CHANCE = 0.01  # smaller ones cannot be told by so few draws
 RANGE = (5.0, 95.0)  # percent
 # A rest of this many times the noise is not explained, and what the new cam will do is not known.
 EXPLAINED = 1.3
@@ -73,13 +72,11 @@ class NextCam:
     """A cam planned for what was claimed, as it will be cut.
 
     Attributes:
-        nominal: the car as designed with that cam on it.
-        phase: by how much it is set back on its shaft from where the old one stands, rad.
+        nominal: the car as designed with that cam on it, set so that the phase found is gone.
         gone: what goes with the old disc.
     """
 
     nominal: Nominal
-    phase: float
     gone: frozenset[Name]
 
 
@@ -120,7 +117,8 @@ def outlook(
         if count:
             cars = _drawn(models[0], likely, count, rng, None if track else unmeasured)
             ends[0].append(_ends(models[0], cars, count))
-            ends[1].append(_ends(models[1], _with(cars, new), count))
+            left = [car for car in cars if car.name not in new.gone and not car.of_disc]
+            ends[1].append(_ends(models[1], left, count))
     rest = beside + spread * (rng.standard_normal(DRAWS) + 1j * rng.standard_normal(DRAWS)) - planned
     old = np.abs(np.concatenate(ends[0]) + rest)
     on_new = np.abs(np.concatenate(ends[1]) + rest + new_form(models[1], DRAWS, rng))
@@ -165,6 +163,11 @@ class _Drawn:
     found: Array
     values: Array
 
+    @property
+    def of_disc(self) -> bool:
+        """Whether it is a form without a name that a record of the disc shows: it goes with the disc."""
+        return self.effect.shape and self.effect.form_of is not None
+
 
 def _drawn(
     model: TrackModel, likely: Likely, count: int, rng: np.random.Generator, unmeasured: Unmeasured | None
@@ -190,22 +193,6 @@ def _drawn(
                 name = KIND.code, effect.name
                 cars.append(_Drawn(name, effect, np.array([sum(band) / 2]), rng.uniform(*band, (count, 1))))
     return cars
-
-
-def _with(cars: Sequence[_Drawn], new: NextCam) -> list[_Drawn]:
-    """The same cars with the next cam on their shafts: without the old disc, and with the new one set back."""
-    c, s = np.cos(new.phase), np.sin(new.phase)
-    out = []
-    for car in cars:
-        if car.name in new.gone or (car.effect.shape and car.effect.form_of is not None):
-            continue
-        if car.effect.deviation == deviation.CAM_PHASE:
-            car = replace(car, found=car.found - new.phase, values=car.values - new.phase)
-        elif car.effect.deviation in OF_SHAFT:
-            turn = np.array([[c, -s], [s, c]])
-            car = replace(car, found=car.found @ turn, values=car.values @ turn)
-        out.append(car)
-    return out
 
 
 def _ends(model: TrackModel, cars: Sequence[_Drawn], count: int) -> NDArray[np.complex128]:

@@ -26,6 +26,7 @@ from cadgen.inference.measurement.verdict import Verdict
 from cadgen.jobs.calibration.calibration import CalibrationPlan, ZoneMeans
 from cadgen.jobs.calibration.new_cam import Built
 from cadgen.jobs.calibration.sources import Source
+from cadgen.jobs.cam.built_car import chance_to_be_worse
 from cadgen.messages import Message, joined
 from cadgen.output.report.terminal import Block, Heading
 
@@ -50,6 +51,8 @@ def report(calibration: CalibrationPlan) -> list[Block]:
     c = calibration
     every = all(built.claim.sure for built in c.built)
     blocks: list[Block] = [expected(c.outlook, _CLAIMED if every else _TOGETHER)] if c.outlook else []
+    if c.no_cam is not None:
+        blocks.append(Message("No new cam can be planned for what is claimed: {reason}.", reason=c.no_cam))
     stated = {"name": c.against.name, "profile": c.profile, "error": c.form_error_um, "source": c.form_error_from}
     blocks.append(
         Message("{name}, {profile} profile; form error of the disc {error:g} µm rms ({source}).", **stated)
@@ -79,13 +82,13 @@ def expected(o: Outlook, made_for: str = _CLAIMED) -> Message:
     """Sentences on the expected run with a new cam, and reasons not to cut it."""
     words = Message(
         "A new cam made for {made_for} is expected to end the run {new} mm off ({least} to {most} mm in 90 %), the old "
-        "one {old} mm; it is worse with a chance of {worse:.1%}.",
+        "one {old} mm; {worse}.",
         made_for=made_for,
         new=_length(o.new),
         least=_length(o.least),
         most=_length(o.most),
         old=_length(o.old),
-        worse=o.worse,
+        worse=chance_to_be_worse(o.worse, explained=o.explained),
     )
     why = []
     if o.contradicted:
@@ -394,12 +397,12 @@ def _built(c: CalibrationPlan) -> list[Block]:
         blocks.append(
             Message(
                 'With place = "car" for {names}, the run is expected to end {new} mm off ({least} to {most} mm in 90 '
-                "%), the new cam to be worse with a chance of {worse:.1%}.",
+                "%); {worse}.",
                 names=listed(names, "and"),
                 new=_length(o.new),
                 least=_length(o.least),
                 most=_length(o.most),
-                worse=o.worse,
+                worse=chance_to_be_worse(o.worse, explained=o.explained),
             )
         )
     if c.holds is not None:  # a car without play may be held by friction or drag

@@ -12,7 +12,6 @@ from math import isfinite
 
 import numpy as np
 
-from cadgen.design import cam_model
 from cadgen.design.as_built import AsBuiltSection
 from cadgen.design.schema import Design
 from cadgen.deviations.deviation import Place
@@ -110,7 +109,6 @@ def expected_of(
     built = as_built_design(design, placed, profile)
     new = NextCam(
         nominal=replace(nominal_of(built, default_profile(built).code), form_error=nominal.form_error),
-        phase=cam_model.as_built(built).phase,
         gone=frozenset(gone),
     )
     return outlook(judged, nominal, new, planned_end(design, nominal), unmeasured(design, nominal))

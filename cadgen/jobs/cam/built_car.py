@@ -80,13 +80,29 @@ def outlook_sentence(design: Design) -> str:
         return _OTHER_PLACES if design.as_built and design.as_built.outlook else ""
     return Message(
         "The new cam is expected to end the run {new:.1f} mm off ({least:.1f} to {most:.1f} mm in 90 %), the old one "
-        "{old:.1f} mm; it is worse with a chance of {worse:.1%}.",
+        "{old:.1f} mm; {worse}.",
         new=outlook.new_mm,
         least=outlook.least_mm,
         most=outlook.most_mm,
         old=outlook.old_mm,
-        worse=outlook.chance_worse,
+        worse=chance_to_be_worse(outlook.chance_worse, explained=outlook.explained),
     )
+
+
+def chance_to_be_worse(chance: float, *, explained: bool | None) -> Message:
+    """Chance that a new cam ends the run farther off than the old one, in words.
+
+    Args:
+        chance: share of the cars drawn, 0 to 1.
+        explained: whether what was found explains the measured runs.
+    """
+    from cadgen.inference.expectation.outlook import LEAST_CHANCE
+
+    if explained is False:
+        return Message("how likely it is to be worse is not known, since not all is explained")
+    if chance < LEAST_CHANCE:
+        return Message("it is worse with a chance of less than 1 %")
+    return Message("it is worse with a chance of {chance:.0%}", chance=chance)
 
 
 def outlook_checks(design: Design) -> tuple[Check, ...]:

@@ -113,7 +113,7 @@ class Room:
             line += _LIGHT * self._light.intersection(lines).length
             return float(each[1] + outside + text + line)
 
-        # A place costs at least what it costs without its lines: the search ends where that alone is more than the best.
+        # Without its lines a place costs less: the search ends where that alone is more than the best.
         least, best = np.inf, len(every)
         for number in sorted(range(len(every)), key=lambda each: every[each][1]):
             if every[number][1] > least:

@@ -3,8 +3,11 @@
 import numpy as np
 import pytest
 
-from cadgen.inference.expectation.outlook import outlook
+from cadgen.design.as_built import AsBuiltSection
+from cadgen.design.load import load_design
+from cadgen.inference.expectation.outlook import NextCam, Outlook, Unmeasured, outlook
 from cadgen.inference.measurement.diagnosis import calibrate
+from cadgen.jobs.calibration.cam_on_car import nominal_of, planned_end
 from tests.inference.measurement import synthetic as syn
 from tests.inference.measurement import synthetic_drive as drive
 
@@ -16,6 +19,18 @@ def end_of(nominal, **numbers):
     stop = np.array([345.0]) * syn.DEG
     off = drive.Wheels(**numbers).track(nominal, stop) - drive.Wheels().track(nominal, stop)
     return float(np.abs(off[-1]))
+
+
+def driven(told, nominal, **found) -> Outlook:
+    """Outlook with a cam for effects of a track, by the names of their numbers: steering zero and return error."""
+    names = {"steering_zero_deg": "steering zero", "return_error_deg": "backlash"}
+    effects = [
+        {"effect": names[name], "kind": "track", "place": "car", "values": [{"name": name, "value": value}]}
+        for name, value in found.items()
+    ]
+    design = load_design().model_copy(update={"as_built": AsBuiltSection.model_validate({"effects": effects})})
+    new = NextCam(nominal=nominal_of(design, "optimized"), gone=frozenset())
+    return outlook(told, nominal, new, planned_end(load_design(), nominal), Unmeasured())
 
 
 @pytest.mark.long
@@ -31,7 +46,7 @@ def test_the_play_of_a_dial_s_stand_is_not_the_train_s(synthetic_car, nominal):
         ],
         nominal,
     )
-    expected = outlook(told, nominal, {("track", "backlash"): np.array([PLAY])}, frozenset())
+    expected = driven(told, nominal, return_error_deg=0.95)
     assert expected.old == pytest.approx(end_of(synthetic_car.built, play=PLAY), rel=0.1)
     assert expected.new < 30.0
     assert expected.worse == 0.0
@@ -47,14 +62,12 @@ def test_records_that_contradict_each_other(synthetic_car, nominal):
     track = drive.track_record(synthetic_car, drive.Wheels(zero=0.2 * syn.DEG), rng, noise_mm=3.0)
     told = calibrate([train, track], nominal)
     assert all(diagnosis.contradicted for diagnosis in told)
-    zero = {("track", "steering zero"): np.array([0.2 * syn.DEG])}
-    of_track = outlook(told, nominal, zero, frozenset())
+    of_track = driven(told, nominal, steering_zero_deg=0.2, return_error_deg=0.0)
     assert of_track.contradicted
     assert of_track.sound
     assert of_track.old == pytest.approx(end_of(synthetic_car.built, zero=0.2 * syn.DEG), rel=0.1)
     assert of_track.new < 30.0
-    of_both = outlook(told, nominal, {**zero, ("transmission", "return error"): np.array([0.8 * syn.DEG])}, frozenset())
+    of_both = driven(told, nominal, steering_zero_deg=0.2, return_error_deg=0.8)
     assert of_both.new > 300.0
     assert of_both.new > of_track.new
-    without = outlook(told[:1], nominal, {("transmission", "return error"): np.array([0.8 * syn.DEG])}, frozenset())
-    assert not without.sound
+    assert not driven(told[:1], nominal, return_error_deg=0.8).sound
