@@ -187,3 +187,22 @@ def test_a_train_that_runs_out_moves_the_cam_under_the_track(joint):
         ("steering zero", "car"),
         ("backlash", "car"),
     ]
+
+
+@pytest.mark.long
+@pytest.mark.parametrize(
+    ("files", "profile", "end"),
+    [
+        (("P2_track_optimized.csv",), "optimized", 11.0),  # reckoned as if the plain cam were on it: 977 mm
+        (("F5_track.csv", "F5_trans.csv"), "actual", 79.0),
+    ],
+)
+def test_the_old_cam_is_the_one_that_is_on_the_car(files, profile, end):
+    """Ends by the generator's own physics, mm; the camera has 3 mm of noise, and the starts scatter."""
+    told = calibrate_files(load_design(), profile, read([LOOP / name for name in files]))
+    o = told.outlook
+    print(
+        f"{end:.0f} mm; expected on the old cam {o.old:.1f}, on a new one {o.new:.1f} ({o.least:.1f} to {o.most:.1f})"
+    )
+    assert o.old == pytest.approx(end, abs=max(5.0, 0.1 * end))
+    assert o.least <= o.new <= o.most < end + 10.0
