@@ -181,7 +181,6 @@ def test_the_budget_ranks_what_may_be_off_and_says_what_to_hold_tighter(cadgen, 
             "tolerances.wheel_runout_mm needs the radius itself",
         ),
         ("tolerance", "plain.toml", [], 2, "says nothing of the gears' play"),
-        ("simulate", "carbon_free_car", ["optimize.max_end_heading_deg=1"], 1, "degrees more than the 1 allowed"),
         ("simulate", "carbon_free_car --play-deg nan", [], 2, "nan is not a finite number"),
         ("tolerance", "plain.toml", ["play.measured_deg=0.5"], 2, "no dimension of the design varies"),
         (
@@ -203,6 +202,11 @@ def test_bad_input_says_so_in_one_sentence_and_writes_nothing(
     arguments = [part for text in overrides for part in ("--set", text)]
     assert words in one_sentence(cadgen(command, *design.split(), *arguments, "--out", "out", code=code))
     assert not (tmp_path / "out").exists()
+
+
+def test_a_limit_that_no_profile_keeps_is_not_ready_and_named(cadgen):
+    result = cadgen("simulate", "carbon_free_car", "--set", "optimize.max_end_heading_deg=1", code=1)
+    assert "NOT READY: worst end heading error fails" in result.stdout
 
 
 def test_a_design_without_play_still_makes_the_actual_profile(cadgen, tmp_path):

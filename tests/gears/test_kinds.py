@@ -18,7 +18,7 @@ from cadgen.gears import stage_kinds
 from cadgen.gears.spur import SpurPair
 from cadgen.gears.stage import PLAY_LIMIT_UM
 from cadgen.geometry.solids.step_text import read_gear
-from cadgen.jobs.calibration import calibration
+from cadgen.jobs.calibration import cam_on_car
 from cadgen.jobs.gears.gear_train import plan_gears
 from tests.docs.blocks import DOCS, blocks
 from tests.forks import MAIN
@@ -88,7 +88,7 @@ creep_deg = 0.1
 
 def train_of_teeth(design):
     """Numbers of the train for a calibration."""
-    return calibration._train(design)
+    return cam_on_car.ratios_and_teeth(design)
 
 
 @pytest.fixture(scope="module", autouse=True)

@@ -3,6 +3,7 @@
 | module               | what it holds                                                                     |
 |----------------------|-----------------------------------------------------------------------------------|
 | `sources`            | measured files, and arrays in memory that are read as files are                   |
+| `cam_on_car`         | the car as designed with the measured cam on it, or with the next one             |
 | `new_cam`            | places of claims in the as-built design, and what a new cam is expected to do     |
 | `calibration`        | measured files -> one verdict for each kind of data, and what they say together   |
 | `calibration_report` | a calibration in paragraphs and tables                                            |

@@ -8,7 +8,6 @@ from cadgen.arrays import TURN
 from cadgen.cam.contact import roll_curve
 from cadgen.cam.follower import EdgeFollower
 from cadgen.car.path_motion import PathMotion
-from cadgen.car.running.friction import USUAL
 from cadgen.car.running.mechanics import Mechanics
 from cadgen.car.running.sampled import rolled_lift
 from cadgen.design import cam_model, gear_model, variation
@@ -110,6 +109,8 @@ def planned_end(design: Design, nominal: Nominal) -> complex:
 def unmeasured(design: Design, nominal: Nominal) -> Unmeasured:
     """Play and friction that a car may have whose run was not measured.
 
+    Friction that the design does not state is left out, as in the cam, whose verdict has it among its reservations.
+
     Args:
         design: loaded design.
         nominal: car that the records were measured against, with the play that was measured apart.
@@ -121,4 +122,4 @@ def unmeasured(design: Design, nominal: Nominal) -> Unmeasured:
         value, sigma = nominal.play
         play = max(value - 2 * sigma, 0.0), value + 2 * sigma
     forces = variation.mechanics(bare, nominal.follower, nominal.lift)
-    return Unmeasured(play=play, friction=USUAL if forces is None else forces.friction)
+    return Unmeasured(play=play, friction=(0.0, 0.0) if forces is None else forces.friction)

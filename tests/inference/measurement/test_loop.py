@@ -190,6 +190,7 @@ def test_a_train_that_runs_out_moves_the_cam_under_the_track(joint):
 
 
 @pytest.mark.long
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("files", "profile", "end"),
     [
