@@ -489,12 +489,17 @@ def test_a_fit_or_thread_that_is_of_nothing_is_refused(design, change, message):
         design.with_(change)
 
 
+# The sheets of a train take some ten seconds to draw: they are among the long tests, a cam's are always judged.
+SHEETS = pytest.mark.parametrize("sheets", ["folder", pytest.param("trains_folder", marks=pytest.mark.long)])
+
+
 @pytest.mark.slow
-def test_a_dxf_has_no_letter_that_readers_lose(folder, trains_folder):
+@SHEETS
+def test_a_dxf_has_no_letter_that_readers_lose(sheets, request):
     """LibreCAD's own font has neither theta nor the dash, and of a text it takes %%c for the sign of a diameter."""
     import ezdxf
 
-    for file in (*folder.glob("*_drawing.dxf"), *trains_folder.glob("*_drawing.dxf")):
+    for file in request.getfixturevalue(sheets).glob("*_drawing.dxf"):
         space = ezdxf.readfile(file).modelspace()
         texts = [entity.dxf.text for entity in space.query("TEXT")]
         texts += [entity.dxf.text for entity in space.query("DIMENSION")]
@@ -604,13 +609,14 @@ def texts_of(sheet):
 
 
 @pytest.mark.slow
-def test_no_text_stands_in_another_or_on_an_edge_of_the_part(trains_folder, folder):
+@SHEETS
+def test_no_text_stands_in_another_or_on_an_edge_of_the_part(sheets, request):
     """The pinion's Ø5 stood in its teeth, 3 in 11 under its section, and the plate's 1 and 40 in circles."""
     import ezdxf
     import shapely
     from ezdxf.path import make_path
 
-    for sheet in (*trains_folder.glob("*_drawing.dxf"), *folder.glob("*_drawing.dxf")):
+    for sheet in request.getfixturevalue(sheets).glob("*_drawing.dxf"):
         texts = [(text, box.buffer(-0.1)) for text, box in texts_of(sheet)]
         assert len(texts) > 20
         for number, (text, box) in enumerate(texts):

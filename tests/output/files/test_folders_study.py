@@ -10,6 +10,8 @@ CASES = 6
 
 
 @pytest.mark.slow
+@pytest.mark.long
+@pytest.mark.study
 @pytest.mark.skipif(os.name != "posix", reason="runs are forked")
 def test_the_manifest_is_true_after_concurrent_and_killed_runs():
     size = scale(commands=False)
