@@ -5,7 +5,7 @@ Lengths are in mm, angles in rad.
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
-from math import inf, radians
+from math import inf, radians, tan
 
 from cadgen.arrays import Array
 from cadgen.car.course.body import CarBody
@@ -102,6 +102,7 @@ class PathTask:
 
 _MORE_PRESSURE, _MORE_RADIUS, _MORE_MARGIN = radians(0.5), 0.5, 0.1  # beyond what a check asks for; rad, mm, mm
 _FLATTER = radians(2.0)  # rad
+_LESS_TURN = 0.99  # beyond what a check asks for
 _CLEARANCES = (
     CheckCode.COURSE_POST,
     CheckCode.COURSE_WALL,
@@ -131,6 +132,7 @@ class Margins:
         margin: from obstacles, mm.
         gate: from the edges of the gates, mm.
         blend: how often the step that the closing blend must come over is made smaller.
+        turn: factor on the greatest curvature.
     """
 
     pressure: float = 0.0
@@ -139,6 +141,7 @@ class Margins:
     margin: float = 0.0
     gate: float = 0.0
     blend: int = 0
+    turn: float = 1.0
 
     def after(self, failed: Iterable[Check]) -> "Margins":
         """Margins with which the failed checks pass, as far as the planner has influence on them."""
@@ -155,6 +158,9 @@ class Margins:
                     tightening = replace(tightening, radius=tightening.radius + _MORE_RADIUS)
                 case CheckCode.BLEND_PRESSURE_ANGLE_RISE | CheckCode.BLEND_PRESSURE_ANGLE_RETURN:
                     tightening = replace(tightening, blend=tightening.blend + 1)
+                case CheckCode.STEERING_ANGLE:
+                    turn = tightening.turn * _LESS_TURN * tan(radians(check.limit)) / tan(radians(check.value))
+                    tightening = replace(tightening, turn=turn)
                 case CheckCode.LIFT_ERROR_WITH_PLAY:
                     tightening = replace(tightening, valley=tightening.valley * 0.8 * check.limit / check.value)
                 case code if code in _CLEARANCES:
@@ -172,4 +178,5 @@ class Margins:
             margin=max(self.margin, other.margin),
             gate=max(self.gate, other.gate),
             blend=max(self.blend, other.blend),
+            turn=min(self.turn, other.turn),
         )

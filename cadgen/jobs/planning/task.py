@@ -182,7 +182,7 @@ def _limits(
 ) -> SteeringLimits:
     """Limits of steering and cam; the path is driven at its `smallest` too, a share of what is planned."""
     checks = cam_model.check_limits(design)
-    left, right = curvature_limits(vehicle, smallest)
+    left, right = curvature_limits(vehicle, smallest * tightening.turn)
     rod = edge_follower(cam_model.follower(design), Message("planning a path"))
     least_radius = max(checks.min_convex_radius, design.blank.edge_break_mm or 0.0)
     valley, band = inf, variation.play_bands(design).get(design.optimize.order)
