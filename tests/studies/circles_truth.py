@@ -1,7 +1,7 @@
 """Cars with declared and undeclared effects, stepped by hand: shares no code with the models under test.
 
 The rod is let down on the points of the outline (`tests.inference.measurement.synthetic`);
-the camshaft stands behind gears that run out, and walks downhill in their play;
+the camshaft stands behind gears that run out, and walks downhill in their play, where friction lets it;
 the car goes by short arcs. On its way it meets what no catalogue has.
 """
 
@@ -15,6 +15,7 @@ from cadgen.inference.measurement.kinds import LIFT, TRACK, TRANSMISSION
 from cadgen.inference.measurement.record import Record
 from tests.inference.measurement.synthetic import DEG, TURN, Bench, form_error, profile_record
 from tests.inference.measurement.synthetic import Car as Bed
+from tests.studies.friction_truth import holding
 
 CELLS = 7200
 STEP = TURN / CELLS
@@ -26,6 +27,7 @@ class Car:
 
     Attributes:
         zero, phase, play: rad; the play a whole number of cells.
+        friction: between rod and disc.
         gain, radius: factors.
         bore: of the disc off centre, mm; stays with the car, as run-out of its shaft.
         runs_out: cosine and sine of a gear three turns of which go on one of the cam, rad.
@@ -44,6 +46,9 @@ class Car:
         dent: depth of one in the outline, mm; and its polar angle.
         spiral: by which the cutter has worn at the end of the outline, mm.
         offset, lobe: of the outline, mm; only to find the size of what feigns them.
+        edge: width of the broken edges of the disc, mm; the rod then touches so much farther in.
+        wobble: of the disc on its shaft, mm along it, and the cam angle at which it stands outermost.
+        camera: factor of the camera's scale.
         square, stylus: of the measuring machine, rad and mm.
         lag: of the reading of dial or encoder, rad, half of it either way.
     """
@@ -51,6 +56,7 @@ class Car:
     zero: float = 0.0
     phase: float = 0.0
     play: int = 0
+    friction: float = 0.0
     gain: float = 1.0
     radius: float = 1.0
     bore: tuple[float, float] = (0.0, 0.0)
@@ -70,6 +76,9 @@ class Car:
     spiral: float = 0.0
     offset: float = 0.0
     lobe: float = 0.0
+    edge: float = 0.0
+    wobble: tuple[float, float] = (0.0, 0.0)
+    camera: float = 1.0
     square: float = 0.0
     stylus: float = 0.0
     lag: float = 0.0
@@ -81,22 +90,39 @@ class World:
     def __init__(self, built: Any, bed: Bed, form: np.ndarray) -> None:
         self.built, self.bed, self.form = built, bed, form
         self._lifts: dict[Any, np.ndarray] = {}
+        self._holds: dict[Any, np.ndarray] = {}
 
     def bench(self, car: Car) -> Bench:
         """The disc: bore, form error, and what has happened to its outline."""
         spiral = car.spiral * np.arange(len(self.form)) / len(self.form)
         dent = (car.dent[1], 3 * DEG, car.dent[0])
         return Bench(
-            shift=car.bore, form=self.form + spiral, dent=dent, offset=car.offset, lobes=(2, car.lobe, TURN / 8)
+            shift=car.bore,
+            form=self.form + spiral,
+            dent=dent,
+            offset=car.offset,
+            lobes=(2, car.lobe, TURN / 8),
+            edge=car.edge,
+            wobble=car.wobble,
         )
 
     def lift(self, car: Car) -> np.ndarray:
         """tan(beta) of the rod on each cell of the turn."""
-        disc = (car.bore, car.dent, car.spiral, car.offset, car.lobe)
+        disc = _disc(car)
         if disc not in self._lifts:
             table = self.bed.steering(self.bench(car), np.arange(0, CELLS, 5) * STEP)
             self._lifts[disc] = np.interp(np.arange(CELLS), np.arange(0, CELLS + 5, 5), np.append(table, table[0]))
         return self._lifts[disc]
+
+    def holds(self, car: Car) -> np.ndarray:
+        """Friction above which each cell holds the cam where the lift falls; -1 where it rises."""
+        disc = _disc(car)
+        if disc not in self._holds:
+            T = self.lift(car)
+            slope = (np.roll(T, -1) - T) * CELLS / TURN
+            middle = (T + np.roll(T, -1)) / 2
+            self._holds[disc] = np.where(slope < 0, holding(self.built.follower, middle, slope), -1.0)
+        return self._holds[disc]
 
     def asked(self, car: Car, motor: np.ndarray) -> np.ndarray:
         """Cam angle that the gears ask for; set on its shaft at the start."""
@@ -109,12 +135,16 @@ class World:
         lift = self.lift(car)
         table, fall = lift.tolist(), lift - np.roll(lift, -1)
         steepest = float(fall.max())
+        free = (self.holds(car) > car.friction).tolist() if car.friction else (fall > 0).tolist()
         motor = np.arange(CELLS + 1)
         pushed = np.ceil(self.asked(car, motor * STEP) / STEP - 1e-9).astype(int).tolist()
         cam, now, shift = np.empty(CELLS + 1), pushed[0], round(car.phase / STEP)  # the disc stands ahead of its shaft
         for i, least in enumerate(pushed):
             now, held = max(now, least), car.rubs * steepest * i / CELLS
-            while now < least + car.play and table[(now + shift) % CELLS] - table[(now + 1 + shift) % CELLS] > held:
+            while now < least + car.play:
+                at = (now + shift) % CELLS
+                if not free[at] or table[at] - table[(at + 1) % CELLS] <= held:
+                    break
                 now += 1
             cam[i] = now
         exact = self.asked(car, motor * STEP) / STEP
@@ -152,7 +182,7 @@ class World:
         degrees = np.arange(0, 361, 2)
         rows = []
         for _ in range(runs):
-            clean = self.path(car)[degrees * CELLS // 360]
+            clean = self.path(car)[degrees * CELLS // 360] * car.camera
             turned = clean[0] + (clean - clean[0]) * np.exp(1j * rng.normal(0, start[1]) * DEG)
             noise = rng.normal(0, noise_mm, (2, len(degrees)))
             rows.append(turned + rng.normal(0, start[0]) + 1j * rng.normal(0, start[0]) + noise[0] + 1j * noise[1])
@@ -198,6 +228,11 @@ class World:
         record = profile_record(self.bed, bench, rng, noise_um=3.0)
         x, y = (np.asarray(record.columns[name]) for name in ("x_mm", "y_mm"))
         return replace(record, columns={"x_mm": np.round(x + y * np.sin(car.square), 4), "y_mm": y})
+
+
+def _disc(car: Car) -> tuple[Any, ...]:
+    """State of the disc, by which lifts are kept."""
+    return (car.bore, car.dent, car.spiral, car.offset, car.lobe, car.edge, car.wobble)
 
 
 def _behind_tops(lift: np.ndarray) -> np.ndarray:
@@ -261,6 +296,9 @@ UNDECLARED = {
     "damaged tooth": Undeclared(lambda k: {"tooth": k}, 2.0 * DEG),
     "bounce": Undeclared(lambda k: {"bounce": abs(k)}, 0.05),
     "bent rod": Undeclared(lambda k: {"bends": k}, 0.1),
+    "broken edges": Undeclared(lambda k: {"edge": abs(k)}, 0.15),
+    "wobble": Undeclared(lambda k: {"wobble": (k, 40 * DEG)}, 0.3),
+    "camera scale": Undeclared(lambda k: {"camera": 1 + k}, 0.003, lambda k: {"radius": 1 + k}, stays=False),
     "dent": Undeclared(lambda k: {"dent": (abs(k), 130 * DEG)}, 0.3, stays=False),
     "spiral tool wear": Undeclared(lambda k: {"spiral": k}, 0.1),
     "squareness": Undeclared(

@@ -54,9 +54,9 @@ class World:
         self.middle = np.asarray(built.lift.q((np.arange(CELLS) + 0.5) * TURN / CELLS))
         slope = (np.roll(self.ends, -1) - self.ends) * CELLS / TURN
         # Friction above which each cell holds the cam; on a rise none is needed.
-        self.holds = np.where(slope < 0, _ratio(built.follower, self.middle, slope), -1.0)
+        self.holds = np.where(slope < 0, holding(built.follower, self.middle, slope), -1.0)
         # The same of a cam that is turned back: its rises are falls.
-        self.holds_back = np.where(slope > 0, _ratio(built.follower, self.middle, -slope), -1.0)
+        self.holds_back = np.where(slope > 0, holding(built.follower, self.middle, -slope), -1.0)
 
     def cam(self, car: FrictionCar) -> np.ndarray:
         """Cell in which the shaft stands while the motor is in each cell of the turn; the disc stands ahead of it."""
@@ -101,7 +101,7 @@ class World:
         return Record(kind=TRACK, columns=columns, run=run, remarks=(), source="car that rubs")
 
 
-def _ratio(rod: Any, T: np.ndarray, slope: np.ndarray) -> np.ndarray:
+def holding(rod: Any, T: np.ndarray, slope: np.ndarray) -> np.ndarray:
     """Moment of the normal force about the camshaft over that of as large a friction against it; on falls.
 
     The camshaft is the origin, x runs to the bar's centre in the face, y along the motion of the edge, z to the fork.

@@ -35,6 +35,7 @@ class Bench:
     rod: float = 0.0  # added radius, mm
     axial: float = 0.0
     wobble: tuple[float, float] = (0.0, 0.0)
+    edge: float = 0.0  # width of the broken edges, mm: a rod at less than 45 degrees touches where the chamfer begins
     phase: float = 0.0
     gain: float = 1.0
     tilt: float = 0.0
@@ -116,7 +117,8 @@ class Car:
         reach = 1.05 * radius / np.linalg.norm(points, axis=1).min()
         tripled = np.concatenate([polar - TURN, polar, polar + TURN])
         out = np.empty(len(theta))
-        faces = [w + bench.axial + bench.wobble[0] * np.cos(theta - bench.wobble[1]) for w in self.w]
+        sway = bench.axial + bench.wobble[0] * np.cos(theta - bench.wobble[1])
+        faces = [self.w[0] + bench.edge + sway, self.w[1] - bench.edge + sway]
         for i, angle in enumerate(theta % TURN):
             near = np.arange(*np.searchsorted(tripled, [angle - reach, angle + reach])) % len(points)
             c, s = np.cos(angle), np.sin(angle)
