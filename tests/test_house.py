@@ -172,6 +172,8 @@ OTHER_WORDS = {
     "cadgen.output.files.dxf": {"TEXT"},
     "cadgen.cli.page_commands": {"cam"},  # the value of --only
     "cadgen.output.report.terminal": {"right"},  # of rich
+    "cadgen.output.report.study_pictures": {"deg"},  # a unit
+    "cadgen.inference.measurement.reference": {"deg"},
 }
 
 

@@ -7,7 +7,8 @@ Sections of the file, each with what belongs to it alone:
 | `section`     | what all sections have in common                                                      |
 | `path`        | path, with the keys of its kind                                                       |
 | `course`      | field, posts, walls, zones, gates, spacing, the car's outline -> course and body       |
-| `motion`      | rises and dwells that fill a turn -> the motion that they make                        |
+| `motion`      | rises and dwells, points, harmonics or a table -> the motion that they make           |
+| `lift_rows`   | rows of a lift table from a file                                                      |
 | `follower`    | follower, with the keys of its kind                                                   |
 | `blank`       | bore, keyway, hub and holes of the disc, and how a wheel is held on its shaft          |
 | `machining`   | milling and drilling, texts in title blocks                                           |

@@ -287,7 +287,9 @@ def check_limits(design: Design | MotionDesign) -> CheckLimits:
         min_convex_radius=design.checks.min_convex_radius_mm,
         cutter_radius=design.machining.cutter_diameter_mm / 2,
         wall=design.checks.min_wall_mm,
-        motion_key=f"path.{fields(design.path.keys)[0].name}" if isinstance(design, Design) else "motion.segments",
+        motion_key=f"path.{fields(design.path.keys)[0].name}"
+        if isinstance(design, Design)
+        else design.motion.shaping_key,
     )
 
 

@@ -55,6 +55,7 @@ _LISTS: dict[str, Message] = {
     _KINDS[str]: Message("a list of texts"),
     _PAIR: Message("a list of pairs [x, y]"),
 }
+_LISTS[_LISTS[_KINDS[float]]] = Message("a list of lists of numbers")
 
 
 @dataclass(frozen=True)

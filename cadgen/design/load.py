@@ -12,6 +12,7 @@ from cadgen.car.path.path_kinds import B_SPLINE
 from cadgen.design.explain import explain
 from cadgen.design.file_names import usable_name
 from cadgen.design.kinds import NamedKinds, Place
+from cadgen.design.lift_rows import read_rows
 from cadgen.design.override import override, quoted
 from cadgen.design.parse import DeepError, parse
 from cadgen.design.path import OF_ANY_PATH
@@ -100,7 +101,7 @@ def complete_of(text: str, file: Path, overrides: Sequence[str] = ()) -> Design 
         DesignError: as `load_design`.
     """
     values = _parsed(text, file)
-    checked = _checked(DesignFile, values, file.name, overrides)
+    checked = _checked(DesignFile, values, file, overrides)
     made: type[Design | MotionDesign] = MotionDesign if "motion" in values else Design
     return made(**checked, overrides=tuple(overrides))
 
@@ -125,7 +126,7 @@ def course_of(text: str, file: Path, overrides: Sequence[str] = ()) -> tuple[Des
         raise _without_a_car(file)
     values.setdefault("path", {})
     drawn = not _draw(values)
-    return Design(**_checked(DesignFile, values, file.name, ()), overrides=tuple(overrides)), drawn
+    return Design(**_checked(DesignFile, values, file, ()), overrides=tuple(overrides)), drawn
 
 
 def _draw(values: dict[str, Any]) -> bool:
@@ -142,7 +143,7 @@ def _draw(values: dict[str, Any]) -> bool:
 
 def train_of(text: str, file: Path, overrides: Sequence[str] = ()) -> TrainDesign:
     """Gear train of a design from its text, for which [train] alone is enough."""
-    return TrainDesign(**_checked(TrainFile, _parsed(text, file), file.name, overrides), overrides=tuple(overrides))
+    return TrainDesign(**_checked(TrainFile, _parsed(text, file), file, overrides), overrides=tuple(overrides))
 
 
 D = TypeVar("D", Design, MotionDesign)
@@ -154,13 +155,15 @@ def with_overrides(design: D, overrides: Sequence[str]) -> D:
     Raises:
         DesignError: the result is no design.
     """
-    checked = _checked(DesignFile, design.values(), design.source, overrides)
+    checked = _checked(DesignFile, design.values(), Path(design.source), overrides)
     return type(design)(**checked, overrides=(*design.overrides, *overrides))
 
 
-def _checked(schema: type[TrainFile], values: dict[str, Any], source: str, overrides: Sequence[str]) -> dict[str, Any]:
+def _checked(schema: type[TrainFile], values: dict[str, Any], file: Path, overrides: Sequence[str]) -> dict[str, Any]:
     """The values after the overrides, checked, with their source."""
+    source = file.name
     applied = [(override(values, text), text) for text in overrides]
+    _read_table(values, file, [place for place, _ in applied])
     if "motion" in values and schema is not TrainFile:
         schema = MotionFile
     values.setdefault("name", usable_name(Path(source).stem))
@@ -172,6 +175,21 @@ def _checked(schema: type[TrainFile], values: dict[str, Any], source: str, overr
         raise DesignError(_report(error, source, applied, NamedKinds.of(values))) from None
     unused = OF_A_CAR if schema is MotionFile else ()
     return {**{name: value for name, value in checked if name not in unused}, "source": source}
+
+
+def _read_table(values: dict[str, Any], file: Path, changed: Sequence[Place]) -> None:
+    """Put the rows of a lift table, which the design names by its file, into raw values; once read they stay.
+
+    Args:
+        values: raw values of the design.
+        file: path of the design file.
+        changed: places that overrides have changed.
+    """
+    motion = values.get("motion")
+    if not isinstance(motion, dict) or not isinstance(motion.get("table"), str) or not motion["table"]:
+        return
+    if "rows" not in motion or ("motion", "table") in changed:
+        motion["rows"] = read_rows(file.parent / motion["table"])
 
 
 def design_file(source: str | Path | None = None) -> Path:

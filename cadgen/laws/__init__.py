@@ -1,12 +1,21 @@
 """Motions: what a follower has to do in one turn of the cam, and the laws of rises.
 
-| module             | what it holds                                                                |
-|--------------------|------------------------------------------------------------------------------|
-| `motion`           | a motion q(theta) with its unit: periodic piecewise polynomial, kinks, level |
-| `unit`             | units of motions: lift in mm, swing in rad, tangent of a steering angle      |
-| `law`              | what a motion law is: the normalised rise over a segment                     |
-| `polynomial_3_4_5` | the 3-4-5 polynomial                                                         |
-| `cycloidal`        | the cycloidal law                                                            |
-| `table`            | every law by its code                                                        |
-| `segments`         | a motion of rises and dwells, checked at its seams                           |
+| module          | what it holds                                                                  |
+|-----------------|--------------------------------------------------------------------------------|
+| `motion`        | a motion q(theta) with its unit: periodic piecewise polynomial, kinks, level   |
+| `unit`          | units of motions: lift in mm, swing in rad, tangent of a steering angle        |
+| `form`          | closed forms of laws: pieces of powers and sines, either side of every seam    |
+| `law`           | what a motion law is: the normalised rise over a segment                       |
+| `polynomials`   | polynomials from rest to rest, 2-3 to 5-6-7-8-9                                |
+| `cycloidal`     | the cycloidal law, its halves, and with a straight line                        |
+| `scca`          | modified trapezoid, modified sine, with constant velocity or without           |
+| `harmonics`     | simple and double harmonic, and half laws                                      |
+| `parabolas`     | constant velocity, constant acceleration, trapezoid                            |
+| `few_harmonics` | laws of Gutman and Freudenstein                                                |
+| `valve_lobe`    | the lobe of a valve, 2-p-q-r-s                                                 |
+| `table`         | every law by its code                                                          |
+| `conditions`    | polynomials by conditions at any number of places                              |
+| `segments`      | a motion of rises and dwells, judged at its seams                              |
+| `series`        | a motion of harmonics                                                          |
+| `lift_table`    | a motion of points or of a lift table: closure, noise, splines                 |
 """

@@ -11,6 +11,7 @@ from scipy.interpolate import PPoly
 
 from cadgen.arrays import TURN, Array
 from cadgen.curves.piecewise import zeros
+from cadgen.laws.form import ORDERS
 from cadgen.laws.unit import Unit
 from cadgen.messages import Message
 
@@ -18,6 +19,23 @@ from cadgen.messages import Message
 # of lift, what rolling an outline errs by, and a smooth peak stays within it over so wide an angle only if its second
 # derivative is below 0.042, a tenth of what a gentle turn has.
 _LEVEL_ANGLE = np.radians(0.5)
+_SNAP = 1e-12  # rad; nearer to a break than that an angle is taken as the break itself
+_SAMPLES = 2048  # at which a peak of a derivative is first sought over the turn, and at least 8 on each part
+_EQUAL = 1e-11  # of a peak, within which others are as great
+_CLOSER, _ROUNDS = 33, 4  # samples of each further search between the neighbours of the last
+
+
+@dataclass(frozen=True)
+class Peak:
+    """Greatest or least value of a derivative over a turn.
+
+    Attributes:
+        value: value, in the motion's unit by rad to the order.
+        cam_angle: where it is, rad.
+    """
+
+    value: float
+    cam_angle: float
 
 
 @dataclass(frozen=True)
@@ -73,6 +91,64 @@ class Motion:
             count: how many times as many ripples as are followed.
         """
         return Message("keep one in {count} of the points of the motion", count=count)
+
+    def jets(self, cam_angle: Array, *, before: bool = False) -> Array:
+        """Motion with its first three derivatives by the cam angle, in the motion's unit by rad^k, shape (n, 4).
+
+        They come from what the motion is made of, such as a law, and not from the pieces of `q` that follow it.
+
+        Args:
+            cam_angle: cam angles, rad, shape (n,).
+            before: whether values where a derivative jumps are those of the side before; else those behind.
+        """
+        start, coefficients = self.q.x, self.q.c
+        number, angle = side_of(start, cam_angle, before)
+        t, value = angle - start[number], np.empty((len(angle), ORDERS))
+        for order in range(ORDERS):
+            value[:, order] = 0.0
+            for row in coefficients[:, number]:
+                value[:, order] = value[:, order] * t + row
+            coefficients = coefficients[:-1] * np.arange(len(coefficients) - 1, 0, -1)[:, None]
+        return value
+
+    @property
+    def breaks(self) -> Array:
+        """Cam angles at which some derivative may jump, from 0 to a turn, shape (m,), rad."""
+        return np.asarray(self.q.x)
+
+    def extremes(self, order: int) -> tuple[Peak, Peak]:
+        """Greatest and least value of a derivative over the turn, either side of every seam, with their places.
+
+        Args:
+            order: 0 for the motion itself, 1 for its velocity, 2 for its acceleration, 3 for its jerk.
+        """
+        start, stop = self.breaks[:-1], self.breaks[1:]
+        count = max(9, _SAMPLES // len(start) + 1)
+        theta = start[:, None] + (stop - start)[:, None] * np.linspace(0.0, 1.0, count)
+        theta[:, -1] = stop
+        value = self._closed(theta, order)
+        found = []
+        for sign in (1.0, -1.0):
+            top = float((sign * value).max())
+            # Of equal peaks the first, whatever their last digits.
+            part, at = divmod(int(np.argmax(sign * value >= top - _EQUAL * abs(top))), count)
+            angles, values = theta[part], value[part]
+            for _ in range(_ROUNDS):
+                angles = np.linspace(angles[max(at - 1, 0)], angles[min(at + 1, len(angles) - 1)], _CLOSER)
+                values = self._closed(angles[None], order)[0]
+                at = int(np.argmax(sign * values))
+            found.append(Peak(float(values[at]), float(angles[at]) % TURN))
+        return found[0], found[1]
+
+    def greatest(self, order: int) -> Peak:
+        """Value of a derivative that is the greatest in size over the turn, with its sign."""
+        return max(self.extremes(order), key=lambda peak: abs(peak.value))
+
+    def _closed(self, theta: Array, order: int) -> Array:
+        """A derivative on rows of angles, the last of each row as it is before that angle."""
+        rows = self.jets(theta.ravel())[:, order].reshape(theta.shape)
+        rows[:, -1] = self.jets(theta[:, -1], before=True)[:, order]
+        return rows
 
     @cached_property
     def stations(self) -> tuple[Array, Array]:
@@ -146,6 +222,24 @@ class Motion:
         probe = 1e-7
         before, after = slope(roots - probe), slope(roots + probe)
         return roots[(before > 0) & (after < 0)], roots[(before < 0) & (after > 0)]
+
+
+def side_of(breaks: Array, cam_angle: Array, before: bool) -> tuple[NDArray[np.intp], Array]:
+    """Part in which each cam angle lies, and the angle within the turn, on a break exactly where it is near to one.
+
+    Args:
+        breaks: beginnings of the parts, and the end of the last, a turn later, rad.
+        cam_angle: cam angles, rad, shape (n,).
+        before: whether an angle on a break belongs to the part that ends there.
+    """
+    angle = np.mod(np.asarray(cam_angle, dtype=float), TURN)
+    near = np.clip(np.searchsorted(breaks, angle), 1, len(breaks) - 1)
+    for candidate in (near - 1, near):
+        angle = np.where(np.abs(angle - breaks[candidate]) < _SNAP, breaks[candidate], angle)
+    angle = np.where(before & (angle == breaks[0]), breaks[-1], angle)
+    angle = np.where((not before) & (angle == breaks[-1]), breaks[0], angle)
+    number = np.searchsorted(breaks, angle, side="left" if before else "right") - 1
+    return np.clip(number, 0, len(breaks) - 2), angle
 
 
 def _level_from(height: Array, sure: int, within: float) -> int:

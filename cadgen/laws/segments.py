@@ -1,24 +1,34 @@
 """A motion of rises and dwells: each segment takes an angle, and a law leads from one height to the next."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import combinations
 from math import degrees
 from typing import ClassVar
 
 import numpy as np
+from scipy.interpolate import PPoly
 
 from cadgen.arrays import TURN, Array
 from cadgen.curves.piecewise import quintic_hermite
 from cadgen.errors import DesignError
+from cadgen.laws.conditions import Condition, polynomial_law
+from cadgen.laws.form import ORDERS
 from cadgen.laws.law import MotionLaw
-from cadgen.laws.motion import Motion
+from cadgen.laws.motion import Motion, side_of
+from cadgen.laws.table import POLYNOMIAL
 from cadgen.laws.unit import Unit
-from cadgen.messages import Message
+from cadgen.messages import Message, joined
 
 _WHOLE = 1e-9  # of a turn; the angles of the segments add up to it but for the rounding of decimals
 # Share of the greatest value over the turn, of the same derivative or of the motion itself: a smaller jump is rounding.
-_JUMP = 1e-9
-_NAMES = (Message("motion"), Message("velocity"), Message("acceleration"))
+# A law from outside may have its jerk by differences.
+_JUMP = np.array([1e-9, 1e-9, 1e-9, 1e-6])
+_NAMES = (Message("motion"), Message("velocity"), Message("acceleration"), Message("jerk"))
+_SNAP = 1e-12  # of the share; nearer to a seam of the law than that a share is taken as the seam itself
+_MOST_TRIED = 3  # segments that become polynomials together, where one is not enough
+_HALF_CYCLOID = 2.0  # velocity of half a cycloid at its fast end, in rises by shares
 
 
 @dataclass(frozen=True)
@@ -30,7 +40,10 @@ class MotionSpan:
         stop: cam angle at which it ends, rad.
         before: height at which it begins, in the motion's unit.
         after: height at which it ends, in the motion's unit.
-        law: law that leads from one to the other; None for a dwell.
+        law: law that leads from one to the other; None for a dwell, or for a polynomial that is yet to be made.
+        conditions: conditions of a polynomial, by the share, apart from what it takes from its neighbours; None for
+            any other law.
+        absolute: whether the values of the law are heights, and not shares of the rise.
     """
 
     start: float
@@ -38,34 +51,89 @@ class MotionSpan:
     before: float
     after: float
     law: MotionLaw | None
+    conditions: tuple[Condition, ...] | None = None
+    absolute: bool = False
+
+    @property
+    def width(self) -> float:
+        """Cam angle that it takes, rad."""
+        return self.stop - self.start
+
+    @property
+    def moves(self) -> bool:
+        """Whether it is no dwell."""
+        return self.law is not None or self.conditions is not None
 
     def knots(self) -> tuple[Array, Array]:
         """Cam angles, rad, shape (n,), and height with two derivatives at them, shape (n, 3), of its own side."""
         if self.law is None:
             return np.array([self.start, self.stop]), np.array([[self.before, 0.0, 0.0], [self.after, 0.0, 0.0]])
-        share = np.linspace(0.0, 1.0, self.law.pieces + 1)
-        theta = self.start + share * (self.stop - self.start)
+        share, jets = self.law.knots()
+        theta = self.start + share * self.width
         theta[-1] = self.stop
-        jets = self.law.jet(share) * (self.after - self.before) / (self.stop - self.start) ** np.arange(3)
-        jets[:, 0] += self.before
-        return theta, jets
+        return theta, self._scaled(jets)
+
+    def jets(self, cam_angle: Array, *, before: bool = False) -> Array:
+        """Height with three derivatives by the cam angle, from the law itself, shape (n, 4).
+
+        Args:
+            cam_angle: cam angles within the span, rad, shape (n,).
+            before: whether values at a seam of the law are those of the side before it.
+        """
+        if self.law is None:
+            value = np.zeros((len(cam_angle), ORDERS))
+            value[:, 0] = self.before
+            return value
+        share = np.clip((cam_angle - self.start) / self.width, 0.0, 1.0)
+        for seam in self.law.seams:
+            share[np.abs(share - seam) < _SNAP] = seam
+        return self._scaled(self.law.derivatives(share, before=before))
+
+    @cached_property
+    def ends(self) -> Array:
+        """Height with three derivatives at its beginning and at its end, each of its own side, shape (2, 4)."""
+        return np.vstack([self.jets(np.array([self.start])), self.jets(np.array([self.stop]), before=True)])
+
+    @property
+    def seams(self) -> Array:
+        """Cam angles inside at which a derivative jumps, rad."""
+        return self.start + np.array(self.law.seams if self.law else ()) * self.width
+
+    @property
+    def mirrored(self) -> "MotionSpan":
+        """Span of the cam that turns the other way."""
+        law = self.law and (self.law.turned if self.absolute else self.law.backwards)
+        return MotionSpan(TURN - self.stop, TURN - self.start, self.after, self.before, law, None, self.absolute)
+
+    def _scaled(self, jets: Array) -> Array:
+        rise, base = (1.0, 0.0) if self.absolute else (self.after - self.before, self.before)
+        value = jets * rise / self.width ** np.arange(jets.shape[1])
+        value[:, 0] += base
+        return value
 
 
 @dataclass(frozen=True)
 class Seam:
-    """Place where two segments meet, and the lowest derivative that jumps there.
+    """Place where two segments, or two parts of a law, meet.
 
     Attributes:
         cam_angle: where, rad.
-        order: 0 for the motion itself, 1 for its velocity, 2 for its acceleration.
-        before: value on the side before, in the motion's unit by rad^order.
+        order: lowest derivative that jumps there, 0 for the motion itself; None where none jumps up to the third.
+        before: value of it on the side before, in the motion's unit by rad^order.
         after: value on the side behind.
+        states: letters of VDI 2143 for the motion on either side: R rest, G constant velocity, U turning point, B in
+            motion.
+        segment: number of the segment that begins there, or in which the seam lies, from 1.
+        inside: whether it lies in a segment, where two parts of its law meet.
     """
 
     cam_angle: float
-    order: int
+    order: int | None
     before: float
     after: float
+    states: tuple[str, str]
+    segment: int
+    inside: bool
 
 
 @dataclass(frozen=True)
@@ -74,71 +142,131 @@ class SegmentMotion(Motion):
 
     Attributes:
         segments: segments in order, which fill the turn.
+        repeat: times that the first of them are repeated in the turn.
     """
 
     segments: tuple[MotionSpan, ...] = ()
+    repeat: int = 1
 
     key: ClassVar[str] = "motion.segments"
 
     @classmethod
-    def of(cls, segments: Sequence[MotionSpan], unit: Unit) -> "SegmentMotion":
-        """Motion of segments that fill the turn and close it.
+    def of(
+        cls,
+        segments: Sequence[MotionSpan],
+        unit: Unit,
+        *,
+        repeat: int = 1,
+        machine_turns: float = 1.0,
+        allow_velocity_jump: bool = False,
+    ) -> "SegmentMotion":
+        """Motion of segments that fill the turn, or an equal part of it, and close it.
 
         Args:
             segments: segments in order, each beginning where the one before ends.
             unit: unit of their heights.
+            repeat: times that they are repeated in a turn.
+            machine_turns: degrees of the design file in a degree of cam angle.
+            allow_velocity_jump: whether the velocity may jump, which makes a corner of the path of the follower.
 
         Raises:
-            DesignError: they do not fill the turn, do not close, or the motion or its velocity jumps at a seam.
+            DesignError: they do not fill the turn, do not close, conditions make no polynomial, or the motion or its
+                velocity jumps at a seam.
         """
-        total = degrees(segments[-1].stop)
-        if abs(segments[-1].stop - TURN) > _WHOLE * TURN:
-            raise DesignError(
-                "the segments of motion.segments take {total:.10g} degrees; they must take 360: "
-                "change in_deg or dwell_deg of one by {missing:+.10g}",
-                total=total,
-                missing=360 - total,
-            )
-        angles, jets = zip(*(segment.knots() for segment in segments), strict=True)
-        theta = np.concatenate(angles)
-        theta[-1] = TURN
-        made = cls(
-            quintic_hermite(theta, np.concatenate(jets), periodic=True),
-            np.array([]),
-            unit=unit,
-            segments=tuple(segments),
+        whole = TURN / repeat
+        if abs(segments[-1].stop - whole) > _WHOLE * TURN:
+            raise _does_not_fill(segments, whole, machine_turns)
+        segments = [*segments[:-1], replace(segments[-1], stop=whole)]
+        first = _completed(segments)
+        spans = tuple(
+            replace(span, start=span.start + number * whole, stop=span.stop + number * whole)
+            for number in range(repeat)
+            for span in first
         )
-        for seam in made.seams:
-            if seam.order < 2:
-                raise DesignError(
-                    "the {what} jumps at {angle:.4g} degrees of cam angle from {before:.6g} to {after:.6g}, which no "
-                    "follower can do: {cure}",
-                    what=_NAMES[seam.order],
-                    angle=degrees(seam.cam_angle),
-                    before=seam.before,
-                    after=seam.after,
-                    cure=Message("let the rises and returns of motion.segments add up to 0, or end at to_mm = 0")
-                    if seam.order == 0
-                    else Message("take laws that fit each other there, such as polynomial_3_4_5"),
-                )
-        return made
+        spans = (*spans[:-1], replace(spans[-1], stop=TURN))
+        made = cls(_followed(spans), np.array([]), unit=unit, segments=spans, repeat=repeat)
+        jumps = [seam for seam in made.seams if seam.order is not None and seam.order < 2]
+        if not jumps:
+            return made
+        broken = next((seam for seam in jumps if seam.order == 0), None)
+        if broken is not None:
+            raise DesignError(
+                "the motion jumps at {angle:.4g} degrees of cam angle from {before:.6g} to {after:.6g}, which no "
+                "follower can do: let the rises and returns of motion.segments add up to 0, or end at to_mm = 0",
+                angle=degrees(broken.cam_angle),
+                before=broken.before,
+                after=broken.after,
+            )
+        if not allow_velocity_jump:
+            raise _velocity_jumps(segments, jumps, unit)
+        kinks = [seam.cam_angle + number * whole for number in range(repeat) for seam in jumps]
+        return replace(made, kinks=np.array(kinks))
+
+    @property
+    def count(self) -> int:
+        """Number of segments in the design, before they are repeated."""
+        return len(self.segments) // self.repeat
+
+    def jets(self, cam_angle: Array, *, before: bool = False) -> Array:
+        """Motion with its first three derivatives by the cam angle, from the laws, shape (n, 4).
+
+        Args:
+            cam_angle: cam angles, rad, shape (n,).
+            before: whether values at a seam are those of the side before it.
+        """
+        ends = np.array([*(span.start for span in self.segments), TURN])
+        number, angle = side_of(ends, cam_angle, before)
+        value = np.empty((len(angle), ORDERS))
+        for index in np.unique(number):
+            here = number == index
+            value[here] = self.segments[index].jets(angle[here], before=before)
+        return value
+
+    @property
+    def breaks(self) -> Array:
+        """Cam angles of all seams, from 0 to a turn, rad."""
+        inside = [angle for span in self.segments for angle in span.seams]
+        return np.unique([*(span.start for span in self.segments), TURN, *inside])
+
+    @cached_property
+    def joints(self) -> tuple[Seam, ...]:
+        """Every place where segments or parts of a law meet, with the lowest derivative up to the third that jumps.
+
+        Of a motion that is repeated, those of its first part.
+        """
+        scale = np.max([np.abs(span.jets(knots)).max(axis=0) for span, knots in self._stations()], axis=0)
+        least = _JUMP * np.maximum(scale, scale[0])
+        return tuple(self._joints(least))
+
+    def _stations(self) -> Iterator[tuple[MotionSpan, Array]]:
+        for span in self.segments:
+            yield span, np.linspace(span.start, span.stop, 65)
+
+    def _joints(self, least: Array) -> Iterator[Seam]:
+        for number, span in enumerate(self.segments[: self.count]):
+            segment = number + 1
+            yield _seam(span.start, self.segments[number - 1].ends[1], span.ends[0], least, segment, False)
+            for angle in span.seams:
+                before, behind = (span.jets(np.array([angle]), before=side)[0] for side in (True, False))
+                yield _seam(float(angle), before, behind, least, segment, True)
 
     @property
     def seams(self) -> tuple[Seam, ...]:
         """Seams at which a derivative up to the second jumps, each with the lowest that does."""
-        knots = [segment.knots()[1] for segment in self.segments]
-        scale = np.max([np.abs(jets).max(axis=0) for jets in knots], axis=0)
-        found = []
-        for number, segment in enumerate(self.segments):
-            before, after = knots[number - 1][-1], knots[number][0]
-            jumps = np.flatnonzero(np.abs(after - before) > _JUMP * np.maximum(scale, scale[0]))
-            if jumps.size:
-                order = int(jumps[0])
-                sides = np.where(
-                    np.abs([before, after])[:, order] > _JUMP * scale[order], [before[order], after[order]], 0.0
-                )
-                found.append(Seam(segment.start, order, *sides.tolist()))
-        return tuple(found)
+        return tuple(seam for seam in self.joints if seam.order is not None and seam.order < ORDERS - 1)
+
+    @property
+    def vdi(self) -> tuple[str, ...]:
+        """Letters of VDI 2143 that its neighbours ask of each segment of the design, such as RR or RG."""
+        between = [seam for seam in self.joints if not seam.inside]
+        return tuple(
+            between[number].states[0] + between[(number + 1) % len(between)].states[1] for number in range(self.count)
+        )
+
+    @cached_property
+    def mirrored(self) -> "SegmentMotion":
+        """The motion of a cam that turns the other way: q at minus the cam angle."""
+        return replace(super().mirrored, segments=tuple(span.mirrored for span in self.segments[::-1]))
 
     def softer(self, cam_angle: float, key: str = "") -> str:
         """Advice that makes the motion milder at a cam angle, as part of a sentence.
@@ -167,12 +295,193 @@ class SegmentMotion(Motion):
     def _moving(self, cam_angle: float) -> int:
         """Number of the segment at a cam angle, from 1; of a dwell that of the segment before it, which leads there."""
         at = next((n for n, s in enumerate(self.segments) if cam_angle % TURN <= s.stop), len(self.segments) - 1)
-        return next((n for n in range(at, -1, -1) if self.segments[n].law is not None), at) + 1
+        return next((n for n in range(at, -1, -1) if self.segments[n].moves), at) % self.count + 1
 
     def extrema(self) -> tuple[Array, Array]:
         """Cam angles of the peaks and of the valleys, rad, in order: of a dwell its beginning."""
+        if any(span.absolute for span in self.segments):
+            return super().extrema()  # a polynomial may turn inside its segment
         moves = [segment for segment in self.segments if segment.after != segment.before]
         turns = [(one, two) for one, two in zip(moves, moves[1:] + moves[:1], strict=True)]
         rises = [(one.stop % TURN, one.after > one.before, two.after > two.before) for one, two in turns]
         peaks = sorted(angle for angle, up, again in rises if up and not again)
         return np.array(peaks), np.array(sorted(angle for angle, up, again in rises if again and not up))
+
+
+def state_of(velocity: float, acceleration: float) -> str:
+    """Letter of VDI 2143 for a motion at an end: R rest, G constant velocity, U turning point, B in motion.
+
+    Args:
+        velocity, acceleration: first two derivatives, in the unit of the motion by rad, 0 where they are but rounding.
+    """
+    return {(False, False): "R", (True, False): "G", (False, True): "U", (True, True): "B"}[
+        velocity != 0, acceleration != 0
+    ]
+
+
+def _seam(angle: float, before: Array, after: Array, least: Array, segment: int, inside: bool) -> Seam:
+    sides = np.where(np.abs([before, after]) > least, [before, after], 0.0)
+    jumps = np.flatnonzero(np.abs(after - before) > least)
+    order = int(jumps[0]) if jumps.size else None
+    one, two = sides[:, order].tolist() if order is not None else (0.0, 0.0)
+    states = (state_of(*sides[0, 1:3]), state_of(*sides[1, 1:3]))
+    return Seam(angle, order, one, two, states, segment, inside)
+
+
+def _followed(spans: Sequence[MotionSpan]) -> PPoly:
+    """Periodic quintic pieces through the knots of all spans."""
+    angles, jets = zip(*(span.knots() for span in spans), strict=True)
+    theta = np.concatenate(angles)
+    theta[-1] = TURN
+    return quintic_hermite(theta, np.concatenate(jets), periodic=True)
+
+
+def _completed(segments: Sequence[MotionSpan]) -> list[MotionSpan]:
+    """The segments with every polynomial made, by its conditions and its neighbours."""
+    made = []
+    for number, span in enumerate(segments):
+        if span.conditions is None:
+            made.append(span)
+            continue
+        behind = segments[(number + 1) % len(segments)]
+        conditions = [
+            *_at_end(span, 0.0, span.before, _state(segments[number - 1], 1)),
+            *_at_end(span, 1.0, span.after, _state(behind, 0)),
+            *(each for each in span.conditions if each.share not in (0.0, 1.0)),
+        ]
+        law = polynomial_law(conditions)
+        if law is None:
+            raise DesignError(
+                "motion.segments.{number}.conditions make no polynomial, for they contradict each other or leave its "
+                "height open: give a value of order 0 at each place that has conditions",
+                number=number + 1,
+            )
+        made.append(replace(span, law=law, absolute=True))
+    return made
+
+
+def _at_end(span: MotionSpan, share: float, height: float, neighbour: tuple[float, float]) -> list[Condition]:
+    """Conditions at an end of a polynomial: those given, with its height; or height, velocity, acceleration beside it.
+
+    Args:
+        span: polynomial.
+        share: 0 at its beginning, 1 at its end.
+        height: height there, in the motion's unit.
+        neighbour: velocity and acceleration of the neighbour, by rad.
+    """
+    given = [each for each in span.conditions or () if each.share == share]
+    if not given:
+        values = (height, neighbour[0] * span.width, neighbour[1] * span.width**2)
+        return [Condition(share, order, value) for order, value in enumerate(values)]
+    return given if any(each.order == 0 for each in given) else [Condition(share, 0, height), *given]
+
+
+def _state(span: MotionSpan, end: int) -> tuple[float, float]:
+    """Velocity and acceleration at an end of a span, by rad; of a polynomial those given there, else rest."""
+    if span.conditions is None:
+        velocity, acceleration = span.ends[end, 1:3].tolist()
+        return velocity, acceleration
+    given = {each.order: each.value for each in span.conditions if each.share == float(end)}
+    return given.get(1, 0.0) / span.width, given.get(2, 0.0) / span.width**2
+
+
+def _does_not_fill(segments: Sequence[MotionSpan], whole: float, machine_turns: float) -> DesignError:
+    """Refusal of segments that take more or less than the turn, with the segment whose angle makes it whole."""
+    total, missing = (degrees(angle) * machine_turns for angle in (segments[-1].stop, whole - segments[-1].stop))
+    # A dwell changes nothing else; then a law; a polynomial's conditions stand at angles.
+    order = sorted(
+        (span.conditions is not None, span.moves, -span.width, number) for number, span in enumerate(segments)
+    )
+    for _, moves, width, number in order:
+        angle = -degrees(width) * machine_turns + missing
+        if angle > 1:
+            cure: str = Message(
+                "set motion.segments.{number}.{key} to {angle:.10g}",
+                number=number + 1,
+                key="in_deg" if moves else "dwell_deg",
+                angle=angle,
+            )
+            break
+    else:
+        cure = Message("multiply each in_deg and dwell_deg by {share:.10g}", share=(total + missing) / total)
+    return DesignError(
+        "the segments of motion.segments take {total:.10g} degrees; they must take {whole:.10g}: {cure}",
+        total=total,
+        whole=total + missing,
+        cure=cure,
+    )
+
+
+def _velocity_jumps(segments: Sequence[MotionSpan], jumps: Sequence[Seam], unit: Unit) -> DesignError:
+    """Refusal of jumps of the velocity, with the polynomials that meet their neighbours, which were tried."""
+    places = joined(
+        Message(
+            "at {angle:.4g} degrees from {before:.4g} to {after:.4g}",
+            angle=degrees(seam.cam_angle),
+            before=seam.before,
+            after=seam.after,
+        )
+        for seam in jumps
+    )
+    return DesignError(
+        "the velocity jumps {places} {unit}/rad, which no follower can do: {cure}set motion.allow_velocity_jump to "
+        "true for a corner there{halves}",
+        places=places,
+        unit=unit.symbol,
+        cure=_polynomials(segments),
+        halves=_half_laws(segments, jumps),
+    )
+
+
+def _polynomials(segments: Sequence[MotionSpan]) -> str:
+    """The fewest segments that meet their neighbours as polynomials, as a cure; tried one by one, then together."""
+    moving = [number for number, span in enumerate(segments) if span.moves]
+    # Constant velocity is what the neighbours have to meet, and is given up last.
+    for candidates in ([number for number in moving if not _straight(segments[number])], moving):
+        sizes = range(1, min(_MOST_TRIED, len(candidates)) + 1)
+        for chosen in (each for size in sizes for each in combinations(candidates, size)):
+            tried = [
+                replace(span, law=None, conditions=(), absolute=False) if number in chosen else span
+                for number, span in enumerate(segments)
+            ]
+            made = _completed(tried)
+            if not any(_velocity_jump(made[number - 1], made[number]) for number in range(len(made))):
+                changes = joined(
+                    (
+                        Message('motion.segments.{number}.law to "{law}"', number=number + 1, law=POLYNOMIAL)
+                        for number in sorted(chosen)
+                    ),
+                    Message(" and "),
+                )
+                return Message("set {changes}, which meets its neighbours, or ", changes=changes)
+    return ""
+
+
+def _straight(span: MotionSpan) -> bool:
+    return span.law is not None and span.law.code == "constant_velocity"
+
+
+def _velocity_jump(before: MotionSpan, behind: MotionSpan) -> bool:
+    one, two = before.ends[1, 1], behind.ends[0, 1]
+    size = max(abs(before.after - before.before), abs(behind.after - behind.before), abs(one), abs(two))
+    return bool(abs(one - two) > 1e-9 * size)
+
+
+def _half_laws(segments: Sequence[MotionSpan], jumps: Sequence[Seam]) -> str:
+    """Half laws that lead from rest to a neighbour that moves, or from it to rest, with the angle in which they do."""
+    said: dict[str, None] = {}
+    for seam in jumps:
+        number = seam.segment - 1
+        for mover, fixed, before in ((number - 1, number, True), (number, number - 1, False)):
+            span, velocity = segments[mover], segments[fixed].ends[0 if before else 1, 1]
+            rise = span.after - span.before
+            if span.law is None or _straight(span) or rise * velocity <= 0:
+                continue
+            fits = Message(
+                "; {code} in {angle:.6g} degrees fits as motion.segments.{number}, too",
+                code="half_cycloid_1" if before else "half_cycloid_2",
+                angle=degrees(_HALF_CYCLOID * rise / velocity),
+                number=mover % len(segments) + 1,
+            )
+            said[fits] = None
+    return joined(said, "")

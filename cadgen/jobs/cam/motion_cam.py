@@ -83,11 +83,11 @@ class SegmentUse(Application):
 
     def verdict(self, cam: CamPlan) -> PartVerdict:
         """Verdict on the cam, with a reservation where its acceleration jumps."""
-        if all(segment.law is None for segment in self.design.motion.segments):
+        if float(np.ptp(cam.motion.q(np.linspace(0.0, TURN, _DENSE)))) <= cam.motion.unit.level:
             still = Reservation(
                 "no-motion",
                 Message("the follower stands still through the whole turn"),
-                Message("give motion.segments a rise and a return"),
+                Message("give {key} a rise and a return", key=self.design.motion.shaping_key),
             )
             return PartVerdict(cam.checks, (still,))
         return PartVerdict(
