@@ -100,6 +100,13 @@ class CheckCode(StrEnum):
     DRIVE_WHEEL_GREATEST = "drive-wheel-greatest"
     DRIVE_WHEEL_LEAST = "drive-wheel-least"
     DRIVE_WHEEL_OUTLINE = "drive-wheel-outline"
+    DISC_TO_PIVOT = "disc-to-pivot"
+    FACE_WIDTH = "face-width"
+    FACE_END = "face-end"
+    PRESSURE_ANGLE_GREATEST = "pressure-angle-greatest"
+    PRESSURE_ANGLE_LEAST = "pressure-angle-least"
+    CONTACT_FROM = "contact-from"
+    CONTACT_TO = "contact-to"
 
 
 @dataclass(frozen=True)

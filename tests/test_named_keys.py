@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from cadgen.cam.followers import table
 from cadgen.car.path.path_kinds import codes, kind_of
 from cadgen.design.keys import tables
 from cadgen.design.kinds import Kinds
@@ -19,14 +20,14 @@ FILES = (".csv", ".dxf", ".md", ".nc", ".png", ".py", ".step", ".stl", ".toml", 
 OTHERS = {
     "path.simplify_threshold": "a setting of matplotlib",
     "cam.failed": "an attribute of the Python face",
-    "follower.offset_mm": "a key of the roller that a page builds",
     "motion.drive.driven": "a function",
     "motion.kinks": "an attribute of a motion",
     "motion.stations": "an attribute of a motion",
 }
-PATHS = [*(Kinds(path=kind_of(code)) for code in codes()), Kinds(motion=True)]
-TABLES = [table for kinds in PATHS for table in tables(kinds).values()]
-NAMES = {name for table in TABLES for name in (table.name, *(key.name for key in table.keys))}
+FOLLOWERS = [Kinds(follower=table.kind_of(code), motion=True) for code in table.codes()]
+PATHS = [*(Kinds(path=kind_of(code)) for code in codes()), *FOLLOWERS]
+TABLES = [section for kinds in PATHS for section in tables(kinds).values()]
+NAMES = {name for section in TABLES for name in (section.name, *(key.name for key in section.keys))}
 SECTIONS = {name.partition(".")[0] for name in tables()} - {""}
 
 

@@ -5,6 +5,7 @@
 | `follower`       | the interface of every follower: branches of its envelope, contact, checks      |
 | `followers`      | the kinds of follower; the leaning rod is one                                   |
 | `round_follower` | followers with a circle: their envelope in closed form                          |
+| `straight_follower` | followers with a straight face: their envelope in closed form                |
 | `envelope`       | the actual profile: exact envelope of a follower over its planes, trimmed       |
 | `lowest`         | which branch of the envelope is the lowest, with rounding kept out              |
 | `contact`        | a follower rolled on any outline: the lift it gives (shares no code with those) |

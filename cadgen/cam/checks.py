@@ -98,6 +98,8 @@ LOST_LIFT = (
     CheckCode.LOST_LIFT_EFFECT,
 )
 _WALL_POINTS = 200_000  # on the outline, to look for the thinnest wall
+# The sharpest place of a piece is closed in on in so many rounds of so many points; share of its curvature that shows.
+_ZOOMS, _ZOOM, _SHOWS = 4, 33, 1e-6
 _ORDER: dict[StrEnum, int] = {code: number for number, code in enumerate(CheckCode)}
 
 
@@ -188,6 +190,22 @@ def riding_checks(
         limits=limits,
     )
     return (*_pressure(motion, follower, contact, limits), *follower.checks(cam))
+
+
+def signed_pressure(cam: RolledCam) -> tuple[Check, ...]:
+    """Figures of the greatest and the least pressure angle with their signs, degrees.
+
+    Args:
+        cam: cam that is rolled.
+    """
+    angle = np.degrees(cam.contact.pressure_angle)
+    return tuple(
+        Check(code, name, float(angle[at]), "°", place=cam_place(cam.contact.cam_angle[at]))
+        for code, name, at in (
+            (CheckCode.PRESSURE_ANGLE_GREATEST, Message("pressure angle, greatest"), int(np.argmax(angle))),
+            (CheckCode.PRESSURE_ANGLE_LEAST, Message("pressure angle, least"), int(np.argmin(angle))),
+        )
+    )
 
 
 def _trimmed(motion: Motion, theta: Array, trims: tuple[Trim, ...]) -> NDArray[np.bool_]:
@@ -388,13 +406,19 @@ def seam_check(motion: Motion, at: float, code: StrEnum = CheckCode.CLOSURE, nam
 
 
 def _least_convex_radius(curve: ClosedCurve) -> tuple[float, Array]:
-    radius, point = np.inf, curve.pieces[0].jet(np.array([curve.pieces[0].start])).point[0]
+    greatest, point = 0.0, curve.pieces[0].jet(np.array([curve.pieces[0].start])).point[0]
     for piece in curve.pieces:
-        jet = piece.jet(np.linspace(piece.start, piece.stop, STATIONS))
-        worst = int(np.argmax(jet.curvature))
-        if jet.curvature[worst] > 0 and 1 / jet.curvature[worst] < radius:
-            radius, point = float(1 / jet.curvature[worst]), jet.point[worst]
-    return radius, point
+        t = np.linspace(piece.start, piece.stop, STATIONS)
+        for zoom in range(_ZOOMS):
+            jet = piece.jet(t)
+            worst = int(np.argmax(jet.curvature))
+            # Closed in on only where that shows.
+            if jet.curvature[worst] > greatest * (1 + (_SHOWS if zoom else 0.0)):
+                greatest, point = float(jet.curvature[worst]), jet.point[worst]
+            elif zoom == 0:
+                break
+            t = np.linspace(t[max(worst - 1, 0)], t[min(worst + 1, len(t) - 1)], _ZOOM)
+    return (1 / greatest if greatest else np.inf), point
 
 
 def _near(point: Array, angles: Array) -> bool:

@@ -31,9 +31,8 @@ _MOST_POINTS = 1_500_000
 _MOST_UNDER = 10_000
 # Stations handled at once, so that a table of candidates stays within the processor's cache; fewer if it is wide.
 _BLOCK = 512
-_POINT_STEPS = (
-    40  # each brings the place of a point beside the ray nearer by its slope, below 1 where it can be followed
-)
+_APART = 1e-7  # rad; points closer together than this say nothing of a slope
+_HALVINGS = 50  # of the angle within which a point stands beside its line: to rounding
 _TABLE = 100_000
 # Every so many points one stands for those about it, and what is under the follower is narrowed down by these first.
 _STRIDE = 8
@@ -58,7 +57,8 @@ def roll_curve(curve: ClosedCurve, follower: Follower, cam_angle: Array) -> tupl
     """
     cam_angle = np.atleast_1d(np.asarray(cam_angle, dtype=float))
     step = rolling_step(curve, follower)
-    finest = max(FINEST_STEP, curve.length() / _MOST_POINTS, 2 * follower.reach / _MOST_UNDER)
+    width = min(2 * follower.reach, curve.length())
+    finest = max(FINEST_STEP, curve.length() / _MOST_POINTS, width / _MOST_UNDER)
     contact = roll(curve.outline(step), follower, cam_angle)
     pending = np.arange(len(cam_angle))
     while pending.size and step > finest:
@@ -127,7 +127,7 @@ class Ring:
     radius: Array
     points: Array
     piece: NDArray[np.intp]
-    window: float
+    sector: tuple[float, float]
 
     @classmethod
     def of(cls, outline: Outline, follower: Follower) -> "Ring":
@@ -145,7 +145,8 @@ class Ring:
                 flatter=follower.flatter,
             )
         radius = np.linalg.norm(outline.points, axis=1)
-        reach = np.arcsin(min(1.0, follower.reach / radius.min())) if follower.radius > 0 else 0.0
+        sector = follower.sector(float(radius.min()), float(radius.max()))
+        reach = max(-sector[0], sector[1])
         # A little more than a turn on either side, so that a window never wraps.
         first = angle[0]
         offsets = np.array([-TURN, 0.0, TURN])
@@ -153,7 +154,7 @@ class Ring:
         near = (tiled > first - reach - 0.2) & (tiled < first + TURN + reach + 0.2)
         pieces = outline.piece + (outline.piece.max() + 1) * np.arange(3)[:, None]
         points = np.ascontiguousarray(np.tile(outline.points.T, 3)[:, near])
-        return cls(follower, tiled[near], np.tile(radius, 3)[near], points, pieces.ravel()[near], reach)
+        return cls(follower, tiled[near], np.tile(radius, 3)[near], points, pieces.ravel()[near], sector)
 
     def contact(self, cam_angle: Array) -> Contact:
         """Let the follower down at cam angles, rad, shape (n,).
@@ -162,7 +163,8 @@ class Ring:
             cam_angle: cam angles, rad, shape (n,).
         """
         cam_angle = np.atleast_1d(np.asarray(cam_angle, dtype=float))
-        best = self._point(cam_angle) if self.follower.radius == 0 else self._rest(cam_angle)
+        line = cam_angle + self.follower.azimuth
+        best = self._point(line) if self.follower.radius == 0 else self._rest(line)
         q, face, across, pressure_angle, margin = best
         return Contact(cam_angle, q, self.follower.lift(q), face, margin, across, pressure_angle)
 
@@ -182,32 +184,60 @@ class Ring:
         return np.asarray(same[:-1] & same[1:])
 
     def _within(self, theta: Array) -> Array:
-        """Cam angles of the turn that is laid out."""
+        """Angles of the follower's line, in the turn that is laid out."""
         theta = self.angle[0] + (theta - self.angle[0]) % TURN
-        return np.where(theta < self.angle[0] + self.window, theta + TURN, theta)
+        return np.where(theta < self.angle[0] + max(-self.sector[0], self.sector[1]), theta + TURN, theta)
 
     def _point(self, theta: Array) -> Array:
-        """Motion and contact of a point that moves along the ray, or beside it, shape (5, n); rows as of `_rest`."""
+        """Motion and contact of a point at each angle of its line, shape (5, n); rows as of `_rest`."""
         theta, follower = self._within(theta), self.follower
-        place, ahead = theta, np.interp(theta, self.angle, self.radius)
-        if follower.offset:
-            # The point stands at the polar angle at which the outline is as far from the ray as it is.
-            for _ in range(_POINT_STEPS):
-                place = theta + np.arcsin(np.clip(follower.offset / np.interp(place, self.angle, self.radius), -1, 1))
-            ahead = np.interp(place, self.angle, self.radius) * np.cos(place - theta)
-        q, carrying, margin = follower.of_lift(ahead - follower.base_radius)
+        aside = np.zeros_like(theta)
+        if any(self.sector):
+            # The outline, at the polar angle at which the point stands, is as far from the camshaft as the point is.
+            low, high = (np.full_like(theta, side) for side in self.sector)
+            for _ in range(_HALVINGS):
+                aside = (low + high) / 2
+                beyond = aside > follower.standing(self._polar(theta + aside)[0])[1]
+                low, high = np.where(beyond, low, aside), np.where(beyond, aside, high)
+        radius, slope = self._polar(theta + aside)
+        q, carrying, margin = follower.of_lift(follower.standing(radius)[0])
+        normal = aside - np.arctan2(slope, radius)
+        return np.stack([q, carrying, radius * np.sin(aside), follower.pressed(q, normal), margin])
+
+    def _polar(self, place: Array) -> tuple[Array, Array]:
+        """Radius of the outline at polar angles, mm, and its derivative by the angle, mm/rad, shape (n,) each.
+
+        By the cubic through the two points on either side, if they are of one piece; else, and for followers that lean,
+        by the chord.
+        """
+        radius = np.interp(place, self.angle, self.radius)
         step = 1e-4  # rad; well above rounding, well below any feature
         before, after = (np.interp(place + side, self.angle, self.radius) for side in (-step, step))
-        size = ahead if not follower.offset else np.interp(place, self.angle, self.radius)
-        angle = np.arctan2((after - before) / (2 * step), size) - (place - theta)
-        return np.stack([q, carrying, np.full_like(theta, follower.offset), angle, margin])
+        slope = (after - before) / (2 * step)
+        if self.follower.leans:
+            return radius, slope
+        first = np.clip(np.searchsorted(self.angle, place) - 2, 0, len(self.angle) - 4)[:, None] + np.arange(4)
+        x, y = self.angle[first] - place[:, None], self.radius[first]
+        smooth = (self.piece[first[:, 0]] == self.piece[first[:, 3]]) & (np.diff(x, axis=1) > _APART).all(axis=1)
+        x = np.where(smooth[:, None], x, np.arange(4.0))
+        # Divided differences at the place: value and slope of the Newton form.
+        first_order = np.diff(y, axis=1) / np.diff(x, axis=1)
+        second = np.diff(first_order, axis=1) / (x[:, 2:] - x[:, :-2])
+        third = np.diff(second, axis=1)[:, 0] / (x[:, 3] - x[:, 0])
+        a, b, c = x[:, 0], x[:, 1], x[:, 2]
+        value = y[:, 0] - a * (first_order[:, 0] - b * (second[:, 0] - c * third))
+        rise = first_order[:, 0] - (a + b) * second[:, 0] + (a * b + a * c + b * c) * third
+        return np.where(smooth, value, radius), np.where(smooth, rise, slope)
 
     def _rest(self, theta: Array) -> Array:
         """tan(beta), carrying face, contact's y, pressure angle and margin at each cam angle, shape (5, n)."""
         theta = self._within(theta)
         heads, _ = self._heads
         angle = self.angle[heads]
-        first, last = np.searchsorted(angle, theta - self.window) - 1, np.searchsorted(angle, theta + self.window) + 1
+        first, last = (
+            np.searchsorted(angle, theta + self.sector[0]) - 1,
+            np.searchsorted(angle, theta + self.sector[1]) + 1,
+        )
         bounds = np.empty((2, len(theta)), dtype=np.intp)
         for block in _blocks(last - first):
             bounds[:, block] = self._narrowed(theta[block], first[block], int((last - first)[block].max()))

@@ -1,8 +1,8 @@
 """Interface of every follower of a disc cam, of any shape and motion.
 
 The follower is let down on the disc by its spring. At cam angle theta a point of the disc lies x ahead of the camshaft,
-along the ray of that angle, and y across it. The follower moves by q, in its own coordinate: the greater that is, the
-further out it stands.
+along the ray of that angle, and y across it. (The line that a follower counts from may stand at an azimuth to the ray.)
+The follower moves by q, in its own coordinate: the greater that is, the further out it stands.
 
 Two derivations that share nothing meet in it. `piece` and `section` are its envelope in closed form, of which
 `cadgen.cam.envelope` makes the profile; `least` is the place at which it clears a point, by which `cadgen.cam.contact`
@@ -147,9 +147,10 @@ class Contact:
         face: lateral distance of the plane that carries the follower, mm.
         margin: lift by which that plane lifts the follower further than the other one alone would, mm; where it is no
             more than `ROLLING_TOLERANCE` either may be the one that carries. Infinite if there is no other.
-        across: coordinate y of the contact point, mm, ahead in the sense of growing polar angle.
-        pressure_angle: angle between the force on the follower and the velocity of its reference point, rad; positive
-            where the outline rises under it.
+        across: coordinate y of the contact point from the follower's line, mm, ahead in the sense of growing polar
+            angle.
+        pressure_angle: angle between the force on the follower and the velocity of the point where it acts, rad, with
+            the sign of the follower's kind; on a slide positive where the outline rises under it.
     """
 
     cam_angle: Array
@@ -276,9 +277,8 @@ class Follower(ABC):
         unit: unit of its motion q: lift in mm, swing in rad, or the tangent of a car's steering angle.
         base_radius: distance of its reference point from the camshaft along the ray where q is 0, mm.
         leans: whether it leans on an edge of the rim, as an `EdgeFollower` does; play and friction go by that.
-        offset: distance of the reference point from the ray, mm, positive in the sense of growing polar angle.
         radius: least radius of curvature of the curve that touches the disc, mm; infinite for a straight one. Zero
-            stands for a point that moves along the ray, or beside it by the offset.
+            stands for a point, which `standing` lets down on an outline.
     """
 
     noun: str = "follower"
@@ -288,8 +288,20 @@ class Follower(ABC):
     unit: Unit = MM
     leans: bool = False
     base_radius: float
-    offset: float = 0.0
     radius: float
+
+    @property
+    def azimuth(self) -> float:
+        """Angle from the ray of the cam angle to the follower's line, rad: coordinates x and y are those of the line.
+
+        It is other than 0 where a follower does not stand near the ray, as a roller whose pivot lies on it.
+        """
+        return 0.0
+
+    @property
+    def on_ray(self) -> str:
+        """Part of the follower that stands on the ray of the cam angle, in words."""
+        return self.noun
 
     @property
     def planes(self) -> tuple[float, ...]:
@@ -299,7 +311,17 @@ class Follower(ABC):
     @property
     @abstractmethod
     def reach(self) -> float:
-        """How far across the ray the points lie, at most, that may carry it, mm."""
+        """How far across its line the points lie, at most, that may carry it, mm; infinite without a bound."""
+
+    def sector(self, least: float, greatest: float) -> tuple[float, float]:
+        """Polar angles from its line, rad, between which it touches a disc; the second is the greater one.
+
+        Args:
+            least: least radius of the disc, mm.
+            greatest: greatest radius of the disc, mm.
+        """
+        half = float(np.arcsin(min(1.0, self.reach / least)))
+        return -half, half
 
     def lift(self, q: Array) -> Array:
         """Lift s of its reference point, mm.
@@ -381,8 +403,37 @@ class Follower(ABC):
 
         Args:
             q: motion, in its unit, shape (n,).
-            across: distances of the contact from the ray's middle, mm, shape (n,).
+            across: distances of the contact from its line, mm, shape (n,).
         """
+
+    def pressed(self, q: Array, normal: Array) -> Array:
+        """Pressure angle, rad, by the direction of the outline's normal at the contact.
+
+        Unless a kind says otherwise, the follower moves along its line.
+
+        Args:
+            q: motion, in its unit, shape (n,).
+            normal: angles of the normal from its line, rad, shape (n,).
+        """
+        return -normal
+
+    def normal_share(self, contact: Contact) -> Array:
+        """Displacement of the outline along its normal that changes the lift by 1, shape (n,).
+
+        Args:
+            contact: contact of the follower with a disc.
+        """
+        return np.asarray(np.cos(contact.pressure_angle))
+
+    def standing(self, distance: Array) -> tuple[Array, Array]:
+        """Lift of a point, mm, and its polar angle from the line, rad, where it stands so far from the camshaft.
+
+        Only a follower of radius zero is asked. Unless a kind says otherwise, it moves along its line.
+
+        Args:
+            distance: distances of the point from the camshaft, mm, shape (n,).
+        """
+        return distance - self.base_radius, np.zeros_like(distance)
 
     @abstractmethod
     def distance(self, q: Array, face: Array) -> Array:
@@ -400,11 +451,20 @@ class Follower(ABC):
         Args:
             q: motion, in its unit, shape (n,).
             face: distance of the plane that carries it, as in `planes`, mm.
-            across: distances of the contact from the ray's middle, mm, shape (n,).
+            across: distances of the contact from its line, mm, shape (n,).
         """
 
+    def place(self, contact: Contact) -> Array:
+        """Polar angles of contacts in the cam's frame, rad, shape (n,).
+
+        Args:
+            contact: contact of the follower with a disc.
+        """
+        ahead = self.ahead(contact.q, contact.face, contact.across)
+        return np.asarray(contact.cam_angle + np.arctan2(contact.across, ahead) + self.azimuth)
+
     def outline(self, q: float, face: float) -> Array:
-        """Section of the follower as pictures show it: points (x, y) in the frame of the ray, shape (n, 2), mm.
+        """Section of the follower as pictures show it: points (x, y) in the frame of its line, shape (n, 2), mm.
 
         Unless a kind gives its whole section, it is the side that touches the disc.
 

@@ -1,6 +1,7 @@
 """Followers that touch the disc with a circle: their envelope in closed form, whatever moves the circle's centre.
 
-With z(theta) the centre in the frame of the ray, x along it and y across, the centre's path in the cam's frame is
+With z(theta) the centre in the frame of the follower's line, x along it and y across, the centre's path in the frame of
+the cam is, but for the azimuth of the line,
 
     p = z e^(i theta),  p' = (z' + i z) e^(i theta),  p'' = (z'' + 2 i z' - z) e^(i theta),
 
@@ -17,13 +18,14 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import OUTLINE_POINTS, Branch, Follower, OwnSection, Swept, span_jets
-from cadgen.curves.closed import ClosedCurve, Jet
+from cadgen.curves.closed import ClosedCurve, Jet, cross
 from cadgen.curves.derived import OffsetPiece
 from cadgen.errors import DesignError
 from cadgen.laws.motion import Motion
 
 Complex = NDArray[np.complexfloating[Any, Any]]
 _JOINT = 1e-9  # rad; two pieces that touch the circle this close together meet
+_STATIONS = 3600  # of a turn, at which the outline must not overhang
 
 
 class RoundFollower(Follower):
@@ -31,7 +33,7 @@ class RoundFollower(Follower):
 
     @abstractmethod
     def centre(self, q: Array, q1: Array, q2: Array) -> tuple[Complex, Complex, Complex]:
-        """Centre z in the frame of the ray, mm, and its first two derivatives by the cam angle.
+        """Centre z in the frame of the follower's line, mm, and its first two derivatives by the cam angle.
 
         Args:
             q: motion, in its unit, shape (n,).
@@ -40,7 +42,7 @@ class RoundFollower(Follower):
         """
 
     def at(self, q: Array) -> Complex:
-        """Centre in the frame of the ray, mm.
+        """Centre in the frame of the follower's line, mm.
 
         Args:
             q: motion, in its unit, shape (n,).
@@ -49,7 +51,7 @@ class RoundFollower(Follower):
         return self.centre(q, np.zeros_like(q), np.zeros_like(q))[0]
 
     def refuse(self, motion: Motion) -> None:
-        """Refuse a motion that brings the camshaft within the circle."""
+        """Refuse a motion that brings the camshaft within the circle, or makes the outline overhang."""
         angles, stations = motion.stations
         distance = np.abs(self.at(stations))
         nearest = int(np.argmin(distance))
@@ -64,6 +66,23 @@ class RoundFollower(Follower):
                 base_key=self.base_key,
                 higher=motion.higher(float(angles[np.argmin(stations)])),
             )
+        for path in self.pitch_curve(motion).pieces:
+            assert isinstance(path, Centre)
+            theta = np.linspace(path.start, path.stop, max(9, int(_STATIONS * (path.stop - path.start) / TURN)))
+            jet = path.jet(theta)
+            velocity = jet.velocity / np.linalg.norm(jet.velocity, axis=1)[:, None]
+            # Where the outline is not undercut and turns its outer side to the camshaft.
+            over = (cross(jet.point, velocity) <= self.radius) & (self.radius * jet.curvature < 1.0)
+            if over.any():
+                worst = float(theta[np.argmin(np.where(over, cross(jet.point, velocity), np.inf))])
+                raise DesignError(
+                    "the outline overhangs, seen from the camshaft, where the {noun} touches it at cam angle "
+                    "{angle:.1f} degrees, which is not made: {softer}, or raise {base_key}",
+                    noun=self.noun,
+                    angle=np.degrees(worst),
+                    softer=motion.softer(worst),
+                    base_key=self.base_key,
+                )
 
     def piece(self, motion: Motion, face: float, start: float, stop: float) -> "Rim":
         """The envelope of the circle between two cam angles, rad.
@@ -81,7 +100,7 @@ class RoundFollower(Follower):
         assert isinstance(before, Centre)
         assert isinstance(after, Centre)
         start, stop = before.tilt(before.stop), after.tilt(after.start)
-        if stop <= start + _JOINT:
+        if self.radius == 0 or stop <= start + _JOINT:
             return None
         z = complex(self.at(after.motion.q(np.array([after.start])))[0])
         return CircleArc(
@@ -89,7 +108,7 @@ class RoundFollower(Follower):
             theta=after.start,
             start=start,
             stop=stop,
-            centre=z * np.exp(1j * after.start),
+            centre=z * np.exp(1j * (after.start + self.azimuth)),
             follower=self,
         )
 
@@ -114,13 +133,22 @@ class RoundFollower(Follower):
         Args:
             q: motion, in its unit, shape (n,).
             face: the follower's plane, as in `planes`, mm.
-            across: distances of the contact from the ray, mm, shape (n,).
+            across: distances of the contact from the line, mm, shape (n,).
         """
         z = self.at(q)
         return np.asarray(z.real - np.sqrt(np.maximum(self.radius**2 - (across - z.imag) ** 2, 0.0)))
 
+    def pressure_angle(self, q: Array, across: Array) -> Array:
+        """Pressure angle, rad: the contact lies against the normal, by the radius from the centre.
+
+        Args:
+            q: motion, in its unit, shape (n,).
+            across: distances of the contact from the line, mm, shape (n,).
+        """
+        return self.pressed(q, np.arcsin(np.clip((self.at(q).imag - across) / self.radius, -1.0, 1.0)))
+
     def outline(self, q: float, face: float) -> Array:
-        """The whole circle, by points in the frame of the ray, shape (n, 2), mm.
+        """The whole circle, by points in the frame of the follower's line, shape (n, 2), mm.
 
         Args:
             q: motion, in its unit.
@@ -133,7 +161,12 @@ class RoundSlide(RoundFollower):
     """Round follower on a slide that moves along the ray, beside it by its offset; a kind gives `centre` and `least`.
 
     Of points ahead of it equally far, `least` must be greater the nearer they lie to the centre's line.
+
+    Attributes:
+        offset: distance of the centre from the ray, mm, positive in the sense of growing polar angle.
     """
+
+    offset: float
 
     @property
     def reach(self) -> float:
@@ -150,14 +183,14 @@ class RoundSlide(RoundFollower):
         """
         return self.least(x + off, self.offset + np.maximum(np.abs(y - self.offset) - off, 0.0))
 
-    def pressure_angle(self, q: Array, across: Array) -> Array:
-        """Pressure angle, rad: its sine is the contact's distance from the centre's line by the radius.
+    def standing(self, distance: Array) -> tuple[Array, Array]:
+        """Lift of a point beside the line, mm, and its polar angle from the line, rad.
 
         Args:
-            q: motion, in its unit, shape (n,).
-            across: distances of the contact from the ray, mm, shape (n,).
+            distance: distances of the point from the camshaft, mm, shape (n,).
         """
-        return np.asarray(np.arcsin(np.clip((across - self.offset) / self.radius, -1.0, 1.0)))
+        ahead = np.sqrt(np.maximum(distance**2 - self.offset**2, 0.0))
+        return ahead - self.base_radius, np.arctan2(self.offset, ahead)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -177,12 +210,12 @@ class Centre(Swept):
             t: cam angles, rad, shape (n,).
         """
         z, z1, z2 = self.follower.centre(*span_jets(self.motion, t, self.start, self.stop))
-        turn = np.exp(1j * np.asarray(t))
+        turn = np.exp(1j * (np.asarray(t) + self.follower.azimuth))
         p1, p2 = (z1 + 1j * z) * turn, (z2 + 2j * z1 - z) * turn
         return Jet(_flat(z * turn), _flat(p1), np.asarray((p1.conj() * p2).imag / np.abs(p1) ** 3))
 
     def tilt(self, t: float) -> float:
-        """Angle between the ray and the line from the contact to the centre, rad, positive where the outline rises.
+        """Angle from the outline's normal to the follower's line, rad.
 
         Args:
             t: cam angle, rad.
@@ -222,9 +255,9 @@ class CircleArc(OwnSection):
         """Point (mm), velocity by the angle t (rad), and curvature (negative: the disc is hollow here).
 
         Args:
-            t: angles between the ray and the line from the contact to the centre, rad, shape (n,).
+            t: angles from the outline's normal to the follower's line, rad, shape (n,).
         """
-        arm = self.follower.radius * np.exp(1j * (self.theta - np.asarray(t)))
+        arm = self.follower.radius * np.exp(1j * (self.theta + self.follower.azimuth - np.asarray(t)))
         return Jet(_flat(self.centre - arm), _flat(1j * arm), np.full(len(t), -1 / self.follower.radius))
 
 

@@ -56,10 +56,4 @@ def fitting_kinds(*, moved: bool) -> Message:
     Args:
         moved: whether the design has [motion], so that the follower moves by its lift or swing, and not with a fork.
     """
-    fitting = [f'"{code}"' for code in codes() if moved != (kind_of(code).unit == TAN)]
-    if fitting:
-        return listed(fitting, "or")
-    return Message(
-        "a kind that moves by its lift or swing, of which none is built in: register one or install a plug-in "
-        "(docs/how-to/followers.md has a roller)"
-    )
+    return listed([f'"{code}"' for code in codes() if moved != (kind_of(code).unit == TAN)], "or")

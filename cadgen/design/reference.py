@@ -2,6 +2,8 @@
 
 from math import degrees
 
+from cadgen.cam.followers import table as followers
+from cadgen.cam.followers.kind import FollowerKind
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
 from cadgen.car.path.path_kinds import PathKind, codes, kind_of
 from cadgen.design.keys import Key, SectionKeys, last, shown, tables
@@ -94,14 +96,23 @@ def _section(table: SectionKeys) -> str:
 
 
 def _other_paths(table: SectionKeys) -> str:
-    """After the sections [path] and [cam], the keys that take the place of the usual ones."""
+    """After the sections [path], [cam] and [follower], the keys that take the place of the usual ones."""
     if table.name in _BY_MOTION:
         head = "| key | unit | must be | default | meaning |\n|---|---|---|---|---|\n"
         keys = tables(Kinds(motion=True))[table.name].keys
         return f"\nWith `[motion]`, instead of all these:\n\n{head}{''.join(map(_row, keys))}"
+    if table.name == "follower":
+        return "".join(_follower_kind(followers.kind_of(code)) for code in followers.codes()[1:])
     kinds = [kind_of(code) for code in codes()] if table.name == "path" else []
     usual = {key.name for key in table.keys}
     return "".join(_path_kind(kind, usual) for kind in kinds)
+
+
+def _follower_kind(kind: FollowerKind) -> str:
+    (table,) = [table for table in tables(Kinds(follower=kind, motion=True)).values() if table.name == "follower"]
+    head = "| key | unit | must be | default | meaning |\n|---|---|---|---|---|\n"
+    rows = "".join(_row(key) for key in table.keys if last(key.name) != "kind")
+    return f'\nWith `kind = "{kind.code}"`, instead of the keys of the rod. {kind.meaning}\n\n{head}{rows}'
 
 
 def _path_kind(kind: PathKind, usual: set[str]) -> str:

@@ -162,6 +162,7 @@ def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
         fit=making.fit,
         profile_tolerance=use.profile_tolerance or None,
         follower=Message(plan.follower.noun),
+        on_ray=Message(plan.follower.on_ray),
         sizes=_follower(plan),
         leans=plan.follower.leans,
         face=Message("inner face") if plan.seen == Face.INNER else Message("outer face"),

@@ -7,13 +7,11 @@ import tomllib
 from importlib import import_module
 from pathlib import Path
 from pkgutil import iter_modules
-from typing import Any
 
 import pytest
 import tomli_w
 
 import cadgen
-from cadgen.cam.followers import table
 from cadgen.cli import cli
 from cadgen.design.load import complete_of, load_design, load_train
 from cadgen.studies.study_file import read_study
@@ -136,15 +134,8 @@ def test_designs_load(block: Block, tmp_path: Path) -> None:
         design.write_text(block.text, encoding="utf-8")
         read_study(design)
         return
-    if "motion" in tables:  # with the follower that a page builds
-        page = next(block.text for block in blocks(DOCS / "how-to/followers.md") if block.language == "python")
-        made: dict[str, Any] = {}
-        exec(page.partition("# The line that registers it")[0], made)
-        table.register(made["ROLLER"])
-        try:
-            assert complete_of(block.text, design).motion
-        finally:
-            table.remove(made["ROLLER"])
+    if "motion" in tables:
+        assert complete_of(block.text, design).motion
         return
     whole = tomllib.loads((DOCS / "tutorial/first_car.toml").read_text(encoding="utf-8"))
     alone = "path" in tables or "train" in tables

@@ -31,15 +31,12 @@ from importlib import import_module
 from itertools import pairwise
 from pathlib import Path
 from pkgutil import walk_packages
-from typing import Any
 
 import cadgen
-from cadgen.cam.followers import table as followers
 from cadgen.car.against_play.profile_kinds import codes
 from cadgen.design.load import packaged_designs
 from cadgen.inference.measurement import kinds
 from tests.conftest import TRICYCLE
-from tests.docs.blocks import DOCS, blocks
 from tests.studies import fuzz_data, fuzz_designs, fuzz_truth
 
 COMMANDS = (
@@ -278,11 +275,6 @@ def load_modules(command: str) -> None:
     if command == "calibrate" and not kinds.has("steered track"):  # logs of a vehicle without a cam are among its files
         sys.path.append(str(TRICYCLE / "src"))
         kinds.register(import_module("cadgen_tricycle").STEERED_TRACK)
-    if not followers.has("roller"):  # the cams by a motion are of the roller of the how-to
-        shown = next(block.text for block in blocks(DOCS / "how-to/followers.md") if block.language == "python")
-        made: dict[str, Any] = {}
-        exec(shown.partition("# The line that registers it")[0], made)
-        followers.register(made["ROLLER"])
 
 
 def outcomes(

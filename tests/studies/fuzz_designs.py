@@ -87,7 +87,7 @@ SHORT_COURSE: dict[str, Any] = {
     "gates": [{"at_mm": [1800.0, 0.0], "radius_mm": 60.0}],
     "finish": {"at_mm": [2800.0, 0.0], "radius_mm": 300.0},
 }
-# A cam by its motion, of the follower that docs/how-to/followers.md registers.
+# A cam by its motion.
 MOTION: dict[str, Any] = {
     "name": "feeder",
     "motion": {

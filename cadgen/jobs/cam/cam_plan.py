@@ -115,7 +115,7 @@ class Application:
         other = Face.INNER if cam.seen == Face.OUTER else Face.OUTER
         return (
             f"mm; z = 0 is the disc's {other} face, +z points to the {cam.seen} face, seen on which the disc turns "
-            f"clockwise; at cam angle theta the {cam.follower.noun} stands at polar angle theta, counterclockwise "
+            f"clockwise; at cam angle theta the {cam.follower.on_ray} stands at polar angle theta, counterclockwise "
             "from +X"
         )
 

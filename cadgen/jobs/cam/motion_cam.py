@@ -6,7 +6,7 @@ from math import degrees
 import numpy as np
 
 from cadgen.arrays import TURN
-from cadgen.cam.checks import check_cam
+from cadgen.cam.checks import check_cam, signed_pressure
 from cadgen.car.against_play.profile_kinds import ACTUAL, profile_of
 from cadgen.check import Check
 from cadgen.design import cam_model
@@ -75,10 +75,11 @@ class SegmentUse(Application):
 
     def purpose(self, cam: CamPlan) -> str:
         """Travel of the follower in a turn, and the speed."""
-        lift = cam.follower.lift(cam.motion.q(np.linspace(0.0, TURN, _DENSE)))
-        said = Message(
-            "a {follower} that moves {travel:.4g} mm", follower=Message(cam.follower.noun), travel=float(np.ptp(lift))
-        )
+        q, follower = cam.motion.q(np.linspace(0.0, TURN, _DENSE)), Message(cam.follower.noun)
+        if cam.motion.unit == MM:
+            said = Message("a {follower} that moves {travel:.4g} mm", follower=follower, travel=float(np.ptp(q)))
+        else:
+            said = Message("a {follower} that swings {swing:.4g}°", follower=follower, swing=degrees(np.ptp(q)))
         return said if self.rpm is None else clauses(said, Message("at {speed:g} rev/min", speed=self.rpm))
 
     def verdict(self, cam: CamPlan) -> PartVerdict:
@@ -180,7 +181,8 @@ def plan_motion_cam(design: MotionDesign, profile: str | None = None, progress: 
     progress(Message("computing the {profile} profile", profile=Message(str(kind))))
     wanted = kind.curve(motion, follower)
     progress("checking the profile")
-    checks = check_cam(motion, kind.rolling(follower), wanted.curve, wanted.trims, blank, limits)
+    rolling = kind.rolling(follower)
+    checks = check_cam(motion, rolling, wanted.curve, wanted.trims, blank, limits, application=signed_pressure)
     use = SegmentUse(design)
     return CamPlan(
         origin=Origin.of(design),

@@ -74,6 +74,7 @@ class CamPart:
         fit: fits and joint of the bore on its shaft.
         profile_tolerance: half width of the zone of the outline, mm; None if none is given.
         follower: name of the follower.
+        on_ray: name of what stands on the ray of the cam angle.
         sizes: follower and its sizes, in a sentence.
         leans: whether it leans on an edge of the rim, so that a broken edge moves it.
         face: words for the face that is seen.
@@ -91,6 +92,7 @@ class CamPart:
     fit: ShaftFit
     profile_tolerance: float | None
     follower: str
+    on_ray: str
     sizes: str
     leans: bool
     face: str
@@ -332,7 +334,7 @@ def _notes(cam: CamPart) -> Iterator[str]:
         at_least=degrees(at_least) % 360,
     )
     yield Message(
-        "θ counts counterclockwise from the arrow, where the {follower} stands at cam angle 0.", follower=cam.follower
+        "θ counts counterclockwise from the arrow, where the {follower} stands at cam angle 0.", follower=cam.on_ray
     )
     yield cam.sizes
     yield Message("The table is for inspection; cut from a file (sha256):")

@@ -7,8 +7,6 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from cadgen.arrays import Array
 from cadgen.cam.contact import roll_curve
 from cadgen.cam.difference import Exact, dense_stations
@@ -98,9 +96,9 @@ class CamExport:
     def rim_share(self) -> float:
         """Share of the error allowed to the lift that a chord of the rim may take along its normal.
 
-        A chord that is off by e shifts the lift by e / cos(pressure angle).
+        A chord that is off by e shifts the lift by e / cos(pressure angle), or more where a lever is shorter.
         """
-        steepest = float(np.cos(self.rolled[0].pressure_angle).min())
+        steepest = float(self.follower.normal_share(self.rolled[0]).min())
         return max(_RIM_SHARE * steepest, _LEAST_RIM_SHARE)
 
     @cached_property

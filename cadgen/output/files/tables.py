@@ -133,13 +133,8 @@ def contact_rows(curve: ClosedCurve, follower: Follower, count: int, tolerance: 
 
 def _places(rows: Contact, follower: Follower) -> Array:
     """Polar angles of the contacts, the first one again a turn later, rad, shape (n + 1,)."""
-    place = np.maximum.accumulate(rows.cam_angle + np.arctan2(rows.across, _ahead(rows, follower)))
+    place = np.maximum.accumulate(follower.place(rows))
     return np.append(place, place[0] + TURN)
-
-
-def _ahead(rows: Contact, follower: Follower) -> Array:
-    """Distance of the contacts ahead of the camshaft, mm."""
-    return follower.ahead(rows.q, rows.face, rows.across)
 
 
 def _stray(curve: ClosedCurve, start: Array, stop: Array) -> Array:
@@ -154,7 +149,8 @@ def _stray(curve: ClosedCurve, start: Array, stop: Array) -> Array:
 def _on_section(curve: ClosedCurve, follower: Follower, before: Contact, place: Array) -> Contact:
     """Contacts at polar angles that the rod touches together with those of `before`, its section on the curve."""
     points = curve.at_angle(place)[0].point
-    across = points[:, 1] * np.cos(before.cam_angle) - points[:, 0] * np.sin(before.cam_angle)
+    line = before.cam_angle + follower.azimuth
+    across = points[:, 1] * np.cos(line) - points[:, 0] * np.sin(line)
     angle = follower.pressure_angle(before.q, across) if follower.radius else before.pressure_angle
     return replace(before, across=across, pressure_angle=angle)
 
@@ -190,8 +186,7 @@ def write_csv(path: Path, curve: ClosedCurve, follower: Follower, contact: Conta
         follower: follower on the profile.
         contact: contacts of the follower rolled on the profile.
     """
-    y = contact.across
-    jet, _ = curve.at_angle(contact.cam_angle + np.arctan2(y, _ahead(contact, follower)))
+    jet, _ = curve.at_angle(follower.place(contact))
     normal = -left_normal(jet.velocity)
     polar = np.degrees(np.arctan2(jet.point[:, 1], jet.point[:, 0])) % 360
     with np.errstate(divide="ignore"):
@@ -214,7 +209,7 @@ def write_csv(path: Path, curve: ClosedCurve, follower: Follower, contact: Conta
         ]
     )
     first, *others = follower.planes
-    faces = np.where(contact.face == first, "inner", "outer").tolist() if others else ["whole"] * len(y)
+    faces = np.where(contact.face == first, "inner", "outer").tolist() if others else ["whole"] * len(contact.lift)
     rows = (
         ",".join([f"{x:.6f}" if x == x else "" for x in row]) + f",{face}"
         for row, face in zip((numbers.round(6) + 0.0).tolist(), faces, strict=True)

@@ -58,9 +58,7 @@ def _pressure(plan: CamPlan, theta: Array, contact: Contact) -> Chart:
 def _curvature(plan: CamPlan, curve: ClosedCurve, theta: Array, contact: Contact) -> Chart:
     """Curvature of the profile where the follower touches it."""
     angle, curvature = curvature_by_angle(curve)
-    ahead = plan.follower.ahead(contact.q, contact.face, contact.across)
-    at = (contact.cam_angle + np.arctan2(contact.across, ahead)) % TURN
-    values = np.interp(at, angle, curvature, period=TURN)
+    values = np.interp(plan.follower.place(contact) % TURN, angle, curvature, period=TURN)
     return Chart(
         "curvature",
         Message("Curvature of the profile"),

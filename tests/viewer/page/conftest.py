@@ -4,13 +4,12 @@ from pathlib import Path
 
 import pytest
 
-from cadgen.cam.followers import table
 from cadgen.design.load import complete_of, load_design
 from cadgen.viewer.page.car_page import plan_page
 from cadgen.viewer.page.html import html_of
 from cadgen.viewer.page.page_plan import plan_motion_page
 from cadgen.viewer.page.report import page_of
-from tests.cam.test_roller import ROLLER, TEXT
+from tests.cam.test_roller import TEXT
 from tests.viewer.page.chromium import chromium_path
 
 SAMPLES = 60
@@ -46,7 +45,5 @@ def chromium():
 
 @pytest.fixture
 def feeder():
-    """A design by its motion with the roller of the how-to, offset on its slide."""
-    table.register(ROLLER)
-    yield lambda changes=(): plan_motion_page(complete_of(TEXT, Path("feeder.toml"), list(changes)))
-    table.remove(ROLLER)
+    """A design by its motion with a roller, offset on its slide."""
+    return lambda changes=(): plan_motion_page(complete_of(TEXT, Path("feeder.toml"), list(changes)))

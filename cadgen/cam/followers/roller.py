@@ -1,0 +1,93 @@
+"""Roller and knife edge on a slide, which moves straight out from the camshaft, beside it by an offset.
+
+**Envelope.** At cam angle theta the centre stands at z = y0 + s + i e in the frame of the ray, with the prime radius
+R_p = R_b + r and y0 = sqrt(R_p^2 - e^2). The profile is the parallel of its path at the radius r.
+
+**Rolling.** The roller clears a point x ahead of the camshaft and y across from s = x - y0 + sqrt(r^2 - (y - e)^2) on.
+
+An offset e > 0, in the sense of growing polar angle, lessens the pressure angle of the rise,
+tan(alpha) = (s' - e) / (y0 + s), and raises that of the return.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from cadgen.arrays import Array
+from cadgen.cam.follower import LossRemedy
+from cadgen.cam.round_follower import Complex, RoundSlide
+from cadgen.messages import Message
+
+
+@dataclass(frozen=True, kw_only=True)
+class Roller(RoundSlide):
+    """Roller on a slide.
+
+    Attributes:
+        base: radius of the base circle, mm.
+        radius: radius of the roller, mm; zero stands for its centre.
+        offset: distance of the slide's line from the camshaft, mm.
+    """
+
+    base: float
+    radius: float
+    offset: float = 0.0
+
+    noun = Message("roller")
+    base_key = "cam.base_circle_radius_mm"
+    milder = Message("lower follower.radius_mm or raise cam.base_circle_radius_mm")
+
+    @property
+    def base_radius(self) -> float:  # type: ignore[override]
+        """Distance y0 of the centre ahead of the camshaft where the lift is 0, mm."""
+        return float(np.sqrt((self.base + self.radius) ** 2 - self.offset**2))
+
+    def centre(self, q: Array, q1: Array, q2: Array) -> tuple[Complex, Complex, Complex]:
+        """Centre in the frame of the ray, mm, with its first two derivatives by the cam angle.
+
+        Args:
+            q: lift, mm, shape (n,).
+            q1: its first derivative, mm/rad.
+            q2: its second derivative, mm/rad².
+        """
+        return self.base_radius + q + 1j * self.offset, q1 + 0j, q2 + 0j
+
+    def point(self) -> "Roller":
+        """The roller's centre."""
+        return replace(self, base=self.base + self.radius, radius=0.0)
+
+    def remedies(self) -> tuple[LossRemedy, ...]:
+        """A smaller roller and a larger base circle."""
+        return (
+            LossRemedy("follower.radius_mm", self.radius, False, lambda value: replace(self, radius=value)),
+            LossRemedy(self.base_key, self.base, True, lambda value: replace(self, base=value)),
+        )
+
+    def least(self, x: Array, y: Array) -> tuple[Array, ...]:
+        """Lift from which on the roller clears points, mm (see the module's equation).
+
+        Args:
+            x: coordinates along the ray from the camshaft, mm, shape (n,).
+            y: coordinates across it, mm, shape (n,).
+        """
+        across = y - self.offset
+        half = np.sqrt(np.maximum(self.radius**2 - across**2, 0.0))
+        return (np.where(np.abs(across) < self.radius, x - self.base_radius + half, -np.inf),)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Knife(Roller):
+    """Edge on a slide: a roller of radius zero, whose profile is the path of the edge."""
+
+    radius: float = 0.0
+
+    noun = Message("knife edge")
+    milder = Message("raise cam.base_circle_radius_mm")
+
+    def point(self) -> "Knife":
+        """The edge."""
+        return self
+
+    def remedies(self) -> tuple[LossRemedy, ...]:
+        """Without a radius no lift is lost."""
+        return ()

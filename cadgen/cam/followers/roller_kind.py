@@ -1,0 +1,83 @@
+"""The kinds of roller and knife edge on a slide: their keys and what they must keep. Numerics come when it is built."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated
+
+from annotated_types import Ge, Le
+
+from cadgen.cam.followers.kind import FollowerKind, FollowerSeat
+from cadgen.messages import Message
+
+if TYPE_CHECKING:
+    from cadgen.cam.followers.roller import Knife, Roller
+
+_OFFSET = (
+    "distance of the slide's line from the camshaft; positive lessens the pressure angle of the rise, and raises that "
+    "of the return"
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class RollerKeys:
+    """Keys of a design's roller on a slide, as in its file."""
+
+    radius_mm: Annotated[float, Ge(0.05), Le(500), "of the roller"]
+    offset_mm: Annotated[float, Ge(-500), Le(500), _OFFSET] = 0.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class KnifeKeys:
+    """Keys of a design's knife edge on a slide, as in its file."""
+
+    offset_mm: Annotated[float, Ge(-500), Le(500), _OFFSET] = 0.0
+
+
+def refuse_offset(offset: float, prime_radius: float) -> None:
+    """Refuse a slide whose line passes the camshaft farther off than the follower's centre stands from it.
+
+    Args:
+        offset: distance of the line from the camshaft, mm.
+        prime_radius: distance of the centre from the camshaft at lift 0, mm.
+
+    Raises:
+        ValueError: it is so.
+    """
+    if abs(offset) >= prime_radius:
+        raise ValueError(
+            Message(
+                "follower.offset_mm is {offset:g}; its size must be less than the prime radius of {prime:g} mm, at "
+                "which the follower's centre stands at lift 0: lower it, or raise cam.base_circle_radius_mm",
+                offset=offset,
+                prime=prime_radius,
+            )
+        )
+
+
+def _roller(keys: RollerKeys, seat: FollowerSeat) -> Roller:
+    from cadgen.cam.followers.roller import Roller
+
+    return Roller(base=seat.base_radius, radius=keys.radius_mm, offset=keys.offset_mm)
+
+
+def _knife(keys: KnifeKeys, seat: FollowerSeat) -> Knife:
+    from cadgen.cam.followers.roller import Knife
+
+    return Knife(base=seat.base_radius, offset=keys.offset_mm)
+
+
+ROLLER = FollowerKind(
+    code="roller",
+    meaning="A roller on a slide that moves straight out from the camshaft, in line with it or beside it.",
+    keys=RollerKeys,
+    build=_roller,
+    refuse=lambda keys, seat: refuse_offset(keys.offset_mm, seat.base_radius + keys.radius_mm),
+)
+KNIFE = FollowerKind(
+    code="knife",
+    meaning="A knife edge on such a slide: it wears, and is for toys and for teaching.",
+    keys=KnifeKeys,
+    build=_knife,
+    refuse=lambda keys, seat: refuse_offset(keys.offset_mm, seat.base_radius),
+)

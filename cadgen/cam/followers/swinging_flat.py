@@ -1,0 +1,241 @@
+"""Flat face on an arm that swings about a pivot.
+
+At cam angle theta the pivot stands on the ray, at c from the camshaft. The face runs parallel to a line through the
+pivot, at the distance f from it, positive with the pivot on the far side of the face. That line has the angle
+delta = delta_0 + q to the one from the pivot to the camshaft; g = 1 where the arm lifts against the sense of the cam,
+-1 where it lifts with it.
+
+**Envelope.** The face has the distance h = c sin(delta) - f from the camshaft, with sin(delta_0) = (R_b + f) / c, and
+its normal the angle g (delta - 90 degrees) from the ray (see `cadgen.cam.straight_follower`).
+
+**Rolling.** A point at the distance R and the angle phi, at the pivot, is cleared from delta = phi + arcsin(f / R) on.
+
+**Pressure angle.** The contact lies w = c cos(delta) / (1 + g q') from the foot of the pivot's perpendicular on the
+face, and tan(alpha) = f / w.
+"""
+
+from dataclasses import dataclass, replace
+from math import ceil
+
+import numpy as np
+
+from cadgen.arrays import Array
+from cadgen.cam.follower import Contact, LossRemedy, RolledCam
+from cadgen.cam.followers.face_run import contact_run, face_end
+from cadgen.cam.followers.lifts import Lifts
+from cadgen.cam.followers.pivot import pivot_checks, seen_from_pivot
+from cadgen.cam.straight_follower import FaceJet, StraightFollower
+from cadgen.check import Check
+from cadgen.errors import DesignError
+from cadgen.laws.motion import Motion
+from cadgen.laws.unit import RAD
+from cadgen.messages import Message
+
+_PICTURED = (0.6, 1.4)  # ends of a face without a length in pictures, by the contact's distance at rest
+
+
+@dataclass(frozen=True, kw_only=True)
+class SwingingFace(StraightFollower):
+    """Flat face on an arm.
+
+    Attributes:
+        base: radius of the base circle, mm.
+        face_offset: distance f of the face from the pivot, mm, positive with the pivot on the far side of it.
+        centre_distance: distance of the pivot from the camshaft, mm.
+        lifts: sense in which the arm lifts.
+        length: length of the face from the foot of the pivot's perpendicular, mm; None for as long as it must be.
+    """
+
+    base: float
+    face_offset: float
+    centre_distance: float
+    lifts: Lifts
+    length: float | None = None
+
+    noun = Message("flat face")
+    base_key = "cam.base_circle_radius_mm"
+    milder = Message("raise cam.base_circle_radius_mm")
+    unit = RAD
+
+    @property
+    def base_radius(self) -> float:  # type: ignore[override]
+        """Distance of the face from the camshaft where the swing is 0, mm."""
+        return self.base
+
+    @property
+    def rest(self) -> float:
+        """Angle delta_0 of the face where the swing is 0, rad."""
+        return float(np.arcsin(min((self.base + self.face_offset) / self.centre_distance, 1.0)))
+
+    @property
+    def lever(self) -> float:
+        """Distance of the contact from the foot of the pivot's perpendicular at rest at swing 0, mm."""
+        return float(self.centre_distance * np.cos(self.rest))
+
+    @property
+    def on_ray(self) -> str:
+        """The pivot, in words."""
+        return Message("pivot of the {follower}", follower=Message(self.noun))
+
+    @property
+    def pivot(self) -> complex:
+        """Pivot in the frame of the follower's line, mm."""
+        return complex(self.centre_distance * np.exp(-1j * self.azimuth))
+
+    @property
+    def azimuth(self) -> float:
+        """Angle from the ray, on which the pivot stands, to the face's normal where the swing is 0, rad."""
+        return self.lifts.side * (self.rest - np.pi / 2)
+
+    def leaning(self, least: float, greatest: float) -> tuple[float, float]:
+        """Least and greatest angle of its normal from its line while its distance is between two, rad.
+
+        Args:
+            least: least distance of the face from the camshaft, mm.
+            greatest: greatest distance, mm.
+        """
+        sines = (np.array([least, greatest]) + self.face_offset) / self.centre_distance
+        turns = self.lifts.side * (np.arcsin(np.clip(sines, -1.0, 1.0)) - self.rest)
+        return float(turns.min()), float(turns.max())
+
+    def lift(self, q: Array) -> Array:
+        """Way of the face at its place of contact at rest, mm.
+
+        Args:
+            q: swing, rad, shape (n,).
+        """
+        return np.asarray(self.lever * q)
+
+    def of_lift(self, lift: Array) -> tuple[Array, Array, Array]:
+        """Swing by lift, mm, with plane and margin.
+
+        Args:
+            lift: lifts, mm, shape (n,).
+        """
+        return lift / self.lever, np.full_like(lift, self.planes[0]), np.full_like(lift, np.inf)
+
+    def face_jet(self, q: Array, q1: Array, q2: Array) -> FaceJet:
+        """Face by the cam angle.
+
+        Args:
+            q: swing, rad, shape (n,).
+            q1: its first derivative by the cam angle.
+            q2: its second derivative, 1/rad.
+        """
+        sine, cosine = self.centre_distance * np.sin(self.rest + q), self.centre_distance * np.cos(self.rest + q)
+        return FaceJet(
+            np.array([sine - self.face_offset, cosine * q1, cosine * q2 - sine * q1**2]),
+            self.lifts.side * np.array([q, q1, q2]),
+        )
+
+    def refuse(self, motion: Motion) -> None:
+        """Refuse a swing that ends beyond the square position, or turns the face as fast as the cam turns."""
+        angles, swing = motion.stations
+        theta = np.unique(np.concatenate([angles, np.linspace(0.0, 2 * np.pi, 3601)]))
+        high, low = int(np.argmax(swing)), int(np.argmin(swing))
+        if self.rest + swing[high] >= np.pi / 2:
+            raise DesignError(
+                "at cam angle {angle:.1f} degrees the face has swung to {swung:.2f} degrees from the line of its pivot "
+                "and the camshaft, where no contact is left to lift it: from {rest:.2f} degrees at lift 0 lead it by "
+                "less than {most:.2f} degrees, or raise follower.centre_distance_mm",
+                angle=np.degrees(angles[high]) % 360,
+                swung=np.degrees(self.rest + swing[high]),
+                rest=np.degrees(self.rest),
+                most=90 - np.degrees(self.rest),
+            )
+        if self.centre_distance * np.sin(self.rest + swing[low]) <= self.face_offset or self.rest + swing[low] <= 0:
+            raise DesignError(
+                "the {noun} comes to the camshaft at cam angle {angle:.1f} degrees, so nothing is left of the disc: "
+                "raise {base_key}, or {higher}",
+                noun=self.noun,
+                angle=np.degrees(angles[low]) % 360,
+                base_key=self.base_key,
+                higher=motion.higher(float(angles[low])),
+            )
+        rate = 1 + self.lifts.side * motion.q(theta, nu=1)
+        slowest = int(np.argmin(rate))
+        if rate[slowest] <= 0:
+            raise DesignError(
+                "at cam angle {angle:.1f} degrees the face swings as fast as the cam turns, by {rate:.3g} degrees in a "
+                "degree, so no contact travels along it: {softer}",
+                angle=np.degrees(theta[slowest]) % 360,
+                rate=abs(float(motion.q(theta[slowest], nu=1))),
+                softer=motion.softer(float(theta[slowest])),
+            )
+
+    def least(self, x: Array, y: Array) -> tuple[Array, ...]:
+        """Swing from which on the face clears points, rad (see the module's equation).
+
+        Args:
+            x: coordinates along the follower's line from the camshaft, mm, shape (n,).
+            y: coordinates across it, mm, shape (n,).
+        """
+        distance, angle = seen_from_pivot(self.pivot, self.lifts.side, x, y)
+        return (angle + np.arcsin(np.clip(self.face_offset / distance, -1.0, 1.0)) - self.rest,)
+
+    def most(self, x: Array, y: Array, off: Array) -> tuple[Array, ...]:
+        """Upper bound of `least` over all points within `off` mm of each point.
+
+        Args:
+            x: coordinates along the follower's line from the camshaft, mm, shape (n,).
+            y: coordinates across it, mm, shape (n,).
+            off: distance within which other points may lie, mm, shape (n,).
+        """
+        distance, angle = seen_from_pivot(self.pivot, self.lifts.side, x, y)
+        near = np.maximum(distance - off, 1e-9) if self.face_offset > 0 else distance + off
+        aside = np.arcsin(np.clip(off / np.maximum(distance, off), 0.0, 1.0))
+        return (angle + aside + np.arcsin(np.clip(self.face_offset / near, -1.0, 1.0)) - self.rest,)
+
+    def from_foot(self, q: Array, across: Array) -> Array:
+        """Distance w of the contact from the foot of the pivot's perpendicular on the face, mm.
+
+        Args:
+            q: swing, rad, shape (n,).
+            across: distances of the contact from the follower's line, mm, shape (n,).
+        """
+        foot = self.centre_distance * np.cos(self.rest + q)
+        return np.asarray(foot - self.lifts.side * self.along(q, across))
+
+    def pressure_angle(self, q: Array, across: Array) -> Array:
+        """Pressure angle, rad: its tangent is f / w.
+
+        Args:
+            q: swing, rad, shape (n,).
+            across: distances of the contact from the follower's line, mm, shape (n,).
+        """
+        return np.arctan2(self.face_offset, self.from_foot(q, across))
+
+    def normal_share(self, contact: Contact) -> Array:
+        """Displacement of the outline along its normal that changes the lift by 1: the lever there by that at rest.
+
+        Args:
+            contact: contact of the follower with a disc.
+        """
+        return self.from_foot(contact.q, contact.across) / self.lever
+
+    def outline(self, q: float, face: float) -> Array:
+        """The face, by points in the frame of the follower's line, shape (n, 2), mm.
+
+        Args:
+            q: swing, rad.
+            face: the follower's plane, as in `planes`, mm.
+        """
+        first, last = (share * self.lever for share in _PICTURED) if self.length is None else (0.0, self.length)
+        support, turn = self.at(np.array([q]))
+        along = self.lifts.side * (self.centre_distance * np.cos(self.rest + q) - np.linspace(first, last, 3))
+        points = (support + 1j * along) * np.exp(1j * turn)
+        return np.stack([points.real, points.imag], axis=1)
+
+    def remedies(self) -> tuple[LossRemedy, ...]:
+        """A larger base circle."""
+        return (LossRemedy(self.base_key, self.base, True, lambda value: replace(self, base=value)),)
+
+    def checks(self, cam: RolledCam) -> tuple[Check, ...]:
+        """Run of the contact on the face, its end where it has a length, and room between disc and pivot."""
+        theta = cam.contact.cam_angle
+        along = self.from_foot(cam.contact.q, cam.contact.across)
+        ends = tuple[Check, ...]()
+        if self.length is not None:
+            advice = Message("set follower.length_mm to {long:g}", long=ceil(10 * float(along.max())) / 10)
+            ends = (face_end(self.length - along, theta, advice),)
+        return (*contact_run(along, theta), *ends, *pivot_checks(cam, self.centre_distance))

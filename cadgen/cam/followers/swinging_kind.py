@@ -1,0 +1,139 @@
+"""The kinds of followers on an arm: keys of roller and flat face, and what they must keep. Numerics come when built."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated
+
+from annotated_types import Ge, Gt, Le
+
+from cadgen.cam.followers.kind import FollowerKind, FollowerSeat
+from cadgen.cam.followers.lifts import Lifts
+from cadgen.laws.unit import RAD
+from cadgen.messages import Message
+
+if TYPE_CHECKING:
+    from cadgen.cam.followers.swinging_flat import SwingingFace
+    from cadgen.cam.followers.swinging_roller import SwingingRoller
+
+
+_PIVOT = "of the arm's pivot from the camshaft"
+_LIFTS = "whether the arm lifts `against` the sense in which the cam turns, or `with` it"
+
+
+@dataclass(frozen=True, kw_only=True)
+class SwingingRollerKeys:
+    """Keys of a design's roller on an arm, as in its file."""
+
+    radius_mm: Annotated[float, Ge(0.05), Le(500), "of the roller"]
+    arm_mm: Annotated[float, Gt(0), Le(2000), "from the pivot to the roller's centre"]
+    centre_distance_mm: Annotated[float, Gt(0), Le(2000), _PIVOT]
+    lifts: Annotated[Lifts, _LIFTS]
+
+
+@dataclass(frozen=True, kw_only=True)
+class SwingingFlatKeys:
+    """Keys of a design's flat face on an arm, as in its file."""
+
+    centre_distance_mm: Annotated[float, Gt(0), Le(2000), _PIVOT]
+    lifts: Annotated[Lifts, _LIFTS]
+    face_offset_mm: Annotated[
+        float, Ge(-500), Le(500), "of the face from the pivot; positive with the pivot on the far side of the face"
+    ] = 0.0
+    length_mm: Annotated[
+        float | None, Gt(0), Le(2000), "of the face, from the foot of the pivot's perpendicular; left out, long enough"
+    ] = None
+
+
+def _roller(keys: SwingingRollerKeys, seat: FollowerSeat) -> SwingingRoller:
+    from cadgen.cam.followers.swinging_roller import SwingingRoller
+
+    return SwingingRoller(
+        base=seat.base_radius,
+        radius=keys.radius_mm,
+        arm=keys.arm_mm,
+        centre_distance=keys.centre_distance_mm,
+        lifts=keys.lifts,
+    )
+
+
+def _refuse_roller(keys: SwingingRollerKeys, seat: FollowerSeat) -> None:
+    prime, c = seat.base_radius + keys.radius_mm, keys.centre_distance_mm
+    least, most = abs(c - prime), c + prime
+    if not least < keys.arm_mm < most:
+        raise ValueError(
+            Message(
+                "follower.arm_mm is {arm:g}; with the pivot {c:g} mm from the camshaft it cannot bring the roller to "
+                "the prime radius of {prime:g} mm, where its centre stands at lift 0: take an arm between {least:g} "
+                "and {most:g} mm",
+                arm=keys.arm_mm,
+                c=c,
+                prime=prime,
+                least=least,
+                most=most,
+            )
+        )
+    if keys.arm_mm <= keys.radius_mm:
+        raise ValueError(
+            Message(
+                "follower.arm_mm is {arm:g}; the roller of {radius:g} mm would cover its own pivot: take a longer arm, "
+                "or lower follower.radius_mm",
+                arm=keys.arm_mm,
+                radius=keys.radius_mm,
+            )
+        )
+
+
+def _flat(keys: SwingingFlatKeys, seat: FollowerSeat) -> SwingingFace:
+    from cadgen.cam.followers.swinging_flat import SwingingFace
+
+    return SwingingFace(
+        base=seat.base_radius,
+        face_offset=keys.face_offset_mm,
+        centre_distance=keys.centre_distance_mm,
+        lifts=keys.lifts,
+        length=keys.length_mm,
+    )
+
+
+def _refuse_flat(keys: SwingingFlatKeys, seat: FollowerSeat) -> None:
+    touching = seat.base_radius + keys.face_offset_mm
+    if touching >= keys.centre_distance_mm:
+        raise ValueError(
+            Message(
+                "follower.centre_distance_mm is {c:g}; the face, {offset:g} mm from its pivot, cannot touch a base "
+                "circle of {base:g} mm: raise it beyond {least:g}, or lower follower.face_offset_mm or "
+                "cam.base_circle_radius_mm",
+                c=keys.centre_distance_mm,
+                offset=keys.face_offset_mm,
+                base=seat.base_radius,
+                least=touching,
+            )
+        )
+    if touching <= 0:
+        raise ValueError(
+            Message(
+                "follower.face_offset_mm is {offset:g}, which puts the pivot within the disc's side of the face by "
+                "more than the base circle's radius: raise it above {least:g}",
+                offset=keys.face_offset_mm,
+                least=-seat.base_radius,
+            )
+        )
+
+
+SWINGING_ROLLER = FollowerKind(
+    code="swinging_roller",
+    meaning="A roller on an arm that swings about a pivot; its motion is in degrees.",
+    keys=SwingingRollerKeys,
+    build=_roller,
+    unit=RAD,
+    refuse=_refuse_roller,
+)
+SWINGING_FLAT = FollowerKind(
+    code="swinging_flat",
+    meaning="A flat face on an arm that swings about a pivot; its motion is in degrees.",
+    keys=SwingingFlatKeys,
+    build=_flat,
+    unit=RAD,
+    refuse=_refuse_flat,
+)

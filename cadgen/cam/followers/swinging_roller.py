@@ -1,0 +1,223 @@
+"""Roller on an arm that swings about a pivot.
+
+At cam angle theta the pivot stands on the ray, at c from the camshaft. The arm, of length l, has the angle
+delta = delta_0 + q to the line from the pivot to the camshaft; g = 1 where it lifts against the sense of the cam, -1
+where it lifts with it.
+
+**Envelope.** In the frame of the ray the centre stands at z = c - l cos(delta) - i g l sin(delta), with
+cos(delta_0) = (c^2 + l^2 - R_p^2) / (2 c l). The profile is the parallel of its path at the roller's radius r.
+
+**Rolling.** A point at the distance R and the angle phi, at the pivot, is cleared from
+delta = phi + arccos((l^2 + R^2 - r^2) / (2 l R)) on.
+
+**Pressure angle.** tan(alpha) = (l (1 + g q') - c cos(delta)) / (c sin(delta)); at rest c and l alone set it.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from cadgen.arrays import Array
+from cadgen.cam.follower import LossRemedy, RolledCam
+from cadgen.cam.followers.lifts import Lifts
+from cadgen.cam.followers.pivot import pivot_checks, seen_from_pivot
+from cadgen.cam.round_follower import Complex, RoundFollower
+from cadgen.check import Check
+from cadgen.errors import DesignError
+from cadgen.laws.motion import Motion
+from cadgen.laws.unit import RAD
+from cadgen.messages import Message
+
+_SECTOR = 65  # distances of the centre at which its angle is looked at
+_STEEPEST = np.radians(60.0)  # pressure angle at rest beyond which an arm jams in any position
+
+
+@dataclass(frozen=True, kw_only=True)
+class SwingingRoller(RoundFollower):
+    """Roller on an arm.
+
+    Attributes:
+        base: radius of the base circle, mm.
+        radius: radius of the roller, mm; zero stands for its centre.
+        arm: distance of the roller's centre from the pivot, mm.
+        centre_distance: distance of the pivot from the camshaft, mm.
+        lifts: sense in which the arm lifts.
+    """
+
+    base: float
+    radius: float
+    arm: float
+    centre_distance: float
+    lifts: Lifts
+
+    noun = Message("roller")
+    base_key = "cam.base_circle_radius_mm"
+    milder = Message("lower follower.radius_mm or raise cam.base_circle_radius_mm")
+    unit = RAD
+
+    @property
+    def base_radius(self) -> float:  # type: ignore[override]
+        """Distance of the centre from the camshaft where the swing is 0, mm: the prime radius."""
+        return self.base + self.radius
+
+    @property
+    def rest(self) -> float:
+        """Angle delta_0 of the arm where the swing is 0, rad."""
+        c, l = self.centre_distance, self.arm  # noqa: E741
+        return float(np.arccos(np.clip((c**2 + l**2 - self.base_radius**2) / (2 * c * l), -1.0, 1.0)))
+
+    @property
+    def on_ray(self) -> str:
+        """The pivot, in words."""
+        return Message("pivot of the {follower}", follower=Message(self.noun))
+
+    @property
+    def pivot(self) -> complex:
+        """Pivot in the frame of the follower's line, mm."""
+        return complex(self.centre_distance * np.exp(-1j * self.azimuth))
+
+    @property
+    def azimuth(self) -> float:
+        """Angle from the ray, on which the pivot stands, to the centre where the swing is 0, rad."""
+        return float(np.angle(self._on_ray(np.array([self.rest])))[0])
+
+    @property
+    def reach(self) -> float:
+        """Greatest distance of a point of the roller from its line, mm."""
+        return self.radius + 2 * self.arm
+
+    def _on_ray(self, delta: Array) -> Complex:
+        """Centre in the frame of the ray, mm, by angles of the arm, rad."""
+        return np.asarray(self.centre_distance - self.arm * np.exp(1j * self.lifts.side * delta))
+
+    def sector(self, least: float, greatest: float) -> tuple[float, float]:
+        """Polar angles from its line between which the roller touches a disc, rad.
+
+        Args:
+            least: least radius of the disc, mm.
+            greatest: greatest radius of the disc, mm.
+        """
+        aside = self.standing(np.linspace(least, greatest, _SECTOR) + self.radius)[1]
+        half = float(np.arcsin(self.radius / (least + self.radius)))
+        room = float(np.abs(np.diff(aside)).max())
+        return float(aside.min()) - half - room, float(aside.max()) + half + room
+
+    def lift(self, q: Array) -> Array:
+        """Way of the centre along its arc, mm.
+
+        Args:
+            q: swing, rad, shape (n,).
+        """
+        return np.asarray(self.arm * q)
+
+    def of_lift(self, lift: Array) -> tuple[Array, Array, Array]:
+        """Swing by the way of the centre, mm, with plane and margin.
+
+        Args:
+            lift: ways, mm, shape (n,).
+        """
+        return lift / self.arm, np.full_like(lift, self.planes[0]), np.full_like(lift, np.inf)
+
+    def centre(self, q: Array, q1: Array, q2: Array) -> tuple[Complex, Complex, Complex]:
+        """Centre in the frame of the follower's line, mm, with its first two derivatives by the cam angle.
+
+        Args:
+            q: swing, rad, shape (n,).
+            q1: its first derivative by the cam angle.
+            q2: its second derivative, 1/rad.
+        """
+        turn = 1j * self.lifts.side
+        back = np.exp(-1j * self.azimuth)
+        arm = self.arm * np.exp(turn * (self.rest + q)) * back
+        return self.centre_distance * back - arm, -turn * q1 * arm, (q1**2 - turn * q2) * arm
+
+    def refuse(self, motion: Motion) -> None:
+        """Refuse a swing beyond what an arm in this place can do, or as any round follower's."""
+        c, l = self.centre_distance, self.arm  # noqa: E741
+        angles, swing = motion.stations
+        # At rest |alpha| <= 60 degrees where 2 c cos(delta + 60°) <= l <= 2 c cos(delta - 60°).
+        half = float(np.arccos(np.clip(l / (2 * c), -1.0, 1.0)))
+        low, high = abs(half - _STEEPEST), half + _STEEPEST
+        beyond = np.maximum(low - self.rest - swing, self.rest + swing - high)
+        worst = int(np.argmax(beyond))
+        if beyond[worst] > 0:
+            raise DesignError(
+                "at cam angle {angle:.1f} degrees the arm stands at {swung:.2f} degrees from the line of its pivot and "
+                "the camshaft, where its pressure angle would be beyond {steepest:.0f} degrees even at rest: from "
+                "{rest:.2f} degrees at lift 0 lead it by {least:.2f} to {most:.2f} degrees, or change "
+                "follower.centre_distance_mm or follower.arm_mm",
+                angle=np.degrees(angles[worst]) % 360,
+                swung=np.degrees(self.rest + swing[worst]),
+                steepest=np.degrees(_STEEPEST),
+                rest=np.degrees(self.rest),
+                least=np.degrees(low - self.rest),
+                most=np.degrees(high - self.rest),
+            )
+        super().refuse(motion)
+
+    def point(self) -> "SwingingRoller":
+        """The roller's centre."""
+        return replace(self, base=self.base + self.radius, radius=0.0)
+
+    def remedies(self) -> tuple[LossRemedy, ...]:
+        """A smaller roller and a larger base circle."""
+        return (
+            LossRemedy("follower.radius_mm", self.radius, False, lambda value: replace(self, radius=value)),
+            LossRemedy(self.base_key, self.base, True, lambda value: replace(self, base=value)),
+        )
+
+    def least(self, x: Array, y: Array) -> tuple[Array, ...]:
+        """Swing from which on the roller clears points, rad (see the module's equation).
+
+        Args:
+            x: coordinates along the follower's line from the camshaft, mm, shape (n,).
+            y: coordinates across it, mm, shape (n,).
+        """
+        distance, angle = seen_from_pivot(self.pivot, self.lifts.side, x, y)
+        within = np.abs(distance - self.arm) < self.radius
+        return (np.where(within, angle + self._opening(distance) - self.rest, -np.inf),)
+
+    def most(self, x: Array, y: Array, off: Array) -> tuple[Array, ...]:
+        """Upper bound of `least` over all points within `off` mm of each point.
+
+        Args:
+            x: coordinates along the follower's line from the camshaft, mm, shape (n,).
+            y: coordinates across it, mm, shape (n,).
+            off: distance within which other points may lie, mm, shape (n,).
+        """
+        distance, angle = seen_from_pivot(self.pivot, self.lifts.side, x, y)
+        within = np.abs(distance - self.arm) < self.radius + off
+        # The angle between arm and point is greatest where the line from the pivot touches the roller.
+        tangent = np.sqrt(max(self.arm**2 - self.radius**2, 0.0))
+        best = np.clip(tangent, distance - off, distance + off)
+        aside = np.arcsin(np.clip(off / np.maximum(distance, off), 0.0, 1.0))
+        return (np.where(within, angle + aside + self._opening(best) - self.rest, -np.inf),)
+
+    def _opening(self, distance: Array) -> Array:
+        """Angle at the pivot between the arm and a point that the roller touches, rad, by the point's distance, mm."""
+        cosine = (self.arm**2 + distance**2 - self.radius**2) / (2 * self.arm * distance)
+        return np.asarray(np.arccos(np.clip(cosine, -1.0, 1.0)))
+
+    def pressed(self, q: Array, normal: Array) -> Array:
+        """Pressure angle, rad: of the outline's normal against the way of the centre, which is square to the arm.
+
+        Args:
+            q: swing, rad, shape (n,).
+            normal: angles of the normal from the follower's line, rad, shape (n,).
+        """
+        across = np.pi / 2 - self.rest - q
+        return np.asarray(-self.lifts.side * (normal + self.azimuth) - across)
+
+    def standing(self, distance: Array) -> tuple[Array, Array]:
+        """Lift of the centre, mm, and its polar angle from the follower's line, rad, by its distance from the camshaft.
+
+        Args:
+            distance: distances of the point from the camshaft, mm, shape (n,).
+        """
+        c, l = self.centre_distance, self.arm  # noqa: E741
+        delta = np.arccos(np.clip((c**2 + l**2 - distance**2) / (2 * c * l), -1.0, 1.0))
+        return l * (delta - self.rest), np.asarray(np.angle(self._on_ray(delta)) - self.azimuth)
+
+    def checks(self, cam: RolledCam) -> tuple[Check, ...]:
+        """Room between disc and pivot."""
+        return pivot_checks(cam, self.centre_distance)
