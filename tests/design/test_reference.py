@@ -3,6 +3,7 @@
 import re
 from pathlib import Path
 
+from cadgen.cam.followers import table as followers
 from cadgen.car.path.path_kinds import codes, kind_of
 from cadgen.design.keys import keys, last, tables
 from cadgen.design.kinds import Kinds
@@ -21,7 +22,11 @@ def test_the_page_has_every_key() -> None:
     limits = re.findall(r'"(\w+)"', keys()["checks.pressure_angle_limit"].allowed)
     named = {key for code in codes() for key in keys(Kinds(path=kind_of(code)))} | set(keys())
     by_motion = [key for key in keys(Kinds(motion=True)) if key.startswith("cam.")]
-    assert sorted(rows) == sorted([*map(last, [*named, *by_motion]), *limits])
+    kinds = [Kinds(follower=followers.kind_of(code), motion=True) for code in followers.codes()[1:]]
+    of_followers = [
+        key for kind in kinds for key in keys(kind) if key.startswith("follower.") and key != "follower.kind"
+    ]
+    assert sorted(rows) == sorted([*map(last, [*named, *by_motion, *of_followers]), *limits])
 
 
 def must_be_there(section: str) -> bool:

@@ -119,8 +119,8 @@ class SwingingFace(StraightFollower):
 
         Args:
             q: swing, rad, shape (n,).
-            q1: its first derivative by the cam angle.
-            q2: its second derivative, 1/rad.
+            q1: its first derivative by the cam angle, rad/rad.
+            q2: its second derivative, rad/rad².
         """
         sine, cosine = self.centre_distance * np.sin(self.rest + q), self.centre_distance * np.cos(self.rest + q)
         return FaceJet(

@@ -123,8 +123,8 @@ class SwingingRoller(RoundFollower):
 
         Args:
             q: swing, rad, shape (n,).
-            q1: its first derivative by the cam angle.
-            q2: its second derivative, 1/rad.
+            q1: its first derivative by the cam angle, rad/rad.
+            q2: its second derivative, rad/rad².
         """
         turn = 1j * self.lifts.side
         back = np.exp(-1j * self.azimuth)

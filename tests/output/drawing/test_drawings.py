@@ -353,11 +353,8 @@ def test_the_verdict_on_a_cam_stands_over_its_title(design, tmp_path, monkeypatc
 @pytest.mark.slow
 def test_a_cam_by_its_motion_says_follower_and_cam_angle(tmp_path):
     """Kind, radius, offset, base circle, and where cam angle 0 lies; and it has room on A4 at 1:1."""
-    from cadgen.cam.followers import table
-    from tests.cam.test_roller import ROLLER, TEXT
+    from tests.cam.test_roller import TEXT
 
-    if not table.has(ROLLER.code):
-        table.register(ROLLER)
     made = Design.from_toml(TEXT).cam()
     sheet = sheet_of(made.computed, Folder.at(tmp_path))
     said = " ".join(sheet.notes)
