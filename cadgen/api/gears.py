@@ -26,14 +26,14 @@ from cadgen.figures import Facts, JobResult
 from cadgen.gears import pair as numbers
 from cadgen.gears import spur
 from cadgen.gears import train as numeric
-from cadgen.gears.choices import Thinning
+from cadgen.gears.choices import Hand, Thinning
 from cadgen.gears.contact import contact_ratio
 from cadgen.gears.inspection import inspection_of
 from cadgen.gears.layout import TrainPart
 from cadgen.gears.spur import form_figures
 from cadgen.gears.stage import Wheel
 from cadgen.gears.tolerances import ToleranceOverrides
-from cadgen.gears.tooth import GearForm, tooth_of
+from cadgen.gears.tooth import STEEPEST_HELIX, GearForm, tooth_of
 from cadgen.gears.train import train_play
 from cadgen.gears.wheel_body import gear_body
 from cadgen.geometry.meshes.made_train import MadeTrain, make_train
@@ -98,7 +98,7 @@ class _ByNumbers(Assembly):
 
 @dataclass(frozen=True, kw_only=True)
 class Gear(JobResult):
-    """A spur gear, its axis on z and a tooth on x.
+    """A spur or helical gear, its axis on z and a tooth on x, midway along the width of a helical one.
 
     Attributes:
         teeth: number of teeth, 4 to 1000.
@@ -114,6 +114,9 @@ class Gear(JobResult):
             it to the pair, with nominal teeth for the gear alone.
         addendum, dedendum, rack_tip_radius: sizes of the basic rack, in modules.
         tip_chamfer: leg of the chamfer at the tips, mm.
+        helix_angle: helix angle β at the reference circle, rad, 0 to 45°; 0 for a spur gear.
+        hand: hand of the helix: `right`, whose teeth turn counter-clockwise as they go away, or `left`.
+        double: whether the helix turns back at half the width.
         name: name of the gear and its files.
 
     Raises:
@@ -144,6 +147,9 @@ class Gear(JobResult):
     dedendum: float = 1.25
     rack_tip_radius: float = 0.38
     tip_chamfer: float = 0.0
+    helix_angle: float = 0.0
+    hand: str = Hand.RIGHT
+    double: bool = False
     name: str = "gear"
 
     def __post_init__(self) -> None:
@@ -153,6 +159,10 @@ class Gear(JobResult):
         feature("width", self.width, 500)
         real("pressure_angle", self.pressure_angle, radians(10), radians(35), "rad")
         real("profile_shift", self.profile_shift, -2, 2, "modules")
+        real("helix_angle", self.helix_angle, 0, STEEPEST_HELIX, "rad")
+        word("hand", self.hand, [hand.value for hand in Hand])
+        if not isinstance(self.double, bool):
+            raise DesignError("double is {value}; it must be True or False", value=brief(repr(self.double), 60))
         feature("bore", self.bore, 500, or_none=True)
         feature("tip_chamfer", self.tip_chamfer, 10, or_none=True)
         for name, most in (("addendum", 3), ("dedendum", 3), ("rack_tip_radius", 1)):
@@ -188,6 +198,8 @@ class Gear(JobResult):
             rack_tip_radius_factor=float(self.rack_tip_radius),
             tip_chamfer=float(self.tip_chamfer),
             tooth_thickness_deviation=self.thickness_deviation or 0.0,
+            helix_angle=float(self.helix_angle) * (1 if self.hand == Hand.RIGHT else -1),
+            double=self.double,
         )
 
     @cached_property
@@ -439,7 +451,9 @@ class GearPair(_ByNumbers):
             return pinion, wheel
         angle = self.backlash / pair.driven_pitch_radius
         along = angle * pair.driven.form.base_diameter / 2
-        both = (pair.normal_backlash(pair.centre_distance) - along) / cos(pair.driver.form.transverse_pressure_angle)
+        form = pair.driver.form
+        across = (pair.base_backlash(pair.centre_distance) - along) / cos(form.transverse_pressure_angle)
+        both = across * cos(form.helix_angle)
         known = [deviation for deviation in fixed if deviation is not None]
         share = (both - sum(known)) / (2 - len(known))
         pinion, wheel = (share if deviation is None else deviation for deviation in fixed)
@@ -465,14 +479,29 @@ class GearPair(_ByNumbers):
         return self.cut.free_angle() * self.cut.driven_pitch_radius
 
     @property
+    def plays(self) -> numbers.Backlash:
+        """The play of the teeth as they are cut under its four names: base, normal, pitch circle and angles."""
+        return self.cut.backlash()
+
+    @property
     def ratio(self) -> Fraction:
         """Turns of the pinion per turn of the wheel."""
         return self.nominal.ratio
 
     @property
     def contact_ratio(self) -> float:
-        """Pairs of teeth in mesh on average, as cut."""
+        """Transverse contact ratio ε_α, as cut: pairs of teeth in mesh on average in one section."""
         return contact_ratio(self.cut)
+
+    @property
+    def overlap_ratio(self) -> float:
+        """Overlap ratio ε_β of helical teeth; 0 for spur gears."""
+        return self.cut.overlap_ratio
+
+    @property
+    def axial_force(self) -> float:
+        """Axial force as a share of the tangential one, tan β; 0 for spur and double helical gears."""
+        return self.cut.axial_force
 
     @property
     def working_pressure_angle(self) -> float:

@@ -9,6 +9,7 @@ from cadgen.design.schema import TrainDesign
 from cadgen.design.section import listed
 from cadgen.design.train import GearBlankSection, GearHub, GearKeys, SpurStage, StageSection, TrainSection
 from cadgen.errors import DesignError
+from cadgen.gears.choices import Hand
 from cadgen.gears.fits import clearance, flat_play, key_play
 from cadgen.gears.layout import Blanks
 from cadgen.gears.pair import GradedGear
@@ -235,16 +236,24 @@ def _stage(stage: StageSection, train: TrainSection) -> Stage:
 
 
 def _pair(stage: SpurStage, train: TrainSection) -> SpurPair:
+    degree = train.helix_angle_deg if stage.helix_angle_deg is None else stage.helix_angle_deg
+    helix, double = radians(degree or 0.0), bool(stage.double)
+    driver_hand = stage.driver.hand or Hand.RIGHT
+    driven_hand = stage.driven.hand or (Hand.LEFT if driver_hand == Hand.RIGHT else Hand.RIGHT)
     return SpurPair(
-        driver=_gear(stage.driver, train),
-        driven=_gear(stage.driven, train),
+        driver=_gear(stage.driver, train, _signed(helix, driver_hand), double),
+        driven=_gear(stage.driven, train, _signed(helix, driven_hand), double),
         centre_distance=stage.centre_distance_mm,
         bearing_span=stage.bearing_span_mm or train.bearing_span_mm,
         centre_distance_deviation=None if stage.f_a_um is None else stage.f_a_um * _UM,
     )
 
 
-def _gear(gear: GearKeys, train: TrainSection) -> GradedGear:
+def _signed(helix: float, hand: Hand) -> float:
+    return helix if hand == Hand.RIGHT else -helix
+
+
+def _gear(gear: GearKeys, train: TrainSection, helix: float, double: bool) -> GradedGear:
     angle = train.pressure_angle_deg if gear.pressure_angle_deg is None else gear.pressure_angle_deg
     form = GearForm(
         teeth=gear.teeth,
@@ -256,6 +265,8 @@ def _gear(gear: GearKeys, train: TrainSection) -> GradedGear:
         dedendum_factor=train.dedendum_factor,
         rack_tip_radius_factor=train.rack_tip_radius_factor,
         tip_chamfer=train.tip_chamfer_mm,
+        helix_angle=helix,
+        double=double,
     )
     given = {name: getattr(gear, f"{name}_um") for name in _OVERRIDES}
     overrides = {name: value * _UM for name, value in given.items() if value is not None}

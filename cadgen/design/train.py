@@ -23,7 +23,7 @@ from cadgen.design.section import (
     section_with,
 )
 from cadgen.errors import DesignError
-from cadgen.gears.choices import Thinning
+from cadgen.gears.choices import Hand, Thinning
 from cadgen.gears.stage_kinds import SPUR, StageKind, codes, has, kind_of
 from cadgen.messages import Message
 
@@ -36,6 +36,11 @@ class GearKeys(DesignSection):
     module_mm: float | None = Field(default=None, gt=0, le=10, description="m_n; left out, that of the train")
     pressure_angle_deg: float | None = Field(
         default=None, ge=10, le=35, description="alpha_n; left out, that of the train"
+    )
+    hand: Annotated[Hand | None, WORD] = Field(
+        default=None,
+        description="of a helical gear: `right` turns counter-clockwise as it goes away; left out, `right` for the "
+        "driver and what meshes with it for the driven gear",
     )
     width_mm: float | None = Field(default=None, gt=0, le=500, description="b; left out, that of the train")
     grade: int | None = Field(default=None, ge=3, le=12, description="tolerance grade; left out, that of the train")
@@ -79,6 +84,12 @@ class SpurStage(StageSection):
     centre_distance_mm: float = Field(gt=0, le=2000, description="a")
     f_a_um: float | None = Field(
         default=None, ge=0, le=1e4, description="deviation of the centre distance; left out, the standard's"
+    )
+    helix_angle_deg: float | None = Field(
+        default=None, ge=0, le=45, description="beta at the reference circle; left out, that of the train"
+    )
+    double: bool | None = Field(
+        default=None, description="whether the helix turns back at half the width; left out, it does not"
     )
     driver: GearKeys
     driven: GearKeys
@@ -249,10 +260,16 @@ class SearchSection(DesignSection):
 
 
 class TrainSection(DesignSection):
-    """The gear train that drives the camshaft, of spur gears. `cadgen gears` needs it."""
+    """The gear train that drives the camshaft, of spur or helical gears. `cadgen gears` needs it."""
 
     module_mm: float = Field(gt=0, le=10, description="m_n")
     pressure_angle_deg: float = Field(default=20.0, ge=10, le=35, description="alpha_n")
+    helix_angle_deg: float | None = Field(
+        default=None,
+        ge=0,
+        le=45,
+        description="beta at the reference circle of every gear; 0 or left out, spur gears",
+    )
     width_mm: Feature = Field(le=500, description="b, face width")
     bearing_span_mm: float = Field(gt=0, le=5000, description="l, between the bearings of a shaft")
     bearing_clearance_um: float | None = Field(
@@ -324,6 +341,7 @@ _TOOTHLESS: type[TrainSection] = create_model(
 _TEETH = (
     *(
         "module_mm",
+        "helix_angle_deg",
         "width_mm",
         "pressure_angle_deg",
         "grade",

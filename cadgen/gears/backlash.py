@@ -1,13 +1,15 @@
-"""Backlash: from tolerances to play by eq. 1-13 of the paper for a pair of spur gears, with least values too.
+"""Backlash: from tolerances to play by eq. 1-13 of the paper for a pair of gears, with least values too.
 
 The symbols are the paper's. Its lengths called "normal backlash" (j_bn1, j_bn2, j_bn3) are arcs of the pitch
 circle: widening the axes by Δa opens 2 Δa tan α there, and thinning a tooth by E opens E. Only along the
 line of action are they shorter, by cos α. With the paper's α_t = 0, eq. 12 leaves them as they are, and
-eq. 13 is right; with α_t = α it would count cos α twice. `Pair.normal_backlash` is the true one.
+eq. 13 is right; with α_t = α it would count cos α twice. `Pair.base_backlash` is the true one.
 
-For profile-shifted pairs the arcs on the reference circles are carried over to the working pitch circles by the
-factor cos α / cos α_w. Axes further apart than the teeth need add the nominal play j_bn0. For unshifted
-pairs at a = m Σz / 2 the factor is 1, j_bn0 is 0, and every line is the paper's.
+For profile-shifted pairs the arcs on the reference circles are carried over to the working pitch circles by the factor
+cos α / cos α_w. Of helical gears the equations are taken in the transverse section. There the thickness deviation E_sn,
+which is normal to the tooth, and the allowances across the flanks are arcs of 1 / cos β times their size. Axes further
+apart than the teeth need add the nominal play j_bn0. For unshifted pairs at a = m Σz / 2 the factor is 1, j_bn0 is 0,
+and every line is the paper's.
 
 The least play is that of the closest axes (a − f_a), the thickest teeth (E_sns on both gears) and gears
 without composite error: j_bnmin = j_bn0 − j_bn1 − ΣE_sns. By eq. 7 that is (j_bnmin_required + j_n)/cos α
@@ -132,6 +134,8 @@ def play_equations(
     span_to_widths: tuple[T, T],
     driven_pitch_radius: T,
     thinning: tuple[Thinning | float, Thinning | float] = (Thinning.MIDDLE, Thinning.MIDDLE),
+    alpha_t: float | None = None,
+    beta: float = 0.0,
 ) -> StagePlay[T]:
     """Eq. 1-13 on given tolerances, in mm and rad; the sizes may be arrays of one shape.
 
@@ -144,9 +148,12 @@ def play_equations(
         span_to_widths: ratio l/b of the bearings' span to the face width, for the driver and for the driven gear.
         driven_pitch_radius: radius of the driven gear's working pitch circle, mm.
         thinning: limit to which the teeth of both are thinned, or their deviation, mm.
+        alpha_t: transverse pressure angle, rad; that of spur gears if left out.
+        beta: helix angle, rad.
     """
     tan_n, tan_w, cos_n, cos_t = np.tan(alpha_n), np.tan(alpha_w), np.cos(alpha_n), np.cos(ALPHA_T)
-    onto_pitch_circle = cos_n / np.cos(alpha_w)
+    across = np.cos(beta)  # a normal thickness as a share of the arc in the transverse section
+    onto_pitch_circle = np.cos(alpha_n if alpha_t is None else alpha_t) / across / np.cos(alpha_w)
     gears = (driver, driven)
     parallelism = [0.5 * ratio * gear.F_beta for ratio, gear in zip(span_to_widths, gears, strict=True)]
     f_sigma_beta = np.minimum(parallelism[0], parallelism[1])
@@ -156,7 +163,7 @@ def play_equations(
         allowance = allowance + (gear.f_pt * cos_t) ** 2 + (gear.F_beta * cos_n) ** 2
     j_n = np.sqrt(allowance)
     j_bnmin_required = 2 / 3 * (0.06 + 0.0005 * centre_distance + 0.03 * module)
-    E_sns = -(f_a * tan_w + (j_bnmin_required + j_n) / (2 * cos_n)) / onto_pitch_circle
+    E_sns = -(f_a * tan_w + (j_bnmin_required + j_n) / (2 * cos_n) / across) / onto_pitch_circle
     plays = []
     for gear, f_own, aim in zip(gears, parallelism, thinning, strict=True):
         T_sn = 2 * tan_n * np.hypot(gear.F_r, gear.b_r)
@@ -211,7 +218,7 @@ def stage_play(pair: Pair) -> StagePlay[float]:
         _tolerances(pair.driver),
         _tolerances(pair.driven),
         f_a=float(centre_distance_deviation(pair.centre_distance, pair.grade)) if f_a is None else f_a,
-        j_bn0=pair.normal_backlash(pair.centre_distance) / float(np.cos(mesh)),
+        j_bn0=pair.base_backlash(pair.centre_distance) / float(np.cos(mesh)),
         module=form.normal_module,
         alpha_n=form.normal_pressure_angle,
         alpha_w=mesh,
@@ -219,6 +226,8 @@ def stage_play(pair: Pair) -> StagePlay[float]:
         span_to_widths=(pair.bearing_span / form.width, pair.bearing_span / pair.driven.form.width),
         driven_pitch_radius=pair.driven_pitch_radius,
         thinning=(pair.driver.thinning, pair.driven.thinning),
+        alpha_t=form.transverse_pressure_angle,
+        beta=form.helix_angle,
     )
 
 

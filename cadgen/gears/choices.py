@@ -18,6 +18,13 @@ class Thinning(StrEnum):
     GREATEST = "greatest"
 
 
+class Hand(StrEnum):
+    """Hand of a helix: of a right-hand one, a point turns counter-clockwise as it moves away."""
+
+    RIGHT = "right"
+    LEFT = "left"
+
+
 class StageOrder(StrEnum):
     """Order of a train's stages in the car: as the design has them, or that of least return error."""
 

@@ -7,9 +7,9 @@ which is positive before and after, is least there. So the ends of both flanks a
 teeth, each past the other gear's flank, and the place of the least room is looked up. This knows no involute.
 
 **Many at once**, in modules and rad. A rack undercuts a gear whose flank it does not reach down to the base circle:
-where the generating profile shift x_E is less than h_fP* − ρ_fP* (1 − sin α) − z sin² α / 2. What is missing of it is
-the measure of an undercut here. The root then begins where its trochoid crosses the involute, which has no closed form:
-it is bisected for all gears together. `tooth.tooth_of` does the same for one gear, on its curves.
+where the generating profile shift x_E is less than h_fP* − ρ_fP* (1 − sin α_n) − z sin² α_t / (2 cos β). What is
+missing of it is the measure of an undercut here. The root then begins where its trochoid crosses the involute, which
+has no closed form: it is bisected for all gears together. `tooth.tooth_of` does the same for one gear, on its curves.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ def missing_shifts(rack: GearForm, teeth: ArrayLike, x_E: ArrayLike) -> Array:
         teeth: numbers of teeth, shape (n,).
         x_E: generating profile shifts, as factors of the module, shape (n,).
     """
-    roll, radius = _tangent_roll(rack, teeth, x_E), np.asarray(teeth) / 2
+    roll, radius = _tangent_roll(rack, teeth, x_E), np.asarray(teeth) / 2 / cos(rack.helix_angle)
     angle = rack.transverse_pressure_angle
     return np.where(roll < -TANGENT_ROLL, -roll * radius * sin(angle) * cos(angle), 0.0)
 
@@ -84,8 +84,9 @@ def _tip_of(rack: GearForm) -> tuple[float, float]:
 def _tangent_roll(rack: GearForm, teeth: ArrayLike, x_E: ArrayLike) -> Array:
     """Roll angle at which the root is tangent to the involute; negative where there is undercut."""
     angle, (_, rounding) = rack.transverse_pressure_angle, _tip_of(rack)
-    depth = rack.dedendum_factor - np.asarray(x_E) - rounding * (1 - sin(angle))
-    return np.asarray(tan(angle) - depth / (np.asarray(teeth) / 2 * sin(angle) * cos(angle)))
+    depth = rack.dedendum_factor - np.asarray(x_E) - rounding * (1 - sin(rack.normal_pressure_angle))
+    radius = np.asarray(teeth) / 2 / cos(rack.helix_angle)
+    return np.asarray(tan(angle) - depth / (radius * sin(angle) * cos(angle)))
 
 
 def _crossing_roll(rack: GearForm, teeth: Array, x_E: Array) -> Array:

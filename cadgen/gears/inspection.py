@@ -1,14 +1,16 @@
-"""Inspection dimensions for the shop: span over k teeth and size over two pins, with their limits.
+"""Inspection dimensions for the shop: span over k teeth and size over two pins or balls, with their limits.
 
-Formulas of ISO 21771-1 / DIN 21773 for a spur gear. The limits follow from those of the tooth-thickness
-deviation, E_sns (upper) and E_sni (lower), by computing the whole gear at each limit, so nothing is
-linearised.
+Formulas of ISO 21771-1 / DIN 21773. The span of an internal gear is over k spaces, and its balls lie between the teeth
+of the ring. Flats touch a helical gear along a line that leans by β_b, so that the face must be W sin β_b wide at
+least; a helical gear with an odd number of teeth is measured over balls, since pins would not lie across each other.
+The limits follow from those of the tooth-thickness deviation, E_sns (upper) and E_sni (lower), by computing the whole
+gear at each limit, so nothing is linearised.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import acos, ceil, cos, hypot, pi, sin, tan
+from math import acos, atan, ceil, cos, hypot, pi, sin, tan
 
 from scipy.optimize import brentq
 
@@ -32,19 +34,28 @@ class SizeLimits:
     upper: float
     lower: float
 
+    @property
+    def by_size(self) -> tuple[float, float]:
+        """Greatest and least size, mm: thin teeth of a ring make its sizes larger."""
+        return max(self.upper, self.lower), min(self.upper, self.lower)
+
 
 @dataclass(frozen=True, slots=True)
 class SpanMeasurement:
-    """Span W_k over `teeth_spanned` teeth; its flats touch on `contact_diameter` (mm, at the upper limit)."""
+    """Span W_k over `teeth_spanned` teeth; its flats touch on `contact_diameter` (mm, at the upper limit).
+
+    The face must be at least `width_needed` (mm) wide for it: W sin β_b.
+    """
 
     teeth_spanned: int
     span: SizeLimits
     contact_diameter: float
+    width_needed: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
 class PinMeasurement:
-    """Size M_d over two pins, which touch the flanks on `contact_diameter` (mm, at the upper limit)."""
+    """Size M_d over two pins or balls, which touch the flanks on `contact_diameter` (mm, at the upper limit)."""
 
     pin_diameter: float
     over_pins: SizeLimits
@@ -99,51 +110,69 @@ def inspection_of(
 
 
 def span_over(form: GearForm, teeth_spanned: int) -> float:
-    """Span W_k = m_n cos α_n [π(k − ½) + z inv α_t] + 2 x_E m_n sin α_n in mm, as cut."""
+    """Span W_k = m_n cos α_n [π(k − ½) + z inv α_t] ± 2 x_E m_n sin α_n in mm, as cut; minus for an internal gear."""
     angle = form.normal_pressure_angle
     bracket = pi * (teeth_spanned - 0.5) + form.teeth * involute(form.transverse_pressure_angle)
-    shift = 2 * form.generating_profile_shift * sin(angle)
+    shift = 2 * form.side * form.generating_profile_shift * sin(angle)
     return form.normal_module * (cos(angle) * bracket + shift)
 
 
 def size_over_pins(form: GearForm, pin_diameter: float) -> float:
     """Size M_d over two pins in mm, as cut: d_K + D_M, times cos(π/2z) on d_K for an odd number of teeth.
 
-    The pin's centre lies on d_K = d_b / cos α_K with inv α_K = D_M / d_b − (π/z − ψ_b); ψ_b is half the angle of the
-    tooth on the base circle. Raises `DesignError` if the pin is too thin to stand above the base circle.
+    The pin's centre lies on d_K = d_b / cos α_K with inv α_K = D_M / (d_b cos β_b) − (π/z − ψ_b); ψ_b is half the angle
+    of the tooth on the base circle. Between the teeth of a ring it is d_K − D_M, with inv α_K = η_b − D_M / (d_b cos
+    β_b), η_b half the angle of the space. Raises `DesignError` if the pin is too thin or too thick for the flanks.
 
     Args:
         form: numbers of the teeth.
         pin_diameter: diameter D_M of the pins, mm.
     """
     across = 1.0 if form.teeth % 2 == 0 else cos(pi / (2 * form.teeth))
-    return form.base_diameter / cos(_pin_angle(form, pin_diameter)) * across + pin_diameter
+    return form.base_diameter / cos(_pin_angle(form, pin_diameter)) * across + form.side * pin_diameter
 
 
 def ideal_pin_diameter(form: GearForm) -> float:
-    """The pin D_M in mm that touches the flanks on the circle d + 2 x m_n, as cut.
+    """The pin D_M in mm that touches the flanks on the circle d + 2 x m_n, as cut; of a ring, on d − 2 x m_n.
 
-    There the pressure angle is α_v and half a space takes the angle η_v = π/z − ψ_v; the normals of both
-    flanks touch the base circle and meet on the middle of the space, so D_M = d_b [tan(α_v + η_v) − tan α_v].
+    There the pressure angle is α_v and half a space takes the angle η_v = π/z − ψ_v; the normals of both flanks touch
+    the base circle and meet on the middle of the space, so D_M = d_b [tan(α_v + η_v) − tan α_v] for an external spur
+    gear. Of others, contact and centre of the pin make one equation that is solved here.
     """
     diameter = max(_reference_with_shift(form), form.base_diameter)
     angle = acos(form.base_diameter / diameter)
-    space = pi / form.teeth - form.half_angle(diameter)
-    return form.base_diameter * (tan(angle + space) - tan(angle))
+    if form.side > 0 and form.helix_angle == 0:
+        space = pi / form.teeth - form.half_angle(diameter)
+        return form.base_diameter * (tan(angle + space) - tan(angle))
+    lean = cos(form.base_helix_angle)
+
+    def past(share: float) -> float:
+        centre = max(tan(angle) + form.side * share * lean, 0.0)
+        return centre - atan(centre) - _involute_at_centre(form, share * form.base_diameter)
+
+    low, high = 0.0, 2 * pi / form.teeth
+    while past(low) * past(high) > 0 and high < 2.0:
+        high *= 1.5
+    return form.base_diameter * float(brentq(past, low, high)) if past(low) * past(high) <= 0 else form.normal_module
 
 
 def _reference_with_shift(form: GearForm) -> float:
-    return form.reference_diameter + 2 * form.profile_shift * form.normal_module
+    return form.reference_diameter + 2 * form.side * form.profile_shift * form.normal_module
 
 
 def _space_at_base(form: GearForm) -> float:
     """Half the angle of a space on the base circle, in rad; negative where the teeth overlap there."""
-    return pi / form.teeth - form.base_half_angle
+    return form.base_half_angle if form.side < 0 else pi / form.teeth - form.base_half_angle
+
+
+def _involute_at_centre(form: GearForm, pin_diameter: float) -> float:
+    """Inv α_K at the centre of a pin, mm."""
+    return form.side * (pin_diameter / form.base_diameter / cos(form.base_helix_angle) - _space_at_base(form))
 
 
 def _pin_angle(form: GearForm, pin_diameter: float) -> float:
     """Pressure angle α_K at the centre of a pin, in rad."""
-    value = pin_diameter / form.base_diameter - _space_at_base(form)
+    value = _involute_at_centre(form, pin_diameter)
     if value <= 0:
         raise DesignError(
             "{gear} cannot be measured over pins of {pin:g} mm, which drop into its spaces; give about {ideal:.3g} mm",
@@ -155,18 +184,21 @@ def _pin_angle(form: GearForm, pin_diameter: float) -> float:
 
 
 def _usable(tooth: Tooth, contact_diameter: float) -> bool:
-    return tooth.root_form_diameter < contact_diameter < tooth.form.tip_form_diameter
+    low, high = sorted((tooth.root_form_diameter, tooth.form.tip_form_diameter))
+    return low < contact_diameter < high
 
 
 def _span_measurement(limits: tuple[Tooth, Tooth]) -> SpanMeasurement | None:
     """The span that touches nearest to the circle d + 2 x m_n, on the usable flanks at both limits."""
     upper, lower = limits[0].form, limits[1].form
+    lean, room = cos(upper.base_helix_angle), upper.width / (2 if upper.double else 1)
     best = None
     for count in range(LEAST_TEETH_SPANNED, upper.teeth):
         spans = SizeLimits(span_over(upper.cut_to(0.0), count), span_over(upper, count), span_over(lower, count))
-        contacts = [hypot(upper.base_diameter, spans.upper), hypot(upper.base_diameter, spans.lower)]
-        if all(_usable(tooth, contact) for tooth, contact in zip(limits, contacts, strict=True)):
-            candidate = SpanMeasurement(count, spans, contacts[0])
+        contacts = [hypot(upper.base_diameter, span * lean) for span in (spans.upper, spans.lower)]
+        needed = spans.upper * sin(abs(upper.base_helix_angle))
+        if needed <= room and all(_usable(tooth, contact) for tooth, contact in zip(limits, contacts, strict=True)):
+            candidate = SpanMeasurement(count, spans, contacts[0], needed)
             if best is None or _from_middle(upper, contacts[0]) < _from_middle(upper, best.contact_diameter):
                 best = candidate
     return best
@@ -184,14 +216,15 @@ def _pin_measurement(limits: tuple[Tooth, Tooth], pin_diameter: float) -> PinMea
     contacts = []
     for tooth in limits:
         form = tooth.form
-        if pin_diameter <= form.base_diameter * _space_at_base(form):
+        if _involute_at_centre(form, pin_diameter) <= 0:
             return None
-        angle = _pin_angle(form, pin_diameter)
+        angle, side = _pin_angle(form, pin_diameter), form.side
         centre = form.base_diameter / cos(angle)
-        roll = tan(angle) - pin_diameter / form.base_diameter
+        roll = tan(angle) - side * pin_diameter * cos(form.base_helix_angle) / form.base_diameter
         contacts.append(form.base_diameter * hypot(1.0, roll))
         rests = roll > 0 and _usable(tooth, contacts[-1])
-        if not rests or not form.root_diameter + pin_diameter < centre > form.tip_diameter - pin_diameter:
+        clear = side * (centre - form.root_diameter) > pin_diameter
+        if not rests or not (clear and side * (centre - form.tip_diameter) > -pin_diameter):
             return None
     upper, lower = limits[0].form, limits[1].form
     sizes = [size_over_pins(form, pin_diameter) for form in (upper.cut_to(0.0), upper, lower)]
@@ -201,7 +234,9 @@ def _pin_measurement(limits: tuple[Tooth, Tooth], pin_diameter: float) -> PinMea
 def _chosen_pins(limits: tuple[Tooth, Tooth]) -> PinMeasurement | None:
     """The first pin from the ideal one upwards that rests on the flanks within `PIN_CONTACT_RANGE`."""
     form = limits[0].form
-    low, high = (_reference_with_shift(form) + 2 * place * form.normal_module for place in PIN_CONTACT_RANGE)
+    low, high = sorted(
+        _reference_with_shift(form) + 2 * form.side * place * form.normal_module for place in PIN_CONTACT_RANGE
+    )
     for step in PIN_STEPS:
         first = ceil(ideal_pin_diameter(form) / step)
         for count in range(first, first + PINS_TRIED):

@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 from cadgen.arrays import gauss_nodes
 from cadgen.errors import DesignError
 from cadgen.gears.stage import Wheel
+from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train
 from cadgen.gears.wheel_body import cluster_body, gear_body, with_collar
 from cadgen.messages import Message
@@ -215,6 +216,7 @@ def _stacked(train: Train, blanks: Sequence[Blank], clearance: float) -> list[Tr
             flipped=shaft == 1,
         )
 
+    first = _turned_over(first)
     drive = _made(1, Message("drive"), gear_body, first, blanks[0])
     parts = [part("1_pinion", 1, (first,), blanks[0], drive, plane + first.width / 2)]
     for shaft, (before, after) in enumerate(pairwise(stages), 2):
@@ -231,6 +233,13 @@ def _stacked(train: Train, blanks: Sequence[Blank], clearance: float) -> list[Tr
     output = _made(shaft, Message("output"), gear_body, last, blanks[-1])
     parts.append(part(f"{shaft}_wheel", shaft, (last,), blanks[-1], output, plane - last.width / 2))
     return parts
+
+
+def _turned_over(wheel: Wheel) -> Wheel:
+    """Wheel that is as it shall be once it has been turned over about x: the arrow of a double helix turns round."""
+    if isinstance(wheel, GearForm) and wheel.double:
+        return replace(wheel, helix_angle=-wheel.helix_angle)
+    return wheel
 
 
 def _made(shaft: int, place: Message, make: Callable[..., M], *arguments: Wheel | Blank | float) -> M:

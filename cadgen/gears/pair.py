@@ -1,29 +1,38 @@
-"""Spur gears as numbers: gears made to a grade, and pairs of them at a centre distance."""
+"""Gears as numbers: gears made to a grade, and pairs of them at a centre distance.
+
+Teeth are counted as ISO 21771-1 counts them: those of an internal gear are negative in all sums. One set of formulas
+then serves external and internal pairs, spur or helical; lengths along the line of action are those of the transverse
+section.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from math import acos, cos, degrees, inf, tan
+from math import acos, cos, degrees, floor, inf, pi, sin, tan
 from typing import Self
 
 from scipy.optimize import brentq
 
 from cadgen.errors import DesignError
-from cadgen.gears.choices import Thinning
+from cadgen.gears.choices import Hand, Thinning
 from cadgen.gears.tolerances import GRADES, ToleranceOverrides
 from cadgen.gears.tooth import GearForm, involute
 from cadgen.messages import Message
 
+# Teeth that a ring of standard teeth has more than its pinion at least, so that tips clear each other (SDP/SI D785).
+USUAL_DIFFERENCE = 9
 # Centre distances are stated to the micrometre: one this much short, in mm, is rounded and not too small.
 CENTRE_DISTANCE_ROUNDING = 0.5e-3
+# Helix angles nearer than this, in rad, are one: far below any machine's setting.
+SAME_HELIX = 1e-9
 # Greatest working pressure angle that profile shifts may ask for, in rad (80°).
 STEEPEST_MESH = 1.4
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GradedGear:
-    """A spur gear and the tolerance grade it is made to; `overrides` stand in for the standards' values.
+    """A gear and the tolerance grade it is made to; `overrides` stand in for the standards' values.
 
     `thinning` is the thickness that the teeth are cut to: a place in the zone of the grade, or E_sn in mm.
     `pin_diameter` is that of the pins it is measured with, in mm; None for one to suit it. Raises `DesignError` for a
@@ -48,12 +57,32 @@ class GradedGear:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Backlash:
+    """Play of a pair under its four names.
+
+    Attributes:
+        base: j_bt, along the line of action in the transverse section, mm.
+        normal: j_bn = j_bt cos β_b, the gap between flanks across them in space, mm.
+        pitch: j_wt = j_bt / cos α_wt, arc of the working pitch circles, mm: backlash without another word.
+        driver_angle: free angle of the driver while the driven gear rests, rad.
+        driven_angle: free angle of the driven gear while the driver rests, rad.
+    """
+
+    base: float
+    normal: float
+    pitch: float
+    driver_angle: float
+    driven_angle: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Pair:
     """Two gears in mesh: `driver` turns `driven`. As a stage of a train it is a `spur.SpurPair`.
 
-    The axes are `centre_distance` (a) apart, their bearings `bearing_span` (l), in mm.
-    `centre_distance_deviation` stands in for the standard's f_a. Raises `DesignError` if modules or pressure
-    angles differ, if the teeth jam or do not meet at a, or if a length is out of range.
+    The axes are `centre_distance` (a) apart, their bearings `bearing_span` (l), in mm. At most one of the gears is
+    internal, and the other turns inside it. `centre_distance_deviation` stands in for the standard's f_a. Raises
+    `DesignError` if modules, pressure angles or helices do not match, if the teeth jam or do not meet at a, or if a
+    length is out of range.
     """
 
     driver: GradedGear
@@ -78,6 +107,7 @@ class Pair:
                 one=degrees(driver.normal_pressure_angle),
                 other=degrees(driven.normal_pressure_angle),
             )
+        self._require_helices()
         if not 0 < self.bearing_span < inf:
             raise DesignError(
                 "{pair} has the bearing span {bearing_span:g} mm; give one above 0",
@@ -91,6 +121,44 @@ class Pair:
                 pair=str(self),
                 deviation=deviation,
             )
+        if self.internal:
+            self._require_inside()
+        else:
+            self._require_outside()
+
+    def _require_helices(self) -> None:
+        """External gears have opposite hands, a ring and its pinion the same one."""
+        driver, driven = self.driver.form, self.driven.form
+        wanted = -driver.helix_angle if not self.internal else driver.helix_angle
+        if abs(driven.helix_angle - wanted) > SAME_HELIX and abs(driven.helix_angle + wanted) <= SAME_HELIX:
+            if self.internal:
+                raise DesignError(
+                    '{pair} has opposite hands, and a ring has that of its pinion; give both hand = "{hand}"',
+                    pair=str(self),
+                    hand=hand_of(driver.helix_angle),
+                )
+            raise DesignError(
+                '{pair} has the hand "{hand}" twice, and gears side by side have opposite ones; give the driven gear '
+                'hand = "{other}"',
+                pair=str(self),
+                hand=hand_of(driver.helix_angle),
+                other=hand_of(wanted),
+            )
+        if abs(driven.helix_angle - wanted) > SAME_HELIX:
+            raise DesignError(
+                "{pair} joins the helix angles {one:g}° and {other:g}°; give both gears one helix angle",
+                pair=str(self),
+                one=degrees(abs(driver.helix_angle)),
+                other=degrees(abs(driven.helix_angle)),
+            )
+        if driver.double != driven.double:
+            raise DesignError(
+                "{pair} joins a double helical gear and one that is not; make both double, or neither", pair=str(self)
+            )
+
+    def _require_outside(self) -> None:
+        """Axes of an external pair are so far apart that teeth do not jam, and so near that they meet."""
+        driver, driven = self.driver.form, self.driven.form
         least, reach = self.zero_backlash_centre_distance, (driver.tip_diameter + driven.tip_diameter) / 2
         if not self.centre_distance >= least - CENTRE_DISTANCE_ROUNDING:
             raise DesignError(
@@ -110,8 +178,57 @@ class Pair:
                 reach=reach,
             )
 
+    def _require_inside(self) -> None:
+        """A pinion fits into its ring, and its axis is so near to the ring's that teeth do not jam, yet meet."""
+        if self.driver.form.side + self.driven.form.side < 0:
+            raise DesignError("{pair} has two internal gears; take internal from one of them", pair=str(self))
+        pinion, ring = (each.form for each in self.by_size)
+        if not ring.teeth > pinion.teeth:
+            raise DesignError(
+                "{pair} has a ring of {ring} teeth, which must be larger than its pinion; give the ring at least "
+                "{least} teeth",
+                pair=str(self),
+                ring=ring.teeth,
+                least=pinion.teeth + USUAL_DIFFERENCE,
+            )
+        most, least = self.zero_backlash_centre_distance, (ring.tip_diameter - pinion.tip_diameter) / 2
+        if not self.centre_distance <= most + CENTRE_DISTANCE_ROUNDING:
+            raise DesignError(
+                "{pair} jams at the centre distance {centre_distance:g} mm; give at most {most:.7g} mm, or smaller "
+                "profile shifts",
+                pair=str(self),
+                centre_distance=self.centre_distance,
+                most=floor(most * 1e4) / 1e4,
+            )
+        if not self.centre_distance > least:
+            raise DesignError(
+                "{pair} of module {module:g} does not meet at the centre distance {centre_distance:g} mm; give more "
+                "than {least:.6g} mm, such as {most:.7g}",
+                pair=str(self),
+                module=pinion.normal_module,
+                centre_distance=self.centre_distance,
+                least=least,
+                most=floor(most * 1e4) / 1e4,
+            )
+
     def __str__(self) -> str:
         return _pair(self.driver.form, self.driven.form)
+
+    @property
+    def internal(self) -> bool:
+        """Whether one of the gears is a ring round the other."""
+        return self.driver.form.side != self.driven.form.side or self.driver.form.side < 0
+
+    @property
+    def by_size(self) -> tuple[GradedGear, GradedGear]:
+        """Pinion and ring of an internal pair; driver and driven gear of an external one."""
+        return (self.driven, self.driver) if self.driver.form.side < 0 else (self.driver, self.driven)
+
+    @property
+    def teeth_together(self) -> int:
+        """Sum of the teeth, those of a ring negative."""
+        driver, driven = self.driver.form, self.driven.form
+        return driver.side * driver.teeth + driven.side * driven.teeth
 
     @property
     def ratio(self) -> Fraction:
@@ -126,8 +243,7 @@ class Pair:
     @property
     def driven_pitch_radius(self) -> float:
         """Radius of the driven gear's working pitch circle, in mm."""
-        driver_teeth, driven_teeth = self.driver.form.teeth, self.driven.form.teeth
-        return self.centre_distance * driven_teeth / (driver_teeth + driven_teeth)
+        return self.centre_distance * self.driven.form.teeth / abs(self.teeth_together)
 
     @property
     def working_pressure_angle(self) -> float:
@@ -139,12 +255,26 @@ class Pair:
         """Centre distance in mm at which teeth of nominal thickness mesh without play; see `closest`."""
         return closest(self.driver.form, self.driven.form)
 
-    def normal_backlash(self, centre_distance: float, thickness_deviation: float = 0.0) -> float:
-        """Play along the line of action in mm, by the exact geometry of involutes, without tolerances.
+    @property
+    def overlap_ratio(self) -> float:
+        """ε_β = b sin |β| / (π m_n) of the width that both gears share; of a double gear, that of one half."""
+        form = self.driver.form
+        width = min(form.width, self.driven.form.width) / (2 if form.double else 1)
+        return width * sin(abs(form.helix_angle)) / (pi * form.normal_module)
+
+    @property
+    def axial_force(self) -> float:
+        """Axial force as a share of the tangential one at the reference circle, tan |β|; none of a double gear."""
+        form = self.driver.form
+        return 0.0 if form.double else tan(abs(form.helix_angle))
+
+    def base_backlash(self, centre_distance: float, thickness_deviation: float = 0.0) -> float:
+        """Play j_bt along the transverse line of action, mm, by the exact geometry of involutes, without tolerances.
 
         `thickness_deviation` is ΣE_sn, the sum of both gears' deviations on their reference circles, negative
-        for thinned teeth: j_bn = cos α [m Σz (inv α_w − inv α) − 2 m Σx tan α − ΣE_sn]. It turns the driven
-        gear by j_bn / r_b. Raises `DesignError` if the base circles overlap.
+        for thinned teeth: j_bt = cos α_t [m_t Σz (inv α_wt − inv α_t) − 2 m_t Σx tan α_n − ΣE_sn / cos β]. It turns
+        the driven gear by j_bt / r_b. With the teeth of a ring negative, play grows as the axes of an internal pair
+        come nearer, and as either gear is thinned. Raises `DesignError` if the base circles overlap.
 
         Args:
             centre_distance: distance of the axes, mm.
@@ -153,9 +283,26 @@ class Pair:
         form, other = self.driver.form, self.driven.form
         alpha = form.transverse_pressure_angle
         opened = involute(self.pressure_angle(centre_distance)) - involute(alpha)
-        shift = 2 * (form.profile_shift + other.profile_shift) * tan(alpha)
-        nominal = form.transverse_module * ((form.teeth + other.teeth) * opened - shift)
-        return cos(alpha) * (nominal - thickness_deviation)
+        shift = 2 * (form.profile_shift + other.profile_shift) * tan(form.normal_pressure_angle)
+        nominal = form.transverse_module * (self.teeth_together * opened - shift)
+        return cos(alpha) * (nominal - thickness_deviation / cos(form.helix_angle))
+
+    def backlash(self, centre_distance: float | None = None) -> Backlash:
+        """Play under its four names by the exact geometry of involutes, as cut.
+
+        Args:
+            centre_distance: distance of the axes, mm; the pair's own if left out.
+        """
+        apart = self.centre_distance if centre_distance is None else centre_distance
+        driver, driven = self.driver.form, self.driven.form
+        base = self.base_backlash(apart, driver.tooth_thickness_deviation + driven.tooth_thickness_deviation)
+        return Backlash(
+            base=base,
+            normal=base * cos(driver.base_helix_angle),
+            pitch=base / cos(self.pressure_angle(apart)),
+            driver_angle=base / (driver.base_diameter / 2),
+            driven_angle=base / (driven.base_diameter / 2),
+        )
 
     def exact_play(self, centre_distance: float | None = None) -> float:
         """Free angle of the driven gear in rad by the exact geometry of involutes, as cut.
@@ -167,7 +314,7 @@ class Pair:
         """
         apart = self.centre_distance if centre_distance is None else centre_distance
         deviation = sum(gear.form.tooth_thickness_deviation for gear in (self.driver, self.driven))
-        return self.normal_backlash(apart, deviation) / (self.driven.form.base_diameter / 2)
+        return self.base_backlash(apart, deviation) / (self.driven.form.base_diameter / 2)
 
     def thinned_to(self, driver: Thinning | float, driven: Thinning | float) -> Self:
         """Pair with other thicknesses that its teeth are to be cut to; see `GradedGear.thinning`."""
@@ -204,7 +351,8 @@ class Pair:
         Args:
             centre_distance: distance of the axes, mm.
         """
-        base = (self.driver.form.base_diameter + self.driven.form.base_diameter) / 2
+        driver, driven = self.driver.form, self.driven.form
+        base = abs(driver.side * driver.base_diameter + driven.side * driven.base_diameter) / 2
         if not centre_distance >= base:
             raise DesignError(
                 "{pair} has overlapping base circles at the centre distance {centre_distance:g} mm; give at least "
@@ -219,15 +367,15 @@ class Pair:
 def closest(driver: GearForm, driven: GearForm) -> float:
     """Centre distance in mm at which teeth of nominal thickness mesh without play.
 
-    inv α_w = inv α + 2 tan α (x_1 + x_2)/(z_1 + z_2). Raises `DesignError` if the profile shifts allow none.
+    inv α_wt = inv α_t + 2 tan α_n (x_1 + x_2)/(z_1 + z_2). Raises `DesignError` if the profile shifts allow none.
     """
-    teeth = driver.teeth + driven.teeth
-    reference = driver.transverse_module * teeth / 2
+    teeth = driver.side * driver.teeth + driven.side * driven.teeth
+    reference = driver.transverse_module * abs(teeth) / 2
     shift = driver.profile_shift + driven.profile_shift
     if shift == 0:
         return reference
     alpha = driver.transverse_pressure_angle
-    wanted = involute(alpha) + 2 * tan(alpha) * shift / teeth
+    wanted = involute(alpha) + 2 * tan(driver.normal_pressure_angle) * shift / teeth
     if not 0 < wanted < involute(STEEPEST_MESH):
         raise DesignError(
             "{pair} has profile shifts of {shift:g} together; bring their sum nearer to 0",
@@ -236,6 +384,15 @@ def closest(driver: GearForm, driven: GearForm) -> float:
         )
     mesh: float = brentq(lambda angle: involute(angle) - wanted, 0.0, STEEPEST_MESH, xtol=1e-15)
     return reference * cos(alpha) / cos(mesh)
+
+
+def hand_of(helix_angle: float) -> str:
+    """Word for the hand of a helix.
+
+    Args:
+        helix_angle: helix angle β, rad.
+    """
+    return Hand.RIGHT if helix_angle > 0 else Hand.LEFT
 
 
 def _pair(driver: GearForm, driven: GearForm) -> str:

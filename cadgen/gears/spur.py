@@ -1,4 +1,4 @@
-"""Spur gears: a pair of them as a stage of a train, with its checks in mesh and its figures.
+"""Cylindrical gears, spur or helical: a pair of them as a stage of a train, with its checks in mesh and its figures.
 
 The checks look at the teeth as cut and at the limits of the tolerances. The figures, for the manifest and the table of
 parts, are µm, mm and degrees.
@@ -35,6 +35,7 @@ from cadgen.gears.tolerances import (
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train
 from cadgen.messages import Message
+from cadgen.parts.run import lead
 
 # What the contact ratio found on the curves may differ from that of the formula.
 CONTACT_RATIO_ERROR = 0.01
@@ -106,6 +107,7 @@ def pair_checks(pair: Pair, engage: Engage) -> tuple[Check, ...]:
     built = engage(pair, pair.centre_distance)
     module = pair.driver.form.normal_module
     ratio = found_contact_ratio(pair)
+    overlap = pair.overlap_ratio
     wider = Message("lower addendum_factor or the profile shifts")
     greatest, least = limit_states(pair)
     states = {
@@ -136,8 +138,8 @@ def pair_checks(pair: Pair, engage: Engage) -> tuple[Check, ...]:
         ),
         Check(
             CheckCode.CONTACT_RATIO,
-            Message("contact ratio"),
-            ratio,
+            Message("total contact ratio") if overlap else Message("contact ratio"),
+            ratio + overlap,
             "",
             LEAST_CONTACT_RATIO,
             Bound.MIN,
@@ -213,6 +215,7 @@ def pair_facts(pair: Pair) -> Facts:
         bearing_span_mm=pair.bearing_span,
         ratio=str(pair.ratio),
         contact_ratio=contact_ratio(pair),
+        **_beyond_spur(pair),
         **_in_um({name: value for name, value in asdict(play).items() if name not in _NO_LENGTHS}),
         play_um={"mean": spread.mean * 1e3, "std": spread.std * 1e3, **quantiles(spread, 1e3)},
         play_as_cut_um=pair.exact_play() * arc,
@@ -223,6 +226,27 @@ def pair_facts(pair: Pair) -> Facts:
         driver=_tolerance_facts(pair.driver, play.driver),
         driven=_tolerance_facts(pair.driven, play.driven),
     )
+
+
+def _beyond_spur(pair: Pair) -> dict[str, float]:
+    """Overlap, axial force and the play by its four names; nothing of spur gears side by side."""
+    form = pair.driver.form
+    if form.helix_angle == 0 and not pair.internal:
+        return {}
+    play, said = pair.backlash(), {}
+    if form.helix_angle:
+        said = {
+            "overlap_ratio": pair.overlap_ratio,
+            "total_contact_ratio": contact_ratio(pair) + pair.overlap_ratio,
+            "axial_force_per_tangential": pair.axial_force,
+        }
+    return said | {
+        "play_base_um": play.base * 1e3,
+        "play_normal_um": play.normal * 1e3,
+        "play_pitch_circle_um": play.pitch * 1e3,
+        "play_driver_angle_deg": degrees(play.driver_angle),
+        "play_driven_angle_deg": degrees(play.driven_angle),
+    }
 
 
 def _tolerance_facts(gear: GradedGear, play: GearPlay[float]) -> Facts:
@@ -259,15 +283,31 @@ def form_figures(form: GearForm) -> Figures:
         Figure("module", Message("module m_n"), form.normal_module, "mm"),
         Figure("pressure_angle", Message("pressure angle"), degrees(form.normal_pressure_angle), "°"),
         Figure("profile_shift", Message("profile shift x"), form.profile_shift),
+        *helix_figures(form),
         Figure("width", Message("face width"), form.width, "mm"),
         Figure("tip_diameter", Message("tip diameter"), form.tip_diameter, "mm"),
         Figure("root_diameter", Message("root diameter, as cut"), form.root_diameter, "mm"),
     )
 
 
+def helix_figures(form: GearForm) -> tuple[Figure, ...]:
+    """Helix of a gear; nothing of a spur gear."""
+    if form.helix_angle == 0:
+        return ()
+    return (
+        Figure("helix_angle", Message("helix angle, + right hand"), degrees(form.helix_angle), "°"),
+        Figure("lead", Message("lead"), lead(form.helix_angle, form.reference_diameter), "mm"),
+        Figure("reference_diameter", Message("reference diameter d"), form.reference_diameter, "mm"),
+    )
+
+
 def gear_figures(form: GearForm, play: GearPlay[float], sizes: Inspection) -> Figures:
     """Dimensions of one gear for the workshop."""
     span, pins = sizes.span, sizes.pins
+    needed: tuple[Figure, ...] = ()
+    if form.helix_angle:
+        width = span.width_needed if span else None
+        needed = (Figure("span_width_needed", Message("face width that the span needs"), width, "mm"),)
     return Figures(
         *form_figures(form).values(),
         Figure("E_sn", "E_sn", form.tooth_thickness_deviation * 1e3, "µm"),
@@ -275,6 +315,7 @@ def gear_figures(form: GearForm, play: GearPlay[float], sizes: Inspection) -> Fi
         Figure("E_sni", "E_sni", play.E_sni * 1e3, "µm"),
         Figure("teeth_spanned", Message("teeth spanned"), span.teeth_spanned if span else None),
         *_limits("span", span.span if span else None),
+        *needed,
         Figure("pin_diameter", Message("pin diameter"), pins.pin_diameter if pins else None, "mm"),
         *_limits("over_pins", pins.over_pins if pins else None),
     )
@@ -285,7 +326,7 @@ def _in_um(values: Mapping[str, float | None]) -> dict[str, float | None]:
 
 
 def _limits(name: str, limits: SizeLimits | None) -> Iterator[Figure]:
-    values = (None, None, None) if limits is None else (limits.nominal, limits.upper, limits.lower)
+    values = (None, None, None) if limits is None else (limits.nominal, *limits.by_size)
     for which, value in zip(("nominal", "max", "min"), values, strict=True):
         yield Figure(f"{name}_{which}", name, value, "mm")
 
@@ -295,14 +336,32 @@ TEETH = Message("leave the kind out and give the stage gears with teeth")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SpurPair(Pair, Stage):
-    """Pair of spur gears as a stage; its numbers and errors are those of `Pair`."""
+    """Pair of cylindrical gears as a stage; its numbers and errors are those of `Pair`."""
 
-    noun = Message("spur gears")
+    @property
+    def noun(self) -> str:
+        """Spur or helical gears, perhaps one of them internal."""
+        form = self.driver.form
+        if form.helix_angle == 0:
+            return Message("internal gears") if self.internal else Message("spur gears")
+        if self.internal:
+            return Message("internal helical gears")
+        return Message("double helical gears") if form.double else Message("helical gears")
+
+    @property
+    def sense(self) -> int:
+        """+1 for an internal pair, whose gears turn the same way, else -1."""
+        return 1 if self.internal else -1
 
     @property
     def wheels(self) -> tuple[GearForm, GearForm]:
         """Forms of both gears."""
         return self.driver.form, self.driven.form
+
+    @property
+    def plain(self) -> bool:
+        """Whether it is of spur gears side by side."""
+        return self.driver.form.helix_angle == 0 and not self.internal
 
     @property
     def label(self) -> str:
@@ -354,8 +413,12 @@ class SpurPair(Pair, Stage):
             direction: direction from the driver's axis to the driven gear's, rad.
         """
         driver_teeth, driven_teeth = self.driver.form.teeth, self.driven.form.teeth
-        phase = driver_teeth * (driver_angle - direction)
-        return (direction + pi + (pi - phase) / driven_teeth) % (2 * pi)
+        if not self.internal:
+            phase = driver_teeth * (driver_angle - direction)
+            return (direction + pi + (pi - phase) / driven_teeth) % (2 * pi)
+        # A pinion meets its ring on the side that is away from the ring's axis.
+        towards = direction if self.driver.form.side < 0 else direction + pi
+        return (towards + (driver_teeth * (driver_angle - towards) + pi) / driven_teeth) % (2 * pi)
 
     def meshes(self, engage: Engage) -> bool:
         """Whether the teeth, as cut, have one play all the time."""
@@ -366,8 +429,20 @@ class SpurPair(Pair, Stage):
         return pair_checks(self, engage)
 
     def notes(self, number: int) -> tuple[str, ...]:
-        """Which gears are undercut as they are cut, and how far."""
-        return tuple(
+        """Which gears are undercut as they are cut, and how far; an overlap that no pair of teeth carries alone."""
+        overlap = self.overlap_ratio
+        said: tuple[str, ...] = ()
+        if 0 < overlap < 1:
+            said = (
+                Message(
+                    "stage {number} has the overlap ratio {overlap:.2f}; from 1 on a tooth hands over to the next "
+                    "without a step, with a width_mm of {width:.4g}",
+                    number=number,
+                    overlap=overlap,
+                    width=min(wheel.width for wheel in self.wheels) / overlap,
+                ),
+            )
+        return said + tuple(
             Message(
                 "the {role} of stage {number}, of {teeth} teeth, is undercut: as cut it has the profile shift"
                 " {shift:.2f}, {missing:.2f} modules less than would leave its flanks whole",
@@ -428,6 +503,14 @@ def spur_pairs(train: Train, what: str, cure: str = TEETH) -> tuple[SpurPair, ..
         DesignError: a stage is of another kind.
     """
     for number, stage in enumerate(train.stages, 1):
+        if isinstance(stage, SpurPair) and not stage.plain:
+            raise DesignError(
+                "train.stages.{number} has {kind}, and {what} worked out for spur gears alone: leave helix_angle_deg "
+                "and internal out",
+                number=number,
+                kind=stage.noun,
+                what=what,
+            )
         if not isinstance(stage, SpurPair):
             raise DesignError(
                 "train.stages.{number}.kind names {kind}, and {what} worked out for spur gears alone: {cure}",

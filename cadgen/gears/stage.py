@@ -1,4 +1,4 @@
-"""A stage of a train of any kind: two wheels on parallel axes that turn against each other.
+"""A stage of a train of any kind: two wheels on parallel axes, of which one turns the other.
 
 The train, its play, its layout, its checks and its files go by this and by nothing else. Spur gears are the first kind
 (`spur`); friction discs, which have no teeth, are that of the how-to page. `Engaged` is what the checks of a stage
@@ -123,7 +123,9 @@ class Wheel(Protocol):
 
     @property
     def outline(self) -> Loop:
-        """Section of the rim as it is made, with its first pitch about the x axis.
+        """Section of the rim midway along its width as it is made, with its first pitch about the x axis.
+
+        Its run says how it turns along the axis.
 
         Raises:
             DesignError: it cannot be made.
@@ -169,16 +171,24 @@ class Stage(ABC):
     What has a body here holds for stages without teeth and tolerances.
 
     Attributes:
-        noun: what it consists of: `spur gears`.
         centre_distance: of the axes, mm.
         bearing_span: between the bearings of either shaft, mm.
     """
 
     __slots__ = ()
 
-    noun: str
     centre_distance: float
     bearing_span: float
+
+    @property
+    @abstractmethod
+    def noun(self) -> str:
+        """Name of what it consists of: `spur gears`."""
+
+    @property
+    def sense(self) -> int:
+        """-1 where the driven wheel turns against the driver, +1 where it turns with it: the sign of the ratio."""
+        return -1
 
     @property
     @abstractmethod
@@ -188,7 +198,7 @@ class Stage(ABC):
     @property
     @abstractmethod
     def ratio(self) -> Fraction:
-        """i: turns of the driver per turn of the driven wheel, which turns the other way."""
+        """i: turns of the driver per turn of the driven wheel, without its sign, which is `sense`."""
 
     @property
     @abstractmethod

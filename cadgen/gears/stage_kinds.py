@@ -1,6 +1,6 @@
 """Kinds of stages: what one is, and the table of all of them by their codes.
 
-A new kind is one file beside `spur`, such as `helical.py`, and one name in the table `STAGES`, or it is registered from
+A new kind is one file beside `spur`, such as `worm.py`, and one name in the table `STAGES`, or it is registered from
 outside.
 Spur gears have no entry: theirs are the keys of a stage that names no kind, and what a gear leaves out [train] says.
 The module is light to import.
@@ -40,7 +40,7 @@ class StageKind:
 
 
 SPUR = "spur"
-# The table. A helical gear's stage would be `HELICAL` here, imported from `cadgen.gears.helical` beside `spur`.
+# The table. A worm's stage would be `WORM` here, imported from `cadgen.gears.worm` beside `spur`.
 STAGES: tuple[StageKind, ...] = ()
 _KINDS = Registry(Message("kind of stage"), STAGES, (SPUR,), group="cadgen.stages", sort=StageKind)
 register, remove, codes, kind_of, has = _KINDS.register, _KINDS.remove, _KINDS.codes, _KINDS.kind_of, _KINDS.has

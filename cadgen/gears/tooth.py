@@ -1,10 +1,10 @@
-"""Form of a spur gear's tooth, as a rack with a rounded tip generates it (ISO 21771-1, basic rack ISO 53).
+"""Form of a gear's tooth, as a rack with a rounded tip generates it (ISO 21771-1, basic rack ISO 53).
 
-The gear is given by numbers (`GearForm`); `tooth_of` resolves them into the exact curves of one tooth:
-involute flanks, trochoid roots, undercut where the rack undercuts. Everything here is for spur teeth. The flanks of a
-helical gear would be the involutes of its transverse section, but not its roots. The rack's tip is round in the normal
-section, so it is an ellipse in the transverse one. A circle of its radius there errs by 3 µm at 15° of helix and by
-12 µm at 30° (module 1).
+The gear is given by numbers (`GearForm`); `tooth_of` resolves them into the exact curves of one tooth of its transverse
+section: involute flanks, trochoid roots, undercut where the rack undercuts. Rack and module are those of the normal
+section. There the rack's tip is round, so in the transverse section of a helical gear it is an ellipse, stretched along
+the pitch line by 1/cos β. A circle of its radius there would err by 3 µm at 15° of helix and by 12 µm at 30° (module
+1).
 
 Choice of cutting: the tooth-thickness deviation E_sn is made by feeding the rack, so the root follows the flanks
 (generating profile shift x_E = x + E_sn / (2 m_n tan α_n), ISO 21771-1). The tip circle is turned to the nominal x
@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from cmath import phase
 from dataclasses import dataclass, replace
-from math import acos, asinh, cos, degrees, isfinite, pi, radians, sin, sqrt, tan
+from math import acos, asin, asinh, atan, cos, degrees, isfinite, pi, radians, sin, sqrt, tan
 from numbers import Integral
 from typing import Self
 
@@ -25,8 +25,13 @@ from scipy.optimize import brentq
 from cadgen.errors import DesignError
 from cadgen.messages import Message
 from cadgen.parts.loop import Arc, Curve, Involute, Loop, Segment, Trochoid
+from cadgen.parts.run import Run, helix
 
 MINIMUM_TEETH = 4
+# Steeper teeth push along the axis more than round it.
+STEEPEST_HELIX = radians(45.0)
+# Greatest turn of a section over the width, rad: what faces are held to 5e-8 mm with polynomials of few degrees.
+MOST_TWIST = 2.0
 # Least rim under the root in tooth heights: ISO 6336-3 gives no rim factor for a thinner one.
 LEAST_RIM = 0.5
 # Chord error of a gear's mesh where the design gives none, per mm of module: the teeth of all sizes then have as many
@@ -52,8 +57,10 @@ NECK_SAMPLES = 65
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GearForm:
-    """Numbers of one external spur gear: lengths in mm, angles in rad, factors in modules.
+    """Numbers of one external gear: lengths in mm, angles in rad, factors in modules.
 
+    `helix_angle` is β, positive for a right-hand helix (a point of a tooth turns counter-clockwise as z grows), 0 for a
+    spur gear. A `double` helical gear has this hand up to half its width and the other one above.
     `dedendum_factor` (h_fP*) and `rack_tip_radius_factor` (ρ_fP*) are those of the basic rack, by default ISO
     53 profile A. `tooth_thickness_deviation` is E_sn, signed: negative thins the tooth. `tip_chamfer` is the
     leg of the chamfer along the tip circle and along the radius. Raises `DesignError` for a number outside
@@ -70,6 +77,8 @@ class GearForm:
     rack_tip_radius_factor: float = 0.38
     tooth_thickness_deviation: float = 0.0
     tip_chamfer: float = 0.0
+    helix_angle: float = 0.0
+    double: bool = False
 
     def __post_init__(self) -> None:
         if not isinstance(self.teeth, Integral) or self.teeth < MINIMUM_TEETH:
@@ -96,6 +105,32 @@ class GearForm:
                 low=degrees(low),
                 high=degrees(high),
             )
+        self._require_helix()
+
+    def _require_helix(self) -> None:
+        if not abs(self.helix_angle) <= STEEPEST_HELIX:
+            raise DesignError(
+                "{gear} has a helix angle of {angle:g}°; give at most {most:g}°",
+                gear=str(self),
+                angle=degrees(self.helix_angle),
+                most=degrees(STEEPEST_HELIX),
+            )
+        if self.double and not self.helix_angle:
+            raise DesignError(
+                "{gear} is double helical without a helix; give helix_angle_deg, such as 25, or leave double out",
+                gear=str(self),
+            )
+        length = self.width / 2 if self.double else self.width
+        if not abs(self.run.rate) * length <= MOST_TWIST:
+            raise DesignError(
+                "{gear} turns by {twist:.3g} rad over its width of {width:g} mm, and {most:g} rad is the most; give a "
+                "width_mm of at most {widest:.4g}, or a smaller helix_angle_deg",
+                gear=str(self),
+                twist=abs(self.run.rate) * length,
+                width=self.width,
+                most=MOST_TWIST,
+                widest=self.width * MOST_TWIST / abs(self.run.rate) / length * 0.999,
+            )
 
     def _require(self, name: str, holds: bool, allowed: Message) -> None:
         value = getattr(self, name)
@@ -113,9 +148,37 @@ class GearForm:
         return Message("the gear of {teeth} teeth", teeth=self.teeth)
 
     @property
+    def run(self) -> Run:
+        """Way of the transverse section along the axis."""
+        return helix(self.helix_angle, self.reference_diameter, self.width / 2 if self.double else None)
+
+    @property
     def outline(self) -> Loop:
-        """Transverse section of the whole gear, as cut; a `DesignError` for a tooth that cannot be cut (`tooth_of`)."""
-        return tooth_of(self).outline
+        """Transverse section of the whole gear midway along its width, as cut.
+
+        Raises:
+            ToothError: the tooth cannot be cut (`tooth_of`).
+        """
+        return self.tooth.outline
+
+    @property
+    def tooth(self) -> Tooth:
+        """Exact curves of one tooth.
+
+        Raises:
+            ToothError: the tooth cannot be cut.
+        """
+        return rack_tooth(self)
+
+    @property
+    def side(self) -> int:
+        """+1 for an external gear, -1 for an internal one: the sign of its teeth in ISO 21771-1."""
+        return 1
+
+    @property
+    def rim_diameter(self) -> float:
+        """Diameter of the circle that holds the whole rim, mm."""
+        return self.tip_diameter
 
     @property
     def least_rim(self) -> float:
@@ -129,13 +192,20 @@ class GearForm:
 
     @property
     def transverse_module(self) -> float:
-        """m_t in mm; m_n for a spur gear."""
-        return self.normal_module
+        """m_t = m_n / cos β in mm."""
+        return self.normal_module / cos(self.helix_angle)
 
     @property
     def transverse_pressure_angle(self) -> float:
-        """α_t in rad; α_n for a spur gear."""
-        return self.normal_pressure_angle
+        """α_t in rad: tan α_t = tan α_n / cos β."""
+        if self.helix_angle == 0:
+            return self.normal_pressure_angle
+        return atan(tan(self.normal_pressure_angle) / cos(self.helix_angle))
+
+    @property
+    def base_helix_angle(self) -> float:
+        """β_b in rad, with the sign of β: sin β_b = sin β cos α_n."""
+        return asin(sin(self.helix_angle) * cos(self.normal_pressure_angle))
 
     @property
     def generating_profile_shift(self) -> float:
@@ -244,7 +314,7 @@ class Tooth:
         if self.root_flat_angle > 0:
             gap = pi / form.teeth - self.root_flat_angle
             curves.append(Arc(form.root_diameter / 2, gap, 2 * self.root_flat_angle))
-        return Loop(tuple(curves), form.teeth)
+        return Loop(tuple(curves), form.teeth, form.run)
 
 
 class ToothError(DesignError):
@@ -264,19 +334,30 @@ class ToothError(DesignError):
 
 
 def tooth_of(form: GearForm) -> Tooth:
-    """Exact curves of one tooth of `form`.
+    """Exact curves of one tooth of a gear of any form.
 
-    The flank of the rack makes the involute down to the depth h_Ff = d_c + ρ sin α below the pitch line. Its roll
-    angle there is ξ_Ff = tan α − h_Ff / (r sin α cos α). The rack's rounded tip makes the root, tangent to the flank.
-    A negative ξ_Ff is undercut: the root then cuts the involute off where both have the same radius and angle
+    Raises:
+        ToothError: the tooth cannot be cut.
+    """
+    return form.tooth
+
+
+def rack_tooth(form: GearForm) -> Tooth:
+    """Exact curves of one tooth of an external gear.
+
+    The flank of the rack makes the involute down to the depth h_Ff = d_c + ρ sin α_n below the pitch line. Its roll
+    angle there is ξ_Ff = tan α_t − h_Ff / (r sin α_t cos α_t). The rack's rounded tip makes the root, tangent to the
+    flank. A negative ξ_Ff is undercut: the root then cuts the involute off where both have the same radius and angle
     (ISO 21771-1).
 
     Raises `DesignError` if the rack has no such tip radius, if the teeth are pointed or severed, if undercut
     or chamfer leave no flank, or if nothing is left inside the root.
     """
-    module, angle = form.transverse_module, form.transverse_pressure_angle
+    module, angle = form.normal_module, form.transverse_pressure_angle
+    normal_angle, cos_helix = form.normal_pressure_angle, cos(form.helix_angle)
     radius = form.reference_diameter / 2
     flat, tip_radius = rack_tip(form)
+    flat /= cos_helix
     centre_depth = module * (form.dedendum_factor - form.generating_profile_shift) - tip_radius
     if form.root_diameter <= 0:
         raise ToothError(
@@ -292,9 +373,10 @@ def tooth_of(form: GearForm) -> Tooth:
         origin=pi / form.teeth - flat / radius,
         hand=1,
         q_start=0.0,
-        q_end=asinh(1 / tan(angle)),
+        q_end=asinh(1 / tan(normal_angle)),
+        cos_helix=cos_helix,
     )
-    depth = centre_depth + tip_radius * sin(angle)
+    depth = centre_depth + tip_radius * sin(normal_angle)
     roll = tan(angle) - depth / (radius * sin(angle) * cos(angle))
     undercut = roll < -TANGENT_ROLL
     if undercut:
@@ -336,7 +418,7 @@ def involute(angle: float) -> float:
 
 
 def rack_tip(form: GearForm) -> tuple[float, float]:
-    """Half the flat at the rack's tip and the tip radius, in mm."""
+    """Half the flat at the rack's tip and the tip radius in its normal section, in mm."""
     angle, module = form.normal_pressure_angle, form.normal_module
     half_width = pi / 4 - form.dedendum_factor * tan(angle)
     largest = half_width * cos(angle) / (1 - sin(angle))

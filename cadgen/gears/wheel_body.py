@@ -26,7 +26,7 @@ def gear_body(form: Wheel, blank: Blank | None = None) -> Body:
     features that cut into each other, into the teeth, or leave too thin a wall.
     """
     blank = blank or Blank()
-    teeth = form.outline
+    teeth = form.outline.from_below(form.width)
     holes = _checked_features(blank, form)
     bore = _bore(blank)
     hub = (circle(blank.hub.diameter),) if blank.hub else ()
@@ -110,7 +110,7 @@ def cluster_body(lower: Wheel, upper: Wheel, blank: Blank | None = None, turn: f
                 lower=str(lower),
             )
     top = body.slabs[-1].end
-    teeth = upper.outline.rotated(turn)
+    teeth = upper.outline.from_below(upper.width).rotated(turn)
     return Body((*body.slabs, Slab(top, top + upper.width, (teeth, *_bore(blank)))), body.radial_hole)
 
 

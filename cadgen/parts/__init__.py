@@ -4,6 +4,7 @@
 |------------|--------------------------------------------------------------------------------------|
 | `face`     | the faces of a part                                                                   |
 | `features` | keyway, D-flat, set screw, hub, web, lightening holes, as a drawing dimensions them    |
+| `run`      | how a section goes along the axis: straight, along a helix, or along one and back    |
 | `loop`     | closed loops of exact lines, arcs, involutes and trochoids; chords, Bézier curves    |
 | `body`     | a body as a stack of prisms between such loops, and the walls and caps that bound it |
 | `blank`    | all features of one part; a disc's contours, its hub, and the walls left between them |

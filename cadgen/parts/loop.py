@@ -20,6 +20,7 @@ from cadgen.arrays import gauss_nodes
 from cadgen.curves.contour import Contour
 from cadgen.curves.spacing import even_nodes, inside_spans
 from cadgen.errors import DesignError
+from cadgen.parts.run import STRAIGHT, Run
 
 Points = NDArray[np.complex128]
 Reals = NDArray[np.float64]
@@ -173,12 +174,14 @@ class Involute(PlaneCurve):
 
 @dataclass(frozen=True, slots=True)
 class Trochoid(PlaneCurve):
-    """Root curve cut by the rounded tip of a rack: the envelope of a circle carried by the rolling rack.
+    """Root curve cut by the rounded tip of a rack: the envelope of an ellipse carried by the rolling rack.
 
-    The circle of radius ρ has its centre at the depth d_c below the rack's pitch line. Let the centre be at
-    u = d_c·sinh q along that line from the pitch point. The common normal through the pitch point then meets the
-    circle at Q = (u + ρ·tanh q, r − d_c − ρ·sech q), and the gear has turned by u/r (law of gearing). In q
-    polynomials of low degree follow the curve closely, and it serves d_c of either sign and zero.
+    The ellipse has the half axes ρ across the rack's pitch line and ρ/cos β along it, and its centre lies at the depth
+    d_c below that line. It is the round tip of the normal section, seen in the transverse one; a spur gear's is a
+    circle. With sinh q = cot τ, τ the direction of the normal in the normal section, the common normal through the
+    pitch point meets the ellipse at Q = (cos β (d_c·sinh q + ρ·tanh q), r − d_c − ρ·sech q). The rack's centre is then
+    at u = cos β·d_c·sinh q − ρ·tanh q·(1/cos β − cos β) along the pitch line, and the gear has turned by u/r (law of
+    gearing). In q polynomials of low degree follow the curve closely, and it serves d_c of either sign and zero.
     """
 
     reference_radius: float
@@ -188,35 +191,52 @@ class Trochoid(PlaneCurve):
     hand: int
     q_start: float
     q_end: float
+    cos_helix: float = 1.0
 
     def _turn(self, q: Reals) -> Points:
-        rolled = self.centre_depth * np.sinh(q) / self.reference_radius
+        c = self.cos_helix
+        centre = c * self.centre_depth * np.sinh(q) + self.tip_radius * (c - 1 / c) * np.tanh(q)
+        rolled = centre / self.reference_radius
         return _unit(self.origin + self.hand * rolled)
+
+    def _place(self, q: Reals) -> tuple[Reals, Reals]:
+        """Contact along the pitch line and outwards, mm."""
+        along = self.cos_helix * (self.centre_depth * np.sinh(q) + self.tip_radius * np.tanh(q))
+        return along, self.reference_radius - self.centre_depth - self.tip_radius / np.cosh(q)
 
     def point(self, t: ArrayLike) -> Points:
         """Points (mm) at parameters t, see `PlaneCurve`."""
         q = _share(self.q_start, self.q_end, t)
-        along = self.centre_depth * np.sinh(q) + self.tip_radius * np.tanh(q)
-        outward = self.reference_radius - self.centre_depth - self.tip_radius / np.cosh(q)
+        along, outward = self._place(q)
         return (outward - 1j * self.hand * along) * self._turn(q)
 
     def tangent(self, t: ArrayLike) -> Points:
         """Unit tangent at t, across the common normal; see `PlaneCurve`."""
         q, sense = _share(self.q_start, self.q_end, t), float(np.sign(self.q_end - self.q_start))
-        return self._turn(q) * (np.tanh(q) - 1j * self.hand / np.cosh(q)) * sense
+        across = self.cos_helix * np.tanh(q) - 1j * self.hand / np.cosh(q)
+        return self._turn(q) * (across if self.cos_helix == 1 else across / np.abs(across)) * sense
 
     def swept_area(self) -> float:
         """½∫(x dy − y dx) in mm² by Gauss-Legendre quadrature (`AREA_NODES`), exact to rounding."""
         node, weight = gauss_nodes(AREA_NODES)
         t = (node + 1) / 2
-        # The gear turns about the pitch point, d_c·cosh q + ρ away from the contact, while the contact
-        # walks along the circle of radius ρ.
         q = _share(self.q_start, self.q_end, t)
-        reach = self.centre_depth * np.cosh(q)
-        rate = self.tip_radius / np.cosh(q) + reach / self.reference_radius * (reach + self.tip_radius)
-        speed = abs(self.q_end - self.q_start) * rate
-        integrand = (np.conj(self.point(t)) * self.tangent(t)).imag * speed
-        return float(weight @ integrand) / 4
+        if self.cos_helix == 1:
+            # The gear turns about the pitch point, d_c·cosh q + ρ away from the contact, while the contact
+            # walks along the circle of radius ρ.
+            reach = self.centre_depth * np.cosh(q)
+            rate = self.tip_radius / np.cosh(q) + reach / self.reference_radius * (reach + self.tip_radius)
+            speed = abs(self.q_end - self.q_start) * rate
+            integrand = (np.conj(self.point(t)) * self.tangent(t)).imag * speed
+            return float(weight @ integrand) / 4
+        c, sech = self.cos_helix, 1 / np.cosh(q)
+        along, outward = self._place(q)
+        place = outward - 1j * self.hand * along
+        walk = self.tip_radius * sech * np.tanh(q)
+        walk = walk - 1j * self.hand * c * (self.centre_depth * np.cosh(q) + self.tip_radius * sech**2)
+        turning = c * self.centre_depth * np.cosh(q) + self.tip_radius * (c - 1 / c) * sech**2
+        change = walk + 1j * self.hand * turning / self.reference_radius * place
+        return float(weight @ (np.conj(place) * change).imag) * (self.q_end - self.q_start) / 4
 
     def rotated(self, angle: float) -> Self:
         """Curve turned about the origin, see `PlaneCurve`."""
@@ -261,11 +281,12 @@ def chord_parameters(curve: Curve, chord_tolerance: float) -> Reals:
 class Loop:
     """Closed counter-clockwise curve: `curves` end to end, and their copies turned by 2π/`repeats`.
 
-    Arcs in it run counter-clockwise.
+    Arcs in it run counter-clockwise. `run` is how a wall of this section turns as it goes up.
     """
 
     curves: tuple[Curve, ...]
     repeats: int = 1
+    run: Run = STRAIGHT
 
     @property
     def radii(self) -> tuple[float, float]:
@@ -298,7 +319,15 @@ class Loop:
         Args:
             angle: angle, rad.
         """
-        return Loop(tuple(curve.rotated(angle) for curve in self.curves), self.repeats)
+        return replace(self, curves=tuple(curve.rotated(angle) for curve in self.curves))
+
+    def from_below(self, width: float) -> Loop:
+        """Section at the lower end of a wall whose section midway is this one; itself where the wall is a prism.
+
+        Args:
+            width: length of the wall, mm.
+        """
+        return self if self.run.straight else self.rotated(-self.run.angle(width / 2))
 
 
 def circle(diameter: float, centre: complex = 0j) -> Loop:

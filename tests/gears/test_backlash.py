@@ -125,7 +125,7 @@ def test_extreme_plays_are_those_of_exact_involutes_up_to_second_order(z1, z2, x
         (stage.j_wt_max, stage.f_a + radial, stage.driver.E_sni + stage.driven.E_sni),
         (stage.j_wt_min, -stage.f_a, 2 * stage.E_sns),
     ):
-        exact = meshing.normal_backlash(meshing.centre_distance + opening, thinning) * to_arc
+        exact = meshing.base_backlash(meshing.centre_distance + opening, thinning) * to_arc
         second_order = opening**2 / (meshing.centre_distance * tan(meshing.working_pressure_angle))
         assert exact - linear == pytest.approx(second_order, rel=THIRD_ORDER)
 

@@ -104,7 +104,7 @@ def test_bearings_open_each_mesh_by_the_change_of_its_distance():
     whole = variation.train_plays(design)["as-given"]
     train = gear_model.train(design)
     for loose, pair, ratio in zip(whole.loose, train.stages, train.output_ratios, strict=True):
-        opened = pair.normal_backlash(pair.centre_distance + 0.01) - pair.normal_backlash(pair.centre_distance)
+        opened = pair.base_backlash(pair.centre_distance + 0.01) - pair.base_backlash(pair.centre_distance)
         assert loose.greatest == pytest.approx(opened / (pair.driven.form.base_diameter / 2) / ratio, rel=2e-3)
         assert loose.greatest == pytest.approx(0.02 * tan(radians(20)) / pair.driven_pitch_radius / ratio)
 

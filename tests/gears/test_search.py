@@ -93,7 +93,7 @@ def mesh_figures(made: SpurPair) -> tuple[float, float]:
 def keeps_the_limits_in_mesh(made: SpurPair, limits: SearchLimits) -> bool:
     """By the tooth curves of the one pair, as cut."""
     play = play_of(made)
-    if made.normal_backlash(made.centre_distance - play.f_a, play.driver.E_sns + play.driven.E_sns) <= 0:
+    if made.base_backlash(made.centre_distance - play.f_a, play.driver.E_sns + play.driven.E_sns) <= 0:
         return False
     if (limits.contact_ratio, limits.undercut) == (0.0, inf):
         return True

@@ -70,7 +70,7 @@ def test_play_is_the_pitch_less_both_thicknesses_on_the_working_pitch_circles(z1
         thickness(made.form, e, 2 * axes * made.form.teeth / (z1 + z2))
         for made, e in ((meshing.driver, e1), (meshing.driven, e2))
     )
-    angle = meshing.normal_backlash(axes, e1 + e2) / (meshing.driven.form.base_diameter / 2)
+    angle = meshing.base_backlash(axes, e1 + e2) / (meshing.driven.form.base_diameter / 2)
     assert angle * radius == pytest.approx(pitch - taken, abs=1e-9)
 
 
@@ -79,8 +79,8 @@ def test_play_scales_with_every_length(z1, z2, x1, x2, apart, deviation, factor)
     assume(has_working_angle(z1, z2, x1, x2))
     one, other = pair(z1, z2, 1.0, x1, x2), pair(z1, z2, factor, x1, x2)
     axes = one.centre_distance + apart
-    assert other.normal_backlash(factor * axes, factor * deviation) == pytest.approx(
-        factor * one.normal_backlash(axes, deviation), abs=1e-9 * factor
+    assert other.base_backlash(factor * axes, factor * deviation) == pytest.approx(
+        factor * one.base_backlash(axes, deviation), abs=1e-9 * factor
     )
 
 
@@ -88,7 +88,7 @@ def test_play_scales_with_every_length(z1, z2, x1, x2, apart, deviation, factor)
 def test_teeth_of_nominal_thickness_have_no_play_at_the_zero_backlash_distance(z1, z2, x1, x2):
     assume(has_working_angle(z1, z2, x1, x2))
     meshing = pair(z1, z2, 1.0, x1, x2)
-    assert meshing.normal_backlash(meshing.centre_distance) == pytest.approx(0, abs=1e-12 * (z1 + z2))
+    assert meshing.base_backlash(meshing.centre_distance) == pytest.approx(0, abs=1e-12 * (z1 + z2))
 
 
 @given(st.lists(st.tuples(teeth, teeth), min_size=1, max_size=5), st.randoms())
@@ -149,7 +149,7 @@ def test_overlapping_base_circles_have_no_play_to_speak_of(x1, x2):
     meshing = pair(20, 30, 1.0, x1, x2)
     assume(meshing.centre_distance > 0)
     with pytest.raises(DesignError, match=r"overlapping base circles .* give at least 23\.4923 mm"):
-        meshing.normal_backlash(25 * cos(radians(20)) - 1e-3)
+        meshing.base_backlash(25 * cos(radians(20)) - 1e-3)
 
 
 @pytest.mark.parametrize("grade", [2, 13, 7.5])

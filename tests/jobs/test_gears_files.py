@@ -75,7 +75,7 @@ def test_an_assembly_that_lacks_a_part_is_refused(plan):
 
 
 def by_part(plan, change=lambda form: form):
-    return [tuple(section_of(change(form)) for form in part.gears) for part in plan.layout.parts]
+    return [tuple((section_of(change(form)),) for form in part.gears) for part in plan.layout.parts]
 
 
 @pytest.mark.slow
@@ -84,20 +84,20 @@ def test_sections_in_the_files_have_the_play_computed(plan):
     assert max(map(abs, play.errors)) < 0.06
     assert abs(play.total) < 0.06
     thick = [plan.layout.parts[3].gears[0].tooth_thickness_deviation + 1e-3]
-    wrong = [*by_part(plan)[:3], (section_of(plan.layout.parts[3].gears[0].cut_to(*thick)),)]
+    wrong = [*by_part(plan)[:3], ((section_of(plan.layout.parts[3].gears[0].cut_to(*thick)),),)]
     with pytest.raises(FileError, match=r"has a play 0\.98 µm off the computed one"):
         measured_play(plan.layout, plan.passed, "x.step", wrong)
 
 
 def test_sections_whose_play_is_right_only_at_the_line_of_centres_are_refused(plan):
     good = by_part(plan)
-    corners = good[0][0].corners
+    corners = good[0][0][0].corners
     radius = np.abs(corners)
     tooth = np.exp(2j * np.pi / len(corners) * np.arange(len(corners)))[:, None]
     out = np.clip((radius - (radius.max() - 0.1)) / 0.05, 0.0, 1.0)
     raised = ToothSection(corners * np.exp(1j * 5e-3 / radius * out * np.sign(np.angle(corners / tooth))))
     with pytest.raises(FileError, match="has teeth in stage 1 whose play is not the same over a pitch"):
-        measured_play(plan.layout, plan.passed, "x.step", [(raised,), *good[1:]])
+        measured_play(plan.layout, plan.passed, "x.step", [((raised,),), *good[1:]])
 
 
 def test_a_mesh_of_another_volume_or_in_pieces_is_refused(plan):

@@ -72,7 +72,34 @@ def drill(hole: RadialHole, section: Array) -> Manifold:
     return Manifold.extrude(CrossSection([section]), hole.reach).transform(laid)
 
 
-Corners = dict[tuple[Loop, float], int]
+# Shares of the chord tolerance that a chord across a helical wall, and one along it, may take: the diagonals of its
+# quadrangles then keep to all of it.
+CHORD_SHARE = 0.25
+
+
+class Ring(NamedTuple):
+    """Corners of an outline at one height: number of the first, and places, shape (n,), mm."""
+
+    first: int
+    points: Points
+
+
+def turning_heights(outline: Loop, length: float, chord_tolerance: float) -> list[float]:
+    """Heights above the start of a wall at which it has corners, mm: its end, and those that its turning asks for.
+
+    Args:
+        outline: outline with its run.
+        length: length of the wall, mm.
+        chord_tolerance: greatest distance of a chord from the wall, mm.
+    """
+    if outline.run.straight:
+        return [length]
+    step = np.sqrt(8 * CHORD_SHARE * chord_tolerance / outline.radii[1])
+    heights: list[float] = []
+    for low, high in outline.run.pieces(length):
+        rows = int(np.ceil(abs(outline.run.rate) * (high - low) / step))
+        heights += np.linspace(low, high, rows + 1)[1:].tolist()
+    return heights
 
 
 def body_mesh(body: Body, chord_tolerance: float) -> Mesh:
@@ -82,28 +109,35 @@ def body_mesh(body: Body, chord_tolerance: float) -> Mesh:
         body: body of prisms.
         chord_tolerance: greatest distance of a chord from an outline, mm.
     """
-    polygons: dict[Loop, Points] = {}
-    corners: Corners = {}
+    rings: dict[tuple[Loop, float], Ring] = {}
     vertices: list[NDArray[np.float64]] = []
     triangles: list[NDArray[np.int64]] = []
     count = 0
 
-    def row(outline: Loop, height: float) -> int:
-        """Index of the first corner of `outline` at `height`."""
+    def put(points: Points, height: float) -> Ring:
+        """Corners at a height."""
         nonlocal count
-        if (outline, height) not in corners:
-            points = polygons.setdefault(outline, outline.polygon(chord_tolerance))
-            vertices.append(np.column_stack([points.real, points.imag, np.full(len(points), height)]))
-            corners[outline, height] = count
-            count += len(points)
-        return corners[outline, height]
+        vertices.append(np.column_stack([points.real, points.imag, np.full(len(points), height)]))
+        ring = Ring(count, points)
+        count += len(points)
+        return ring
 
     for wall in walls_of(body):
-        low, high = row(wall.outline, wall.start), row(wall.outline, wall.end)
-        strip = _strip(low, high, len(polygons[wall.outline]))
-        triangles.append(strip if wall.outward else strip[:, ::-1])
+        outline, length = wall.outline, wall.end - wall.start
+        low = rings.get((outline, wall.start))
+        if low is None:
+            chord = chord_tolerance if outline.run.straight else chord_tolerance * CHORD_SHARE
+            low = rings[outline, wall.start] = put(outline.polygon(chord), wall.start)
+        section = low.points
+        for height in turning_heights(outline, length, chord_tolerance):
+            turned = section if outline.run.straight else section * np.exp(1j * outline.run.angle(height))
+            high = put(turned, wall.end if height == length else wall.start + height)
+            strip = _strip(low.first, high.first, len(section))
+            triangles.append(strip if wall.outward else strip[:, ::-1])
+            low = high
+        rings[outline, wall.end] = low
     for cap in caps_of(body.slabs):
-        flat = _cap_triangles(cap, polygons, corners)
+        flat = _cap_triangles(cap, rings)
         triangles.append(flat if cap.up else flat[:, ::-1])
     mesh = Mesh(np.concatenate(vertices), np.concatenate(triangles))
     if body.radial_hole is None:
@@ -126,14 +160,14 @@ def _strip(low: int, high: int, count: int) -> NDArray[np.int64]:
     )
 
 
-def _cap_triangles(cap: Cap, polygons: dict[Loop, Points], corners: Corners) -> NDArray[np.int64]:
+def _cap_triangles(cap: Cap, rings: dict[tuple[Loop, float], Ring]) -> NDArray[np.int64]:
     """Triangles of a cap, counter-clockwise from above.
 
     Triangulating thousands of corners at once is slow. One pitch of the outer outline is cut off by the chord
     between its ends and triangulated; its copies only need other indices. What remains has one corner per
     pitch.
     """
-    first, outer = corners[cap.outer, cap.height], polygons[cap.outer]
+    first, outer = rings[cap.outer, cap.height]
     index = first + np.arange(len(outer))
     parts = []
     step = len(outer) // cap.outer.repeats
@@ -142,11 +176,12 @@ def _cap_triangles(cap: Cap, polygons: dict[Loop, Points], corners: Corners) -> 
         offsets = step * np.arange(cap.outer.repeats)[:, None, None]
         parts.append(first + (pitch + offsets).reshape(-1, 3) % len(outer))
         index, outer = index[::step], outer[::step]
-    rings, indices = [outer], [index]
+    holes, indices = [outer], [index]
     for hole in cap.inner:
-        rings.append(polygons[hole][::-1])
-        indices.append((corners[hole, cap.height] + np.arange(len(polygons[hole])))[::-1])
-    parts.append(np.concatenate(indices)[_triangulate(rings)])
+        number, corners = rings[hole, cap.height]
+        holes.append(corners[::-1])
+        indices.append((number + np.arange(len(corners)))[::-1])
+    parts.append(np.concatenate(indices)[_triangulate(holes)])
     return np.concatenate(parts)
 
 

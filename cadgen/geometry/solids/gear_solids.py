@@ -33,6 +33,7 @@ from OCP.XCAFDoc import XCAFDoc_DocumentTool, XCAFDoc_ShapeTool
 from cadgen.errors import FileError
 from cadgen.gears.layout import TrainLayout, TrainPart
 from cadgen.geometry.solids.crossing import with_exact_crossings
+from cadgen.geometry.solids.helical_wall import helical_wall
 from cadgen.geometry.solids.kernel import (
     TOLERANCE,
     CurveEdge,
@@ -58,6 +59,8 @@ if TYPE_CHECKING:
 # Fit of the tooth curves, in mm: half of the 0.001 µm and 0.01 µm that flank and root are allowed.
 FLANK_TOLERANCE = 0.5e-6
 ROOT_TOLERANCE = 5e-6
+# Roots of helical gears smaller than this, in mm of radius, are fitted more finely.
+SMALL_RADIUS = 10.0
 # Poles are rounded to this many decimals of a mm, 5e-6 µm: far below the fit, and it keeps noise digits out
 # of a STEP file.
 DECIMALS = 8
@@ -88,6 +91,12 @@ def body_solid(body: Body) -> TopoDS_Solid:
 
 def _side(wall: SweptWall, wires: Wires) -> TopoDS_Shape:
     """The faces of a wall as a shell facing out of the material; its two wires go into `wires`."""
+    if not wall.outline.run.straight:
+        # Small gears have small roots, and their volume shall be as near.
+        root = ROOT_TOLERANCE * min(1.0, wall.outline.radii[1] / SMALL_RADIUS) ** 2
+        made = helical_wall(wall, FLANK_TOLERANCE, root, DECIMALS)
+        wires[wall.outline, wall.start], wires[wall.outline, wall.end] = made.low, made.high
+        return solid_of(made.faces)
     base = wires.get((wall.outline, wall.start))
     if base is None:
         copies = [_copies(curve, wall.outline.turns, wall.start) for curve in wall.outline.curves]

@@ -5,7 +5,9 @@ B_SPLINE_CURVE_WITH_KNOTS, evaluated here by scipy. A rim with broken edges has 
 
 **Of a gear** it reads the tooth curves, and the solid for comparison. Flanks and roots are Bézier curves, which STEP
 writes as B-splines of one span. Each is set against the exact curve of its tooth, point by point at equal parameters,
-and the section that they enclose is measured in mesh.
+and the section that they enclose is measured in mesh. Walls of helical teeth are Bézier patches. At any height such a
+patch is a Bézier curve again, which is turned back by the exact angle there; so a wrong lead shows as flanks that are
+off.
 """
 
 from __future__ import annotations
@@ -14,6 +16,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -128,6 +131,11 @@ _POINT = re.compile(r"#(\d+)=CARTESIAN_POINT\('',\(([^)]*)\)\)")
 _BEZIER = re.compile(
     r"=B_SPLINE_CURVE_WITH_KNOTS\('',\d+,\(([^)]*)\),\.UNSPECIFIED\.,\.F\.,\.F\.,\((\d+),\2\),\(0\.,1\.\)"
 )
+_PATCH = re.compile(
+    r"=B_SPLINE_SURFACE_WITH_KNOTS\('',(\d+),(\d+),\(\((.*?)\)\),\.UNSPECIFIED\.,\.F\.,\.F\.,\.F\.,"
+    r"\((\d+),\4\),\((\d+),\5\),\(0\.,1\.\),\(0\.,1\.\)"
+)
+_HEIGHT_DECIMALS = 6  # of a mm, to which patches begin at one height
 _CIRCLE = re.compile(r"=CIRCLE\('',#(\d+),([^)]*)\)")
 _AXES = re.compile(r"#(\d+)=AXIS2_PLACEMENT_3D\('',#(\d+),")
 _SAMPLES = np.linspace(0.0, 1.0, 33)
@@ -147,6 +155,9 @@ class GearContent:
         flank_error: greatest distance of a flank from the exact flank, mm; None without teeth.
         root_error: greatest distance of a root curve from the exact root curve, mm; None without teeth.
         rim_error: greatest distance of an arc of a rim without teeth from the exact one, mm; None if all have teeth.
+        lead_error: greatest difference of the flanks' distances between two heights, mm; None without helical teeth.
+        slices: sections of every gear at its lower end, midway and at its upper end, turned back by the helix; of a
+            gear that is no helical one the one section that it has.
     """
 
     solid: bytes
@@ -154,6 +165,8 @@ class GearContent:
     flank_error: float | None
     root_error: float | None
     rim_error: float | None
+    lead_error: float | None = None
+    slices: tuple[tuple[ToothSection, ...], ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -187,31 +200,125 @@ def read_gear(path: Path, gears: Sequence[Wheel], starts: Sequence[float]) -> Ge
     if not bare.endswith("END-ISO-10303-21;") or len(solids) != 1 or "SI_UNIT(.MILLI.,.METRE.)" not in bare:
         raise FileError("{name} is not a whole STEP file of one solid in mm: export it again", name=path.name)
     curves = _curves(bare, path)
-    sections: list[ToothSection] = []
+    slices: list[tuple[ToothSection, ...]] = []
+    lead_error: float | None = None
     errors: dict[type[Curve], float] = {}
     for wheel, start in zip(gears, starts, strict=True):
         outline, heights = wheel.outline, (start, start + wheel.width)
+        if not outline.run.straight:
+            helical = _read_helical(outline, start, wheel.width, bare, path)
+            for kind, off in helical.errors.items():
+                errors[kind] = max(errors.get(kind, 0.0), off)
+            lead_error = max(lead_error or 0.0, helical.lead_error)
+            slices.append(helical.slices)
+            continue
         tooth_curves = [exact for exact in outline.curves if isinstance(exact, Involute | Trochoid)]
         if not tooth_curves:
             errors[Arc] = max(errors.get(Arc, 0.0), _rim_error(outline, bare, heights, path))
-            sections.append(ToothSection(outline.polygon(CHORD_TOLERANCE).reshape(outline.repeats, -1)))
+            slices.append((ToothSection(outline.polygon(CHORD_TOLERANCE).reshape(outline.repeats, -1)),))
             continue
         rows: list[NDArray[np.complex128]] = []
         for exact in tooth_curves:
             poles = _matched(exact, outline.repeats, curves, heights, path)
-            turns = np.exp(-2j * np.pi / len(poles) * np.arange(len(poles)))
-            off = (poles @ bernstein(poles.shape[1] - 1, _SAMPLES).T) * turns[:, None] - exact.point(_SAMPLES)
-            deviation = float(np.abs((off * np.conj(exact.tangent(_SAMPLES))).imag).max())  # across, over all teeth
+            deviation = float(np.abs(_across(poles, exact)).max())  # over all teeth
             errors[type(exact)] = max(errors.get(type(exact), 0.0), deviation)
             rows.append(poles @ bernstein(poles.shape[1] - 1, chord_parameters(exact, CHORD_TOLERANCE)).T)
-        sections.append(ToothSection(np.concatenate(rows, axis=1)))
+        slices.append((ToothSection(np.concatenate(rows, axis=1)),))
     return GearContent(
         solid=solids[0],
-        sections=tuple(sections),
+        sections=tuple(each[len(each) // 2] for each in slices),
         flank_error=errors.get(Involute),
         root_error=errors.get(Trochoid),
         rim_error=errors.get(Arc),
+        lead_error=lead_error,
+        slices=tuple(slices),
     )
+
+
+class _Helical(NamedTuple):
+    """Teeth of a helical wheel as read: errors of its curves by their kind, mm, of its lead, mm, and its sections."""
+
+    errors: dict[type[Curve], float]
+    lead_error: float
+    slices: tuple[ToothSection, ...]
+
+
+def _read_helical(outline: Loop, start: float, width: float, bare: str, path: Path) -> _Helical:
+    """Teeth of a wheel whose section turns from the height `start` on, mm; `outline` is that midway."""
+    run, patches = outline.run, _patches(bare, path)
+    middle, teeth = run.angle(width / 2), outline.repeats
+    exacts = [exact for exact in outline.curves if isinstance(exact, Involute | Trochoid)]
+    errors: dict[type[Curve], float] = {}
+    offsets: list[NDArray[np.float64]] = []
+    slices: dict[float, ToothSection] = {}
+    for low, high in run.pieces(width):
+        for share in (0.0, 0.5, 1.0):
+            height = low + share * (high - low)
+            back = np.exp(1j * (middle - run.angle(height)))
+            cut = [patch.section(share, back) for patch in patches if patch.spans(start + low, start + high)]
+            rows, mean = [], []
+            for exact in exacts:
+                poles = _of_teeth(exact, teeth, cut, 1, path)
+                off = _across(poles, exact)
+                errors[type(exact)] = max(errors.get(type(exact), 0.0), float(np.abs(off).max()))
+                if isinstance(exact, Involute):
+                    mean.append(off.mean(axis=1))
+                rows.append(poles @ bernstein(poles.shape[1] - 1, chord_parameters(exact, CHORD_TOLERANCE)).T)
+            offsets.append(np.concatenate(mean))
+            slices[height] = ToothSection(np.concatenate(rows, axis=1))
+    ends = (0.0, width / 2, width)
+    chosen = tuple(slices[min(slices, key=lambda height: abs(height - wanted))] for wanted in ends)
+    return _Helical(errors, float(np.ptp(offsets, axis=0).max()), chosen)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Patches:
+    """Bézier patches of one size: poles, shape (n, p, q), mm, and the heights that they begin and end at, (n,), mm."""
+
+    poles: NDArray[np.complex128]
+    low: NDArray[np.float64]
+    high: NDArray[np.float64]
+
+    def spans(self, low: float, high: float) -> bool:
+        """Whether any of them reach from one height to another, mm."""
+        return bool(self._between(low, high).any())
+
+    def _between(self, low: float, high: float) -> NDArray[np.bool_]:
+        return np.asarray((np.abs(self.low - low) < _SAME_END) & (np.abs(self.high - high) < _SAME_END))
+
+    def section(self, share: float, turn: complex) -> NDArray[np.complex128]:
+        """Poles of all at a share of their height, turned, shape (n, p)."""
+        return np.asarray(self.poles @ bernstein(self.poles.shape[2] - 1, np.array([share]))[0] * turn)
+
+
+def _patches(bare: str, path: Path) -> list[_Patches]:
+    """Patches of the file by their size and heights; their heights rise evenly."""
+    points = dict(_POINT.findall(bare))
+    sizes: dict[tuple[int, int], list[str]] = {}
+    for u, v, poles, *_ in _PATCH.findall(bare):
+        sizes.setdefault((int(u) + 1, int(v) + 1), []).append(poles)
+    found = []
+    try:
+        for (u, v), texts in sizes.items():
+            names = ",".join(texts).replace("),(", ",").split(",")
+            places = ",".join(points[name[1:]] for name in names).split(",")
+            x, y, z = np.array(places, dtype=np.float64).reshape(-1, u, v, 3).transpose(3, 0, 1, 2)
+            even = np.linspace(z[:, :, 0], z[:, :, -1], v, axis=2)
+            level = (np.abs(z - even).max(axis=(1, 2)) < _SAME_END) & (np.ptp(z[:, :, 0], axis=1) < _SAME_END)
+            low, high = np.round(z[level, 0, 0], _HEIGHT_DECIMALS), np.round(z[level, 0, -1], _HEIGHT_DECIMALS)
+            for ends in sorted(set(zip(low.tolist(), high.tolist(), strict=True))):
+                of_these = (low == ends[0]) & (high == ends[1])
+                found.append(_Patches((x + 1j * y)[level][of_these], low[of_these], high[of_these]))
+    except (KeyError, ValueError) as error:
+        raise FileError("{name} is damaged: export it again", name=path.name) from error
+    return found
+
+
+def _across(poles: NDArray[np.complex128], exact: Curve) -> NDArray[np.float64]:
+    """Distance of the copies of a curve from the exact one, across it, by tooth and parameter, mm."""
+    turns = np.exp(-2j * np.pi / len(poles) * np.arange(len(poles)))
+    off = (poles @ bernstein(poles.shape[1] - 1, _SAMPLES).T) * turns[:, None] - exact.point(_SAMPLES)
+    return np.asarray((off * np.conj(exact.tangent(_SAMPLES))).imag)
 
 
 def _rim_error(outline: Loop, bare: str, heights: tuple[float, float], path: Path) -> float:
@@ -258,11 +365,28 @@ def _matched(
     exact: Curve, teeth: int, curves: list[_Curves], heights: tuple[float, float], path: Path
 ) -> NDArray[np.complex128]:
     """Poles of the file's copies of a tooth curve by tooth, shape (teeth, degree + 1)."""
+    within = [
+        group.poles[(group.height >= heights[0] - _SAME_END) & (group.height <= heights[1] + _SAME_END)]
+        for group in curves
+    ]
+    return _of_teeth(exact, teeth, within, _TIMES_WRITTEN, path)
+
+
+def _of_teeth(
+    exact: Curve, teeth: int, groups: Sequence[NDArray[np.complex128]], times: int, path: Path
+) -> NDArray[np.complex128]:
+    """Poles of a tooth curve by tooth, shape (teeth, degree + 1), of which each is written so many times.
+
+    Args:
+        exact: curve of tooth 0.
+        teeth: number of teeth.
+        groups: poles of the curves in the file, by degree, shape (n, degree + 1).
+        times: how often each curve stands in the file.
+        path: path of the file.
+    """
     turns = np.exp(2j * np.pi / teeth * np.arange(teeth))
     ends = np.outer(turns, exact.point([0.0, 1.0]))
-    for group in curves:
-        at_height = (group.height >= heights[0] - _SAME_END) & (group.height <= heights[1] + _SAME_END)
-        poles = group.poles[at_height]
+    for poles in groups:
         if not len(poles):
             continue
         poles_at_ends = poles[:, [0, -1]]
@@ -270,7 +394,7 @@ def _matched(
         tooth = np.rint(turned * teeth / (2 * np.pi)).astype(int) % teeth
         near = np.abs(poles_at_ends - ends[tooth]).max(axis=1) <= _SAME_END
         counts = np.bincount(tooth[near], minlength=teeth)
-        if np.all(counts == _TIMES_WRITTEN):
+        if np.all(counts == times):
             by_tooth = np.empty((teeth, poles.shape[1]), dtype=np.complex128)
             by_tooth[tooth[near]] = poles[near]
             copies = poles[near] / turns[tooth[near], None]

@@ -69,12 +69,15 @@ def gear_rows(gear: Figures, mate: str, stage: Stage, *, drives: bool) -> tuple[
 
     teeth, module, upper, lower = (gear.value(code) for code in ("teeth", "module", "E_sns", "E_sni"))
     angle, shift = gear.value("pressure_angle"), gear.value("profile_shift")
+    helix = gear.value("helix_angle")
+    pins = Message("over balls of {pin:g} mm") if helix else Message("over pins of {pin:g} mm")
     rows = [
         (Message("teeth z"), "" if teeth is None else str(teeth)),
         (Message("module m_n"), mm("module", 4)),
         (Message("pressure angle"), "" if angle is None else f"{angle:g}°"),
         (Message("profile shift x"), "" if shift is None else f"{shift:g}"),
-        (Message("pitch diameter d"), f"{module * teeth:g} mm" if module and teeth else ""),
+        *_helix_rows(gear, stage),
+        (Message("pitch diameter d"), f"{module * teeth:g} mm" if module and teeth and not helix else ""),
         (Message("tip diameter"), mm("tip_diameter")),
         (Message("root diameter, as cut"), mm("root_diameter")),
         (Message("face width"), mm("width")),
@@ -84,11 +87,24 @@ def gear_rows(gear: Figures, mate: str, stage: Stage, *, drives: bool) -> tuple[
             "" if upper is None or lower is None else f"{upper:.1f} / {lower:.1f} µm",
         ),
         (Message("span over {teeth} teeth", teeth=gear.value("teeth_spanned")), limits("span")),
-        (Message("over pins of {pin:g} mm", pin=gear.value("pin_diameter") or 0), limits("over_pins")),
+        (Message(pins, pin=gear.value("pin_diameter") or 0), limits("over_pins")),
         (Message("meshes with"), mate),
         (Message("centre distance"), f"{stage.centre_distance:g} mm"),
     ]
     return tuple(row for row in rows if row[1])
+
+
+def _helix_rows(gear: Figures, stage: Stage) -> tuple[tuple[str, str], ...]:
+    """Rows on the helix of a gear (ISO 1340); none of a spur gear."""
+    helix, lead, diameter = (gear.value(code) for code in ("helix_angle", "lead", "reference_diameter"))
+    if helix is None or lead is None or diameter is None:
+        return ()
+    hand = Message("right") if helix > 0 else Message("left")
+    return (
+        (Message("helix angle, hand"), f"{abs(helix):g}° {hand}"),
+        (Message("lead"), f"{lead:.3f} mm"),
+        (Message("pitch diameter d"), f"{diameter:.3f} mm"),
+    )
 
 
 _CHORD = 1e-4  # of outlines on the sheet, as a share of their radius

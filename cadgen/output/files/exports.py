@@ -183,7 +183,8 @@ class GearExport:
         from cadgen.geometry.solids.gear_solids import body_solid, colour_of_shaft
         from cadgen.geometry.solids.kernel import SolidPart
 
-        description = f"spur gear of {self.form.teeth} teeth, module {self.form.normal_module:g} mm"
+        sort = "helical" if self.form.helix_angle else "spur"
+        description = f"{sort} gear of {self.form.teeth} teeth, module {self.form.normal_module:g} mm"
         colour = colour_of_shaft(self.shaft)
         return SolidPart(solid=body_solid(self.part.body), name=self.name, description=description, colour=colour)
 

@@ -31,6 +31,8 @@ LIFT_LIMIT_UM = 0.5
 # Greatest distance of flanks and roots in a file from the exact curves, µm.
 FLANK_LIMIT_UM = 0.001
 ROOT_LIMIT_UM = 0.01
+# Greatest difference of a helical flank's distance from the exact one between two heights, µm.
+LEAD_LIMIT_UM = 0.01
 # Relative error of a solid's volume against the exact areas times widths.
 VOLUME_LIMIT = 1e-6
 # Greatest error of a part's place in the assembly: mm, and the sines and cosines of its turning.
@@ -142,7 +144,7 @@ def _part_files(
     in_assembly = solids_in(assembly.read_text(encoding="ascii"))
     for file, content, solid in zip(files, contents, in_assembly, strict=True):
         require(content.solid == solid, file.name, Message("is not the solid of the assembly"))
-    play = measured_play(layout, passed, assembly.name, [content.sections for content in contents])
+    play = measured_play(layout, passed, assembly.name, [content.slices for content in contents])
     return play, [tooth_artifact(file.name, content) for file, content in zip(files, contents, strict=True)]
 
 
@@ -157,6 +159,7 @@ def tooth_artifact(name: str, content: GearContent) -> Artifact:
         ("flank", content.flank_error, FLANK_LIMIT_UM),
         ("root", content.root_error, ROOT_LIMIT_UM),
         ("rim", content.rim_error, FLANK_LIMIT_UM),
+        ("lead", content.lead_error, LEAD_LIMIT_UM),
     ):
         if error is not None:
             off[curve] = error * 1e3
@@ -205,36 +208,43 @@ class MeasuredPlay:
 
 
 def measured_play(
-    layout: TrainLayout, passed: bool, name: str, sections: Sequence[tuple[ToothSection, ...]]
+    layout: TrainLayout, passed: bool, name: str, slices: Sequence[tuple[tuple[ToothSection, ...], ...]]
 ) -> MeasuredPlay:
     """Play of every stage, and return error of the train, measured on the sections in the files.
 
-    Over a pitch the sections do not overlap just within the computed play, and do just past it. Teeth that jam, do
-    not hold each other, or at times are not in mesh, have no play to measure; nor have stages without teeth.
+    Over a pitch the sections do not overlap just within the computed play, and do just past it. Helical teeth are
+    measured so at their lower end, midway and at their upper end, and of each stage the play that is furthest off
+    counts. Teeth that jam, do not hold each other, or at times are not in mesh, have no play to measure; nor have
+    stages without teeth.
     """
     cut = layout.train.stages
     toothed = [stage for stage in cut if stage.toothed]
     if not (toothed and meshes(toothed)):
         return MeasuredPlay()
-    measured = [
-        MeasuredPair(before[-1], after[0], stage.centre_distance)
-        for before, after, stage in zip(sections, sections[1:], cut, strict=False)
-    ]
-    errors = tuple(
-        play_error_um(stage, found) if stage.toothed else None for stage, found in zip(cut, measured, strict=True)
-    )
-    total = return_error_um(cut, measured) if None not in errors else None
-    worst = max((abs(error) for error in (*errors, total) if error is not None), default=0.0)
-    require(worst <= PLAY_LIMIT_UM, name, Message("has a play {worst:.2g} µm off the computed one", worst=worst))
-    for number, (stage, found) in enumerate(zip(cut, measured, strict=True), 1):
-        if not stage.toothed:
-            continue
-        within, past = cycle(found, stage.free_angle(), found.driver.teeth, stage.driven_pitch_radius)
-        held = within <= LEAST_OVERLAP <= past
-        fault = Message("has teeth in stage {number} whose play is not the same over a pitch", number=number)
-        require(held or not passed, name, fault)
+    errors: list[float | None] = [0.0 if stage.toothed else None for stage in cut]
+    total: float | None = None
+    for level in range(max(len(gear) for part in slices for gear in part)):
+        measured = [
+            MeasuredPair(before[-1][level % len(before[-1])], after[0][level % len(after[0])], stage.centre_distance)
+            for before, after, stage in zip(slices, slices[1:], cut, strict=False)
+        ]
+        for number, (stage, found) in enumerate(zip(cut, measured, strict=True)):
+            if stage.toothed:
+                off = play_error_um(stage, found)
+                errors[number] = max((errors[number] or 0.0, off), key=abs)
+        if None not in errors:
+            total = max((total or 0.0, return_error_um(cut, measured)), key=abs)
+        worst = max((abs(error) for error in (*errors, total) if error is not None), default=0.0)
+        require(worst <= PLAY_LIMIT_UM, name, Message("has a play {worst:.2g} µm off the computed one", worst=worst))
+        for number, (stage, found) in enumerate(zip(cut, measured, strict=True), 1):
+            if not stage.toothed:
+                continue
+            within, past = cycle(found, stage.free_angle(), found.driver.teeth, stage.driven_pitch_radius)
+            held = within <= LEAST_OVERLAP <= past
+            fault = Message("has teeth in stage {number} whose play is not the same over a pitch", number=number)
+            require(held or not passed, name, fault)
     plays = tuple(
         None if error is None else stage.free_angle() * stage.driven_pitch_radius * 1e3 + error
         for stage, error in zip(cut, errors, strict=True)
     )
-    return MeasuredPlay(plays, errors, total)
+    return MeasuredPlay(plays, tuple(errors), total)

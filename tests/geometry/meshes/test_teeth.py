@@ -47,7 +47,7 @@ def paper():
 def arc(made: SpurPair, apart: float) -> float:
     """Exact play as an arc of the nominal pitch circle of the driven gear, mm."""
     deviation = sum(gear.form.tooth_thickness_deviation for gear in (made.driver, made.driven))
-    return made.normal_backlash(apart, deviation) / (made.driven.form.base_diameter / 2) * made.driven_pitch_radius
+    return made.base_backlash(apart, deviation) / (made.driven.form.base_diameter / 2) * made.driven_pitch_radius
 
 
 def test_the_greatest_play_is_that_of_equation_13(paper):

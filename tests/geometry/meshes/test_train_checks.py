@@ -68,7 +68,7 @@ def test_the_cycle_finds_what_is_wrong_only_elsewhere_in_the_pitch(layout):
         good.centre_distance,
     )
     overlaps = []
-    half = pair.normal_backlash(pair.centre_distance, 2 * pair.driver.form.tooth_thickness_deviation)
+    half = pair.base_backlash(pair.centre_distance, 2 * pair.driver.form.tooth_thickness_deviation)
     assert half > 0
     for share in np.arange(16) / 16:
         angle = 2 * np.pi / 30 * share
