@@ -106,8 +106,8 @@ class MotionSegment(DesignSection):
         min_length=1,
         max_length=20,
         description="of a polynomial, [angle from its beginning in degrees, order, value] each: order 0 is the lift in "
-        "mm or degrees, 1 the velocity by rad of cam angle, 2 the acceleration, up to 8. At an end without conditions "
-        "it has the height, velocity and acceleration of its neighbour",
+        "mm or degrees, 1 the velocity by rad of cam angle, 2 the acceleration, up to 8. At an end without "
+        "derivatives it has the velocity and acceleration of its neighbour",
     )
     powers: Annotated[tuple[Power, ...] | None, Strict(False)] = Field(
         default=None,
@@ -594,7 +594,8 @@ def _table(section: MotionSection, kind: FollowerKind) -> "Motion":
     unit = section.table_unit or (TableUnit.MM if kind.unit == MM else TableUnit.DEG)
     if (unit == TableUnit.DEG) != (kind.unit != MM):
         raise DesignError(
-            'motion.table_unit is "{unit}", and a follower of kind "{code}" moves in {spoken}: set it to "{right}"',
+            'motion.table_unit is "{unit}", and a follower of kind "{code}" moves in {spoken}: set '
+            'motion.table_unit to "{right}"',
             unit=unit.value,
             code=kind.code,
             spoken=_spoken(kind.unit),

@@ -352,16 +352,17 @@ def _completed(segments: Sequence[MotionSpan]) -> list[MotionSpan]:
         law = polynomial_law(conditions)
         if law is None:
             raise DesignError(
-                "motion.segments.{number}.conditions make no polynomial, for they contradict each other or leave its "
-                "height open: give a value of order 0 at each place that has conditions",
+                "motion.segments.{number}.conditions make no polynomial of degree {degree}, for some of them say the "
+                "same and leave another thing open: move one a little, or give the lift (order 0) at its place, too",
                 number=number + 1,
+                degree=len(conditions) - 1,
             )
         made.append(replace(span, law=law, absolute=True))
     return made
 
 
 def _at_end(span: MotionSpan, share: float, height: float, neighbour: tuple[float, float]) -> list[Condition]:
-    """Conditions at an end of a polynomial: those given, with its height; or height, velocity, acceleration beside it.
+    """Conditions at an end of a polynomial: its height, and derivatives, those given or the first two of its neighbour.
 
     Args:
         span: polynomial.
@@ -369,11 +370,9 @@ def _at_end(span: MotionSpan, share: float, height: float, neighbour: tuple[floa
         height: height there, in the motion's unit.
         neighbour: velocity and acceleration of the neighbour, by rad.
     """
-    given = [each for each in span.conditions or () if each.share == share]
-    if not given:
-        values = (height, neighbour[0] * span.width, neighbour[1] * span.width**2)
-        return [Condition(share, order, value) for order, value in enumerate(values)]
-    return given if any(each.order == 0 for each in given) else [Condition(share, 0, height), *given]
+    given = [each for each in span.conditions or () if each.share == share and each.order]
+    beside = [Condition(share, order, value * span.width**order) for order, value in enumerate(neighbour, 1)]
+    return [Condition(share, 0, height), *(given or beside)]
 
 
 def _state(span: MotionSpan, end: int) -> tuple[float, float]:

@@ -1,0 +1,348 @@
+"""The section [motion]: sources, units, and bad input, whose cures are put in and pass."""
+
+import re
+from copy import deepcopy
+from dataclasses import dataclass
+from math import pi, radians
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pydantic import ValidationError
+
+from cadgen import Design
+from cadgen.cam.followers import table
+from cadgen.cam.followers.kind import FollowerKind
+from cadgen.design.lift_rows import read_rows
+from cadgen.design.motion import MotionSection, motion_of
+from cadgen.design.override import override
+from cadgen.errors import DesignError
+from cadgen.laws.unit import RAD
+
+
+@dataclass(frozen=True)
+class NoKeys:
+    """A follower of which only the unit counts."""
+
+
+SLIDE = FollowerKind(code="slide", meaning="", keys=NoKeys, build=lambda keys, seat: None)
+ARM = FollowerKind(code="arm", meaning="", keys=NoKeys, build=lambda keys, seat: None, unit=RAD)
+
+
+def made(values, kind=SLIDE):
+    """Motion of raw values; a refusal is a ValueError with its sentence."""
+    try:
+        return motion_of(MotionSection.model_validate({"turns": "clockwise", **values}), kind)
+    except ValidationError as error:
+        said = str(error.errors()[0]["ctx"]["error"])
+        raise ValueError(said.replace("{here}", "motion.segments.1")) from None
+    except DesignError as error:  # exit code 2
+        raise ValueError(error.message) from None
+
+
+def cured(values, sentence):
+    """Raw values after the changes that a sentence names, each as it stands there."""
+    changed = {"motion": deepcopy(values) | {"turns": "clockwise"}}
+    texts = re.findall(r"--set (motion\.\S+?=[^\s),]*)", sentence)
+    texts += [f"{key}={value}" for key, value in re.findall(r'(motion\.[\w.]+) (?:to|=) ("?[\w.+-]*\w"?)', sentence)]
+    assert texts, sentence
+    for text in texts:
+        override(changed, text)
+    return changed["motion"]
+
+
+def moves(height, angle, law="cycloidal", **more):
+    return {"rise_mm": float(height), "in_deg": float(angle), "law": law, **more}
+
+
+def dwell(angle):
+    return {"dwell_deg": float(angle)}
+
+
+FEEDER = [moves(14, 80, "polynomial_3_4_5"), dwell(50), moves(-14, 110, "modified_sine"), dwell(120)]
+PLAIN = [moves(10, 120), dwell(120), moves(-10, 120)]
+LOBE = [[float(a), float(5.0 * (1 - np.cos(radians(a))))] for a in range(0, 360, 10)]
+
+
+@pytest.mark.parametrize(
+    ("values", "words"),
+    [
+        ({"segments": [moves(10, 120), dwell(110), moves(-10, 120)]}, "take 350 degrees; they must take 360"),
+        (
+            {"segments": [moves(10, 130), moves(-10, 240)]},
+            "370 degrees; they must take 360: set motion.segments.2.",
+        ),
+        ({"segments": [moves(10, 120), dwell(120), moves(-9, 120)]}, "begins at 0 mm and ends at 1, which is a jump"),
+        (
+            {"segments": [moves(10, 120), dwell(120), {"to_mm": 1.0, "in_deg": 120.0, "law": "cycloidal"}]},
+            "set motion.segments.3.to_mm to 0",
+        ),
+        (
+            {"segments": [moves(10, 90), moves(10, 90, "constant_velocity"), moves(-20, 180)]},
+            "the velocity jumps at 90 degrees from 0 to 6.366, at 180 degrees from 6.366 to 0 mm/rad",
+        ),
+        (
+            {"segments": [dwell(60), moves(10, 120, "constant_velocity"), dwell(60), moves(-10, 120)]},
+            "the velocity jumps at 60 degrees from 0 to 4.775, at 180 degrees from 4.775 to 0 mm/rad",
+        ),
+        ({"segments": [moves(10, 180), dwell(0), moves(-10, 180)]}, "motion.segments.2 is a dwell of 0 degrees"),
+        ({"segments": [moves(10, 0), dwell(180), moves(-10, 180)]}, "motion.segments.1 rises in 0 degrees"),
+        (
+            {
+                "segments": [
+                    {
+                        "in_deg": 180.0,
+                        "law": "polynomial",
+                        "conditions": [[0.0, 0, 0], [0.0, 0, 1], [180.0, 0, 10], [180.0, 1, 0]],
+                    },
+                    moves(-10, 180),
+                ]
+            },
+            "motion.segments.1.conditions 1 and 2 are both for order 0 at 0 degrees: remove one",
+        ),
+        (
+            {
+                "segments": [
+                    {
+                        "in_deg": 180.0,
+                        "law": "polynomial",
+                        "to_mm": 10.0,
+                        "conditions": [[180.0, 0, 10], [180.0, 1, 0]],
+                    },
+                    moves(-10, 180),
+                ]
+            },
+            "motion.segments.1 has to_mm and a condition for the lift at its end, two for one value: remove to_mm",
+        ),
+        (
+            {"segments": [moves(10, 180, reversed=True, powers=[4, 5, 6, 7]), moves(-10, 180)]},
+            "segments.1.powers is not of",
+        ),
+        ({"segments": PLAIN, "points": LOBE}, "motion has segments and points, and takes one of motion.segments"),
+        ({"segments": PLAIN, "smooth": True}, "motion.smooth is for a table, and the motion has segments: remove it"),
+        ({"points": [*LOBE, [360.0, 0.0]]}, "remove the last one, which is the first one again"),
+        ({"rows": LOBE, "table_unit": "deg"}, 'motion.table_unit is "deg", and a follower of kind "slide" moves in mm'),
+    ],
+)
+def test_a_refusal_names_a_cure_that_works(values, words):
+    with pytest.raises(ValueError, match=re.escape(words)) as refused:
+        made(values)
+    print(refused.value)
+    text = str(refused.value)
+    first = text.split(", or set motion.allow_velocity_jump")[0]
+    assert made(cured(values, first)).q is not None
+
+
+def test_a_velocity_may_jump_if_it_is_allowed():
+    values = {"segments": [dwell(60), moves(10, 120, "constant_velocity"), dwell(60), moves(-10, 120)]}
+    motion = made({**values, "allow_velocity_jump": True})
+    np.testing.assert_allclose(np.degrees(motion.kinks), [60, 180])
+    assert motion.jets(np.array([pi / 3]))[0, 1] == pytest.approx(10 / radians(120))
+    assert motion.jets(np.array([pi / 3]), before=True)[0, 1] == 0
+    thrice = {"segments": [moves(3, 60, "constant_velocity"), moves(-3, 60, "constant_velocity")], "repeat": 3}
+    assert len(made({**thrice, "allow_velocity_jump": True}).kinks) == 6
+
+
+@pytest.mark.parametrize(
+    ("before", "fits"),
+    [(90, "half_cycloid_1 in 180 degrees fits as motion.segments.1, too"), (30, "half_cycloid_1 in 180 degrees fits")],
+)
+def test_the_half_law_that_is_named_fits(before, fits):
+    """Half a cycloid has twice the mean velocity at its end, so it takes twice the angle of the straight line."""
+    line = moves(10, 90, "constant_velocity")
+    with pytest.raises(ValueError, match=fits):
+        made({"segments": [moves(10, before), line, moves(-20, 270 - before)]})
+    whole = [moves(10, 120, "half_cycloid_1"), moves(10, 60, "constant_velocity"), moves(10, 120, "half_cycloid_2")]
+    motion = made({"segments": [*whole, moves(-30, 60)]})
+    assert motion.vdi == ("RG", "GG", "GR", "RR")
+    assert motion.seams == ()
+
+
+@pytest.mark.parametrize(
+    ("rows", "words"),
+    [
+        ([[0, 0], [10, 1], [5, 2], [20, 3], [30, 2], [40, 1]], "row 3 of motion.rows is at 5 degrees, after one at 10"),
+        (
+            [[0, 0], [10, 1], [10, 2], [20, 3], [30, 2], [40, 1]],
+            "row 3 of motion.rows repeats the angle of the row bef",
+        ),
+        (LOBE[::-1], "row 2 of motion.rows is at 340 degrees, after one at 350, but angles must grow: sort the rows"),
+        ([*LOBE, [361, 0.0]], "reach over 361 degrees; they must reach over 360 at most"),
+        (LOBE[:5], "motion.rows has 5 rows; it needs at least 6"),
+    ],
+)
+def test_tables_in_disorder_are_refused(rows, words):
+    rows = [[float(angle), float(lift)] for angle, lift in rows]
+    with pytest.raises(ValueError, match=re.escape(words)):
+        made({"rows": rows})
+    if "sort" in words:  # and the sorted rows pass
+        assert made({"rows": sorted(rows), "close": "ramps"}).covered[1] > 0
+
+
+@pytest.mark.parametrize(
+    ("values", "words"),
+    [
+        ({"segments": [{**moves(10, 360, "polynomial"), "conditions": [[361.0, 1, 0]]}]}, "must be within the segment"),
+        (
+            {"segments": [{**moves(0, 360, "polynomial"), "conditions": [[1.0, 0.5, 0]]}]},
+            "is for order 0.5; it must",
+        ),
+        (
+            {
+                "segments": [
+                    moves(5, 90),
+                    {"in_deg": 90.0, "law": "polynomial", "conditions": [[0.0, 0, 4], [90.0, 0, 0]]},
+                    dwell(180),
+                ]
+            },
+            "conditions give 4 mm at 0 degrees, where the motion has 5: set that or leave the condition out",
+        ),
+        (
+            {"segments": [{"in_deg": 180.0, "law": "polynomial", "conditions": [[9.0, 1, 0]]}, moves(-10, 180)]},
+            "motion.segments.1 ends at no height: add to_mm to it, or a condition [180, 0, lift]",
+        ),
+        (
+            {"segments": [{**moves(0, 360, "polynomial"), "conditions": [[0.0, 2, 0], [180.0, 1, 0], [360.0, 2, 0]]}]},
+            "motion.segments.1.conditions make no polynomial",
+        ),
+        (
+            {"segments": [moves(1, 180, "valve_lobe", powers=[9, 8, 10, 11]), moves(-1, 180)]},
+            "powers is [9, 8, 10",
+        ),
+        ({"harmonics": [[0.5, 1, 0]]}, "motion.harmonics.1 is for k = 0.5; k must be a whole number from 0 to 60"),
+        ({"harmonics": [[1, 1, 0], [1, 0, 1]]}, "motion.harmonics.2 is for k = 1"),
+        (
+            {},
+            "motion says nothing of the lift: add one of motion.segments, motion.points, motion.harmonics or",
+        ),
+        ({"table": "lobe.csv"}, "motion.table names a file whose rows were not read"),
+        ({"points": [[0.0, 0], [10, 1], [5, 2], [20, 3], [30, 2], [40, 1]]}, "row 3 of motion.points is at 5 degrees"),
+    ],
+)
+def test_other_contradictions_are_refused(values, words):
+    with pytest.raises(ValueError, match=re.escape(words)):
+        made(values)
+
+
+def test_heights_angles_and_machine_degrees():
+    slide, arm = made({"segments": FEEDER}), None
+    swing = [{("rise_deg" if key == "rise_mm" else key): value for key, value in each.items()} for each in FEEDER]
+    arm = made({"segments": swing}, ARM)
+    theta = np.linspace(0.0, 2 * pi, 50)
+    np.testing.assert_allclose(arm.jets(theta), np.radians(slide.jets(theta)), atol=1e-12)
+    twice = [{key: 2 * value if key.endswith("_deg") else value for key, value in each.items()} for each in FEEDER]
+    machine = made({"segments": twice, "machine_turns": 2.0})
+    np.testing.assert_allclose(machine.jets(theta), slide.jets(theta), atol=1e-12)
+    with pytest.raises(ValueError, match=r"take 720 degrees; they must take 360"):
+        made({"segments": twice})
+    with pytest.raises(ValueError, match=r"motion.segments.1.rise_mm is not of a follower"):
+        made({"segments": FEEDER}, ARM)
+
+
+def test_lobes_repeat_every_source():
+    theta = np.linspace(0.0, 2 * pi / 3, 40)
+    third = [{key: value / 3 if key.endswith("_deg") else value for key, value in each.items()} for each in FEEDER]
+    harmonic = {"harmonics": [[0, 5, 0], [1, -5, 0.5]]}
+    points = [[a / 3, lift] for a, lift in LOBE]
+    for once, thrice in (
+        ({"segments": FEEDER}, {"segments": third, "repeat": 3}),
+        (harmonic, {**harmonic, "repeat": 3}),
+        ({"points": LOBE}, {"points": points, "repeat": 3}),
+        ({"rows": LOBE}, {"rows": points, "repeat": 3}),
+    ):
+        one, three = made(once), made(thrice)
+        for lobe in range(3):
+            expected = one.jets(3 * theta) * 3.0 ** np.arange(4)
+            jets = three.jets(theta + lobe * 2 * pi / 3)
+            np.testing.assert_allclose(jets[1:-1], expected[1:-1], atol=1e-8 * np.abs(expected).max())
+
+
+def test_tables_in_inches_and_machine_degrees_are_the_same():
+    theta = np.linspace(0.0, 2 * pi, 50)
+    plain = made({"rows": LOBE})
+    inches = made({"rows": [[angle, lift / 25.4] for angle, lift in LOBE], "table_unit": "inch"})
+    machine = made({"rows": [[2 * angle, lift] for angle, lift in LOBE], "machine_turns": 2.0})
+    cam = made({"rows": LOBE, "machine_turns": 2.0, "table_angle": "cam"})
+    for other in (inches, machine, cam):
+        np.testing.assert_allclose(other.jets(theta), plain.jets(theta), atol=1e-8)
+    # A raised cosine is its own derivative: the spline through 36 points has its acceleration within 1e-4.
+    assert np.abs(plain.jets(theta)[:, 2] - 5 * np.cos(theta)).max() < 1e-3
+
+
+def test_a_law_for_the_top_runs_backwards_on_the_return():
+    motion = made({"segments": [moves(10, 180, "double_harmonic"), moves(-10, 180, "double_harmonic")]})
+    top = np.array([pi])
+    assert motion.jets(top, before=True)[0, 2] == pytest.approx(-10 * pi**2 / pi**2)
+    np.testing.assert_allclose(motion.jets(top)[0], motion.jets(top, before=True)[0], atol=1e-10)
+    assert [seam.order for seam in motion.joints] == [None, None]
+    assert motion.vdi == ("RU", "UR")
+    other = [moves(10, 180, "double_harmonic"), moves(-10, 180, "double_harmonic", reversed=True)]
+    assert [seam.order for seam in made({"segments": other}).seams] == [2, 2]
+
+
+@pytest.mark.parametrize(
+    ("text", "rows"),
+    [
+        ("angle,lift\n0,1.5\n10,2\n", [[0, 1.5], [10, 2]]),
+        ("\ufeffWinkel;Hub\r\n0;1,5\r\n10;2,0\r\n", [[0, 1.5], [10, 2]]),
+        ("# measured\n0\t1.5\n\n10\t2  # top\n", [[0, 1.5], [10, 2]]),
+        ("0 1.5\n-10 2e0\n", [[0, 1.5], [-10, 2]]),
+        ("deg, mm\nangle, lift\n0, 1.5\n10 , 2\n", [[0, 1.5], [10, 2]]),
+    ],
+)
+def test_rows_of_a_file(tmp_path, text, rows):
+    file = tmp_path / "lobe.csv"
+    file.write_text(text, encoding="utf-8")
+    assert read_rows(file) == rows
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (b"0,1\n1,2,3\n", r"lobe.csv, line 2: `1,2,3` is no row: write an angle and a lift, two numbers"),
+        (b"0,1\n1,x\n", "line 2: `1,x` is no row"),
+        (b"0,1\n1,nan\n", "line 2: `1,nan` is no row"),
+        (b"", "has no rows"),
+        (b"\xff\xfe\x00", "is not UTF-8 text"),
+        (b"0,1\n" * 20_001, "has more than 20000 rows"),
+        (None, "there is no such file: correct the path, which counts from the folder of the design file"),
+    ],
+)
+def test_files_that_are_no_table(tmp_path, content, words):
+    file = tmp_path / "lobe.csv"
+    if content is not None:
+        file.write_bytes(content)
+    with pytest.raises(DesignError, match=re.escape(words)):
+        read_rows(file)
+
+
+def test_a_table_is_read_beside_the_design_and_kept(tmp_path, monkeypatch):
+    """The rows become values of the design: a hash, a copy and a process of its own need no file."""
+    (tmp_path / "lobe.csv").write_text("\n".join(f"{angle},{lift}" for angle, lift in LOBE), encoding="utf-8")
+    text = """
+name = "lobe"
+[motion]
+turns = "clockwise"
+table = "lobe.csv"
+[follower]
+kind = "slide"
+[cam]
+base_circle_radius_mm = 32.0
+thickness_mm = 10.0
+"""
+    (tmp_path / "lobe.toml").write_text(text, encoding="utf-8")
+    table.register(SLIDE)
+    try:
+        design = Design.load(tmp_path / "lobe.toml")
+        assert design.values.motion.rows == tuple((angle, lift) for angle, lift in LOBE)
+        thicker = design.with_({"cam.thickness_mm": 11.0})
+        assert thicker.values.motion.rows == design.values.motion.rows
+        (tmp_path / "other.csv").write_text("\n".join(f"{a},{lift / 2}" for a, lift in LOBE), encoding="utf-8")
+        other = design.with_({"motion.table": "other.csv"})
+        assert other.values.motion.rows[18][1] == LOBE[18][1] / 2
+        assert other.sha256 != design.sha256
+        monkeypatch.chdir(tmp_path)
+        with pytest.raises(DesignError, match="there is no such file"):
+            design.with_({"motion.table": str(Path("none.csv"))})
+    finally:
+        table.remove(SLIDE)
