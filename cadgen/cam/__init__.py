@@ -13,5 +13,6 @@
 | `limits`         | what the checks allow; textbook limits of the pressure angle, by name           |
 | `cutter`         | which cutter reaches every concave part                                         |
 | `loss`           | lift that is missing where the envelope is trimmed, and the change that cures it |
+| `sizing`         | least base circles and the best offset for a pressure angle                     |
 | `checks`         | every figure with its limit, place and verdict                                  |
 """

@@ -98,8 +98,8 @@ LOST_LIFT = (
     CheckCode.LOST_LIFT_EFFECT,
 )
 _WALL_POINTS = 200_000  # on the outline, to look for the thinnest wall
-# The sharpest place of a piece is closed in on in so many rounds of so many points; share of its curvature that shows.
-_ZOOMS, _ZOOM, _SHOWS = 4, 33, 1e-6
+# The sharpest place of a piece is closed in on in so many rounds of so many points; mm of radius that show.
+_ZOOMS, _ZOOM, _SHOWS = 4, 33, 5e-5
 _ORDER: dict[StrEnum, int] = {code: number for number, code in enumerate(CheckCode)}
 
 
@@ -406,19 +406,19 @@ def seam_check(motion: Motion, at: float, code: StrEnum = CheckCode.CLOSURE, nam
 
 
 def _least_convex_radius(curve: ClosedCurve) -> tuple[float, Array]:
-    greatest, point = 0.0, curve.pieces[0].jet(np.array([curve.pieces[0].start])).point[0]
+    least, point = np.inf, curve.pieces[0].jet(np.array([curve.pieces[0].start])).point[0]
     for piece in curve.pieces:
         t = np.linspace(piece.start, piece.stop, STATIONS)
         for zoom in range(_ZOOMS):
             jet = piece.jet(t)
             worst = int(np.argmax(jet.curvature))
-            # Closed in on only where that shows.
-            if jet.curvature[worst] > greatest * (1 + (_SHOWS if zoom else 0.0)):
-                greatest, point = float(jet.curvature[worst]), jet.point[worst]
+            radius = 1 / float(jet.curvature[worst]) if jet.curvature[worst] > 0 else np.inf
+            if radius < least - (_SHOWS if zoom else 0.0):
+                least, point = radius, jet.point[worst]
             elif zoom == 0:
-                break
+                break  # another piece is sharper
             t = np.linspace(t[max(worst - 1, 0)], t[min(worst + 1, len(t) - 1)], _ZOOM)
-    return (1 / greatest if greatest else np.inf), point
+    return least, point
 
 
 def _near(point: Array, angles: Array) -> bool:

@@ -264,6 +264,21 @@ class LossRemedy:
         return self.now * factor if self.rises else self.now / factor
 
 
+@dataclass(frozen=True)
+class SizeThatFits:
+    """Value of one dimension with which a cam keeps a limit, rounded to the safe side.
+
+    Attributes:
+        key: key in the design file.
+        now: present value of the key, mm.
+        value: value that keeps the limit, mm.
+    """
+
+    key: str
+    now: float
+    value: float
+
+
 class Follower(ABC):
     """A curve that rides on the disc; a kind is a frozen dataclass with the properties and methods below.
 
@@ -374,6 +389,15 @@ class Follower(ABC):
 
     def remedies(self) -> tuple[LossRemedy, ...]:
         """Dimensions whose change, one at a time, lessens lost lift."""
+        return ()
+
+    def sizes(self, motion: Motion, limits: CheckLimits) -> tuple[SizeThatFits, ...]:
+        """Dimensions that keep limits of the pressure angle or of the radius of curvature, each alone.
+
+        Args:
+            motion: motion wanted.
+            limits: limits of the checks, mm and rad.
+        """
         return ()
 
     # Rolling.

@@ -10,6 +10,7 @@ Sections of the file, each with what belongs to it alone:
 | `motion`      | rises and dwells, points, harmonics or a table -> the motion that they make           |
 | `lift_rows`   | rows of a lift table from a file                                                      |
 | `follower`    | follower, with the keys of its kind                                                   |
+| `disc`        | base circle of a cam by its motion, given or for a pressure angle                      |
 | `blank`       | bore, keyway, hub and holes of the disc, and how a wheel is held on its shaft          |
 | `machining`   | milling and drilling, texts in title blocks                                           |
 | `play`        | play, forces on the cam, tolerances, what is asked of the profile                     |

@@ -325,18 +325,6 @@ class MotionSection(DesignSection):
         return f"motion.{'table' if self.table else self.source}"
 
 
-class MotionCam(DesignSection):
-    """The disc of a design with [motion]."""
-
-    base_circle_radius_mm: float = Field(gt=0, le=1000, description="least radius of the disc, at lift 0")
-    thickness_mm: float = Field(ge=0.1, le=100, description="between the disc's faces")
-
-    @property
-    def faces_mm(self) -> tuple[float, float]:
-        """Heights of the disc's faces."""
-        return 0.0, self.thickness_mm
-
-
 def _in_no_angle(number: int, segments: list[dict[str, Any]]) -> Message:
     """Refusal of a rise in 0 degrees, with half of the widest segment for it."""
     angles = [each.get("in_deg", each.get("dwell_deg")) for each in segments]

@@ -25,10 +25,11 @@ from cadgen.car.course.layout import Side
 from cadgen.design.as_built import AsBuiltSection
 from cadgen.design.blank import BlankSection
 from cadgen.design.course import CourseSection, OutlineSection
+from cadgen.design.disc import MotionCam, base_circle_radius
 from cadgen.design.file_names import name_fault
 from cadgen.design.follower import FOLLOWER, FollowerSection, fitting_kinds
 from cadgen.design.machining import DrawingText, Machining
-from cadgen.design.motion import MotionCam, MotionSection, motion_of
+from cadgen.design.motion import MotionSection, motion_of
 from cadgen.design.path import PATH, PathSection
 from cadgen.design.play import MechanicsSection, Optimize, PlaySection, TolerancesSection
 from cadgen.design.section import WORD, DesignSection, Point, Points, Size, listed
@@ -326,7 +327,11 @@ class DiscFile(TrainFile):
     def seat(self) -> FollowerSeat:
         """Disc and place that the follower is built on."""
         (inner, outer), leg = self.cam.faces_mm, self.blank.edge_break_mm or 0.0
-        radius = self.cam.base_radius_mm if isinstance(self.cam, CamSection) else self.cam.base_circle_radius_mm
+        if isinstance(self.cam, CamSection):
+            radius = self.cam.base_radius_mm
+        else:
+            assert self.motion is not None  # a disc of this kind has one
+            radius = base_circle_radius(self.cam, self.motion, self.follower)
         return FollowerSeat(base_radius=radius, faces=(inner, outer), carrying=(inner + leg, outer - leg))
 
     @model_validator(mode="after")

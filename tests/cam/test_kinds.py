@@ -24,9 +24,11 @@ from cadgen.cam.followers.swinging_flat import SwingingFace
 from cadgen.cam.followers.swinging_roller import SwingingRoller
 from cadgen.curves.closed import Outline
 from cadgen.errors import DesignError
+from cadgen.jobs.cam.motion_cam import plan_motion_cam
 from cadgen.laws.segments import MotionSpan, SegmentMotion
 from cadgen.laws.table import has, law_of
 from cadgen.laws.unit import MM
+from cadgen.viewer.page.scene import section_of
 
 DATA = Path(__file__).parents[1] / "data/cams"
 STATIONS = np.linspace(0.0, TURN, 720, endpoint=False) + 1e-3
@@ -365,6 +367,17 @@ def test_a_face_too_narrow_names_width_and_offset_that_cure_it():
     )
     width, offset = map(float, both.groups())
     assert design.with_({"follower.width_mm": width, "follower.face_offset_mm": offset}).cam().passed
+
+
+@pytest.mark.parametrize("name", DESIGNS)
+def test_the_picture_of_the_follower_rides_on_the_disc(name):
+    """No point of its section lies within the disc that is turned under it, and one touches it."""
+    plan = plan_motion_cam(Design.from_toml(DESIGNS[name]).values)
+    for theta in np.linspace(0.3, TURN, 9):
+        section = section_of(plan, float(plan.motion.q(theta))) @ [1, 1j]
+        sides = np.linspace(section[:-1], section[1:], 50, axis=1).ravel() * np.exp(1j * theta)
+        room = np.abs(sides) - plan.curve.radius(np.angle(sides))
+        assert abs(room.min()) < 0.02  # a roller is drawn by chords
 
 
 @pytest.mark.slow

@@ -15,8 +15,10 @@ from math import ceil
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.cam.follower import LossRemedy, RolledCam
+from cadgen.cam.follower import LossRemedy, RolledCam, SizeThatFits
 from cadgen.cam.followers.face_run import contact_run, face_end
+from cadgen.cam.limits import CheckLimits
+from cadgen.cam.sizing import least_base_of_face, rounded_up
 from cadgen.cam.straight_follower import FaceJet, StraightFollower
 from cadgen.check import Check
 from cadgen.errors import DesignError
@@ -84,6 +86,16 @@ class FlatFace(StraightFollower):
                 base_key=self.base_key,
                 higher=motion.higher(float(angles[lowest])),
             )
+
+    def sizes(self, motion: Motion, limits: CheckLimits) -> tuple[SizeThatFits, ...]:
+        """Least base circle with which the profile is nowhere sharper than is allowed, and so not undercut.
+
+        Args:
+            motion: motion wanted.
+            limits: limits of the checks, mm and rad.
+        """
+        base = rounded_up(least_base_of_face(motion, self.tilt, limits.min_convex_radius))
+        return (SizeThatFits(self.base_key, self.base, base),) if base > 0 else ()
 
     def least(self, x: Array, y: Array) -> tuple[Array, ...]:
         """Lift from which on the face clears points, mm.

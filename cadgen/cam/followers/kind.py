@@ -12,6 +12,7 @@ from cadgen.laws.unit import MM, Unit
 
 if TYPE_CHECKING:
     from cadgen.cam.follower import Follower
+    from cadgen.laws.motion import Motion
 
 
 class RunningSurface(StrEnum):
@@ -60,6 +61,8 @@ class FollowerKind:
         runs: whether it may run on the disc with a ball bearing: its keys then have `material`, a `RunningSurface`, and
             `width_mm` of the bearing, either None where the file does not say.
         guide: how it is guided; left out, on a slide if its motion is in mm, else on a pivoted arm.
+        least_base: function of keys, motion and pressure angle, rad, that returns the least base circle that keeps
+            that angle, mm; None for a kind without one.
         refuse: function that refuses keys that do not suit their seat, by a `ValueError` of one sentence.
     """
 
@@ -70,6 +73,7 @@ class FollowerKind:
     unit: Unit = MM
     runs: bool = False
     guide: FollowerGuide | None = None
+    least_base: Callable[[Any, Motion, float], float] | None = None
     refuse: Callable[[Any, FollowerSeat], None] = lambda keys, seat: None
 
     @property

@@ -14,9 +14,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.cam.follower import LossRemedy
+from cadgen.cam.follower import LossRemedy, SizeThatFits
+from cadgen.cam.limits import CheckLimits
 from cadgen.cam.round_follower import Complex, RoundSlide
+from cadgen.cam.sizing import SlideSizes, rounded_up
+from cadgen.laws.motion import Motion
 from cadgen.messages import Message
+
+_WEDGE = np.array([[0.0, 0.0], [9.0, 3.0], [9.0, -3.0], [0.0, 0.0]])  # mm; of a knife edge in pictures
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -63,6 +68,21 @@ class Roller(RoundSlide):
             LossRemedy(self.base_key, self.base, True, lambda value: replace(self, base=value)),
         )
 
+    def sizes(self, motion: Motion, limits: CheckLimits) -> tuple[SizeThatFits, ...]:
+        """Least base circle for the limits of the pressure angle, and the offset for which it is least of all.
+
+        Args:
+            motion: motion wanted.
+            limits: limits of the checks, mm and rad.
+        """
+        slide = SlideSizes(motion, limits.pressure_angle.rise, limits.pressure_angle.fall)
+        base = rounded_up(slide.least_prime_radius(self.offset) - self.radius)
+        best = round(slide.best_offset(), 2)
+        sizes = (SizeThatFits(self.base_key, self.base, base),) if base > 0 else ()
+        # With another offset the base circle stays as it is.
+        fits = slide.least_prime_radius(best) <= self.base + self.radius
+        return (*sizes, SizeThatFits("follower.offset_mm", self.offset, best)) if fits else sizes
+
     def least(self, x: Array, y: Array) -> tuple[Array, ...]:
         """Lift from which on the roller clears points, mm (see the module's equation).
 
@@ -91,3 +111,13 @@ class Knife(Roller):
     def remedies(self) -> tuple[LossRemedy, ...]:
         """Without a radius no lift is lost."""
         return ()
+
+    def outline(self, q: float, face: float) -> Array:
+        """The wedge that ends in the edge, in the frame of the ray, shape (4, 2), mm.
+
+        Args:
+            q: lift, mm.
+            face: the follower's plane, as in `planes`, mm.
+        """
+        tip = np.array([self.base_radius + q, self.offset])
+        return tip + _WEDGE

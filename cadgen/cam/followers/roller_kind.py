@@ -12,6 +12,7 @@ from cadgen.messages import Message
 
 if TYPE_CHECKING:
     from cadgen.cam.followers.roller import Knife, Roller
+    from cadgen.laws.motion import Motion
 
 _OFFSET = (
     "distance of the slide's line from the camshaft; positive lessens the pressure angle of the rise, and raises that "
@@ -67,11 +68,18 @@ def _knife(keys: KnifeKeys, seat: FollowerSeat) -> Knife:
     return Knife(base=seat.base_radius, offset=keys.offset_mm)
 
 
+def _least_base(offset: float, radius: float, motion: Motion, angle: float) -> float:
+    from cadgen.cam.sizing import SlideSizes
+
+    return SlideSizes(motion, angle, angle).least_prime_radius(offset) - radius
+
+
 ROLLER = FollowerKind(
     code="roller",
     meaning="A roller on a slide that moves straight out from the camshaft, in line with it or beside it.",
     keys=RollerKeys,
     build=_roller,
+    least_base=lambda keys, motion, angle: _least_base(keys.offset_mm, keys.radius_mm, motion, angle),
     refuse=lambda keys, seat: refuse_offset(keys.offset_mm, seat.base_radius + keys.radius_mm),
 )
 KNIFE = FollowerKind(
@@ -79,5 +87,6 @@ KNIFE = FollowerKind(
     meaning="A knife edge on such a slide: it wears, and is for toys and for teaching.",
     keys=KnifeKeys,
     build=_knife,
+    least_base=lambda keys, motion, angle: _least_base(keys.offset_mm, 0.0, motion, angle),
     refuse=lambda keys, seat: refuse_offset(keys.offset_mm, seat.base_radius),
 )

@@ -163,8 +163,12 @@ class Application:
         """Figures by which a cam is chosen, in words, the weightiest first."""
         return steepest(cam.checks)
 
+    def curable(self, cam: "CamPlan") -> tuple[Check, ...]:
+        """Failed checks for which cures are sought."""
+        return cam.lost
+
     def changes(self, cam: "CamPlan") -> Iterable[Sequence[tuple[str, str]]]:
-        """Changes that may cure lost lift: groups of overrides as for `--set`, each with the present value as text.
+        """Changes that may cure what failed: groups of overrides as for `--set`, each with the present value as text.
 
         Of each group the first is taken that cures.
         """

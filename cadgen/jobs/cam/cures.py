@@ -1,4 +1,4 @@
-"""Cures of lost lift: changes of one key, each proved by planning the cam again."""
+"""Cures of what failed in a cam, as of lost lift: changes of one key, each proved by planning the cam again."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -36,10 +36,10 @@ class Cure:
 
 @dataclass(frozen=True)
 class Cures:
-    """Cures of the lost lift of a plan.
+    """Cures of what failed in a plan.
 
     Attributes:
-        lost: failed checks on lost lift; empty if there is nothing to cure.
+        lost: failed checks that may be cured, such as those on lost lift; empty if there is nothing to cure.
         proved: changes that cure it, each alone.
         kinks: number of kinks of the lift; cures are sought for up to `MOST_KINKS_CURED`.
         of_path: whether a path shapes the motion, and not segments.
@@ -56,7 +56,7 @@ class Cures:
         return self.kinks <= MOST_KINKS_CURED
 
     def sentences(self) -> list[str]:
-        """Cures of lost lift, in words."""
+        """Cures, in words."""
         lines: list[str] = []
         for cure in self.proved:
             change = {"override": cure.override, "now": cure.now}
@@ -86,17 +86,18 @@ class Cures:
 
 
 def find_cures(plan: CamPlan, progress: Progress = silent) -> Cures:
-    """Look for changes of one key that bring lost lift within its limit; takes many plans if lift is lost.
+    """Look for changes of one key that cure what failed; takes many plans if lift is lost.
 
     Args:
         plan: computed cam.
         progress: function that is called with a few words on each step.
     """
     of_path = not isinstance(plan.motion, SegmentMotion)
-    cures = Cures(plan.lost, (), len(plan.motion.kinks), of_path)
+    cures = Cures(plan.application.curable(plan), (), len(plan.motion.kinks), of_path)
     if not cures.lost or not cures.sought:
         return cures
-    progress(Message("looking for a change that cures lost lift"))
+    lost = Message("looking for a change that cures lost lift")
+    progress(lost if plan.lost else Message("looking for a change that cures what failed"))
     return replace(cures, proved=tuple(_tried(plan)))
 
 
@@ -104,6 +105,8 @@ def _tried(plan: CamPlan) -> Iterator[Cure]:
     """Try one key at a time: those of the application, those of the follower, and at last the limit itself."""
     for changes in plan.application.changes(plan):
         yield from next(filter(None, (_proved(plan, override, now) for override, now in changes)), [])
+    if not plan.lost:
+        return
     limit = plan.limits.lost_lift if isfinite(plan.limits.lost_lift) else _borne(plan)
     for change in undercut_cures(plan.motion, plan.follower_as_built, limit):
         # Three digits, rounded to the safe side.
@@ -132,4 +135,5 @@ def _proved(plan: CamPlan, override: str, now: str) -> list[Cure]:
         failed = failing(plan.application.replanned(plan, override))
     except CadgenError:
         return []
-    return [] if any(check.code in LOST_LIFT for check in failed) else [Cure(override, now, failed)]
+    wrong = {*LOST_LIFT, *(check.code for check in plan.application.curable(plan))}
+    return [] if any(check.code in wrong for check in failed) else [Cure(override, now, failed)]

@@ -1,5 +1,6 @@
 """A cam by its motion: its use, its plan and its checks."""
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import degrees
 
@@ -8,7 +9,7 @@ import numpy as np
 from cadgen.arrays import TURN
 from cadgen.cam.checks import check_cam, signed_pressure
 from cadgen.car.against_play.profile_kinds import ACTUAL, profile_of
-from cadgen.check import Check
+from cadgen.check import Check, CheckCode, failing
 from cadgen.design import cam_model
 from cadgen.design.load import with_overrides
 from cadgen.design.motion import DiscSense, motion_of
@@ -25,6 +26,8 @@ from cadgen.parts.face import Face
 from cadgen.progress import Progress, silent
 from cadgen.verdict import PartVerdict, Reservation
 
+# Checks that a size of the follower may cure.
+_SIZED = (CheckCode.PRESSURE_ANGLE_RISE, CheckCode.PRESSURE_ANGLE_RETURN, CheckCode.CONVEX_RADIUS_PROFILE)
 _DENSE = 7201  # stations at which the greatest velocity and acceleration are sought
 
 
@@ -56,6 +59,18 @@ class SegmentUse(Application):
     def replanned(self, cam: CamPlan, override: str) -> tuple[Check, ...]:
         """Checks of the same cam with a change of its design."""
         return plan_motion_cam(with_overrides(self.design, [override]), cam.kind.code).checks
+
+    def curable(self, cam: CamPlan) -> tuple[Check, ...]:
+        """Failed checks on lost lift, and on what the follower has a size against."""
+        sized = _SIZED if cam.follower_as_built.sizes(cam.motion, cam.limits) else ()
+        return (*cam.lost, *(check for check in failing(cam.checks) if check.code in sized))
+
+    def changes(self, cam: CamPlan) -> Iterator[Sequence[tuple[str, str]]]:
+        """Sizes of the follower that keep the limits."""
+        found = self.design.cam.base_circle_radius_mm is None
+        for size in cam.follower_as_built.sizes(cam.motion, cam.limits):
+            if not (found and size.key == cam.follower_as_built.base_key):
+                yield [(f"{size.key}={size.value:.10g}", f"{size.now:g}")]
 
     def entry(self, cam: CamPlan) -> Facts:
         """Sense, speed, and greatest velocity and acceleration of the follower."""

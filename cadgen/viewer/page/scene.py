@@ -179,7 +179,8 @@ def travel_of(plan: CamPlan, q: Array) -> Travel:
         q: motions of the follower, in its unit (mm or rad), shape (n,).
     """
     rolling, plane = plan.follower, plan.follower.planes[0]
-    sections = np.array([rolling.outline(float(one), plane) @ [1, 1j] for one in q])
+    line = np.exp(1j * rolling.azimuth)
+    sections = np.array([rolling.outline(float(one), plane) @ [1, 1j] for one in q]) * line
     if abs(sections[0, 0] - sections[0, -1]) < _SEEN:
         sections = sections[:, :-1]  # of a closed one, which ends where it begins
     middles = sections.mean(axis=1)
@@ -225,7 +226,12 @@ def section_of(plan: CamPlan, q: float) -> Array:
         section = np.concatenate([section, section[::-1] + np.array([_PLATE, 0.0]), section[:1]])
     seen = np.ptp(section, axis=0).max() > _SEEN
     angle = np.linspace(0.0, TURN, 25)
-    return section if seen else section[:1] + _SEEN * np.column_stack([np.cos(angle), np.sin(angle)])
+    if not seen:
+        section = section[:1] + _SEEN * np.column_stack([np.cos(angle), np.sin(angle)])
+    if not rolling.azimuth:
+        return section
+    on_ray = section @ [1, 1j] * np.exp(1j * rolling.azimuth)
+    return np.column_stack([on_ray.real, on_ray.imag])
 
 
 def _clearance(plan: CamPlan) -> float:

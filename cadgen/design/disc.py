@@ -1,0 +1,91 @@
+"""The disc of a design with [motion]: its base circle, given or found for a pressure angle, and its thickness."""
+
+from functools import lru_cache
+from math import ceil, radians
+
+from pydantic import Field, model_validator
+
+from cadgen.design.follower import FollowerSection
+from cadgen.design.motion import MotionSection, motion_of
+from cadgen.design.section import DesignSection
+from cadgen.errors import DesignError
+from cadgen.messages import Message
+
+_ROLLED = 1e-5  # rad; what the pressure angle of a rolled contact may err by, so that a limit that is asked for is kept
+_ROUNDED = 1e4  # parts of a millimetre to which a base circle that is found is rounded up
+
+
+class MotionCam(DesignSection):
+    """The disc of a design with [motion]: `base_circle_radius_mm` or `pressure_angle_deg` fixes its base circle."""
+
+    base_circle_radius_mm: float | None = Field(
+        default=None, gt=0, le=1000, description="least radius of the disc, at lift 0"
+    )
+    pressure_angle_deg: float | None = Field(
+        default=None,
+        ge=1,
+        le=60,
+        description="of a roller or knife edge on a slide, instead of the radius: greatest pressure angle, for which "
+        "the least base circle is taken",
+    )
+    thickness_mm: float = Field(ge=0.1, le=100, description="between the disc's faces")
+
+    @model_validator(mode="after")
+    def _base_circle_is_fixed_once(self) -> "MotionCam":
+        if (self.base_circle_radius_mm is None) == (self.pressure_angle_deg is None):
+            raise ValueError(
+                Message(
+                    "cam.base_circle_radius_mm is missing: add it, or cam.pressure_angle_deg, for which the least is "
+                    "taken"
+                )
+                if self.pressure_angle_deg is None
+                else Message(
+                    "cam.base_circle_radius_mm and cam.pressure_angle_deg both fix the base circle: remove one of them"
+                )
+            )
+        return self
+
+    @property
+    def faces_mm(self) -> tuple[float, float]:
+        """Heights of the disc's faces."""
+        return 0.0, self.thickness_mm
+
+
+@lru_cache(maxsize=64)  # a design is asked for its seat again and again
+def base_circle_radius(cam: MotionCam, motion: MotionSection, follower: FollowerSection) -> float:
+    """Radius of the base circle, mm: as given, or the least that keeps the pressure angle.
+
+    Args:
+        cam: section [cam].
+        motion: section [motion].
+        follower: section [follower].
+
+    Raises:
+        ValueError: the kind of the follower has no such radius, or it is smaller than nothing.
+    """
+    if cam.base_circle_radius_mm is not None:
+        return cam.base_circle_radius_mm
+    assert cam.pressure_angle_deg is not None
+    kind = follower.registered
+    if kind.least_base is None:
+        raise ValueError(
+            Message(
+                'cam.pressure_angle_deg is for a roller or knife edge on a slide, and follower.kind is "{code}": give '
+                "cam.base_circle_radius_mm instead",
+                code=kind.code,
+            )
+        )
+    try:
+        moved = motion_of(motion, kind)
+    except DesignError as error:
+        raise ValueError(error.message) from None
+    least = kind.least_base(follower.keys, moved, radians(cam.pressure_angle_deg) - _ROLLED)
+    if least <= 0:
+        raise ValueError(
+            Message(
+                "cam.pressure_angle_deg is {angle:g}; it is kept by every base circle, down to nothing: give "
+                "cam.base_circle_radius_mm instead",
+                angle=cam.pressure_angle_deg,
+            )
+        )
+    return ceil(least * _ROUNDED) / _ROUNDED
