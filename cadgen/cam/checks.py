@@ -375,6 +375,8 @@ def _contact(follower: Follower, contact: Contact, error: Array, trimmed: NDArra
 def seam_check(motion: Motion, at: float, code: StrEnum = CheckCode.CLOSURE, name: str = Message("closure ")) -> Check:
     """Check of the jumps of a motion and its first two derivatives at a seam, as where the turn closes.
 
+    A derivative that is meant to jump there, by the law of a segment, is left out.
+
     Args:
         motion: motion wanted.
         at: cam angle of the seam, rad.
@@ -387,7 +389,7 @@ def seam_check(motion: Motion, at: float, code: StrEnum = CheckCode.CLOSURE, nam
     right = (left + 1) % (len(breaks) - 1)
     width = breaks[left + 1] - breaks[left]
     worst = 0.0
-    for order in range(3):
+    for order in range(motion.continuous(at)):
         ends = np.polyder(coefficients[:, left], order), np.polyder(coefficients[:, right], order)
         jump = abs(float(np.polyval(ends[0], width)) - float(np.polyval(ends[1], 0.0)))
         # On a circle the derivatives are rounding: what is small beside the lift itself is no jump.

@@ -167,6 +167,8 @@ def rows(cam: "Cam", *, every: bool) -> None:
     if every:
         for title, group in _groups(cam.figures):
             figures(title, group, gap=True)
+        for content in cam.application.sheets(cam):
+            sheet(content)
     else:
         failures(cam)
 
@@ -218,12 +220,14 @@ def tightest(checks: "Sequence[Check]") -> "Check | None":
 
 
 def _groups(checks: "Sequence[Check]") -> Iterator[tuple[Message, list[Check]]]:
-    """Checks by what they are of: the disc, the car, the course."""
+    """Checks by what they are of: the disc, its motion, the car, the course."""
     course = [check for check in checks if check.code.value.startswith("course-")]
     car = [check for check in checks if check.code in _OF_CAR]
-    disc = [check for check in checks if check not in course and check not in car]
+    motion = [check for check in checks if check.code.value.startswith("motion-")]
+    disc = [check for check in checks if check not in course and check not in car and check not in motion]
     groups = (
         (Message("The cam"), disc),
+        (Message("The motion"), motion),
         (Message("The car on its path"), car),
         (Message("The course"), course),
     )

@@ -116,6 +116,14 @@ class Motion:
         """Cam angles at which some derivative may jump, from 0 to a turn, shape (m,), rad."""
         return np.asarray(self.q.x)
 
+    def continuous(self, cam_angle: float) -> int:
+        """Number of values meant to be continuous at a cam angle: the motion and its first derivatives, 3 at most.
+
+        Args:
+            cam_angle: cam angle, rad.
+        """
+        return ORDERS - 1
+
     def extremes(self, order: int) -> tuple[Peak, Peak]:
         """Greatest and least value of a derivative over the turn, either side of every seam, with their places.
 

@@ -26,8 +26,10 @@ _WHOLE = 1e-9  # of a turn; the angles of the segments add up to it but for the 
 # A law from outside may have its jerk by differences.
 _JUMP = np.array([1e-9, 1e-9, 1e-9, 1e-6])
 _NAMES = (Message("motion"), Message("velocity"), Message("acceleration"), Message("jerk"))
+_SAME = 1e-9  # rad; nearer to a seam than that an angle is at it
 _SNAP = 1e-12  # of the share; nearer to a seam of the law than that a share is taken as the seam itself
 _MOST_TRIED = 3  # segments that become polynomials together, where one is not enough
+_MOST_CANDIDATES = 12
 _HALF_CYCLOID = 2.0  # velocity of half a cycloid at its fast end, in rises by shares
 
 
@@ -207,6 +209,17 @@ class SegmentMotion(Motion):
         """Number of segments in the design, before they are repeated."""
         return len(self.segments) // self.repeat
 
+    def continuous(self, cam_angle: float) -> int:
+        """Number of values that are continuous at a cam angle: the motion and its first derivatives, 3 at most.
+
+        Args:
+            cam_angle: cam angle, rad.
+        """
+        whole = TURN / self.repeat
+        apart = [((cam_angle - seam.cam_angle + whole / 2) % whole - whole / 2, seam.order) for seam in self.seams]
+        here = [order for angle, order in apart if abs(angle) < _SAME]
+        return min((order for order in here if order is not None), default=ORDERS - 1)
+
     def jets(self, cam_angle: Array, *, before: bool = False) -> Array:
         """Motion with its first three derivatives by the cam angle, from the laws, shape (n, 4).
 
@@ -254,6 +267,11 @@ class SegmentMotion(Motion):
     def seams(self) -> tuple[Seam, ...]:
         """Seams at which a derivative up to the second jumps, each with the lowest that does."""
         return tuple(seam for seam in self.joints if seam.order is not None and seam.order < ORDERS - 1)
+
+    @property
+    def milder(self) -> str:
+        """Changes after which neither velocity nor acceleration jumps; empty if none were found."""
+        return polynomials(self.segments[: self.count], 2)
 
     @property
     def vdi(self) -> tuple[str, ...]:
@@ -422,48 +440,67 @@ def _velocity_jumps(segments: Sequence[MotionSpan], jumps: Sequence[Seam], unit:
         )
         for seam in jumps
     )
+    changes = polynomials(segments, 1)
     return DesignError(
         "the velocity jumps {places} {unit}/rad, which no follower can do: {cure}set motion.allow_velocity_jump to "
         "true for a corner there{halves}",
         places=places,
         unit=unit.symbol,
-        cure=_polynomials(segments),
+        cure=Message("set {changes}, which meets its neighbours, or ", changes=changes) if changes else "",
         halves=_half_laws(segments, jumps),
     )
 
 
-def _polynomials(segments: Sequence[MotionSpan]) -> str:
-    """The fewest segments that meet their neighbours as polynomials, as a cure; tried one by one, then together."""
-    moving = [number for number, span in enumerate(segments) if span.moves]
+def polynomials(segments: Sequence[MotionSpan], order: int) -> str:
+    """Changes that make the fewest segments polynomials that meet their neighbours; empty if none do.
+
+    They are tried one by one, then together.
+
+    Args:
+        segments: segments of the design.
+        order: highest derivative that is to be without a jump, 1 for the velocity, 2 for the acceleration.
+    """
+    count, jumping = len(segments), _jumping(segments, order)
+    moving = [
+        number
+        for number in range(count)
+        if segments[number].moves and {number, number + 0.5, (number + 1) % count} & jumping
+    ][:_MOST_CANDIDATES]
     # Constant velocity is what the neighbours have to meet, and is given up last.
     for candidates in ([number for number in moving if not _straight(segments[number])], moving):
         sizes = range(1, min(_MOST_TRIED, len(candidates)) + 1)
         for chosen in (each for size in sizes for each in combinations(candidates, size)):
-            tried = [
+            made = [
                 replace(span, law=None, conditions=(), absolute=False) if number in chosen else span
                 for number, span in enumerate(segments)
             ]
-            made = _completed(tried)
-            if not any(_velocity_jump(made[number - 1], made[number]) for number in range(len(made))):
-                changes = joined(
+            if not _jumping(_completed(made), order):
+                return joined(
                     (
                         Message('motion.segments.{number}.law to "{law}"', number=number + 1, law=POLYNOMIAL)
                         for number in sorted(chosen)
                     ),
                     Message(" and "),
                 )
-                return Message("set {changes}, which meets its neighbours, or ", changes=changes)
     return ""
+
+
+def _jumping(spans: Sequence[MotionSpan], order: int) -> set[float]:
+    """Numbers of spans at whose beginning a derivative from the first to an order jumps; n + 0.5 if inside span n."""
+    ends = np.array([span.ends for span in spans])
+    sides: list[tuple[float, Array, Array]] = [
+        (number, ends[number - 1, 1], ends[number, 0]) for number in range(len(spans))
+    ]
+    for number, span in enumerate(spans):
+        before, behind = (span.jets(span.seams, before=side) for side in (True, False))
+        sides += [(number + 0.5, one, two) for one, two in zip(before, behind, strict=True)]
+    scale = np.max([np.abs(side) for _, *pair in sides for side in pair], axis=0)
+    least = _JUMP * np.maximum(scale, scale[0])
+    return {place for place, one, two in sides if (np.abs(one - two) > least)[1 : order + 1].any()}
 
 
 def _straight(span: MotionSpan) -> bool:
     return span.law is not None and span.law.code == "constant_velocity"
-
-
-def _velocity_jump(before: MotionSpan, behind: MotionSpan) -> bool:
-    one, two = before.ends[1, 1], behind.ends[0, 1]
-    size = max(abs(before.after - before.before), abs(behind.after - behind.before), abs(one), abs(two))
-    return bool(abs(one - two) > 1e-9 * size)
 
 
 def _half_laws(segments: Sequence[MotionSpan], jumps: Sequence[Seam]) -> str:

@@ -11,6 +11,7 @@ from cadgen.figures import Facts
 from cadgen.jobs.cam.cam_facts import cam_facts
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.cures import Cures
+from cadgen.laws.unit import TAN
 from cadgen.messages import Message, joined
 from cadgen.output.files.exports import CamExport
 from cadgen.output.files.formats import CAM
@@ -88,6 +89,7 @@ def cam_export(plan: CamPlan) -> CamExport:
         notes=(profile.note,) if profile.note else (),
         export=making.export,
         machining=making.machining,
+        motion=None if plan.motion.unit == TAN else plan.motion,
         in_use=partial(use.of_file, plan),
     )
 

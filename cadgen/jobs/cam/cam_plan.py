@@ -15,7 +15,7 @@ from cadgen.curves.closed import ClosedCurve, Outline
 from cadgen.curves.derived import turned
 from cadgen.design.machining import DrawingText, Machining
 from cadgen.design.schema import Design, Export, MotionDesign
-from cadgen.figures import Facts, Figures
+from cadgen.figures import Facts, Figures, Sheet
 from cadgen.laws.motion import Motion
 from cadgen.messages import Message
 from cadgen.output.drawing.shaft_fit import ShaftFit
@@ -133,6 +133,10 @@ class Application:
 
     def figures(self, cam: "CamPlan") -> tuple[Check, ...]:
         """Figures without a verdict that are shown beside the checks."""
+        return ()
+
+    def sheets(self, cam: "CamPlan") -> tuple[Sheet, ...]:
+        """Tables that are shown with all checks."""
         return ()
 
     def entry(self, cam: "CamPlan") -> Facts:

@@ -10,7 +10,7 @@ from cadgen.check import Check, CheckCode, failing
 from cadgen.design.section import listed
 from cadgen.errors import CadgenError
 from cadgen.jobs.cam.cam_plan import CamPlan
-from cadgen.laws.segments import SegmentMotion
+from cadgen.laws.unit import TAN
 from cadgen.messages import Message
 from cadgen.progress import Progress, silent
 
@@ -92,7 +92,7 @@ def find_cures(plan: CamPlan, progress: Progress = silent) -> Cures:
         plan: computed cam.
         progress: function that is called with a few words on each step.
     """
-    of_path = not isinstance(plan.motion, SegmentMotion)
+    of_path = plan.motion.unit == TAN
     cures = Cures(plan.application.curable(plan), (), len(plan.motion.kinks), of_path)
     if not cures.lost or not cures.sought:
         return cures

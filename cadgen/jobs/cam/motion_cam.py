@@ -15,10 +15,9 @@ from cadgen.design.load import with_overrides
 from cadgen.design.motion import DiscSense, motion_of
 from cadgen.design.schema import MotionDesign
 from cadgen.errors import DesignError
-from cadgen.figures import Facts
+from cadgen.figures import Facts, Sheet
 from cadgen.jobs.cam.cam_plan import Application, CamPlan, Making
-from cadgen.laws.motion import Motion
-from cadgen.laws.segments import Seam, SegmentMotion
+from cadgen.jobs.cam.motion_figures import checks_of, facts_of, notes_of, reservations_of, seams_sheets
 from cadgen.laws.unit import MM
 from cadgen.messages import Message, clauses
 from cadgen.output.files.manifest import Origin
@@ -28,7 +27,7 @@ from cadgen.verdict import PartVerdict, Reservation
 
 # Checks that a size of the follower may cure.
 _SIZED = (CheckCode.PRESSURE_ANGLE_RISE, CheckCode.PRESSURE_ANGLE_RETURN, CheckCode.CONVEX_RADIUS_PROFILE)
-_DENSE = 7201  # stations at which the greatest velocity and acceleration are sought
+_DENSE = 7201  # stations at which the travel is sought
 
 
 @dataclass(frozen=True)
@@ -72,21 +71,23 @@ class SegmentUse(Application):
             if not (found and size.key == cam.follower_as_built.base_key):
                 yield [(f"{size.key}={size.value:.10g}", f"{size.now:g}")]
 
+    def figures(self, cam: CamPlan) -> tuple[Check, ...]:
+        """Greatest velocity, acceleration and jerk of the follower."""
+        return checks_of(cam.motion, self.rpm)
+
+    def sheets(self, cam: CamPlan) -> tuple[Sheet, ...]:
+        """Seams of the motion."""
+        return seams_sheets(cam.motion)
+
     def entry(self, cam: CamPlan) -> Facts:
-        """Sense, speed, and greatest velocity and acceleration of the follower."""
-        unit = cam.motion.unit.symbol
-        peaks = {} if self.rpm is None else _peaks(cam, self.rpm)
-        return Facts(
-            motion=Facts(
-                unit=unit,
-                turns=self.turns.value,
-                speed_rpm=self.rpm,
-                **{f"greatest_{name}_{unit}_per_{time}": value for name, (value, time) in peaks.items()},
-                jumps=[
-                    Facts(cam_angle_deg=degrees(seam.cam_angle), derivative=seam.order) for seam in _seams(cam.motion)
-                ],
-            )
+        """Sense, speed, source and peaks of the motion, and its seams."""
+        motion = Facts(
+            unit=cam.motion.unit.symbol,
+            turns=self.turns.value,
+            speed_rpm=self.rpm,
+            source=self.design.motion.shaping_key,
         )
+        return Facts(motion=motion | facts_of(cam.motion, self.rpm))
 
     def purpose(self, cam: CamPlan) -> str:
         """Travel of the follower in a turn, and the speed."""
@@ -98,7 +99,7 @@ class SegmentUse(Application):
         return said if self.rpm is None else clauses(said, Message("at {speed:g} rev/min", speed=self.rpm))
 
     def verdict(self, cam: CamPlan) -> PartVerdict:
-        """Verdict on the cam, with a reservation where its acceleration jumps."""
+        """Verdict on the cam, with reservations on its motion."""
         if float(np.ptp(cam.motion.q(np.linspace(0.0, TURN, _DENSE)))) <= cam.motion.unit.level:
             still = Reservation(
                 "no-motion",
@@ -106,49 +107,16 @@ class SegmentUse(Application):
                 Message("give {key} a rise and a return", key=self.design.motion.shaping_key),
             )
             return PartVerdict(cam.checks, (still,))
-        return PartVerdict(
-            cam.checks,
-            tuple(
-                Reservation(
-                    "acceleration-jumps",
-                    Message(
-                        "at {angle:.4g}° of cam angle the acceleration jumps from {before:.4g} to {after:.4g} "
-                        "{unit}/rad²",
-                        angle=degrees(seam.cam_angle),
-                        before=seam.before,
-                        after=seam.after,
-                        unit=cam.motion.unit.symbol,
-                    ),
-                    Message("take a law that fits its neighbour, or go slowly"),
-                )
-                for seam in _seams(cam.motion)
-            ),
-        )
+        return PartVerdict(cam.checks, reservations_of(cam.motion, self.design))
 
     def notes(self, cam: CamPlan) -> tuple[str, ...]:
-        """Sense of the disc, and greatest velocity and acceleration."""
-        said = [
-            Message(
-                "The disc turns {turns}, seen on its outer face; files show its {seen} face, on which it turns "
-                "clockwise.",
-                turns=Message(self.turns.value),
-                seen=Message(self.seen.value),
-            )
-        ]
-        if self.rpm is not None:
-            (velocity, _), (acceleration, _) = _peaks(cam, self.rpm).values()
-            unit, share = ("m", 1e-3) if cam.motion.unit == MM else (cam.motion.unit.symbol, 1.0)
-            said.append(
-                Message(
-                    "At {speed:g} rev/min the follower moves at up to {velocity:.4g} {unit}/s and {acceleration:.4g} "
-                    "{unit}/s².",
-                    speed=self.rpm,
-                    velocity=velocity * share,
-                    acceleration=acceleration * share,
-                    unit=unit,
-                )
-            )
-        return tuple(said)
+        """Sense of the disc, peaks of the motion, and what was done to its table."""
+        sense = Message(
+            "The disc turns {turns}, seen on its outer face; files show its {seen} face, on which it turns clockwise.",
+            turns=Message(self.turns.value),
+            seen=Message(self.seen.value),
+        )
+        return sense, *notes_of(cam.motion, self.rpm)
 
     def drawing_notes(self, cam: CamPlan) -> tuple[str, ...]:
         """Sense in which the disc turns, and the base circle."""
@@ -156,19 +124,6 @@ class SegmentUse(Application):
             Message("Turns clockwise, seen on this face."),
             Message("Base circle: radius {radius:g} mm.", radius=self.design.seat.base_radius),
         )
-
-
-def _peaks(cam: CamPlan, rpm: float) -> dict[str, tuple[float, str]]:
-    """Greatest velocity and acceleration, by the second, with the unit of time."""
-    theta, speed = np.linspace(0.0, TURN, _DENSE), rpm * TURN / 60
-    return {
-        name: (float(np.abs(cam.motion.q(theta, nu=order)).max()) * speed**order, time)
-        for order, name, time in ((1, "velocity", "s"), (2, "acceleration", "s2"))
-    }
-
-
-def _seams(motion: Motion) -> tuple[Seam, ...]:
-    return motion.seams if isinstance(motion, SegmentMotion) else ()
 
 
 def plan_motion_cam(design: MotionDesign, profile: str | None = None, progress: Progress = silent) -> CamPlan:

@@ -20,6 +20,7 @@ from cadgen.errors import FileError
 from cadgen.figures import Facts, Figures
 from cadgen.gears.layout import TrainLayout, TrainPart
 from cadgen.gears.tooth import GearForm
+from cadgen.laws.motion import Motion
 from cadgen.messages import Message
 from cadgen.output.files.publisher import Artifact
 from cadgen.parts.blank import Blank
@@ -54,6 +55,7 @@ class CamExport:
         notes: sentences for the shop on the outline.
         export: how finely files follow the curve.
         machining: cutter, speeds, tabs and drills.
+        motion: motion of the follower, for its derivatives; None where files do not have them, as those of cars.
         in_use: function of an outline read back, of the contact of the follower on it, and of the greatest error
             allowed to the lift, µm, that gives further figures by what the cam is for.
     """
@@ -70,6 +72,7 @@ class CamExport:
     notes: tuple[str, ...]
     export: Export
     machining: Machining
+    motion: Motion | None = None
     in_use: Callable[[Outline, Contact, float], Figures] = _nothing
 
     @property

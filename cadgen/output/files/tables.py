@@ -20,6 +20,7 @@ from cadgen.curves.closed import ClosedCurve, Outline, cross, left_normal
 from cadgen.curves.polygon import polyline
 from cadgen.errors import FileError
 from cadgen.figures import Facts
+from cadgen.laws.motion import Motion
 from cadgen.laws.unit import MM, RAD, TAN, Unit
 from cadgen.messages import Message
 from cadgen.output.files.publisher import Artifact, require
@@ -57,17 +58,27 @@ _MOTION = {TAN: "steering_deg", RAD: "swing_deg"}
 _MOTION_AT = COLUMNS.index("lift_mm") + 1
 
 
-def columns(unit: Unit) -> tuple[str, ...]:
-    """Columns of the table of a follower whose motion has a unit."""
+# Derivatives of the motion by the cam angle, from what it is made of.
+_DERIVATIVES = ("velocity_{unit}_per_rad", "acceleration_{unit}_per_rad2", "jerk_{unit}_per_rad3")
+
+
+def columns(unit: Unit, *, derived: bool = False) -> tuple[str, ...]:
+    """Columns of the table of a follower whose motion has a unit.
+
+    Args:
+        unit: unit of the motion.
+        derived: whether the derivatives of the motion are among them.
+    """
     named = (_MOTION[unit],) if unit in _MOTION else ()
-    return (*COLUMNS[:_MOTION_AT], *named, *COLUMNS[_MOTION_AT:])
+    more = tuple(name.format(unit=unit.symbol) for name in _DERIVATIVES) if derived else ()
+    return (*COLUMNS[:_MOTION_AT], *named, *more, *COLUMNS[_MOTION_AT:])
 
 
 def cam_table(cam: CamExport, folder: Path) -> Iterator[Artifact]:
     """Table of a cam by its cam angle; straight lines from contact to contact must keep the outline, and the lift."""
     name = f"{cam.stem}.csv"
     contact = contact_rows(cam.curve, cam.follower, cam.export.point_count, cam.rim_share * LIFT_LIMIT_UM * 1e-3)
-    write_csv(folder / name, cam.curve, cam.follower, contact)
+    write_csv(folder / name, cam.curve, cam.follower, contact, cam.motion)
     table = read_csv(folder / name)
     column = float(np.abs(table["lift_mm"] - contact.lift).max() * 1e3)
     outline = contact_outline(table, cam.step)
@@ -174,7 +185,9 @@ def _needed(rows: Contact, place: Array, curve: ClosedCurve, count: int, toleran
     return _chosen(rows, np.array(kept))
 
 
-def write_csv(path: Path, curve: ClosedCurve, follower: Follower, contact: Contact) -> None:
+def write_csv(
+    path: Path, curve: ClosedCurve, follower: Follower, contact: Contact, motion: Motion | None = None
+) -> None:
     """Write one row per contact of the follower with the profile.
 
     The normal points out of the disc; the radius of curvature is positive where the profile is convex and
@@ -185,6 +198,7 @@ def write_csv(path: Path, curve: ClosedCurve, follower: Follower, contact: Conta
         curve: profile, mm.
         follower: follower on the profile.
         contact: contacts of the follower rolled on the profile.
+        motion: motion of the follower, whose derivatives are written, too; None for tables without them.
     """
     jet, _ = curve.at_angle(follower.place(contact))
     normal = -left_normal(jet.velocity)
@@ -203,6 +217,7 @@ def write_csv(path: Path, curve: ClosedCurve, follower: Follower, contact: Conta
                 if follower.unit in _MOTION
                 else []
             ),
+            *([] if motion is None else [motion.jets(contact.cam_angle)[:, 1:]]),
             normal,
             np.degrees(contact.pressure_angle),
             radius,
@@ -214,7 +229,8 @@ def write_csv(path: Path, curve: ClosedCurve, follower: Follower, contact: Conta
         ",".join([f"{x:.6f}" if x == x else "" for x in row]) + f",{face}"
         for row, face in zip((numbers.round(6) + 0.0).tolist(), faces, strict=True)
     )
-    path.write_text("\n".join([",".join(columns(follower.unit)), *rows]) + "\n", encoding="ascii", newline="\n")
+    head = ",".join(columns(follower.unit, derived=motion is not None))
+    path.write_text("\n".join([head, *rows]) + "\n", encoding="ascii", newline="\n")
 
 
 def read_csv(path: Path) -> dict[str, Array]:
@@ -230,7 +246,7 @@ def read_csv(path: Path) -> dict[str, Array]:
         header, *rows = csv.reader(text.splitlines())
         if not text.endswith("\n"):
             raise ValueError("cut short")
-        if tuple(header) not in [columns(unit) for unit in (MM, RAD, TAN)]:
+        if tuple(header) not in [columns(unit, derived=some) for unit in (MM, RAD, TAN) for some in (False, True)]:
             raise FileError("{file} has columns {columns}: write it again", file=path.name, columns=", ".join(header))
         values = {"": "nan", "inner": "0", "outer": "1", "whole": "2"}
         table = np.array([[float(values.get(text, text)) for text in row] for row in rows])

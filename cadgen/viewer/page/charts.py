@@ -1,5 +1,6 @@
 """Curves over the cam angle: lift, steering, pressure angle, curvature, torque; and the marked places of the turn."""
 
+from collections.abc import Iterator
 from math import degrees
 
 import numpy as np
@@ -13,19 +14,31 @@ from cadgen.car.running.mechanics import MechanicsBand
 from cadgen.curves.closed import ClosedCurve
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.simulation import Simulation
+from cadgen.laws.unit import TAN
 from cadgen.messages import Message
 from cadgen.viewer.page.document import Chart, Curve, Limit, Mark, MarkKind
 
+_DERIVATIVES = (
+    ("velocity", Message("Velocity")),
+    ("acceleration", Message("Acceleration")),
+    ("jerk", Message("Jerk")),
+)
+_POWERS = ("", "²", "³")
 STATIONS = 720  # of a chart: one each half degree; a curve on a phone has fewer dots
 _POINTS_OF_A_PIECE = 400  # at which the curvature of the profile is computed
 
 
 def charts_of(plan: CamPlan) -> tuple[Chart, ...]:
-    """Lift, pressure angle and curvature of a cam that is planned."""
+    """Lift, pressure angle and curvature of a cam that is planned, and of a motion its derivatives."""
     theta = np.linspace(0.0, TURN, STATIONS + 1)
     curve = plan.application.envelope(plan)
     contact, _ = roll_curve(curve, plan.follower, theta[:-1])
-    return _lift(plan, theta, contact), _pressure(plan, theta, contact), _curvature(plan, curve, theta, contact)
+    return (
+        _lift(plan, theta, contact),
+        *_derivatives(plan, theta),
+        _pressure(plan, theta, contact),
+        _curvature(plan, curve, theta, contact),
+    )
 
 
 def _closed(values: Array) -> Array:
@@ -40,6 +53,17 @@ def _lift(plan: CamPlan, theta: Array, contact: Contact) -> Chart:
         values = np.asarray(plan.follower_as_built.lift(wanted.q(theta % TURN)))
         curves.append(Curve(Message("lift wanted"), values, dashed=True))
     return Chart("lift", Message("Lift"), "mm", theta, tuple(curves))
+
+
+def _derivatives(plan: CamPlan, theta: Array) -> Iterator[Chart]:
+    """Velocity, acceleration and jerk of a follower by cam angle; none of a follower on the fork of a car."""
+    unit = plan.motion.unit
+    if unit == TAN:
+        return
+    jets = plan.motion.jets(theta)
+    for order, (code, title) in enumerate(_DERIVATIVES, 1):
+        by = f"{unit.symbol}/rad{_POWERS[order - 1]}"
+        yield Chart(code, title, by, theta, (Curve(title, jets[:, order]),))
 
 
 def _pressure(plan: CamPlan, theta: Array, contact: Contact) -> Chart:
