@@ -11,6 +11,7 @@ from cadgen.design.schema import Design as DesignValues
 from cadgen.deviations.deviation import SETTINGS, ByHand
 from cadgen.errors import DesignError, brief
 from cadgen.figures import Facts, JobResult
+from cadgen.inference.records.columns import Reading
 from cadgen.jobs.adjustment.files import adjustment_facts, write_adjustment
 from cadgen.jobs.adjustment.plan import AdjustmentPlan, Point, Wanted, adjust
 from cadgen.messages import joined
@@ -63,6 +64,7 @@ def adjusted(
     settings: Iterable[str],
     noise_mm: float,
     division_um: float,
+    reading: Reading,
     progress: Progress,
 ) -> Adjustment:
     """Result of `Design.adjust`; arguments and errors as there."""
@@ -78,5 +80,5 @@ def adjusted(
         noise=real("noise_mm", noise_mm, *NOISE_MM, "mm"),
         division=real("division_um", division_um, *DIVISION_UM, "µm") * 1e-3,
     )
-    result = adjust(design, files, profile, wanted, progress)
+    result = adjust(design, files, profile, wanted, reading, progress)
     return Adjustment(**{item.name: getattr(result, item.name) for item in fields(result)})

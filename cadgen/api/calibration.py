@@ -1,13 +1,13 @@
 """Results of judging measured data: what `Design.calibrate` and `Design.calibrate_each` give."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
 from os import PathLike
 from typing import Generic, TypeVar
 
 from cadgen.api.loaded import LoadedDesign
-from cadgen.api.measured import Data, sources_of
+from cadgen.api.measured import Data, reading_of, sources_of
 from cadgen.figures import Facts, JobResult
 from cadgen.jobs.calibration.advice import Advice as Advice
 from cadgen.jobs.calibration.advice import Predictions as Predictions
@@ -83,17 +83,25 @@ class Calibration(CalibrationPlan, JobResult, Generic[D]):
         """
         return Advice.after(self, self.design.complete(), progress)
 
-    def predict(self, data: Data | Iterable[Data], *, progress: Progress = silent) -> Predictions:
+    def predict(
+        self,
+        data: Data | Iterable[Data],
+        *,
+        columns: Mapping[str, str] | None = None,
+        progress: Progress = silent,
+    ) -> Predictions:
         """Predict measured data that were not used, with what was found.
 
         Args:
             data: as of `Design.calibrate`.
+            columns: as of `Design.calibrate`.
             progress: function that is called with a few words on each step.
 
         Raises:
             FileError: data cannot be read, were used, or cannot be predicted by what was.
         """
-        return Predictions.of(self, sources_of(data, each=True, progress=progress), progress)
+        reading = reading_of(self.design.complete(), columns)
+        return Predictions.of(self, sources_of(data, reading, each=True, progress=progress), progress)
 
     @property
     def report(self) -> list[Block]:

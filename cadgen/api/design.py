@@ -1,12 +1,12 @@
 """A design and its jobs: cam, gears, runs, calibration."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from os import PathLike
 from typing import TYPE_CHECKING
 
 from cadgen.api.loaded import LoadedDesign
-from cadgen.api.measured import Data, sources_of
+from cadgen.api.measured import Data, reading_of, sources_of
 from cadgen.api.values import instance, map_of, optional, whole, word
 from cadgen.design import load
 from cadgen.design.schema import MotionDesign
@@ -170,6 +170,7 @@ class Design(LoadedDesign):
         *,
         profile: str = "actual",
         form_error_um: float | None = None,
+        columns: Mapping[str, str] | None = None,
         progress: Progress = silent,
     ) -> "Calibration[Design]":
         """Trace measured data of one car to the effects that the design lacks.
@@ -179,6 +180,8 @@ class Design(LoadedDesign):
             profile: profile of the cam that was measured, or was on the car.
             form_error_um: form error to expect on the disc, µm rms, 0.01 to 1000; if left out, 2, or 30 for a disc that
                 is printed by a remark of the data.
+            columns: columns of a kind of data -> names that they have in the files, as `{"x_mm": "East [m]"}`, where
+                those are not understood.
             progress: function that is called with a few words on each step.
 
         Raises:
@@ -189,7 +192,8 @@ class Design(LoadedDesign):
         from cadgen.jobs.calibration.calibration import calibrate
 
         error, design = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm"), self.complete()
-        computed = calibrate(design, profile, sources_of(data, progress=progress), error, progress)
+        sources = sources_of(data, reading_of(design, columns), progress=progress)
+        computed = calibrate(design, profile, sources, error, progress)
         return Calibration.of(computed, Design(design, self.text, self.file))
 
     def next_measurement(
@@ -210,6 +214,7 @@ class Design(LoadedDesign):
         *,
         profile: str = "actual",
         form_error_um: float | None = None,
+        columns: Mapping[str, str] | None = None,
         progress: Progress = silent,
     ) -> "Calibrations[Design]":
         """Judge measured data one by one, as if each came from another car; arguments and errors as in `calibrate`."""
@@ -217,7 +222,8 @@ class Design(LoadedDesign):
         from cadgen.jobs.calibration.calibration import calibrate_each
 
         error, design = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm"), self.complete()
-        computed = calibrate_each(design, profile, sources_of(data, each=True, progress=progress), error, progress)
+        sources = sources_of(data, reading_of(design, columns), each=True, progress=progress)
+        computed = calibrate_each(design, profile, sources, error, progress)
         return Calibrations(tuple(Calibration.of(result, Design(design, self.text, self.file)) for result in computed))
 
     def adjust(
@@ -229,6 +235,7 @@ class Design(LoadedDesign):
         settings: Iterable[str] = ("head", "start"),
         noise_mm: float = 10.0,
         division_um: float = 10.0,
+        columns: Mapping[str, str] | None = None,
         progress: Progress = silent,
     ) -> "Adjustment":
         """Settings of micrometer head, key and start that bring the next run to its end, from trial runs.
@@ -241,6 +248,7 @@ class Design(LoadedDesign):
             settings: what may be set: `head`, `key`, `start`.
             noise_mm: standard deviation of a measured coordinate, mm, 0.1 to 1000.
             division_um: of the micrometer head, µm, 0.1 to 1000.
+            columns: as of `calibrate`.
             progress: function that is called with a few words on each step.
 
         Raises:
@@ -249,7 +257,9 @@ class Design(LoadedDesign):
         """
         from cadgen.api.adjustment import adjusted
 
-        return adjusted(self.complete(), trials, profile, point, settings, noise_mm, division_um, progress)
+        design = self.complete()
+        reading = reading_of(design, columns)
+        return adjusted(design, trials, profile, point, settings, noise_mm, division_um, reading, progress)
 
     def plan(
         self,

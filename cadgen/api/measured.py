@@ -6,12 +6,14 @@ from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from cadgen.design.schema import Design as DesignValues
 from cadgen.errors import DesignError, brief
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+    from cadgen.inference.records.columns import Reading
     from cadgen.jobs.calibration.sources import Source
 
 
@@ -43,11 +45,35 @@ class Measured:
 Data = str | PathLike[str] | Mapping[str, Any] | Measured
 
 
-def sources_of(data: Data | Iterable[Data], *, each: bool = False, progress: Progress = silent) -> "tuple[Source, ...]":
+def reading_of(design: DesignValues, columns: Mapping[str, str] | None) -> "Reading":
+    """How columns of measured data are to be understood, with a design's ratio for angles of the motor.
+
+    Args:
+        design: checked design.
+        columns: columns of a kind of data -> names that they have in the files, where those are not understood.
+
+    Raises:
+        DesignError: the columns are no such mapping.
+    """
+    from cadgen.design.gear_model import train
+    from cadgen.inference.records.columns import Reading
+
+    given = {} if columns is None else columns
+    if not isinstance(given, Mapping) or not all(isinstance(word, str) for pair in given.items() for word in pair):
+        raise DesignError(
+            "columns is {given}; it must map columns such as x_mm to names in the files", given=brief(repr(columns), 60)
+        )
+    return Reading(columns=dict(given), ratio=float(train(design).ratio) if design.train else None)
+
+
+def sources_of(
+    data: Data | Iterable[Data], reading: "Reading", *, each: bool = False, progress: Progress = silent
+) -> "tuple[Source, ...]":
     """Read measured data.
 
     Args:
         data: paths of CSV files, mappings of columns to arrays, `Measured`, or several of these.
+        reading: how their columns are to be understood.
         each: whether the data will be judged one by one.
         progress: function that is called with a few words on each step.
 
@@ -57,7 +83,7 @@ def sources_of(data: Data | Iterable[Data], *, each: bool = False, progress: Pro
     """
     from cadgen.jobs.calibration.sources import gathered
 
-    sources = (_source(item, number, progress) for number, item in enumerate(_each_of(data), 1))
+    sources = (_source(item, number, reading, progress) for number, item in enumerate(_each_of(data), 1))
     return gathered(sources, each=each)
 
 
@@ -75,11 +101,11 @@ def _each_of(data: Data | Iterable[Data]) -> list[Data]:
     return several
 
 
-def _source(data: Data, number: int, progress: Progress) -> "Source":
+def _source(data: Data, number: int, reading: "Reading", progress: Progress) -> "Source":
     from cadgen.jobs.calibration.sources import read, source_of
 
     if isinstance(data, (str, PathLike)):
-        return read([Path(data)], progress, each=True)[0]
+        return read([Path(data)], progress, each=True, reading=reading)[0]
     if isinstance(data, Mapping):
         data = Measured(data, name=f"data {number}")
     if not isinstance(data, Measured):
@@ -87,4 +113,4 @@ def _source(data: Data, number: int, progress: Progress) -> "Source":
             "data has {given}; each must be a path, columns of values, or Measured", given=brief(repr(data), 60)
         )
     remarks = (data.remarks,) if isinstance(data.remarks, str) else data.remarks
-    return source_of(data.columns, remarks, str(data.name))
+    return source_of(data.columns, remarks, str(data.name), reading)

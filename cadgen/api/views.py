@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from cadgen.api.design import MOST_CARS, MOST_PROCESSES, Design
 from cadgen.api.loaded import overrides_of
-from cadgen.api.measured import Data, sources_of
+from cadgen.api.measured import Data, reading_of, sources_of
 from cadgen.api.values import instance, name_or_path, whole
 from cadgen.check import Check, failing
 from cadgen.design.schema import MotionDesign
@@ -77,13 +77,14 @@ class Report(JobResult):
             return cls(plan_motion_page(values, profile, progress))
         sources: tuple[Source, ...] = ()
         unread = ""
+        complete = design.complete()
         try:
-            sources = () if data is None else sources_of(data, progress=progress)
+            sources = () if data is None else sources_of(data, reading_of(complete, None), progress=progress)
         except FileError as error:
             unread = error.message
         return cls(
             plan_page(
-                instance("design", design, Design).complete(),
+                complete,
                 profile,
                 whole("samples", samples, 1, MOST_CARS),
                 whole("processes", processes, 1, MOST_PROCESSES),

@@ -11,6 +11,7 @@ from cadgen.cli import help
 from cadgen.cli.options import (
     Number,
     car_profile_option,
+    columns_option,
     design_and_files,
     design_options,
     out_option,
@@ -169,6 +170,7 @@ def tolerance(
     metavar="FILE",
     help="Predict this file, which is not used, with what is found in the others. Repeatable.",
 )
+@columns_option
 @overrides_option
 @help.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of the report.")
 @out_option(help="Folder for the report, its pictures, JSON and the as-built design; without it no file is written.")
@@ -179,6 +181,7 @@ def calibrate(
     each: bool,
     ask_next: bool,
     unseen: tuple[str, ...],
+    columns: dict[str, str],
     overrides: tuple[str, ...],
     as_json: bool,
     out: Path | None,
@@ -221,8 +224,8 @@ def calibrate(
     result: Calibration[Design] | Calibrations[Design]
     with show.progress(not as_json) as progress:
         judge = loaded.calibrate_each if each else loaded.calibrate
-        result = judge(files, profile=profile, form_error_um=form_error_um, progress=progress)
-        more = _more(result, ask_next, unseen, progress) if isinstance(result, Calibration) else {}
+        result = judge(files, profile=profile, form_error_um=form_error_um, columns=columns, progress=progress)
+        more = _more(result, ask_next, unseen, columns, progress) if isinstance(result, Calibration) else {}
         written = None if out is None else result.write(out, progress=progress)
     if as_json:
         show.document(result.facts() | {name: part.facts() for name, part in more.items()})
@@ -235,12 +238,16 @@ def calibrate(
 
 
 def _more(
-    result: "Calibration[Design]", ask_next: bool, unseen: tuple[str, ...], progress: "Progress"
+    result: "Calibration[Design]",
+    ask_next: bool,
+    unseen: tuple[str, ...],
+    columns: dict[str, str],
+    progress: "Progress",
 ) -> "dict[str, Advice | Predictions]":
     """Results asked for beside the verdict, by its name in the JSON document."""
     more: dict[str, Advice | Predictions] = {}
     if unseen:
-        more["predicted"] = result.predict(unseen, progress=progress)
+        more["predicted"] = result.predict(unseen, columns=columns, progress=progress)
     if ask_next:
         more["next"] = result.next_measurement(progress=progress)
     return more
@@ -274,6 +281,7 @@ def _more(
 @help.option(
     "--division-um", type=Number(0.1, 1000), default=10.0, show_default=True, help="Division of the micrometer head."
 )
+@columns_option
 @overrides_option
 @help.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of sentences.")
 @out_option(help="Folder for the result and the table of the next trial run; without it no file is written.")
@@ -284,6 +292,7 @@ def adjust(
     settings: str,
     noise_mm: float,
     division_um: float,
+    columns: dict[str, str],
     overrides: tuple[str, ...],
     as_json: bool,
     out: Path | None,
@@ -312,6 +321,7 @@ def adjust(
             settings=[setting.strip() for setting in settings.split(",")],
             noise_mm=noise_mm,
             division_um=division_um,
+            columns=columns,
             progress=progress,
         )
         written = None if out is None else adjustment.write(out, progress=progress)

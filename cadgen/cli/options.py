@@ -12,12 +12,22 @@ import click
 from cadgen.car.against_play.profile_kinds import OPTIMIZED, codes, meanings
 from cadgen.cli import help
 from cadgen.cli.output import tell
-from cadgen.errors import escaped
+from cadgen.errors import brief, escaped
 from cadgen.messages import Message, joined, shown
 
 PLAY_PROFILES, PROFILES = codes(for_play=True), codes()
 
 Command = Callable[..., Any]
+
+
+def _columns(_context: click.Context, _option: click.Parameter, given: tuple[str, ...]) -> dict[str, str]:
+    """Columns of a kind of data -> names in the files."""
+    pairs = [text.partition("=") for text in given]
+    if wrong := next((text for text, pair in zip(given, pairs, strict=True) if not pair[0] or not pair[2]), None):
+        raise click.UsageError(
+            Message("--columns {given}: write it as NAME=HEADER, such as --columns x_mm=East", given=brief(wrong))
+        )
+    return {name.strip(): header.strip() for name, _, header in pairs}
 
 
 overrides_option = help.option(
@@ -26,6 +36,16 @@ overrides_option = help.option(
     multiple=True,
     metavar="KEY=VALUE",
     help="Override a key of the design, as in --set cam.thickness_mm=3.2. Repeatable.",
+)
+
+
+columns_option = help.option(
+    "--columns",
+    "columns",
+    multiple=True,
+    metavar="NAME=HEADER",
+    callback=_columns,
+    help="Name of a column in the files, where it is not understood, as in --columns x_mm='East [m]'. Repeatable.",
 )
 
 

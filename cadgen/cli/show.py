@@ -351,7 +351,7 @@ def explained(result: "Calibration[Design] | Calibrations[Design]", *, written: 
 
 def settings(adjustment: "Adjustment") -> None:
     """Print the result of trial runs, what to set, and the comment line of the next run."""
-    sentences(adjustment.sentences)
+    sentences([*adjustment.understood, *adjustment.sentences])
     console = Output()
     console.print(f"\n{shown(Message('Set:'))}")
     for step in adjustment.steps:

@@ -17,6 +17,7 @@ import pytest
 
 from cadgen import Design
 from cadgen.api.measured import Measured, sources_of
+from cadgen.inference.records.columns import AS_NAMED
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = sorted((ROOT / "docs" / "examples").glob("*.py"))
@@ -167,8 +168,8 @@ def test_arrays_are_read_as_the_file_that_holds_them():
     body = [line for line in TRACK.read_text().splitlines() if not line.startswith("#")]
     rows = list(csv.DictReader(body))
     columns = {name: np.array([float(row[name]) for row in rows]) for name in rows[0]}
-    (of_file,) = sources_of(TRACK)
-    (of_arrays,) = sources_of(Measured(columns, remarks, "mine"))
+    (of_file,) = sources_of(TRACK, AS_NAMED)
+    (of_arrays,) = sources_of(Measured(columns, remarks, "mine"), AS_NAMED)
     assert of_arrays.record.remarks == of_file.record.remarks
     assert of_arrays.kind.code == of_file.kind.code == "track"
     assert np.array_equal(of_arrays.record.run, of_file.record.run)
@@ -176,4 +177,4 @@ def test_arrays_are_read_as_the_file_that_holds_them():
         assert np.array_equal(of_arrays.record[name], of_file.record[name])
     del columns["run"]
     half = {name: values[: len(values) // of_file.record.runs] for name, values in columns.items()}
-    assert sources_of([half])[0].record.runs == 1
+    assert sources_of([half], AS_NAMED)[0].record.runs == 1

@@ -215,6 +215,7 @@ class Record:
         resolved: highest order that the spacing of the points resolves, where a part of a record must have the
             orders of the whole; None to go by the points themselves.
         of_runs: the comment lines of each run's own file where several files were joined; empty for one file.
+        notes: what was understood of a file that is not as the kind's files are.
     """
 
     kind: Kind
@@ -224,6 +225,7 @@ class Record:
     source: str
     resolved: int | None = None
     of_runs: tuple[tuple[str, ...], ...] = ()
+    notes: tuple[Message, ...] = ()
 
     @property
     def runs(self) -> int:
@@ -250,6 +252,11 @@ class Record:
         """Some of the rows, runs numbered as before."""
         columns = {name: values[keep] for name, values in self.columns.items()}
         return replace(self, columns=columns, run=self.run[keep])
+
+
+def understood_of(record: Record) -> Message:
+    """Sentence on a file that is not as those of its kind."""
+    return Message("{file} is understood so: {notes}.", file=record.source, notes=joined(record.notes, "; "))
 
 
 def join(records: Sequence[Record]) -> Record:

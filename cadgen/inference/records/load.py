@@ -1,4 +1,4 @@
-"""Measured data and trial runs from CSV files: quantity and unit in the header, comments on design and instrument.
+"""Measured data and trial runs from files: quantity and unit in the header, comments on design and instrument.
 
 The kind of data follows from the columns, and impossible values are refused.
 
@@ -8,7 +8,6 @@ comment line `# settings: head 0.012 mm, key 0 deg, start 3 -2 mm 0.15 deg` says
 it they ran as designed.
 """
 
-import csv
 import hashlib
 import re
 from collections.abc import Sequence
@@ -34,69 +33,61 @@ from cadgen.inference.measurement.record import (
     refuse_many,
     refuse_many_runs,
 )
-from cadgen.messages import Message, joined
+from cadgen.inference.records.columns import AS_NAMED, Reading, match_columns
+from cadgen.inference.records.table import head_of, rows_of, text_of
+from cadgen.inference.records.units import DIRECTIONS, TIMES, heading
+from cadgen.messages import Message
 from cadgen.reading import read_regular
 
 MOST_BYTES = 32_000_000  # of a file: the longest log with all digits
-# Of a file's comment lines, and of the characters of any line: they are searched for words on the instrument.
-MOST_REMARKS, LONGEST_LINE = 200, 1000
+_FIRST = 20  # lines that tell the encoding
 
 
-def load(path: Path, known: Sequence[Kind] | None = None) -> Record:
+def load(path: Path, known: Sequence[Kind] | None = None, reading: Reading = AS_NAMED) -> Record:
     """Read one file; the kind of data follows from its columns.
 
     Args:
         path: of the file.
         known: kinds that it may be of; all that are registered if left out.
+        reading: how its columns are to be understood.
 
     Raises:
         FileError: no such file, no or a mixed header, columns that are missing, a value that is not a number or
             cannot be in its unit, angles that go round twice, or too few rows.
     """
-    return load_text(_text(path), escaped(path.name), known)
+    content, name = _content(path), escaped(path.name)
+    text, notes = text_of(content, name, lambda text: _named(text, known, reading))
+    record = load_text(text, name, known, reading)
+    return replace(record, notes=(*notes, *record.notes)) if notes else record
 
 
-def load_text(text: str, name: str, known: Sequence[Kind] | None = None) -> Record:
-    """Read a file's text; arguments as its content, its name and the kinds that it may be of, errors as `load`."""
-    lines = text.splitlines()
-    _refuse_long(lines, name)
-    remarks = tuple(line.lstrip("# ").strip() for line in lines if line.startswith("#"))
-    body = ((n, line) for n, line in enumerate(lines, 1) if line.strip() and not line.startswith("#"))
-    top = next(body, None)
-    if top is None:
-        raise FileError(
-            "{name}: no table in it; the first line must name the columns, such as run,cam_angle_deg", name=name
-        )
-    header = _cells(top[1], top[0], name)
-    kind = _kind(header, name, known)
+def load_text(text: str, name: str, known: Sequence[Kind] | None = None, reading: Reading = AS_NAMED) -> Record:
+    """Read a file's text; `name` of the file for messages, other arguments and errors as `load`."""
+    head = head_of(text, name, lambda cells: _known_names(cells, known, reading))
+    exact = None if known is not None or reading.columns else kind_with(head.names)
+    match = match_columns(head.names, name, (exact,) if exact else known or kinds(), reading)
+    kind = match.kind
     # Counted before any is kept: of the shortest lines a file has millions.
-    refuse_many(kind, sum(1 for line in lines if line.strip() and not line.startswith("#")) - 1, name)
-    numbers, rows = [], []
-    for n, line in body:
-        row = _cells(line, n, name)
-        if len(row) != len(header):
-            raise FileError(
-                "{name}, line {line}: {count} cells under {columns} columns; correct the line, with commas between "
-                "cells and decimal points in numbers",
-                name=name,
-                line=n,
-                count=len(row),
-                columns=len(header),
-            )
-        numbers.append(n)
-        rows.append(row)
-    if not rows:
-        raise FileError("{name}: no row stands under its header; add what was measured", name=name)
-    table = {column: [row[k] for row in rows] for k, column in enumerate(header)}
-    columns: dict[str, NDArray[np.generic]] = {
-        column.name: (_words if column.words else _numbers)(table[column.name], column, numbers, name)
-        for column in kind.columns
-    }
+    refuse_many(kind, len(head.body), name)
+    table = rows_of(head, name)
+    cells = list(zip(*table.cells, strict=True))
+    columns: dict[str, NDArray[np.generic]] = {}
+    for column in kind.columns:
+        place = match.places[column.name]
+        if column.words:
+            words = [DIRECTIONS.get(cell.lower(), cell) for cell in cells[place.index]]
+            columns[column.name] = _words(words, column, table.lines, name)
+        else:
+            columns[column.name] = _numbers(cells[place.index], column, table.lines, name, place.factor)
+    key = match.places.get(kind.key)
+    keys = np.array(["1"] * len(table.lines) if key is None else cells[key.index])
+    notes = (*head.notes, *table.notes, *match.notes)
     if kind.method is Method.ZONE_MEANS:
-        columns[kind.key] = np.array(table[kind.key])
-        return Record(kind=kind, columns=columns, run=np.zeros(len(rows), dtype=np.intp), remarks=remarks, source=name)
-    run = np.unique(np.array(table[kind.key]), return_inverse=True)
-    refuse_many_runs(kind, len(rows), len(run[0]), name)
+        columns[kind.key] = keys
+        none = np.zeros(len(keys), dtype=np.intp)
+        return Record(kind=kind, columns=columns, run=none, remarks=head.remarks, source=name, notes=notes)
+    run = np.unique(keys, return_inverse=True)
+    refuse_many_runs(kind, len(keys), len(run[0]), name)
     first = np.unique(run[1], return_index=True)[1]
     order = np.argsort(np.argsort(first))
     number = order[run[1]].astype(np.intp)
@@ -106,11 +97,27 @@ def load_text(text: str, name: str, known: Sequence[Kind] | None = None) -> Reco
         kind=kind,
         columns={column: values[at] for column, values in columns.items()},
         run=number[at],
-        remarks=remarks,
+        remarks=head.remarks,
         source=name,
+        notes=notes,
     )
     refuse_impossible(record)
     return record
+
+
+def _known_names(cells: Sequence[str], known: Sequence[Kind] | None, reading: Reading) -> int:
+    """Number of cells that are known as names of columns."""
+    if known is None and kind_with(cells) is not None:
+        return len(cells)
+    names = [column for kind in known or kinds() for column in kind.header] + list(reading.columns.values())
+    quantities = {heading(column).quantity for column in names} | set(TIMES)
+    return sum(heading(cell).quantity in quantities for cell in cells)
+
+
+def _named(text: str, known: Sequence[Kind] | None, reading: Reading) -> int:
+    """Number of the names of columns that are known in the first lines of a text."""
+    lines = [line for line in text.splitlines()[:_FIRST] if not line.startswith("#")]
+    return max((_known_names(re.split(r"[;\t,|]", line), known, reading) for line in lines), default=0)
 
 
 def digest(path: Path) -> str:
@@ -118,29 +125,10 @@ def digest(path: Path) -> str:
     return hashlib.sha256(read_regular(path, MOST_BYTES)).hexdigest()
 
 
-def _refuse_long(lines: list[str], name: str) -> None:
-    if long := next((n for n, line in enumerate(lines, 1) if len(line) > LONGEST_LINE), None):
-        raise FileError(
-            "{name}, line {long}: {count} characters, more than the {most} of the longest line that there can "
-            "be; correct the line",
-            name=name,
-            long=long,
-            count=len(lines[long - 1]),
-            most=LONGEST_LINE,
-        )
-    if (remarks := sum(line.startswith("#") for line in lines)) > MOST_REMARKS:
-        raise FileError(
-            "{name}: {remarks} comment lines, more than {most}; keep those that tell design and instrument",
-            name=name,
-            remarks=remarks,
-            most=MOST_REMARKS,
-        )
-
-
-def _text(path: Path) -> str:
+def _content(path: Path) -> bytes:
     name = brief(str(path))
     try:
-        content = read_regular(path, MOST_BYTES)
+        return read_regular(path, MOST_BYTES)
     except FileNotFoundError:
         raise FileError("there is no file {name}: correct its name", name=name) from None
     except IsADirectoryError:
@@ -150,52 +138,6 @@ def _text(path: Path) -> str:
         raise FileError(
             "{name} cannot be read ({reason}): give a CSV file that can", name=name, reason=reason
         ) from None
-    try:
-        text = content.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        text = "\0"
-    if "\0" in text:
-        raise FileError("{name} is not text in UTF-8: give a CSV file", name=name)
-    return text
-
-
-def _cells(line: str, number: int, name: str) -> list[str]:
-    try:
-        return [cell.strip() for cell in next(csv.reader([line], strict=True))]
-    except csv.Error as error:
-        raise FileError("{name}, line {line}: {error}; correct the line", name=name, line=number, error=error) from None
-
-
-def _kind(header: list[str], name: str, known: Sequence[Kind] | None) -> Kind:
-    """The kind of data whose columns are those of the header."""
-    if len(set(header)) < len(header):
-        twice = next(c for c in header if header.count(c) > 1)
-        raise FileError("{name}: column {twice} stands twice; keep one", name=name, twice=brief(twice))
-    if len(header) == 1 and (mark := next((m for m in ";\t" if m in header[0]), None)):
-        marks = Message("semicolons") if mark == ";" else Message("tabs")
-        raise FileError(
-            "{name}: its columns are set apart by {marks}; save it with commas, and with decimal points",
-            name=name,
-            marks=marks,
-        )
-    exact = kind_with(header) if known is None else next((k for k in known if set(header) == set(k.header)), None)
-    if exact is not None:
-        return exact
-    known = kinds() if known is None else known
-    near = max(known, key=lambda kind: (sum(c.name in header for c in kind.columns), -len(kind.columns)))
-    lacking = [c for c in near.header if c not in header]
-    more = [c for c in header if c not in near.header]
-    differs = [
-        *([Message("lacks {columns}", columns=brief(", ".join(lacking)))] if lacking else []),
-        *([Message("does not have {columns}", columns=brief(", ".join(more)))] if more else []),
-    ]
-    raise FileError(
-        "{name}: the columns {names} are no kind of measured data; nearest is {kind}, which {differs}",
-        name=name,
-        names=brief(", ".join(header)),
-        kind=near.code,
-        differs=joined(differs, " and "),
-    )
 
 
 def _words(cells: Sequence[str], column: Column, lines: Sequence[int], name: str) -> NDArray[np.str_]:
@@ -213,7 +155,7 @@ def _words(cells: Sequence[str], column: Column, lines: Sequence[int], name: str
     return np.array(cells)
 
 
-def _numbers(cells: Sequence[str], column: Column, lines: Sequence[int], name: str) -> Array:
+def _numbers(cells: Sequence[str], column: Column, lines: Sequence[int], name: str, factor: float = 1.0) -> Array:
     values = np.empty(len(cells))
     for k, cell in enumerate(cells):
         try:
@@ -228,6 +170,7 @@ def _numbers(cells: Sequence[str], column: Column, lines: Sequence[int], name: s
                 column=column.name,
                 cell=brief(repr(cell)),
             )
+    values *= factor
     low, high = column.lower, column.upper
     bad = np.flatnonzero((values < low) | (values > high))
     if bad.size:
@@ -294,8 +237,8 @@ def settings_in(record: Record) -> Settings:
     return stated[0] if stated else Settings()
 
 
-def read_trials(paths: Sequence[Path]) -> tuple[Record, ...]:
-    """Files of trial runs, in their order.
+def read_trials(paths: Sequence[Path], reading: Reading = AS_NAMED) -> tuple[Record, ...]:
+    """Files of trial runs, in their order; `reading` says how their columns are to be understood.
 
     Raises:
         FileError: a file that cannot be read or holds no trial run, or the same twice.
@@ -304,7 +247,8 @@ def read_trials(paths: Sequence[Path]) -> tuple[Record, ...]:
     for path in paths:
         if (same := seen.setdefault(path.resolve(), path)) is not path:
             raise FileError("{same} was given twice; give each file once", same=same)
-    return tuple(load(path, (TRIAL, STOPPED)) for path in paths)
+    in_order = replace(reading, by_order=True)
+    return tuple(load(path, (TRIAL, STOPPED), in_order) for path in paths)
 
 
 def trials_of(records: Sequence[Record], start: Pose, end: float) -> tuple[Trial, ...]:

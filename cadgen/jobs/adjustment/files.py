@@ -28,6 +28,7 @@ def adjustment_facts(adjustment: AdjustmentPlan) -> Facts:
         divisions=a.divisions,
         end_position_mm=Facts(as_designed=_expected(a.designed), before=_expected(a.before), after=_expected(a.after)),
         chance_to_be_worse=a.worse,
+        understood=a.understood,
         said=a.sentences,
         steps=a.steps,
         line=a.line,

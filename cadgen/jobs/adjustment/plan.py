@@ -40,7 +40,9 @@ from cadgen.inference.adjustment import (
     explain,
     forecast,
 )
+from cadgen.inference.measurement.record import understood_of
 from cadgen.inference.monte_carlo.cars import Cars
+from cadgen.inference.records.columns import AS_NAMED, Reading
 from cadgen.inference.records.load import read_trials, settings_line, trials_of
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.steering_cam import CarUse, comparison_of, plan_cam
@@ -105,6 +107,7 @@ class AdjustmentPlan:
         allowed: position error at the end that the next run may have, mm: half the narrowest gate, or 60 without gates.
         steady: position errors to expect with the new settings and no side slip, mm; None if none is reckoned with.
         scatter: how far runs with the settings of the last end apart; None for fewer than three.
+        understood: sentences on files that are not as those of trial runs.
     """
 
     plan: CamPlan
@@ -120,6 +123,7 @@ class AdjustmentPlan:
     allowed: float
     steady: Forecast | None = None
     scatter: RunScatter | None = None
+    understood: tuple[Message, ...] = ()
 
     @property
     def explained(self) -> bool:
@@ -246,7 +250,12 @@ def _shift(length: float, positive: str, negative: str) -> Message:
 
 
 def adjust(
-    design: Design, files: Sequence[Path], profile: str, wanted: Wanted, progress: Progress = silent
+    design: Design,
+    files: Sequence[Path],
+    profile: str,
+    wanted: Wanted,
+    reading: Reading = AS_NAMED,
+    progress: Progress = silent,
 ) -> AdjustmentPlan:
     """Settings for the next run from trial runs of one car.
 
@@ -255,6 +264,7 @@ def adjust(
         files: CSV files of trial runs, in the order of driving.
         profile: code of the profile of the cam on the car.
         wanted: how the runs were measured, and what may be set.
+        reading: how the columns of the files are to be understood.
         progress: function that is called with a few words on each step.
 
     Raises:
@@ -262,12 +272,13 @@ def adjust(
         FileError: as `read_trials` and `trials_of`.
     """
     cam_model.refuse_laps(design, "an adjustment by trial runs", "adjust the car on a design with an open path")
-    records = read_trials(files)
+    records = read_trials(files, reading)
     plan = plan_cam(design, profile, progress, with_play=True)
     use = CarUse.of(plan)
     trials = trials_of(records, start_pose(use.track), use.steering.blend_start)
     progress("explaining the trial runs")
-    return Bench.of(plan, wanted).adjustment(trials)
+    understood = tuple(understood_of(record) for record in records if record.notes)
+    return replace(Bench.of(plan, wanted).adjustment(trials), understood=understood)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -22,6 +22,7 @@ from cadgen.inference.measurement.findings import (
     PathDiagnosis,
     Value,
 )
+from cadgen.inference.measurement.record import understood_of
 from cadgen.inference.measurement.verdict import Verdict
 from cadgen.jobs.calibration.calibration import CalibrationPlan, ZoneMeans
 from cadgen.jobs.calibration.new_cam import Built
@@ -183,6 +184,7 @@ def _record(diagnosis: Diagnosis, files: Sequence[Source]) -> list[Block]:
                 rows=rows,
             )
         ),
+        *(understood_of(file.record) for file in files if file.record.notes),
         Message("Verdict: {verdict}. {sentence}", verdict=Message(str(diagnosis.verdict)), sentence=j.sentence),
     ]
     for finding in diagnosis.findings:

@@ -48,6 +48,7 @@ def calibration_facts(calibration: CalibrationPlan) -> Facts:
                 rows=len(source.record.run),
                 sha256=source.sha256,
             )
+            | (Facts(understood=source.record.notes) if source.record.notes else Facts())
             for source in c.sources
         ],
         records=[_record(diagnosis) for diagnosis in c.diagnoses],

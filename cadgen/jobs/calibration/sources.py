@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from cadgen.errors import FileError, brief, escaped
 from cadgen.inference.measurement.nominal import MACHINED_UM, PRINTED_UM
 from cadgen.inference.measurement.record import Kind, Record, printed
+from cadgen.inference.records.columns import AS_NAMED, Reading
 from cadgen.inference.records.load import digest, load, load_text
 from cadgen.messages import Message
 from cadgen.progress import Progress, silent
@@ -35,7 +36,9 @@ class Source:
         return self.record.kind
 
 
-def read(paths: Sequence[Path], progress: Progress = silent, *, each: bool = False) -> tuple[Source, ...]:
+def read(
+    paths: Sequence[Path], progress: Progress = silent, *, each: bool = False, reading: Reading = AS_NAMED
+) -> tuple[Source, ...]:
     """Read measured files.
 
     Args:
@@ -43,6 +46,7 @@ def read(paths: Sequence[Path], progress: Progress = silent, *, each: bool = Fal
         progress: function that is called with a few words on each step.
         each: every file will be judged alone; if not, those of one kind must not have more rows than can be judged
             together.
+        reading: how their columns are to be understood.
 
     Raises:
         FileError: one is no measured data, the same data are given twice, or there are more than can be judged.
@@ -50,7 +54,7 @@ def read(paths: Sequence[Path], progress: Progress = silent, *, each: bool = Fal
 
     def loaded(path: Path) -> Source:
         progress(Message("reading {name}", name=brief(path.name)))
-        return Source(path, load(path), digest(path))
+        return Source(path, load(path, reading=reading), digest(path))
 
     return gathered(map(loaded, paths), each=each)
 
@@ -85,7 +89,9 @@ def gathered(sources: Iterable[Source], *, each: bool = False) -> tuple[Source, 
     return tuple(known.values())
 
 
-def source_of(columns: Mapping[str, ArrayLike], remarks: Sequence[str], name: str) -> Source:
+def source_of(
+    columns: Mapping[str, ArrayLike], remarks: Sequence[str], name: str, reading: Reading = AS_NAMED
+) -> Source:
     """Measured data from arrays.
 
     Args:
@@ -93,6 +99,7 @@ def source_of(columns: Mapping[str, ArrayLike], remarks: Sequence[str], name: st
             `zone`) they are one run.
         remarks: comment lines of a file, such as `noise 2 um`.
         name: name of the data, for messages and reports.
+        reading: how the columns are to be understood.
 
     Raises:
         FileError: the columns are not of one length, or as `cadgen.inference.records.load.load`.
@@ -116,7 +123,7 @@ def source_of(columns: Mapping[str, ArrayLike], remarks: Sequence[str], name: st
     writer.writerow(arrays)
     writer.writerows(zip(*(values.tolist() for values in arrays.values()), strict=True))
     content = text.getvalue()
-    return Source(Path(name), load_text(content, name), hashlib.sha256(content.encode()).hexdigest())
+    return Source(Path(name), load_text(content, name, reading=reading), hashlib.sha256(content.encode()).hexdigest())
 
 
 def stated_form_error(sources: Sequence[Source], given: float | None) -> tuple[float, str]:

@@ -64,8 +64,8 @@ def test_files_of_one_kind_join_with_their_runs_numbered_on(measured):
         ("", "no table"),
         ("# only a remark\n", "no table"),
         (LIFT.replace("direction,", ""), "nearest is lift, which lacks direction"),
-        (LIFT.replace("lift_mm", "lift_mm,x_mm"), "nearest is lift, which does not have x_mm"),
-        (LIFT.replace("lift_mm", "lift_um"), "lacks lift_mm and does not have lift_um"),
+        (LIFT.replace("lift_mm", "lift_mm,x_mm"), "line 2: 4 cells under 5 columns"),
+        (LIFT.replace("lift_mm", "lift_s"), "lacks lift_mm; say which it is with --columns lift_mm=NAME"),
         (LIFT.replace("run,", "run,run,", 1), "column run stands twice"),
         (LIFT.replace("0.050", "nan"), "line 7: lift_mm is 'nan'"),
         (LIFT.replace("0.050", "five"), "line 7: lift_mm is 'five'"),
@@ -90,8 +90,8 @@ def test_bad_files_are_refused(text, message, tmp_path):
 def test_a_missing_file_and_a_binary_one_are_refused(tmp_path):
     with pytest.raises(FileError, match="there is no file"):
         load(tmp_path / "absent.csv")
-    (tmp_path / "binary.csv").write_bytes(b"\xff\xfe\x00\x81")
-    with pytest.raises(FileError, match="is not text in UTF-8"):
+    (tmp_path / "binary.csv").write_bytes(b"\x01\x81\x02")
+    with pytest.raises(FileError, match=r"binary\.csv is not text: give a CSV file"):
         load(tmp_path / "binary.csv")
 
 

@@ -1,0 +1,89 @@
+"""Names and units of columns as people write them, in English, German and Chinese.
+
+A column of a kind of data is called by its quantity and its unit, such as `x_mm`. A header may call it otherwise:
+`X [m]`, `pos_x (cm)`, `凸轮转角/度`. Here is which quantity a name means, and what its numbers are to be multiplied by.
+"""
+
+import re
+from dataclasses import dataclass
+
+# Unit of the columns -> units that can stand in its place, with their factors.
+_UNITS: dict[str, dict[str, float]] = {
+    "mm": {
+        **dict.fromkeys(("mm", "millimeter", "millimetre", "millimeters", "millimetres", "毫米"), 1.0),
+        **dict.fromkeys(("cm", "centimeter", "centimetre", "centimeters", "centimetres", "厘米"), 10.0),
+        **dict.fromkeys(("m", "meter", "metre", "meters", "metres", "米"), 1000.0),
+        **dict.fromkeys(("um", "µm", "μm", "micron", "microns", "微米"), 1e-3),
+        **dict.fromkeys(("in", "inch", "inches", "英寸"), 25.4),
+        "dm": 100.0,
+        "ft": 304.8,
+    },
+    "deg": {
+        **dict.fromkeys(("deg", "°", "degree", "degrees", "度", "Grad"), 1.0),
+        **dict.fromkeys(("rad", "radian", "radians", "弧度"), 57.29577951308232),
+        **dict.fromkeys(("rev", "turn", "turns", "revolutions", "圈", "umdrehungen"), 360.0),
+    },
+    "s": {**dict.fromkeys(("s", "sec", "second", "seconds", "秒"), 1.0), "ms": 1e-3, "min": 60.0},
+}
+_ALL = {unit: (base, factor) for base, units in _UNITS.items() for unit, factor in units.items()}
+# Other names of quantities, as `plain` writes them.
+_QUANTITIES: dict[str, tuple[str, ...]] = {
+    "camangle": (
+        *("camshaftangle", "angleofcam", "cam", "theta", "θ", "angle", "rotation", "nockenwinkel", "winkel"),
+        *("凸轮转角", "凸轮角度", "凸轮角", "转角", "角度"),
+    ),
+    "motorangle": ("motor", "motorrotation", "driveangle", "motorwinkel", "电机转角", "电机角度", "电机角"),
+    "x": ("xpos", "posx", "xposition", "positionx", "xcoord", "xcoordinate", "x坐标", "坐标x"),
+    "y": ("ypos", "posy", "yposition", "positiony", "ycoord", "ycoordinate", "y坐标", "坐标y"),
+    "lift": ("stroke", "dial", "hub", "升程", "行程"),
+    "direction": ("dir", "richtung", "方向"),
+    "run": ("runno", "runnumber", "runid", "trial", "lauf", "次数", "试验", "运行"),
+}
+_MEANT = {other: quantity for quantity, others in _QUANTITIES.items() for other in others}
+TIMES = ("t", "time", "timestamp", "seconds", "zeit", "时间")
+# Words that a column of directions may have, beside its own.
+_FORWARD = ("forward", "forwards", "fwd", "f", "+", "+1", "1", "vor", "vorwärts", "hin", "正", "正转", "正向")
+_REVERSE = ("reverse", "rev", "r", "backward", "back", "-", "-1", "zurück", "rückwärts", "反", "反转", "反向")
+DIRECTIONS = {**dict.fromkeys(_FORWARD, "forward"), **dict.fromkeys(_REVERSE, "reverse")}
+
+
+@dataclass(frozen=True)
+class Heading:
+    """A name of a column, taken apart.
+
+    Attributes:
+        quantity: as `plain` writes it, other names of the same quantity brought to one.
+        unit: as the file has it; empty if none.
+    """
+
+    quantity: str
+    unit: str
+
+    def factor(self, base: str) -> float | None:
+        """Factor to a unit of the columns; 1 where the file has none, None where it is of another quantity."""
+        if not self.unit:
+            return 1.0
+        found = unit_of(self.unit)
+        return found[1] if found and found[0] == base else None
+
+
+def unit_of(text: str) -> tuple[str, float] | None:
+    """Unit of the columns that a unit can stand for, and its factor; None if the text is no unit."""
+    return _ALL.get(text.strip().lower()) or _ALL.get(text.strip())
+
+
+def heading(name: str) -> Heading:
+    """Take a name such as `Pos X (cm)` apart into its quantity and its unit."""
+    text = name.strip()
+    if bracket := re.fullmatch(r"(.+?)\s*[\[(]\s*([^\[\]()]*?)\s*[\])]", text):
+        return Heading(_quantity(bracket[1]), bracket[2])
+    match = re.fullmatch(r"(.+?)\s*[/,]\s*(\S+)", text)
+    match = match or re.fullmatch(r"(.+?)\s+in\s+(\S+)", text) or re.fullmatch(r"(.+)[_\s](\S+)", text)
+    if match and unit_of(match[2]):
+        return Heading(_quantity(match[1]), match[2])
+    return Heading(_quantity(text), "")
+
+
+def _quantity(text: str) -> str:
+    plain = re.sub(r"[\s_.\-]+", "", text).lower()
+    return _MEANT.get(plain, plain)

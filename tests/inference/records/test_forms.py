@@ -1,0 +1,209 @@
+"""Forms in which people export a table: each is read as the same numbers, or refused with the reason."""
+
+import csv
+import io
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from cadgen.errors import FileError
+from cadgen.inference.records.columns import Reading
+from cadgen.inference.records.load import TRIAL, load, read_trials
+
+ANGLES = np.arange(0.0, 360.0, 3.0)
+# A track of a curve in mm, to a tenth; no two numbers of a row are equal.
+X = np.round(4000 * np.sin(np.radians(ANGLES) / 3) + 0.3, 1)
+Y = np.round(900 * np.sin(np.radians(ANGLES)) - 250.0, 1)
+TRACK = {"run": ["1"] * len(X), "cam_angle_deg": ANGLES, "x_mm": X, "y_mm": Y}
+
+
+def text(columns, *, mark=",", comma=False, digits="{:.6g}", end="\n", above=(), units=(), quote=False):
+    """Table of columns by name as text."""
+    out = io.StringIO(newline="")
+    out.writelines(line + end for line in above)
+    writer = csv.writer(out, delimiter=mark, lineterminator=end, quoting=csv.QUOTE_ALL if quote else csv.QUOTE_MINIMAL)
+    writer.writerow(columns)
+    if units:
+        writer.writerow(units)
+    for row in zip(*columns.values(), strict=True):
+        cells = [cell if isinstance(cell, str) else digits.format(float(cell)) for cell in row]
+        writer.writerow([cell.replace(".", ",") if comma else cell for cell in cells])
+    return out.getvalue()
+
+
+def named(run="run", angle="cam_angle_deg", x="x_mm", y="y_mm", by=(1.0, 1.0)):
+    """Columns of the track under other names, in other units."""
+    columns = {run: TRACK["run"]} if run else {}
+    return columns | {angle: ANGLES * by[0], x: X * by[1], y: Y * by[1]}
+
+
+SPACES = "\n".join(
+    ["run cam_angle_deg x_mm y_mm", *(f"1  {a:g}   {x:.1f} {y:.1f}" for a, x, y in zip(ANGLES, X, Y, strict=True))]
+)
+FINE = {"digits": "{:.9g}"}
+# Name -> (bytes of the file, words of the sentence that says what was understood).
+READ = {
+    "as the page says": (text(named()), ""),
+    "byte order mark": ("﻿" + text(named()), ""),
+    "line ends of Windows": (text(named(), end="\r\n"), ""),
+    "line ends of old computers": (text(named(), end="\r"), ""),
+    "quotes": (text(named(), quote=True), ""),
+    "semicolons": (text(named(), mark=";"), "semicolons"),
+    "semicolons and decimal commas": (text(named(), mark=";", comma=True), "decimal commas"),
+    "tabs": (text(named(), mark="\t"), "tabs"),
+    "tabs and decimal commas": (text(named(), mark="\t", comma=True), "decimal commas"),
+    "bars": (text(named(), mark="|"), "bars"),
+    "spaces": (SPACES, "spaces"),
+    "quoted decimal commas": (text(named(), comma=True, quote=True), "decimal commas"),
+    "UTF-16, little end first": (text(named(), mark="\t").encode("utf-16-le").join([b"\xff\xfe", b""]), "UTF-16"),
+    "UTF-16, big end first": (b"\xfe\xff" + text(named(), mark="\t").encode("utf-16-be"), "UTF-16"),
+    "UTF-16 without a mark": (text(named(), mark=";").encode("utf-16-le"), "UTF-16"),
+    "code page 1252": (text(named(angle="Winkel [°]", x="x [mm]", y="y [mm]"), mark=";").encode("cp1252"), "CP1252"),
+    "GB 18030": (
+        text(named(run="次数", angle="凸轮转角(度)", x="X坐标(毫米)", y="Y坐标(毫米)")).encode("gb18030"),
+        "GB18030",
+    ),
+    "Chinese": (text(named(run="次数", angle="凸轮转角/度", x="x坐标/毫米", y="y坐标/毫米")), "凸轮转角/度"),
+    "German": (text(named("Lauf", "Nockenwinkel (Grad)", "X (mm)", "Y (mm)"), mark=";", comma=True), "Nockenwinkel"),
+    "brackets": (text(named("Run", "Cam angle [deg]", "X [mm]", "Y [mm]")), 'x_mm is "X [mm]"'),
+    "strokes": (text(named("run", "theta/deg", "x/mm", "y/mm")), '"theta/deg"'),
+    "in words": (text(named("run no", "Camshaft angle in degrees", "pos x in mm", "pos y in mm")), "pos x in mm"),
+    "metres": (text(named(x="x_m", y="y_m", by=(1.0, 1e-3)), **FINE), "times 1000"),
+    "metres in brackets": (text(named(x="X (m)", y="Y (m)", by=(1.0, 1e-3)), **FINE), "times 1000"),
+    "centimetres": (text(named(x="x [cm]", y="y [cm]", by=(1.0, 0.1)), **FINE), "times 10"),
+    "inches": (text(named(x="x [in]", y="y [inch]", by=(1.0, 1 / 25.4)), **FINE), "times 25.4"),
+    "radians": (text(named(angle="cam_angle_rad", by=(np.pi / 180, 1.0)), **FINE), "times 57.2958"),
+    "turns": (text(named(angle="cam angle [turns]", by=(1 / 360, 1.0)), **FINE), "times 360"),
+    "without units": (text(named("run", "theta", "x", "y")), "taken as mm"),
+    "without runs": (text(named(run="")), "one run"),
+    "columns that are not used": (
+        text(named() | {"speed": ANGLES, "comment": ["a, b"] * len(X)}),
+        "speed, comment not used",
+    ),
+    "time beside the angle": (text({"t_s": ANGLES / 10} | named()), "t_s not used"),
+    "other order": (text(dict(reversed(named().items()))), ""),
+    "lines above": (text(named(), above=("Exported by a camera", "2026-05-04, 10:00")), "line 3"),
+    "a line of units": (
+        text(named("run", "angle", "x", "y"), units=("", "deg", "mm", "mm")),
+        "second line has the units",
+    ),
+    "a line of other units": (
+        text(named("run", "angle", "x", "y", by=(1.0, 1e-3)), units=("", "[°]", "[m]", "[m]"), **FINE),
+        "times 1000",
+    ),
+    "mark at the ends of lines": (text(named(), mark=";").replace("\n", ";\n"), "semicolons"),
+    "the mark that a table names": ("sep=;\n" + text(named(), mark=";"), "semicolons"),
+    "motor angle": (
+        text(named(angle="motor_angle_deg", by=(45.0, 1.0)), **FINE),
+        "divided by the ratio of the train, 45",
+    ),
+    "exponents": (text(named(), digits="{:.7e}"), ""),
+}
+REFUSED = {
+    "commas for both": (text(named(), comma=True).replace('"', ""), "cells under 4 columns"),
+    "thousands": (
+        "run;cam_angle_deg;x_mm;y_mm\n" + "".join(f"1;{k};{1000 + 7 * k:,};{k}\n" for k in range(-70, 90)),
+        "decimal points or for thousands",
+    ),
+    "no names": (text(named()).split("\n", 1)[1], "no kind of measured data"),
+    "positions by time": (text({"time": ANGLES / 10, "x": X, "y": Y}), "add cam_angle_deg beside them"),
+    "two angles": (
+        text(named() | {"theta [deg]": ANGLES}).replace("cam_angle_deg", "angle [deg]", 1),
+        "may both be cam_angle_deg",
+    ),
+    "a unit that is none": (text(named(x="x [px]", y="y [px]")), "lacks x_mm, y_mm"),
+    "gradians": (
+        text(named(angle="cam angle [gon]", by=(400 / 360, 1.0))),
+        "is not understood; if it is the cam angle",
+    ),
+    "wrong unit": (text(named(angle="cam_angle_deg", by=(np.pi / 180, 1.0))), "spans only"),
+}
+
+
+def save(folder: Path, content) -> Path:
+    path = folder / "track.csv"
+    path.write_bytes(content if isinstance(content, bytes) else content.encode())
+    return path
+
+
+@pytest.mark.parametrize("form", READ)
+def test_a_form_is_read_as_the_same_numbers(form, tmp_path):
+    content, said = READ[form]
+    record = load(save(tmp_path, content), reading=Reading(ratio=45.0))
+    assert record.kind.code == "track"
+    assert record.runs == 1
+    for column, values in (("cam_angle_deg", ANGLES), ("x_mm", X), ("y_mm", Y)):
+        np.testing.assert_allclose(record[column], values, rtol=1e-6, atol=1e-5)
+    notes = "; ".join(record.notes)
+    assert said in notes
+    assert bool(notes) == bool(said)
+
+
+@pytest.mark.parametrize("form", REFUSED)
+def test_a_form_that_is_unclear_is_refused(form, tmp_path):
+    content, said = REFUSED[form]
+    with pytest.raises(FileError, match=said):
+        load(save(tmp_path, content), reading=Reading(ratio=45.0))
+
+
+def test_names_that_are_not_understood_can_be_given(tmp_path):
+    path = save(
+        tmp_path,
+        text(named(angle="Pos 3", x="East", y="North [m]", by=(1.0, 1e-3)), **FINE).replace("East", "East [m]"),
+    )
+    given = {"cam_angle_deg": "Pos 3", "x_mm": "East [m]", "y_mm": "North [m]"}
+    np.testing.assert_allclose(load(path, reading=Reading(columns=given))["y_mm"], Y, atol=1e-5)
+    with pytest.raises(FileError, match="lacks x_mm, y_mm; say which it is with --columns x_mm=NAME"):
+        load(path)
+    with pytest.raises(FileError, match=r"no column West: write one of run, Pos 3, East \[m\]"):
+        load(path, reading=Reading(columns={"x_mm": "West"}))
+    with pytest.raises(FileError, match="no kind of data has such a column"):
+        load(path, reading=Reading(columns={"z_mm": "East [m]"}))
+
+
+def test_angles_of_the_motor_need_the_ratio(tmp_path):
+    path = save(tmp_path, text(named(angle="motor_angle_deg", by=(45.0, 1.0))))
+    with pytest.raises(FileError, match=r"angles of the motor, .* add \[train\]"):
+        load(path)
+
+
+def test_trial_runs_by_time_count_in_their_order(tmp_path):
+    path = save(tmp_path, text({"time": ANGLES / 10, "x [m]": X / 1e3, "y [m]": Y / 1e3}, mark=";", **FINE))
+    (record,) = read_trials([path])
+    assert record.kind is TRIAL
+    np.testing.assert_allclose(record["x_mm"], X, atol=1e-5)
+
+
+def test_words_for_directions(tmp_path):
+    rows = "".join(f"{way};{k},5;{k / 100:.2f}\n".replace(".", ",") for way in ("vor", "zurück") for k in range(30))
+    record = load(save(tmp_path, "Richtung;Winkel (Grad);Hub (mm)\n" + rows))
+    assert record.kind.code == "lift"
+    assert set(record.columns["direction"]) == {"forward", "reverse"}
+
+
+def test_a_workbook_is_read_by_its_first_sheet_with_rows(tmp_path):
+    openpyxl = pytest.importorskip("openpyxl")
+    book = openpyxl.Workbook()
+    sheet = book.create_sheet("data")
+    sheet.append(["Run", "Cam angle [deg]", "X [m]", "Y [m]", None])
+    for row in zip(ANGLES.tolist(), (X / 1e3).tolist(), (Y / 1e3).tolist(), strict=True):
+        sheet.append([1, *row])
+    path = tmp_path / "track.xlsx"
+    book.save(path)
+    record = load(path)
+    np.testing.assert_allclose(record["x_mm"], X, atol=1e-6)
+    assert "sheet data" in record.notes
+
+
+def test_a_workbook_that_is_damaged_or_a_bomb_is_refused(tmp_path):
+    pytest.importorskip("openpyxl")
+    path = tmp_path / "track.xlsx"
+    path.write_bytes(b"PK\x03\x04" + bytes(100))
+    with pytest.raises(FileError, match="no workbook that can be read"):
+        load(path)
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as parts:
+        parts.writestr("xl/sharedStrings.xml", bytes(210_000_000))
+    with pytest.raises(FileError, match="holds 210 MB, more than the 200"):
+        load(path)
