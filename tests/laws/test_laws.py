@@ -1,7 +1,9 @@
 """Every law against its closed form: greatest velocity, acceleration, jerk, ends, seams, and its pieces."""
 
+import re
 from itertools import pairwise
 from math import pi, sqrt
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,7 +13,7 @@ from scipy.optimize import minimize_scalar
 from cadgen.arrays import TURN
 from cadgen.laws.motion import Motion
 from cadgen.laws.parabolas import unequal_parabola
-from cadgen.laws.segments import MotionSpan, SegmentMotion
+from cadgen.laws.segments import MotionSpan, SegmentMotion, state_of
 from cadgen.laws.table import codes, law_of
 from cadgen.laws.unit import MM
 from cadgen.laws.valve_lobe import coefficients, valve_lobe
@@ -287,3 +289,16 @@ def test_ratios_out_of_range_are_refused():
     for ratio in (0.0, 51.0):
         with pytest.raises(ValueError, match="acceleration_ratio is"):
             unequal_parabola(ratio)
+
+
+def test_the_table_of_the_how_to_has_every_law_with_its_figures():
+    """Figures to the printed digits, and the letters of the ends by velocity and acceleration there."""
+    text = (Path(__file__).parents[2] / "docs/how-to/motion.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| `(\w+)` \| ([\d.]*) ?\| ([\d.]*) ?\| ([\d.]*) ?\| (\w+) \|", text, re.M)
+    assert {row[0] for row in rows} == {*codes(), "polynomial"}
+    for code, velocity, acceleration, jerk, ends in rows:
+        if code == "polynomial":
+            continue
+        law = law_of(code)
+        np.testing.assert_allclose([float(velocity), float(acceleration), float(jerk)], peaks(law), atol=6e-7)
+        assert ends == state_of(*law.ends[0]) + state_of(*law.ends[1]), code
