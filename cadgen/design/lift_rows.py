@@ -4,56 +4,44 @@ import re
 from math import isfinite
 from pathlib import Path
 
-from cadgen.errors import DesignError, brief, escaped
+from cadgen.errors import DesignError, FileError, brief, escaped
 from cadgen.messages import Message
 from cadgen.reading import read_regular
 
 MOST_ROWS = 20_000
 _MOST_BYTES = 2_000_000
 _LONGEST_SHOWN = 60
+_MARKS = (r"\s*[;\t|]\s*", r"\s*,\s*", r"\s+")
+# Unit of the columns, and its size, that a value of `motion.table_unit` stands for.
+_STATED = {"mm": ("mm", 1.0), "inch": ("mm", 25.4), "deg": ("deg", 1.0)}
 
 
-def read_rows(file: Path) -> list[list[float]]:
-    """Rows [angle, lift] of a file, in the file's units.
+def read_rows(file: Path, stated: str | None = None) -> tuple[list[list[float]], str | None]:
+    """Rows [angle, lift] of a file, the angle in degrees, and the unit of the lift.
 
-    Columns are set apart by commas, semicolons, tabs or spaces; with semicolons, tabs or spaces the decimals may have
-    commas. Lines of words before the first row, empty lines and what follows `#` are passed over.
+    Columns are set apart by commas, semicolons, tabs, bars or spaces; where it is not commas, decimals may have commas.
+    Lines of words before the first row, empty lines and what follows `#` are passed over. The last line of words may
+    name the units, such as `angle [deg], lift [in]`.
 
     Args:
-        file: path of the CSV.
+        file: path of the file.
+        stated: unit of the lift, `mm`, `inch` or `deg`, that the design states; None if it does not.
+
+    Returns:
+        Rows, and the unit of their lift: the one stated, or mm or deg where the file names one; None if neither does.
 
     Raises:
-        DesignError: no such file, one that cannot be read, a row that is none, or too many.
+        DesignError: no such file, one that cannot be read, a row that is none, too many, or another unit than stated.
     """
-    name = brief(str(file))
-    try:
-        text = read_regular(file, _MOST_BYTES).decode("utf-8-sig")
-    except FileNotFoundError:
-        raise DesignError(
-            "motion.table is {name}, and there is no such file: correct the path, which counts from the folder of the "
-            "design file",
-            name=name,
-        ) from None
-    except IsADirectoryError:
-        raise DesignError("motion.table is {name}, a folder: give a CSV file in it", name=name) from None
-    except UnicodeDecodeError:
-        raise DesignError(
-            "motion.table is {name}, which is not UTF-8 text: save it as CSV in UTF-8", name=name
-        ) from None
-    except (OSError, ValueError) as error:
-        reason = Message(str(error.strerror) if isinstance(error, OSError) else error.args[0])
-        raise DesignError(
-            "motion.table is {name}, which cannot be read ({reason}): give a CSV file that can",
-            name=name,
-            reason=reason,
-        ) from None
+    name, words = brief(str(file)), ""
     rows: list[list[float]] = []
-    for number, line in enumerate(text.splitlines(), 1):
+    for number, line in enumerate(_text(file, name).splitlines(), 1):
         if not (content := line.partition("#")[0].strip()):
             continue
         values = _numbers(content)
         if values is None and not rows and re.search(r"[^\W\d_]", content):
-            continue  # a line of words
+            words = content
+            continue
         if values is None:
             raise DesignError(
                 "{name}, line {line}: `{text}` is no row: write an angle and a lift, two numbers",
@@ -66,12 +54,37 @@ def read_rows(file: Path) -> list[list[float]]:
         rows.append(values)
     if not rows:
         raise DesignError("{name} has no rows: write an angle and a lift in each", name=name)
-    return rows
+    return _in_their_units(rows, words, stated, name)
+
+
+def _text(file: Path, name: str) -> str:
+    from cadgen.inference.records.table import text_of  # with which most designs need not wait
+
+    try:
+        text, _ = text_of(read_regular(file, _MOST_BYTES), name, lambda text: 0)
+    except FileNotFoundError:
+        raise DesignError(
+            "motion.table is {name}, and there is no such file: correct the path, which counts from the folder of the "
+            "design file",
+            name=name,
+        ) from None
+    except IsADirectoryError:
+        raise DesignError("motion.table is {name}, a folder: give a CSV file in it", name=name) from None
+    except FileError as error:
+        raise DesignError("motion.table: {error}", error=error.message) from None
+    except (OSError, ValueError) as error:
+        reason = Message(str(error.strerror) if isinstance(error, OSError) else error.args[0])
+        raise DesignError(
+            "motion.table is {name}, which cannot be read ({reason}): give a CSV file that can",
+            name=name,
+            reason=reason,
+        ) from None
+    return text
 
 
 def _numbers(content: str) -> list[float] | None:
     """The two numbers of a row; None if it has others."""
-    for mark in (r"\s*[;\t]\s*", r"\s*,\s*", r"\s+"):
+    for mark in _MARKS:
         cells = re.split(mark, content)
         if len(cells) != 2:
             continue
@@ -81,3 +94,24 @@ def _numbers(content: str) -> list[float] | None:
             continue
         return values if all(map(isfinite, values)) else None
     return None
+
+
+def _in_their_units(
+    rows: list[list[float]], words: str, stated: str | None, name: str
+) -> tuple[list[list[float]], str | None]:
+    """Rows with the angle in degrees, and the lift in mm or degrees where the file alone names its unit."""
+    from cadgen.inference.records.units import heading, unit_of
+
+    cells = next((cells for mark in _MARKS[:2] if len(cells := re.split(mark, words)) == 2), ["", ""])
+    angle, lift = (unit_of(heading(cell).unit) for cell in cells)
+    turn = angle[1] if angle is not None and angle[0] == "deg" else 1.0
+    if lift is not None and stated is not None and lift != _STATED.get(stated, lift):
+        raise DesignError(
+            'the lift of {name} is in {unit} by its first lines, and motion.table_unit is "{stated}": remove '
+            "motion.table_unit (on the command line with --set motion.table_unit=)",
+            name=name,
+            unit=heading(cells[1]).unit,
+            stated=stated,
+        )
+    scale, unit = (lift[1], lift[0]) if lift is not None and stated is None else (1.0, stated)
+    return [[turn * at, scale * height] for at, height in rows], unit

@@ -189,7 +189,10 @@ def _read_table(values: dict[str, Any], file: Path, changed: Sequence[Place]) ->
     if not isinstance(motion, dict) or not isinstance(motion.get("table"), str) or not motion["table"]:
         return
     if "rows" not in motion or ("motion", "table") in changed:
-        motion["rows"] = read_rows(file.parent / motion["table"])
+        stated = motion.get("table_unit")
+        motion["rows"], unit = read_rows(file.parent / motion["table"], stated if isinstance(stated, str) else None)
+        if unit is not None:
+            motion["table_unit"] = unit
 
 
 def design_file(source: str | Path | None = None) -> Path:

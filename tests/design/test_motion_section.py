@@ -3,7 +3,7 @@
 import re
 from copy import deepcopy
 from dataclasses import dataclass
-from math import pi, radians
+from math import degrees, pi, radians
 from pathlib import Path
 
 import numpy as np
@@ -293,7 +293,33 @@ def test_a_law_for_the_top_runs_backwards_on_the_return():
 def test_rows_of_a_file(tmp_path, text, rows):
     file = tmp_path / "lobe.csv"
     file.write_text(text, encoding="utf-8")
-    assert read_rows(file) == rows
+    assert read_rows(file) == (rows, None)
+
+
+@pytest.mark.parametrize(
+    ("head", "stated", "factors", "unit"),
+    [
+        ("angle [deg], lift [in]", None, (1.0, 25.4), "mm"),
+        ("angle_rad,lift_mm", None, (degrees(1.0), 1.0), "mm"),
+        ("theta;Hub (µm)", None, (1.0, 1e-3), "mm"),
+        ("angle,swing [deg]", None, (1.0, 1.0), "deg"),
+        ("angle,lift", "inch", (1.0, 1.0), "inch"),
+        ("angle,lift [in]", "inch", (1.0, 1.0), "inch"),
+    ],
+)
+def test_units_of_the_head_count(tmp_path, head, stated, factors, unit):
+    file = tmp_path / "lobe.csv"
+    file.write_text(f"{head}\n2 1.5\n3 2\n", encoding="utf-8")
+    rows, found = read_rows(file, stated)
+    np.testing.assert_allclose(rows, np.array([[2, 1.5], [3, 2]]) * factors)
+    assert found == unit
+
+
+def test_another_unit_than_that_of_the_head_is_refused(tmp_path):
+    file = tmp_path / "lobe.csv"
+    file.write_text("angle,lift [mm]\n2,1.5\n", encoding="utf-16")
+    with pytest.raises(DesignError, match=r'is in mm by its first lines, and motion.table_unit is "inch": remove'):
+        read_rows(file, "inch")
 
 
 @pytest.mark.parametrize(
@@ -303,7 +329,7 @@ def test_rows_of_a_file(tmp_path, text, rows):
         (b"0,1\n1,x\n", "line 2: `1,x` is no row"),
         (b"0,1\n1,nan\n", "line 2: `1,nan` is no row"),
         (b"", "has no rows"),
-        (b"\xff\xfe\x00", "is not UTF-8 text"),
+        (b"0,1\n\x01\x02\xff", "is not text: give a CSV file"),
         (b"0,1\n" * 20_001, "has more than 20000 rows"),
         (None, "there is no such file: correct the path, which counts from the folder of the design file"),
     ],
