@@ -15,7 +15,8 @@ from scipy.optimize import brentq, minimize_scalar
 from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import EdgeFollower
 from cadgen.car.against_play.compensation import compensated_lift, lost_dips
-from cadgen.car.against_play.fall_windows import WindowSearch
+from cadgen.car.against_play.lead_search import LeadSearch
+from cadgen.car.against_play.trial_run import TrialRun
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import drive, turns_of
 from cadgen.car.running.mechanics import Mechanics
@@ -29,6 +30,7 @@ _STEPS = 720  # of a turn while searching: the end errs by 1e-5 mm
 _FINE = 1e-4  # rad of play, with friction; it moves the worst end of the paper's car by 8 mm at most
 _TOLERANCE = 1e-6  # rad of play; it moves the worst error by less than a millimetre's hundredth
 _NO_BETTER = 0.1  # mm; where the ends meet they do so within this
+_MET = 1.0  # mm; where the windows of the leads leave no more, none for all falls is sought
 _COARSE = 13  # plays to cut for, across a band, at which the worst end over plays and frictions is first looked at
 _DIRECTIONS = 720  # in which the bound is taken; each alone is a bound
 
@@ -60,13 +62,13 @@ class BandResult:
 
     Attributes:
         lift: lift of the profile.
-        made_for: play that the profile is cut for, rad; the greatest of `windows` where there are several.
+        made_for: play that the profile is cut for, rad; the greatest of `windows` where it has them.
         plays: plays across the band, shape (n,), rad.
         heading: heading error at the end of the run at each play, with the friction and drag that make it greatest,
             shape (n,), rad.
         distance: position error at the end, likewise, shape (n,), mm.
         worst: friction and drag with the greatest position error; None where they are left out.
-        windows: windows of the falls one by one, rad; empty where one is for all.
+        windows: windows of the leads one by one, rad; empty where one is for all falls.
     """
 
     lift: PathMotion
@@ -105,6 +107,7 @@ def best_for_band(
     *,
     wanted: PathMotion | None = None,
     mechanics: Sequence[Mechanics] = (),
+    trimmed: bool = False,
 ) -> BandResult:
     """Compensated profile with the least worst position error at the end of the run, over a band of plays.
 
@@ -114,7 +117,8 @@ def best_for_band(
     it is cut for; then one end of the band is best to cut for.
 
     With friction the cam leads on part of each fall, and by how much the profile must make up for that depends on it:
-    then each fall may have a window of its own, and what is made least is the worst end over plays and frictions.
+    then each lead may have a window of its own, and what is made least is the worst end over plays and frictions, or
+    over the cars that are trimmed after a trial run.
 
     Args:
         lift: lift that is compensated.
@@ -124,13 +128,14 @@ def best_for_band(
         band: least and greatest return error B, rad; the two may be equal.
         wanted: lift that the run is compared with; `lift` itself if left out.
         mechanics: friction and drag of the cars that may be built; without them the rod slides freely.
+        trimmed: whether each car is trimmed after a trial run of its own; it needs `mechanics`.
 
     Raises:
         DesignError: the band does not run upwards from 0 or more.
     """
     low, high = _checked(band)
     if mechanics:
-        return _best_with_friction(lift, follower, car, length, (low, high), wanted or lift, mechanics)
+        return _best_with_friction(lift, follower, car, length, (low, high), wanted or lift, mechanics, trimmed)
     tried: list[float] = []
 
     def at(made_for: float, plays: Array) -> BandResult:
@@ -167,12 +172,31 @@ def _best_with_friction(
     band: tuple[float, float],
     wanted: PathMotion,
     mechanics: Sequence[Mechanics],
+    trimmed: bool,
 ) -> BandResult:
-    """`best_for_band` over plays and frictions: a coarse search for one window, made fine; then one for each fall."""
+    """`best_for_band` over plays and frictions: a window for each lead, or where that ends nearer one for all falls."""
+    plays = np.linspace(*band, BAND_PLAYS) if band[1] > band[0] else np.array(band[:1])
+    cars = [(play, forces) for play in dict.fromkeys(band) for forces in mechanics]
 
     def at(made_for: float, plays: Array) -> BandResult:
         cam = compensated_lift(lift, follower, made_for)
         return over_band(cam, wanted, car, length, plays, made_for, mechanics=mechanics)
+
+    if not any(len(forces.leads(lift).intervals) for forces in mechanics):
+        return at(0.0, plays)  # nothing turns the cam ahead
+    runs = TrialRun(wanted=wanted, car=car, length=length)
+
+    def by_lead(search: LeadSearch, before: float) -> BandResult:
+        assert search.best is not None
+        windows = tuple(before + window for window in search.windows)
+        found = over_band(search.best, wanted, car, length, plays, max(windows), mechanics=mechanics)
+        return replace(found, windows=windows)
+
+    search = LeadSearch(lift, follower, runs, cars, trimmed)
+    if trimmed or len(cars) == 1:
+        search.run()
+        if search.best is not None and (trimmed or search.worst < _MET):
+            return by_lead(search, 0.0)
 
     @cache
     def worst(made_for: float) -> float:
@@ -183,16 +207,12 @@ def _best_with_friction(
     around = float(tried[max(best - 1, 0)]), float(tried[min(best + 1, _COARSE - 1)])
     fine = minimize_scalar(worst, bounds=around, method="bounded", options={"xatol": _FINE})
     made_for = min(float(fine.x), float(tried[best]), key=worst)
-    plays = np.linspace(*band, BAND_PLAYS) if band[1] > band[0] else np.array(band[:1])
-    cars = [(play, forces) for play in dict.fromkeys(band) for forces in mechanics]
-    search = WindowSearch(lift, wanted, follower, car, length, cars)
-    search.run(made_for)
+    if len(cars) > 1:
+        search = LeadSearch(compensated_lift(lift, follower, made_for), follower, runs, cars)
+        search.run()
     if search.worst >= worst(made_for) - _NO_BETTER:
         return at(made_for, plays)
-    windows = tuple(search.best.tolist())
-    cam = compensated_lift(lift, follower, windows)
-    found = over_band(cam, wanted, car, length, plays, max(windows), mechanics=mechanics)
-    return replace(found, windows=windows)
+    return by_lead(search, made_for if len(cars) > 1 else 0.0)
 
 
 def over_band(

@@ -14,13 +14,8 @@ cutter cannot take as they are:
   with continuous curvature.
 - In each valley its two flanks cross in a hollow kink. Here a quintic joins them over a stated angle; with an angle
   of 0 the kink stays and the rod's own section rounds the profile there.
-
-Where the rod rubs, the cam leads only on a part of each fall, which is another part on each. Then each fall has a
-window of its own: it is turned ahead by so much that the piece which the gears drive late and the piece which leads
-turn the car by as much as the wanted fall does.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from math import degrees, radians
 
@@ -110,12 +105,12 @@ class LostDip:
     whole: bool
 
 
-def lost_dips(lift: PathMotion, play: float | Array, pairs: Array | None = None) -> tuple[LostDip, ...]:
+def lost_dips(lift: PathMotion, play: float, pairs: Array | None = None) -> tuple[LostDip, ...]:
     """Lift lost in each valley: the height that the morphological closing by the play adds there.
 
     Args:
         lift: any closed lift.
-        play: return error B, rad, or a window for each fall, shape (k,).
+        play: return error B, rad.
         pairs: cam angles of peaks and valleys, shape (k, 2), rad; where the lift falls if left out.
     """
     pairs = falls(lift) if pairs is None else pairs
@@ -125,9 +120,9 @@ def lost_dips(lift: PathMotion, play: float | Array, pairs: Array | None = None)
     next_peak = np.roll(height[:, 0], -1)
     # The closing in a valley is the least dilation over the windows that hold it; that lies where the fall turned
     # ahead meets the rise, which a grid of the window brackets and a smooth crossing's slope makes sharp enough.
-    width = np.broadcast_to(play, len(pairs))[:, None]
-    seen = np.asarray(pairs[:, 1:] + width * np.linspace(0.0, 1.0, 257), dtype=np.float64)
-    least = _dilation(lift, pairs, width, seen).min(axis=1)
+    window = np.linspace(0.0, play, 257)
+    seen = np.asarray(pairs[:, 1:] + window, dtype=np.float64)
+    least = _dilation(lift, pairs, play, seen).min(axis=1)
     sides = np.minimum(height[:, 0], next_peak)
     return tuple(
         LostDip(cam_angle=float(valley % TURN), tan_beta=float(closed - low), whole=bool(closed >= side - _LEVEL))
@@ -135,7 +130,7 @@ def lost_dips(lift: PathMotion, play: float | Array, pairs: Array | None = None)
     )
 
 
-def rounded_dilation(lift: PathMotion, play: float | Array, *, fall: float, half_width: float) -> PathMotion:
+def rounded_dilation(lift: PathMotion, play: float, *, fall: float, half_width: float) -> PathMotion:
     """Dilation of a lift with its plateaus tilted and its kinks rounded: for events that are close together.
 
     With peaks and valleys closer together than the return error B, the dilation has parts that do not follow from one
@@ -146,7 +141,7 @@ def rounded_dilation(lift: PathMotion, play: float | Array, *, fall: float, half
 
     Args:
         lift: any closed lift.
-        play: B, width of the window, rad, above 0; or one for each fall, shape (k,), 0 for a fall that is left.
+        play: B, width of the window, rad, above 0.
         fall: fall of tan(beta) over each plateau; less where the dip after it is shallower.
         half_width: half the width of the mean that rounds kinks, rad; kept between 0.1 and 0.5 degrees.
     """
@@ -156,9 +151,9 @@ def rounded_dilation(lift: PathMotion, play: float | Array, *, fall: float, half
     step = TURN / (count * each)
     theta = np.asarray(step * np.arange(count * each), dtype=np.float64)
     pairs = falls(lift)
-    height = _dilation(lift, pairs, _window_at(pairs, play, theta), theta)
-    for (peak, valley), width in zip(pairs, np.broadcast_to(play, len(pairs)).tolist(), strict=True):
-        _tilt(lift, theta, height, width, peak, valley, fall)
+    height = _dilation(lift, pairs, play, theta)
+    for peak, valley in pairs:
+        _tilt(lift, theta, height, play, peak, valley, fall)
 
     reach = int(half_width / step)
     u = np.arange(-reach, reach + 1) * step / half_width
@@ -180,16 +175,7 @@ def rounded_dilation(lift: PathMotion, play: float | Array, *, fall: float, half
     return PathMotion(q=tan_beta, kinks=np.array([]), blend_start=lift.blend_start)
 
 
-def _window_at(pairs: Array, play: float | Array, theta: Array) -> float | Array:
-    """Width of the window at cam angles: a fall has its own, and a rise goes over from one to the next."""
-    if np.ndim(play) == 0:
-        return play
-    middle = (pairs[:, 1] + np.append(pairs[1:, 0], pairs[0, 0] + TURN)) / 2
-    nodes = np.stack([pairs[:, 0], middle], axis=1).ravel()
-    return np.asarray(np.interp(theta, nodes, np.repeat(play, 2), period=TURN))
-
-
-def _dilation(lift: PathMotion, pairs: Array, play: float | Array, theta: Array) -> Array:
+def _dilation(lift: PathMotion, pairs: Array, play: float, theta: Array) -> Array:
     """Greatest tan(beta) over [theta - B, theta]: at an end of the window or at a peak in it."""
     height = np.maximum(lift.q(theta), lift.q(theta - play))
     if not len(pairs):
@@ -198,7 +184,7 @@ def _dilation(lift: PathMotion, pairs: Array, play: float | Array, theta: Array)
     places = np.concatenate([pairs[:, 0] - TURN, pairs[:, 0]])
     highest = _Greatest(np.tile(lift.q(pairs[:, 0]), 2))
     end = theta % TURN
-    first = np.searchsorted(places, end - np.minimum(play, TURN), side="left")
+    first = np.searchsorted(places, end - min(play, TURN), side="left")
     return np.maximum(height, highest.between(first, np.searchsorted(places, end, side="right")))
 
 
@@ -258,8 +244,6 @@ PLATEAU_FALL = 0.005
 # Half the angle of the valley's quintic over the play. It costs about as much heading as the sliver itself.
 VALLEY_SHARE = 0.25
 _ROOT = 1e-15  # rad; roots are found to rounding
-_LEAST_WINDOW = np.radians(0.004)  # of one fall among others; a narrower one has no room for its plateau and blends
-_FULL_PLATEAU = np.radians(0.3)
 # No plateau takes more than this share of the fall that follows it.
 _GREATEST_SHARE = 1 / 16
 # A plateau after a peak that is nearly level itself falls less steeply; below this slope of tan(beta) it would be level
@@ -290,7 +274,7 @@ class _Valley:
 def compensated_lift(
     lift: PathMotion,
     follower: EdgeFollower,
-    play: float | Sequence[float],
+    play: float,
     *,
     plateau_fall: float = PLATEAU_FALL,
     valley_blend: float | None = None,
@@ -305,7 +289,6 @@ def compensated_lift(
         lift: lift wanted by motor position.
         follower: follower, for the plateau's fall in lift.
         play: return error B that the cam is made for, rad; 0 gives `lift` itself, and so does a lift that never falls.
-            Or a window for each fall of `falls(lift)`, rad.
         plateau_fall: fall of the lift over each plateau, mm.
         valley_blend: half the angle over which a quintic rounds each valley, rad; a quarter of the play if left
             out, and 0 leaves a hollow kink where there is room for one.
@@ -316,12 +299,9 @@ def compensated_lift(
     Raises:
         DesignError: the play is negative or no number, or plateau or blend are out of range.
     """
-    pairs = falls(lift)
-    windows = np.broadcast_to(np.asarray(play, dtype=np.float64), len(pairs))
-    if not np.all(np.asarray(play) >= 0):
-        least = float(np.min(play))
-        raise DesignError("the return error is {play:g} degrees; it must be 0 or more", play=degrees(least))
-    blend = 0.0 if valley_blend is None else valley_blend
+    if not play >= 0:
+        raise DesignError("the return error is {play:g} degrees; it must be 0 or more", play=degrees(play))
+    blend = VALLEY_SHARE * play if valley_blend is None else valley_blend
     if not (plateau_fall > 0 and blend >= 0):
         raise DesignError(
             "a plateau's fall of {plateau_fall:g} mm with a valley blend of {blend:g} degrees makes no "
@@ -329,27 +309,17 @@ def compensated_lift(
             plateau_fall=plateau_fall,
             blend=degrees(blend),
         )
-    if not len(pairs) or not windows.any():
+    pairs = falls(lift)
+    if play == 0 or not len(pairs):
         return lift
     cycles = []
-    for number, width in enumerate(windows.tolist()):
-        if width < _LEAST_WINDOW and np.ndim(play):
-            cycles.append(nodes_between(lift, float(pairs[number, 0]), _next_peak(pairs, number)))
-            continue
-        blend = VALLEY_SHARE * width if valley_blend is None else valley_blend
-        # A plateau much narrower than the play falls as steeply as a wide one, or it would take too much of its fall.
-        share = min(width / _FULL_PLATEAU, 1.0) if np.ndim(play) else 1.0
-        valley = _valley(lift, follower, width, pairs, number, share * plateau_fall, blend)
+    for number in range(len(pairs)):
+        valley = _valley(lift, follower, play, pairs, number, plateau_fall, blend)
         if valley is None:
-            return rounded_dilation(
-                lift,
-                windows if np.ndim(play) else float(windows[0]),
-                fall=plateau_fall / follower.outer,
-                half_width=VALLEY_SHARE * float(windows.mean()),
-            )
+            return rounded_dilation(lift, play, fall=plateau_fall / follower.outer, half_width=VALLEY_SHARE * play)
         cycles += [
             valley.plateau,
-            nodes_between(lift, valley.joined - width, valley.crossing - blend - width, ahead=width),
+            nodes_between(lift, valley.joined - play, valley.crossing - blend - play, ahead=play),
             nodes_between(lift, valley.crossing + blend, valley.next_peak),
         ]
     x, jets = (np.concatenate(part) for part in zip(*cycles, strict=True))
@@ -362,7 +332,7 @@ def _valley(
     """The profile around a valley, from the peak before it to the one after it; None if there is no room."""
     peak, valley = (float(angle) for angle in pairs[number])
     next_peak = _next_peak(pairs, number)
-    crossing = _crossing(lift, play, peak, valley, next_peak)
+    crossing = valley_crossing(lift, play, pairs, number)
     if crossing is None:
         return None
     joined, plateau, tilted = _plateau(lift, follower, play, peak, valley, fall)
@@ -373,21 +343,29 @@ def _valley(
     return None
 
 
-def _next_peak(pairs: Array, number: int) -> float:
-    """Cam angle of the peak that comes after a fall, rad; after the last fall it lies in the next turn."""
-    return float(pairs[0, 0]) + TURN if number + 1 == len(pairs) else float(pairs[number + 1, 0])
+def valley_crossing(lift: PathMotion, window: float, pairs: Array, number: int) -> float | None:
+    """Cam angle at which a fall turned ahead by a window meets the rise; None if it meets none before a peak.
 
-
-def _crossing(lift: PathMotion, play: float, peak: float, valley: float, next_peak: float) -> float | None:
-    """Cam angle at which the fall turned ahead by the play meets the rise; None if it meets none before a peak."""
-    first, last = max(valley, peak + play), min(valley + play, next_peak)
+    Args:
+        lift: any closed lift.
+        window: angle by which the fall is turned ahead, rad, above 0.
+        pairs: cam angles of peaks and valleys, shape (k, 2), rad.
+        number: number of the fall.
+    """
+    peak, valley = (float(angle) for angle in pairs[number])
+    first, last = max(valley, peak + window), min(valley + window, _next_peak(pairs, number))
 
     def above(angle: float) -> float:
-        return float(lift.q(angle) - lift.q(angle - play))
+        return float(lift.q(angle) - lift.q(angle - window))
 
     if first >= last or above(first) >= 0 or above(last) < 0:
         return None
     return float(brentq(above, first, last, xtol=_ROOT))
+
+
+def _next_peak(pairs: Array, number: int) -> float:
+    """Cam angle of the peak that comes after a fall, rad; after the last fall it lies in the next turn."""
+    return float(pairs[0, 0]) + TURN if number + 1 == len(pairs) else float(pairs[number + 1, 0])
 
 
 def _plateau(

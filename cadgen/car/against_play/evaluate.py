@@ -43,7 +43,8 @@ class Evaluation:
         profile: profile that was evaluated.
         train: order of the stages of the train.
         play: return error of the run, rad.
-        windows: widths of the windows by which its lift is dilated, rad; see `CutLift`.
+        windows: widths of the windows by which its lift is turned ahead, rad; see `CutLift`.
+        by_lead: whether each lead has one of them, and not all falls one.
         lift: lift that the profile is cut for.
         wanted: outline wanted of the finished disc.
         cut: curve that is cut; that of `wanted` unless the car's [as_built] requires another.
@@ -76,6 +77,7 @@ class Evaluation:
     least_swing: float = LEAST_SWING
     lost: tuple[LostDip, ...] = ()
     measured: bool = False
+    by_lead: bool = False
 
     @property
     def made_for(self) -> float:
@@ -84,11 +86,11 @@ class Evaluation:
 
     @property
     def cut_for(self) -> str:
-        """The window that the profile is cut for, or those of all falls, in degrees."""
+        """The window that the profile is cut for, or those of all leads, in degrees."""
         least, most = degrees(min(self.windows)), degrees(self.made_for)
         if len(self.windows) == 1:
             return f"{most:.3f}°"
-        return Message("{least:.3f} to {most:.3f}°, by fall", least=least, most=most)
+        return Message("{least:.3f} to {most:.3f}°, by lead", least=least, most=most)
 
     @property
     def name(self) -> str:
@@ -186,18 +188,19 @@ def _evaluation(
 ) -> Evaluation:
     task, band, planned, follower = work.task, work.band, work.planned, work.task.follower
     lift, made_for = cut_lift.lift, cut_lift.made_for
-    windows = np.array(cut_lift.windows)
     roll = task.as_built.roll_measured if measured else task.as_built.roll_new
     rolled = rolled_on(roll, cut, follower, lift, task.lift.blend_start)
     play = work.run_at(made_for)
     least_swing = max(LEAST_SWING, task.as_built.unevenness(measured=measured) / follower.inner)
     run = task.run(rolled, play, least_swing=least_swing, cut=lift)
-    dips = lost_dips(task.lift, windows if len(windows) > 1 else made_for) if profile.dilated and not measured else ()
+    dilated = profile.dilated and not measured and not cut_lift.by_lead
+    dips = lost_dips(task.lift, made_for) if dilated else ()
     return Evaluation(
         profile=profile,
         train=work.train,
         play=play,
         windows=cut_lift.windows,
+        by_lead=cut_lift.by_lead,
         lift=lift,
         wanted=wanted,
         cut=cut,

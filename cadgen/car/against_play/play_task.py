@@ -7,6 +7,8 @@ from typing import Protocol
 from cadgen.arrays import Array
 from cadgen.cam.follower import Contact, EdgeFollower
 from cadgen.car.against_play.band import EndBound, PlayBand, best_for_band, fixed_profile_bound
+from cadgen.car.against_play.compensation import compensated_lift
+from cadgen.car.against_play.profile_kinds import CutLift
 from cadgen.car.against_play.smoothing import smooth_to
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import Pose, Run, drive
@@ -67,6 +69,7 @@ class PlayTask:
         start: pose at which runs begin, mm and rad.
         as_built: deviations of the car as built, which change a disc that is cut.
         mechanics: range of friction and drag; None where they are left out, as if the rod slid freely.
+        trimmed: whether the steering is trimmed after a trial run of each car, so that ends are those after the trim.
     """
 
     lift: PathMotion
@@ -77,6 +80,7 @@ class PlayTask:
     start: Pose
     as_built: FinishedDisc
     mechanics: MechanicsBand | None = None
+    trimmed: bool = False
 
     def planned(self) -> Run:
         """Run of the car by the lift wanted, without play."""
@@ -144,24 +148,24 @@ class TrainTask:
     band: PlayBand
 
     @cached_property
-    def windows(self) -> tuple[float, ...]:
-        """The windows of the dilation that are best for the lift wanted: `windows_of`, rad.
+    def compensated(self) -> CutLift:
+        """Lift wanted, compensated: `compensated_of` of it.
 
         Raises:
             DesignError: the band does not run upwards from 0 or more.
         """
-        return self.windows_of(self.task.lift)
+        return self.compensated_of(self.task.lift)
 
     @property
-    def window(self) -> float:
-        """The widest of `windows`, rad; errors as there."""
-        return max(self.windows)
+    def windows(self) -> tuple[float, ...]:
+        """Windows of `compensated`, rad; errors as there."""
+        return self.compensated.windows
 
-    def windows_of(self, lift: PathMotion) -> tuple[float, ...]:
-        """The measured play or, where none is measured, the window with the least worst end of run over the band, rad.
+    def compensated_of(self, lift: PathMotion) -> CutLift:
+        """Lift dilated by the measured play or, where none is measured, with the least worst end of run over the band.
 
-        With friction they are the windows of the dilation that do so over plays and frictions, also for a measured
-        play: one for all falls, or one for each.
+        With friction it is dilated by one window, or turned ahead by one on each lead, so that the worst end over plays
+        and frictions is least; also for a measured play.
 
         Args:
             lift: lift that is to be compensated.
@@ -170,13 +174,25 @@ class TrainTask:
             DesignError: the band does not run upwards from 0 or more.
         """
         task, ends, measured = self.task, self.band.ends, self.band.measured
-        mechanics = task.mechanics.corners if task.mechanics else ()
         if measured is not None:
             ends = measured, measured
-            if not mechanics:
-                return (measured,)
-        best = best_for_band(lift, task.follower, task.car, task.length, ends, wanted=task.lift, mechanics=mechanics)
-        return best.windows or (best.made_for,)
+            if task.mechanics is None:
+                return CutLift(compensated_lift(lift, task.follower, measured), (measured,))
+        trimmed = task.trimmed and task.mechanics is not None
+        mechanics: tuple[Mechanics, ...] = ()
+        if task.mechanics is not None:
+            mechanics = task.mechanics.cases if trimmed else task.mechanics.corners
+        best = best_for_band(
+            lift,
+            task.follower,
+            task.car,
+            task.length,
+            ends,
+            wanted=task.lift,
+            mechanics=mechanics,
+            trimmed=trimmed,
+        )
+        return CutLift(best.lift, best.windows or (best.made_for,), by_lead=bool(best.windows))
 
     @cached_property
     def smoothed(self) -> PathMotion:
@@ -194,12 +210,12 @@ class TrainTask:
         return self.task.planned()
 
     def prepare(self) -> None:
-        """Compute what every profile needs: window and planned run.
+        """Compute what every profile needs: windows and planned run.
 
         Raises:
             DesignError: the band does not run upwards from 0 or more.
         """
-        _ = self.window, self.planned
+        _ = self.windows, self.planned
 
     def run_at(self, made_for: float) -> float:
         """Return error of the run that a profile is evaluated by, rad: that it is cut for, or with friction the car's.

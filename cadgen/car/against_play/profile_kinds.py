@@ -28,13 +28,14 @@ class CutLift:
 
     Attributes:
         lift: lift by cam angle.
-        windows: widths of the windows by which the lift is dilated, rad, one for all falls or one for each: the play
-            that it is cut for, or with friction the closest to it. For a lift that is not dilated, those for
-            `compensated`.
+        windows: widths of the windows by which the lift is turned ahead, rad: the play that it is cut for, or with
+            friction the closest to it. For a lift that is not compensated, those for `compensated`.
+        by_lead: whether each lead of the cam has a window of its own, and not all falls one.
     """
 
     lift: PathMotion
     windows: tuple[float, ...]
+    by_lead: bool = False
 
     @property
     def made_for(self) -> float:
@@ -118,15 +119,9 @@ def _published_curve(lift: Motion, follower: Follower) -> ActualProfile:
     return ActualProfile(published_profile(lift, rod), ())
 
 
-def _dilated(work: TrainTask, lift: PathMotion, windows: tuple[float, ...]) -> CutLift:
-    from cadgen.car.against_play.compensation import compensated_lift
-
-    return CutLift(compensated_lift(lift, work.task.follower, windows if len(windows) > 1 else windows[0]), windows)
-
-
 # Functions with names, so that a kind, and a cam that has it, can be pickled.
 def _compensated_lift(work: TrainTask) -> CutLift:
-    return _dilated(work, work.task.lift, work.windows)
+    return work.compensated
 
 
 def _smoothed_lift(work: TrainTask) -> CutLift:
@@ -134,7 +129,7 @@ def _smoothed_lift(work: TrainTask) -> CutLift:
 
 
 def _smoothed_compensated_lift(work: TrainTask) -> CutLift:
-    return _dilated(work, work.smoothed, work.windows_of(work.smoothed))
+    return work.compensated_of(work.smoothed)
 
 
 ACTUAL = ProfileKind(code="actual", meaning="the exact envelope of the rod")

@@ -2,34 +2,28 @@
 
 A remedy is judged by the worst end of the run over the plays, frictions and drags of the cars that may be built:
 
-- a profile alone: plain, or compensated by the window that serves the whole band best;
+- a profile alone: plain, or compensated by the windows that serve the whole band best;
 - a ball bearing as follower, which hardly rubs, with a compensated profile of its own;
 - drag that holds: a brake on the disc whose torque is above all that turns the cam ahead. Then gears and cam never
   part, play does nothing, and the plain profile is right;
 - a trim: a constant turn of the steering against the rod, set after a trial run so that the end of the run is met as
-  closely as it goes. It holds as long as the next run repeats the first.
+  closely as it goes. It holds as long as the next run repeats the first. What is left depends on the profile, too.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from math import radians
 
 import numpy as np
-from scipy.interpolate import PPoly
 
-from cadgen.arrays import TURN, Array
+from cadgen.arrays import TURN
 from cadgen.cam.follower import EdgeFollower
 from cadgen.car.against_play.play_task import PlayTask
+from cadgen.car.against_play.trial_run import SteeringTrim, TrialRun
 from cadgen.car.path_motion import PathMotion
-from cadgen.car.running.drive import Run, drive, turns_of
-from cadgen.car.running.mechanics import Leads, Mechanics, MechanicsBand
-from cadgen.car.running.run_errors import RunError, run_error
+from cadgen.car.running.mechanics import Mechanics, MechanicsBand
 
 MARGIN = 1.25  # of a drag that is to hold, over the torque that it must hold
-_STEPS = 720  # of a turn; its end errs by 1e-5 mm
 _STATIONS = 7200  # of the turn at which torques are looked at
-_TRIM_STEPS = 4  # of Newton's method: the end moves nearly in proportion to the trim
-_TRIM_PROBE = radians(0.01)
 _FRICTION_STEP = 0.005  # at which the friction is looked for that undoes a trim
 _MOST_FRICTION = 1.0
 _MOST_BEARINGS = 2  # side by side on one rod
@@ -81,17 +75,8 @@ def holding(lift: PathMotion, band: MechanicsBand) -> Holding:
     )
 
 
-@dataclass(frozen=True, kw_only=True)
-class SteeringTrim:
-    """A constant turn of the steering against the rod, set after a trial run.
-
-    Attributes:
-        tan_beta: constant added to the tangent of the steering angle.
-        error: errors of the run with the trim.
-    """
-
-    tan_beta: float
-    error: RunError
+def _trial(task: PlayTask) -> TrialRun:
+    return TrialRun(wanted=task.lift, car=task.car, length=task.length)
 
 
 def trim(task: PlayTask, lift: PathMotion, cut: PathMotion, play: float, mechanics: Mechanics) -> SteeringTrim:
@@ -104,24 +89,7 @@ def trim(task: PlayTask, lift: PathMotion, cut: PathMotion, play: float, mechani
         play: return error of the trial run, rad.
         mechanics: friction and drag of the trial run.
     """
-    leads = mechanics.leads(cut)
-    planned = _run(task, task.lift, Leads(np.empty((0, 2))), 0.0, 0.0)
-
-    def error(turn: float) -> RunError:
-        return run_error(_run(task, lift, leads, play, turn), planned)
-
-    def end(off: RunError) -> Array:
-        return np.array([off.along[-1], off.across[-1]])
-
-    turn, now = 0.0, error(0.0)
-    for _ in range(_TRIM_STEPS):
-        rate = (end(error(turn + _TRIM_PROBE)) - end(now)) / _TRIM_PROBE
-        step = -float(end(now) @ rate / (rate @ rate))
-        turn += step
-        now = error(turn)
-        if abs(step) < 1e-7:
-            break
-    return SteeringTrim(tan_beta=turn, error=now)
+    return _trial(task).trimmed(lift, mechanics.leads(cut), play)
 
 
 def trimmed_end(
@@ -135,8 +103,7 @@ def trimmed_end(
         mechanics: friction and drag of this run.
         turn: the trim, in tan(beta).
     """
-    planned = _run(task, task.lift, Leads(np.empty((0, 2))), 0.0, 0.0)
-    return run_error(_run(task, lift, mechanics.leads(cut), play, turn), planned).end_distance
+    return _trial(task).error(lift, mechanics.leads(cut), play, turn).end_distance
 
 
 def friction_to_fail(
@@ -166,16 +133,21 @@ def trims(
     task: PlayTask, lift: PathMotion, cut: PathMotion, plays: Sequence[float], cases: Sequence[Mechanics]
 ) -> tuple[SteeringTrim, ...]:
     """Trims of cars of all these plays (rad) and frictions, each set after a run of its own."""
-    return tuple(trim(task, lift, cut, play, case) for case in cases for play in plays)
+    trial = _trial(task)
+    found: list[SteeringTrim] = []
+    for leads in (case.leads(cut) for case in cases):
+        for play in plays:
+            found.append(trial.trimmed(lift, leads, play, near=found[-1] if found else None))
+    return tuple(found)
 
 
 def worst_on_way(
     task: PlayTask, lift: PathMotion, cut: PathMotion, plays: Sequence[float], cases: Sequence[Mechanics]
 ) -> float:
     """Greatest position error anywhere on the run of any car, mm."""
-    planned = _run(task, task.lift, Leads(np.empty((0, 2))), 0.0, 0.0)
-    runs = (_run(task, lift, leads, play, 0.0) for leads in (c.leads(cut) for c in cases) for play in plays)
-    return max(float(run_error(run, planned).distance.max()) for run in runs)
+    trial = _trial(task)
+    errors = (trial.error(lift, leads, play) for leads in (case.leads(cut) for case in cases) for play in plays)
+    return max(float(error.distance.max()) for error in errors)
 
 
 def touched_width(lift: PathMotion, follower: EdgeFollower) -> float:
@@ -216,20 +188,3 @@ def bearing_for(lift: PathMotion, follower: EdgeFollower) -> tuple[Bearing, int]
         if bearing.bore >= 2 * follower.radius and count <= _MOST_BEARINGS:
             return bearing, count
     return None
-
-
-def _run(task: PlayTask, lift: PathMotion, leads: Leads, play: float, turn: float) -> Run:
-    moved = lift
-    if turn:  # a constant added to tan(beta)
-        c = lift.q.c.copy()
-        c[-1] += turn
-        moved = replace(lift, q=PPoly(c, lift.q.x, extrapolate=lift.q.extrapolate))
-    return drive(
-        moved,
-        task.car,
-        task.length,
-        start=task.start,
-        steps=_STEPS * turns_of(task.lift.blend_start),
-        stop=task.lift.blend_start,
-        following=leads.follow(moved, play),
-    )

@@ -20,14 +20,15 @@ def comparison_facts(comparison: PlayComparison) -> Facts:
     """Facts on the profiles compared against play."""
     low, high = comparison.band.ends
     bound, measured = comparison.bound, comparison.band.measured
-    gain, windows = comparison.worst_gain(bound.distance), comparison.chosen.windows
+    gain, chosen = comparison.worst_gain(bound.distance), comparison.chosen
+    windows = [degrees(window) for window in chosen.windows]
     return Facts(
         return_error_deg=Facts(
             least=degrees(low),
             greatest=degrees(high),
             measured=None if measured is None else degrees(measured),
-            cut_for=degrees(comparison.chosen.made_for),
-            **({"cut_for_each_fall": [degrees(window) for window in windows]} if len(windows) > 1 else {}),
+            cut_for=degrees(chosen.made_for),
+            **({"cut_for_each_lead": windows} if chosen.by_lead else {}),
         ),
         mechanics=mechanics_facts(comparison.task.mechanics, comparison.chosen.lift),
         friction_note=comparison.rubbing,

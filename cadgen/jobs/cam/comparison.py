@@ -215,6 +215,7 @@ def task_of(design: Design, track: Track, lift: PathMotion, follower: Follower) 
         start=start_pose(track),
         as_built=cam_model.as_built(design),
         mechanics=variation.mechanics(design, rod, lift),
+        trimmed=Hardware.TRIM in (design.optimize.hardware or ()),
     )
 
 
@@ -332,7 +333,8 @@ def best_of(
         If no profile passes its checks, the best without them, so that its own checks show what fails. If none keeps
         the limits of [optimize], the nearest, with a failed check for each limit that it exceeds.
     """
-    allowed, deciding = _limits(checks.design, band), _deciding(band)
+    trimmed = checks.task.trimmed and checks.task.mechanics is not None
+    allowed, deciding = _limits(checks.design, band, trimmed=trimmed), _deciding(band, trimmed=trimmed)
     missed: tuple[str, ...] = ()
     if old is not None:
         allowed, missed = _lifted(allowed, old, evaluations)
@@ -392,25 +394,29 @@ def _exceeded(limit: FigureLimit, near: ProfileCandidate) -> Check:
     )
 
 
-def _deciding(band: PlayBand) -> str:
+def _deciding(band: PlayBand, *, trimmed: bool) -> str:
     """Name of the figure that decides the choice: with a measured play other cars do not matter."""
+    if trimmed:
+        return Message("worst end position error after the trim")
     if band.measured is None:
         return Message("worst end position error")
     return Message("position error at the end with the measured play")
 
 
-def _heading(band: PlayBand) -> str:
+def _heading(band: PlayBand, *, trimmed: bool) -> str:
+    if trimmed:
+        return Message("worst end heading error after the trim")
     if band.measured is None:
         return Message("worst end heading error")
     return Message("heading error at the end with the measured play")
 
 
-def _limits(design: Design, band: PlayBand) -> tuple[FigureLimit, ...]:
+def _limits(design: Design, band: PlayBand, *, trimmed: bool) -> tuple[FigureLimit, ...]:
     """Limits of [optimize]."""
     keys = design.optimize
     limits = (
-        (_deciding(band), "max_end_position_mm", "mm", CheckCode.END_POSITION_WITH_PLAY),
-        (_heading(band), "max_end_heading_deg", "degrees", CheckCode.END_HEADING_WITH_PLAY),
+        (_deciding(band, trimmed=trimmed), "max_end_position_mm", "mm", CheckCode.END_POSITION_WITH_PLAY),
+        (_heading(band, trimmed=trimmed), "max_end_heading_deg", "degrees", CheckCode.END_HEADING_WITH_PLAY),
         (_RUN_ERROR, "max_run_position_mm", "mm", CheckCode.RUN_POSITION_WITH_PLAY),
         (LIFT_ERROR, "max_lift_error_um", "µm", CheckCode.LIFT_ERROR_WITH_PLAY),
     )
@@ -441,7 +447,8 @@ def _lifted(
 
 def _figures(checks: ProfileChecks, evaluation: Evaluation, band: PlayBand) -> dict[str, float]:
     """Errors of a profile by the names of their limits in [optimize]; after the trim, if the design allows a trim."""
-    task, hardware = checks.task, checks.design.optimize.hardware or ()
+    task = checks.task
+    trimmed = task.trimmed and task.mechanics is not None
     heading, distance = evaluation.band.worst_heading, evaluation.band.worst_distance
     if band.measured is not None and task.mechanics is None:
         heading, distance = abs(evaluation.error.end_heading), evaluation.error.end_distance
@@ -457,14 +464,15 @@ def _figures(checks: ProfileChecks, evaluation: Evaluation, band: PlayBand) -> d
             cut=evaluation.lift,
         )
         heading, distance = at_play.worst_heading, at_play.worst_distance
-    if task.mechanics and Hardware.TRIM in hardware:
+    if task.trimmed and task.mechanics is not None:
         plays = band.ends if band.measured is None else (band.measured,)
-        trimmed = [trim.error for trim in trims(task, evaluation.rolled, evaluation.lift, plays, task.mechanics.cases)]
-        heading = max(abs(error.end_heading) for error in trimmed)
-        distance = max(error.end_distance for error in trimmed)
+        # As the sheet of remedies has it.
+        settings = trims(task, evaluation.rolled, evaluation.lift, plays, task.mechanics.fine_cases)
+        heading = max(abs(trim.error.end_heading) for trim in settings)
+        distance = max(trim.error.end_distance for trim in settings)
     return {
-        _deciding(band): distance,
-        _heading(band): degrees(heading),
+        _deciding(band, trimmed=trimmed): distance,
+        _heading(band, trimmed=trimmed): degrees(heading),
         _RUN_ERROR: float(evaluation.error.distance.max()),
         LIFT_ERROR: evaluation.worst_lift_error * 1e3,
     }

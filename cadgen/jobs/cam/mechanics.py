@@ -27,6 +27,7 @@ _FRICTION_STEP = 0.01
 # Share of the end of the run by which inertia lessens it for each rad/s of the cam: at friction 0 and at 0.3, of the
 # paper's car by a time integration with 0.26 N mm s^2, which gives 1 and 6 % at 1 m/s, 20 degrees/s.
 _LATER = 0.03, 0.17
+_UNMET = 3.0  # mm; with play and friction known the end is met within this
 _STEEP = 20.0  # mm at the end of the run for that step: friction decides more than anything that is cut
 _SHOWN = 1.0  # mm; less at the end is not worth a sentence
 
@@ -197,8 +198,9 @@ def border_sentences(design: Design, task: PlayTask, chosen: Evaluation, band: P
     if Hardware.TRIM in (design.optimize.hardware or ()):
         lines.append(
             Message(
-                "Do: after a trial run set the micrometer of the base radius so that the end is met; the choice goes "
-                "by the ends after that trim, the figures in the table are before it."
+                "Do: after a trial run set the micrometer of the base radius so that the end is met; the choice, and "
+                "the row of this design among the remedies, go by the ends after that trim, the figures in the table "
+                "are before it."
             )
         )
     weak, strong = known.at(known.friction[0], known.drag[0]), known.at(known.friction[1], known.drag[1])
@@ -208,6 +210,32 @@ def border_sentences(design: Design, task: PlayTask, chosen: Evaluation, band: P
             Message(
                 "Warning: the cam leads its gears at the least friction and drag and is held at the greatest, which is "
                 "the worst place to be: it may do either from run to run."
+            )
+        )
+    if held == [True, True] and max(band.ends) > 0:
+        lines.append(
+            Message(
+                "At a friction of {least:.3g} and more the cam never leads its gears: the play does nothing, and there "
+                "is nothing to compensate.",
+                least=known.friction[0],
+            )
+            if known.drag[0] == 0
+            else Message(
+                "With this friction and drag the cam never leads its gears: the play does nothing, and there is "
+                "nothing to compensate."
+            )
+        )
+    off = chosen.error
+    if band.measured is not None and weak == strong and not all(held) and off.end_distance > _UNMET:
+        lines.append(
+            Message(
+                "No profile of those compared meets the end for a play of {play:.3f}° and a friction of "
+                "{friction:.3g}: this one ends {end:.1f} mm off, {way:.1f} mm at most on the way. Where the cam leads, "
+                "the lift is too steep or too short to be turned ahead without undercut.",
+                play=degrees(band.measured),
+                friction=known.friction[0],
+                end=off.end_distance,
+                way=float(off.distance.max()),
             )
         )
     if held == [True, True] and known.drag[0] < need.torque:

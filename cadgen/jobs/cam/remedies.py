@@ -129,12 +129,7 @@ def remedies(design: Design, comparison: PlayComparison, progress: Progress = si
     )
     cases, chosen = sheet.known.cases, comparison.chosen
     rows = [
-        sheet.row(
-            Message("this design: {profile}", profile=Message(str(chosen.profile))),
-            chosen.lift,
-            chosen.rolled,
-            mechanics.cases,
-        ),
+        _this_design(sheet, chosen),
         sheet.row(Message("plain cam"), plain.lift, plain.rolled, cases),
     ]
     rows += _reordered(sheet)
@@ -143,9 +138,18 @@ def remedies(design: Design, comparison: PlayComparison, progress: Progress = si
     rows += _split_wheel(sheet)
     rows += _bearing(sheet)
     if holding(plain.lift, sheet.known).torque > 0:
-        rows += _trim(sheet, plain)
+        rows += [_trim(sheet, plain), _compensated_trim(sheet)]
         rows += _drag(sheet, plain)
     return tuple(rows)
+
+
+def _this_design(sheet: _Sheet, chosen: Evaluation) -> Remedy:
+    """The design as it is, after the trim if it is to have one."""
+    name = Message("this design: {profile}", profile=Message(str(chosen.profile)))
+    if sheet.task.trimmed:
+        cases = sheet.mechanics.fine_cases
+        return _trimmed(sheet, Message("{name}, trimmed", name=name), chosen.lift, chosen.rolled, cases)
+    return sheet.row(name, chosen.lift, chosen.rolled, sheet.mechanics.cases)
 
 
 def _reordered(sheet: _Sheet) -> list[Remedy]:
@@ -288,35 +292,59 @@ def _bearing(sheet: _Sheet) -> list[Remedy]:
     ]
 
 
-def _trim(sheet: _Sheet, plain: Evaluation) -> list[Remedy]:
+def _trim(sheet: _Sheet, plain: Evaluation) -> Remedy:
     """The plain cam with the steering set after a trial run."""
     task, known = sheet.task, sheet.known
-    settings = trims(task, plain.rolled, plain.lift, sheet.plays, known.fine_cases)
     middle = sum(sheet.plays) / len(sheet.plays)
     allowed = sheet.design.optimize.max_end_position_mm or _ALLOWED_END
     low, high = friction_to_fail(task, plain.rolled, plain.lift, middle, known.nominal, allowed)
+    found = _trimmed(sheet, Message("plain cam, trimmed"), plain.lift, plain.rolled, known.fine_cases)
+    holds = Message(
+        "set at a friction of {friction:.3g}, the end stays within {allowed:g} mm more while friction stays from "
+        "{low:.3g} to {high:.3g}",
+        friction=known.nominal.friction,
+        allowed=allowed,
+        low=low,
+        high=high,
+    )
+    return replace(found, build=joined((found.build, holds), "; "))
+
+
+def _compensated_trim(sheet: _Sheet) -> Remedy:
+    """The profile with the least worst end after the trim, with the steering set after a trial run."""
+    task, known, ends = sheet.task, sheet.known, (min(sheet.plays), max(sheet.plays))
+    best = best_for_band(task.lift, task.follower, task.car, task.length, ends, mechanics=known.cases, trimmed=True)
+    found = _trimmed(sheet, Message("compensated, trimmed"), best.lift, best.lift, known.fine_cases)
+    cam = Message("a cam that is compensated for what the trim leaves, --set 'optimize.hardware=[\"trim\"]'")
+    return replace(found, cut_for=best.made_for, build=joined((cam, found.build), "; "))
+
+
+def _trimmed(sheet: _Sheet, name: str, lift: PathMotion, rolled: PathMotion, cases: tuple[Mechanics, ...]) -> Remedy:
+    """A profile with the steering set after a trial run of each car.
+
+    Args:
+        sheet: design with its bands.
+        name: name of the remedy.
+        lift: lift that the cam is cut for.
+        rolled: lift that the follower gets.
+        cases: frictions and drags of the cars.
+    """
+    settings = trims(sheet.task, rolled, lift, sheet.plays, cases)
     # A larger base radius turns the steering to the left: tan(beta) falls by its growth over the faces' distance.
-    arm = (task.follower.inner + task.follower.outer) / 2
+    arm = (sheet.task.follower.inner + sheet.task.follower.outer) / 2
     turns = sorted((-trim.tan_beta * arm * 1e3 for trim in settings), key=abs)
-    return [
-        Remedy(
-            name=Message("plain cam, trimmed"),
-            cut_for=None,
-            worst_end=max(trim.error.end_distance for trim in settings),
-            on_way=max(float(trim.error.distance.max()) for trim in settings),
-            build=Message(
-                "after a trial run change the base radius at the micrometer by {least:+.0f} to {most:+.0f} µm, so that "
-                "the end is met; set at a friction of {friction:.3g}, the end stays within {allowed:g} mm more while "
-                "friction stays from {low:.3g} to {high:.3g}",
-                least=turns[0],
-                most=turns[-1],
-                friction=known.nominal.friction,
-                allowed=allowed,
-                low=low,
-                high=high,
-            ),
-        )
-    ]
+    return Remedy(
+        name=name,
+        cut_for=None,
+        worst_end=max(trim.error.end_distance for trim in settings),
+        on_way=max(float(trim.error.distance.max()) for trim in settings),
+        build=Message(
+            "after a trial run change the base radius at the micrometer by {least:+.0f} to {most:+.0f} µm, so that the "
+            "end is met",
+            least=round(turns[0]) + 0.0,
+            most=round(turns[-1]) + 0.0,
+        ),
+    )
 
 
 def _drag(sheet: _Sheet, plain: Evaluation) -> list[Remedy]:

@@ -1,0 +1,203 @@
+"""Search for the windows by which a lift is turned ahead on its leads, for cars whose rod rubs.
+
+For one car, whose play and friction are known, the windows are the play but for little, and the end of the run is met:
+Gauss-Newton steps through the exact chain (turned lift, leads, run) on the end and on the headings after the leads. The
+first ramps may move besides, so that there are unknowns enough on a cam that leads once or twice.
+
+For the cars of a band the worst end is made least, before or after the trim of a trial run: linear programs on the
+ends within a region that shrinks where a step does not help.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from math import radians
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import linprog, lsq_linear
+
+from cadgen.arrays import Array
+from cadgen.cam.follower import EdgeFollower
+from cadgen.car.against_play.trial_run import SteeringTrim, TrialRun
+from cadgen.car.against_play.turned_leads import TurnedLeads
+from cadgen.car.path_motion import PathMotion
+from cadgen.car.running.mechanics import Leads, Mechanics
+from cadgen.errors import DesignError
+
+_ROOM = 1.3  # times the play: the widest window
+_EARLIER = radians(6.0)  # by which a first ramp may move at most
+_HEADING = 60.0  # mm by rad: what a heading after a lead counts beside the end
+_KEPT = (1.0, 0.3)  # mm by rad: what a window off the play counts, and a ramp off its place
+_PROBE = (2e-4, 1e-3)  # rad, of a window and of a ramp's place
+_STEPS = 12  # of a search
+_LITTLE = 0.01  # of the sum of squares; a step that gains less is the last
+_MET = 0.1  # mm; an end that is met
+_MET_WELL = 1.0  # mm; a score at which no other places of the ramps are tried
+_ON_WAY = 0.1  # mm at the end for a mm on the way
+_PLACES = (1.0, 0.95, 1.05)  # shares of the friction by which leads are found, where two of them may be one
+_NEGATIVE = -0.3  # times the greatest play: the least window of cars that are trimmed
+_REGION = radians(0.25)  # first step of a window over a band
+_SMALLEST = radians(0.01)
+_TRIM_SETTLED = 1e-4  # of tan(beta), while searching: after a step as small as that another moves the end by 0.01 mm
+
+
+@dataclass
+class LeadSearch:
+    """Search for the profile with the least worst end of run over the cars that may be built.
+
+    Attributes:
+        lift: lift that is turned ahead.
+        follower: follower of the car.
+        runs: runs of the car and the lift that they are compared with.
+        cars: return error, rad, and forces of each car.
+        trimmed: whether each car is trimmed after a trial run of its own.
+        best: lift with the least worst end so far; None before the search and where no lead can be turned.
+        windows: its windows, rad.
+        worst: that end, mm.
+        score: figure by which the best is chosen, mm: the worst end, for one car with a share of the error on the way.
+    """
+
+    lift: PathMotion
+    follower: EdgeFollower
+    runs: TrialRun
+    cars: Sequence[tuple[float, Mechanics]]
+    trimmed: bool = False
+    best: PathMotion | None = None
+    windows: tuple[float, ...] = ()
+    worst: float = np.inf
+    score: float = np.inf
+    _trims: dict[int, SteeringTrim] = field(default_factory=dict, repr=False)
+
+    def run(self) -> None:
+        """Search over the leads of one car, or over those of the band's cars."""
+        if len(self.cars) == 1 and not self.trimmed:
+            play, forces = self.cars[0]
+            for share in _PLACES:
+                self._known(play, forces, share)
+                if self.score < _MET_WELL:
+                    return
+        else:
+            plays = sorted(play for play, _ in self.cars)
+            self._band(self._leading, plays[-1])
+
+    @property
+    def _leading(self) -> Mechanics:
+        """Forces by which the leads of a band are found: of the least friction, and of the middle one after a trim."""
+        ordered = sorted((forces for _, forces in self.cars), key=lambda forces: (forces.friction, forces.drag))
+        return ordered[len(ordered) // 2 if self.trimmed else 0]
+
+    def _known(self, play: float, forces: Mechanics, share: float) -> None:
+        """Gauss-Newton steps within bounds, halved where they do not help.
+
+        Args:
+            play: return error of the car, rad.
+            forces: forces of the car.
+            share: share of its friction by which the leads are found.
+        """
+        placed = replace(forces, friction=share * forces.friction)
+        leads = TurnedLeads(self.lift, self.follower, placed, _ROOM * play)
+        count = leads.count
+        if not count:
+            return
+        marks = np.minimum(leads.valleys + radians(1.0), self.runs.wanted.blend_start)
+        first = np.concatenate([np.full(count, play), np.zeros(count)])
+        low = np.concatenate([np.zeros(count), -np.minimum(leads.later, _EARLIER)])
+        high = np.concatenate([np.full(count, _ROOM * play), np.minimum(leads.earlier, _EARLIER)])
+        kept, probe = np.repeat(_KEPT, count), np.repeat(_PROBE, count)
+
+        def residual(at: Array) -> Array:
+            cam = leads.turned(at[:count], at[count:])
+            error = self.runs.error(cam, forces.leads(cam), play)
+            way = float(error.distance.max())
+            self._note(cam, at[:count], error.end_distance, error.end_distance + _ON_WAY * way)
+            ends = self.runs.ends(error)
+            heading = np.interp(marks, error.motor, error.heading)
+            return np.concatenate([ends.real, ends.imag, _HEADING * heading, kept * (at - first)])
+
+        try:
+            at, now = first, residual(first)
+        except DesignError:
+            return
+        for _ in range(_STEPS):
+            slope = np.stack([(residual(at + each) - now) / each.sum() for each in np.diag(probe)], axis=1)
+            step = lsq_linear(slope, -now, bounds=(low - at - 1e-12, high - at + 1e-12)).x
+            for share in (1.0, 0.5, 0.25, 0.1):
+                tried = np.clip(at + share * step, low, high)
+                try:
+                    then = residual(tried)
+                except DesignError:
+                    continue
+                if then @ then < now @ now:
+                    break
+            else:
+                return
+            gained = 1 - (then @ then) / (now @ now)
+            at, now = tried, then
+            if gained < _LITTLE or self.worst < _MET:
+                return
+
+    def _band(self, forces: Mechanics, play: float) -> None:
+        """Least worst end over the band: linear programs in a region around the best windows so far."""
+        low, high = _NEGATIVE * play, play
+        leads = TurnedLeads(self.lift, self.follower, forces, high, low)
+        count = leads.count
+        if not count:
+            return
+        at = np.zeros(count)
+        now = self._ends(leads, at)
+        region = _REGION
+        for _ in range(_STEPS):
+            if region < _SMALLEST:
+                return
+            slope = np.stack([self._change(leads, at, now, each) for each in _PROBE[0] * np.eye(count)])
+            size = np.maximum(np.abs(now), 1e-9)
+            away = np.real(np.conj(now / size) * slope).T  # of each end, by each window
+            bounds = [(max(low - each, -region), min(high - each, region)) for each in at]
+            found = linprog(
+                np.append(np.zeros(count), 1.0),
+                A_ub=np.column_stack([away, -np.ones(len(size))]),
+                b_ub=-size,
+                bounds=[*bounds, (None, None)],
+            )
+            if found.x is None:
+                return
+            while region >= _SMALLEST:
+                step = np.clip(found.x[:count], -region, region)
+                try:
+                    then = self._ends(leads, at + step)
+                except DesignError:
+                    then = np.full_like(now, np.inf)
+                if (gained := 1 - np.abs(then).max() / np.abs(now).max()) > 0:
+                    at, now, region = at + step, then, 1.5 * region
+                    break
+                region /= 2
+            if gained < _LITTLE:
+                return
+
+    def _change(self, leads: TurnedLeads, at: Array, now: NDArray[np.complex128], by: Array) -> NDArray[np.complex128]:
+        """Change of the ends by that of a window, mm by rad; none where there is no room for it."""
+        try:
+            return np.asarray((self._ends(leads, at + by) - now) / by.sum())
+        except DesignError:
+            return np.zeros_like(now)
+
+    def _ends(self, leads: TurnedLeads, windows: Array) -> NDArray[np.complex128]:
+        """Position errors of all cars at their ends, mm, each after its trim if cars are trimmed."""
+        cam = leads.turned(windows)
+        ends, worst = [], 0.0
+        known: dict[Mechanics, Leads] = {}
+        for number, (play, forces) in enumerate(self.cars):
+            stretches = known.get(forces) or known.setdefault(forces, forces.leads(cam))
+            if self.trimmed:
+                found = self.runs.trimmed(cam, stretches, play, near=self._trims.get(number), settled=_TRIM_SETTLED)
+                self._trims[number], error = found, found.error
+            else:
+                error = self.runs.error(cam, stretches, play)
+            ends.append(self.runs.ends(error))
+            worst = max(worst, error.end_distance)
+        self._note(cam, windows, worst, worst)
+        return np.concatenate(ends)
+
+    def _note(self, cam: PathMotion, windows: Array, worst: float, score: float) -> None:
+        if score < self.score:
+            self.best, self.windows, self.worst, self.score = cam, tuple(windows.tolist()), worst, score

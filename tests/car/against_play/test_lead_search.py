@@ -1,0 +1,171 @@
+"""Windows of the leads: known play and friction take themselves out, by a second working-out of the run too."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from cadgen.arrays import TURN
+from cadgen.cam.envelope import actual_profile
+from cadgen.car.against_play.band import best_for_band
+from cadgen.car.against_play.lead_search import LeadSearch
+from cadgen.car.against_play.trial_run import TrialRun
+from cadgen.car.against_play.turned_leads import TurnedLeads
+from cadgen.car.running.mechanics import Mechanics
+from cadgen.design import cam_model
+from cadgen.design.load import load_design
+from cadgen.errors import DesignError
+from cadgen.jobs.cam.steering_cam import plan_cam
+from tests.car.running.friction_truth import Cells, Rod, fitting_cells, run_end, steering
+
+# Play, degrees, and friction. With the best single window for all falls these end 92, 96, 99, 81 and 90 mm off, worked
+# out elsewhere without the rod's lean.
+KNOWN = [(0.738, 0.15), (0.780, 0.15), (0.850, 0.20), (0.750, 0.10), (0.738, 0.30)]
+# Cars on which the search is judged, none of which it is given.
+OTHERS = [
+    (np.radians(play), friction) for play in (0.53, 0.7, 0.84, 0.95) for friction in (0.06, 0.13, 0.17, 0.22, 0.29)
+]
+
+
+def trial(built) -> TrialRun:
+    return TrialRun(wanted=built.lift, car=built.car, length=built.track.length)
+
+
+def worst_trimmed(runs: TrialRun, follower, lift, cars=OTHERS) -> float:
+    """Worst end of cars that are trimmed each after a run of its own, mm."""
+    forces = [Mechanics(follower=follower, friction=friction) for _, friction in cars]
+    ends = [
+        runs.trimmed(lift, each.leads(lift), play).error.end_distance
+        for (play, _), each in zip(cars, forces, strict=True)
+    ]
+    return max(ends)
+
+
+@pytest.mark.parametrize(("play_deg", "friction"), KNOWN)
+def test_known_play_and_friction_take_themselves_out(carbon_free_car, play_deg, friction):
+    """By cadgen's chain, and by the leaning rod step by step, which shares no code with it."""
+    built, play = carbon_free_car, np.radians(play_deg)
+    forces = Mechanics(follower=built.follower, friction=friction)
+    band = best_for_band(built.lift, built.follower, built.car, built.track.length, (play, play), mechanics=(forces,))
+    error = trial(built).error(band.lift, forces.leads(band.lift), play)
+    n, _ = fitting_cells(play)
+    theta = TURN / n * np.arange(n)
+    steps, ds = round(n * built.lift.blend_start / TURN), built.track.length / n
+    plane = (built.car.wheelbase, built.car.drive_wheel_offset)
+    planned = run_end(built.lift.q(theta + np.pi / n)[:steps], ds, *plane)
+    rod = Rod(
+        base=built.follower.base_radius,
+        inner=built.follower.inner,
+        outer=built.follower.outer,
+        radius=built.follower.radius,
+    )
+    tangent = band.lift.q(theta)
+    stands = Cells(rod, tangent).stands(friction, 0.0, fitting_cells(play)[1], nudge=1e-9)
+    truth = abs(run_end(steering(tangent, stands)[:steps], ds, *plane) - planned)
+    way = float(error.distance.max())
+    print(
+        f"{play_deg} degrees, friction {friction}: {error.end_distance:.2f} mm, on the way {way:.1f} mm, step by step "
+        f"{truth:.2f} mm; {np.degrees(band.windows).round(3)} degrees"
+    )
+    assert error.end_distance <= 1.0
+    assert way <= 5.0
+    assert truth <= 3.0
+
+
+def test_the_lift_is_the_wanted_one_but_on_the_leads(carbon_free_car):
+    built, play = carbon_free_car, np.radians(0.738)
+    forces = Mechanics(follower=built.follower, friction=0.15)
+    leads = TurnedLeads(built.lift, built.follower, forces, 1.3 * play)
+    intervals = forces.leads(built.lift).intervals
+    assert leads.count == len(intervals) == 2
+    turned = leads.turned([play, play])
+    theta = np.linspace(0.0, TURN, 20001)
+    off = theta[np.abs(turned.q(theta) - built.lift.q(theta)) > 1e-9]
+    for start, stop in intervals:
+        inside = (theta > start + np.radians(2.5)) & (theta < stop)
+        np.testing.assert_allclose(turned.q(theta[inside]), built.lift.q(theta[inside] - play), atol=1e-9)
+    near = [(off > start - np.radians(0.1)) & (off < stop + np.radians(8.0)) for start, stop in intervals]
+    assert np.all(near[0] | near[1])
+    assert leads.turned([0.0, 0.0]) is built.lift
+    # Turned back, the lift is that of the other sign.
+    back = leads.turned([-0.5 * play, 0.0])
+    middle = np.radians(112.0)
+    assert back.q(middle) == pytest.approx(built.lift.q(middle + 0.5 * play), abs=1e-9)
+    with pytest.raises(DesignError, match="has no room for a window"):
+        leads.turned([20 * play, 20 * play])
+
+
+@pytest.mark.parametrize("friction", [0.05, 0.12, 0.2, 0.28])
+def test_ramps_leave_the_profile_a_radius(carbon_free_car, friction):
+    """The envelope of the rod is trimmed nowhere that it was not."""
+    built, play = carbon_free_car, np.radians(0.9)
+    forces = Mechanics(follower=built.follower, friction=friction)
+    search = LeadSearch(built.lift, built.follower, trial(built), [(play, forces)])
+    search.run()
+    assert len(actual_profile(search.best, built.follower).trims) == len(built.actual.trims)
+
+
+@pytest.mark.parametrize(
+    ("name", "most"), [("carbon_free_car", 45.0), ("appendix_car", 42.0), ("s_course", 1.2), ("posts_and_walls", 3.4)]
+)
+def test_one_trim_leaves_half_of_what_the_plain_cam_leaves(name, most):
+    """Over plays of 0.51 to 0.96 degrees and frictions of 0.05 to 0.30, on others than were searched on."""
+    design = load_design(name)
+    track = cam_model.track(design)
+    lift, follower = cam_model.lift(design, track), cam_model.leaning(design, "a test")
+    runs = TrialRun(wanted=lift, car=cam_model.car(design), length=cam_model.travel(design, track))
+    cases = [Mechanics(follower=follower, friction=friction) for friction in np.linspace(0.05, 0.3, 6)]
+    band = np.radians(0.51), np.radians(0.96)
+    found = best_for_band(lift, follower, runs.car, runs.length, band, mechanics=cases, trimmed=True)
+    plain, left = worst_trimmed(runs, follower, lift), worst_trimmed(runs, follower, found.lift)
+    print(f"{name}: plain {plain:.1f} mm, windows of {np.degrees(found.windows).round(2)} degrees {left:.1f} mm")
+    assert left <= most
+    assert left <= 0.51 * plain
+
+
+def test_a_car_that_never_leads_is_not_compensated(carbon_free_car):
+    built, play = carbon_free_car, np.radians(0.738)
+    for held in (Mechanics(follower=built.follower, drag=60.0), Mechanics(follower=built.follower, friction=0.6)):
+        found = best_for_band(
+            built.lift, built.follower, built.car, built.track.length, (play, play), mechanics=(held,)
+        )
+        assert found.lift is built.lift
+        assert found.made_for == 0.0
+        assert found.worst_distance < 0.01
+
+
+def test_laps_are_trimmed_by_their_last_one():
+    """A car that turns about its start is near there, and far off elsewhere."""
+    design = load_design("figure_eight")
+    track = cam_model.track(design)
+    lift, follower = cam_model.lift(design, track), cam_model.leaning(design, "a test")
+    runs = TrialRun(wanted=lift, car=cam_model.car(design), length=cam_model.travel(design, track))
+    forces = Mechanics(follower=follower, friction=0.15)
+    found = runs.trimmed(lift, forces.leads(lift), np.radians(0.7))
+    before = runs.error(lift, forces.leads(lift), np.radians(0.7)).end_distance
+    others = [
+        np.abs(runs.ends(runs.error(lift, forces.leads(lift), np.radians(0.7), found.tan_beta + by))).sum()
+        for by in (-1e-3, 0.0, 1e-3)
+    ]
+    assert found.error.end_distance < before / 5
+    assert min(others) == others[1]
+
+
+@pytest.mark.slow
+def test_the_cam_that_is_cut_ends_there():
+    """Rolled on the outline that is cut, the leaning rod and its edges counted."""
+    known = {
+        "mechanics.friction_least": 0.15,
+        "mechanics.friction_greatest": 0.15,
+        "play.measured_deg": 0.738,
+        "optimize.max_end_position_mm": None,
+    }
+    design = load_design("carbon_free_car", [f"{key}={'' if value is None else value}" for key, value in known.items()])
+    plan = plan_cam(design, "optimized")
+    chosen = plan.application.comparison.chosen
+    print(f"{chosen.cut_for}: {chosen.error.end_distance:.2f} mm at the end")
+    assert chosen.error.end_distance <= 3.0
+    assert float(chosen.error.distance.max()) <= 15.0
+    assert len(chosen.windows) == 2
+    assert chosen.by_lead
+    assert replace(chosen, windows=(0.01,)).cut_for == "0.573°"
