@@ -76,16 +76,16 @@ def methods(cam: "Cam") -> None:
         if not evaluation.measured:
             name = Message(evaluation.profile.code.replace("smoothed+", "smoothed, "))
         state = State.STRONG if evaluation is comparison.chosen else State.PLAIN
-        first, figures = evaluation is comparison.before, comparison.figures(evaluation)
+        first, figures, at = evaluation is comparison.before, comparison.figures(evaluation), evaluation.error.judged_at
         errors.append(
             _row(
                 state,
                 name,
                 figures["end_heading"].text("z.3f"),
-                figures["end_position"].text(".1f"),
+                figures[f"{at}_position"].text(".1f"),
                 "" if first else figures["position_percent_off"].text(".1f"),
                 figures["worst_end_heading"].text(".2f"),
-                figures["worst_end_position"].text(".0f"),
+                figures[f"worst_{at}_position"].text(".0f"),
                 "" if first else figures["worst_position_percent_off"].text(".1f"),
             )
         )
@@ -96,7 +96,7 @@ def methods(cam: "Cam") -> None:
                 state,
                 name,
                 evaluation.cut_for if cut else "",
-                figures["end_position_without_play"].text(".0f"),
+                figures[f"{at}_position_without_play"].text(".0f"),
                 figures["greatest_position_without_play"].text(".0f"),
                 figures["lift_error"].text(".0f"),
                 "" if cut else figures["deflection_sum"].text(".3f"),

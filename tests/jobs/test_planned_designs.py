@@ -86,6 +86,15 @@ def test_they_pass_every_check_with_every_play_of_the_band(plan):
         drift = plan.application.laps.of(plan.application.comparison.chosen.run)
         assert drift.end[0] < 0.05
         assert degrees(abs(drift.end[1])) < 0.01
+        # The end is the end, and what the choice goes by has a name of its own.
+        comparison = plan.application.comparison
+        figures = comparison.figures(comparison.before)
+        before = plan.application.laps.of(comparison.run(comparison.before, comparison.before.play))
+        assert figures.value("end_position") == pytest.approx(before.end[0], rel=0.01)
+        assert figures.value("last_turn_position") == pytest.approx(before.furthest, rel=0.01)
+        assert figures.value("worst_last_turn_position") == comparison.before.band.worst_distance
+        assert figures.value("last_turn_position") > 100 * figures.value("end_position")
+        assert "worst_end_position" not in figures
     else:
         track, finish = plan.application.track, plan.application.design.course.finish
         x, y = track.planned(track.length) - finish.at_mm

@@ -175,9 +175,22 @@ class RunError:
         """Errors at the end and the greatest on the run, as they are shown."""
         return Figures(
             Figure("end_heading", Message("heading at the end"), degrees(self.end_heading), "°"),
-            Figure("end_position", Message("position at the end"), self.end_distance, "mm"),
+            *self.end_figures.values(),
             Figure("greatest_position", Message("greatest on the run"), float(self.distance.max()), "mm"),
         )
+
+    @property
+    def judged_at(self) -> str:
+        """Part of a figure's code that says where a run is judged: at its `end`, or on laps on the `last_turn`."""
+        return "end" if self.motor[-1] < TURN else "last_turn"
+
+    @property
+    def end_figures(self) -> Figures:
+        """Position error at the end and, of laps, the greatest on the last turn of the cam."""
+        end = Figure("end_position", Message("position at the end"), float(self.distance[-1]), "mm")
+        if self.judged_at == "end":
+            return Figures(end)
+        return Figures(end, Figure("last_turn_position", Message("greatest on the last turn"), self.end_distance, "mm"))
 
     @property
     def distance(self) -> Array:
@@ -191,7 +204,7 @@ class RunError:
 
     @property
     def end_distance(self) -> float:
-        """Position error at the end, mm; of laps the greatest on the last turn of the cam.
+        """Position error by which a run is judged, mm: at its end, or of laps the greatest on the last turn of the cam.
 
         Laps may turn about their start, where the car then seems to keep to its path.
         """

@@ -26,7 +26,7 @@ from cadgen.car.path.wheel_track import Track
 from cadgen.car.path_motion import PathMotion, blend_checks
 from cadgen.car.running.drive import Run, start_pose
 from cadgen.car.running.play import LEAST_SWING, Following, falls
-from cadgen.car.running.run_errors import run_error
+from cadgen.car.running.run_errors import RunError, run_error
 from cadgen.check import Bound, Check, CheckCode, failing
 from cadgen.curves.closed import ClosedCurve
 from cadgen.design import cam_model, variation
@@ -123,16 +123,17 @@ class PlayComparison:
         Args:
             evaluation: profile that was compared.
         """
-        e, band = evaluation, evaluation.band
+        e, band, at = evaluation, evaluation.band, evaluation.error.judged_at
         heading, distance = self.gain(e)
         return Figures(
             Figure("return_error", Message("return error"), degrees(e.play), "°"),
             Figure("deflection_sum", Message("sum of deflection errors"), degrees(e.deflection_sum), "°"),
-            *(e.error.figures[code] for code in ("end_heading", "end_position")),
+            e.error.figures["end_heading"],
+            *e.error.end_figures.values(),
             Figure("heading_percent_off", Message("heading taken off"), _percent(heading), "%"),
             Figure("position_percent_off", Message("taken off"), _percent(distance), "%"),
             Figure("worst_end_heading", Message("worst heading over the band"), degrees(band.worst_heading), "°"),
-            Figure("worst_end_position", Message("worst position over the band"), band.worst_distance, "mm"),
+            Figure(f"worst_{at}_position", Message("worst position over the band"), band.worst_distance, "mm"),
             Figure(
                 "worst_position_percent_off",
                 Message("worst position taken off"),
@@ -140,7 +141,7 @@ class PlayComparison:
                 "%",
             ),
             Figure("greatest_position_on_run", Message("greatest on the run"), float(e.error.distance.max()), "mm"),
-            Figure("end_position_without_play", Message("position without play"), e.deviation.end_distance, "mm"),
+            Figure(f"{at}_position_without_play", Message("position without play"), e.deviation.end_distance, "mm"),
             Figure(
                 "greatest_position_without_play",
                 Message("greatest without play"),
@@ -179,16 +180,15 @@ class PlayComparison:
         """
         return self.task.following(evaluation.rolled, play, least_swing=evaluation.least_swing, cut=evaluation.lift)
 
-    def end_of(self, lift: PathMotion, least_swing: float = LEAST_SWING) -> tuple[float, float]:
-        """Heading error (rad) and position error (mm) at the end, with the play of `chosen`, on the lift of a file.
+    def error_of(self, lift: PathMotion, least_swing: float = LEAST_SWING) -> RunError:
+        """Errors of the run with the play of `chosen` on the lift of a file.
 
         Args:
             lift: lift that the follower gets.
             least_swing: smallest rise or fall of tan(beta) that counts as an event.
         """
         run = self.task.run(lift, self.chosen.play, least_swing=least_swing, cut=self.chosen.lift)
-        error = run_error(run, self.task.planned())
-        return error.end_heading, error.end_distance
+        return run_error(run, self.task.planned())
 
 
 def _percent(share: float | None) -> float | None:

@@ -36,7 +36,7 @@ from cadgen.deviations.as_built import edges_check
 from cadgen.deviations.deviation import Deviation
 from cadgen.deviations.first_order import Expansion
 from cadgen.errors import DesignError
-from cadgen.figures import Facts, Figure, Figures
+from cadgen.figures import Facts, Figures
 from cadgen.gears.train import OnceATurn
 from cadgen.inference.monte_carlo.random_cars import Tolerances
 from cadgen.jobs.cam.built_car import as_built_sentences, assumed_play, outlook_checks, outlook_sentence
@@ -486,16 +486,16 @@ class CarUse(Application):
         # Rises and falls within the error allowed to the file are no events of the path.
         least_swing = max(comparison.chosen.least_swing, limit * 1e-3 / comparison.task.follower.inner)
         lift = rolled_lift(rolled, self.steering, blend_start=self.steering.blend_start)
-        heading, distance = comparison.end_of(lift, least_swing)
-        return Figures(
-            Figure("end_heading", Message("heading at the end"), degrees(heading), "°"),
-            Figure("end_position", Message("position at the end"), distance, "mm"),
-        )
+        error = comparison.error_of(lift, least_swing)
+        return Figures(error.figures["end_heading"], *error.end_figures.values())
 
     def of_loss(self, name: str, in_use: Figures, finer: str) -> tuple[str, ...]:
         """Warning if a file keeps its own tolerance, but loses the gain of the profile against play."""
-        comparison, end = self.comparison, in_use.value("end_position")
-        if comparison is None or end is None or not comparison.loses(end):
+        comparison = self.comparison
+        if comparison is None:
+            return ()
+        end = in_use.value(f"{comparison.chosen.error.judged_at}_position")
+        if end is None or not comparison.loses(end):
             return ()
         return (
             Message(

@@ -124,25 +124,24 @@ def play_section(
     )
 
 
-_COMPARED = (
-    "end_heading",
-    "end_position",
-    "position_percent_off",
-    "worst_end_position",
-    "lift_error",
-    "end_position_without_play",
-)
-
-
 def _methods(comparison: PlayComparison) -> Sheet:
+    at = comparison.chosen.error.judged_at
+    compared = (
+        "end_heading",
+        f"{at}_position",
+        "position_percent_off",
+        f"worst_{at}_position",
+        "lift_error",
+        f"{at}_position_without_play",
+    )
     several = len({evaluation.train for evaluation in comparison.evaluations}) > 1
     rows, names = [], tuple[str, ...]()
     for evaluation in comparison.evaluations:
         chosen = evaluation is comparison.chosen
         state = State.STRONG if chosen else State.PLAIN
         figures = comparison.figures(evaluation)
-        names = tuple(figures[code].name for code in _COMPARED)
-        cells = {code: figures[code].cell(state) for code in _COMPARED}
+        names = tuple(figures[code].name for code in compared)
+        cells = {code: figures[code].cell(state) for code in compared}
         gain = None if evaluation is comparison.before else figures["position_percent_off"].value
         cells["position_percent_off"] = number(gain, "%", state, 1)
         name = Message("cam as measured") if evaluation.measured else evaluation.profile.code
