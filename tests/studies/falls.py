@@ -168,7 +168,7 @@ def _bands(path: str) -> dict[str, Any]:
 
 
 def _searched_band(path: str, *, trimmed: bool = False) -> float:
-    """Worst end over the cars of the table, mm, of the best profile that a search over windows finds on a third of them.
+    """Worst end over the cars of the table, mm, of the best profile that a search finds on a third of them.
 
     By the program's own chain; each car is trimmed after a run of its own if asked.
     """
