@@ -34,6 +34,27 @@ KINK = 1e-6  # a jump of d tan(beta)/d theta below this turns the outline by les
 SIDE = 1e-12  # rad; how far beside a node its one-sided jets are taken
 
 
+@dataclass(frozen=True)
+class CutLift:
+    """Lift that a profile is cut for.
+
+    Attributes:
+        lift: lift by cam angle.
+        windows: widths of the windows by which the lift is turned ahead, rad: the play that it is cut for, or with
+            friction the closest to it. For a lift that is not compensated, those for `compensated`.
+        by_lead: whether each lead of the cam has a window of its own, and not all falls one.
+    """
+
+    lift: PathMotion
+    windows: tuple[float, ...]
+    by_lead: bool = False
+
+    @property
+    def made_for(self) -> float:
+        """The widest window, rad."""
+        return max(self.windows)
+
+
 def nodes_between(
     lift: PathMotion, start: float, stop: float, *, ahead: float = 0.0, widest: float = TURN
 ) -> tuple[Array, Array]:

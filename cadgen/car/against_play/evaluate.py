@@ -16,9 +16,9 @@ from cadgen.cam.contact import rolling_step
 from cadgen.cam.envelope import ActualProfile
 from cadgen.cam.follower import Contact, Follower
 from cadgen.car.against_play.band import BAND_PLAYS, BandResult, over_band
-from cadgen.car.against_play.compensation import LostDip, lost_dips
+from cadgen.car.against_play.compensation import CutLift, LostDip, lost_dips
 from cadgen.car.against_play.play_task import PlayTask, TrainTask
-from cadgen.car.against_play.profile_kinds import CutLift, ProfileKind
+from cadgen.car.against_play.profile_kinds import ProfileKind
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import Run
 from cadgen.car.running.play import LEAST_SWING

@@ -7,8 +7,7 @@ from typing import Protocol
 from cadgen.arrays import Array
 from cadgen.cam.follower import Contact, EdgeFollower
 from cadgen.car.against_play.band import EndBound, PlayBand, best_for_band, fixed_profile_bound
-from cadgen.car.against_play.compensation import compensated_lift
-from cadgen.car.against_play.profile_kinds import CutLift
+from cadgen.car.against_play.compensation import CutLift, compensated_lift
 from cadgen.car.against_play.smoothing import smooth_to
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import Pose, Run, drive
@@ -160,6 +159,10 @@ class TrainTask:
     def windows(self) -> tuple[float, ...]:
         """Windows of `compensated`, rad; errors as there."""
         return self.compensated.windows
+
+    def cut_as(self, lift: PathMotion) -> CutLift:
+        """Lift that is cut as it is, with the windows of `compensated`; errors as there."""
+        return CutLift(lift, self.windows)
 
     def compensated_of(self, lift: PathMotion) -> CutLift:
         """Lift dilated by the measured play or, where none is measured, with the least worst end of run over the band.

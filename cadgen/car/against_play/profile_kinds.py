@@ -17,35 +17,14 @@ from cadgen.messages import Message, joined
 if TYPE_CHECKING:
     from cadgen.cam.envelope import ActualProfile
     from cadgen.cam.follower import Follower
+    from cadgen.car.against_play.compensation import CutLift
     from cadgen.car.against_play.play_task import TrainTask
-    from cadgen.car.path_motion import PathMotion
     from cadgen.laws.motion import Motion
-
-
-@dataclass(frozen=True)
-class CutLift:
-    """Lift that a profile is cut for.
-
-    Attributes:
-        lift: lift by cam angle.
-        windows: widths of the windows by which the lift is turned ahead, rad: the play that it is cut for, or with
-            friction the closest to it. For a lift that is not compensated, those for `compensated`.
-        by_lead: whether each lead of the cam has a window of its own, and not all falls one.
-    """
-
-    lift: PathMotion
-    windows: tuple[float, ...]
-    by_lead: bool = False
-
-    @property
-    def made_for(self) -> float:
-        """The widest window, rad."""
-        return max(self.windows)
 
 
 def wanted_lift(work: TrainTask) -> CutLift:
     """Planned lift as it is."""
-    return CutLift(work.task.lift, work.windows)
+    return work.cut_as(work.task.lift)
 
 
 def envelope(lift: Motion, follower: Follower) -> ActualProfile:
@@ -125,7 +104,7 @@ def _compensated_lift(work: TrainTask) -> CutLift:
 
 
 def _smoothed_lift(work: TrainTask) -> CutLift:
-    return CutLift(work.smoothed, work.windows)
+    return work.cut_as(work.smoothed)
 
 
 def _smoothed_compensated_lift(work: TrainTask) -> CutLift:
