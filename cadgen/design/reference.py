@@ -109,10 +109,14 @@ def _other_paths(table: SectionKeys) -> str:
 
 
 def _follower_kind(kind: FollowerKind) -> str:
-    (table,) = [table for table in tables(Kinds(follower=kind, motion=True)).values() if table.name == "follower"]
+    every = tables(Kinds(follower=kind, motion=True)).values()
+    table, *below = [table for table in every if table.name.partition(".")[0] == "follower"]
     head = "| key | unit | must be | default | meaning |\n|---|---|---|---|---|\n"
     rows = "".join(_row(key) for key in table.keys if last(key.name) != "kind")
-    return f'\nWith `kind = "{kind.code}"`, instead of the keys of the rod. {kind.meaning}\n\n{head}{rows}'
+    inner = "".join(
+        f"\n`{part.heading}` of it. {part.meaning}\n\n{head}{''.join(map(_row, part.keys))}" for part in below
+    )
+    return f'\nWith `kind = "{kind.code}"`, instead of the keys of the rod. {kind.meaning}\n\n{head}{rows}{inner}'
 
 
 def _path_kind(kind: PathKind, usual: set[str]) -> str:

@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Callable, Sequence
-from dataclasses import MISSING, dataclass, fields
+from dataclasses import MISSING, dataclass, fields, is_dataclass
 from enum import StrEnum
 from typing import Annotated, Any, Generic, TypeVar, get_args, get_type_hints
 
@@ -180,6 +180,10 @@ def section_with(base: type[S], meaning: str, keys: type[Any]) -> type[S]:
     for item in fields(keys):
         phrase = next(text for text in hints[item.name].__metadata__ if isinstance(text, str))
         default = ... if item.default is MISSING else item.default
+        if (below := _part_of(hints[item.name])) is not None:
+            inner = section_with(DesignSection, below.__doc__ or "", below)
+            more[item.name] = inner | None if default is None else inner, Field(default)
+            continue
         more[item.name] = _as_read(hints[item.name]), Field(default, description=phrase)
 
     def together(section: S) -> S:
@@ -189,6 +193,12 @@ def section_with(base: type[S], meaning: str, keys: type[Any]) -> type[S]:
     validators: dict[str, Any] = {"together": model_validator(mode="after")(together)}
     made: type[S] = create_model(base.__name__, __base__=base, __doc__=meaning, __validators__=validators, **more)
     return made
+
+
+def _part_of(hint: Any) -> type[Any] | None:
+    """Dataclass of a section inside that of a kind; None where a key is a value."""
+    arms = (arm for one in get_args(hint)[:1] for arm in (one, *get_args(one)))
+    return next((arm for arm in arms if isinstance(arm, type) and is_dataclass(arm)), None)
 
 
 def is_word(annotation: Any) -> bool:
@@ -206,8 +216,14 @@ def _as_read(hint: Any) -> Any:
 
 
 def keys_in(section: DesignSection, keys: type[Any]) -> Any:
-    """Values of a section as the dataclass of its kind's keys."""
-    return keys(**{item.name: getattr(section, item.name) for item in fields(keys)})
+    """Values of a section as the dataclass of its kind's keys, those of a section inside as its own dataclass."""
+    values: dict[str, Any] = {}
+    hints = get_type_hints(keys, include_extras=True)
+    for item in fields(keys):
+        value = getattr(section, item.name)
+        below = _part_of(hints[item.name])
+        values[item.name] = value if below is None or value is None else keys_in(value, below)
+    return keys(**values)
 
 
 @dataclass(frozen=True)

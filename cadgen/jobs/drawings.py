@@ -169,7 +169,8 @@ def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
         files=folder.files(plan.stem, plan.origin.content_hash, _CAM_ENDINGS),
         notes=(*use.drawing_notes(plan), *([plan.kind.note] if plan.kind.note else [])),
     )
-    name = Message("{cam}, {kind} profile", cam=Message(use.noun), kind=Message(str(plan.kind)))
+    noun = Message("second {cam}", cam=Message(use.noun)) if plan.part else Message(use.noun)
+    name = Message("{cam}, {kind} profile", cam=noun, kind=Message(str(plan.kind)))
     title = title_of(plan.origin, making.title, name, Message(str(making.material or "")), plan.stem, folder)
     return cam_drawing(part, replace(title, verdict=_verdict(plan)))
 
@@ -370,7 +371,7 @@ def write_drawings(parts: Parts, out: Path, progress: Progress = silent) -> Writ
     omitted: dict[str, str] = {}
 
     def files(staging: Path) -> Iterator[Artifact]:
-        sheets = [] if parts.cam is None else [(parts.cam.stem, sheet_of(parts.cam, folder))]
+        sheets = [] if parts.cam is None else [(disc.stem, sheet_of(disc, folder)) for disc in parts.cam.discs]
         for stem, sheet in chain(sheets, () if parts.train is None else sheets_of(parts.train, folder)):
             progress(Message("drawing {stem}", stem=stem))
             yield from write_sheet(staging, stem, sheet, omitted)

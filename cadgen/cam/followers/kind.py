@@ -63,6 +63,8 @@ class FollowerKind:
         guide: how it is guided; left out, on a slide if its motion is in mm, else on a pivoted arm.
         least_base: function of keys, motion and pressure angle, rad, that returns the least base circle that keeps
             that angle, mm; None for a kind without one.
+        second: function of keys and seat that returns the second follower of a conjugate pair, whose motion is the
+            opposite one; None where the keys have none.
         refuse: function that refuses keys that do not suit their seat, by a `ValueError` of one sentence.
     """
 
@@ -74,6 +76,7 @@ class FollowerKind:
     runs: bool = False
     guide: FollowerGuide | None = None
     least_base: Callable[[Any, Motion, float], float] | None = None
+    second: Callable[[Any, FollowerSeat], Follower | None] = lambda keys, seat: None
     refuse: Callable[[Any, FollowerSeat], None] = lambda keys, seat: None
 
     @property

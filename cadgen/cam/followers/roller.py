@@ -10,6 +10,7 @@ tan(alpha) = (s' - e) / (y0 + s), and raises that of the return.
 """
 
 from dataclasses import dataclass, replace
+from typing import Self
 
 import numpy as np
 
@@ -32,11 +33,13 @@ class Roller(RoundSlide):
         base: radius of the base circle, mm.
         radius: radius of the roller, mm; zero stands for its centre.
         offset: distance of the slide's line from the camshaft, mm.
+        turned: angle from the ray to the slide's line, rad; pi for a roller on the other side of the camshaft.
     """
 
     base: float
     radius: float
     offset: float = 0.0
+    turned: float = 0.0
 
     noun = Message("roller")
     base_key = "cam.base_circle_radius_mm"
@@ -46,6 +49,11 @@ class Roller(RoundSlide):
     def base_radius(self) -> float:  # type: ignore[override]
         """Distance y0 of the centre ahead of the camshaft where the lift is 0, mm."""
         return float(np.sqrt((self.base + self.radius) ** 2 - self.offset**2))
+
+    @property
+    def azimuth(self) -> float:
+        """Angle from the ray to the slide's line, rad."""
+        return self.turned
 
     def centre(self, q: Array, q1: Array, q2: Array) -> tuple[Complex, Complex, Complex]:
         """Centre in the frame of the ray, mm, with its first two derivatives by the cam angle.
@@ -96,6 +104,41 @@ class Roller(RoundSlide):
 
 
 @dataclass(frozen=True, kw_only=True)
+class SecondRoller(Roller):
+    """Second roller of a conjugate pair: on the same slide, on the other side of the camshaft."""
+
+    noun = Message("second roller")
+    base_key = "follower.second.span_mm"
+    milder = Message("lower follower.second.radius_mm or raise follower.second.span_mm")
+
+    @classmethod
+    def across(cls, first: Roller, radius: float, span: float, offset: float) -> Self:
+        """Second roller of a slide, seen from its own side: its offset there is to the other side.
+
+        Args:
+            first: first roller.
+            radius: radius of the second one, mm.
+            span: distance of the centres along the slide, mm.
+            offset: distance of its line from the camshaft, seen from the first one's side, mm.
+        """
+        prime = float(np.hypot(span - first.base_radius, offset))
+        return cls(base=prime - radius, radius=radius, offset=-offset, turned=np.pi)
+
+    def remedies(self) -> tuple[LossRemedy, ...]:
+        """Span and radius change both discs, so none is tried alone."""
+        return ()
+
+    def sizes(self, motion: Motion, limits: CheckLimits) -> tuple[SizeThatFits, ...]:
+        """The first roller and the span set the sizes of the second disc.
+
+        Args:
+            motion: motion wanted.
+            limits: limits of the checks, mm and rad.
+        """
+        return ()
+
+
+@dataclass(frozen=True, kw_only=True)
 class Knife(Roller):
     """Edge on a slide: a roller of radius zero, whose profile is the path of the edge."""
 
@@ -120,4 +163,4 @@ class Knife(Roller):
             face: the follower's plane, as in `planes`, mm.
         """
         tip = np.array([self.base_radius + q, self.offset])
-        return tip + _WEDGE
+        return np.asarray(tip + _WEDGE)

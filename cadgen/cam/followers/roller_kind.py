@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import sqrt
 from typing import TYPE_CHECKING, Annotated
 
 from annotated_types import Ge, Le
 
+from cadgen.cam.followers.closure import CLOSURE, Closure, SecondOnSlide, refuse_parts_of_closures
 from cadgen.cam.followers.kind import FollowerKind, FollowerSeat
 from cadgen.messages import Message
 
 if TYPE_CHECKING:
-    from cadgen.cam.followers.roller import Knife, Roller
+    from cadgen.cam.followers.roller import Knife, Roller, SecondRoller
     from cadgen.laws.motion import Motion
 
 _OFFSET = (
@@ -26,6 +28,11 @@ class RollerKeys:
 
     radius_mm: Annotated[float, Ge(0.05), Le(500), "of the roller"]
     offset_mm: Annotated[float, Ge(-500), Le(500), _OFFSET] = 0.0
+    closure: Annotated[Closure | None, CLOSURE] = None
+    second: Annotated[SecondOnSlide | None, "second roller of a conjugate pair"] = None
+
+    def __post_init__(self) -> None:
+        refuse_parts_of_closures(self.closure, self.second, {})
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -62,6 +69,30 @@ def _roller(keys: RollerKeys, seat: FollowerSeat) -> Roller:
     return Roller(base=seat.base_radius, radius=keys.radius_mm, offset=keys.offset_mm)
 
 
+def _second(keys: RollerKeys, seat: FollowerSeat) -> SecondRoller | None:
+    from cadgen.cam.followers.roller import SecondRoller
+
+    if keys.second is None:
+        return None
+    return SecondRoller.across(_roller(keys, seat), keys.second.radius_mm, keys.second.span_mm, keys.second.offset_mm)
+
+
+def _refuse_roller(keys: RollerKeys, seat: FollowerSeat) -> None:
+    refuse_offset(keys.offset_mm, seat.base_radius + keys.radius_mm)
+    if keys.second is not None:
+        ahead = sqrt((seat.base_radius + keys.radius_mm) ** 2 - keys.offset_mm**2)
+        least = ahead + sqrt(max(keys.second.radius_mm**2 - keys.second.offset_mm**2, 0.0))
+        if keys.second.span_mm <= least:
+            raise ValueError(
+                Message(
+                    "follower.second.span_mm is {span:g}; the second roller would cover the camshaft at lift 0, so "
+                    "nothing is left of its disc: raise it above {least:.4g}",
+                    span=keys.second.span_mm,
+                    least=least,
+                )
+            )
+
+
 def _knife(keys: KnifeKeys, seat: FollowerSeat) -> Knife:
     from cadgen.cam.followers.roller import Knife
 
@@ -80,7 +111,8 @@ ROLLER = FollowerKind(
     keys=RollerKeys,
     build=_roller,
     least_base=lambda keys, motion, angle: _least_base(keys.offset_mm, keys.radius_mm, motion, angle),
-    refuse=lambda keys, seat: refuse_offset(keys.offset_mm, seat.base_radius + keys.radius_mm),
+    second=_second,
+    refuse=_refuse_roller,
 )
 KNIFE = FollowerKind(
     code="knife",

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import acos, cos, degrees, radians, sqrt
 from typing import TYPE_CHECKING, Annotated
 
 from annotated_types import Ge, Gt, Le
 
+from cadgen.cam.followers.closure import CLOSURE, Closure, SecondOnArm, refuse_parts_of_closures
 from cadgen.cam.followers.kind import FollowerKind, FollowerSeat
 from cadgen.cam.followers.lifts import Lifts
 from cadgen.laws.unit import RAD
@@ -14,7 +16,7 @@ from cadgen.messages import Message
 
 if TYPE_CHECKING:
     from cadgen.cam.followers.swinging_flat import SwingingFace
-    from cadgen.cam.followers.swinging_roller import SwingingRoller
+    from cadgen.cam.followers.swinging_roller import SecondSwingingRoller, SwingingRoller
 
 
 _PIVOT = "of the arm's pivot from the camshaft"
@@ -29,6 +31,11 @@ class SwingingRollerKeys:
     arm_mm: Annotated[float, Gt(0), Le(2000), "from the pivot to the roller's centre"]
     centre_distance_mm: Annotated[float, Gt(0), Le(2000), _PIVOT]
     lifts: Annotated[Lifts, _LIFTS]
+    closure: Annotated[Closure | None, CLOSURE] = None
+    second: Annotated[SecondOnArm | None, "second roller of a conjugate pair"] = None
+
+    def __post_init__(self) -> None:
+        refuse_parts_of_closures(self.closure, self.second, {})
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -57,6 +64,15 @@ def _roller(keys: SwingingRollerKeys, seat: FollowerSeat) -> SwingingRoller:
     )
 
 
+def _second(keys: SwingingRollerKeys, seat: FollowerSeat) -> SecondSwingingRoller | None:
+    from cadgen.cam.followers.swinging_roller import SecondSwingingRoller
+
+    if keys.second is None:
+        return None
+    second = keys.second
+    return SecondSwingingRoller.beside(_roller(keys, seat), second.radius_mm, second.arm_mm, radians(second.angle_deg))
+
+
 def _refuse_roller(keys: SwingingRollerKeys, seat: FollowerSeat) -> None:
     prime, c = seat.base_radius + keys.radius_mm, keys.centre_distance_mm
     least, most = abs(c - prime), c + prime
@@ -80,6 +96,37 @@ def _refuse_roller(keys: SwingingRollerKeys, seat: FollowerSeat) -> None:
                 "or lower follower.radius_mm",
                 arm=keys.arm_mm,
                 radius=keys.radius_mm,
+            )
+        )
+    _refuse_second(keys, prime)
+
+
+def _refuse_second(keys: SwingingRollerKeys, prime: float) -> None:
+    """Refuse a second arm that does not stand on the other side of the camshaft, or a roller that covers that."""
+    second, c = keys.second, keys.centre_distance_mm
+    if second is None:
+        return
+    rest = degrees(acos((c**2 + keys.arm_mm**2 - prime**2) / (2 * c * keys.arm_mm)))
+    if not rest < second.angle_deg < rest + 180:
+        raise ValueError(
+            Message(
+                "follower.second.angle_deg is {angle:g}; the first arm stands at {rest:.4g} degrees to the line from "
+                "the pivot to the camshaft, so the second stands on its other side with an angle between {rest:.4g} "
+                "and {most:.4g}",
+                angle=second.angle_deg,
+                rest=rest,
+                most=rest + 180,
+            )
+        )
+    apart = sqrt(c**2 + second.arm_mm**2 - 2 * c * second.arm_mm * cos(radians(second.angle_deg - rest)))
+    if apart <= second.radius_mm:
+        raise ValueError(
+            Message(
+                "follower.second.radius_mm is {radius:g}; the second roller, {apart:.4g} mm from the camshaft at swing "
+                "0, would cover it, so nothing is left of its disc: lower it, or change follower.second.angle_deg or "
+                "follower.second.arm_mm",
+                radius=second.radius_mm,
+                apart=apart,
             )
         )
 
@@ -127,6 +174,7 @@ SWINGING_ROLLER = FollowerKind(
     keys=SwingingRollerKeys,
     build=_roller,
     unit=RAD,
+    second=_second,
     refuse=_refuse_roller,
 )
 SWINGING_FLAT = FollowerKind(

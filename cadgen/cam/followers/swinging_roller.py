@@ -14,6 +14,7 @@ delta = phi + arccos((l^2 + R^2 - r^2) / (2 l R)) on.
 """
 
 from dataclasses import dataclass, replace
+from typing import Self
 
 import numpy as np
 
@@ -221,3 +222,31 @@ class SwingingRoller(RoundFollower):
     def checks(self, cam: RolledCam) -> tuple[Check, ...]:
         """Room between disc and pivot."""
         return pivot_checks(cam, self.centre_distance)
+
+
+@dataclass(frozen=True, kw_only=True)
+class SecondSwingingRoller(SwingingRoller):
+    """Second roller of a conjugate pair: on a second arm of the same lever, on the other side of the camshaft."""
+
+    noun = Message("second roller")
+    base_key = "follower.second.angle_deg"
+    milder = Message("lower follower.second.radius_mm or raise follower.second.angle_deg")
+
+    @classmethod
+    def beside(cls, first: SwingingRoller, radius: float, arm: float, angle: float) -> Self:
+        """Second roller of a lever: its arm goes in as the first one's goes out, on the other side.
+
+        Args:
+            first: first roller.
+            radius: radius of the second one, mm.
+            arm: length of its arm, mm.
+            angle: angle between both arms, which have the camshaft between them, rad.
+        """
+        c = first.centre_distance
+        prime = float(np.sqrt(c**2 + arm**2 - 2 * c * arm * np.cos(angle - first.rest)))
+        other = Lifts.WITH if first.lifts == Lifts.AGAINST else Lifts.AGAINST
+        return cls(base=prime - radius, radius=radius, arm=arm, centre_distance=c, lifts=other)
+
+    def remedies(self) -> tuple[LossRemedy, ...]:
+        """The angle and the radius change both discs, so none is tried alone."""
+        return ()

@@ -29,6 +29,8 @@ def cam_facts(plan: CamPlan, cures: Cures) -> Facts:
         ],
         profile_area_mm2=plan.area,
     )
+    if plan.second is not None:
+        facts |= Facts(second_disc=Facts(stem=plan.second.stem, profile_area_mm2=plan.second.area))
     return plan.origin.entry() | facts | plan.application.entry(plan)
 
 

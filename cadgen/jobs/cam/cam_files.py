@@ -43,14 +43,14 @@ def write_cam(
         CheckError: none of the formats can be made of this cam.
         FileError: a file cannot be written, or holds something else when it is read back.
     """
-    wanted, cam = CAM.chosen(formats), cam_export(plan)
+    wanted, (cam, *others) = CAM.chosen(formats), [cam_export(disc) for disc in plan.discs]
     omitted: dict[str, str] = {}
     warnings: list[str] = []
 
     def files(folder: Path) -> Iterator[Artifact]:
         progress(Message("writing and reading back {formats}", formats=joined(each.label for each in wanted)))
         # The kernel gives the volume of a hub, which every format needs.
-        made = CAM.made(cam, folder, wanted, apart=cam.blank.hub is None)
+        made = [one for disc in (cam, *others) for one in CAM.made(disc, folder, wanted, apart=cam.blank.hub is None)]
         for each, result in made:
             if isinstance(result, CheckError):
                 # Only a forced export comes here: the check that failed names the same cause.

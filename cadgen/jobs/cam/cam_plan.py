@@ -231,6 +231,8 @@ class CamPlan:
         checks: every figure with its verdict.
         application: what the cam is for.
         phase: angle by which the curve stands turned on the shaft of a car as built, rad.
+        part: name of the disc among several, which its files bear; empty for the first.
+        second: second disc of a conjugate pair, on the same shaft and in the same frame; None for one disc.
     """
 
     origin: Origin
@@ -247,6 +249,8 @@ class CamPlan:
     checks: tuple[Check, ...]
     application: Application
     phase: float = 0.0
+    part: str = ""
+    second: "CamPlan | None" = None
 
     @cached_property
     def verdict(self) -> PartVerdict:
@@ -281,7 +285,12 @@ class CamPlan:
     @property
     def stem(self) -> str:
         """Stem of the names of the cam's files."""
-        return f"{self.origin.name}_{self.kind}"
+        return "_".join(filter(None, [self.origin.name, self.part, str(self.kind)]))
+
+    @property
+    def discs(self) -> "tuple[CamPlan, ...]":
+        """The disc, and the second one of a conjugate pair."""
+        return (self,) if self.second is None else (self, self.second)
 
     @property
     def thickness(self) -> float:

@@ -1,14 +1,17 @@
 """A cam by its motion: its use, its plan and its checks."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from enum import StrEnum
 from math import degrees
 
 import numpy as np
 
 from cadgen.arrays import TURN
 from cadgen.cam.checks import check_cam, signed_pressure
-from cadgen.car.against_play.profile_kinds import ACTUAL, profile_of
+from cadgen.cam.follower import Follower
+from cadgen.cam.opposite import OppositeMotion
+from cadgen.car.against_play.profile_kinds import ACTUAL, ProfileKind, profile_of
 from cadgen.check import Check, CheckCode, failing
 from cadgen.design import cam_model
 from cadgen.design.load import with_overrides
@@ -18,6 +21,7 @@ from cadgen.errors import DesignError
 from cadgen.figures import Facts, Sheet
 from cadgen.jobs.cam.cam_plan import Application, CamPlan, Making
 from cadgen.jobs.cam.motion_figures import checks_of, facts_of, notes_of, reservations_of, seams_sheets
+from cadgen.laws.motion import Motion
 from cadgen.laws.unit import MM
 from cadgen.messages import Message, clauses
 from cadgen.output.files.manifest import Origin
@@ -25,6 +29,8 @@ from cadgen.parts.face import Face
 from cadgen.progress import Progress, silent
 from cadgen.verdict import PartVerdict, Reservation
 
+SECOND = "second"  # in the names of the files of the second disc
+SecondDisc = StrEnum("SecondDisc", {code.name: f"second-{code}" for code in CheckCode})  # type: ignore[misc]
 # Checks that a size of the follower may cure.
 _SIZED = (CheckCode.PRESSURE_ANGLE_RISE, CheckCode.PRESSURE_ANGLE_RETURN, CheckCode.CONVEX_RADIUS_PROFILE)
 _DENSE = 7201  # stations at which the travel is sought
@@ -116,13 +122,26 @@ class SegmentUse(Application):
             turns=Message(self.turns.value),
             seen=Message(self.seen.value),
         )
-        return sense, *notes_of(cam.motion, self.rpm)
+        second = (
+            ()
+            if cam.second is None
+            else (
+                Message(
+                    "The second disc ({stem}) stands beside the first on the same shaft: key and angle 0 are the same "
+                    "in the files of both.",
+                    stem=cam.second.stem,
+                ),
+            )
+        )
+        return sense, *second, *notes_of(cam.motion, self.rpm)
 
     def drawing_notes(self, cam: CamPlan) -> tuple[str, ...]:
         """Sense in which the disc turns, and the base circle."""
         return (
             Message("Turns clockwise, seen on this face."),
-            Message("Base circle: radius {radius:g} mm.", radius=self.design.seat.base_radius),
+            Message("Second disc of a conjugate pair: key and angle 0 stand as on the first.")
+            if cam.part
+            else Message("Base circle: radius {radius:g} mm.", radius=self.design.seat.base_radius),
         )
 
 
@@ -144,9 +163,18 @@ def plan_motion_cam(design: MotionDesign, profile: str | None = None, progress: 
             "--profile actual",
             profile=kind.code,
         )
-    registered = design.follower.registered
+    registered, keys = design.follower.registered, design.follower.keys
     motion = motion_of(design.motion, registered)
-    follower = registered.build(design.follower.keys, design.seat)
+    follower, counter = registered.build(keys, design.seat), registered.second(keys, design.seat)
+    first = _disc(design, kind, motion, follower, progress)
+    if counter is None:
+        return first
+    second = replace(_disc(design, kind, OppositeMotion.of(motion), counter, progress), part=SECOND)
+    return replace(first, second=second, checks=(*first.checks, *map(_of_second, second.checks)))
+
+
+def _disc(design: MotionDesign, kind: ProfileKind, motion: Motion, follower: Follower, progress: Progress) -> CamPlan:
+    """Profile of one disc, checked."""
     blank, limits = cam_model.blank(design), cam_model.check_limits(design)
     progress(Message("computing the {profile} profile", profile=Message(str(kind))))
     wanted = kind.curve(motion, follower)
@@ -169,3 +197,9 @@ def plan_motion_cam(design: MotionDesign, profile: str | None = None, progress: 
         checks=checks,
         application=use,
     )
+
+
+def _of_second(check: Check) -> Check:
+    """Check of the second disc of a conjugate pair, with a code and a name of its own."""
+    code = SecondDisc(f"second-{check.code}")
+    return replace(check, code=code, name=Message("second disc: {name}", name=Message(check.name)))
