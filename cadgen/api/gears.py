@@ -30,6 +30,7 @@ from cadgen.gears.choices import Hand, Thinning
 from cadgen.gears.contact import contact_ratio
 from cadgen.gears.inspection import inspection_of
 from cadgen.gears.layout import TrainPart
+from cadgen.gears.ring import ring_of
 from cadgen.gears.spur import form_figures
 from cadgen.gears.stage import Wheel
 from cadgen.gears.tolerances import ToleranceOverrides
@@ -112,11 +113,16 @@ class Gear(JobResult):
         tolerances: tolerances in place of the standard's, mm, by symbol (f_pt, F_beta, F_r, b_r, F_i_radial).
         thickness_deviation: deviation E_sn of the tooth thickness as cut, mm, negative for thinner teeth; None leaves
             it to the pair, with nominal teeth for the gear alone.
-        addendum, dedendum, rack_tip_radius: sizes of the basic rack, in modules.
+        addendum: addendum h_aP*, in modules; None for 1, and of a ring for no more than its pinion allows.
+        dedendum, rack_tip_radius: sizes of the basic rack, in modules.
         tip_chamfer: leg of the chamfer at the tips, mm.
         helix_angle: helix angle β at the reference circle, rad, 0 to 45°; 0 for a spur gear.
         hand: hand of the helix: `right`, whose teeth turn counter-clockwise as they go away, or `left`.
         double: whether the helix turns back at half the width.
+        internal: whether it is a ring with teeth inside; it has no bore and no hub.
+        rim: wall of a ring outside its root, mm; None for 2.5 modules.
+        cutter_teeth: teeth of the pinion cutter that cuts a ring, 0 for roots that are arcs; None for one to suit it.
+        root_radius: tip radius of that cutter, or radius of the arc, in modules; None for the usual one.
         name: name of the gear and its files.
 
     Raises:
@@ -143,13 +149,17 @@ class Gear(JobResult):
     grade: int = 7
     tolerances: Mapping[str, float] | None = None
     thickness_deviation: float | None = None
-    addendum: float = 1.0
+    addendum: float | None = None
     dedendum: float = 1.25
     rack_tip_radius: float = 0.38
     tip_chamfer: float = 0.0
     helix_angle: float = 0.0
     hand: str = Hand.RIGHT
     double: bool = False
+    internal: bool = False
+    rim: float | None = None
+    cutter_teeth: int | None = None
+    root_radius: float | None = None
     name: str = "gear"
 
     def __post_init__(self) -> None:
@@ -161,11 +171,25 @@ class Gear(JobResult):
         real("profile_shift", self.profile_shift, -2, 2, "modules")
         real("helix_angle", self.helix_angle, 0, STEEPEST_HELIX, "rad")
         word("hand", self.hand, [hand.value for hand in Hand])
-        if not isinstance(self.double, bool):
-            raise DesignError("double is {value}; it must be True or False", value=brief(repr(self.double), 60))
+        for name in ("double", "internal"):
+            if not isinstance(value := getattr(self, name), bool):
+                raise DesignError(
+                    "{name} is {value}; it must be True or False", name=name, value=brief(repr(value), 60)
+                )
+        optional("rim", self.rim, 0, 500, "mm", above=True)
+        optional("root_radius", self.root_radius, 0, 1, "modules", above=True)
+        if self.cutter_teeth is not None:
+            whole("cutter_teeth", self.cutter_teeth, 0, 500)
+        if not self.internal:
+            for name in ("rim", "cutter_teeth", "root_radius"):
+                if getattr(self, name) is not None:
+                    raise DesignError(
+                        "{name} is given, which a ring has; give internal=True, or leave it out", name=name
+                    )
+        optional("addendum", self.addendum, 0, 3, "modules", above=True)
         feature("bore", self.bore, 500, or_none=True)
         feature("tip_chamfer", self.tip_chamfer, 10, or_none=True)
-        for name, most in (("addendum", 3), ("dedendum", 3), ("rack_tip_radius", 1)):
+        for name, most in (("dedendum", 3), ("rack_tip_radius", 1)):
             real(name, getattr(self, name), 0, most, "modules", above=True)
         if self.thickness_deviation is not None:
             real("thickness_deviation", self.thickness_deviation, -10, 10, "mm")
@@ -187,19 +211,28 @@ class Gear(JobResult):
     @cached_property
     def form(self) -> GearForm:
         """Numbers of its teeth as they are cut."""
-        return GearForm(
+        form = GearForm(
             teeth=int(self.teeth),
             normal_module=float(self.module),
             width=float(self.width),
             normal_pressure_angle=float(self.pressure_angle),
             profile_shift=float(self.profile_shift),
-            addendum_factor=float(self.addendum),
+            addendum_factor=1.0 if self.addendum is None else float(self.addendum),
             dedendum_factor=float(self.dedendum),
             rack_tip_radius_factor=float(self.rack_tip_radius),
             tip_chamfer=float(self.tip_chamfer),
             tooth_thickness_deviation=self.thickness_deviation or 0.0,
             helix_angle=float(self.helix_angle) * (1 if self.hand == Hand.RIGHT else -1),
             double=self.double,
+        )
+        if not self.internal:
+            return form
+        return ring_of(
+            form,
+            rim_width=self.rim,
+            cutter_teeth=self.cutter_teeth,
+            root_rounding=self.root_radius,
+            keeps_addendum=self.addendum is not None,
         )
 
     @cached_property
@@ -367,6 +400,8 @@ def require_name(name: object) -> None:
 class GearPair(_ByNumbers):
     """Two gears in mesh, by default at the centre distance at which nominal teeth have no play.
 
+    One of them may be internal; the other then turns inside it.
+
     The teeth are thinned, each gear's by the same amount, until the pair has the backlash asked for. Without one they
     are thinned for their tolerance grade, as `cadgen gears` does, for which the bearings must be placed.
 
@@ -466,7 +501,7 @@ class GearPair(_ByNumbers):
         driver, driven = pair.driver.thinning, pair.driven.thinning
         if isinstance(driver, str) or isinstance(driven, str):
             return spur.spur_pairs(numeric.thinned(numeric.Train((pair,))), Message("a pair is"))[0]
-        return pair.cut_to(driver, driven)
+        return pair.with_free_tips().cut_to(driver, driven).fitted()
 
     @property
     def axes_apart(self) -> float:

@@ -13,6 +13,8 @@ from cadgen.gears.choices import Hand
 from cadgen.gears.fits import clearance, flat_play, key_play
 from cadgen.gears.layout import Blanks
 from cadgen.gears.pair import GradedGear
+from cadgen.gears.pair import closest as nominal_distance
+from cadgen.gears.ring import ring_of
 from cadgen.gears.spur import SpurPair
 from cadgen.gears.stage import Stage, Wheel
 from cadgen.gears.synthesis import SearchLimits
@@ -239,11 +241,15 @@ def _pair(stage: SpurStage, train: TrainSection) -> SpurPair:
     degree = train.helix_angle_deg if stage.helix_angle_deg is None else stage.helix_angle_deg
     helix, double = radians(degree or 0.0), bool(stage.double)
     driver_hand = stage.driver.hand or Hand.RIGHT
-    driven_hand = stage.driven.hand or (Hand.LEFT if driver_hand == Hand.RIGHT else Hand.RIGHT)
+    inside = bool(stage.driver.internal) or bool(stage.driven.internal)
+    other_hand = Hand.LEFT if (driver_hand == Hand.RIGHT) != inside else Hand.RIGHT
+    driver = _gear(stage.driver, train, _signed(helix, driver_hand), double)
+    driven = _gear(stage.driven, train, _signed(helix, stage.driven.hand or other_hand), double)
+    apart = stage.centre_distance_mm
     return SpurPair(
-        driver=_gear(stage.driver, train, _signed(helix, driver_hand), double),
-        driven=_gear(stage.driven, train, _signed(helix, driven_hand), double),
-        centre_distance=stage.centre_distance_mm,
+        driver=driver,
+        driven=driven,
+        centre_distance=nominal_distance(driver.form, driven.form) if apart is None else apart,
         bearing_span=stage.bearing_span_mm or train.bearing_span_mm,
         centre_distance_deviation=None if stage.f_a_um is None else stage.f_a_um * _UM,
     )
@@ -261,13 +267,21 @@ def _gear(gear: GearKeys, train: TrainSection, helix: float, double: bool) -> Gr
         width=gear.width_mm or train.width_mm,
         normal_pressure_angle=radians(angle),
         profile_shift=gear.profile_shift,
-        addendum_factor=train.addendum_factor,
+        addendum_factor=gear.addendum_factor or train.addendum_factor,
         dedendum_factor=train.dedendum_factor,
         rack_tip_radius_factor=train.rack_tip_radius_factor,
         tip_chamfer=train.tip_chamfer_mm,
         helix_angle=helix,
         double=double,
     )
+    if gear.internal:
+        form = ring_of(
+            form,
+            rim_width=gear.rim_mm,
+            cutter_teeth=gear.cutter_teeth,
+            root_rounding=gear.root_radius_factor,
+            keeps_addendum=gear.addendum_factor is not None,
+        )
     given = {name: getattr(gear, f"{name}_um") for name in _OVERRIDES}
     overrides = {name: value * _UM for name, value in given.items() if value is not None}
     return GradedGear(
@@ -297,16 +311,19 @@ def _hub(keys: GearHub) -> Hub:
     return Hub(diameter=keys.diameter_mm, length=length, set_screw=screw)
 
 
-def sense_reservation(design: TrainDesign, stages: int) -> Reservation | None:
+def sense_reservation(design: TrainDesign, stages: int, sense: int | None = None) -> Reservation | None:
     """Reservation on a train that turns the cam the other way round; None if it does not, or has no cam to turn.
 
-    The cam turns against the drive wheel of a car that drives forwards, and each stage turns the sense round.
+    The cam turns against the drive wheel of a car that drives forwards. Each stage of gears side by side turns the
+    sense round, and a ring with its pinion keeps it.
 
     Args:
         design: loaded design.
-        stages: number of stages, all of them of external gears.
+        stages: number of stages.
+        sense: -1 where the camshaft turns against the drive, else +1; left out, that of stages which all turn it round.
     """
-    if design.cam is None or stages % 2:
+    turns = sense or (-1) ** stages
+    if design.cam is None or turns < 0:
         return None
     return Reservation(
         "sense-of-train",

@@ -32,7 +32,13 @@ class GearKeys(DesignSection):
     """Gear of a stage. Tolerances given here stand in for those of the standards."""
 
     teeth: int = Field(ge=4, le=1000, description="z")
-    profile_shift: float = Field(default=0.0, ge=-2, le=2, description="x, in modules")
+    profile_shift: float = Field(
+        default=0.0,
+        ge=-2,
+        le=2,
+        description="x, in modules; above 0 it makes the tooth thicker, of a ring too (ISO 21771; KHK and JGMA count a "
+        "ring's the other way round)",
+    )
     module_mm: float | None = Field(default=None, gt=0, le=10, description="m_n; left out, that of the train")
     pressure_angle_deg: float | None = Field(
         default=None, ge=10, le=35, description="alpha_n; left out, that of the train"
@@ -44,6 +50,31 @@ class GearKeys(DesignSection):
     )
     width_mm: float | None = Field(default=None, gt=0, le=500, description="b; left out, that of the train")
     grade: int | None = Field(default=None, ge=3, le=12, description="tolerance grade; left out, that of the train")
+    addendum_factor: float | None = Field(
+        default=None,
+        gt=0,
+        le=3,
+        description="h_aP*, in modules; left out, that of the train, and of a ring no more than its pinion allows",
+    )
+    internal: bool | None = Field(
+        default=None, description="whether it is a ring with teeth inside; left out, it is none"
+    )
+    rim_mm: float | None = Field(
+        default=None, gt=0, le=500, description="of a ring, outside its root; left out, 2.5 modules"
+    )
+    cutter_teeth: int | None = Field(
+        default=None,
+        ge=0,
+        le=500,
+        description="of a ring, z_0 of its pinion cutter; 0 for roots that are arcs; left out, 25 or what suits it",
+    )
+    root_radius_factor: float | None = Field(
+        default=None,
+        gt=0,
+        le=1,
+        description="of a ring, tip radius of the cutter or radius of the arc, in modules; left out, 0.2 or 0.38, or "
+        "what has room",
+    )
     f_pt_um: float | None = Field(default=None, ge=0, le=1e4, description="single pitch deviation")
     F_beta_um: float | None = Field(default=None, ge=0, le=1e4, description="total helix deviation")
     F_r_um: float | None = Field(default=None, ge=0, le=1e4, description="radial runout")
@@ -51,6 +82,17 @@ class GearKeys(DesignSection):
     F_i_radial_um: float | None = Field(
         default=None, ge=0, le=1e4, description="F_i'', total radial composite deviation"
     )
+
+    @model_validator(mode="after")
+    def _keys_of_a_ring(self) -> "GearKeys":
+        if self.internal:
+            return self
+        for key in ("rim_mm", "cutter_teeth", "root_radius_factor"):
+            if getattr(self, key) is not None:
+                raise ValueError(
+                    Message("{here}.{key} is a key of a ring: add internal = true, or remove it", here=HERE, key=key)
+                )
+        return self
 
 
 class StageSection(DesignSection):
@@ -81,7 +123,12 @@ class StageSection(DesignSection):
 class SpurStage(StageSection):
     """Stage of the train, the first one next to the drive. One table [[train.stages]] for each."""
 
-    centre_distance_mm: float = Field(gt=0, le=2000, description="a")
+    centre_distance_mm: float | None = Field(
+        default=None,
+        gt=0,
+        le=2000,
+        description="a; left out, that at which teeth of nominal thickness have no play",
+    )
     f_a_um: float | None = Field(
         default=None, ge=0, le=1e4, description="deviation of the centre distance; left out, the standard's"
     )

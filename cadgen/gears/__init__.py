@@ -4,6 +4,8 @@
 |----------------|---------------------------------------------------------------------------------|
 | `choices`      | laws within a zone, orders of the stages, limits of thinning, by name           |
 | `tooth`        | numbers of a gear -> exact curves of its teeth                                  |
+| `ring`         | numbers of an internal gear -> exact curves of its teeth; its pinion cutter     |
+| `internal`     | reserves of internal pairs, and how long a ring's tips may be                   |
 | `tolerances`   | ISO 1328-1, ISO 1328-2, ISO 286: grade and size -> tolerances                   |
 | `fits`         | fits by name (ISO 286), free angle of keys and D-flats                          |
 | `distribution` | sum of contributions free in their zones: bounds, moments, quantiles, samples   |

@@ -131,13 +131,18 @@ def contact_ratio(pair: Pair, centre_distance: float | None = None) -> float:
     """
     apart = pair.centre_distance if centre_distance is None else centre_distance
     line = apart * sin(pair.pressure_angle(apart))
-    driver, driven = tooth_of(pair.driver.form), tooth_of(pair.driven.form)
+    driver, driven = (tooth_of(gear.form) for gear in pair.by_size)
 
     def along(diameter: float, form: GearForm) -> float:
         return sqrt(max(diameter**2 - form.base_diameter**2, 0.0)) / 2
 
-    start = max(line - along(driven.form.tip_form_diameter, driven.form), along(driver.root_form_diameter, driver.form))
-    end = min(along(driver.form.tip_form_diameter, driver.form), line - along(driven.root_form_diameter, driven.form))
+    # Distances from where the line of action touches the first gear's base circle.
+    ends = [
+        line - along(diameter, driven.form) if driven.form.side > 0 else along(diameter, driven.form) - line
+        for diameter in (driven.form.tip_form_diameter, driven.root_form_diameter)
+    ]
+    start = max(ends[0], along(driver.root_form_diameter, driver.form))
+    end = min(along(driver.form.tip_form_diameter, driver.form), ends[1])
     return max(end - start, 0.0) / (pi * driver.form.transverse_module * cos(driver.form.transverse_pressure_angle))
 
 
@@ -147,9 +152,10 @@ def found_contact_ratio(pair: Pair) -> float:
     Contact begins when the driver's flank is met near its root, at its own end or at that of the driven gear's
     tip, whichever is later; it ends the other way round.
     """
-    driver, driven = tooth_of(pair.driver.form), tooth_of(pair.driven.form)
+    driver, driven = (tooth_of(gear.form) for gear in pair.by_size)
     of_driver = [_passage(driver, end, driven, pair.centre_distance) for end in (0, -1)]
-    of_driven = [_passage(driven, end, driver, pair.centre_distance) for end in (-1, 0)]
+    # A flank runs outwards: to the tip, or, of a ring, to the root.
+    of_driven = [_passage(driven, end, driver, pair.centre_distance) for end in ((0, -1) if pair.internal else (-1, 0))]
     pitch = 2 * pi / driver.form.teeth
     ends = []
     for own, other in zip(of_driver, of_driven, strict=True):
@@ -176,12 +182,16 @@ def _passage(gear: Tooth, end: int, other: Tooth, apart: float) -> tuple[float, 
     radius, polar = np.abs(_flank(other)), np.angle(_flank(other))
     span = 2 * pi * PITCHES / gear.form.teeth
     own = np.linspace(-span, span, POSITIONS)
-    seen = apart - _flank(gear)[end] * np.exp(1j * own)
+    moved = _flank(gear)[end] * np.exp(1j * own)
+    inside = gear.form.side * other.form.side < 0
+    # A ring's axis is beside its pinion's, on the other side from the contact.
+    seen = moved + gear.form.side * apart if inside else apart - moved
     passing = (np.abs(seen) >= radius[0]) & (np.abs(seen) <= radius[-1])
     if not passing.any():
         return None
     turned = np.angle(seen) - np.interp(np.abs(seen), radius, polar)
-    room = turned + own * gear.form.teeth / other.form.teeth
+    ratio = gear.form.teeth / other.form.teeth
+    room = gear.form.side * (own * ratio - turned) if inside else turned + own * ratio
     least = int(np.argmin(np.where(passing, room, np.inf)))
     return float(own[least]), float(turned[least]), bool(passing[max(least - 1, 0) : least + 2].all())
 

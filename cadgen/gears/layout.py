@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import gauss_nodes
 from cadgen.errors import DesignError
-from cadgen.gears.stage import Wheel
+from cadgen.gears.stage import Wheel, is_ring, rim_diameter
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train
 from cadgen.gears.wheel_body import cluster_body, gear_body, with_collar
@@ -127,13 +127,17 @@ class TrainLayout:
 
 @dataclass(frozen=True, slots=True)
 class _Disc:
-    """A body of revolution about its shaft, of stage `stage` if it is a gear: what must keep clear."""
+    """A body of revolution about its shaft, of stage `stage` if it is a gear: what must keep clear.
+
+    A ring has room for others inside its `inner` radius.
+    """
 
     name: str
     stage: int | None
     radius: float
     low: float
     high: float
+    inner: float = 0.0
 
 
 def lay_out(
@@ -221,6 +225,13 @@ def _stacked(train: Train, blanks: Sequence[Blank], clearance: float) -> list[Tr
     parts = [part("1_pinion", 1, (first,), blanks[0], drive, plane + first.width / 2)]
     for shaft, (before, after) in enumerate(pairwise(stages), 2):
         lower, upper = before.wheels[1], after.wheels[0]
+        if is_ring(lower) or is_ring(upper):
+            raise DesignError(
+                "{gear} is on shaft {shaft} between two stages, where it cannot be one part with another gear; make "
+                "the stage of a ring the last one, or the first one with the ring as its driver",
+                gear=str(lower if is_ring(lower) else upper),
+                shaft=shaft,
+            )
         # What the gears in mesh with both stand out towards each other comes on top of the collar.
         above, below = (before.wheels[0].width - lower.width) / 2, (after.wheels[1].width - upper.width) / 2
         length = collar_length(clearance) + max(above, 0.0) + max(below, 0.0)
@@ -289,7 +300,9 @@ def _gears_and_hub(part: TrainPart) -> list[_Disc]:
         return _Disc(Message("{body} on shaft {shaft}", body=name, shaft=part.shaft), stage, diameter / 2, *ends)
 
     bottom, top = part.gears[0], part.gears[-1]
-    bodies = [placed(bottom.noun, part.stages[0], bottom.tip_diameter, 0.0, bottom.width)]
+    bodies = [placed(bottom.noun, part.stages[0], rim_diameter(bottom), 0.0, bottom.width)]
+    if is_ring(bottom):
+        bodies = [replace(each, inner=bottom.tip_diameter / 2) for each in bodies]
     end = part.body.slabs[-1].end
     if len(part.gears) == 2:
         bodies.append(placed(top.noun, part.stages[1], top.tip_diameter, end - top.width, end))
@@ -336,11 +349,20 @@ def _collision(axes: Sequence[complex], discs: Sequence[Sequence[_Disc]], cleara
     return next(filter(None, said), None)
 
 
+def _beside(body: _Disc, other: _Disc, apart: float) -> float:
+    """Gap between two bodies in their plane, mm: beside each other, or one within a ring."""
+    gap = apart - body.radius - other.radius
+    for outer, inner in ((body, other), (other, body)):
+        if outer.inner:
+            gap = max(gap, outer.inner - apart - inner.radius)
+    return gap
+
+
 def _between(first: Sequence[_Disc], second: Sequence[_Disc], apart: float, clearance: float) -> Message | None:
     """The first collision of the bodies on two shafts whose axes are `apart`, in words; None if there is none."""
     for body, other in product(first, second):
         in_mesh = body.stage is not None and body.stage == other.stage
-        gap = max(apart - body.radius - other.radius, max(body.low, other.low) - min(body.high, other.high))
+        gap = max(_beside(body, other, apart), max(body.low, other.low) - min(body.high, other.high))
         if in_mesh or gap >= clearance:
             continue
         if apart < ONE_AXIS:

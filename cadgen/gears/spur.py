@@ -26,13 +26,15 @@ from cadgen.gears.contact import (
 )
 from cadgen.gears.distribution import quantiles
 from cadgen.gears.inspection import Inspection, SizeLimits, inspection_of
+from cadgen.gears.internal import require_free, reserves, shortened_ring
 from cadgen.gears.pair import GradedGear, Pair
+from cadgen.gears.ring import RingForm, cutter_of
 from cadgen.gears.stage import CONTRADICTION, LEAST_OVERLAP, PLAY_LIMIT_UM, Departure, Engage, Stage, cycle
 from cadgen.gears.tolerances import (
     flank_tolerance,
     span_pitch_deviation,
 )
-from cadgen.gears.tooth import GearForm
+from cadgen.gears.tooth import GearForm, tooth_of
 from cadgen.gears.train import Train
 from cadgen.messages import Message
 from cadgen.parts.run import lead
@@ -78,13 +80,14 @@ def limit_states(pair: Pair) -> tuple[PairState, PairState]:
     """States of a pair with the greatest and with the least play.
 
     Greatest: teeth at E_sni, axes opened by f_a and by both composite errors F_i''. Least: teeth at E_sns, axes
-    closer by f_a. This is what eq. 1-11 add up.
+    closer by f_a. This is what eq. 1-11 add up. The axes of an internal pair open its play as they come nearer.
     """
     play = stage_play(pair)
+    apart = -1 if pair.internal else 1
     opened = play.f_a + play.driver.tolerances.F_i_radial + play.driven.tolerances.F_i_radial
     return (
-        PairState(pair.cut_to(play.driver.E_sni, play.driven.E_sni), pair.centre_distance + opened),
-        PairState(pair.cut_to(play.driver.E_sns, play.driven.E_sns), pair.centre_distance - play.f_a),
+        PairState(pair.cut_to(play.driver.E_sni, play.driven.E_sni), pair.centre_distance + apart * opened),
+        PairState(pair.cut_to(play.driver.E_sns, play.driven.E_sns), pair.centre_distance - apart * play.f_a),
     )
 
 
@@ -119,9 +122,13 @@ def pair_checks(pair: Pair, engage: Engage) -> tuple[Check, ...]:
     hold, loose = min((engage(*state).overlap_tooth_on_tooth(0.0), name) for name, state in states.items())
     closest = least.play() * pair.driven_pitch_radius * 1e3
     thinner = Message("thin the teeth, or set the axes apart")
+    if pair.internal:
+        thinner = Message("thin the teeth, or set the axes closer")
     if closest <= 0:
         thinner = Message("{cure} (the least play by the tolerances is {play:.1f} µm)", cure=thinner, play=closest)
     closer = Message("they pass each other freely; set the axes closer, or thin the teeth less")
+    if pair.internal:
+        closer = Message("they pass each other freely; set the axes apart, or thin the teeth less")
     if loose == PlayState.GREATEST:
         closer = Message(
             "they pass each other freely where the tolerances open the axes most; lower F_i_radial, f_a or b_r"
@@ -233,12 +240,21 @@ def _beyond_spur(pair: Pair) -> dict[str, float]:
     form = pair.driver.form
     if form.helix_angle == 0 and not pair.internal:
         return {}
-    play, said = pair.backlash(), {}
+    play = pair.backlash()
+    said: dict[str, float] = {}
     if form.helix_angle:
         said = {
             "overlap_ratio": pair.overlap_ratio,
             "total_contact_ratio": contact_ratio(pair) + pair.overlap_ratio,
             "axial_force_per_tangential": pair.axial_force,
+        }
+    if pair.internal:
+        room = reserves(pair)
+        said |= {
+            "reserve_involute_mm": room.involute,
+            "reserve_ring_root_mm": room.ring_root,
+            "reserve_trochoid_rad": room.trochoid,
+            "reserve_trimming_rad": room.trimming,
         }
     return said | {
         "play_base_um": play.base * 1e3,
@@ -268,7 +284,7 @@ def _tolerance_facts(gear: GradedGear, play: GearPlay[float]) -> Facts:
     limits = {name: value for name, value in asdict(play).items() if name != "tolerances"}
     return Facts(
         teeth=form.teeth,
-        undercut_modules=missing_shift(form),
+        undercut_modules=missing_shift(form) if form.side > 0 else 0.0,
         grade=gear.grade,
         **_in_um(shown),
         F_pk_pitches=pitches,
@@ -284,6 +300,7 @@ def form_figures(form: GearForm) -> Figures:
         Figure("pressure_angle", Message("pressure angle"), degrees(form.normal_pressure_angle), "°"),
         Figure("profile_shift", Message("profile shift x"), form.profile_shift),
         *helix_figures(form),
+        *ring_figures(form),
         Figure("width", Message("face width"), form.width, "mm"),
         Figure("tip_diameter", Message("tip diameter"), form.tip_diameter, "mm"),
         Figure("root_diameter", Message("root diameter, as cut"), form.root_diameter, "mm"),
@@ -298,6 +315,18 @@ def helix_figures(form: GearForm) -> tuple[Figure, ...]:
         Figure("helix_angle", Message("helix angle, + right hand"), degrees(form.helix_angle), "°"),
         Figure("lead", Message("lead"), lead(form.helix_angle, form.reference_diameter), "mm"),
         Figure("reference_diameter", Message("reference diameter d"), form.reference_diameter, "mm"),
+    )
+
+
+def ring_figures(form: GearForm) -> tuple[Figure, ...]:
+    """Rim and cutter of an internal gear; nothing of another."""
+    if not isinstance(form, RingForm):
+        return ()
+    cutter = cutter_of(form)
+    return (
+        Figure("rim_diameter", Message("outer diameter of the ring"), form.rim_diameter, "mm"),
+        Figure("form_diameter", Message("root form diameter"), tooth_of(form).root_form_diameter, "mm"),
+        Figure("cutter_teeth", Message("teeth of the pinion cutter, 0 for an arc"), cutter.teeth if cutter else 0),
     )
 
 
@@ -396,7 +425,32 @@ class SpurPair(Pair, Stage):
 
     def as_cut(self) -> Self:
         """The pair with its teeth thinned; a `DesignError` for a tooth that cannot be cut so, or at its limits."""
-        return cut_to_middle(self, self.play())
+        return cut_to_middle(self.with_free_tips(), self.play()).fitted()
+
+    def with_free_tips(self) -> Self:
+        """The pair with tips of its ring, if it has one, no longer than the pinion's flanks allow.
+
+        A ring whose addendum is as asked for is left as it is.
+        """
+        ring = self.by_size[1].form
+        return self if not isinstance(ring, RingForm) or ring.keeps_addendum else self._with_ring(shortened_ring(self))
+
+    def fitted(self) -> Self:
+        """The pair as cut, its ring's tips no longer than the pinion's flanks allow.
+
+        Raises:
+            DesignError: tips or teeth of an internal pair that foul.
+        """
+        if not self.internal:
+            return self
+        fitted = self._with_ring(shortened_ring(self))
+        require_free(fitted)
+        return fitted
+
+    def _with_ring(self, ring: RingForm) -> Self:
+        if self.driver.form.side < 0:
+            return replace(self, driver=replace(self.driver, form=ring))
+        return replace(self, driven=replace(self.driven, form=ring))
 
     def departures(self, number: int) -> tuple[Departure, ...]:
         """Overridden tolerances of both gears; `number` is that of the stage."""
@@ -442,6 +496,7 @@ class SpurPair(Pair, Stage):
                     width=min(wheel.width for wheel in self.wheels) / overlap,
                 ),
             )
+        said += _notes_on_ring(self, number)
         return said + tuple(
             Message(
                 "the {role} of stage {number}, of {teeth} teeth, is undercut: as cut it has the profile shift"
@@ -453,7 +508,7 @@ class SpurPair(Pair, Stage):
                 missing=missing,
             )
             for role, gear in ((Message("driver"), self.driver), (Message("driven gear"), self.driven))
-            if (missing := missing_shift(gear.form)) > 0
+            if gear.form.side > 0 and (missing := missing_shift(gear.form)) > 0
         )
 
     @property
@@ -478,6 +533,32 @@ class SpurPair(Pair, Stage):
             gear_figures(driver, play.driver, inspections[0]),
             gear_figures(driven, play.driven, inspections[1]),
         )
+
+
+def _notes_on_ring(pair: SpurPair, number: int) -> tuple[str, ...]:
+    """How far a ring's tips are shortened, and which way it goes together with its pinion."""
+    ring = pair.by_size[1].form
+    if not isinstance(ring, RingForm):
+        return ()
+    said: list[str] = []
+    if ring.shortened > 0:
+        said.append(
+            Message(
+                "the tips of the ring of stage {number} are shortened to an addendum_factor of {factor:g}, so that "
+                "they stay on the pinion's flanks",
+                number=number,
+                factor=round(ring.addendum_factor - ring.shortened, 6),
+            )
+        )
+    if reserves(pair).trimming < 0:
+        said.append(
+            Message(
+                "put the pinion of stage {number} into its ring along the axes, for the tips do not pass each other "
+                "radially",
+                number=number,
+            )
+        )
+    return tuple(said)
 
 
 @lru_cache(maxsize=64)  # of the stages of a train, which is inspected and then written

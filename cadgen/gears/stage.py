@@ -140,6 +140,16 @@ class Wheel(Protocol):
         """Greatest chord error of its mesh where none is given, mm."""
 
 
+def is_ring(wheel: Wheel) -> bool:
+    """Whether the rim of a wheel is round its teeth: its outline is then that of its hole."""
+    return getattr(wheel, "side", 1) < 0
+
+
+def rim_diameter(wheel: Wheel) -> float:
+    """Diameter of the circle that holds the whole rim, mm: the tips' but for a ring."""
+    return float(getattr(wheel, "rim_diameter", wheel.tip_diameter))
+
+
 class PlayZone(Protocol):
     """Play of a stage at its driven shaft: a zone, and how it is distributed in it."""
 

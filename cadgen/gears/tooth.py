@@ -24,7 +24,7 @@ from scipy.optimize import brentq
 
 from cadgen.errors import DesignError
 from cadgen.messages import Message
-from cadgen.parts.loop import Arc, Curve, Involute, Loop, Segment, Trochoid
+from cadgen.parts.loop import Arc, Curve, CutterTrochoid, Involute, Loop, Segment, Trochoid
 from cadgen.parts.run import Run, helix
 
 MINIMUM_TEETH = 4
@@ -288,7 +288,7 @@ class Tooth:
     undercut: bool
     root_form_diameter: float
     upper_flank: Involute
-    upper_root: Trochoid
+    upper_root: Trochoid | CutterTrochoid | Arc
     root_flat_angle: float
     tip_half_angle: float
 
@@ -302,7 +302,9 @@ class Tooth:
         """Transverse section of the whole gear: root, flank, tip, flank, root and root circle per tooth."""
         form = self.form
         tip = Arc(form.tip_diameter / 2, -self.tip_half_angle, 2 * self.tip_half_angle)
-        curves: list[Curve] = [self.upper_root.mirrored(), self.upper_flank.mirrored()]
+        root = self.upper_root
+        assert isinstance(root, Trochoid)
+        curves: list[Curve] = [root.mirrored(), self.upper_flank.mirrored()]
         if form.tip_chamfer > 0:
             flank_end, tip_end = complex(self.upper_flank.point(1.0)), complex(tip.point(1.0))
             curves.append(Segment(flank_end.conjugate(), tip_end.conjugate()))
@@ -310,7 +312,7 @@ class Tooth:
             curves.append(Segment(tip_end, flank_end))
         else:
             curves.append(tip)
-        curves += [self.upper_flank.reversed(), self.upper_root.reversed()]
+        curves += [self.upper_flank.reversed(), root.reversed()]
         if self.root_flat_angle > 0:
             gap = pi / form.teeth - self.root_flat_angle
             curves.append(Arc(form.root_diameter / 2, gap, 2 * self.root_flat_angle))
@@ -461,6 +463,22 @@ def _undercut(form: GearForm, root: Trochoid) -> tuple[Trochoid, float]:
     return root, form.roll_angle(2 * abs(complex(root.point(1.0))))
 
 
+def pointed(form: GearForm, land: float, least: float) -> Message:
+    """Fault of teeth whose tip land, mm, is less than the least.
+
+    Args:
+        form: numbers of the gear.
+        land: tip land, mm.
+        least: least tip land, mm.
+    """
+    return Message(
+        "{gear} has pointed teeth: its tip land is {land:.4g} mm, and {least:.4g} mm is the least",
+        gear=str(form),
+        land=land,
+        least=least,
+    )
+
+
 def _tip_half_angle(form: GearForm, root_form_diameter: float) -> float:
     """Half the angle of the tip land, after the checks that land and flank are there."""
     least = LEAST_THICKNESS * form.normal_module
@@ -478,12 +496,7 @@ def _tip_half_angle(form: GearForm, root_form_diameter: float) -> float:
     land = form.half_angle(form.tip_diameter) * form.tip_diameter
     if land < least:
         raise ToothError(
-            Message(
-                "{gear} has pointed teeth: its tip land is {land:.4g} mm, and {least:.4g} mm is the least",
-                gear=str(form),
-                land=land,
-                least=least,
-            ),
+            pointed(form, land, least),
             Message(
                 "lower profile_shift ({profile_shift:g}), addendum_factor ({addendum_factor:g}) or the thinning (E_sn ="
                 " {deviation:g} µm)",

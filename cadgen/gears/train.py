@@ -44,6 +44,11 @@ class Train:
         return prod((stage.ratio for stage in self.stages), start=Fraction(1))
 
     @property
+    def sense(self) -> int:
+        """-1 where the output turns against the drive, +1 where it turns with it."""
+        return prod(stage.sense for stage in self.stages)
+
+    @property
     def output_ratios(self) -> tuple[Fraction, ...]:
         """i_jn of every stage j: turns of its driven shaft per turn of the output (eq. 26)."""
         later = (self.stages[j + 1 :] for j in range(len(self.stages)))

@@ -6,7 +6,7 @@ from dataclasses import replace
 from math import asin, degrees, floor, hypot, isfinite, pi, sin
 
 from cadgen.errors import DesignError
-from cadgen.gears.stage import Wheel
+from cadgen.gears.stage import Wheel, is_ring, rim_diameter
 from cadgen.messages import Message
 from cadgen.parts.blank import Blank
 from cadgen.parts.body import Body, RadialHole, Slab
@@ -27,6 +27,8 @@ def gear_body(form: Wheel, blank: Blank | None = None) -> Body:
     """
     blank = blank or Blank()
     teeth = form.outline.from_below(form.width)
+    if is_ring(form):
+        return _ring_body(form, blank, teeth)
     holes = _checked_features(blank, form)
     bore = _bore(blank)
     hub = (circle(blank.hub.diameter),) if blank.hub else ()
@@ -44,6 +46,22 @@ def gear_body(form: Wheel, blank: Blank | None = None) -> Body:
     if screw is None:
         return Body(tuple(slabs))
     return Body(tuple(slabs), RadialHole(screw.diameter, width + screw.height, reach=blank.hub.diameter))
+
+
+def _ring_body(form: Wheel, blank: Blank, teeth: Loop) -> Body:
+    """The body of a ring: a plain rim, since a shaft cannot pass through it."""
+    for name, key in (
+        (Message("a bore"), "bore_diameter_mm" if blank.bore_diameter else ""),
+        (Message("a hub"), "hub" if blank.hub else ""),
+        (Message("a keyway"), "keyway" if blank.key else ""),
+        (Message("a web"), "web" if blank.web else ""),
+        (Message("lightening holes"), "lightening" if blank.lightening else ""),
+    ):
+        if key:
+            raise DesignError(
+                "{gear} has {feature}, and a ring is a plain rim; remove {key}", gear=str(form), feature=name, key=key
+            )
+    return Body((Slab(0.0, form.width, (circle(rim_diameter(form)), teeth)),))
 
 
 def _checked_features(blank: Blank, form: Wheel) -> tuple[Loop, ...]:

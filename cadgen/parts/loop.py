@@ -251,7 +251,73 @@ class Trochoid(PlaneCurve):
         return replace(self, q_start=self.q_end, q_end=self.q_start)
 
 
-Curve = Segment | Arc | Involute | Trochoid
+@dataclass(frozen=True, slots=True)
+class CutterTrochoid(PlaneCurve):
+    """Root curve of an internal gear, cut by the rounded tip of a pinion cutter.
+
+    The cutter's axis is `axes_apart` (a_0) from the gear's. Its tip is round with the radius ρ_0 about a point on the
+    radius R_C of the cutter, at the polar angle ψ_C from the middle of a cutter's tooth. At the direction ν of the
+    normal the tip's point is p = R_C·exp(iψ_C) + ρ_0·exp(iν). It cuts where that normal passes the pitch point (law of
+    gearing), with the cutter at the angle θ = −arcsin(Im(exp(−iν)·p) / r_w0) − ν. The gear has then turned by z_0/z
+    times as much, and the point is (a_0 + p·exp(iθ))·exp(−iθ z_0/z) in a space about the x axis.
+    """
+
+    axes_apart: float
+    pitch_radius: float
+    teeth_ratio: float
+    centre_radius: float
+    centre_angle: float
+    tip_radius: float
+    origin: float
+    hand: int
+    start: float
+    end: float
+
+    def _at(self, t: ArrayLike) -> tuple[Points, Points]:
+        """Points and their change with ν in the space about the x axis, on the side of growing angles."""
+        nu = _share(self.start, self.end, t)
+        centre = self.centre_radius * np.exp(1j * self.centre_angle)
+        seen = np.exp(-1j * nu) * centre
+        share = seen.imag / self.pitch_radius
+        angle = -np.arcsin(share) - nu
+        turning = seen.real / self.pitch_radius / np.sqrt(1 - share**2) - 1
+        arm = self.tip_radius * np.exp(1j * nu)
+        spun, back = np.exp(1j * angle), np.exp(-1j * angle * self.teeth_ratio)
+        whole = self.axes_apart + (centre + arm) * spun
+        change = 1j * (turning * (centre + arm) + arm) * spun - 1j * turning * self.teeth_ratio * whole
+        return whole * back, change * back
+
+    def point(self, t: ArrayLike) -> Points:
+        """Points (mm) at parameters t, see `PlaneCurve`."""
+        points, _ = self._at(t)
+        return np.asarray((points if self.hand > 0 else np.conj(points)) * _unit(self.origin))
+
+    def tangent(self, t: ArrayLike) -> Points:
+        """Unit tangent at t, see `PlaneCurve`."""
+        _, change = self._at(t)
+        along = change / np.abs(change) * np.sign(self.end - self.start)
+        return np.asarray((along if self.hand > 0 else np.conj(along)) * _unit(self.origin))
+
+    def swept_area(self) -> float:
+        """½∫(x dy − y dx) in mm² by Gauss-Legendre quadrature (`AREA_NODES`), exact to rounding."""
+        node, weight = gauss_nodes(AREA_NODES)
+        points, change = self._at((node + 1) / 2)
+        return self.hand * float(weight @ (np.conj(points) * change).imag) * (self.end - self.start) / 4
+
+    def rotated(self, angle: float) -> Self:
+        """Curve turned about the origin, see `PlaneCurve`."""
+        return replace(self, origin=self.origin + angle)
+
+    def mirrored(self) -> Self:
+        """The curve mirrored in the x axis."""
+        return replace(self, origin=-self.origin, hand=-self.hand)
+
+    def reversed(self) -> Self:
+        """The curve run from its end to its start."""
+        return replace(self, start=self.end, end=self.start)
+
+
+Curve = Segment | Arc | Involute | Trochoid | CutterTrochoid
 
 
 def chord_parameters(curve: Curve, chord_tolerance: float) -> Reals:

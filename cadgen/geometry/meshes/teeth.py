@@ -8,7 +8,8 @@ have up to 2 ε more room along the normal on each side, 4 ε / cos α_w on the 
 `CHORD_TOLERANCE`. Overlaps below `LEAST_OVERLAP` are not seen; where they begin the teeth are pressed into each
 other by less than 0.005 µm, and the search stops at `ANGLE_STEP`, 0.005 µm on a wheel of 1 m.
 
-The wheels stand on the x axis here: the driver's axis at 0, the driven gear's at the centre distance.
+The wheels stand on the x axis here: the driver's axis at 0, the driven gear's at the centre distance. Of a ring the
+section is that of its hole, and a pinion overlaps it where it stands out of that hole.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ import manifold3d
 import numpy as np
 
 from cadgen.errors import CheckError
-from cadgen.gears.stage import LEAST_OVERLAP, Stage, Wheel
+from cadgen.gears.stage import LEAST_OVERLAP, Stage, Wheel, is_ring
 from cadgen.messages import Message
 from cadgen.parts.loop import Points
 
@@ -32,13 +33,19 @@ CHORD_TOLERANCE = 1e-5
 ANGLE_STEP = 1e-8
 # Teeth to either side of the line of centres: a contact ratio below 3 needs no more.
 TEETH_BESIDE = 2
+# In a ring tips may foul each other far from the line of action, and the ring must reach past the pinion's last tooth.
+TEETH_INSIDE, RING_BEYOND = 7, 3
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ToothSection:
-    """Transverse section of a gear: corners by tooth, counter-clockwise, shape (teeth, n); tooth 0 on the x axis."""
+    """Transverse section of a gear: corners by tooth, counter-clockwise, shape (teeth, n); a tooth on the x axis.
+
+    Of a `ring` it is that of its hole.
+    """
 
     corners: Points
+    ring: bool = False
 
     @property
     def teeth(self) -> int:
@@ -47,13 +54,13 @@ class ToothSection:
 
     @property
     def tip_radius(self) -> float:
-        """Greatest distance of a corner from the axis, in mm."""
-        return float(np.abs(self.corners).max())
+        """Distance of the tips from the axis, in mm: the greatest of a corner, of a ring the least."""
+        return float(np.abs(self.corners).min() if self.ring else np.abs(self.corners).max())
 
     @property
     def root_radius(self) -> float:
-        """Least distance of a corner from the axis, in mm."""
-        return float(np.abs(self.corners).min())
+        """Distance of the roots from the axis, in mm: the least of a corner, of a ring the greatest."""
+        return float(np.abs(self.corners).max() if self.ring else np.abs(self.corners).min())
 
     def teeth_towards(self, angle: float, towards: float, beside: int = TEETH_BESIDE) -> Points:
         """Outline of the teeth that point `towards` (rad) when the gear stands at `angle`, closed over its axis.
@@ -79,9 +86,23 @@ class MeasuredPair:
     centre_distance: float
 
     @property
+    def internal(self) -> bool:
+        """Whether one of both is a ring."""
+        return self.driver.ring or self.driven.ring
+
+    @property
+    def towards(self) -> tuple[float, float]:
+        """Directions from the axes of driver and driven gear in which their teeth meet, rad."""
+        if not self.internal:
+            return 0.0, pi
+        # Beside the pinion's axis, away from that of the ring.
+        return (0.0, 0.0) if self.driver.ring else (pi, pi)
+
+    @property
     def driven_pitch_radius(self) -> float:
         """Radius of the driven gear's working pitch circle in mm."""
-        return self.centre_distance * self.driven.teeth / (self.driver.teeth + self.driven.teeth)
+        other = -self.driver.teeth if self.internal else self.driver.teeth
+        return self.centre_distance * self.driven.teeth / abs(other + self.driven.teeth)
 
     def middle(self, driver_angle: float) -> float:
         """Angle of the driven gear with its teeth midway between the driver's, in rad, continuous.
@@ -89,6 +110,9 @@ class MeasuredPair:
         Args:
             driver_angle: angle of the driver, rad.
         """
+        if self.internal:
+            towards, _ = self.towards
+            return towards + (self.driver.teeth * (driver_angle - towards) + pi) / self.driven.teeth
         return pi + (pi - self.driver.teeth * driver_angle) / self.driven.teeth
 
     def overlap(self, driver_angle: float, driven_angle: float) -> float:
@@ -98,8 +122,23 @@ class MeasuredPair:
             driver_angle: angle of the driver, rad.
             driven_angle: angle of the driven gear, rad.
         """
-        driven = self.centre_distance + self.driven.teeth_towards(driven_angle, pi)
-        return float((_driver_section(self.driver, driver_angle) ^ _section(driven)).area())
+        ahead, back = self.towards
+        one = _driver_section(self.driver, driver_angle, ahead, self._beside(self.driver))
+        other = _section(
+            self.centre_distance + self.driven.teeth_towards(driven_angle, back, self._beside(self.driven))
+        )
+        if not self.internal:
+            return float((one ^ other).area())
+        return float((other - one if self.driver.ring else one - other).area())
+
+    def _beside(self, section: ToothSection) -> int:
+        """Teeth of a section to either side of the line of centres that are looked at."""
+        if not self.internal:
+            return TEETH_BESIDE
+        # All of a small pinion asks for all of its ring, lest it stands out of what is left of the hole.
+        pinion = self.driven if self.driver.ring else self.driver
+        beside = TEETH_INSIDE if pinion.teeth > 2 * TEETH_INSIDE + 1 else section.teeth
+        return beside + RING_BEYOND if section.ring else beside
 
     def overlap_midway(self, driver_angle: float) -> float:
         """Overlap in mm² with the teeth midway between the other's: above `LEAST_OVERLAP` they jam.
@@ -152,6 +191,12 @@ class MeasuredPair:
 
     def clearances(self) -> tuple[float, float]:
         """Gap in mm between the driver's tips and the driven gear's roots, and the other way round."""
+        if self.internal:
+            pinion, ring = (self.driven, self.driver) if self.driver.ring else (self.driver, self.driven)
+            return (
+                ring.root_radius - self.centre_distance - pinion.tip_radius,
+                ring.tip_radius - self.centre_distance - pinion.root_radius,
+            )
         return (
             self.centre_distance - self.driver.tip_radius - self.driven.root_radius,
             self.centre_distance - self.driven.tip_radius - self.driver.root_radius,
@@ -175,7 +220,8 @@ def section_of(wheel: Wheel, chord_tolerance: float = CHORD_TOLERANCE) -> ToothS
         chord_tolerance: greatest distance of a chord from a curve, mm.
     """
     outline = wheel.outline
-    return ToothSection(outline.polygon(chord_tolerance).reshape(outline.repeats, -1))
+    corners = outline.polygon(chord_tolerance).reshape(outline.repeats, -1)
+    return ToothSection(corners, is_ring(wheel))
 
 
 def measured_pair(stage: Stage, centre_distance: float | None = None) -> MeasuredPair:
@@ -193,8 +239,8 @@ def measured_pair(stage: Stage, centre_distance: float | None = None) -> Measure
 def return_error(stages: Sequence[MeasuredPair], drive_angle: float = 0.0) -> float:
     """Free angle of the output while the drive stands still, in rad, through all stages.
 
-    Every stage is held against one flank after the other at the angle that the stage before leaves it; the
-    shafts turn against each other, so the driver's last angle gives the driven gear's first.
+    Every stage is held against one flank after the other at the angle that the stage before leaves it; the shafts of
+    gears side by side turn against each other, so the driver's last angle gives the driven gear's first.
 
     Args:
         stages: stages from the drive to the output.
@@ -202,13 +248,14 @@ def return_error(stages: Sequence[MeasuredPair], drive_angle: float = 0.0) -> fl
     """
     low = high = drive_angle
     for stage in stages:
-        low, high = stage.limit(high, -1), stage.limit(low, 1)
+        ends = (low, high) if stage.internal else (high, low)
+        low, high = stage.limit(ends[0], -1), stage.limit(ends[1], 1)
     return high - low
 
 
 @lru_cache(maxsize=8)  # the driver is held while the driven gear is turned
-def _driver_section(driver: ToothSection, angle: float) -> manifold3d.CrossSection:
-    return _section(driver.teeth_towards(angle, 0.0))
+def _driver_section(driver: ToothSection, angle: float, towards: float, beside: int) -> manifold3d.CrossSection:
+    return _section(driver.teeth_towards(angle, towards, beside))
 
 
 def _section(points: Points) -> manifold3d.CrossSection:

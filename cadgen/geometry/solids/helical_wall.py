@@ -37,6 +37,8 @@ from cadgen.parts.loop import Arc, Curve, Involute, Points, Segment, bernstein, 
 
 # Greatest distance of a helix from its polynomial, mm: half of the kernel's smallest distance.
 HELIX_TOLERANCE = 5e-8
+# Share of what roots may err that an arc may.
+ARC_SHARE = 0.1
 LOWEST_DEGREE, HIGHEST_DEGREE = 3, 20
 SAMPLES = np.linspace(0.0, 1.0, 101)
 _BUILDER = BRep_Builder()
@@ -81,6 +83,8 @@ def section_poles(curve: Curve, flank: float, root: float) -> Points | None:
         return None
     if isinstance(curve, Segment):
         return curve.point([0.0, 1.0])
+    if isinstance(curve, Arc):  # errs to one side all along, so that the volume would be off
+        return bezier_poles(curve, root * ARC_SHARE)
     return bezier_poles(curve, flank if isinstance(curve, Involute) else root)
 
 

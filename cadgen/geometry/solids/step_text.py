@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import NamedTuple
 
@@ -25,9 +25,9 @@ from scipy.interpolate import BSpline
 from cadgen.arrays import Array
 from cadgen.curves.closed import Outline, cross
 from cadgen.errors import FileError
-from cadgen.gears.stage import Wheel
+from cadgen.gears.stage import Wheel, is_ring
 from cadgen.geometry.meshes.teeth import CHORD_TOLERANCE, ToothSection
-from cadgen.parts.loop import Arc, Curve, Involute, Loop, Trochoid, bernstein, chord_parameters
+from cadgen.parts.loop import Arc, Curve, CutterTrochoid, Involute, Loop, Trochoid, bernstein, chord_parameters
 
 # An instance ends at the first semicolon outside a string; a quote inside a string is doubled.
 _INSTANCE = re.compile(r"#(\d+)\s*=\s*([A-Z0-9_]+)\s*\(((?:[^';]|'[^']*')*)\)\s*;")
@@ -138,6 +138,7 @@ _PATCH = re.compile(
 _HEIGHT_DECIMALS = 6  # of a mm, to which patches begin at one height
 _CIRCLE = re.compile(r"=CIRCLE\('',#(\d+),([^)]*)\)")
 _AXES = re.compile(r"#(\d+)=AXIS2_PLACEMENT_3D\('',#(\d+),")
+_ROOTS: tuple[type[Curve], ...] = (Trochoid, CutterTrochoid)
 _SAMPLES = np.linspace(0.0, 1.0, 33)
 # Ends of curves that belong together are no further apart, in mm: the rounding of the poles and no more.
 _SAME_END = 1e-6
@@ -206,29 +207,35 @@ def read_gear(path: Path, gears: Sequence[Wheel], starts: Sequence[float]) -> Ge
     for wheel, start in zip(gears, starts, strict=True):
         outline, heights = wheel.outline, (start, start + wheel.width)
         if not outline.run.straight:
-            helical = _read_helical(outline, start, wheel.width, bare, path)
+            helical = _read_helical(outline, start, wheel.width, bare, path, ring=is_ring(wheel))
             for kind, off in helical.errors.items():
                 errors[kind] = max(errors.get(kind, 0.0), off)
             lead_error = max(lead_error or 0.0, helical.lead_error)
             slices.append(helical.slices)
             continue
-        tooth_curves = [exact for exact in outline.curves if isinstance(exact, Involute | Trochoid)]
+        tooth_curves = [exact for exact in outline.curves if _is_tooth_curve(exact)]
         if not tooth_curves:
             errors[Arc] = max(errors.get(Arc, 0.0), _rim_error(outline, bare, heights, path))
             slices.append((ToothSection(outline.polygon(CHORD_TOLERANCE).reshape(outline.repeats, -1)),))
             continue
         rows: list[NDArray[np.complex128]] = []
         for exact in tooth_curves:
+            if isinstance(exact, Arc):
+                rounding = replace(outline, curves=(exact,))
+                errors[Trochoid] = max(errors.get(Trochoid, 0.0), _rim_error(rounding, bare, heights, path))
+                points = exact.point(chord_parameters(exact, CHORD_TOLERANCE))
+                rows.append(outline.turns[:, None] * points)
+                continue
             poles = _matched(exact, outline.repeats, curves, heights, path)
             deviation = float(np.abs(_across(poles, exact)).max())  # over all teeth
             errors[type(exact)] = max(errors.get(type(exact), 0.0), deviation)
             rows.append(poles @ bernstein(poles.shape[1] - 1, chord_parameters(exact, CHORD_TOLERANCE)).T)
-        slices.append((ToothSection(np.concatenate(rows, axis=1)),))
+        slices.append((ToothSection(np.concatenate(rows, axis=1), is_ring(wheel)),))
     return GearContent(
         solid=solids[0],
         sections=tuple(each[len(each) // 2] for each in slices),
         flank_error=errors.get(Involute),
-        root_error=errors.get(Trochoid),
+        root_error=max((errors[kind] for kind in _ROOTS if kind in errors), default=None),
         rim_error=errors.get(Arc),
         lead_error=lead_error,
         slices=tuple(slices),
@@ -243,11 +250,16 @@ class _Helical(NamedTuple):
     slices: tuple[ToothSection, ...]
 
 
-def _read_helical(outline: Loop, start: float, width: float, bare: str, path: Path) -> _Helical:
+def _is_tooth_curve(curve: Curve) -> bool:
+    """Whether a curve is a flank or a root, and no land, circle or chamfer."""
+    return isinstance(curve, Involute | Trochoid | CutterTrochoid) or (isinstance(curve, Arc) and curve.centre != 0)
+
+
+def _read_helical(outline: Loop, start: float, width: float, bare: str, path: Path, *, ring: bool) -> _Helical:
     """Teeth of a wheel whose section turns from the height `start` on, mm; `outline` is that midway."""
     run, patches = outline.run, _patches(bare, path)
     middle, teeth = run.angle(width / 2), outline.repeats
-    exacts = [exact for exact in outline.curves if isinstance(exact, Involute | Trochoid)]
+    exacts = [exact for exact in outline.curves if _is_tooth_curve(exact)]
     errors: dict[type[Curve], float] = {}
     offsets: list[NDArray[np.float64]] = []
     slices: dict[float, ToothSection] = {}
@@ -260,12 +272,13 @@ def _read_helical(outline: Loop, start: float, width: float, bare: str, path: Pa
             for exact in exacts:
                 poles = _of_teeth(exact, teeth, cut, 1, path)
                 off = _across(poles, exact)
-                errors[type(exact)] = max(errors.get(type(exact), 0.0), float(np.abs(off).max()))
+                kind = Trochoid if isinstance(exact, Arc) else type(exact)
+                errors[kind] = max(errors.get(kind, 0.0), float(np.abs(off).max()))
                 if isinstance(exact, Involute):
                     mean.append(off.mean(axis=1))
                 rows.append(poles @ bernstein(poles.shape[1] - 1, chord_parameters(exact, CHORD_TOLERANCE)).T)
             offsets.append(np.concatenate(mean))
-            slices[height] = ToothSection(np.concatenate(rows, axis=1))
+            slices[height] = ToothSection(np.concatenate(rows, axis=1), ring)
     ends = (0.0, width / 2, width)
     chosen = tuple(slices[min(slices, key=lambda height: abs(height - wanted))] for wanted in ends)
     return _Helical(errors, float(np.ptp(offsets, axis=0).max()), chosen)

@@ -28,7 +28,10 @@ def field_notice(design: Design) -> list[str]:
 
 def sense_of_train(design: Design) -> Reservation | None:
     """Reservation on a train that turns the cam the other way round; None if it does not, or is not known."""
-    return gear_model.sense_reservation(design, 1 if design.train is None else len(design.train.stages))
+    if design.train is None:
+        return None
+    train = gear_model.train(design)
+    return gear_model.sense_reservation(design, len(train.stages), train.sense)
 
 
 @dataclass(frozen=True)

@@ -295,7 +295,7 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
     trains = _Candidates(ranked, limits, design)
     made, skipped = _first_made(design, designed, trains, _baseline(order, designed_play, designed_standard), progress)
     chord = design.export.mesh_chord_um
-    sense = gear_model.sense_reservation(design, len(made.layout.train.stages))
+    sense = gear_model.sense_reservation(design, len(made.layout.train.stages), made.layout.train.sense)
     return GearTrain(
         origin=Origin.of(design),
         title=design.drawing,

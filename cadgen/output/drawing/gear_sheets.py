@@ -11,7 +11,7 @@ from cadgen.arrays import Array
 from cadgen.curves.contour import Contour
 from cadgen.figures import Figures
 from cadgen.gears.layout import TrainPart
-from cadgen.gears.stage import Stage
+from cadgen.gears.stage import Stage, is_ring, rim_diameter
 from cadgen.messages import Message
 from cadgen.output.drawing.placement import Room, placed_dimensions
 from cadgen.output.drawing.section import Layer, ScrewHole, edges_behind_cut, material, outlines_and_hatches
@@ -69,8 +69,12 @@ def gear_rows(gear: Figures, mate: str, stage: Stage, *, drives: bool) -> tuple[
 
     teeth, module, upper, lower = (gear.value(code) for code in ("teeth", "module", "E_sns", "E_sni"))
     angle, shift = gear.value("pressure_angle"), gear.value("profile_shift")
-    helix = gear.value("helix_angle")
+    helix, rim = gear.value("helix_angle"), gear.value("rim_diameter")
     pins = Message("over balls of {pin:g} mm") if helix else Message("over pins of {pin:g} mm")
+    span = Message("span over {teeth} teeth", teeth=gear.value("teeth_spanned"))
+    if rim is not None:
+        pins = Message("between balls of {pin:g} mm")
+        span = Message("span over {teeth} spaces", teeth=gear.value("teeth_spanned"))
     rows = [
         (Message("teeth z"), "" if teeth is None else str(teeth)),
         (Message("module m_n"), mm("module", 4)),
@@ -86,12 +90,26 @@ def gear_rows(gear: Figures, mate: str, stage: Stage, *, drives: bool) -> tuple[
             Message("thickness E_sns / E_sni"),
             "" if upper is None or lower is None else f"{upper:.1f} / {lower:.1f} µm",
         ),
-        (Message("span over {teeth} teeth", teeth=gear.value("teeth_spanned")), limits("span")),
+        *_ring_rows(gear),
+        (span, limits("span")),
         (Message(pins, pin=gear.value("pin_diameter") or 0), limits("over_pins")),
         (Message("meshes with"), mate),
         (Message("centre distance"), f"{stage.centre_distance:g} mm"),
     ]
     return tuple(row for row in rows if row[1])
+
+
+def _ring_rows(gear: Figures) -> tuple[tuple[str, str], ...]:
+    """Rows on the rim and the cutter of a ring; none of another gear."""
+    rim, form, cutter = (gear.value(code) for code in ("rim_diameter", "form_diameter", "cutter_teeth"))
+    if rim is None or form is None or cutter is None:
+        return ()
+    return (
+        (Message("teeth"), Message("inside")),
+        (Message("outer diameter"), f"{rim:.3f} mm"),
+        (Message("root form diameter"), f"{form:.3f} mm"),
+        (Message("root"), Message("pinion cutter, z0 {teeth:g}", teeth=cutter) if cutter else Message("arc")),
+    )
 
 
 def _helix_rows(gear: Figures, stage: Stage) -> tuple[tuple[str, str], ...]:
@@ -198,6 +216,8 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     blank = part.blank
     reach = _reach(part.body)
     curves: list[Closed | Stroke] = [_outline(loop) for loop in dict.fromkeys(_rims(part.body))]
+    if is_ring(part.gears[0]):
+        curves.append(_outline(part.body.slabs[0].rings[-1]))
     # Under a wider gear they are not seen.
     holes = () if part.gears[-1].tip_diameter > part.gears[0].tip_diameter else _drilled(part)
     curves += [_outline(hole) for hole in holes]
@@ -281,6 +301,9 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
             axial_diameter(f"tip diameter, {name}", start if number == 0 else end, tip, out),
             along_axis(f"width, {name}", (start, end), tip, _reach(part.body) + 0.8 * gap),
         ]
+    if is_ring(part.gears[0]):
+        outer = rim_diameter(part.gears[0]) / 2
+        dimensions.append(axial_diameter("outer diameter", high, outer, high + 0.9 * gap))
     dimensions += _lengths(part, low, high, gap, screw)
     if isinstance(blank.key, Keyway):
         more = f" +{deeper(blank.key.width):g}/0"
@@ -302,11 +325,16 @@ def _without_teeth(layer: Layer, part: TrainPart) -> Layer:
     """The layer with a rim of teeth cut back to its root circle: teeth are not cut in a section (ISO 2203)."""
     reach = float(np.linalg.norm(layer.rings[0], axis=1).max())
     for wheel in part.gears:
+        if is_ring(wheel):
+            return Layer(layer.low, layer.high, (layer.rings[0], _circle_points(wheel.root_diameter)), layer.holes)
         if abs(reach - wheel.tip_diameter / 2) < 0.01 and wheel.root_diameter < wheel.tip_diameter - 0.01:
-            turn = np.linspace(0, 2 * np.pi, 720, endpoint=False)
-            root = wheel.root_diameter / 2 * np.stack([np.cos(turn), np.sin(turn)], axis=1)
-            return Layer(layer.low, layer.high, (root, *layer.rings[1:]), layer.holes)
+            return Layer(layer.low, layer.high, (_circle_points(wheel.root_diameter), *layer.rings[1:]), layer.holes)
     return layer
+
+
+def _circle_points(diameter: float) -> Array:
+    turn = np.linspace(0, 2 * np.pi, 720, endpoint=False)
+    return np.asarray(diameter / 2 * np.stack([np.cos(turn), np.sin(turn)], axis=1))
 
 
 def _lengths(part: TrainPart, low: float, high: float, gap: float, screw: ScrewHole | None) -> Iterator[Dimension]:
