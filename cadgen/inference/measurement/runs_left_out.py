@@ -2,14 +2,14 @@
 
 Where every small error of the floor and the wheels adds up along the path, residuals are not draws of a noise: the
 runs are. Each subset of up to three effects is fitted to all runs but one, for every run, and judged by the path
-error of the run left out, its start pose registered. The smallest subset within one standard error (over runs, paired)
-or a few per cent of the best is told; others as small, and as good as that one, are its rivals (Breiman and others
-1984, sec. 3.4.3).
+error of the run left out, its start pose registered; the best of these grow into larger ones. The smallest subset
+within one standard error (over runs, paired) or a few per cent of the best is told; others as small, and as good as
+that one, are its rivals (Breiman and others 1984, sec. 3.4.3).
 
 The verdict names effects that take away a part of the path error on runs left out.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
@@ -34,7 +34,12 @@ from cadgen.inference.measurement.verdict import (
 from cadgen.messages import Message, joined
 from cadgen.progress import Progress, silent
 
-LARGEST_SUBSET = 3
+# All subsets of so many effects are tried; larger ones only beyond the best of those with one effect less.
+TRIED_SUBSET, LARGEST_SUBSET = 3, 6
+GROWN = 4
+# Places over the range of a number at which its search begins: a steering that was logged in another unit is off by
+# several times, from where no search comes down from nothing.
+STARTS = 25
 LEAST_RUNS = 4
 # A smaller subset must predict at least this many standard errors worse to be given up.
 STANDARD_ERRORS = 1.0
@@ -105,9 +110,17 @@ def leave_runs_out(record: Record, build: Callable[[Record], Model]) -> LeftOut:
     catalogue = runs[0].model.catalogue
     before = np.array([run.error([]) for run in runs])
     sigmas = sigmas_of(len(runs) - 1, len(catalogue))
-    subsets = [subset for size in range(1, LARGEST_SUBSET + 1) for subset in combinations(catalogue, size)]
-    trials = [_trial(runs, subset, sigmas) for subset in subsets]
-    trials.append(LeftOutFit((), np.empty(0), np.empty(0), sigmas, (), before, before))
+    trials = [LeftOutFit((), np.empty(0), np.empty(0), sigmas, (), before, before)]
+    last = list(trials)
+    for size in range(1, min(LARGEST_SUBSET, len(catalogue)) + 1):
+        if size > TRIED_SUBSET:
+            grown = sorted(last, key=lambda t: t.error)[:GROWN]
+            sets = {frozenset(t.effects) | {effect} for t in grown for effect in catalogue if effect not in t.effects}
+            subsets = [tuple(e for e in catalogue if e in chosen) for chosen in sets]
+        else:
+            subsets = list(combinations(catalogue, size))
+        last = [_trial(runs, subset, last, sigmas) for subset in subsets]
+        trials += last
     trials.sort(key=lambda t: t.error)
     best = trials[0]
     close = [t for t in trials if _as_good(t, best)]
@@ -163,7 +176,26 @@ class _LoggedRun:
         return float(np.sqrt(2 * np.mean(self.residual(active) ** 2)))
 
 
-def _trial(runs: list[_LoggedRun], effects: tuple[Effect, ...], sigmas: float) -> LeftOutFit:
+def _starts(effects: tuple[Effect, ...], smaller: Sequence[LeftOutFit]) -> list[Array]:
+    """Values from which the search of a subset begins: fits with one effect less; of a single number, its range."""
+    if len(effects) == 1:
+        (effect,) = effects
+        start = np.asarray(effect.start, dtype=float)
+        if len(start) > 1:
+            return [start]
+        low, high = effect.bounds
+        return [start, *(low + (high - low) * (np.arange(STARTS)[:, None] + 0.5) / STARTS)]
+    starts = []
+    for fit in smaller:
+        if set(fit.effects) < set(effects):
+            known = dict(activated(fit.effects, fit.values))
+            starts.append(np.concatenate([known.get(effect, effect.start) for effect in effects]))
+    return starts or [np.concatenate([effect.start for effect in effects])]
+
+
+def _trial(
+    runs: list[_LoggedRun], effects: tuple[Effect, ...], smaller: Sequence[LeftOutFit], sigmas: float
+) -> LeftOutFit:
     bounds = np.concatenate([e.bounds for e in effects], axis=1)
 
     def off(values: Array) -> Array:
@@ -173,9 +205,10 @@ def _trial(runs: list[_LoggedRun], effects: tuple[Effect, ...], sigmas: float) -
         return np.concatenate([run.tangents(effects, activated(effects, values)) for run in runs])
 
     # Not by `hypothesis.least_squares`: in logs that say little, the place in a valley where a fit stops decides.
+    starts = _starts(effects, smaller)
     x = least_squares(
         off,
-        np.concatenate([e.start for e in effects]),
+        min(starts, key=lambda start: float(np.sum(off(start) ** 2))) if len(starts) > 1 else starts[0],
         jac=tangents,
         bounds=(bounds[0], bounds[1]),
         x_scale=np.concatenate([e.steps for e in effects]),
@@ -267,7 +300,9 @@ def _judgement(left_out: LeftOut) -> Judgement:
     names = tuple(e.name for e in chosen.effects)
     common = set(names).intersection(*({e.name for e in t.effects} for t in rivals))
     verdict: Verdict
-    if not names or gained < LEAST_GAIN:
+    large = chosen.error > LEFT_OF_EXTENT * left_out.extent
+    # A fit on the bound of what can be that leaves so much explains nothing.
+    if not names or gained < LEAST_GAIN or (large and chosen.at_bound):
         verdict, common = Verdict.NONE, set()
         sentence = Message("No effect lowers the path error on runs left out.")
         if before > LEFT_OF_EXTENT * left_out.extent:
@@ -301,7 +336,6 @@ def _judgement(left_out: LeftOut) -> Judgement:
         )
     likely = [chosen, *rivals] if verdict not in (Verdict.NONE, Verdict.UNEXPLAINED) else []
     limits: tuple[str, ...] = ()
-    large = chosen.error > LEFT_OF_EXTENT * left_out.extent
     if likely and large:
         limits = (Message("{after:.0f} mm of path error remain and have no name", after=chosen.error),)
     if runs < LEAST_RUNS:

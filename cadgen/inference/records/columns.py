@@ -85,37 +85,46 @@ def match_columns(names: Sequence[str], name: str, known: Sequence[Kind], readin
     if not found:
         raise _no_kind(names, name, known)
     _, match = max(found, key=lambda each: each[0])
-    _refuse_other(names, name, headings, match, reading)
+    _refuse_other(names, name, headings, match, known, reading)
     return match
 
 
-def _refuse_other(names: Sequence[str], name: str, headings: Sequence[Heading], match: Match, reading: Reading) -> None:
+def _refuse_other(
+    names: Sequence[str],
+    name: str,
+    headings: Sequence[Heading],
+    match: Match,
+    known: Sequence[Kind],
+    reading: Reading,
+) -> None:
     """Refuse positions alone beside a column that may say where the cam stood: a short track is no outline."""
     columns = {column.name for column in match.kind.columns}
     if reading.by_order or columns != set(match.kind.readings) or columns <= reading.columns.keys():
         return
     used = {place.index for place in match.places.values()}
-    for index, has in enumerate(headings):
-        if index in used or has.quantity in _IDLE:
-            continue
-        if has.quantity in TIMES:
-            raise FileError(
-                "{name}: positions by time are no data that can be judged: add cam_angle_deg beside them, or "
-                "motor_angle_deg; cadgen adjust takes them in the order of driving",
-                name=name,
-            )
-        if has.quantity == _MOTOR:
-            raise FileError(
-                "{name} has angles of the motor, and the design has no train that tells those of the cam: add [train], "
-                "or a column cam_angle_deg",
-                name=name,
-            )
+    others = [n for n, has in enumerate(headings) if n not in used and has.quantity not in _IDLE]
+    if not others:
+        return
+    if all(headings[n].quantity in TIMES for n in others):
         raise FileError(
-            "{name}: {column} is not understood; if it is the cam angle, add --columns cam_angle_deg={column}, and if "
-            "this is an outline, take the column out",
+            "{name}: positions by time are no data that can be judged: add cam_angle_deg beside them, or "
+            "motor_angle_deg; cadgen adjust takes them in the order of driving",
             name=name,
-            column=brief(names[index]),
         )
+    if any(headings[n].quantity == _MOTOR for n in others):
+        raise FileError(
+            "{name} has angles of the motor, and the design has no train that tells those of the cam: add [train], "
+            "or a column cam_angle_deg",
+            name=name,
+        )
+    if len(others) > 1:
+        raise _no_kind(names, name, known)
+    raise FileError(
+        "{name}: {column} is not understood; if it is the cam angle, add --columns cam_angle_deg={column}, and if "
+        "this is an outline, take the column out",
+        name=name,
+        column=brief(names[others[0]]),
+    )
 
 
 def _pinned(names: Sequence[str], name: str, known: Sequence[Kind], reading: Reading) -> dict[str, ColumnPlace]:
@@ -229,15 +238,19 @@ def _no_kind(names: Sequence[str], name: str, known: Sequence[Kind]) -> FileErro
         asked = heading(column)
         return any(h.quantity == asked.quantity and (not unit or _factor(h, asked) is not None) for h in has)
 
-    near = max(known, key=lambda kind: (sum(there(c.name, unit=False) for c in kind.columns), -len(kind.columns)))
-    wanted = [column for column in near.header if column != near.key or near.method is Method.ZONE_MEANS]
-    lacking = [column for column in wanted if not there(column)] or [near.header[-1]]
+    lacking = {
+        kind: [c for c in kind.header if not there(c) and (c != kind.key or kind.method is Method.ZONE_MEANS)]
+        for kind in known
+    }
+    some = [kind for kind in known if lacking[kind]] or known
+    near = max(some, key=lambda kind: (sum(there(c.name, unit=False) for c in kind.columns), -len(kind.columns)))
+    lacks = lacking[near] or [near.header[-1]]
     return FileError(
         "{name}: the columns {names} are no kind of measured data; nearest is {kind}, which lacks {columns}; say "
         "which it is with --columns {column}=NAME",
         name=name,
         names=brief(", ".join(names)),
         kind=near.code,
-        columns=brief(", ".join(lacking)),
-        column=lacking[0],
+        columns=brief(", ".join(lacks)),
+        column=lacks[0],
     )

@@ -5,6 +5,8 @@ only what follows from the data themselves (noise, what is left on runs left out
 real.
 """
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -56,12 +58,32 @@ def test_few_logged_runs_name_nothing(measured):
 
 @pytest.mark.slow
 def test_a_path_error_that_no_effect_lowers_is_unexplained(measured):
-    """The logged steering of this tractor is 5.6 times too small: no effect of a size that can be explains it."""
-    told = calibrate_logged([load(measured / "forklift.csv")], 1400.0)
+    """Where the steering is that of other runs, no effect of a size that can be explains it."""
+    record = load(measured / "forklift.csv")
+    turned = replace(record, columns=record.columns | {"steering_deg": record["steering_deg"][::-1]})
+    told = calibrate_logged([turned], 1400.0)
     assert (told.verdict, told.judgement.claimed, told.judgement.reported) == ("unexplained", (), ())
     assert told.residual.held_out > 300
-    assert "path error of 350 mm, on runs of" in told.judgement.sentence
+    assert " mm, on runs of" in told.judgement.sentence
     assert "check scale and sign of the steering" in told.judgement.sentence
+
+
+@pytest.mark.slow
+def test_a_steering_logged_in_another_scale_and_a_marker_far_off_are_found(measured):
+    """The log of this tractor has a fifth of the steering; a fit of six numbers by other code leaves 83 mm."""
+    record = load(measured / "forklift.csv")
+    turned = replace(record, columns=record.columns | {"steering_deg": -record["steering_deg"]})
+    (gain,) = (v.value for f in calibrate_logged([turned], 1400.0).findings for v in f.values if "gain" in v.name)
+    assert gain == pytest.approx(-660.0, abs=40.0)  # with the other sign
+    told = calibrate_logged([record], 1400.0)
+    values = {v.name: v.value for f in told.findings for v in f.values}
+    assert values["gain_percent"] == pytest.approx(460.0, abs=40.0)
+    assert values["marker_ahead_mm"] == pytest.approx(260.0, abs=50.0)
+    assert told.residual.before > 340
+    assert told.residual.held_out < 60
+    assert {"steering gain", "offset of the markers"} <= set(told.judgement.claimed)
+    few = "within 6.8 standard deviations of nothing, which 4 runs cannot tell from chance, and so not claimed: "
+    assert any(few in limit for limit in told.judgement.limits)
 
 
 @pytest.mark.slow

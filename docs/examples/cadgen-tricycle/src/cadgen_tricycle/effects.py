@@ -4,7 +4,7 @@ Stages: `STEERING` (angle of the front wheel, rad), `DELAY` (s), `TRAVEL` (mm of
 `WHEELBASE` (mm), `MARKER` (place of the markers from the rear axle's centre, as x + iy, mm). `at` are the `Log`.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -48,9 +48,21 @@ def _percent(name: str, meaning: str, limit: float, usual: float = 1.0) -> Param
 
 
 def _mm(name: str, meaning: str) -> Parameter:
-    return Parameter(name=name, unit="mm", lower=-60.0, upper=60.0, step=0.2, usual=3.0, meaning=meaning)
+    return Parameter(name=name, unit="mm", lower=-1000.0, upper=1000.0, step=0.2, usual=3.0, meaning=meaning)
 
 
+def scaled(effects: tuple[Effect, ...], wheelbase: float) -> tuple[Effect, ...]:
+    """Effects of a vehicle of a wheelbase, mm: its markers are no farther from the axle than half of that."""
+    limit = _MARKER_SHARE * wheelbase
+    return tuple(
+        replace(effect, parameters=tuple(replace(p, lower=-limit, upper=limit) for p in effect.parameters))
+        if effect.stage is MARKER
+        else effect
+        for effect in effects
+    )
+
+
+_MARKER_SHARE = 0.5
 ON_THE_SPOT = "turn on the spot with the wheel at 90 degrees: there the rate of turning is the wheelbase's alone"
 
 EFFECTS = (
@@ -75,7 +87,8 @@ EFFECTS = (
     Effect(
         name="steering gain",
         stage=STEERING,
-        parameters=(_percent("gain_percent", "+: the wheel turns more than was logged", 30.0),),
+        # A log in other units than it says is off by several times; below -100 % its sign is the other one.
+        parameters=(_percent("gain_percent", "+: the wheel turns more than was logged", 900.0),),
         act=_times,
         confused_with="wheelbase, as long as the wheel turns little",
         separated_by=ON_THE_SPOT,

@@ -15,7 +15,7 @@ from cadgen.deviations.effect import Active, Effect, through
 from cadgen.inference.measurement.model import Discrepancy, Model, elapsed, unknown
 from cadgen.inference.measurement.nominal import LoggedCar
 from cadgen.inference.measurement.record import Abscissa, Column, Datum, Kind, Method, Record, Span
-from cadgen_tricycle.effects import DELAY, EFFECTS, MARKER, STEERING, TRAVEL, WHEELBASE, Log
+from cadgen_tricycle.effects import DELAY, EFFECTS, MARKER, STEERING, TRAVEL, WHEELBASE, Log, scaled
 
 CATALOGUE = Catalogue(*EFFECTS)
 # Every so many rows enter the fit: 20 rows a second say no more than two of a path that bends over seconds.
@@ -63,7 +63,7 @@ class TricycleModel(Model):
             time=time[self._rows],
             steering=steering[self._rows],
         )
-        self.catalogue: tuple[Effect, ...] = CATALOGUE.effects
+        self.catalogue: tuple[Effect, ...] = scaled(CATALOGUE.effects, wheelbase)
         self.floor = 0.0
         self.slip = np.empty(0)
         self.form, self.order = np.empty((len(run), 0)), np.empty(0)
