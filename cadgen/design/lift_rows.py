@@ -58,7 +58,7 @@ def read_rows(file: Path, stated: str | None = None) -> tuple[list[list[float]],
 
 
 def _text(file: Path, name: str) -> str:
-    from cadgen.inference.records.table import text_of  # with which most designs need not wait
+    from cadgen.inference.records.text_table import text_of  # with which most designs need not wait
 
     try:
         text, _ = text_of(read_regular(file, _MOST_BYTES), name, lambda text: 0)

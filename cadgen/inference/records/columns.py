@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 from cadgen.errors import FileError, brief
 from cadgen.inference.measurement.record import Kind, Method
-from cadgen.inference.records.units import TIMES, Heading, heading
+from cadgen.inference.records.units import TIMES, ColumnName, heading
 from cadgen.messages import Message, joined
 
 _CAM, _MOTOR = "camangle", "motorangle"
@@ -92,7 +92,7 @@ def match_columns(names: Sequence[str], name: str, known: Sequence[Kind], readin
 def _refuse_other(
     names: Sequence[str],
     name: str,
-    headings: Sequence[Heading],
+    headings: Sequence[ColumnName],
     match: Match,
     known: Sequence[Kind],
     reading: Reading,
@@ -151,7 +151,7 @@ def _pinned(names: Sequence[str], name: str, known: Sequence[Kind], reading: Rea
 
 
 def _place(
-    column: str, names: Sequence[str], headings: Sequence[Heading], pinned: Mapping[str, ColumnPlace], name: str
+    column: str, names: Sequence[str], headings: Sequence[ColumnName], pinned: Mapping[str, ColumnPlace], name: str
 ) -> ColumnPlace | None:
     """Place of a column of a kind; None if the file has none that can be it."""
     if column in pinned:
@@ -176,13 +176,13 @@ def _place(
     return places[0] if places else None
 
 
-def _factor(has: Heading, asked: Heading) -> float | None:
+def _factor(has: ColumnName, asked: ColumnName) -> float | None:
     """Factor of a column's numbers to those asked for; None where they are of another quantity."""
     return has.factor(asked.unit) if asked.unit else None if has.unit else 1.0
 
 
 def _by_motor(
-    kind: Kind, places: Mapping[str, ColumnPlace], headings: Sequence[Heading], reading: Reading
+    kind: Kind, places: Mapping[str, ColumnPlace], headings: Sequence[ColumnName], reading: Reading
 ) -> dict[str, ColumnPlace]:
     """Cam angles from those of the motor, where a file has no other."""
     lacking = [column for column in kind.header if heading(column).quantity == _CAM and column not in places]

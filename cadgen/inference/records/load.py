@@ -34,7 +34,7 @@ from cadgen.inference.measurement.record import (
     refuse_many_runs,
 )
 from cadgen.inference.records.columns import AS_NAMED, Reading, match_columns
-from cadgen.inference.records.table import head_of, rows_of, text_of
+from cadgen.inference.records.text_table import head_of, rows_of, text_of
 from cadgen.inference.records.units import DIRECTIONS, TIMES, heading
 from cadgen.messages import Message
 from cadgen.reading import read_regular

@@ -48,7 +48,7 @@ DIRECTIONS = {**dict.fromkeys(_FORWARD, "forward"), **dict.fromkeys(_REVERSE, "r
 
 
 @dataclass(frozen=True)
-class Heading:
+class ColumnName:
     """A name of a column, taken apart.
 
     Attributes:
@@ -72,16 +72,16 @@ def unit_of(text: str) -> tuple[str, float] | None:
     return _ALL.get(text.strip().lower()) or _ALL.get(text.strip())
 
 
-def heading(name: str) -> Heading:
+def heading(name: str) -> ColumnName:
     """Take a name such as `Pos X (cm)` apart into its quantity and its unit."""
     text = name.strip()
     if bracket := re.fullmatch(r"(.+?)\s*[\[(]\s*([^\[\]()]*?)\s*[\])]", text):
-        return Heading(_quantity(bracket[1]), bracket[2])
+        return ColumnName(_quantity(bracket[1]), bracket[2])
     match = re.fullmatch(r"(.+?)\s*[/,]\s*(\S+)", text)
     match = match or re.fullmatch(r"(.+?)\s+in\s+(\S+)", text) or re.fullmatch(r"(.+)[_\s](\S+)", text)
     if match and unit_of(match[2]):
-        return Heading(_quantity(match[1]), match[2])
-    return Heading(_quantity(text), "")
+        return ColumnName(_quantity(match[1]), match[2])
+    return ColumnName(_quantity(text), "")
 
 
 def _quantity(text: str) -> str:

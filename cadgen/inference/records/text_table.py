@@ -46,8 +46,8 @@ class Head:
 
 
 @dataclass(frozen=True)
-class Rows:
-    """Rows of a table.
+class TableRows:
+    """TableRows of a table.
 
     Attributes:
         lines: number of each row's line in the file.
@@ -185,8 +185,8 @@ def _units(cells: list[str], columns: int) -> list[str]:
     return units if fit else []
 
 
-def rows_of(head: Head, name: str) -> Rows:
-    """Rows under the names of a table.
+def rows_of(head: Head, name: str) -> TableRows:
+    """TableRows under the names of a table.
 
     Raises:
         FileError: no row, one of another length than the names, or commas that may stand for points or for thousands.
@@ -207,7 +207,7 @@ def rows_of(head: Head, name: str) -> Rows:
     lines, table = tuple(n for n, _ in rows), tuple(tuple(row) for _, row in rows)
     columns = list(zip(*table, strict=True))
     if not any(_COMMA.fullmatch(cell) for column in columns for cell in column):
-        return Rows(lines, table)
+        return TableRows(lines, table)
     for column in columns:
         if unclear := _thousands(column):
             raise FileError(
@@ -217,7 +217,7 @@ def rows_of(head: Head, name: str) -> Rows:
                 cell=brief(unclear.strip()),
             )
     points = tuple(tuple(c.replace(",", ".") if _COMMA.fullmatch(c) else c for c in row) for row in table)
-    return Rows(lines, points, (Message("it has decimal commas"),))
+    return TableRows(lines, points, (Message("it has decimal commas"),))
 
 
 def _thousands(column: Sequence[str]) -> str:
