@@ -449,6 +449,36 @@ class Follower(ABC):
         """
         return np.asarray(np.cos(contact.pressure_angle))
 
+    def push(self, q: Array, q1: Array) -> Array:
+        """Displacement along the outline's normal at the contact by the motion, mm by the motion's unit, shape (n,).
+
+        It is the cosine of the pressure angle times the lever of the motion: 1 on a slide, else the follower's arm.
+
+        Args:
+            q: motion, in its unit, shape (n,).
+            q1: its first derivative by the cam angle, 1/rad.
+
+        Raises:
+            DesignError: it is not worked out for this kind of follower.
+        """
+        raise DesignError(
+            "forces are not worked out for the {follower}: take a roller or a flat face, or remove [dynamics]",
+            follower=Message(self.noun),
+        )
+
+    def profile_radius(self, q: Array, q1: Array, q2: Array) -> Array:
+        """Radius of curvature of the profile at the contact, positive where convex, shape (n,), mm.
+
+        Args:
+            q: motion, in its unit, shape (n,).
+            q1: its first derivative by the cam angle, 1/rad.
+            q2: its second derivative, 1/rad².
+
+        Raises:
+            DesignError: as `push`.
+        """
+        return self.push(q, q1)
+
     def standing(self, distance: Array) -> tuple[Array, Array]:
         """Lift of a point, mm, and its polar angle from the line, rad, where it stands so far from the camshaft.
 

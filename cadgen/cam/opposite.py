@@ -30,6 +30,30 @@ class OppositeMotion(Motion):
         curve = PPoly(-first.q.c, first.q.x, extrapolate="periodic")
         return cls(curve, first.kinks, unit=first.unit, known_level=first.known_level, first=first)
 
+    def jets(self, cam_angle: Array, *, before: bool = False) -> Array:
+        """Motion with its first three derivatives, from what the first motion is made of, shape (n, 4).
+
+        Args:
+            cam_angle: cam angles, rad, shape (n,).
+            before: whether values where a derivative jumps are those of the side before.
+        """
+        return (
+            super().jets(cam_angle, before=before) if self.first is None else -self.first.jets(cam_angle, before=before)
+        )
+
+    @property
+    def breaks(self) -> Array:
+        """Cam angles at which some derivative may jump, rad, shape (m,)."""
+        return super().breaks if self.first is None else self.first.breaks
+
+    def continuous(self, cam_angle: float) -> int:
+        """Number of values meant to be continuous at a cam angle: the motion and its first derivatives, 3 at most.
+
+        Args:
+            cam_angle: cam angle, rad.
+        """
+        return super().continuous(cam_angle) if self.first is None else self.first.continuous(cam_angle)
+
     def softer(self, cam_angle: float, key: str = "") -> str:
         """Advice that makes both motions milder at a cam angle, as part of a sentence.
 

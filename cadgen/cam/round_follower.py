@@ -118,6 +118,36 @@ class RoundFollower(Follower):
         spans = pairwise(joints)
         return ClosedCurve(tuple(Centre(motion=motion, face=0.0, start=a, stop=b, follower=self) for a, b in spans))
 
+    def push(self, q: Array, q1: Array) -> Array:
+        """Displacement of the centre along the outline's normal by the motion, mm by the motion's unit.
+
+        With the tangent t = z' + i z of the centre's path and z_q, the derivative of the centre by the motion, it is
+        -Im(conj(t) z_q) / |t|.
+
+        Args:
+            q: motion, in its unit, shape (n,).
+            q1: its first derivative by the cam angle, 1/rad.
+        """
+        z, by_motion, _ = self.centre(q, np.ones_like(q), np.zeros_like(q))
+        tangent = by_motion * q1 + 1j * z
+        return np.asarray(-(tangent.conj() * by_motion).imag / np.abs(tangent))
+
+    def profile_radius(self, q: Array, q1: Array, q2: Array) -> Array:
+        """Radius of curvature of the profile at the contact, positive where convex, shape (n,), mm.
+
+        The path p = z e^(i theta) of the centre has the radius |p'|^3 / Im(conj(p') p''), and the profile that less
+        the circle's.
+
+        Args:
+            q: motion, in its unit, shape (n,).
+            q1: its first derivative by the cam angle, 1/rad.
+            q2: its second derivative, 1/rad².
+        """
+        z, z1, z2 = self.centre(q, q1, q2)
+        first, second = z1 + 1j * z, z2 + 2j * z1 - z
+        with np.errstate(divide="ignore"):
+            return np.asarray(np.abs(first) ** 3 / (first.conj() * second).imag - self.radius)
+
     def distance(self, q: Array, face: Array) -> Array:
         """How far ahead of the camshaft the centre stands, mm.
 

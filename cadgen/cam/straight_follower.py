@@ -118,6 +118,31 @@ class StraightFollower(Follower):
         """A face has no reference point: the follower itself."""
         return self
 
+    def push(self, q: Array, q1: Array) -> Array:
+        """Displacement of the face along its normal at the contact by the motion, mm by the motion's unit.
+
+        A contact h_psi along the face from the camshaft's foot moves by the change of h less h_psi times that of psi.
+
+        Args:
+            q: motion, in its unit, shape (n,).
+            q1: its first derivative by the cam angle, 1/rad.
+        """
+        moved = self.face_jet(q, np.ones_like(q), np.zeros_like(q))
+        along = moved.support[1] * q1 / (1.0 + moved.turn[1] * q1)
+        return np.asarray(moved.support[1] - along * moved.turn[1])
+
+    def profile_radius(self, q: Array, q1: Array, q2: Array) -> Array:
+        """Radius of curvature h + h_psi_psi of the profile at the contact, positive where convex, shape (n,), mm.
+
+        Args:
+            q: motion, in its unit, shape (n,).
+            q1: its first derivative by the cam angle, 1/rad.
+            q2: its second derivative, 1/rad².
+        """
+        (h, h1, h2), (_, turn1, turn2) = self.face_jet(q, q1, q2)
+        psi1 = 1.0 + turn1
+        return np.asarray(h + (h2 * psi1 - h1 * turn2) / psi1**3)
+
     def distance(self, q: Array, face: Array) -> Array:
         """Distance of the face from the camshaft, mm.
 

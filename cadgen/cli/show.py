@@ -51,6 +51,17 @@ _OF_CAR = (
     CheckCode.DRIVE_WHEEL_LEAST,
     CheckCode.DRIVE_WHEEL_OUTLINE,
 )
+_OF_FORCES = (
+    CheckCode.FORCE_LEAST,
+    CheckCode.FORCE_GREATEST,
+    CheckCode.GUIDE_JAMS,
+    CheckCode.LIFT_OFF_SPEED,
+    CheckCode.TORQUE_GREATEST,
+    CheckCode.TORQUE_LEAST,
+    CheckCode.TORQUE_MEAN,
+    CheckCode.POWER_MEAN,
+    CheckCode.CONTACT_PRESSURE,
+)
 # Columns of a terminal below which a check's place stands under its name and not beside its figures.
 _NARROW = 72
 _MOST_ROWS = 10  # of the front of a study
@@ -224,10 +235,12 @@ def _groups(checks: "Sequence[Check]") -> Iterator[tuple[Message, list[Check]]]:
     course = [check for check in checks if check.code.value.startswith("course-")]
     car = [check for check in checks if check.code in _OF_CAR]
     motion = [check for check in checks if check.code.value.startswith("motion-")]
-    disc = [check for check in checks if check not in course and check not in car and check not in motion]
+    forces = [check for check in checks if check.code in _OF_FORCES]
+    disc = [check for check in checks if not any(check in group for group in (course, car, motion, forces))]
     groups = (
         (Message("The cam"), disc),
         (Message("The motion"), motion),
+        (Message("The forces"), forces),
         (Message("The car on its path"), car),
         (Message("The course"), course),
     )

@@ -8,6 +8,7 @@ Sections of the file, each with what belongs to it alone:
 | `path`        | path, with the keys of its kind                                                       |
 | `course`      | field, posts, walls, zones, gates, spacing, the car's outline -> course and body       |
 | `motion`      | rises and dwells, points, harmonics or a table -> the motion that they make           |
+| `dynamics`    | mass, spring and load of a follower -> what its forces need                           |
 | `lift_rows`   | rows of a lift table from a file                                                      |
 | `follower`    | follower, with the keys of its kind                                                   |
 | `disc`        | base circle of a cam by its motion, given or for a pressure angle                      |

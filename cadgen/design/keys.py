@@ -25,6 +25,12 @@ from cadgen.messages import Message
 _UNITS = {
     "_mm_per_min": "mm/min",
     "_N_per_mm": "N/mm",
+    "_N_s_per_m": "N·s/m",
+    "_Nmm_per_rad": "N·mm/rad",
+    "_Nmm_s_per_rad": "N·mm·s/rad",
+    "_kgmm2": "kg·mm²",
+    "_kg": "kg",
+    "_MPa": "MPa",
     "_mm": "mm",
     "_um": "µm",
     "_deg": "degrees",

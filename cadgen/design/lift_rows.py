@@ -16,7 +16,7 @@ _MARKS = (r"\s*[;\t|]\s*", r"\s*,\s*", r"\s+")
 _STATED = {"mm": ("mm", 1.0), "inch": ("mm", 25.4), "deg": ("deg", 1.0)}
 
 
-def read_rows(file: Path, stated: str | None = None) -> tuple[list[list[float]], str | None]:
+def read_rows(file: Path, stated: str | None = None, key: str = "motion.table") -> tuple[list[list[float]], str | None]:
     """Rows [angle, lift] of a file, the angle in degrees, and the unit of the lift.
 
     Columns are set apart by commas, semicolons, tabs, bars or spaces; where it is not commas, decimals may have commas.
@@ -26,6 +26,7 @@ def read_rows(file: Path, stated: str | None = None) -> tuple[list[list[float]],
     Args:
         file: path of the file.
         stated: unit of the lift, `mm`, `inch` or `deg`, that the design states; None if it does not.
+        key: key of the design that names the file, for messages.
 
     Returns:
         Rows, and the unit of their lift: the one stated, or mm or deg where the file names one; None if neither does.
@@ -35,7 +36,7 @@ def read_rows(file: Path, stated: str | None = None) -> tuple[list[list[float]],
     """
     name, words = brief(str(file)), ""
     rows: list[list[float]] = []
-    for number, line in enumerate(_text(file, name).splitlines(), 1):
+    for number, line in enumerate(_text(file, name, key).splitlines(), 1):
         if not (content := line.partition("#")[0].strip()):
             continue
         values = _numbers(content)
@@ -57,25 +58,27 @@ def read_rows(file: Path, stated: str | None = None) -> tuple[list[list[float]],
     return _in_their_units(rows, words, stated, name)
 
 
-def _text(file: Path, name: str) -> str:
+def _text(file: Path, name: str, key: str) -> str:
     from cadgen.inference.records.text_table import text_of  # with which most designs need not wait
 
     try:
         text, _ = text_of(read_regular(file, _MOST_BYTES), name, lambda text: 0)
     except FileNotFoundError:
         raise DesignError(
-            "motion.table is {name}, and there is no such file: correct the path, which counts from the folder of the "
+            "{key} is {name}, and there is no such file: correct the path, which counts from the folder of the "
             "design file",
             name=name,
+            key=key,
         ) from None
     except IsADirectoryError:
-        raise DesignError("motion.table is {name}, a folder: give a CSV file in it", name=name) from None
+        raise DesignError("{key} is {name}, a folder: give a CSV file in it", name=name, key=key) from None
     except FileError as error:
-        raise DesignError("motion.table: {error}", error=error.message) from None
+        raise DesignError("{key}: {error}", key=key, error=error.message) from None
     except (OSError, ValueError) as error:
         reason = Message(str(error.strerror) if isinstance(error, OSError) else error.args[0])
         raise DesignError(
-            "motion.table is {name}, which cannot be read ({reason}): give a CSV file that can",
+            "{key} is {name}, which cannot be read ({reason}): give a CSV file that can",
+            key=key,
             name=name,
             reason=reason,
         ) from None

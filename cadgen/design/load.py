@@ -163,7 +163,7 @@ def _checked(schema: type[TrainFile], values: dict[str, Any], file: Path, overri
     """The values after the overrides, checked, with their source."""
     source = file.name
     applied = [(override(values, text), text) for text in overrides]
-    _read_table(values, file, [place for place, _ in applied])
+    _read_tables(values, file, [place for place, _ in applied])
     if "motion" in values and schema is not TrainFile:
         schema = MotionFile
     values.setdefault("name", usable_name(Path(source).stem))
@@ -177,22 +177,24 @@ def _checked(schema: type[TrainFile], values: dict[str, Any], file: Path, overri
     return {**{name: value for name, value in checked if name not in unused}, "source": source}
 
 
-def _read_table(values: dict[str, Any], file: Path, changed: Sequence[Place]) -> None:
-    """Put the rows of a lift table, which the design names by its file, into raw values; once read they stay.
+def _read_tables(values: dict[str, Any], file: Path, changed: Sequence[Place]) -> None:
+    """Put the rows of tables that the design names by their files into raw values; once read they stay.
 
     Args:
         values: raw values of the design.
         file: path of the design file.
         changed: places that overrides have changed.
     """
-    motion = values.get("motion")
-    if not isinstance(motion, dict) or not isinstance(motion.get("table"), str) or not motion["table"]:
-        return
-    if "rows" not in motion or ("motion", "table") in changed:
-        stated = motion.get("table_unit")
-        motion["rows"], unit = read_rows(file.parent / motion["table"], stated if isinstance(stated, str) else None)
-        if unit is not None:
-            motion["table_unit"] = unit
+    for section, key, kept in (("motion", "table", "rows"), ("dynamics", "load", "load_rows")):
+        table = values.get(section)
+        if not isinstance(table, dict) or not isinstance(table.get(key), str) or not table[key]:
+            continue
+        if kept not in table or (section, key) in changed:
+            stated = table.get("table_unit")
+            named = f"{section}.{key}"
+            table[kept], unit = read_rows(file.parent / table[key], stated if isinstance(stated, str) else None, named)
+            if unit is not None and section == "motion":
+                table["table_unit"] = unit
 
 
 def design_file(source: str | Path | None = None) -> Path:

@@ -26,6 +26,7 @@ from cadgen.design.as_built import AsBuiltSection
 from cadgen.design.blank import BlankSection
 from cadgen.design.course import CourseSection, OutlineSection
 from cadgen.design.disc import MotionCam, base_circle_radius
+from cadgen.design.dynamics import DynamicsSection
 from cadgen.design.file_names import name_fault
 from cadgen.design.follower import FOLLOWER, FollowerSection, fitting_kinds
 from cadgen.design.machining import DrawingText, Machining
@@ -248,6 +249,7 @@ class TrainFile(DesignSection):
     course: CourseSection | None = None
     car: CarSection | None = None
     motion: MotionSection | None = None
+    dynamics: DynamicsSection | None = None
     cam: CamSection | MotionCam | None = None
     follower: SerializeAsAny[FollowerSection] | None = None
     blank: BlankSection = BlankSection()
@@ -412,6 +414,18 @@ class DesignFile(DiscFile):
     cam: CamSection
 
     @model_validator(mode="after")
+    def _forces_are_those_of_the_rod(self) -> "DesignFile":
+        if self.dynamics is not None:
+            raise ValueError(
+                Message(
+                    "[dynamics] is for a design with [motion], and the force on the rod of a car stands in "
+                    "[mechanics]: "
+                    "remove [dynamics] (on the command line with --set dynamics=)"
+                )
+            )
+        return self
+
+    @model_validator(mode="after")
     def _laps_need_no_blend(self) -> "DesignFile":
         if not self.path.closed:
             return self
@@ -495,6 +509,8 @@ class MotionFile(DiscFile):
     def _motion_fits_the_follower(self) -> "MotionFile":
         try:
             motion_of(self.motion, self.follower.registered)
+            if self.dynamics is not None:
+                self.dynamics.refuse(self.follower.registered, self.follower.keys, self.cam.thickness_mm)
         except DesignError as error:
             raise ValueError(error.message) from None
         return self

@@ -1,5 +1,6 @@
 """A motion: what a follower has to do in one turn of the cam, q(theta) in the follower's own coordinate."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from math import factorial
@@ -130,11 +131,19 @@ class Motion:
         Args:
             order: 0 for the motion itself, 1 for its velocity, 2 for its acceleration, 3 for its jerk.
         """
+        return self.extremes_of(lambda jets, theta: jets[:, order])
+
+    def extremes_of(self, figure: Callable[[Array, Array], Array]) -> tuple[Peak, Peak]:
+        """Greatest and least value over the turn of a figure of the motion, either side of every seam, with places.
+
+        Args:
+            figure: function of jets as in `jets`, shape (n, 4), and of their cam angles, rad, shape (n,).
+        """
         start, stop = self.breaks[:-1], self.breaks[1:]
         count = max(9, _SAMPLES // len(start) + 1)
         theta = start[:, None] + (stop - start)[:, None] * np.linspace(0.0, 1.0, count)
         theta[:, -1] = stop
-        value = self._closed(theta, order)
+        value = self._closed(theta, figure)
         found = []
         for sign in (1.0, -1.0):
             top = float((sign * value).max())
@@ -143,7 +152,7 @@ class Motion:
             angles, values = theta[part], value[part]
             for _ in range(_ROUNDS):
                 angles = np.linspace(angles[max(at - 1, 0)], angles[min(at + 1, len(angles) - 1)], _CLOSER)
-                values = self._closed(angles[None], order)[0]
+                values = self._closed(angles[None], figure)[0]
                 at = int(np.argmax(sign * values))
             found.append(Peak(float(values[at]), float(angles[at]) % TURN))
         return found[0], found[1]
@@ -152,10 +161,10 @@ class Motion:
         """Value of a derivative that is the greatest in size over the turn, with its sign."""
         return max(self.extremes(order), key=lambda peak: abs(peak.value))
 
-    def _closed(self, theta: Array, order: int) -> Array:
-        """A derivative on rows of angles, the last of each row as it is before that angle."""
-        rows = self.jets(theta.ravel())[:, order].reshape(theta.shape)
-        rows[:, -1] = self.jets(theta[:, -1], before=True)[:, order]
+    def _closed(self, theta: Array, figure: Callable[[Array, Array], Array]) -> Array:
+        """A figure on rows of angles, the last of each row as it is before that angle."""
+        rows = np.array(figure(self.jets(theta.ravel()), theta.ravel())).reshape(theta.shape)
+        rows[:, -1] = figure(self.jets(theta[:, -1], before=True), theta[:, -1])
         return rows
 
     @cached_property

@@ -3,6 +3,7 @@
 | module       | what it holds                                                                |
 |--------------|------------------------------------------------------------------------------|
 | `cam_plan`   | a cam that is computed and checked, how it is made, and what it is for       |
+| `force_figures` | forces on a follower and its camshaft in checks                           |
 | `motion_figures` | peaks, seams and table of a motion                                       |
 | `motion_cam` | a cam by its motion: its use, plan and checks                                |
 | `steering_cam` | a car's cam: the car as its use, plan and checks                           |

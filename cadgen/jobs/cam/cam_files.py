@@ -90,6 +90,7 @@ def cam_export(plan: CamPlan) -> CamExport:
         export=making.export,
         machining=making.machining,
         motion=None if plan.motion.unit == TAN else plan.motion,
+        forces=use.forces(plan),
         in_use=partial(use.of_file, plan),
     )
 

@@ -6,6 +6,7 @@ from functools import cached_property
 
 from cadgen.cam.checks import LOST_LIFT
 from cadgen.cam.follower import Contact, Follower, Trim
+from cadgen.cam.forces import Forces
 from cadgen.cam.limits import CheckLimits
 from cadgen.car.against_play.profile_kinds import ProfileKind
 from cadgen.car.running.friction import DiscMaterial
@@ -134,6 +135,14 @@ class Application:
     def figures(self, cam: "CamPlan") -> tuple[Check, ...]:
         """Figures without a verdict that are shown beside the checks."""
         return ()
+
+    def forces(self, cam: "CamPlan") -> Forces | None:
+        """Forces on the follower and its camshaft; None where nothing is said of them.
+
+        Args:
+            cam: cam that was computed.
+        """
+        return None
 
     def sheets(self, cam: "CamPlan") -> tuple[Sheet, ...]:
         """Tables that are shown with all checks."""

@@ -10,6 +10,7 @@ import numpy as np
 from cadgen.arrays import TURN
 from cadgen.cam.checks import check_cam, signed_pressure
 from cadgen.cam.follower import Follower
+from cadgen.cam.forces import Forces
 from cadgen.cam.opposite import OppositeMotion
 from cadgen.car.against_play.profile_kinds import ACTUAL, ProfileKind, profile_of
 from cadgen.check import Check, CheckCode, failing
@@ -20,6 +21,7 @@ from cadgen.design.schema import MotionDesign
 from cadgen.errors import DesignError
 from cadgen.figures import Facts, Sheet
 from cadgen.jobs.cam.cam_plan import Application, CamPlan, Making
+from cadgen.jobs.cam.force_figures import force_checks, force_facts, force_figures, forces_of
 from cadgen.jobs.cam.motion_figures import checks_of, facts_of, notes_of, reservations_of, seams_sheets
 from cadgen.laws.motion import Motion
 from cadgen.laws.unit import MM
@@ -77,9 +79,18 @@ class SegmentUse(Application):
             if not (found and size.key == cam.follower_as_built.base_key):
                 yield [(f"{size.key}={size.value:.10g}", f"{size.now:g}")]
 
+    def forces(self, cam: CamPlan) -> Forces | None:
+        """Forces on the follower and its camshaft; None without [dynamics].
+
+        Args:
+            cam: cam that was computed.
+        """
+        return forces_of(self.design, cam.motion, cam.follower_as_built)
+
     def figures(self, cam: CamPlan) -> tuple[Check, ...]:
-        """Greatest velocity, acceleration and jerk of the follower."""
-        return checks_of(cam.motion, self.rpm)
+        """Greatest velocity, acceleration and jerk of the follower, and its forces."""
+        forces = self.forces(cam)
+        return (*checks_of(cam.motion, self.rpm), *(force_figures(forces) if forces else ()))
 
     def sheets(self, cam: CamPlan) -> tuple[Sheet, ...]:
         """Seams of the motion."""
@@ -93,7 +104,8 @@ class SegmentUse(Application):
             speed_rpm=self.rpm,
             source=self.design.motion.shaping_key,
         )
-        return Facts(motion=motion | facts_of(cam.motion, self.rpm))
+        forces, made = self.forces(cam), Facts(motion=motion | facts_of(cam.motion, self.rpm))
+        return made if forces is None else made | Facts(forces=force_facts(forces))
 
     def purpose(self, cam: CamPlan) -> str:
         """Travel of the follower in a turn, and the speed."""
@@ -105,15 +117,17 @@ class SegmentUse(Application):
         return said if self.rpm is None else clauses(said, Message("at {speed:g} rev/min", speed=self.rpm))
 
     def verdict(self, cam: CamPlan) -> PartVerdict:
-        """Verdict on the cam, with reservations on its motion."""
+        """Verdict on the cam and the forces on it, with reservations on its motion."""
+        forces = self.forces(cam)
+        checks = (*cam.checks, *(force_checks(forces) if forces else ()))
         if float(np.ptp(cam.motion.q(np.linspace(0.0, TURN, _DENSE)))) <= cam.motion.unit.level:
             still = Reservation(
                 "no-motion",
                 Message("the follower stands still through the whole turn"),
                 Message("give {key} a rise and a return", key=self.design.motion.shaping_key),
             )
-            return PartVerdict(cam.checks, (still,))
-        return PartVerdict(cam.checks, reservations_of(cam.motion, self.design))
+            return PartVerdict(checks, (still,))
+        return PartVerdict(checks, reservations_of(cam.motion, self.design))
 
     def notes(self, cam: CamPlan) -> tuple[str, ...]:
         """Sense of the disc, peaks of the motion, and what was done to its table."""

@@ -11,6 +11,7 @@ from cadgen.arrays import Array
 from cadgen.cam.contact import roll_curve
 from cadgen.cam.difference import Exact, dense_stations
 from cadgen.cam.follower import Contact, Follower
+from cadgen.cam.forces import Forces
 from cadgen.car.running.friction import DiscMaterial
 from cadgen.curves.chamfer import chamfered_off
 from cadgen.curves.closed import ClosedCurve, Outline
@@ -56,6 +57,7 @@ class CamExport:
         export: how finely files follow the curve.
         machining: cutter, speeds, tabs and drills.
         motion: motion of the follower, for its derivatives; None where files do not have them, as those of cars.
+        forces: forces on the follower and its camshaft; None where nothing is said of them.
         in_use: function of an outline read back, of the contact of the follower on it, and of the greatest error
             allowed to the lift, µm, that gives further figures by what the cam is for.
     """
@@ -73,6 +75,7 @@ class CamExport:
     export: Export
     machining: Machining
     motion: Motion | None = None
+    forces: Forces | None = None
     in_use: Callable[[Outline, Contact, float], Figures] = _nothing
 
     @property

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll, roll_curve
 from cadgen.cam.follower import Contact, Follower
+from cadgen.cam.forces import Forces
 from cadgen.car.running.drive import Run
 from cadgen.curves.closed import ClosedCurve, Outline, cross, left_normal
 from cadgen.curves.polygon import polyline
@@ -62,15 +63,20 @@ _MOTION_AT = COLUMNS.index("lift_mm") + 1
 _DERIVATIVES = ("velocity_{unit}_per_rad", "acceleration_{unit}_per_rad2", "jerk_{unit}_per_rad3")
 
 
-def columns(unit: Unit, *, derived: bool = False) -> tuple[str, ...]:
+_FORCES = ("normal_force_N", "camshaft_torque_Nmm")
+
+
+def columns(unit: Unit, *, derived: bool = False, forces: bool = False) -> tuple[str, ...]:
     """Columns of the table of a follower whose motion has a unit.
 
     Args:
         unit: unit of the motion.
         derived: whether the derivatives of the motion are among them.
+        forces: whether the forces are.
     """
     named = (_MOTION[unit],) if unit in _MOTION else ()
     more = tuple(name.format(unit=unit.symbol) for name in _DERIVATIVES) if derived else ()
+    more += _FORCES if forces else ()
     return (*COLUMNS[:_MOTION_AT], *named, *more, *COLUMNS[_MOTION_AT:])
 
 
@@ -78,7 +84,7 @@ def cam_table(cam: CamExport, folder: Path) -> Iterator[Artifact]:
     """Table of a cam by its cam angle; straight lines from contact to contact must keep the outline, and the lift."""
     name = f"{cam.stem}.csv"
     contact = contact_rows(cam.curve, cam.follower, cam.export.point_count, cam.rim_share * LIFT_LIMIT_UM * 1e-3)
-    write_csv(folder / name, cam.curve, cam.follower, contact, cam.motion)
+    write_csv(folder / name, cam.curve, cam.follower, contact, cam.motion, cam.forces)
     table = read_csv(folder / name)
     column = float(np.abs(table["lift_mm"] - contact.lift).max() * 1e3)
     outline = contact_outline(table, cam.step)
@@ -186,7 +192,12 @@ def _needed(rows: Contact, place: Array, curve: ClosedCurve, count: int, toleran
 
 
 def write_csv(
-    path: Path, curve: ClosedCurve, follower: Follower, contact: Contact, motion: Motion | None = None
+    path: Path,
+    curve: ClosedCurve,
+    follower: Follower,
+    contact: Contact,
+    motion: Motion | None = None,
+    forces: Forces | None = None,
 ) -> None:
     """Write one row per contact of the follower with the profile.
 
@@ -199,6 +210,7 @@ def write_csv(
         follower: follower on the profile.
         contact: contacts of the follower rolled on the profile.
         motion: motion of the follower, whose derivatives are written, too; None for tables without them.
+        forces: forces that are written, too; None for tables without them.
     """
     jet, _ = curve.at_angle(follower.place(contact))
     normal = -left_normal(jet.velocity)
@@ -218,6 +230,7 @@ def write_csv(
                 else []
             ),
             *([] if motion is None else [motion.jets(contact.cam_angle)[:, 1:]]),
+            *([] if forces is None else _force_columns(forces, contact.cam_angle)),
             normal,
             np.degrees(contact.pressure_angle),
             radius,
@@ -229,8 +242,13 @@ def write_csv(
         ",".join([f"{x:.6f}" if x == x else "" for x in row]) + f",{face}"
         for row, face in zip((numbers.round(6) + 0.0).tolist(), faces, strict=True)
     )
-    head = ",".join(columns(follower.unit, derived=motion is not None))
+    head = ",".join(columns(follower.unit, derived=motion is not None, forces=forces is not None))
     path.write_text("\n".join([head, *rows]) + "\n", encoding="ascii", newline="\n")
+
+
+def _force_columns(forces: Forces, cam_angle: Array) -> list[Array]:
+    jets = forces.motion.jets(cam_angle)
+    return [forces.normal(jets, cam_angle), forces.torque(jets, cam_angle)]
 
 
 def read_csv(path: Path) -> dict[str, Array]:
@@ -246,7 +264,8 @@ def read_csv(path: Path) -> dict[str, Array]:
         header, *rows = csv.reader(text.splitlines())
         if not text.endswith("\n"):
             raise ValueError("cut short")
-        if tuple(header) not in [columns(unit, derived=some) for unit in (MM, RAD, TAN) for some in (False, True)]:
+        kinds = [(unit, some, more) for unit in (MM, RAD, TAN) for some in (False, True) for more in (False, True)]
+        if tuple(header) not in [columns(unit, derived=some, forces=more) for unit, some, more in kinds]:
             raise FileError("{file} has columns {columns}: write it again", file=path.name, columns=", ".join(header))
         values = {"": "nan", "inner": "0", "outer": "1", "whole": "2"}
         table = np.array([[float(values.get(text, text)) for text in row] for row in rows])

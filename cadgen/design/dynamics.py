@@ -1,0 +1,249 @@
+"""The section [dynamics]: mass, spring, load, damping and guide of a follower that is moved by [motion]."""
+
+from __future__ import annotations
+
+from math import cos, radians
+from typing import TYPE_CHECKING, Annotated
+
+from annotated_types import Ge, Le
+from pydantic import Field, Strict
+
+from cadgen.cam.followers.closure import Closure
+from cadgen.cam.followers.kind import FollowerKind
+from cadgen.car.running.friction import DiscMaterial
+from cadgen.design.lift_rows import MOST_ROWS
+from cadgen.design.section import DesignSection
+from cadgen.errors import DesignError
+from cadgen.laws.unit import MM
+from cadgen.messages import Message
+
+if TYPE_CHECKING:
+    from cadgen.cam.follower import Follower
+    from cadgen.cam.forces import Dynamics, Load
+
+# Modulus of elasticity, MPa, and Poisson's ratio: tables of makers and handbooks; plastics scatter by a third.
+_STEEL = (206_000.0, 0.30)
+_ELASTIC: dict[DiscMaterial, tuple[float, float]] = {
+    DiscMaterial.STEEL: _STEEL,
+    DiscMaterial.ALUMINIUM: (70_000.0, 0.33),
+    DiscMaterial.BRASS: (100_000.0, 0.35),
+    DiscMaterial.ACRYLIC: (3_200.0, 0.37),
+    DiscMaterial.PLA: (3_500.0, 0.36),
+    DiscMaterial.POM: (2_800.0, 0.35),
+}
+# Keys of a slide, and those in their place of a follower on an arm.
+_SLIDE_AND_ARM = (
+    ("mass_kg", "inertia_kgmm2"),
+    ("spring_rate_N_per_mm", "spring_rate_Nmm_per_rad"),
+    ("preload_N", "preload_Nmm"),
+    ("load_N", "load_Nmm"),
+    ("damping_N_s_per_m", "damping_Nmm_s_per_rad"),
+)
+_OF_A_SLIDE = ("gravity_deg", "guide_friction", "guide_length_mm", "overhang_mm")
+
+Force = Annotated[float, Ge(-1e7), Le(1e7)]
+LoadRow = Annotated[tuple[Force, Force], Strict(False)]
+
+
+class DynamicsSection(DesignSection):
+    """Mass, spring and load of a follower that is moved by [motion], for forces, torque and the speed at which it "
+    "leaves."""
+
+    mass_kg: float | None = Field(default=None, ge=0, le=10_000, description="of all that moves along with the slide")
+    inertia_kgmm2: float | None = Field(
+        default=None, ge=0, le=1e9, description="of a swinging follower, moment of inertia about the pivot"
+    )
+    spring_rate_N_per_mm: float | None = Field(default=None, ge=0, le=1e5, description="of the spring that closes it")
+    spring_rate_Nmm_per_rad: float | None = Field(default=None, ge=0, le=1e9, description="of a swinging follower")
+    preload_N: float | None = Field(
+        default=None, ge=-1e7, le=1e7, description="force of the spring at lift 0, onto the disc"
+    )
+    preload_Nmm: float | None = Field(
+        default=None, ge=-1e7, le=1e7, description="of a swinging follower, its moment at swing 0"
+    )
+    load_N: float | None = Field(
+        default=None, ge=-1e7, le=1e7, description="load against the motion, the same at every angle"
+    )
+    load_Nmm: float | None = Field(default=None, ge=-1e7, le=1e7, description="of a swinging follower")
+    load: str | None = Field(
+        default=None,
+        min_length=1,
+        max_length=1000,
+        description="CSV of two columns, cam angle in degrees and load in N (N·mm of a swinging follower), by its path "
+        "from the folder of the design file",
+    )
+    load_rows: Annotated[tuple[LoadRow, ...] | None, Strict(False)] = Field(
+        default=None,
+        min_length=2,
+        max_length=MOST_ROWS,
+        description="rows of the load, [cam angle, load], instead of a file; what is read from a file is kept here",
+    )
+    damping_N_s_per_m: float | None = Field(default=None, ge=0, le=1e6, description="of the slide")
+    damping_Nmm_s_per_rad: float | None = Field(default=None, ge=0, le=1e9, description="of a swinging follower")
+    gravity_deg: float | None = Field(
+        default=None,
+        ge=0,
+        le=180,
+        description="angle between the follower's motion outwards and its weight: 180 where the weight presses it on "
+        "the "
+        "disc; left out, no weight",
+    )
+    guide_friction: float | None = Field(
+        default=None, ge=0, le=1.5, description="sliding friction in the slide's guide"
+    )
+    guide_length_mm: float | None = Field(default=None, gt=0, le=10_000, description="of that guide")
+    overhang_mm: float | None = Field(default=None, ge=0, le=10_000, description="end of the guide to the contact")
+    contact_width_mm: float | None = Field(
+        default=None, gt=0, le=1000, description="length of the line of contact; left out, the disc's thickness"
+    )
+    disc_modulus_MPa: float | None = Field(
+        default=None, gt=0, le=1e6, description="modulus of elasticity; left out, by blank.material, or of steel"
+    )
+    disc_poisson_ratio: float | None = Field(default=None, ge=0, lt=0.5, description="left out, by blank.material")
+    follower_modulus_MPa: float | None = Field(default=None, gt=0, le=1e6, description="left out, 206000, of steel")
+    follower_poisson_ratio: float | None = Field(default=None, ge=0, lt=0.5, description="left out, 0.3, of steel")
+
+    def refuse(self, kind: FollowerKind, keys: object, thickness: float) -> None:
+        """Refuse keys that do not suit the follower or the disc, or each other.
+
+        Args:
+            kind: kind of the follower.
+            keys: keys of the follower.
+            thickness: thickness of the disc, mm.
+
+        Raises:
+            DesignError: it is so.
+        """
+        slides = kind.unit == MM
+        springs = [key for pair in (_SLIDE_AND_ARM[1], _SLIDE_AND_ARM[2]) for key in pair if getattr(self, key)]
+        if springs and closed_by_form(keys):
+            raise DesignError(
+                "dynamics.{key} is of a spring, and the follower is held by its closure: remove it (on the command "
+                "line with --set dynamics.{key}=)",
+                key=springs[0],
+            )
+        for slide, arm in _SLIDE_AND_ARM:
+            wrong, right = (arm, slide) if slides else (slide, arm)
+            if getattr(self, wrong) is not None:
+                raise DesignError(
+                    'dynamics.{wrong} is not of a follower of kind "{code}", which {moves}: give {right} instead',
+                    wrong=wrong,
+                    right=right,
+                    code=kind.code,
+                    moves=Message("slides") if slides else Message("swings"),
+                )
+        given = [key for key in _OF_A_SLIDE if getattr(self, key) is not None]
+        if given and not slides:
+            raise DesignError(
+                'dynamics.{key} is of a slide, and a follower of kind "{code}" swings: remove it (on the command line '
+                "with --set dynamics.{key}=)",
+                key=given[0],
+                code=kind.code,
+            )
+        if (self.guide_friction is None) != (self.guide_length_mm is None):
+            raise DesignError(
+                "dynamics needs guide_friction and guide_length_mm together, and has only {given}: add the other, or "
+                "remove it",
+                given="guide_length_mm" if self.guide_friction is None else "guide_friction",
+            )
+        if self.load_rows is None and self.load is not None:
+            raise DesignError(
+                "dynamics.load names a file whose rows were not read: load the design from its file",
+            )
+        if self.load_rows is not None:
+            self._refuse_load(self.load_rows, "load_N" if slides else "load_Nmm")
+        if self.contact_width_mm is not None and self.contact_width_mm > thickness:
+            raise DesignError(
+                "dynamics.contact_width_mm is {width:g}; no line of contact is longer than the disc is thick: set it "
+                "to "
+                "{thickness:g} or less",
+                width=self.contact_width_mm,
+                thickness=thickness,
+            )
+
+    def _refuse_load(self, rows: tuple[tuple[float, float], ...], constant: str) -> None:
+        if getattr(self, constant) is not None:
+            raise DesignError(
+                "dynamics has {constant} and a load by angle, two for one value: remove {constant} (on the command "
+                "line "
+                "with --set dynamics.{constant}=)",
+                constant=constant,
+            )
+        for number in range(1, len(rows)):
+            if rows[number][0] <= rows[number - 1][0]:
+                raise DesignError(
+                    "row {number} of the load is at {angle:g} degrees, after one at {before:g}, but angles must grow: "
+                    "sort the rows by their angles, and keep one of each",
+                    number=number + 1,
+                    angle=rows[number][0],
+                    before=rows[number - 1][0],
+                )
+        if rows[-1][0] - rows[0][0] > 360 * (1 + 1e-9):
+            raise DesignError(
+                "the rows of the load reach over {reach:g} degrees; they must reach over 360 at most: remove those "
+                "beyond it",
+                reach=rows[-1][0] - rows[0][0],
+            )
+
+
+def closed_by_form(keys: object) -> bool:
+    """Whether a groove or a second disc holds a follower on its cam, and no spring.
+
+    Args:
+        keys: keys of the follower.
+    """
+    return getattr(keys, "closure", None) not in (None, Closure.SPRING)
+
+
+def dynamics_of(
+    section: DynamicsSection, kind: FollowerKind, follower: Follower, material: DiscMaterial | None, thickness: float
+) -> Dynamics:
+    """Mass, spring, damping and load of a design's follower, in N, mm, s.
+
+    Args:
+        section: section [dynamics].
+        kind: kind of the follower.
+        follower: follower, whose radius presses on the disc.
+        material: material of the disc; None where the design does not say.
+        thickness: thickness of the disc, mm.
+    """
+    from cadgen.cam.forces import Dynamics, Guide, Line, joint_modulus
+
+    slides = kind.unit == MM
+    inertia, rate, preload, constant, damping = (
+        getattr(section, slide if slides else arm) or 0.0 for slide, arm in _SLIDE_AND_ARM
+    )
+    guide = None
+    if section.guide_friction and section.guide_length_mm is not None:
+        guide = Guide(
+            friction=section.guide_friction, length=section.guide_length_mm, overhang=section.overhang_mm or 0.0
+        )
+    modulus, ratio = _STEEL if material is None else _ELASTIC[material]
+    disc = section.disc_modulus_MPa or modulus, _given(section.disc_poisson_ratio, ratio)
+    other = section.follower_modulus_MPa or _STEEL[0], _given(section.follower_poisson_ratio, _STEEL[1])
+    width = section.contact_width_mm or thickness
+    line = Line(width=width, modulus=joint_modulus(disc, other), radius=follower.radius) if follower.radius else None
+    return Dynamics(
+        # kg to N s²/mm, kg mm² to N mm s², N s/m to N s/mm.
+        inertia=inertia * 1e-3,
+        rate=rate,
+        preload=preload,
+        damping=damping * (1e-3 if slides else 1.0),
+        load=constant if section.load_rows is None else _load(section.load_rows),
+        uphill=0.0 if section.gravity_deg is None else -cos(radians(section.gravity_deg)),
+        guide=guide,
+        line=line,
+    )
+
+
+def _given(value: float | None, otherwise: float) -> float:
+    return otherwise if value is None else value
+
+
+def _load(rows: tuple[tuple[float, float], ...]) -> Load:
+    import numpy as np
+
+    from cadgen.cam.forces import Load
+
+    angle, value = np.array(rows, dtype=float).T
+    return Load(cam_angle=np.radians(angle), value=value)
