@@ -64,6 +64,7 @@ _HOMES = {
     "Lightening": "parts.features",
     "Measured": "api.measured",
     "Plan": "api.planning",
+    "Planetary": "api.planetary",
     "Report": "api.views",
     "SetScrew": "parts.features",
     "Simulation": "jobs.simulation",
@@ -89,6 +90,7 @@ if TYPE_CHECKING:
     from cadgen.api.exploration import Exploration, explore, merge
     from cadgen.api.gears import Gear, GearPair, Train
     from cadgen.api.measured import Measured
+    from cadgen.api.planetary import Planetary
     from cadgen.api.planning import Plan
     from cadgen.api.runs import Comparison
     from cadgen.api.views import Editor, Report
@@ -121,6 +123,7 @@ __all__ = [
     "Lightening",
     "Measured",
     "Plan",
+    "Planetary",
     "Report",
     "SetScrew",
     "Simulation",

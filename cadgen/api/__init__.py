@@ -8,6 +8,7 @@
 | `drawing`  | drawings of cams and trains                                                |
 | `measured` | measured data, as files or as arrays                                       |
 | `gears`    | gears, pairs and trains by their numbers                                   |
+| `planetary` | planetary sets by their numbers                                          |
 | `calibration` | a judgement of measured data, and the design built from it              |
 | `adjustment` | settings after trial runs                                                |
 | `planning`   | a planned path, or why there is none                                    |

@@ -11,7 +11,7 @@ from dataclasses import KW_ONLY, dataclass, fields
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
-from math import cos, pi, radians
+from math import pi, radians
 from os import PathLike
 from typing import TYPE_CHECKING
 
@@ -40,7 +40,6 @@ from cadgen.gears.wheel_body import gear_body
 from cadgen.geometry.meshes.made_train import MadeTrain, make_train
 from cadgen.jobs.gears.assembly import Assembly, checks_facts, parts_facts, return_error, stages_facts, write_gear
 from cadgen.jobs.gears.gear_train import NotMadeError as NotMadeError
-from cadgen.messages import Message
 from cadgen.output.files.exports import GearExport
 from cadgen.output.files.publisher import Frozen, Written, folder_of
 from cadgen.parts.blank import Blank
@@ -484,11 +483,7 @@ class GearPair(_ByNumbers):
         if self.backlash is None:
             pinion, wheel = (Thinning(self.thinning) if deviation is None else deviation for deviation in fixed)
             return pinion, wheel
-        angle = self.backlash / pair.driven_pitch_radius
-        along = angle * pair.driven.form.base_diameter / 2
-        form = pair.driver.form
-        across = (pair.base_backlash(pair.centre_distance) - along) / cos(form.transverse_pressure_angle)
-        both = across * cos(form.helix_angle)
+        both = pair.thinning_for(self.backlash)
         known = [deviation for deviation in fixed if deviation is not None]
         share = (both - sum(known)) / (2 - len(known))
         pinion, wheel = (share if deviation is None else deviation for deviation in fixed)
@@ -500,7 +495,9 @@ class GearPair(_ByNumbers):
         pair = self.nominal
         driver, driven = pair.driver.thinning, pair.driven.thinning
         if isinstance(driver, str) or isinstance(driven, str):
-            return spur.spur_pairs(numeric.thinned(numeric.Train((pair,))), Message("a pair is"))[0]
+            (made,) = numeric.thinned(numeric.Train((pair,))).stages
+            assert isinstance(made, spur.SpurPair)
+            return made
         return pair.with_free_tips().cut_to(driver, driven).fitted()
 
     @property

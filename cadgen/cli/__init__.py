@@ -5,6 +5,7 @@
 | `design_commands` | `cadgen new`, `plan`, `card`: what makes a design           |
 | `cam_commands` | `cadgen check`, `cam`, `optimize`                               |
 | `gears`     | `cadgen gears`: a gear train as verified files                     |
+| `gear_numbers` | `cadgen gear`, `pair`, `planetary`: gears by flags              |
 | `car_commands` | `cadgen simulate`, `tolerance`, `calibrate`, `adjust`           |
 | `study_commands` | `cadgen explore`, `merge`: studies of many designs            |
 | `page_commands` | `cadgen report`, `edit`, `draw`: what shows a design           |
@@ -37,6 +38,7 @@ from cadgen.cli import help, interrupt, output
 from cadgen.cli.cam_commands import cam, check, optimize
 from cadgen.cli.car_commands import adjust, calibrate, simulate, tolerance
 from cadgen.cli.design_commands import card, new, plan
+from cadgen.cli.gear_numbers import gear, pair, planetary
 from cadgen.cli.gears import gears
 from cadgen.cli.page_commands import draw, edit, report
 from cadgen.cli.study_commands import explore, merge
@@ -87,6 +89,9 @@ cli.add_command(card)
 cli.add_command(cam)
 cli.add_command(check)
 cli.add_command(gears)
+cli.add_command(gear)
+cli.add_command(pair)
+cli.add_command(planetary)
 cli.add_command(draw)
 cli.add_command(simulate)
 cli.add_command(optimize)

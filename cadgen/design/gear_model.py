@@ -224,7 +224,7 @@ def mesh_chord(design: TrainDesign, gears: Sequence[Wheel]) -> float:
 
 def usual_chord(gears: Sequence[Wheel]) -> float:
     """Greatest chord error of a part's mesh in mm where none is given."""
-    return min(*(gear.usual_chord for gear in gears), COARSEST_CHORD)
+    return min((*(gear.usual_chord for gear in gears), COARSEST_CHORD))
 
 
 def _range(spans: tuple[T, T], low: T | None, high: T | None) -> tuple[T, T]:
@@ -246,13 +246,36 @@ def _pair(stage: SpurStage, train: TrainSection) -> SpurPair:
     driver = _gear(stage.driver, train, _signed(helix, driver_hand), double)
     driven = _gear(stage.driven, train, _signed(helix, stage.driven.hand or other_hand), double)
     apart = stage.centre_distance_mm
-    return SpurPair(
+    pair = SpurPair(
         driver=driver,
         driven=driven,
         centre_distance=nominal_distance(driver.form, driven.form) if apart is None else apart,
         bearing_span=stage.bearing_span_mm or train.bearing_span_mm,
         centre_distance_deviation=None if stage.f_a_um is None else stage.f_a_um * _UM,
     )
+    return _with_backlash(pair, stage)
+
+
+def _with_backlash(pair: SpurPair, stage: SpurStage) -> SpurPair:
+    """The pair thinned for the backlash that its stage asks for."""
+    backlash = stage.backlash_um
+    if backlash is None and stage.backlash_deg is None:
+        return pair
+    arc = radians(stage.backlash_deg or 0.0) * pair.driven_pitch_radius if backlash is None else backlash * _UM
+    both, share = pair.thinning_for(arc), 0.5 if stage.backlash_share is None else stage.backlash_share
+    driver, driven = _own_thickness(stage.driver), _own_thickness(stage.driven)
+    if driver is None and driven is None:
+        driver = share * both
+    if driver is None:
+        driver = both - (driven or 0.0)
+    return pair.thinned_to(driver, both - driver)
+
+
+def _own_thickness(gear: GearKeys) -> float | None:
+    """Deviation E_sn that a gear is to be cut to by its own keys, mm; None for that of the train."""
+    if gear.E_sns_um is not None:
+        return (gear.E_sns_um - (gear.T_sn_um or 0.0) / 2) * _UM
+    return None if gear.E_sn_um is None else gear.E_sn_um * _UM
 
 
 def _signed(helix: float, hand: Hand) -> float:
@@ -282,14 +305,17 @@ def _gear(gear: GearKeys, train: TrainSection, helix: float, double: bool) -> Gr
             root_rounding=gear.root_radius_factor,
             keeps_addendum=gear.addendum_factor is not None,
         )
+    usual = train.thinning if train.E_sn_um is None else train.E_sn_um * _UM
+    own = _own_thickness(gear)
     given = {name: getattr(gear, f"{name}_um") for name in _OVERRIDES}
     overrides = {name: value * _UM for name, value in given.items() if value is not None}
     return GradedGear(
         form=form,
         grade=gear.grade or train.grade,
         overrides=ToleranceOverrides(**overrides),
-        thinning=train.thinning if train.E_sn_um is None else train.E_sn_um * _UM,
+        thinning=usual if own is None else own,
         pin_diameter=train.pin_diameter_mm,
+        thickness_tolerance=None if gear.T_sn_um is None else gear.T_sn_um * _UM,
     )
 
 

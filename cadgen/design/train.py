@@ -43,6 +43,18 @@ class GearKeys(DesignSection):
     pressure_angle_deg: float | None = Field(
         default=None, ge=10, le=35, description="alpha_n; left out, that of the train"
     )
+    E_sn_um: float | None = Field(
+        default=None,
+        ge=-1e4,
+        le=1e4,
+        description="thickness deviation that it is cut to, negative for thinner teeth; left out, that of the train",
+    )
+    E_sns_um: float | None = Field(
+        default=None, ge=-1e4, le=1e4, description="upper limit of that deviation, with T_sn_um in place of E_sn_um"
+    )
+    T_sn_um: float | None = Field(
+        default=None, gt=0, le=1e4, description="width of the zone of the thickness; left out, that of the grade"
+    )
     hand: Annotated[Hand | None, WORD] = Field(
         default=None,
         description="of a helical gear: `right` turns counter-clockwise as it goes away; left out, `right` for the "
@@ -82,6 +94,14 @@ class GearKeys(DesignSection):
     F_i_radial_um: float | None = Field(
         default=None, ge=0, le=1e4, description="F_i'', total radial composite deviation"
     )
+
+    @model_validator(mode="after")
+    def _one_thickness(self) -> "GearKeys":
+        if self.E_sns_um is not None and self.E_sn_um is not None:
+            raise ValueError(Message("{here}.E_sn_um and E_sns_um are both given: remove one of them", here=HERE))
+        if self.E_sns_um is not None and self.T_sn_um is None:
+            raise ValueError(Message("{here}.E_sns_um needs the width of its zone: give T_sn_um", here=HERE))
+        return self
 
     @model_validator(mode="after")
     def _keys_of_a_ring(self) -> "GearKeys":
@@ -132,6 +152,18 @@ class SpurStage(StageSection):
     f_a_um: float | None = Field(
         default=None, ge=0, le=1e4, description="deviation of the centre distance; left out, the standard's"
     )
+    backlash_um: float | None = Field(
+        default=None,
+        ge=0,
+        le=1e4,
+        description="j_wt that the teeth are thinned to, on the working pitch circles; left out, that of their grade",
+    )
+    backlash_deg: float | None = Field(
+        default=None, ge=0, le=45, description="free angle of the driven gear, in place of backlash_um"
+    )
+    backlash_share: float | None = Field(
+        default=None, ge=0, le=1, description="share of the thinning that the driver takes; left out, a half"
+    )
     helix_angle_deg: float | None = Field(
         default=None, ge=0, le=45, description="beta at the reference circle; left out, that of the train"
     )
@@ -140,6 +172,29 @@ class SpurStage(StageSection):
     )
     driver: GearKeys
     driven: GearKeys
+
+    @model_validator(mode="after")
+    def _one_backlash(self) -> "SpurStage":
+        thick = [gear.E_sn_um is not None or gear.E_sns_um is not None for gear in (self.driver, self.driven)]
+        if self.backlash_um is not None and self.backlash_deg is not None:
+            raise ValueError(
+                Message("{here}.backlash_um and backlash_deg are both given: remove one of them", here=HERE)
+            )
+        if self.backlash_um is None and self.backlash_deg is None:
+            if self.backlash_share is not None:
+                raise ValueError(
+                    Message("{here}.backlash_share needs a backlash that is shared: give backlash_um", here=HERE)
+                )
+            return self
+        if all(thick):
+            raise ValueError(
+                Message(
+                    "{here} has a backlash and the thickness of both gears, of which two decide the third: remove "
+                    "driven.E_sn_um",
+                    here=HERE,
+                )
+            )
+        return self
 
 
 @cache

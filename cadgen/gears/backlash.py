@@ -136,6 +136,7 @@ def play_equations(
     thinning: tuple[Thinning | float, Thinning | float] = (Thinning.MIDDLE, Thinning.MIDDLE),
     alpha_t: float | None = None,
     beta: float = 0.0,
+    zones: tuple[float | None, float | None] = (None, None),
 ) -> StagePlay[T]:
     """Eq. 1-13 on given tolerances, in mm and rad; the sizes may be arrays of one shape.
 
@@ -150,6 +151,7 @@ def play_equations(
         thinning: limit to which the teeth of both are thinned, or their deviation, mm.
         alpha_t: transverse pressure angle, rad; that of spur gears if left out.
         beta: helix angle, rad.
+        zones: widths T_sn of the zones of the thickness in place of eq. 8, mm; None for that.
     """
     tan_n, tan_w, cos_n, cos_t = np.tan(alpha_n), np.tan(alpha_w), np.cos(alpha_n), np.cos(ALPHA_T)
     across = np.cos(beta)  # a normal thickness as a share of the arc in the transverse section
@@ -165,8 +167,8 @@ def play_equations(
     j_bnmin_required = 2 / 3 * (0.06 + 0.0005 * centre_distance + 0.03 * module)
     E_sns = -(f_a * tan_w + (j_bnmin_required + j_n) / (2 * cos_n) / across) / onto_pitch_circle
     plays = []
-    for gear, f_own, aim in zip(gears, parallelism, thinning, strict=True):
-        T_sn = 2 * tan_n * np.hypot(gear.F_r, gear.b_r)
+    for gear, f_own, aim, zone in zip(gears, parallelism, thinning, zones, strict=True):
+        T_sn = 2 * tan_n * np.hypot(gear.F_r, gear.b_r) if zone is None else zone
         upper = E_sns + _zone_shift(aim, E_sns, T_sn)
         plays.append(
             GearPlay(
@@ -228,6 +230,7 @@ def stage_play(pair: Pair) -> StagePlay[float]:
         thinning=(pair.driver.thinning, pair.driven.thinning),
         alpha_t=form.transverse_pressure_angle,
         beta=form.helix_angle,
+        zones=(pair.driver.thickness_tolerance, pair.driven.thickness_tolerance),
     )
 
 

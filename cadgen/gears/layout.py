@@ -61,8 +61,9 @@ class Blanks:
 class TrainPart:
     """Part of a train at its place: its own frame turned by `angle` about z (rad) and set at `axis`, `height` (mm).
 
-    `gears` are one or two wheels by rising height in the part's own frame, each with a tooth on the x axis if it has
-    any. `stages` are the numbers of the stages they belong to, from 1. A `flipped` part is first turned over about x.
+    `gears` are none, one or two wheels by rising height in the part's own frame, each with a tooth on the x axis if it
+    has any. `stages` are the numbers of the stages they belong to, from 1. A `flipped` part is first turned over about
+    x.
     """
 
     name: str
@@ -78,7 +79,9 @@ class TrainPart:
 
     @property
     def starts(self) -> tuple[float, ...]:
-        """Heights in the part's own frame at which its gears begin, in mm."""
+        """Heights in the part's own frame at which its gears begin, in mm; none without gears."""
+        if not self.gears:
+            return ()
         return (0.0, self.body.slabs[-1].end - self.gears[-1].width)[: len(self.gears)]
 
     @property

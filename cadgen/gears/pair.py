@@ -35,6 +35,7 @@ class GradedGear:
     """A gear and the tolerance grade it is made to; `overrides` stand in for the standards' values.
 
     `thinning` is the thickness that the teeth are cut to: a place in the zone of the grade, or E_sn in mm.
+    `thickness_tolerance` is the width T_sn of that zone in mm, None for that of the grade.
     `pin_diameter` is that of the pins it is measured with, in mm; None for one to suit it. Raises `DesignError` for a
     grade outside 3 to 12.
     """
@@ -44,6 +45,7 @@ class GradedGear:
     overrides: ToleranceOverrides = field(default_factory=ToleranceOverrides)
     thinning: Thinning | float = Thinning.MIDDLE
     pin_diameter: float | None = None
+    thickness_tolerance: float | None = None
 
     def __post_init__(self) -> None:
         if self.grade not in GRADES:
@@ -286,6 +288,18 @@ class Pair:
         shift = 2 * (form.profile_shift + other.profile_shift) * tan(form.normal_pressure_angle)
         nominal = form.transverse_module * (self.teeth_together * opened - shift)
         return cos(alpha) * (nominal - thickness_deviation / cos(form.helix_angle))
+
+    def thinning_for(self, backlash: float) -> float:
+        """Sum of both gears' E_sn, mm, with which they have a backlash on the working pitch circles.
+
+        ΣE_sn = cos β (j_bt of nominal teeth − j_wt cos α_wt) / cos α_t.
+
+        Args:
+            backlash: j_wt, mm.
+        """
+        form = self.driver.form
+        short = self.base_backlash(self.centre_distance) - backlash * cos(self.working_pressure_angle)
+        return short / cos(form.transverse_pressure_angle) * cos(form.helix_angle)
 
     def backlash(self, centre_distance: float | None = None) -> Backlash:
         """Play under its four names by the exact geometry of involutes, as cut.

@@ -8,7 +8,7 @@ import click
 import pytest
 
 import cadgen
-from cadgen import Cam, Design, Editor, GearTrain, Report, draw, explore, merge, verify
+from cadgen import Cam, Design, Editor, Gear, GearPair, GearTrain, Planetary, Report, draw, explore, merge, verify
 from cadgen.api.calibration import Calibration
 from cadgen.cli import cli
 
@@ -23,10 +23,13 @@ FACE: dict[str, Functions] = {
     "draw": (Design.load, Design.cam, Design.gears, draw),
     "edit": (Editor.open, Editor.serve),
     "explore": (explore,),
+    "gear": (Gear, Gear.write),
     "gears": (Design.load, Design.gears, GearTrain.write),
     "merge": (merge,),
     "new": (Design.new,),
     "optimize": (Design.load, Design.optimize),
+    "pair": (Gear, GearPair, GearPair.write),
+    "planetary": (Gear, Planetary, Planetary.write),
     "plan": (Design.load, Design.plan),
     "report": (Design.load, Report.of),
     "simulate": (Design.load, Design.simulate),
@@ -39,6 +42,12 @@ CALLED = {
     "design": "source",
     "no_browser": "browser",
     "course": "source",
+    "E_sn_um": "thickness_deviation",
+    "backlash_um": "backlash",
+    "backlash_deg": "backlash",
+    "centre_distance_mm": "centre_distance",
+    "bearing_span_mm": "bearing_span",
+    "unequal": "equal",
 }
 BY_METHODS = {
     "lang": "messages.choose",
@@ -50,9 +59,11 @@ BY_METHODS = {
     "unseen": "predict",
     "only": "cam and train of `draw`",
     "arguments": "source and data",
+    "toml": "the design file of a pair",
 }
 # Commands use two processes; a script says how many it wants, or gives a pool.
-OTHER_DEFAULTS = {"processes", "no_browser", "jobs"}
+# What is given for no gear has the default of each.
+OTHER_DEFAULTS = {"processes", "no_browser", "jobs", "grade", "pressure_angle", "unequal"}
 
 
 def commands() -> dict[str, click.Command]:

@@ -48,6 +48,10 @@ _NAMES |= {
     "key",
     "weight",
     "formats",
+    "kind",
+    "double",
+    "driver",
+    "driven",
 }
 
 

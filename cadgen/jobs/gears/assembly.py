@@ -99,6 +99,11 @@ class Assembly(JobResult, ABC):
         """
 
     @property
+    def frame(self) -> str:
+        """Frames of the files, in words."""
+        return _TRAIN_FRAME
+
+    @property
     def passed(self) -> bool:
         """Whether every check keeps its limit."""
         return not self.failed
@@ -174,7 +179,7 @@ class Assembly(JobResult, ABC):
         wanted, train = TRAIN.chosen(formats), self.export
         if any(each.code == "step" for each in wanted):
             require_few_teeth(train, (code for code in TRAIN.codes if code != "step"))
-        return _published(f"{self.stem}_train", TRAIN, train, wanted, self.entry(), _TRAIN_FRAME, place, progress)
+        return _published(f"{self.stem}_train", TRAIN, train, wanted, self.entry(), self.frame, place, progress)
 
 
 def write_gear(

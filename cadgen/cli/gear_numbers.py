@@ -1,0 +1,473 @@
+"""`cadgen gear`, `cadgen pair` and `cadgen planetary`: gears by flags, without a design file."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from math import degrees, radians
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from cadgen.cli import help
+from cadgen.cli.options import formats_option, out_option
+from cadgen.errors import DesignError
+from cadgen.figures import Sheet
+from cadgen.gears.choices import Hand
+from cadgen.messages import Message
+
+if TYPE_CHECKING:
+    from cadgen import Gear, GearPair, Planetary, Written
+
+Command = Callable[..., Any]
+_MOST = 3  # gears of one command
+
+
+def _numbers(each: Callable[[str], Any], name: str, given: str | None) -> list[Any]:
+    """Values of a flag, one for each gear, separated by commas."""
+    if given is None:
+        return []
+    try:
+        return [each(part.strip()) for part in given.split(",")]
+    except ValueError:
+        raise click.UsageError(
+            Message("--{name} is {given}; give a number, or one for each gear with commas", name=name, given=given)
+        ) from None
+
+
+# Flags of every gear: name, argument of `Gear`, how it is read, what it says.
+_FLAGS: tuple[tuple[tuple[str, ...], str, Callable[[str], Any], str], ...] = (
+    (("--module-mm", "--module"), "module", float, "Normal module, mm."),
+    (("--width-mm", "--width"), "width", float, "Width of the face, mm."),
+    (("--helix-angle-deg", "--helix-deg"), "helix_angle", lambda text: radians(float(text)), "Helix angle, degrees."),
+    (("--pressure-angle-deg",), "pressure_angle", lambda text: radians(float(text)), "Normal pressure angle, degrees."),
+    (("--profile-shift",), "profile_shift", float, "Profile shift x, in modules, by ISO 21771 for a ring, too."),
+    (("--addendum-factor",), "addendum", float, "Addendum h_aP*, in modules."),
+    (("--bore-diameter-mm", "--bore"), "bore", float, "Diameter of the bore, mm; 0 for none."),
+    (("--grade",), "grade", int, "Tolerance grade of ISO 1328."),
+    (("--tip-chamfer-mm",), "tip_chamfer", float, "Leg of the chamfer at the tips, mm."),
+)
+_RING: tuple[tuple[tuple[str, ...], str, Callable[[str], Any], str], ...] = (
+    (("--rim-mm", "--rim"), "rim", float, "Wall of a ring outside its roots, mm."),
+    (("--cutter-teeth",), "cutter_teeth", int, "Teeth of the pinion cutter of a ring; 0 for roots that are arcs."),
+    (("--root-radius-factor",), "root_radius", float, "Tip radius of that cutter, or of the arc, in modules."),
+)
+
+
+def _gear_flags(command: Command) -> Command:
+    """Flags of gears; several gears take values with commas."""
+    for names, argument, _, said in reversed((*_FLAGS, *_RING)):
+        command = help.option(*names, argument, default=None, metavar="NUMBER", help=said)(command)
+    return command
+
+
+def _gears(count: int, ring: int | None, values: dict[str, Any], names: tuple[str, ...]) -> list[dict[str, Any]]:
+    """Arguments of `Gear` for each gear by the flags; what is given once is for all of them, or for the ring."""
+    arguments: list[dict[str, Any]] = [{} for _ in range(count)]
+    for flags, argument, read, _ in (*_FLAGS, *_RING):
+        given = _numbers(read, flags[0].removeprefix("--"), values.pop(argument))
+        of_ring = any(argument == each[1] for each in _RING)
+        wanted = [ring] if of_ring and ring is not None else list(range(count))
+        if len(given) == 1:
+            given *= len(wanted)
+        if given and len(given) != len(wanted):
+            raise click.UsageError(
+                Message(
+                    "{flag} has {found} values; give one, or {wanted} with commas",
+                    flag=flags[0],
+                    found=len(given),
+                    wanted=len(wanted),
+                )
+            )
+        for number, value in zip(wanted, given, strict=False):
+            arguments[number][argument] = value
+    for each, name in zip(arguments, names, strict=True):
+        for needed in ("module", "width"):
+            if needed not in each:
+                raise click.UsageError(
+                    Message("--{needed}-mm is missing: give it in mm, such as --{needed}-mm 1", needed=needed)
+                )
+        each["name"] = name
+    return arguments
+
+
+def _hands(first: str, count: int, ring: int | None) -> list[str]:
+    """Hands of gears that mesh in a row: the next one opposite, a ring like its pinion."""
+    other = Hand.LEFT.value if first == Hand.RIGHT else Hand.RIGHT.value
+    hands = [first, other, first][:count]
+    if ring is not None:
+        hands[ring] = hands[ring - 1] if ring else hands[1]
+    return hands
+
+
+def _name(usual: str) -> Callable[[Command], Command]:
+    return help.option("--name", default=usual, show_default=True, help="Name of the files.")
+
+
+_HAND = help.option(
+    "--hand",
+    type=click.Choice([hand.value for hand in Hand]),
+    default=Hand.RIGHT.value,
+    show_default=True,
+    help="Of the first gear's helix.",
+)
+_DOUBLE = help.option("--double", is_flag=True, help="The helix turns back at half the width.")
+_OUT = out_option(default=Path("exports"), show_default=True, help="Folder for the files; it is made if need be.")
+_JSON = help.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of sentences.")
+_FORCE = help.option("--force", is_flag=True, help="Export even if a check fails, and say so in the manifest.")
+
+
+@help.command()
+@help.option("--teeth", type=int, required=True, help="Number of teeth.")
+@help.option("--internal", is_flag=True, help="A ring with teeth inside.")
+@_gear_flags
+@_HAND
+@_DOUBLE
+@help.option(
+    "--E-sn-um", "E_sn_um", type=float, default=None, help="Deviation of the tooth thickness, µm; below 0 thinner."
+)
+@_name("gear")
+@_OUT
+@formats_option("step,stl")
+@_JSON
+def gear(
+    teeth: int,
+    internal: bool,
+    hand: str,
+    double: bool,
+    E_sn_um: float | None,
+    name: str,
+    out: Path,
+    formats: str | None,
+    as_json: bool,
+    **values: Any,
+) -> None:
+    """Make one gear by flags: spur, helical or double helical, or a ring; with the sizes to measure it by."""
+    from cadgen import Gear
+    from cadgen.cli import show
+
+    (arguments,) = _gears(1, 0 if internal else None, values, (name,))
+    made = Gear(
+        teeth=teeth,
+        internal=internal,
+        hand=hand,
+        double=double,
+        thickness_deviation=None if E_sn_um is None else E_sn_um * 1e-3,
+        **arguments,
+    )
+    with show.progress(not as_json) as progress:
+        written = made.write(out, formats, progress=progress)
+    if as_json:
+        show.document(written.entry)
+        return
+    _figures(Message("{name}, {teeth} teeth", name=made.name, teeth=teeth), made.entry().json())
+    _files(written, out)
+    show.verdict(True, Message("each file in {out} was read back", out=out), Message("make it"))
+
+
+@help.command()
+@help.option("--teeth", required=True, metavar="Z1,Z2", help="Teeth of pinion and wheel, such as 20,60.")
+@help.option("--internal", is_flag=True, help="The wheel is a ring round the pinion.")
+@_gear_flags
+@_HAND
+@_DOUBLE
+@help.option("--backlash-um", type=float, default=None, help="Backlash on the working pitch circles, µm.")
+@help.option("--backlash-deg", type=float, default=None, help="Backlash as the free angle of the wheel, degrees.")
+@help.option(
+    "--centre-distance-mm", type=float, default=None, help="Distance of the axes, mm; that without play if left out."
+)
+@help.option("--bearing-span-mm", type=float, default=None, help="Between the bearings of a shaft, mm.")
+@_name("pair")
+@_OUT
+@formats_option("step,stl,csv")
+@_FORCE
+@_JSON
+@help.option("--toml", is_flag=True, help="Print the design file that says the same, and make nothing.")
+def pair(
+    teeth: str,
+    internal: bool,
+    hand: str,
+    double: bool,
+    backlash_um: float | None,
+    backlash_deg: float | None,
+    centre_distance_mm: float | None,
+    bearing_span_mm: float | None,
+    name: str,
+    out: Path,
+    formats: str | None,
+    force: bool,
+    as_json: bool,
+    toml: bool,
+    **values: Any,
+) -> None:
+    """Make two gears in mesh by flags; what is given once is for both.
+
+    Without a backlash the teeth are thinned for their tolerance grade. Nothing is exported and the exit code is 1 if a
+    check fails, unless --force is given.
+    """
+    from cadgen import Gear, GearPair
+
+    counts = _teeth(teeth, 2)
+    ring = 1 if internal else None
+    arguments = _gears(2, ring, values, ("pinion", "wheel"))
+    hands = _hands(hand, 2, ring)
+    gears = [
+        Gear(teeth=count, internal=number == ring, hand=of, double=double, **each)
+        for number, (count, of, each) in enumerate(zip(counts, hands, arguments, strict=True))
+    ]
+    if toml:
+        click.echo(_pair_toml(gears, backlash_um, backlash_deg, centre_distance_mm, bearing_span_mm), nl=False)
+        return
+    if backlash_um is not None and backlash_deg is not None:
+        raise click.UsageError(Message("--backlash-um and --backlash-deg are both given; give one of them"))
+    common: dict[str, Any] = {
+        "centre_distance": centre_distance_mm,
+        "bearing_span": 60.0 if bearing_span_mm is None else bearing_span_mm,
+        "name": name,
+    }
+    backlash = None if backlash_um is None else backlash_um * 1e-3
+    if backlash_deg is not None:
+        nominal = GearPair(*gears, **common).nominal
+        backlash = radians(backlash_deg) * nominal.driven_pitch_radius
+    made = GearPair(*gears, backlash=backlash, **common)
+    play = made.plays
+    rows = {
+        "ratio": str(made.nominal.ratio * made.nominal.sense),
+        "centre_distance_mm": made.axes_apart,
+        "working_pressure_angle_deg": degrees(made.working_pressure_angle),
+        "contact_ratio": made.contact_ratio,
+        **({"overlap_ratio": made.overlap_ratio} if made.overlap_ratio else {}),
+        "play_base_um": play.base * 1e3,
+        "play_normal_um": play.normal * 1e3,
+        "play_pitch_circle_um": play.pitch * 1e3,
+        "play_pinion_angle_deg": degrees(play.driver_angle),
+        "play_wheel_angle_deg": degrees(play.driven_angle),
+    }
+    _make(
+        made,
+        Message("{name}, {teeth}", name=made.name, teeth=made.cut.label),
+        rows,
+        made.cut.notes(1),
+        out,
+        formats,
+        force,
+        as_json,
+    )
+
+
+@help.command()
+@help.option("--sun", type=int, required=True, help="Teeth of the sun.")
+@help.option("--planet", type=int, required=True, help="Teeth of a planet.")
+@help.option("--ring", type=int, default=None, help="Teeth of the ring; sun and two planets together if left out.")
+@help.option("--planets", type=int, default=3, show_default=True, help="Number of planets.")
+@help.option(
+    "--held",
+    type=click.Choice(["ring", "carrier", "sun"]),
+    default="ring",
+    show_default=True,
+    help="What does not turn.",
+)
+@help.option("--unequal", is_flag=True, help="Let planets stand at the nearest angles at which they fit.")
+@_gear_flags
+@_HAND
+@_DOUBLE
+@help.option("--backlash-um", type=float, default=None, help="Backlash of both meshes on their pitch circles, µm.")
+@help.option(
+    "--centre-distance-mm",
+    type=float,
+    default=None,
+    help="Of the planets from the axis, mm; that without play if left out.",
+)
+@_name("planetary")
+@_OUT
+@formats_option("step,stl,csv")
+@_FORCE
+@_JSON
+def planetary(
+    sun: int,
+    planet: int,
+    ring: int | None,
+    planets: int,
+    held: str,
+    unequal: bool,
+    hand: str,
+    double: bool,
+    backlash_um: float | None,
+    centre_distance_mm: float | None,
+    name: str,
+    out: Path,
+    formats: str | None,
+    force: bool,
+    as_json: bool,
+    **values: Any,
+) -> None:
+    """Make a planetary set by flags; what is given once is for all gears, with commas for sun, planet and ring.
+
+    The ring's profile shift follows from the distance of sun and planets. Nothing is exported and the exit code is 1 if
+    a check fails, unless --force is given.
+    """
+    from cadgen import Gear, Planetary
+
+    arguments = _gears(3, 2, values, ("sun", "planet", "ring"))
+    for key in ("bore",):
+        arguments[2].pop(key, None)
+    arguments[2].pop("profile_shift", None)
+    hands = _hands(hand, 3, 2)
+    counts = (sun, planet, ring or sun + 2 * planet)
+    one, two, three = (
+        Gear(teeth=count, internal=number == 2, hand=of, double=double, **each)
+        for number, (count, of, each) in enumerate(zip(counts, hands, arguments, strict=True))
+    )
+    made = Planetary(
+        one,
+        two,
+        three,
+        planets=planets,
+        held=held,
+        backlash=None if backlash_um is None else backlash_um * 1e-3,
+        centre_distance=centre_distance_mm,
+        equal=not unequal,
+        name=name,
+    )
+    error = made.return_error
+    rows = {
+        "ratio": str(made.ratio),
+        "centre_distance_mm": made.axes_apart,
+        "ring_teeth": made.ring_teeth,
+        "ring_profile_shift": made.cut.ring.form.profile_shift,
+        "neighbour_gap_mm": made.cut.neighbour_gap,
+        "play_least_deg": degrees(error.least),
+        "play_as_cut_deg": degrees(error.as_cut),
+        "play_greatest_deg": degrees(error.greatest),
+    }
+    _make(
+        made,
+        Message("{name}, {teeth}", name=made.name, teeth=f"{sun}/{planet}/{counts[2]}"),
+        rows,
+        made.notes,
+        out,
+        formats,
+        force,
+        as_json,
+    )
+
+
+def _teeth(given: str, count: int) -> list[int]:
+    """Numbers of teeth, one for each gear."""
+    counts = _numbers(int, "teeth", given)
+    if len(counts) != count:
+        raise click.UsageError(
+            Message("--teeth is {given}; give {count} numbers with a comma, such as 20,60", given=given, count=count)
+        )
+    return counts
+
+
+def _make(
+    made: GearPair | Planetary,
+    title: Message,
+    rows: dict[str, Any],
+    notes: tuple[str, ...],
+    out: Path,
+    formats: str | None,
+    force: bool,
+    as_json: bool,
+) -> None:
+    """Show a pair or a set, and write its files if it passes."""
+    from cadgen.cli import show
+    from cadgen.output.files.formats import TRAIN
+
+    TRAIN.chosen(formats)
+    with show.progress(not as_json) as progress:
+        written = made.write(out, formats, force=force, progress=progress) if made.passed or force else None
+    if as_json:
+        show.document(made.facts() if written is None else written.entry)
+    else:
+        _figures(title, rows)
+        show.sentences(notes)
+        show.figures(Message("teeth in mesh, measured"), made.checks, gap=True)
+        if written is not None:
+            _files(written, out)
+        if made.passed:
+            show.verdict(
+                True, Message("every check holds, and each file in {out} was read back", out=out), Message("make them")
+            )
+        else:
+            failing = show.failed(made.checks)
+            result = failing if force else Message("{failing}, so nothing was exported", failing=failing)
+            show.verdict(False, result, Message("give more --backlash-um, or change the teeth as it is said above"))
+    sys.exit(0 if made.passed or force else 1)
+
+
+def _figures(title: Message, values: dict[str, Any]) -> None:
+    """Print values by their keys, units at the end of the names."""
+    from cadgen.cli.show import sheet
+
+    rows = [
+        (key, f"{value:.6g}" if isinstance(value, float) else str(value))
+        for key, value in values.items()
+        if value is not None and not isinstance(value, dict | list)
+    ]
+    sheet(Sheet("figures", title, (Message("figure"), Message("value")), tuple(rows)), gap=False)
+
+
+def _files(written: Written, out: Path) -> None:
+    """Print each file with its size and what was read back."""
+    from cadgen.cli.show import heading, sheet, size, stem_of
+
+    stem = stem_of([file.name for file in written])
+    rows = [(file.name.removeprefix(stem), size(file.bytes), *file.readings) for file in written]
+    heading(out, stem)
+    sheet(Sheet("files", "", (Message("file"), Message("size"), Message("read back")), tuple(rows), tail=1), gap=False)
+
+
+def _pair_toml(
+    gears: list[Gear],
+    backlash_um: float | None,
+    backlash_deg: float | None,
+    centre_distance: float | None,
+    bearing_span: float | None,
+) -> str:
+    """Design file of a pair that says what the flags say."""
+    first = gears[0]
+    for name in ("module", "pressure_angle", "helix_angle", "tip_chamfer"):
+        if len({getattr(gear, name) for gear in gears}) > 1:
+            raise DesignError("{name} differs from gear to gear, which a design file does not say: give one", name=name)
+    lines = ["[train]", f"module_mm = {first.module!r}", f"width_mm = {first.width!r}"]
+    lines.append(f"bearing_span_mm = {60.0 if bearing_span is None else bearing_span!r}")
+    if first.helix_angle:
+        lines.append(f"helix_angle_deg = {round(degrees(first.helix_angle), 9)!r}")
+    if round(degrees(first.pressure_angle), 9) != 20.0:
+        lines.append(f"pressure_angle_deg = {round(degrees(first.pressure_angle), 9)!r}")
+    if first.tip_chamfer:
+        lines.append(f"tip_chamfer_mm = {first.tip_chamfer!r}")
+    lines += ["", "[[train.stages]]"]
+    for key, value in (
+        ("centre_distance_mm", centre_distance),
+        ("backlash_um", backlash_um),
+        ("backlash_deg", backlash_deg),
+        ("double", "true" if first.double else None),
+    ):
+        if value is not None:
+            lines.append(f"{key} = {value}")
+    for role, gear in zip(("driver", "driven"), gears, strict=True):
+        keys = [f"teeth = {gear.teeth}", f"width_mm = {gear.width!r}", f"grade = {gear.grade}"]
+        if gear.profile_shift:
+            keys.append(f"profile_shift = {gear.profile_shift!r}")
+        if gear.addendum is not None:
+            keys.append(f"addendum_factor = {gear.addendum!r}")
+        if gear.helix_angle:
+            keys.append(f'hand = "{gear.hand}"')
+        if gear.internal:
+            keys.append("internal = true")
+            named = (
+                ("rim_mm", gear.rim),
+                ("cutter_teeth", gear.cutter_teeth),
+                ("root_radius_factor", gear.root_radius),
+            )
+            keys += [f"{key} = {value!r}" for key, value in named if value is not None]
+        lines.append(f"{role} = {{ {', '.join(keys)} }}")
+    for place, gear in zip(("drive", "output"), gears, strict=True):
+        if gear.bore:
+            lines += ["", f"[train.{place}]", f"bore_diameter_mm = {gear.bore!r}"]
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,85 @@
+"""`cadgen gear`, `pair` and `planetary` in this process: files, design files that say the same, refusals."""
+
+import json
+
+import pytest
+from click.testing import CliRunner
+
+from cadgen import Design
+from cadgen.cli import cli
+from cadgen.errors import DesignError
+
+SIZES = ("--module", "1", "--width", "6")
+
+
+def run(*arguments):
+    result = CliRunner().invoke(cli, [str(each) for each in arguments])
+    if result.exception is not None and not isinstance(result.exception, SystemExit):
+        raise result.exception
+    return result
+
+
+def test_a_gear(tmp_path):
+    done = run("gear", "--teeth", 20, *SIZES, "--helix-deg", 20, "--bore", 5, "--formats", "stl", "--out", tmp_path)
+    assert done.exit_code == 0
+    assert "lead_mm" in done.output
+    assert (tmp_path / "gear.stl").exists()
+    ring = run(
+        "gear", "--teeth", 50, "--internal", "--rim", 3, *SIZES, "--formats", "step", "--json", "--out", tmp_path
+    )
+    assert json.loads(ring.output)["rim_diameter_mm"] == pytest.approx(58.5)
+
+
+@pytest.mark.parametrize(
+    "flags",
+    [
+        ("--backlash-um", "150"),
+        ("--internal", "--helix-angle-deg", "12", "--bore", "5,0", "--backlash-deg", "0.3", "--rim-mm", "3"),
+        ("--profile-shift", "0.2,0.1", "--helix-deg", "25", "--double", "--hand", "left", "--grade", "6"),
+    ],
+)
+def test_a_pair_and_the_design_file_that_says_the_same(flags, tmp_path):
+    arguments = ("pair", "--teeth", "20,60", *SIZES, *flags)
+    done = run(*arguments, "--json", "--formats", "csv", "--out", tmp_path)
+    assert done.exit_code == 0
+    stage = json.loads(done.output)["stages"][0]
+    design = Design.from_toml(run(*arguments, "--toml").output, "pair", train_only=True)
+    same = design.gears().entry().json()["stages"][0]
+    assert same["play_as_cut_um"] == pytest.approx(stage["play_as_cut_um"], abs=1e-9)
+    assert same["exact_least_um"] == pytest.approx(stage["exact_least_um"], abs=1e-6)
+    assert same["centre_distance_mm"] == stage["centre_distance_mm"]
+
+
+def test_a_planetary_set(tmp_path):
+    done = run(
+        "planetary", "--sun", 18, "--planet", 27, *SIZES, "--bore", "5,4,0", "--formats", "csv", "--out", tmp_path
+    )
+    assert done.exit_code == 0
+    assert "The planets stand at 0.0000°, 120.0000°, 240.0000°" in done.output
+    with pytest.raises(DesignError, match="give planets = 2 or 3"):
+        run("planetary", "--sun", 20, "--planet", 31, "--planets", 4, *SIZES)
+    unequal = ("planetary", "--sun", 20, "--planet", 31, "--planets", 4, "--unequal", *SIZES)
+    assert json.loads(run(*unequal, "--json", "--formats", "csv", "--out", tmp_path).output)["passed"]
+
+
+def test_a_pair_that_jams_is_not_exported(tmp_path):
+    done = run("pair", "--teeth", "20,60", *SIZES, "--backlash-um", 0, "--out", tmp_path)
+    assert done.exit_code == 1
+    assert "nothing was exported" in done.output
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("gear", "--teeth", 20), "--module-mm is missing"),
+        (("pair", "--teeth", "20", *SIZES), "give 2 numbers"),
+        (("pair", "--teeth", "20,x", *SIZES), "give a number"),
+        (("pair", "--teeth", "20,60", *SIZES, "--bore", "1,2,3"), "--bore-diameter-mm has 3 values; give one, or 2"),
+        (("pair", "--teeth", "20,60", *SIZES, "--backlash-um", 1, "--backlash-deg", 1), "give one of them"),
+    ],
+)
+def test_flags_that_are_wrong(arguments, said):
+    done = run(*arguments)
+    assert done.exit_code == 2
+    assert said in done.output
