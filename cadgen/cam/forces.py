@@ -11,16 +11,17 @@ are
     N = F / a,  T = F q',
 
 where a is the displacement along the normal by the motion, cos(alpha) on a slide: what the follower is asked for. A
-guide of length B, at the overhang A, with the friction mu, takes mu (2 A + B) / B |sin(alpha)| off a while the follower
-moves outwards, and adds it while it moves inwards; then T = N a q'. Springs, inertia and weight do no work in a turn.
+guide has the length B, the overhang A and the friction mu. It takes mu (2 A + B) / B |sin(alpha)| off a while the
+follower moves outwards, and adds it while it moves inwards; then T = N a q'. Springs, inertia and weight do no work in
+a turn.
 
-Lines of contact press by Hertz's p = sqrt(N E* / (pi b rho*)), 1/rho* = 1/rho + 1/r, with rho of the profile negative
-where it is hollow, and 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2 (Johnson, Contact Mechanics, ch. 4).
+Lines of contact press by Hertz's p = sqrt(N E* / (pi b rho*)) with 1/rho* = 1/rho + 1/r. The radius rho of the profile
+is negative where it is hollow, and 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2 (Johnson, Contact Mechanics, ch. 4).
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import pairwise
 from math import inf, pi
 
 import numpy as np
@@ -33,6 +34,7 @@ from cadgen.laws.motion import Motion, Peak
 _GRAVITY = 9806.65  # mm/s²
 _NODES = 12  # of a quadrature, on each of so many parts of a stretch between two seams
 _PARTS = 32
+_MOST_SEAMS = 500
 _STATIONS = 7200  # of a turn, between which the force changes its sign once at most
 _ROUNDING = 1e-12  # of the greatest force; no smaller one is negative
 _PROOF = 1e-9  # of the greatest force; a proposal that leaves less is proved
@@ -129,7 +131,7 @@ class Dynamics:
 
 
 @dataclass(frozen=True)
-class Forces:
+class CamForces:
     """Forces on a follower and its camshaft at a speed.
 
     Attributes:
@@ -307,26 +309,18 @@ class Forces:
     @cached_property
     def work(self) -> float:
         """Work of the camshaft in a turn, N mm: that of damping and friction."""
-        return self._integral(lambda jets, theta: self.torque(jets, theta))
+        seams = self.motion.breaks
+        if isinstance(self.dynamics.load, Load):
+            seams = np.unique(np.concatenate([seams, self.dynamics.load.cam_angle % TURN]))
+        if len(seams) > _MOST_SEAMS:  # a table, without jumps of what is integrated
+            seams = np.array([0.0, TURN])
+        edges = np.unique(np.concatenate([np.linspace(a, b, _PARTS + 1) for a, b in pairwise(seams)]))
+        nodes, weights = gauss_nodes(_NODES)
+        width = np.diff(edges)[:, None]
+        theta = (edges[:-1, None] + width * (nodes + 1) / 2).ravel()
+        return float((self.torque(self.motion.jets(theta), theta) * (width * weights / 2).ravel()).sum())
 
     @property
     def mean_torque(self) -> float:
         """Mean torque of the camshaft, N mm."""
         return self.work / TURN
-
-    def _integral(self, figure: Callable[[Array, Array], Array]) -> float:
-        """Integral of a figure of the motion over a turn."""
-        nodes, weights = gauss_nodes(_NODES)
-        edges = np.unique(np.concatenate([np.linspace(a, b, _PARTS + 1) for a, b in self._stretches]))
-        width = np.diff(edges)[:, None]
-        theta = (edges[:-1, None] + width * (nodes + 1) / 2).ravel()
-        return float((figure(self.motion.jets(theta), theta) * (width * weights / 2).ravel()).sum())
-
-    @property
-    def _stretches(self) -> list[tuple[float, float]]:
-        """Stretches between places where a derivative or the load has a seam, rad."""
-        seams = self.motion.breaks
-        if isinstance(self.dynamics.load, Load):
-            seams = np.unique(np.concatenate([seams, self.dynamics.load.cam_angle % TURN]))
-        seams = seams if len(seams) < 500 else np.array([0.0, TURN])
-        return list(zip(seams[:-1].tolist(), seams[1:].tolist(), strict=True))

@@ -19,7 +19,7 @@ from cadgen.messages import Message
 
 if TYPE_CHECKING:
     from cadgen.cam.follower import Follower
-    from cadgen.cam.forces import Dynamics, Load
+    from cadgen.cam.forces import Dynamics
 
 # Modulus of elasticity, MPa, and Poisson's ratio: tables of makers and handbooks; plastics scatter by a third.
 _STEEL = (206_000.0, 0.30)
@@ -207,12 +207,18 @@ def dynamics_of(
         material: material of the disc; None where the design does not say.
         thickness: thickness of the disc, mm.
     """
-    from cadgen.cam.forces import Dynamics, Guide, Line, joint_modulus
+    import numpy as np
+
+    from cadgen.cam.forces import Dynamics, Guide, Line, Load, joint_modulus
 
     slides = kind.unit == MM
     inertia, rate, preload, constant, damping = (
         getattr(section, slide if slides else arm) or 0.0 for slide, arm in _SLIDE_AND_ARM
     )
+    load: float | Load = constant
+    if section.load_rows is not None:
+        angle, value = np.array(section.load_rows, dtype=float).T
+        load = Load(cam_angle=np.radians(angle), value=value)
     guide = None
     if section.guide_friction and section.guide_length_mm is not None:
         guide = Guide(
@@ -229,7 +235,7 @@ def dynamics_of(
         rate=rate,
         preload=preload,
         damping=damping * (1e-3 if slides else 1.0),
-        load=constant if section.load_rows is None else _load(section.load_rows),
+        load=load,
         uphill=0.0 if section.gravity_deg is None else -cos(radians(section.gravity_deg)),
         guide=guide,
         line=line,
@@ -238,12 +244,3 @@ def dynamics_of(
 
 def _given(value: float | None, otherwise: float) -> float:
     return otherwise if value is None else value
-
-
-def _load(rows: tuple[tuple[float, float], ...]) -> Load:
-    import numpy as np
-
-    from cadgen.cam.forces import Load
-
-    angle, value = np.array(rows, dtype=float).T
-    return Load(cam_angle=np.radians(angle), value=value)

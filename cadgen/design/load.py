@@ -2,7 +2,7 @@
 
 import os
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -177,7 +177,7 @@ def _checked(schema: type[TrainFile], values: dict[str, Any], file: Path, overri
     return {**{name: value for name, value in checked if name not in unused}, "source": source}
 
 
-def _read_tables(values: dict[str, Any], file: Path, changed: Sequence[Place]) -> None:
+def _read_tables(values: Mapping[str, object], file: Path, changed: Sequence[Place]) -> None:
     """Put the rows of tables that the design names by their files into raw values; once read they stay.
 
     Args:

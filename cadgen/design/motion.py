@@ -4,12 +4,12 @@ Its sources are rises and dwells, points of a spline, harmonics, or a lift table
 and a line in `SOURCES`.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from enum import StrEnum
 from itertools import pairwise
 from math import degrees, radians
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 from annotated_types import Ge, Le, Len
 from pydantic import Field, Strict, model_validator
@@ -68,18 +68,13 @@ class TableClosing(StrEnum):
     RAMPS = "ramps"
 
 
-def _law_codes() -> tuple[str, ...]:
-    return (*codes(), POLYNOMIAL)
-
-
-def _has_law(code: str) -> bool:
-    return code == POLYNOMIAL or has(code)
-
-
 Number = Annotated[float, Ge(-1e6), Le(1e6)]
 Numbers = Annotated[tuple[Number, ...], Strict(False), Len(3, 3)]
 Power = Annotated[int, Ge(3), Le(60)]
 Row = Annotated[tuple[Number, Number], Strict(False)]
+
+
+_LAW = OneOf(lambda: (*codes(), POLYNOMIAL), lambda code: code == POLYNOMIAL or has(code))
 
 
 class MotionSegment(DesignSection):
@@ -96,10 +91,12 @@ class MotionSegment(DesignSection):
     in_deg: float | None = Field(
         default=None, gt=0, le=_MOST_DEGREES, description="cam angle that a rise or return takes"
     )
-    law: Annotated[str | None, OneOf(_law_codes, _has_law)] = Field(
-        default=None,
-        description="law of a rise or return; see how-to/motion.md. A polynomial meets its conditions and its "
-        "neighbours",
+    law: Annotated[str | None, OneOf(lambda: (*codes(), POLYNOMIAL), lambda code: code == POLYNOMIAL or has(code))] = (
+        Field(
+            default=None,
+            description="law of a rise or return; see how-to/motion.md. A polynomial meets its conditions and its "
+            "neighbours",
+        )
     )
     conditions: Annotated[tuple[Numbers, ...] | None, Strict(False)] = Field(
         default=None,
@@ -325,7 +322,7 @@ class MotionSection(DesignSection):
         return f"motion.{'table' if self.table else self.source}"
 
 
-def _in_no_angle(number: int, segments: list[dict[str, Any]]) -> Message:
+def _in_no_angle(number: int, segments: Sequence[Mapping[str, object]]) -> Message:
     """Refusal of a rise in 0 degrees, with half of the widest segment for it."""
     angles = [each.get("in_deg", each.get("dwell_deg")) for each in segments]
     widths = [angle if isinstance(angle, int | float) else 0.0 for angle in angles]
@@ -361,7 +358,9 @@ def _segments(section: MotionSection, kind: FollowerKind) -> "Motion":
     from cadgen.laws.segments import MotionSpan, SegmentMotion
 
     items, turns = section.segments, section.machine_turns or 1.0
-    at, first = 0.0, _first_height(items, kind)
+    # At cam angle 0 the lift is 0, or what the first segment's polynomial asks for there.
+    begins = (value for angle, order, value in items[0].conditions or () if angle == 0 and order == 0)
+    at, first = 0.0, _value(next(begins, 0.0), kind)
     height, spans = first, []
     for number, item in enumerate(items, 1):
         width = item.dwell_deg if item.dwell_deg is not None else item.in_deg or 0.0
@@ -370,7 +369,14 @@ def _segments(section: MotionSection, kind: FollowerKind) -> "Motion":
             spans.append(MotionSpan(start, stop, height, height, None))
         else:
             after = _height_after(number, item, height, first, number == len(items), kind)
-            spans.append(_moving(number, item, MotionSpan(start, stop, height, after, None), kind))
+            span = MotionSpan(start, stop, height, after, None)
+            if item.law == POLYNOMIAL:
+                span = replace(span, conditions=_conditions(number, item, span, kind))
+            else:
+                law = item.shaped()
+                back = (law.to_top and after < height) != bool(item.reversed)
+                span = replace(span, law=law.backwards if back else law)
+            spans.append(span)
             height = after
         at += width
     _refuse_open(items, spans, kind)
@@ -381,15 +387,6 @@ def _segments(section: MotionSection, kind: FollowerKind) -> "Motion":
         machine_turns=turns,
         allow_velocity_jump=bool(section.allow_velocity_jump),
     )
-
-
-def _moving(number: int, item: MotionSegment, span: "MotionSpan", kind: FollowerKind) -> "MotionSpan":
-    """Span with the law of its segment, or with the conditions of a polynomial."""
-    if item.law == POLYNOMIAL:
-        return replace(span, conditions=_conditions(number, item, span, kind))
-    law = item.shaped()
-    back = (law.to_top and span.after < span.before) != bool(item.reversed)
-    return replace(span, law=law.backwards if back else law)
 
 
 def _conditions(number: int, item: MotionSegment, span: "MotionSpan", kind: FollowerKind) -> tuple["Condition", ...]:
@@ -444,14 +441,6 @@ def _conditions(number: int, item: MotionSegment, span: "MotionSpan", kind: Foll
                     angle=condition.share * width,
                 )
     return tuple(found)
-
-
-def _first_height(items: tuple[MotionSegment, ...], kind: FollowerKind) -> float:
-    """Height at cam angle 0: 0, or what the first segment's polynomial asks for there."""
-    for angle, order, value in items[0].conditions or ():
-        if angle == 0 and order == 0:
-            return _value(value, kind)
-    return 0.0
 
 
 def _height_after(

@@ -6,12 +6,9 @@
 | `unit`          | units of motions: lift in mm, swing in rad, tangent of a steering angle        |
 | `form`          | closed forms of laws: pieces of powers and sines, either side of every seam    |
 | `law`           | what a motion law is: the normalised rise over a segment                       |
-| `polynomials`   | polynomials from rest to rest, 2-3 to 5-6-7-8-9                                |
-| `cycloidal`     | the cycloidal law, its halves, and with a straight line                        |
+| `power_laws`    | polynomials from rest to rest, constant velocity, constant acceleration        |
+| `sine_laws`     | cycloidal and harmonic laws, their halves, laws of few harmonics               |
 | `scca`          | modified trapezoid, modified sine, with constant velocity or without           |
-| `harmonics`     | simple and double harmonic, and half laws                                      |
-| `parabolas`     | constant velocity, constant acceleration, trapezoid                            |
-| `few_harmonics` | laws of Gutman and Freudenstein                                                |
 | `valve_lobe`    | the lobe of a valve, 2-p-q-r-s                                                 |
 | `table`         | every law by its code                                                          |
 | `conditions`    | polynomials by conditions at any number of places                              |

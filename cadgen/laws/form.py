@@ -22,7 +22,7 @@ ORDERS = 4  # s and its derivatives up to the jerk
 
 
 @dataclass(frozen=True)
-class Piece:
+class FormPart:
     """Part of a form.
 
     Attributes:
@@ -51,13 +51,13 @@ class Piece:
             value += amplitude * rate**order * np.sin(rate * t + phase + order * pi / 2)
         return value
 
-    def scaled(self, share: float) -> Piece:
+    def scaled(self, share: float) -> FormPart:
         """The piece times a number.
 
         Args:
             share: number, dimensionless.
         """
-        return Piece(
+        return FormPart(
             self.stop, tuple(share * c for c in self.powers), tuple((share * a, w, p) for a, w, p in self.sines)
         )
 
@@ -70,7 +70,7 @@ class Form:
         pieces: pieces in order, the last of which ends at 1.
     """
 
-    pieces: tuple[Piece, ...]
+    pieces: tuple[FormPart, ...]
 
     @property
     def seams(self) -> tuple[float, ...]:
@@ -113,7 +113,7 @@ def power_form(coefficients: Sequence[float]) -> Form:
     Args:
         coefficients: of u^0, u^1 and so on.
     """
-    return Form((Piece(1.0, tuple(map(float, coefficients))),))
+    return Form((FormPart(1.0, tuple(map(float, coefficients))),))
 
 
 def sine_form(slope: float, sines: Iterable[tuple[float, float]]) -> Form:
@@ -123,11 +123,11 @@ def sine_form(slope: float, sines: Iterable[tuple[float, float]]) -> Form:
         slope: slope of the line, dimensionless.
         sines: amplitude and rate of each.
     """
-    return Form((Piece(1.0, (0.0, slope), tuple((amplitude, rate, 0.0) for amplitude, rate in sines)),))
+    return Form((FormPart(1.0, (0.0, slope), tuple((amplitude, rate, 0.0) for amplitude, rate in sines)),))
 
 
 @dataclass(frozen=True)
-class Zone:
+class AccelerationPart:
     """Part of a law given by its acceleration: a0 + a1 t + A sin(w t + p).
 
     Attributes:
@@ -143,7 +143,7 @@ class Zone:
     sine: tuple[float, float, float] | None = None
 
 
-def from_acceleration(zones: Iterable[Zone]) -> Form:
+def from_acceleration(zones: Iterable[AccelerationPart]) -> Form:
     """Form that begins at rest, has an acceleration of this shape, and rises by 1.
 
     Args:
@@ -162,9 +162,9 @@ def from_acceleration(zones: Iterable[Zone]) -> Form:
             zone.slope / 6,
         )
         sines = ((-amplitude / rate**2, rate, phase),) if zone.sine else ()
-        pieces.append(Piece(at + zone.share, powers, sines))
+        pieces.append(FormPart(at + zone.share, powers, sines))
         t, at = zone.share, at + zone.share
         s = sum(c * t**k for k, c in enumerate(powers)) + sum(a * sin(w * t + p) for a, w, p in sines)
         v = powers[1] + 2 * powers[2] * t + 3 * powers[3] * t**2 + sum(a * w * cos(w * t + p) for a, w, p in sines)
-    pieces[-1] = Piece(1.0, pieces[-1].powers, pieces[-1].sines)
+    pieces[-1] = FormPart(1.0, pieces[-1].powers, pieces[-1].sines)
     return Form(tuple(piece.scaled(1 / s) for piece in pieces))

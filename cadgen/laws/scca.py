@@ -1,7 +1,7 @@
 """The SCCA family: a sine, a constant, a cosine for the acceleration, and the same again backwards.
 
 The shares b, c and d of the angle, with b + c + d = 1, belong to the sines at the ends, the constant accelerations and
-the cosine in the middle: (1/4, 1/2, 1/4) is the modified trapezoid and (1/4, 0, 3/4) the modified sine. The greatest
+the cosine. With (1/4, 1/2, 1/4) it is the modified trapezoid and (1/4, 0, 3/4) the modified sine. The greatest
 acceleration is 4 pi^2 / ((pi^2 - 8)(b^2 - d^2) - 2 pi (pi - 2) b + pi^2) (Norton, Cam Design and Manufacturing
 Handbook, ch. 3). A straight line of a share k in the middle leaves 1 - k to these: the modified sine with constant
 velocity.
@@ -9,7 +9,7 @@ velocity.
 
 from math import pi
 
-from cadgen.laws.form import Form, Zone, from_acceleration
+from cadgen.laws.form import AccelerationPart, Form, from_acceleration
 from cadgen.laws.law import MotionLaw
 
 
@@ -24,13 +24,13 @@ def scca(sine: float, constant: float, cosine: float, straight: float = 0.0) -> 
     up, down = pi / b if b else 0.0, pi / d if d else 0.0
     return from_acceleration(
         (
-            Zone(b / 2, sine=(1.0, up, 0.0)),
-            Zone(c / 2, 1.0),
-            Zone(d / 2, sine=(1.0, down, pi / 2)),
-            Zone(straight),
-            Zone(d / 2, sine=(-1.0, down, 0.0)),
-            Zone(c / 2, -1.0),
-            Zone(b / 2, sine=(-1.0, up, pi / 2)),
+            AccelerationPart(b / 2, sine=(1.0, up, 0.0)),
+            AccelerationPart(c / 2, 1.0),
+            AccelerationPart(d / 2, sine=(1.0, down, pi / 2)),
+            AccelerationPart(straight),
+            AccelerationPart(d / 2, sine=(-1.0, down, 0.0)),
+            AccelerationPart(c / 2, -1.0),
+            AccelerationPart(b / 2, sine=(-1.0, up, pi / 2)),
         )
     )
 

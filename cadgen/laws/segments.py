@@ -1,6 +1,6 @@
 """A motion of rises and dwells: each segment takes an angle, and a law leads from one height to the next."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import combinations
@@ -8,7 +8,6 @@ from math import degrees
 from typing import ClassVar
 
 import numpy as np
-from scipy.interpolate import PPoly
 
 from cadgen.arrays import TURN, Array
 from cadgen.curves.piecewise import quintic_hermite
@@ -186,7 +185,11 @@ class SegmentMotion(Motion):
             for span in first
         )
         spans = (*spans[:-1], replace(spans[-1], stop=TURN))
-        made = cls(_followed(spans), np.array([]), unit=unit, segments=spans, repeat=repeat)
+        angles, jets = zip(*(span.knots() for span in spans), strict=True)
+        theta = np.concatenate(angles)
+        theta[-1] = TURN
+        curve = quintic_hermite(theta, np.concatenate(jets), periodic=True)
+        made = cls(curve, np.array([]), unit=unit, segments=spans, repeat=repeat)
         jumps = [seam for seam in made.seams if seam.order is not None and seam.order < 2]
         if not jumps:
             return made
@@ -247,21 +250,20 @@ class SegmentMotion(Motion):
 
         Of a motion that is repeated, those of its first part.
         """
-        scale = np.max([np.abs(span.jets(knots)).max(axis=0) for span, knots in self._stations()], axis=0)
+        sizes = [np.abs(span.jets(np.linspace(span.start, span.stop, 65))).max(axis=0) for span in self.segments]
+        scale = np.max(sizes, axis=0)
         least = _JUMP * np.maximum(scale, scale[0])
-        return tuple(self._joints(least))
-
-    def _stations(self) -> Iterator[tuple[MotionSpan, Array]]:
-        for span in self.segments:
-            yield span, np.linspace(span.start, span.stop, 65)
-
-    def _joints(self, least: Array) -> Iterator[Seam]:
+        found = []
         for number, span in enumerate(self.segments[: self.count]):
-            segment = number + 1
-            yield _seam(span.start, self.segments[number - 1].ends[1], span.ends[0], least, segment, False)
+            sides = [(span.start, self.segments[number - 1].ends[1], span.ends[0])]
             for angle in span.seams:
                 before, behind = (span.jets(np.array([angle]), before=side)[0] for side in (True, False))
-                yield _seam(float(angle), before, behind, least, segment, True)
+                sides.append((float(angle), before, behind))
+            found += [
+                _seam(angle, before, behind, least, number + 1, inside=bool(place))
+                for place, (angle, before, behind) in enumerate(sides)
+            ]
+        return tuple(found)
 
     @property
     def seams(self) -> tuple[Seam, ...]:
@@ -311,7 +313,7 @@ class SegmentMotion(Motion):
         return Message("lead the follower less far in (motion.segments.{number})", number=self._moving(cam_angle))
 
     def _moving(self, cam_angle: float) -> int:
-        """Number of the segment at a cam angle, from 1; of a dwell that of the segment before it, which leads there."""
+        """Number of the segment that leads to the height at a cam angle, from 1: at a dwell the one before it."""
         at = next((n for n, s in enumerate(self.segments) if cam_angle % TURN <= s.stop), len(self.segments) - 1)
         return next((n for n in range(at, -1, -1) if self.segments[n].moves), at) % self.count + 1
 
@@ -337,21 +339,13 @@ def state_of(velocity: float, acceleration: float) -> str:
     ]
 
 
-def _seam(angle: float, before: Array, after: Array, least: Array, segment: int, inside: bool) -> Seam:
+def _seam(angle: float, before: Array, after: Array, least: Array, segment: int, *, inside: bool) -> Seam:
     sides = np.where(np.abs([before, after]) > least, [before, after], 0.0)
     jumps = np.flatnonzero(np.abs(after - before) > least)
     order = int(jumps[0]) if jumps.size else None
     one, two = sides[:, order].tolist() if order is not None else (0.0, 0.0)
     states = (state_of(*sides[0, 1:3]), state_of(*sides[1, 1:3]))
     return Seam(angle, order, one, two, states, segment, inside)
-
-
-def _followed(spans: Sequence[MotionSpan]) -> PPoly:
-    """Periodic quintic pieces through the knots of all spans."""
-    angles, jets = zip(*(span.knots() for span in spans), strict=True)
-    theta = np.concatenate(angles)
-    theta[-1] = TURN
-    return quintic_hermite(theta, np.concatenate(jets), periodic=True)
 
 
 def _completed(segments: Sequence[MotionSpan]) -> list[MotionSpan]:

@@ -1,13 +1,10 @@
 """Every motion law by its code. A new one is a file in this folder and a name below, is registered in Python,
 or comes from a plug-in (`cadgen.registry`)."""
 
-from cadgen.laws.cycloidal import CYCLOIDS
-from cadgen.laws.few_harmonics import FEW_HARMONICS
-from cadgen.laws.harmonics import HARMONICS
 from cadgen.laws.law import MotionLaw
-from cadgen.laws.parabolas import PARABOLAS
-from cadgen.laws.polynomials import POLYNOMIALS
+from cadgen.laws.power_laws import POWER_LAWS
 from cadgen.laws.scca import SCCA
+from cadgen.laws.sine_laws import SINE_LAWS
 from cadgen.laws.valve_lobe import VALVE_LOBE
 from cadgen.messages import Message
 from cadgen.registry import Registry
@@ -17,7 +14,7 @@ POLYNOMIAL = "polynomial"
 
 _LAWS = Registry(
     Message("motion law"),
-    (*POLYNOMIALS, *CYCLOIDS, *SCCA, *HARMONICS, *PARABOLAS, *FEW_HARMONICS, VALVE_LOBE),
+    (*POWER_LAWS, *SINE_LAWS, *SCCA, VALVE_LOBE),
     reserved=(POLYNOMIAL,),
     group="cadgen.laws",
     sort=MotionLaw,

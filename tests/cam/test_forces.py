@@ -16,7 +16,7 @@ from cadgen.cam.followers.lifts import Lifts
 from cadgen.cam.followers.roller import Roller
 from cadgen.cam.followers.swinging_flat import SwingingFace
 from cadgen.cam.followers.swinging_roller import SwingingRoller
-from cadgen.cam.forces import Dynamics, Forces, Guide, Line, Load, joint_modulus
+from cadgen.cam.forces import CamForces, Dynamics, Guide, Line, Load, joint_modulus
 from cadgen.laws.segments import MotionSpan, SegmentMotion
 from cadgen.laws.series import HarmonicMotion
 from cadgen.laws.table import law_of
@@ -40,7 +40,7 @@ def rpm(speed):
 
 NORTON = motion((90, 10.0, "polynomial_3_4_5"), (45, 10.0, None), (180, 0.0, "polynomial_3_4_5"), (45, 0.0, None))
 NORTON_BODY = Dynamics(inertia=7.5e-3, rate=0.1, preload=10.0, damping=2.74e-3)
-NORTON_FORCES = Forces(NORTON, Roller(base=63.7, radius=12.5), NORTON_BODY, 10.0)
+NORTON_FORCES = CamForces(NORTON, Roller(base=63.7, radius=12.5), NORTON_BODY, 10.0)
 
 
 def peaks(forces, figure):
@@ -51,7 +51,9 @@ def peaks(forces, figure):
 def test_example_1_a_spring_too_weak():
     """Cycloid of 10 mm in 120°, 1000 rev/min, 1.8 kg, 15 N/mm compressed by 2.5 mm: at 100° it leaves."""
     rise = motion((120, 10.0, "cycloidal"), (240, 0.0, "cycloidal"))
-    forces = Forces(rise, Roller(base=40.0, radius=10.0), Dynamics(inertia=1.8e-3, rate=15.0, preload=37.5), rpm(1000))
+    forces = CamForces(
+        rise, Roller(base=40.0, radius=10.0), Dynamics(inertia=1.8e-3, rate=15.0, preload=37.5), rpm(1000)
+    )
     at = np.radians([100.0])
     jets = rise.jets(at)
     assert forces.resting(jets, at)[0] == pytest.approx(183.1748, abs=5e-5)
@@ -86,7 +88,7 @@ def test_example_2_after_norton():
 def test_example_5_an_eccentric_that_jumps():
     """Jump at sqrt((P + 2 k e) / (m e)) = 49.0653 rad/s; at 500 rev/min it leaves from 142.66 to 217.34°."""
     eccentric = HarmonicMotion.of([(0, 15.0, 0.0), (1, -15.0, 0.0)], MM)
-    forces = Forces(eccentric, FlatFace(base=25.0), Dynamics(inertia=0.9e-3, rate=1.0, preload=2.5), rpm(500))
+    forces = CamForces(eccentric, FlatFace(base=25.0), Dynamics(inertia=0.9e-3, rate=1.0, preload=2.5), rpm(500))
     assert forces.lift_off.value == pytest.approx(sqrt((2.5 + 30.0) / (0.9e-3 * 15.0)), rel=1e-9)
     assert forces.lift_off.value * 60 / TURN == pytest.approx(468.539, abs=5e-4)
     ((start, stop),) = forces.leaves
@@ -114,7 +116,7 @@ ARM = motion(
 )
 OTHER = {
     "roller": (
-        Forces(
+        CamForces(
             FEEDER,
             Roller(base=32.0, radius=9.0, offset=8.0),
             Dynamics(
@@ -131,7 +133,7 @@ OTHER = {
         ((2679.7, 36.198), (-1777.09, 180.412), 4.75642, (348.78, 80.0)),
     ),
     "flat": (
-        Forces(
+        CamForces(
             VALVE,
             FlatFace(base=28.0),
             Dynamics(inertia=0.3e-3, rate=12.0, preload=80.0, line=Line(width=12.0, modulus=STEEL, radius=inf)),
@@ -141,7 +143,7 @@ OTHER = {
         ((1336.9, 60.007), (-1174.03, 222.392), 0.0, (141.336, 92.483)),
     ),
     "swinging roller": (
-        Forces(
+        CamForces(
             ARM,
             SwingingRoller(base=38.0, radius=8.0, arm=72.0, centre_distance=88.0, lifts=Lifts.WITH),
             Dynamics(inertia=0.9, rate=18_000.0, preload=2600.0, line=Line(width=7.0, modulus=STEEL, radius=8.0)),
@@ -189,7 +191,7 @@ FOLLOWERS = {
 def test_the_torque_is_the_normal_force_times_its_lever(name):
     """By rolling: the outline's normal at the contact has a lever about the camshaft, and N times it is F q'."""
     moved, follower = FOLLOWERS[name]
-    forces = Forces(moved, follower, Dynamics(preload=100.0), 0.0)
+    forces = CamForces(moved, follower, Dynamics(preload=100.0), 0.0)
     curve = actual_profile(moved, follower).curve
     theta = np.linspace(0.0, TURN, 360, endpoint=False) + 0.001
     contact, _ = roll_curve(curve, follower, theta)
@@ -224,7 +226,7 @@ def test_a_guide_jams_by_its_statics():
     """Two forces of the guide and their friction, solved as three equations of equilibrium beside the closed form."""
     friction, length, overhang = 0.15, 60.0, 40.0
     guide = Guide(friction=friction, length=length, overhang=overhang)
-    forces = Forces(FEEDER, Roller(base=32.0, radius=9.0), Dynamics(preload=100.0, guide=guide), 0.0)
+    forces = CamForces(FEEDER, Roller(base=32.0, radius=9.0), Dynamics(preload=100.0, guide=guide), 0.0)
     theta = np.radians([20.0, 40.0, 60.0, 170.0, 200.0])
     jets = FEEDER.jets(theta)
     y0 = 41.0
@@ -258,7 +260,7 @@ def test_two_rollers_of_steel():
     """10 mm of radius each, 10 mm wide, 1000 N: 848.86 MPa."""
     round_disc = HarmonicMotion.of([(0, 0.0, 0.0)], MM)
     line = Line(width=10.0, modulus=STEEL, radius=10.0)
-    forces = Forces(round_disc, Roller(base=10.0, radius=10.0), Dynamics(preload=1000.0, line=line), 0.0)
+    forces = CamForces(round_disc, Roller(base=10.0, radius=10.0), Dynamics(preload=1000.0, line=line), 0.0)
     jets, theta = round_disc.jets(np.array([1.0])), np.array([1.0])
     assert forces.pressure(jets, theta)[0] == pytest.approx(848.86, abs=5e-3)
 
@@ -299,7 +301,7 @@ def test_a_load_by_angle_goes_straight_from_row_to_row():
 def test_a_closed_follower_changes_its_flank():
     """Modified sine of 25 mm in 110°, 2 kg, 300 rev/min: 74.0107 N at 13.75°, the flank changes at 55 and 215°."""
     moved = motion((110, 25.0, "modified_sine"), (50, 25.0, None), (110, 0.0, "modified_sine"), (90, 0.0, None))
-    forces = Forces(moved, Roller(base=45.0, radius=10.0), Dynamics(inertia=2e-3), rpm(300), closed=True)
+    forces = CamForces(moved, Roller(base=45.0, radius=10.0), Dynamics(inertia=2e-3), rpm(300), closed=True)
     (most, place), _ = peaks(forces, forces.along)
     assert (most, place) == (pytest.approx(74.0107, abs=5e-5), pytest.approx(13.75, abs=1e-4))
     np.testing.assert_allclose(np.degrees(forces.leaves), [[55, 110], [160, 215]], atol=1e-6)
@@ -309,7 +311,7 @@ def test_a_closed_follower_changes_its_flank():
 def test_the_second_disc_carries_where_the_first_does_not():
     """Rollers of one slide across the camshaft: the second one's own pressure angle takes the force."""
     second = Roller(base=54.0, radius=9.0)
-    forces = Forces(FEEDER, Roller(base=38.0, radius=9.0), Dynamics(inertia=1e-3), rpm(300), True, second)
+    forces = CamForces(FEEDER, Roller(base=38.0, radius=9.0), Dynamics(inertia=1e-3), rpm(300), True, second)
     at = np.radians([60.0])
     jets = FEEDER.jets(at)
     alpha = np.arctan2(-jets[0, 1], 63.0 - jets[0, 0])
@@ -319,7 +321,7 @@ def test_the_second_disc_carries_where_the_first_does_not():
 
 def test_stretches_that_leave_across_the_start():
     shifted = HarmonicMotion.of([(0, 15.0, 0.0), (1, 15.0, 0.0)], MM)
-    forces = Forces(shifted, FlatFace(base=25.0), Dynamics(inertia=0.9e-3, rate=1.0, preload=2.5), rpm(500))
+    forces = CamForces(shifted, FlatFace(base=25.0), Dynamics(inertia=0.9e-3, rate=1.0, preload=2.5), rpm(500))
     ((start, stop),) = forces.leaves
     np.testing.assert_allclose(np.degrees([start, stop]), [322.66, 397.34], atol=5e-3)
     assert replace(forces, dynamics=Dynamics(preload=-1.0)).leaves == ((0.0, TURN),)

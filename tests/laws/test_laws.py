@@ -12,7 +12,7 @@ from scipy.optimize import minimize_scalar
 
 from cadgen.arrays import TURN
 from cadgen.laws.motion import Motion
-from cadgen.laws.parabolas import unequal_parabola
+from cadgen.laws.power_laws import unequal_parabola
 from cadgen.laws.segments import MotionSpan, SegmentMotion, state_of
 from cadgen.laws.table import codes, law_of
 from cadgen.laws.unit import MM

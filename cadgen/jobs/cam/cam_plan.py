@@ -6,7 +6,7 @@ from functools import cached_property
 
 from cadgen.cam.checks import LOST_LIFT
 from cadgen.cam.follower import Contact, Follower, Trim
-from cadgen.cam.forces import Forces
+from cadgen.cam.forces import CamForces
 from cadgen.cam.limits import CheckLimits
 from cadgen.car.against_play.profile_kinds import ProfileKind
 from cadgen.car.running.friction import DiscMaterial
@@ -136,7 +136,7 @@ class Application:
         """Figures without a verdict that are shown beside the checks."""
         return ()
 
-    def forces(self, cam: "CamPlan") -> Forces | None:
+    def forces(self, cam: "CamPlan") -> CamForces | None:
         """Forces on the follower and its camshaft; None where nothing is said of them.
 
         Args:

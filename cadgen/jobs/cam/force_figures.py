@@ -7,7 +7,7 @@ import numpy as np
 from cadgen.arrays import TURN
 from cadgen.cam.checks import cam_place
 from cadgen.cam.follower import Follower
-from cadgen.cam.forces import Forces
+from cadgen.cam.forces import CamForces
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.design.dynamics import closed_by_form, dynamics_of
 from cadgen.design.schema import MotionDesign
@@ -20,7 +20,7 @@ _NONE = 1e-9  # of the greatest force; a smaller one is none
 _DIGITS = 4  # of a proposal, rounded to the safe side
 
 
-def forces_of(design: MotionDesign, motion: Motion, follower: Follower) -> Forces | None:
+def forces_of(design: MotionDesign, motion: Motion, follower: Follower) -> CamForces | None:
     """Forces of a design at its speed, or of a standing cam; None without [dynamics].
 
     Args:
@@ -34,10 +34,10 @@ def forces_of(design: MotionDesign, motion: Motion, follower: Follower) -> Force
     dynamics = dynamics_of(design.dynamics, kind, follower, design.blank.material, thickness)
     speed = (design.motion.speed_rpm or 0.0) * TURN / 60
     closed = closed_by_form(keys)
-    return Forces(motion, follower, dynamics, speed, closed, kind.second(keys, design.seat) if closed else None)
+    return CamForces(motion, follower, dynamics, speed, closed, kind.second(keys, design.seat) if closed else None)
 
 
-def force_checks(forces: Forces) -> tuple[Check, ...]:
+def force_checks(forces: CamForces) -> tuple[Check, ...]:
     """Checks that decide: the follower stays on the disc, and its guide does not jam."""
     made = []
     if forces.dynamics.guide is not None:
@@ -77,7 +77,7 @@ def force_checks(forces: Forces) -> tuple[Check, ...]:
     return tuple(made)
 
 
-def _held(forces: Forces) -> str:
+def _held(forces: CamForces) -> str:
     """Where the follower leaves the disc, and a spring that holds it, each proved."""
     places = joined(
         Message("{start:.2f}° to {stop:.2f}°", start=degrees(start), stop=degrees(stop))
@@ -86,11 +86,12 @@ def _held(forces: Forces) -> str:
     slides = forces.motion.unit == MM
     rate, preload = forces.least_rate(), forces.least_preload()
     keys = ("spring_rate_N_per_mm", "preload_N") if slides else ("spring_rate_Nmm_per_rad", "preload_Nmm")
-    cures = [
-        Message("dynamics.{key} to {value:.10g}", key=key, value=_up(value))
-        for key, value in zip(keys, (rate, preload), strict=True)
-        if value is not None
-    ]
+    cures = []
+    for key, value in zip(keys, (rate, preload), strict=True):
+        if value is not None:
+            unit = 10.0 ** (floor(log10(abs(value))) - _DIGITS + 1) if value else 1.0
+            safe = ceil(value / unit) * unit  # rounded up
+            cures.append(Message("dynamics.{key} to {value:.10g}", key=key, value=safe))
     if not cures:
         return Message(
             "the follower leaves the disc from {places}: make the motion milder, or go slower", places=places
@@ -102,13 +103,7 @@ def _held(forces: Forces) -> str:
     )
 
 
-def _up(value: float) -> float:
-    """A value rounded up to four digits."""
-    unit = 10.0 ** (floor(log10(abs(value))) - _DIGITS + 1) if value else 1.0
-    return ceil(value / unit) * unit
-
-
-def force_figures(forces: Forces) -> tuple[Check, ...]:
+def force_figures(forces: CamForces) -> tuple[Check, ...]:
     """Figures that are shown: greatest force, speed of lift-off, torque, power, pressure in the line of contact."""
     motion, made = forces.motion, []
     both = motion.extremes_of(forces.normal)
@@ -142,10 +137,10 @@ def _shown(code: CheckCode, name: str, value: float, unit: str, cam_angle: float
     return Check(code, name, value, unit, place=cam_place(cam_angle))
 
 
-def force_facts(forces: Forces) -> Facts:
+def force_facts(forces: CamForces) -> Facts:
     """Facts of the forces: each peak with its cam angle, and where the follower leaves."""
     motion = forces.motion
-    facts: dict[str, object] = {}
+    facts = Facts()
     for name, unit, figure in (
         ("force_along", "N" if motion.unit == MM else "Nmm", forces.along),
         ("normal_force", "N", forces.normal),
@@ -153,11 +148,10 @@ def force_facts(forces: Forces) -> Facts:
         ("contact_pressure", "MPa", forces.pressure),
     ):
         for word, peak in zip(("greatest", "least"), motion.extremes_of(figure), strict=True):
-            facts[f"{name}_{word}_{unit}"] = peak.value
-            facts[f"{name}_{word}_at_deg"] = degrees(peak.cam_angle)
+            place = degrees(peak.cam_angle)
+            facts |= Facts(**{f"{name}_{word}_{unit}": peak.value, f"{name}_{word}_at_deg": place})
     stretches = "second_flank_deg" if forces.closed else "leaves_deg"
-    return Facts(
-        **facts,
+    return facts | Facts(
         lift_off_rpm=forces.lift_off.value * 60 / TURN,
         lift_off_at_deg=degrees(forces.lift_off.cam_angle),
         **{stretches: [[degrees(angle) for angle in stretch] for stretch in forces.leaves]},

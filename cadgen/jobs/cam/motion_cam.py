@@ -10,7 +10,7 @@ import numpy as np
 from cadgen.arrays import TURN
 from cadgen.cam.checks import check_cam, signed_pressure
 from cadgen.cam.follower import Follower
-from cadgen.cam.forces import Forces
+from cadgen.cam.forces import CamForces
 from cadgen.cam.opposite import OppositeMotion
 from cadgen.car.against_play.profile_kinds import ACTUAL, ProfileKind, profile_of
 from cadgen.check import Check, CheckCode, failing
@@ -79,7 +79,7 @@ class SegmentUse(Application):
             if not (found and size.key == cam.follower_as_built.base_key):
                 yield [(f"{size.key}={size.value:.10g}", f"{size.now:g}")]
 
-    def forces(self, cam: CamPlan) -> Forces | None:
+    def forces(self, cam: CamPlan) -> CamForces | None:
         """Forces on the follower and its camshaft; None without [dynamics].
 
         Args:

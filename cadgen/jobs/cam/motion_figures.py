@@ -87,16 +87,16 @@ def _seam_facts(seam: Seam) -> Facts:
 def _table_facts(motion: TableMotion) -> Facts:
     """Facts of a table: its noise, what smoothing changed, the range of its rows with the figures there, its ramps."""
     unit, change = motion.unit.symbol, motion.smoothing
-    facts: dict[str, object] = {
-        f"noise_{unit}": motion.noise,
-        "covered_deg": [degrees(angle) for angle in motion.covered],
-    }
+    facts = Facts(**{f"noise_{unit}": motion.noise, "covered_deg": [degrees(angle) for angle in motion.covered]})
     if change is not None:
-        facts |= {f"smoothed_rms_{unit}": change.rms, f"smoothed_most_{unit}": change.most}
-        facts[f"acceleration_before_smoothing_{unit}_per_rad2"] = list(change.before)
+        before = f"acceleration_before_smoothing_{unit}_per_rad2"
+        facts |= Facts(
+            **{f"smoothed_rms_{unit}": change.rms, f"smoothed_most_{unit}": change.most, before: list(change.before)}
+        )
     for order, name in enumerate(("velocity", "acceleration"), 1):
-        facts[f"{name}_in_table_{unit}_per_rad{'' if order == 1 else order}"] = list(motion.within(order))
-    return Facts(**facts, ramps_deg=[[degrees(angle) for angle in ramp] for ramp in motion.ramps])
+        power = "" if order == 1 else str(order)
+        facts |= Facts(**{f"{name}_in_table_{unit}_per_rad{power}": list(motion.within(order))})
+    return facts | Facts(ramps_deg=[[degrees(angle) for angle in ramp] for ramp in motion.ramps])
 
 
 def seams_sheets(motion: Motion) -> tuple[Sheet, ...]:

@@ -11,7 +11,7 @@ from cadgen.arrays import Array
 from cadgen.cam.contact import roll_curve
 from cadgen.cam.difference import Exact, dense_stations
 from cadgen.cam.follower import Contact, Follower
-from cadgen.cam.forces import Forces
+from cadgen.cam.forces import CamForces
 from cadgen.car.running.friction import DiscMaterial
 from cadgen.curves.chamfer import chamfered_off
 from cadgen.curves.closed import ClosedCurve, Outline
@@ -75,7 +75,7 @@ class CamExport:
     export: Export
     machining: Machining
     motion: Motion | None = None
-    forces: Forces | None = None
+    forces: CamForces | None = None
     in_use: Callable[[Outline, Contact, float], Figures] = _nothing
 
     @property

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll, roll_curve
 from cadgen.cam.follower import Contact, Follower
-from cadgen.cam.forces import Forces
+from cadgen.cam.forces import CamForces
 from cadgen.car.running.drive import Run
 from cadgen.curves.closed import ClosedCurve, Outline, cross, left_normal
 from cadgen.curves.polygon import polyline
@@ -197,7 +197,7 @@ def write_csv(
     follower: Follower,
     contact: Contact,
     motion: Motion | None = None,
-    forces: Forces | None = None,
+    forces: CamForces | None = None,
 ) -> None:
     """Write one row per contact of the follower with the profile.
 
@@ -246,7 +246,7 @@ def write_csv(
     path.write_text("\n".join([head, *rows]) + "\n", encoding="ascii", newline="\n")
 
 
-def _force_columns(forces: Forces, cam_angle: Array) -> list[Array]:
+def _force_columns(forces: CamForces, cam_angle: Array) -> list[Array]:
     jets = forces.motion.jets(cam_angle)
     return [forces.normal(jets, cam_angle), forces.torque(jets, cam_angle)]
 
