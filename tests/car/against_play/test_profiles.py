@@ -10,7 +10,7 @@ from click.testing import CliRunner
 
 from cadgen.cam.contact import roll_curve
 from cadgen.car.against_play import profile_kinds
-from cadgen.car.against_play.profile_kinds import ACTUAL, CutLift, ProfileKind, envelope
+from cadgen.car.against_play.profile_kinds import ACTUAL, ProfileKind, envelope
 from cadgen.cli.options import profile_option
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
@@ -35,7 +35,7 @@ def registered(monkeypatch):
         code="late",
         meaning="nothing about play",
         for_play=True,
-        lift=lambda work: CutLift(work.task.lift, work.windows),
+        lift=lambda work: work.cut_as(work.task.lift),
     )
     for profile in (ground, late):
         profile_kinds.register(profile)
