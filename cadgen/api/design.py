@@ -115,13 +115,13 @@ class Design(LoadedDesign):
         """
         from cadgen.api.cam import Cam
         from cadgen.api.runs import Comparison
-        from cadgen.jobs.cam.remedies import remedies
+        from cadgen.jobs.cam.lever import remedies_of
         from cadgen.jobs.cam.steering_cam import comparison_of, plan_cam
 
         design = self.complete()
         plan = plan_cam(design, "optimized", progress, all_trains=True)
         known = comparison_of(plan)
-        return Comparison(Cam.of(plan), remedies(design, known, progress) if known.task.mechanics else ())
+        return Comparison(Cam.of(plan), remedies_of(plan, progress) if known.task.mechanics else ())
 
     def tolerance(
         self,

@@ -34,8 +34,8 @@ def explore(
     """Compute thousands of designs: which are the best, and what that depends on.
 
     STUDY is a TOML file with base design, keys that vary, limits and objectives (docs/how-to/explore.md), or a packaged
-    study, paper_car. Every result is kept in a journal at once; the same command again goes on where it was. The exit
-    code is 1 if no design keeps all limits and checks.
+    study, paper_car or car_frame. Every result is kept in a journal at once; the same command again goes on where it
+    was. The exit code is 1 if no design keeps all limits and checks.
     """
     from cadgen.api import exploration
     from cadgen.cli import show

@@ -13,6 +13,7 @@
 | `comparison` | a car's profiles against play: compared, checked, chosen, with the reasons   |
 | `mechanics`  | effect of friction and drag on a car's cam, in checks and words              |
 | `remedies`   | other remedies against play, on one sheet                                    |
+| `lever`      | a longer lever as a remedy, and the whole sheet                              |
 | `built_car`  | deviations of the car as built, in words                                     |
 | `path_check` | the car driven on its cam, held against the points of its path               |
 | `readiness`  | cars that keep the course, and what holds a car's cam back                   |

@@ -13,7 +13,8 @@ from cadgen.figures import Cell, Facts, State, number
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.car_facts import remedy_facts
 from cadgen.jobs.cam.cures import Cures, find_cures
-from cadgen.jobs.cam.remedies import Remedy, remedies
+from cadgen.jobs.cam.lever import remedies_of
+from cadgen.jobs.cam.remedies import Remedy
 from cadgen.jobs.cam.steering_cam import CarUse, default_profile, plan_cam
 from cadgen.jobs.gears.gear_train import plan_gears
 from cadgen.jobs.simulation import Simulation, simulated
@@ -171,7 +172,7 @@ def plan_page(
         progress("running the car")
         simulation = simulated(cam)
         if comparison.task.mechanics is not None:
-            further = tuple(remedies(design, comparison, progress))
+            further = remedies_of(cam, progress)
         try:
             run = tolerance_of(cam, CarSample(samples=samples, processes=processes), progress)
         except DesignError as error:
