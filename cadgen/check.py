@@ -117,6 +117,10 @@ class CheckCode(StrEnum):
     FACE_END = "face-end"
     PRESSURE_ANGLE_GREATEST = "pressure-angle-greatest"
     PRESSURE_ANGLE_LEAST = "pressure-angle-least"
+    GROOVE_PLAY_GREATEST = "groove-play-greatest"
+    GROOVE_PLAY_LEAST = "groove-play-least"
+    GROOVE_WALL = "groove-wall"
+    GROOVE_HOLLOW = "groove-hollow-radius"
     CONTACT_FROM = "contact-from"
     CONTACT_TO = "contact-to"
 

@@ -52,6 +52,7 @@ def actual_profile(motion: Motion, follower: Follower) -> ActualProfile:
             overhangs.
     """
     follower.refuse(motion)
+    side = -1.0 if follower.encloses else 1.0  # of a disc outside of the follower the farthest branch is left
     branches = _branches(motion, follower)
     starts, spans = np.array([[_angle(b, b.start), _travel(b)] for b in branches]).T
     by_angle = [ByAngle(b) for b in branches]
@@ -66,7 +67,7 @@ def actual_profile(motion: Motion, follower: Follower) -> ActualProfile:
     for number, branch in enumerate(branches):
         covered = np.flatnonzero((cells - starts[number]) % TURN <= spans[number])
         t = by_angle[number].parameters(cells[covered]) if covered.size else np.empty(0)
-        radius = np.linalg.norm(branch.jet(t).point, axis=1) if covered.size else t
+        radius = side * np.linalg.norm(branch.jet(t).point, axis=1) if covered.size else t
         reaches.append(Reach.of(covered, radius))
     radii = Radii(reaches, len(cells))
     runs = lowest_branches(radii, _continuations(branches, starts, spans))
@@ -88,7 +89,7 @@ def actual_profile(motion: Motion, follower: Follower) -> ActualProfile:
             # The last cell comes before the first one.
             bracket = near - (near - low) % TURN, near + (high - near) % TURN
             both = by_angle[left.branch], by_angle[run.branch]
-            leave, enter = _crossing(before, after, both, bracket, near)
+            leave, enter = _crossing(before, after, both, bracket, near, side)
             if not _meet(before, after, leave, enter):
                 # The next branch of the face before may be the lowest for less than a cell.
                 between = _next_of_face(branches, left.branch)
@@ -182,7 +183,12 @@ def _forward_parts(span: Swept) -> list[Swept]:
 
 
 def _crossing(
-    before: Branch, after: Branch, by_angle: tuple[ByAngle, ByAngle], bracket: tuple[float, float], near: float
+    before: Branch,
+    after: Branch,
+    by_angle: tuple[ByAngle, ByAngle],
+    bracket: tuple[float, float],
+    near: float,
+    side: float,
 ) -> tuple[float, float]:
     """Parameters at which two branches meet between two polar angles, by Newton's method.
 
@@ -203,11 +209,11 @@ def _crossing(
     inside = np.all((off > -_JOINT) & (off < bracket[1] - bracket[0] + _JOINT))
     if inside and np.abs(points[0] - points[1]).max() < SAME:
         return float(t[0]), float(t[1])
-    return _closest(before, after, by_angle, bracket)
+    return _closest(before, after, by_angle, bracket, side)
 
 
 def _closest(
-    before: Branch, after: Branch, by_angle: tuple[ByAngle, ByAngle], bracket: tuple[float, float]
+    before: Branch, after: Branch, by_angle: tuple[ByAngle, ByAngle], bracket: tuple[float, float], side: float
 ) -> tuple[float, float]:
     """Parameters at the one polar angle in a bracket where the radii of two branches cross, or else agree best."""
     low, high = bracket
@@ -215,7 +221,7 @@ def _closest(
         angles = np.linspace(low, high, _ZOOM)
         t = [one.parameters(angles) for one in by_angle]
         r = [np.linalg.norm(b.jet(at).point, axis=1) for b, at in zip((before, after), t, strict=True)]
-        off = r[0] - r[1]
+        off = side * (r[0] - r[1])
         if not off[0] < 0 < off[-1]:
             best = int(np.argmin(np.abs(off)))
             break
@@ -258,7 +264,9 @@ def _trim(motion: Motion, before: Branch, after: Branch, leave: float, enter: fl
         lost = angles[0] + np.linspace(0, 1, 201) * ((angles[1] - angles[0]) % TURN)
         kinked = np.any((motion.kinks - angles[0]) % TURN <= (angles[1] - angles[0]) % TURN)
         whole = replace(before, start=float(lost[0]), stop=float(lost[-1]))
-        if not kinked and whole.jet(lost).curvature.min() > 0:
+        # On the outer flank of a groove a swallowtail is convex, and is known by its turning back.
+        back = bool((whole.advance(lost) < 0).any())
+        if not kinked and not back and whole.jet(lost).curvature.min() > 0:
             kind = TrimKind.GLOBAL
     return Trim(point, angles[0] % TURN, angles[1] % TURN, kind)
 

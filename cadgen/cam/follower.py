@@ -291,6 +291,7 @@ class Follower(ABC):
         flatter: advice where an outline overhangs, in words.
         unit: unit of its motion q: lift in mm, swing in rad, or the tangent of a car's steering angle.
         base_radius: distance of its reference point from the camshaft along the ray where q is 0, mm.
+        encloses: whether the disc lies on the far side of it from the camshaft, as the outer flank of a groove does.
         leans: whether it leans on an edge of the rim, as an `EdgeFollower` does; play and friction go by that.
         radius: least radius of curvature of the curve that touches the disc, mm; infinite for a straight one. Zero
             stands for a point, which `standing` lets down on an outline.
@@ -301,6 +302,7 @@ class Follower(ABC):
     milder: str = Message("raise cam.base_radius_mm")
     flatter: str = Message("make the cam larger, or the motion milder there")
     unit: Unit = MM
+    encloses: bool = False
     leans: bool = False
     base_radius: float
     radius: float

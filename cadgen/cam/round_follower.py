@@ -41,6 +41,11 @@ class RoundFollower(Follower):
             q2: its second derivative, 1/rad².
         """
 
+    @property
+    def rim(self) -> float:
+        """Distance of the profile from the centre's path, mm: the radius, negative towards the camshaft."""
+        return self.radius if self.encloses else -self.radius
+
     def at(self, q: Array) -> Complex:
         """Centre in the frame of the follower's line, mm.
 
@@ -72,7 +77,7 @@ class RoundFollower(Follower):
             jet = path.jet(theta)
             velocity = jet.velocity / np.linalg.norm(jet.velocity, axis=1)[:, None]
             # Where the outline is not undercut and turns its outer side to the camshaft.
-            over = (cross(jet.point, velocity) <= self.radius) & (self.radius * jet.curvature < 1.0)
+            over = (cross(jet.point, velocity) <= -self.rim) & (-self.rim * jet.curvature < 1.0)
             if over.any():
                 worst = float(theta[np.argmin(np.where(over, cross(jet.point, velocity), np.inf))])
                 raise DesignError(
@@ -100,7 +105,7 @@ class RoundFollower(Follower):
         assert isinstance(before, Centre)
         assert isinstance(after, Centre)
         start, stop = before.tilt(before.stop), after.tilt(after.start)
-        if self.radius == 0 or stop <= start + _JOINT:
+        if self.radius == 0 or stop <= start + _JOINT or self.encloses:
             return None
         z = complex(self.at(after.motion.q(np.array([after.start])))[0])
         return CircleArc(
@@ -166,7 +171,8 @@ class RoundFollower(Follower):
             across: distances of the contact from the line, mm, shape (n,).
         """
         z = self.at(q)
-        return np.asarray(z.real - np.sqrt(np.maximum(self.radius**2 - (across - z.imag) ** 2, 0.0)))
+        half = np.sqrt(np.maximum(self.radius**2 - (across - z.imag) ** 2, 0.0))
+        return np.asarray(z.real + half if self.encloses else z.real - half)
 
     def pressure_angle(self, q: Array, across: Array) -> Array:
         """Pressure angle, rad: the contact lies against the normal, by the radius from the centre.
@@ -175,7 +181,7 @@ class RoundFollower(Follower):
             q: motion, in its unit, shape (n,).
             across: distances of the contact from the line, mm, shape (n,).
         """
-        return self.pressed(q, np.arcsin(np.clip((self.at(q).imag - across) / self.radius, -1.0, 1.0)))
+        return self.pressed(q, np.arcsin(np.clip((across - self.at(q).imag) / self.rim, -1.0, 1.0)))
 
     def outline(self, q: float, face: float) -> Array:
         """The whole circle, by points in the frame of the follower's line, shape (n, 2), mm.
@@ -256,7 +262,7 @@ class Centre(Swept):
 
 @dataclass(frozen=True, kw_only=True)
 class Rim(Centre):
-    """Parallel of the centre's path, nearer to the camshaft by the circle's radius."""
+    """Parallel of the centre's path at the circle's radius, as a rule on the side of the camshaft."""
 
     def jet(self, t: Array) -> Jet:
         """Point (mm), velocity by cam angle t (rad), and curvature; on a swallowtail the velocity points backwards.
@@ -266,7 +272,7 @@ class Rim(Centre):
         """
         path = Centre(motion=self.motion, face=self.face, start=self.start, stop=self.stop, follower=self.follower)
         with np.errstate(divide="ignore"):  # at a cusp the curvature is infinite
-            return OffsetPiece(path, -self.follower.radius).jet(t)
+            return OffsetPiece(path, self.follower.rim).jet(t)
 
 
 @dataclass(frozen=True, kw_only=True)

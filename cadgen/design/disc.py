@@ -29,6 +29,12 @@ class MotionCam(DesignSection):
         "the least base circle is taken",
     )
     thickness_mm: float = Field(ge=0.1, le=100, description="between the disc's faces")
+    outside_diameter_mm: float | None = Field(
+        default=None,
+        gt=0,
+        le=5000,
+        description="of a disc with a groove; left out, what leaves 5 mm and `checks.min_wall_mm` beyond the groove",
+    )
 
     @model_validator(mode="after")
     def _base_circle_is_fixed_once(self) -> "MotionCam":

@@ -12,6 +12,7 @@
 | `swinging_roller` | roller on an arm                                                                     |
 | `swinging_flat`   | flat face on an arm                                                                  |
 | `swinging_kind`   | keys of both in the design file                                                      |
+| `groove`          | rollers of a groove: on its flanks, and with play                                     |
 | `closure`         | what holds a roller on its cam, and keys of a second roller                          |
 | `lifts`           | sense in which an arm lifts                                                         |
 | `face_run`        | run of the contact on a straight face                                                |

@@ -43,6 +43,42 @@ class SecondOnArm:
     angle_deg: Annotated[float, Gt(0), Le(360), "between both arms, which have the camshaft between them"]
 
 
+def refuse_groove(clearance: float, radius: float, depth: float, faces: tuple[float, float]) -> None:
+    """Refuse a groove without a floor, or with a clearance as large as its roller.
+
+    Args:
+        clearance: width of the groove less the diameter of the roller, mm.
+        radius: radius of the roller, mm.
+        depth: depth of the groove, mm.
+        faces: heights of the disc's faces, mm.
+
+    Raises:
+        ValueError: it is so.
+    """
+    thickness = faces[1] - faces[0]
+    if depth >= thickness:
+        raise ValueError(
+            Message(
+                "follower.depth_mm is {depth:g}; on a disc {thickness:g} mm thick the groove has no floor: lower it "
+                "below {thickness:g}, or raise cam.thickness_mm",
+                depth=depth,
+                thickness=thickness,
+            )
+        )
+    if clearance >= radius:
+        raise ValueError(
+            Message(
+                "follower.clearance_mm is {clearance:g}; it must be less than follower.radius_mm, {radius:g}: lower it",
+                clearance=clearance,
+                radius=radius,
+            )
+        )
+
+
+CLEARANCE = "of a groove, its width less the diameter of the roller, half on either side of the path of its centre"
+DEPTH = "of a groove, from the face that files show"
+
+
 def refuse_parts_of_closures(closure: Closure | None, second: Any, groove: dict[str, float | None]) -> None:
     """Refuse keys of a closure that the design does not have, and a closure without its keys.
 
@@ -67,4 +103,18 @@ def refuse_parts_of_closures(closure: Closure | None, second: Any, groove: dict[
                 'follower.second is the second roller of a conjugate pair: set follower.closure = "conjugate", or '
                 "remove it"
             )
+        )
+    given = [name for name, value in groove.items() if value is not None]
+    missing = [name for name in groove if name not in given]
+    if closure == Closure.GROOVE and missing:
+        raise ValueError(
+            Message(
+                'follower.closure is "groove", which needs follower.{key}: add it, a length in mm, or remove '
+                "follower.closure",
+                key=missing[0],
+            )
+        )
+    if closure != Closure.GROOVE and given:
+        raise ValueError(
+            Message('follower.{key} is of a groove: set follower.closure = "groove", or remove it', key=given[0])
         )

@@ -12,6 +12,7 @@ from cadgen.laws.unit import MM, Unit
 
 if TYPE_CHECKING:
     from cadgen.cam.follower import Follower
+    from cadgen.cam.followers.groove import GrooveRollers
     from cadgen.laws.motion import Motion
 
 
@@ -65,6 +66,7 @@ class FollowerKind:
             that angle, mm; None for a kind without one.
         second: function of keys and seat that returns the second follower of a conjugate pair, whose motion is the
             opposite one; None where the keys have none.
+        groove: function of keys and seat that returns the rollers of a groove; None where the keys have none.
         refuse: function that refuses keys that do not suit their seat, by a `ValueError` of one sentence.
     """
 
@@ -77,6 +79,7 @@ class FollowerKind:
     guide: FollowerGuide | None = None
     least_base: Callable[[Any, Motion, float], float] | None = None
     second: Callable[[Any, FollowerSeat], Follower | None] = lambda keys, seat: None
+    groove: Callable[[Any, FollowerSeat], GrooveRollers | None] = lambda keys, seat: None
     refuse: Callable[[Any, FollowerSeat], None] = lambda keys, seat: None
 
     @property

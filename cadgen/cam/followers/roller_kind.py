@@ -6,13 +6,22 @@ from dataclasses import dataclass
 from math import sqrt
 from typing import TYPE_CHECKING, Annotated
 
-from annotated_types import Ge, Le
+from annotated_types import Ge, Gt, Le
 
-from cadgen.cam.followers.closure import CLOSURE, Closure, SecondOnSlide, refuse_parts_of_closures
+from cadgen.cam.followers.closure import (
+    CLEARANCE,
+    CLOSURE,
+    DEPTH,
+    Closure,
+    SecondOnSlide,
+    refuse_groove,
+    refuse_parts_of_closures,
+)
 from cadgen.cam.followers.kind import FollowerKind, FollowerSeat
 from cadgen.messages import Message
 
 if TYPE_CHECKING:
+    from cadgen.cam.followers.groove import GrooveRollers
     from cadgen.cam.followers.roller import Knife, Roller, SecondRoller
     from cadgen.laws.motion import Motion
 
@@ -29,10 +38,14 @@ class RollerKeys:
     radius_mm: Annotated[float, Ge(0.05), Le(500), "of the roller"]
     offset_mm: Annotated[float, Ge(-500), Le(500), _OFFSET] = 0.0
     closure: Annotated[Closure | None, CLOSURE] = None
+    clearance_mm: Annotated[float | None, Ge(0), Le(50), CLEARANCE] = None
+    depth_mm: Annotated[float | None, Gt(0), Le(500), DEPTH] = None
     second: Annotated[SecondOnSlide | None, "second roller of a conjugate pair"] = None
 
     def __post_init__(self) -> None:
-        refuse_parts_of_closures(self.closure, self.second, {})
+        refuse_parts_of_closures(
+            self.closure, self.second, {"clearance_mm": self.clearance_mm, "depth_mm": self.depth_mm}
+        )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -69,6 +82,14 @@ def _roller(keys: RollerKeys, seat: FollowerSeat) -> Roller:
     return Roller(base=seat.base_radius, radius=keys.radius_mm, offset=keys.offset_mm)
 
 
+def _groove(keys: RollerKeys, seat: FollowerSeat) -> GrooveRollers | None:
+    from cadgen.cam.followers.groove import GrooveRollers
+
+    if keys.clearance_mm is None or keys.depth_mm is None:
+        return None
+    return GrooveRollers.of(_roller(keys, seat), keys.clearance_mm, keys.depth_mm)
+
+
 def _second(keys: RollerKeys, seat: FollowerSeat) -> SecondRoller | None:
     from cadgen.cam.followers.roller import SecondRoller
 
@@ -79,6 +100,8 @@ def _second(keys: RollerKeys, seat: FollowerSeat) -> SecondRoller | None:
 
 def _refuse_roller(keys: RollerKeys, seat: FollowerSeat) -> None:
     refuse_offset(keys.offset_mm, seat.base_radius + keys.radius_mm)
+    if keys.clearance_mm is not None and keys.depth_mm is not None:
+        refuse_groove(keys.clearance_mm, keys.radius_mm, keys.depth_mm, seat.faces)
     if keys.second is not None:
         ahead = sqrt((seat.base_radius + keys.radius_mm) ** 2 - keys.offset_mm**2)
         least = ahead + sqrt(max(keys.second.radius_mm**2 - keys.second.offset_mm**2, 0.0))
@@ -112,6 +135,7 @@ ROLLER = FollowerKind(
     build=_roller,
     least_base=lambda keys, motion, angle: _least_base(keys.offset_mm, keys.radius_mm, motion, angle),
     second=_second,
+    groove=_groove,
     refuse=_refuse_roller,
 )
 KNIFE = FollowerKind(

@@ -8,13 +8,22 @@ from typing import TYPE_CHECKING, Annotated
 
 from annotated_types import Ge, Gt, Le
 
-from cadgen.cam.followers.closure import CLOSURE, Closure, SecondOnArm, refuse_parts_of_closures
+from cadgen.cam.followers.closure import (
+    CLEARANCE,
+    CLOSURE,
+    DEPTH,
+    Closure,
+    SecondOnArm,
+    refuse_groove,
+    refuse_parts_of_closures,
+)
 from cadgen.cam.followers.kind import FollowerKind, FollowerSeat
 from cadgen.cam.followers.lifts import Lifts
 from cadgen.laws.unit import RAD
 from cadgen.messages import Message
 
 if TYPE_CHECKING:
+    from cadgen.cam.followers.groove import GrooveRollers
     from cadgen.cam.followers.swinging_flat import SwingingFace
     from cadgen.cam.followers.swinging_roller import SecondSwingingRoller, SwingingRoller
 
@@ -32,10 +41,14 @@ class SwingingRollerKeys:
     centre_distance_mm: Annotated[float, Gt(0), Le(2000), _PIVOT]
     lifts: Annotated[Lifts, _LIFTS]
     closure: Annotated[Closure | None, CLOSURE] = None
+    clearance_mm: Annotated[float | None, Ge(0), Le(50), CLEARANCE] = None
+    depth_mm: Annotated[float | None, Gt(0), Le(500), DEPTH] = None
     second: Annotated[SecondOnArm | None, "second roller of a conjugate pair"] = None
 
     def __post_init__(self) -> None:
-        refuse_parts_of_closures(self.closure, self.second, {})
+        refuse_parts_of_closures(
+            self.closure, self.second, {"clearance_mm": self.clearance_mm, "depth_mm": self.depth_mm}
+        )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -62,6 +75,14 @@ def _roller(keys: SwingingRollerKeys, seat: FollowerSeat) -> SwingingRoller:
         centre_distance=keys.centre_distance_mm,
         lifts=keys.lifts,
     )
+
+
+def _groove(keys: SwingingRollerKeys, seat: FollowerSeat) -> GrooveRollers | None:
+    from cadgen.cam.followers.groove import GrooveRollers
+
+    if keys.clearance_mm is None or keys.depth_mm is None:
+        return None
+    return GrooveRollers.of(_roller(keys, seat), keys.clearance_mm, keys.depth_mm)
 
 
 def _second(keys: SwingingRollerKeys, seat: FollowerSeat) -> SecondSwingingRoller | None:
@@ -98,6 +119,8 @@ def _refuse_roller(keys: SwingingRollerKeys, seat: FollowerSeat) -> None:
                 radius=keys.radius_mm,
             )
         )
+    if keys.clearance_mm is not None and keys.depth_mm is not None:
+        refuse_groove(keys.clearance_mm, keys.radius_mm, keys.depth_mm, seat.faces)
     _refuse_second(keys, prime)
 
 
@@ -175,6 +198,7 @@ SWINGING_ROLLER = FollowerKind(
     build=_roller,
     unit=RAD,
     second=_second,
+    groove=_groove,
     refuse=_refuse_roller,
 )
 SWINGING_FLAT = FollowerKind(

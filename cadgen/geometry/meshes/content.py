@@ -37,6 +37,41 @@ class MeshContent:
     wall_area: float
 
 
+def measured(mesh: Mesh) -> MeshContent:
+    """Measure a mesh, as read from a file; its rim is the outline at z = 0.
+
+    Args:
+        mesh: mesh with vertices joined.
+    """
+    return inspect(mesh, np.inf)
+
+
+def flanks_of(mesh: Mesh, height: float, step: float) -> tuple[Outline, Outline]:
+    """Flanks of a groove in the upper face of a disc, the inner one first.
+
+    Args:
+        mesh: mesh with vertices joined.
+        height: z of the upper face, mm.
+        step: largest distance of two points, mm.
+
+    Raises:
+        FileError: the face has not the outlines of a disc with a groove.
+    """
+    flat = (np.abs(mesh.vertices[mesh.triangles][:, :, 2] - height) < _LEVEL).all(axis=1)
+    edges = mesh.triangles[flat][:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
+    count = len(mesh.vertices)
+    edges = edges[~np.isin(edges @ [count, 1], edges @ [1, count])]
+    loops = []
+    while len(edges):
+        loops.append(_loop(mesh, edges, height))
+        seen = {tuple(corner) for corner in loops[-1].tolist()}
+        kept = [tuple(corner) not in seen for corner in mesh.vertices[edges[:, 0]][:, :2].tolist()]
+        edges = edges[np.array(kept)]
+    if len(loops) < 3:
+        raise FileError("the mesh has no groove at z = {height:g}: export it again", height=height)
+    return polyline(loops[2], step), polyline(loops[1], step)
+
+
 def inspect(mesh: Mesh, step: float, land: tuple[float, float] | None = None) -> MeshContent:
     """Measure a mesh, as read from a file.
 

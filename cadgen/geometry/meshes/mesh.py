@@ -219,6 +219,40 @@ def cam_mesh(
     return mesh_of(solid)
 
 
+def grooved_mesh(
+    flanks: tuple[ClosedCurve, ClosedCurve],
+    blank: Blank,
+    thickness: float,
+    depth: float,
+    outside_radius: float,
+    chord_tolerance: float,
+    rim_share: float = 0.5,
+) -> Mesh:
+    """Return a round disc with a groove in the face at z = thickness, with its bore, holes and hub.
+
+    Args:
+        flanks: inner and outer flank of the groove, mm.
+        blank: features of the disc besides the groove.
+        thickness: thickness of the disc, mm.
+        depth: depth of the groove, mm.
+        outside_radius: radius of the disc, mm.
+        chord_tolerance: greatest distance of rim, bore, holes and hub from the true shape, mm.
+        rim_share: share of chord_tolerance allowed to the flanks along their normals.
+
+    Raises:
+        DesignError: a hole cuts into another one, into the hub or into the groove.
+    """
+    inner, outer = flanks
+    blank.require_walls(inner.outline(PROFILE_STEP))
+    holes = [contour.polygon(chord_tolerance) for contour in blank.holes()]
+    bore, boss = blank.bore(), blank.boss(thickness)
+    rim = circle((0.0, 0.0), outside_radius).polygon(chord_tolerance)
+    solid = _prism([rim, *holes, *([] if boss else [bore.polygon(chord_tolerance)])], 0.0, thickness)
+    ring = [polygon(flank, rim_share * chord_tolerance) for flank in (outer, inner)]
+    solid -= _prism(ring, thickness - depth, depth + OVERSHOOT)
+    return mesh_of(solid if boss is None else _with_hub(solid, boss, bore, thickness, chord_tolerance))
+
+
 def _prism(polygons: list[Array], bottom: float, height: float) -> Manifold:
     section = CrossSection(polygons, FillRule.EvenOdd)
     return Manifold.extrude(section, height).translate((0.0, 0.0, bottom))

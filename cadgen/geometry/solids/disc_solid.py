@@ -241,6 +241,51 @@ def cam_part(profile: ClosedCurve, blank: Blank, thickness: float, *, name: str,
         shape = _disc(profile, [contour_edges(bore, 0.0), *holes], thickness, blank.edge_break)
     else:
         shape = _with_hub(_disc(profile, holes, thickness, blank.edge_break), boss, bore)
+    return _one_part(shape, name, description)
+
+
+def grooved_part(
+    flanks: tuple[ClosedCurve, ClosedCurve],
+    blank: Blank,
+    thickness: float,
+    depth: float,
+    outside_radius: float,
+    *,
+    name: str,
+    description: str,
+) -> SolidPart:
+    """Return a round disc with a groove in the face at z = thickness, with its bore, holes and hub.
+
+    Args:
+        flanks: inner and outer flank of the groove, mm.
+        blank: features of the disc besides the groove.
+        thickness: thickness of the disc, mm.
+        depth: depth of the groove, mm.
+        outside_radius: radius of the disc, mm.
+        name: name of the product.
+        description: description of the product, one line.
+
+    Raises:
+        DesignError: a hole cuts into another one, into the hub or into the groove.
+        FileError: the kernel did not make one valid solid.
+    """
+    inner, outer = flanks
+    blank.require_walls(inner.outline(PROFILE_STEP))
+    holes = [contour_edges(contour, 0.0) for contour in blank.holes()]
+    bore, boss = blank.bore(), blank.boss(thickness)
+    around = holes if boss else [contour_edges(bore, 0.0), *holes]
+    disc = prism(contour_edges(circle((0.0, 0.0), outside_radius), 0.0), around, thickness)
+    floor = thickness - depth
+    # The ring ends in the plane of the face, so that its own edges become those of the groove.
+    edges = [spline_edges(splines(flank, SPLINE_TOLERANCE, _DEGREE), floor) for flank in (outer, inner)]
+    shape = _boolean(BRepAlgoAPI_Cut(), disc, [prism(edges[0], [edges[1]], depth)])
+    if boss is not None:
+        shape = _with_hub(shape, boss, bore)
+    return _one_part(shape, name, description)
+
+
+def _one_part(shape: TopoDS_Shape, name: str, description: str) -> SolidPart:
+    """Part of a shape that must be one valid solid."""
     bodies = solids(shape)
     if len(bodies) != 1 or not is_valid(bodies[0]):
         raise FileError(

@@ -74,6 +74,32 @@ def read_rim(path: Path, step: float, height: float = 0.0) -> Outline:
     return _outline(rims[0], path)
 
 
+def read_flanks(path: Path, step: float, height: float) -> tuple[Outline, Outline]:
+    """Return both flanks of a groove at a height, the inner one first.
+
+    Args:
+        path: path of the file.
+        step: largest distance of two points, mm.
+        height: z of the face or of the floor, mm.
+
+    Raises:
+        FileError: the file cannot be read, or has not exactly two such curves, closed.
+    """
+    try:
+        instances = {int(n): (kind, rest) for n, kind, rest in _INSTANCE.findall(path.read_text(encoding="ascii"))}
+        rims = sorted(_rims(instances, step, height), key=lambda rim: float(np.abs(np.concatenate(rim)[:, 0]).max()))
+    except (OSError, UnicodeError, KeyError, IndexError, ValueError) as error:
+        raise FileError("{name} is damaged: export it again", name=path.name) from error
+    if len(rims) != 2:
+        raise FileError(
+            "{name} has {rims} closed rims of B-splines at z = {height:g} where two were wanted",
+            name=path.name,
+            rims=len(rims),
+            height=height,
+        )
+    return _outline(rims[0], path), _outline(rims[1], path)
+
+
 def _rims(instances: Instances, step: float, height: float) -> list[list[Array]]:
     """Points of every edge of every closed chain of B-splines at a height, joined by the vertices that they name."""
     edges = {}

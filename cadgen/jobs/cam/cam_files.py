@@ -1,6 +1,6 @@
 """From a checked cam to files on disk, each read back and rolled against its follower before it is published."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -9,12 +9,12 @@ from cadgen.cam.checks import cam_angles
 from cadgen.errors import CheckError
 from cadgen.figures import Facts
 from cadgen.jobs.cam.cam_facts import cam_facts
-from cadgen.jobs.cam.cam_plan import CamPlan
+from cadgen.jobs.cam.cam_plan import CamPlan, Groove
 from cadgen.jobs.cam.cures import Cures
 from cadgen.laws.unit import TAN
 from cadgen.messages import Message, joined
-from cadgen.output.files.exports import CamExport
-from cadgen.output.files.formats import CAM
+from cadgen.output.files.exports import CamExport, GrooveExport
+from cadgen.output.files.formats import CAM, GROOVE, Format, Made
 from cadgen.output.files.publisher import Artifact, Written, publish
 from cadgen.progress import Progress, silent
 
@@ -43,15 +43,13 @@ def write_cam(
         CheckError: none of the formats can be made of this cam.
         FileError: a file cannot be written, or holds something else when it is read back.
     """
-    wanted, (cam, *others) = CAM.chosen(formats), [cam_export(disc) for disc in plan.discs]
+    wanted = (CAM if plan.groove is None else GROOVE).chosen(formats)
     omitted: dict[str, str] = {}
     warnings: list[str] = []
 
     def files(folder: Path) -> Iterator[Artifact]:
         progress(Message("writing and reading back {formats}", formats=joined(each.label for each in wanted)))
-        # The kernel gives the volume of a hub, which every format needs.
-        made = [one for disc in (cam, *others) for one in CAM.made(disc, folder, wanted, apart=cam.blank.hub is None)]
-        for each, result in made:
+        for each, result in _made(plan, folder, wanted):
             if isinstance(result, CheckError):
                 # Only a forced export comes here: the check that failed names the same cause.
                 omitted[each.label] = result.message
@@ -62,7 +60,7 @@ def write_cam(
         if len(omitted) == len(wanted):
             raise CheckError("nothing can be written: {reasons}", reasons=joined(dict.fromkeys(omitted.values()), "; "))
 
-    part, chosen = CAM.entry(cam.stem, wanted)
+    part, chosen = (CAM if plan.groove is None else GROOVE).entry(plan.stem, wanted)
     facts = cam_facts(plan, cures)
     return publish(
         part,
@@ -71,6 +69,15 @@ def write_cam(
         facts | chosen | Facts(frame=plan.application.frame(plan)),
         lambda _: Facts(omitted=omitted, warnings=warnings),
     )
+
+
+def _made(plan: CamPlan, folder: Path, wanted: Sequence[Format]) -> list[tuple[Format, Made]]:
+    """Files of every disc of a plan, or of its groove."""
+    # The kernel gives the volume of a hub, which every format needs.
+    apart = plan.blank.hub is None
+    if plan.groove is not None:
+        return GROOVE.made(groove_export(plan, plan.groove), folder, wanted)
+    return [one for disc in plan.discs for one in CAM.made(cam_export(disc), folder, wanted, apart=apart)]
 
 
 def cam_export(plan: CamPlan) -> CamExport:
@@ -95,6 +102,20 @@ def cam_export(plan: CamPlan) -> CamExport:
     )
 
 
+def groove_export(plan: CamPlan, groove: Groove) -> GrooveExport:
+    """Cam with a groove as the writers of all formats take it.
+
+    Args:
+        plan: plan of the cam, whose curve is the inner flank.
+        groove: its groove.
+    """
+    outer = groove.outer
+    return GrooveExport(
+        inner=cam_export(plan), outer=cam_export(outer), depth=groove.depth, outside_radius=groove.outside_radius
+    )
+
+
 def cam_solid(plan: CamPlan) -> "SolidPart":
     """Solid of the cam, as in its STEP file."""
-    return cam_export(plan).part
+    export = cam_export(plan)
+    return export.part if plan.groove is None else groove_export(plan, plan.groove).part

@@ -4,6 +4,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+import numpy as np
+
 from cadgen.cam.checks import LOST_LIFT
 from cadgen.cam.follower import Contact, Follower, Trim
 from cadgen.cam.forces import CamForces
@@ -222,6 +224,21 @@ class Application:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
+class Groove:
+    """Groove in a round disc, in which a roller runs.
+
+    Attributes:
+        outer: plan of the outer flank: its curve, and the roller that is pressed outwards on it.
+        depth: depth of the groove, mm, from the face that files show.
+        outside_radius: radius of the disc, mm.
+    """
+
+    outer: "CamPlan"
+    depth: float
+    outside_radius: float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
 class CamPlan:
     """A cam that has been computed and checked, but not yet made.
 
@@ -242,6 +259,7 @@ class CamPlan:
         phase: angle by which the curve stands turned on the shaft of a car as built, rad.
         part: name of the disc among several, which its files bear; empty for the first.
         second: second disc of a conjugate pair, on the same shaft and in the same frame; None for one disc.
+        groove: groove of which the curve is the inner flank; None for a disc whose rim is the curve.
     """
 
     origin: Origin
@@ -260,6 +278,7 @@ class CamPlan:
     phase: float = 0.0
     part: str = ""
     second: "CamPlan | None" = None
+    groove: "Groove | None" = None
 
     @cached_property
     def verdict(self) -> PartVerdict:
@@ -346,6 +365,9 @@ class CamPlan:
         The solid of the kernel has the same within 1e-5 of it, by a test, and takes longer.
         """
         blank = self.blank
+        if self.groove is not None:
+            disc = blank.disc_volume(np.pi * self.groove.outside_radius**2, self.thickness)
+            return float(disc - (self.groove.outer.area - self.area) * self.groove.depth + blank.hub_volume())
         chamfers = 2 * chamfered_off(self.curve, blank.edge_break) if blank.edge_break else 0.0
         return blank.disc_volume(self.area, self.thickness) - chamfers + blank.hub_volume()
 

@@ -3,14 +3,16 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
-from math import degrees
+from math import ceil, degrees
 
 import numpy as np
 
 from cadgen.arrays import TURN
-from cadgen.cam.checks import check_cam, signed_pressure
+from cadgen.cam.checks import LOST_LIFT, cam_angles, check_cam, signed_pressure
 from cadgen.cam.follower import Follower
+from cadgen.cam.followers.groove import GrooveRollers
 from cadgen.cam.forces import CamForces
+from cadgen.cam.groove_checks import groove_checks
 from cadgen.cam.opposite import OppositeMotion
 from cadgen.car.against_play.profile_kinds import ACTUAL, ProfileKind, profile_of
 from cadgen.check import Check, CheckCode, failing
@@ -20,19 +22,24 @@ from cadgen.design.motion import DiscSense, motion_of
 from cadgen.design.schema import MotionDesign
 from cadgen.errors import DesignError
 from cadgen.figures import Facts, Sheet
-from cadgen.jobs.cam.cam_plan import Application, CamPlan, Making
+from cadgen.jobs.cam.cam_plan import Application, CamPlan, Groove, Making
 from cadgen.jobs.cam.force_figures import force_checks, force_facts, force_figures, forces_of
 from cadgen.jobs.cam.motion_figures import checks_of, facts_of, notes_of, reservations_of, seams_sheets
 from cadgen.laws.motion import Motion
 from cadgen.laws.unit import MM
 from cadgen.messages import Message, clauses
 from cadgen.output.files.manifest import Origin
+from cadgen.parts.blank import PROFILE_STEP
 from cadgen.parts.face import Face
 from cadgen.progress import Progress, silent
 from cadgen.verdict import PartVerdict, Reservation
 
 SECOND = "second"  # in the names of the files of the second disc
 SecondDisc = StrEnum("SecondDisc", {code.name: f"second-{code}" for code in CheckCode})  # type: ignore[misc]
+OUTER = "outer"  # in the names of the files of a groove's outer flank
+OuterFlank = StrEnum("OuterFlank", {code.name: f"outer-{code}" for code in CheckCode})  # type: ignore[misc]
+_OF_OUTER_FLANK = (*LOST_LIFT, CheckCode.ROD_PUSHED_OUT, CheckCode.ROD_FALLS_SHORT)
+_BEYOND_GROOVE = 5.0  # mm that are left beyond a groove besides the least wall, where the design does not say
 # Checks that a size of the follower may cure.
 _SIZED = (CheckCode.PRESSURE_ANGLE_RISE, CheckCode.PRESSURE_ANGLE_RETURN, CheckCode.CONVEX_RADIUS_PROFILE)
 _DENSE = 7201  # stations at which the travel is sought
@@ -147,7 +154,8 @@ class SegmentUse(Application):
                 ),
             )
         )
-        return sense, *second, *notes_of(cam.motion, self.rpm)
+        groove = () if cam.groove is None else (_groove_words(cam, cam.groove),)
+        return sense, *second, *groove, *notes_of(cam.motion, self.rpm)
 
     def drawing_notes(self, cam: CamPlan) -> tuple[str, ...]:
         """Sense in which the disc turns, and the base circle."""
@@ -155,6 +163,8 @@ class SegmentUse(Application):
             Message("Turns clockwise, seen on this face."),
             Message("Second disc of a conjugate pair: key and angle 0 stand as on the first.")
             if cam.part
+            else _groove_words(cam, cam.groove)
+            if cam.groove
             else Message("Base circle: radius {radius:g} mm.", radius=self.design.seat.base_radius),
         )
 
@@ -179,12 +189,73 @@ def plan_motion_cam(design: MotionDesign, profile: str | None = None, progress: 
         )
     registered, keys = design.follower.registered, design.follower.keys
     motion = motion_of(design.motion, registered)
-    follower, counter = registered.build(keys, design.seat), registered.second(keys, design.seat)
-    first = _disc(design, kind, motion, follower, progress)
+    groove, counter = registered.groove(keys, design.seat), registered.second(keys, design.seat)
+    if groove is not None and not kind.by_axis:
+        return _grooved(design, kind, motion, groove, progress)
+    first = _disc(design, kind, motion, registered.build(keys, design.seat), progress)
     if counter is None:
         return first
     second = replace(_disc(design, kind, OppositeMotion.of(motion), counter, progress), part=SECOND)
     return replace(first, second=second, checks=(*first.checks, *map(_of_second, second.checks)))
+
+
+def _grooved(
+    design: MotionDesign, kind: ProfileKind, motion: Motion, rollers: GrooveRollers, progress: Progress
+) -> CamPlan:
+    """Disc with a groove: both flanks, what they leave of the disc, and the play of the roller."""
+    if motion.kinks.size:
+        raise DesignError(
+            'follower.closure is "groove", and the velocity jumps at {angle:.4g} degrees of cam angle, where the outer '
+            "flank would have a corner: take laws that fit each other there, or remove motion.allow_velocity_jump",
+            angle=degrees(float(motion.kinks[0])),
+        )
+    if design.blank.edge_break_mm:
+        raise DesignError(
+            "blank.edge_break_mm breaks the edges of a rim that carries the follower, and here a groove does: remove it"
+        )
+    inner = _disc(design, kind, motion, rollers.inner, progress)
+    outer = replace(_disc(design, kind, OppositeMotion.of(motion), rollers.outer, progress), part=OUTER)
+    widest = float(np.linalg.norm(outer.curve.outline(PROFILE_STEP).points, axis=1).max())
+    given, wall = design.cam.outside_diameter_mm, inner.limits.wall
+    outside = ceil(2 * (widest + wall + _BEYOND_GROOVE)) / 2 if given is None else given / 2
+    if outside <= widest:
+        raise DesignError(
+            "cam.outside_diameter_mm is {given:g}; the groove reaches out to a diameter of {least:.4g} mm: raise it to "
+            "{cure:g} or more, or leave it out",
+            given=2 * outside,
+            least=2 * widest,
+            cure=ceil(2 * (widest + wall)),
+        )
+    flank = (check for check in outer.checks if check.code in _OF_OUTER_FLANK)
+    checks = (
+        *(_with_groove(check, rollers.half_width) for check in inner.checks),
+        *(replace(check, code=OuterFlank(f"outer-{check.code}"), name=_outer_name(check)) for check in flank),
+        *groove_checks(rollers, inner.curve, outer.curve, cam_angles(motion), outside, wall),
+    )
+    made = Groove(outer=outer, depth=rollers.depth, outside_radius=outside)
+    return replace(inner, groove=made, checks=checks)
+
+
+def _groove_words(cam: CamPlan, groove: Groove) -> Message:
+    """Sizes of a groove in a sentence."""
+    return Message(
+        "Groove: {width:g} mm wide and {depth:g} mm deep in the face that files show, half of its clearance on either "
+        "side of the path of the roller's centre; the disc has a diameter of {diameter:g} mm.",
+        width=2 * cam.follower_as_built.radius,
+        depth=groove.depth,
+        diameter=2 * groove.outside_radius,
+    )
+
+
+def _outer_name(check: Check) -> Message:
+    return Message("outer flank: {name}", name=Message(check.name))
+
+
+def _with_groove(check: Check, half_width: float) -> Check:
+    """Check of the inner flank; no cutter is wider than the groove."""
+    if check.code != CheckCode.CUTTER_RADIUS or check.value <= half_width:
+        return check
+    return replace(check, value=half_width, place=Message("width of the groove"))
 
 
 def _disc(design: MotionDesign, kind: ProfileKind, motion: Motion, follower: Follower, progress: Progress) -> CamPlan:

@@ -9,6 +9,8 @@
 | `threemf`      | 3MF                                                                          |
 | `dxf`          | outlines as arcs or as splines, for laser, wire EDM and CAD                  |
 | `nc`           | programs for a mill, and the time that they take                             |
+| `groove`       | files of a cam with a groove                                                 |
+| `groove_nc`    | the program that mills a groove                                              |
 | `gcode`        | the program that mills an outline, over its tabs                             |
 | `drilling`     | the programs that drill holes                                                |
 | `hole_milling` | the program that mills holes wider than the cutter                           |

@@ -6,7 +6,7 @@ other reader at hand, trimesh's, drops the layer of a polyline with arcs.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import pairwise
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 # Greatest error of the lift due to a file, µm.
 LIFT_LIMIT_UM = 1.0
 # Greatest distance of a cam's cubic splines from the profile, mm: a tenth of the error allowed to the lift.
-_SPLINE_TOLERANCE = 1e-4
+SPLINE_TOLERANCE = 1e-4
 # Greatest distance of a gear's splines from the exact teeth, mm, and of what is read back.
 OUTLINE_TOLERANCE, OUTLINE_LIMIT = 1e-5, 2e-5
 _STEP = 0.05  # mm between points of a gear's outline that is read back
@@ -52,7 +52,7 @@ _GAP_MM = 1e-9  # between the end of a spline and the begin of the next, which a
 def cam_dxf(cam: CamExport, folder: Path) -> Iterator[Artifact]:
     """Outline of a cam as arcs and as splines, with bore, holes and a note on its edges."""
     tolerance = cam.export.arc_tolerance_um * 1e-3
-    chain, cubic = arcs(cam.curve, tolerance), splines(cam.curve, _SPLINE_TOLERANCE, 3)
+    chain, cubic = arcs(cam.curve, tolerance), splines(cam.curve, SPLINE_TOLERANCE, 3)
     note = edges_note(cam.blank.edge_break, cam.follower.noun)
     for suffix, profile, facts in (
         ("arcs", chain, Facts(arcs=len(chain.bulges), arc_tolerance_um=tolerance * 1e3)),
@@ -123,6 +123,76 @@ def write_dxf(
         drawing.saveas(path)
 
 
+def write_curves(
+    path: Path,
+    curves: Mapping[str, Sequence[Contour | Sequence[SplineArc]]],
+    bore: Contour,
+    holes: Sequence[Contour],
+) -> None:
+    """Write closed curves on layers of their own, with bore and holes; equal input gives equal bytes.
+
+    Args:
+        path: file to write.
+        curves: chains of arcs, or splines end to end, by their layer, mm.
+        bore: bore with its keyway or flat, mm.
+        holes: lightening holes, mm.
+    """
+    import ezdxf
+
+    with fixed_dates():
+        drawing = ezdxf.new("R2000", units=_MM)
+        layers = [*curves, BORE, HOLES]
+        for number, name in enumerate(layers):
+            drawing.layers.add(name, color=_COLORS.get(name, 7 - number % 2))
+        space = drawing.modelspace()
+        for layer, ones in (*curves.items(), (BORE, [bore]), (HOLES, holes)):
+            for one in ones:
+                if isinstance(one, Contour):
+                    _add(space, one, layer)
+                    continue
+                for arc in one:
+                    spline = space.add_spline(degree=arc.degree, dxfattribs={"layer": layer})
+                    spline.control_points = np.pad(arc.control_points, ((0, 0), (0, 1)))
+                    spline.knots = arc.knots
+        drawing.saveas(path)
+
+
+def read_curves(path: Path, layers: Sequence[str], step: float) -> dict[str, Outline]:
+    """Read one closed curve of arcs or of splines from each of some layers.
+
+    Args:
+        path: file to read.
+        layers: layers with one curve each.
+        step: distance between the points of the curves, mm.
+
+    Raises:
+        FileError: the file is damaged, not in mm, or a curve is missing or open.
+    """
+    contours: dict[str, list[Contour]] = {layer: [] for layer in layers}
+    splines: dict[str, list[BSpline]] = {layer: [] for layer in layers}
+    with _whole(path):
+        for kind, entity in _drawn(path):
+            layer = entity[8][0]
+            if layer not in contours:
+                continue
+            points = np.array([entity[10], entity[20]], dtype=float).T
+            if kind == "SPLINE":
+                splines[layer].append(BSpline(np.array(entity[40], dtype=float), points, int(entity[71][0])))
+            elif kind == "LWPOLYLINE" and int(entity[70][0]) & 1:
+                contours[layer].append(Contour(points, np.array(entity[42], dtype=float)))
+    read: dict[str, Outline] = {}
+    for layer in layers:
+        if splines[layer] and not contours[layer]:
+            read[layer] = _along(splines[layer], step, path)
+        elif len(contours[layer]) == 1 and not splines[layer]:
+            read[layer] = contours[layer][0].outline(step)
+        else:
+            raise FileError(
+                "{file} must have one closed curve on layer {layer}: write it again", file=path.name, layer=layer
+            )
+    return read
+
+
 def _add(space: Modelspace, contour: Contour, layer: str) -> None:
     attributes = {"layer": layer}
     if contour.is_circle:
@@ -175,11 +245,8 @@ def read_dxf(path: Path, step: float = 0.05) -> Drawing:
     contours: dict[str, list[Contour]] = {layer: [] for layer in _COLORS}
     splines: list[BSpline] = []
     notes: list[str] = []
-    try:
-        sections = _sections(path)
-        if _units(sections["HEADER"]) != _MM:
-            raise FileError("{file} is not in millimetres: write it again", file=path.name)
-        for kind, entity in _entities(sections["ENTITIES"]):
+    with _whole(path):
+        for kind, entity in _drawn(path):
             layer = entity[8][0]
             if kind == "TEXT" and layer == NOTES:
                 notes.append(entity[1][0])
@@ -198,8 +265,6 @@ def read_dxf(path: Path, step: float = 0.05) -> Drawing:
                     kind=kind,
                     layer=layer,
                 )
-    except (KeyError, ValueError, IndexError) as error:
-        raise FileError("{file} is not a complete DXF file of a disc: write it again", file=path.name) from error
     profile = contours[PROFILE]
     if splines and not profile:
         outline = _along(splines, step, path)
@@ -210,6 +275,23 @@ def read_dxf(path: Path, step: float = 0.05) -> Drawing:
             "{file} must have one closed curve on layer {layer}: write it again", file=path.name, layer=PROFILE
         )
     return Drawing(outline, tuple(contours[BORE]), tuple(contours[HOLES]), " ".join(notes))
+
+
+@contextmanager
+def _whole(path: Path) -> Iterator[None]:
+    """Say of a damaged file that it is one."""
+    try:
+        yield
+    except (KeyError, ValueError, IndexError) as error:
+        raise FileError("{file} is not a complete DXF file of a disc: write it again", file=path.name) from error
+
+
+def _drawn(path: Path) -> Iterator[tuple[str, dict[int, list[str]]]]:
+    """Kind and values of each entity of a file, which must be in millimetres."""
+    sections = _sections(path)
+    if _units(sections["HEADER"]) != _MM:
+        raise FileError("{file} is not in millimetres: write it again", file=path.name)
+    yield from _entities(sections["ENTITIES"])
 
 
 Tag = tuple[int, str]

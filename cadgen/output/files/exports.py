@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from math import pi
 from typing import TYPE_CHECKING
 
 from cadgen.arrays import Array
@@ -164,6 +165,106 @@ class CamExport:
                 limit=limit,
             )
         return Artifact(name, Facts(lift_error_um=error, lift_limit_um=limit) | facts, in_use=in_use)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class GrooveExport:
+    """Cam with a groove that is to be written, and the proof of its files: a roller as wide on both flanks.
+
+    Attributes:
+        inner: inner flank as a cam, with the features of the disc.
+        outer: outer flank likewise, with the roller that is pressed outwards.
+        depth: depth of the groove, mm.
+        outside_radius: radius of the disc, mm.
+    """
+
+    inner: CamExport
+    outer: CamExport
+    depth: float
+    outside_radius: float
+
+    @property
+    def stem(self) -> str:
+        """Start of the names of its files."""
+        return self.inner.stem
+
+    @property
+    def description(self) -> str:
+        """Description in one line, for formats that have room for it."""
+        return self.inner.description
+
+    @property
+    def thickness(self) -> float:
+        """Distance of the disc's faces, mm."""
+        return self.inner.thickness
+
+    @property
+    def step(self) -> float:
+        """Distance of the points on flanks that are read back, mm."""
+        return min(self.inner.step, self.outer.step)
+
+    @property
+    def chord(self) -> float:
+        """Greatest chord error of the mesh, mm."""
+        return self.inner.chord
+
+    @property
+    def width(self) -> float:
+        """Width of the groove, mm."""
+        return 2 * self.inner.follower.radius
+
+    @cached_property
+    def part(self) -> SolidPart:
+        """The solid, for STEP."""
+        from cadgen.geometry.solids.disc_solid import grooved_part
+
+        return grooved_part(
+            (self.inner.curve, self.outer.curve),
+            self.inner.blank,
+            self.thickness,
+            self.depth,
+            self.outside_radius,
+            name=self.stem,
+            description=self.description,
+        )
+
+    @cached_property
+    def mesh(self) -> Mesh:
+        """The mesh, for STL and 3MF."""
+        from cadgen.geometry.meshes.mesh import grooved_mesh
+
+        return grooved_mesh(
+            (self.inner.curve, self.outer.curve),
+            self.inner.blank,
+            self.thickness,
+            self.depth,
+            self.outside_radius,
+            self.chord,
+            min(self.inner.rim_share, self.outer.rim_share),
+        )
+
+    @cached_property
+    def volume(self) -> float:
+        """Volume for comparison with every file's, mm³."""
+        blank = self.inner.blank
+        disc = blank.disc_volume(pi * self.outside_radius**2, self.thickness) + blank.hub_volume()
+        return float(disc - (self.outer.area - self.inner.area) * self.depth)
+
+    def judged(self, name: str, flanks: Sequence[tuple[Outline, Outline]], limit: float, facts: Facts) -> Artifact:
+        """File whose flanks were read back, the inner one first: a roller is rolled on both.
+
+        Args:
+            name: name of the file.
+            flanks: inner and outer flank at each height that was read, mm.
+            limit: greatest error of the lift allowed, µm.
+            facts: what else was read back.
+
+        Raises:
+            FileError: the error is beyond its limit.
+        """
+        first = max(self.inner.exact.compare(inner)[0] for inner, _ in flanks) * 1e3
+        last = [self.outer.judged(name, outer, limit, facts, off=first) for _, outer in flanks]
+        return last[0]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

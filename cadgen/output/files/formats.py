@@ -15,7 +15,16 @@ from cadgen.errors import CheckError, DesignError, brief
 from cadgen.figures import Facts
 from cadgen.messages import Message
 from cadgen.output.files.dxf import cam_dxf
-from cadgen.output.files.exports import CamExport, GearExport, TrainExport
+from cadgen.output.files.exports import CamExport, GearExport, GrooveExport, TrainExport
+from cadgen.output.files.groove import (
+    groove_3mf,
+    groove_dxf,
+    groove_programs,
+    groove_step,
+    groove_stl,
+    groove_table,
+    groove_xyz,
+)
 from cadgen.output.files.nc import cam_programs
 from cadgen.output.files.publisher import Artifact
 from cadgen.output.files.step import cam_step, gear_step, train_step
@@ -39,7 +48,7 @@ class Format:
     Attributes:
         code: ending of the files' names.
         label: name for people.
-        cam, train, gear: function that writes such a part and reads it back; None where the format has none.
+        cam, groove, train, gear: function that writes such a part and reads it back; None where the format has none.
         finer: change of a design that makes its files finer, in words.
         kernel: whether it needs the CAD kernel, which takes far longer than all other formats.
     """
@@ -47,6 +56,7 @@ class Format:
     code: str
     label: str
     cam: Writer[CamExport] | None = None
+    groove: Writer[GrooveExport] | None = None
     train: Writer[TrainExport] | None = None
     gear: Writer[GearExport] | None = None
     finer: str = Message("report this design")
@@ -58,13 +68,15 @@ _POINTS = Message("raise export.point_count")
 FORMATS = Registry(
     Message("format"),
     (
-        Format(code="step", label="STEP", cam=cam_step, train=train_step, gear=gear_step, kernel=True),
-        Format(code="stl", label="STL", cam=cam_stl, train=train_stl, gear=gear_stl, finer=_MESH),
-        Format(code="3mf", label="3MF", cam=cam_3mf, finer=_MESH),
-        Format(code="dxf", label="DXF", cam=cam_dxf, finer=_ARCS),
-        Format(code="nc", label="G-code", cam=cam_programs, finer=_ARCS),
-        Format(code="xyz", label="XYZ", cam=cam_xyz, finer=_POINTS),
-        Format(code="csv", label="CSV", cam=cam_table, train=train_table, finer=_POINTS),
+        Format(
+            code="step", label="STEP", cam=cam_step, groove=groove_step, train=train_step, gear=gear_step, kernel=True
+        ),
+        Format(code="stl", label="STL", cam=cam_stl, groove=groove_stl, train=train_stl, gear=gear_stl, finer=_MESH),
+        Format(code="3mf", label="3MF", cam=cam_3mf, groove=groove_3mf, finer=_MESH),
+        Format(code="dxf", label="DXF", cam=cam_dxf, groove=groove_dxf, finer=_ARCS),
+        Format(code="nc", label="G-code", cam=cam_programs, groove=groove_programs, finer=_ARCS),
+        Format(code="xyz", label="XYZ", cam=cam_xyz, groove=groove_xyz, finer=_POINTS),
+        Format(code="csv", label="CSV", cam=cam_table, groove=groove_table, train=train_table, finer=_POINTS),
     ),
     group="cadgen.formats",
     sort=Format,
@@ -76,7 +88,7 @@ class Offer(Generic[P]):
     """Formats that a sort of parts can be written in.
 
     Attributes:
-        part: sort of the parts: `cam`, `train` or `gear`.
+        part: sort of the parts: `cam`, `groove`, `train` or `gear`.
     """
 
     part: str
@@ -169,5 +181,6 @@ class Offer(Generic[P]):
 
 
 CAM: Offer[CamExport] = Offer("cam")
+GROOVE: Offer[GrooveExport] = Offer("groove")
 TRAIN: Offer[TrainExport] = Offer("train")
 GEAR: Offer[GearExport] = Offer("gear")

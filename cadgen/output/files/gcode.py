@@ -49,6 +49,34 @@ def comments(sentences: list[str]) -> list[str]:
     return [f"({plain(sentence)})" for sentence in sentences]
 
 
+def height_notes(machining: Machining, height: float) -> list[str]:
+    """Sentences for the shop on the heights of rapid moves.
+
+    Args:
+        machining: heights of the mill.
+        height: height to which the cutter is lifted, mm.
+    """
+    return [
+        f"the first move lifts the cutter where it stands, to {height:g} mm: be above every clamp there",
+        f"rapid moves go down to {machining.approach_mm:g} mm above the work",
+    ]
+
+
+def opening(machining: Machining, height: float) -> list[str]:
+    """Lines with which a program begins: settings, tool and spindle, and the cutter lifted.
+
+    Args:
+        machining: tool and speed of the mill.
+        height: height to which the cutter is lifted, mm.
+    """
+    return [
+        SETTINGS,
+        *([] if machining.tool_number is None else [f"T{machining.tool_number} M6"]),
+        f"S{machining.spindle_rpm:g} M3",
+        f"G0 {words(Z=height)}",
+    ]
+
+
 @dataclass(frozen=True)
 class RaisedHub:
     """A hub that stands on the face that is worked on, about the origin.

@@ -15,7 +15,7 @@ from pathlib import Path
 from cadgen.car.running.friction import DiscMaterial
 from cadgen.design.machining import Machining
 from cadgen.output.files.drilling import Drill, Hole
-from cadgen.output.files.gcode import SETTINGS, comments, words
+from cadgen.output.files.gcode import comments, height_notes, opening, words
 
 LEAST_PATH = 0.25  # mm, radius of the smallest ring that a cutter is taken round
 _OVERLAP = 0.45  # of the cutter's diameter, from ring to ring: no core is left within the first
@@ -133,14 +133,10 @@ def write_hole_milling(
                 "it goes down in a helix and need not cut at its centre; climb milling",
                 "zero: centre of the bore, outer face of the disc; cam angle 0 along +X, outer face up",
                 f"the cutter goes {machining.break_through_mm:g} mm below the work: leave room under it",
-                f"the first move lifts the cutter where it stands, to {height:g} mm: be above every clamp there",
-                f"rapid moves go down to {machining.approach_mm:g} mm above the work",
+                *height_notes(machining, height),
             ]
         ),
-        SETTINGS,
-        *([] if machining.tool_number is None else [f"T{machining.tool_number} M6"]),
-        f"S{machining.spindle_rpm:g} M3",
-        f"G0 {words(Z=height)}",
+        *opening(machining, height),
     ]
     for size in holes:
         for hole in size.holes:

@@ -23,8 +23,9 @@ from cadgen.processes import in_second_process
 if TYPE_CHECKING:
     from cadgen.geometry.solids.gear_solids import AssembledPart
     from cadgen.geometry.solids.kernel import SolidPart
+    from cadgen.geometry.solids.step import PartContent
     from cadgen.geometry.solids.step_text import GearContent
-    from cadgen.output.files.exports import CamExport, GearExport, TrainExport
+    from cadgen.output.files.exports import CamExport, GearExport, GrooveExport, TrainExport
 
 # Greatest error of the lift due to a file, µm.
 LIFT_LIMIT_UM = 0.5
@@ -50,13 +51,26 @@ def cam_step(cam: CamExport, folder: Path) -> Iterator[Artifact]:
     name = f"{cam.stem}.step"
     (folder / name).write_bytes(step_bytes(cam.part))
     content = read_step(folder / name, cam.step, cam.land)
+    yield cam.judged(name, content.rim, LIFT_LIMIT_UM, whole_part(name, content, cam))
+
+
+def whole_part(name: str, content: PartContent, cam: CamExport | GrooveExport) -> Facts:
+    """Facts on a part read back, which must be one valid solid with its name and the exact volume.
+
+    Args:
+        name: name of the file.
+        content: part that was read.
+        cam: cam that was written.
+
+    Raises:
+        FileError: it is something else.
+    """
     whole = content.valid and content.bodies == 1
     named = (content.name, content.description) == (cam.stem, cam.description)
     require(whole and named, name, Message("is not one valid solid with its name"))
     error = abs(content.volume / cam.volume - 1)
     require(error <= VOLUME_LIMIT, name, Message("misses the exact volume by {error:.1e}", error=error))
-    facts = Facts(volume_mm3=content.volume, volume_error_relative=error)
-    yield cam.judged(name, content.rim, LIFT_LIMIT_UM, facts)
+    return Facts(volume_mm3=content.volume, volume_error_relative=error)
 
 
 def gear_step(gear: GearExport, folder: Path) -> list[Artifact]:

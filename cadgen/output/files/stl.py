@@ -20,7 +20,8 @@ from cadgen.messages import Message
 from cadgen.output.files.publisher import Artifact, read_file, require
 
 if TYPE_CHECKING:
-    from cadgen.output.files.exports import CamExport, GearExport, TrainExport
+    from cadgen.geometry.meshes.content import MeshContent
+    from cadgen.output.files.exports import CamExport, GearExport, GrooveExport, TrainExport
 
 _HEADER = 80
 _RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
@@ -47,17 +48,31 @@ def judged_mesh(cam: CamExport, name: str, again: Mesh) -> Artifact:
     from cadgen.geometry.meshes.content import inspect
 
     content = inspect(again, cam.step, cam.land)
+    return cam.judged(name, content.rim, cam.chord * 1e3, whole_mesh(name, content, cam, len(again.triangles)))
+
+
+def whole_mesh(name: str, content: MeshContent, cam: CamExport | GrooveExport, triangles: int) -> Facts:
+    """Facts on a mesh, which must be one watertight body of the exact volume within chord times wall area.
+
+    Args:
+        name: name of the file.
+        content: measurements of the mesh that was read.
+        cam: cam that was written.
+        triangles: number of triangles that were read.
+
+    Raises:
+        FileError: it is something else.
+    """
     require(content.watertight and content.bodies == 1, name, Message("is not one watertight body"))
     error = abs(content.volume - cam.volume)
     allowed = cam.chord * content.wall_area
     require(error <= allowed, name, Message("misses the exact volume by {error:.3g} mm3", error=error))
-    facts = Facts(
-        triangles=len(again.triangles),
+    return Facts(
+        triangles=triangles,
         watertight=True,
         volume_mm3=content.volume,
         volume_error_relative=error / cam.volume,
     )
-    return cam.judged(name, content.rim, cam.chord * 1e3, facts)
 
 
 def gear_stl(gear: GearExport, folder: Path) -> Iterator[Artifact]:

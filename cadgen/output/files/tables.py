@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 
 # Greatest error of the lift due to a table of contacts, µm.
 LIFT_LIMIT_UM = 0.5
+# Error of the lift, µm, that straight lines between rows may make for a follower that does not lean on an edge.
+_AIM_UM = 0.03
 _STRAIGHT = 1e-6  # mm^-1; a curvature below this (a radius of a kilometre) is written as a straight line
 _ALONG = np.linspace(0.0, 1.0, 5)  # shares of the polar angle between two rows at which their chord is tried
 _CONTACT = tuple(field.name for field in fields(Contact))
@@ -83,7 +85,8 @@ def columns(unit: Unit, *, derived: bool = False, forces: bool = False) -> tuple
 def cam_table(cam: CamExport, folder: Path) -> Iterator[Artifact]:
     """Table of a cam by its cam angle; straight lines from contact to contact must keep the outline, and the lift."""
     name = f"{cam.stem}.csv"
-    contact = contact_rows(cam.curve, cam.follower, cam.export.point_count, cam.rim_share * LIFT_LIMIT_UM * 1e-3)
+    stray = LIFT_LIMIT_UM if cam.follower.leans else _AIM_UM
+    contact = contact_rows(cam.curve, cam.follower, cam.export.point_count, cam.rim_share * stray * 1e-3)
     write_csv(folder / name, cam.curve, cam.follower, contact, cam.motion, cam.forces)
     table = read_csv(folder / name)
     column = float(np.abs(table["lift_mm"] - contact.lift).max() * 1e3)

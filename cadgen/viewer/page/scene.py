@@ -14,10 +14,11 @@ from cadgen.car.course.body import place_of
 from cadgen.car.course.layout import CarPoint, Course, Gate, Shape, Side
 from cadgen.car.running.drive import drive, start_pose
 from cadgen.car.running.play import Following, follow
+from cadgen.curves.contour import circle
 from cadgen.design.course import layout_of
 from cadgen.design.schema import Design
 from cadgen.errors import CadgenError
-from cadgen.geometry.meshes.mesh import Mesh, cam_mesh
+from cadgen.geometry.meshes.mesh import Mesh, cam_mesh, grooved_mesh
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.steering_cam import CarUse
 from cadgen.jobs.gears.gear_train import GearTrain
@@ -148,9 +149,16 @@ def plain_scene(plan: CamPlan, gears: GearTrain | None) -> tuple[Scene, tuple[st
     if train is not None:
         shafts += [_shaft(part, None, drawn=number > 0) for number, part in enumerate(reversed(train.parts))]
     section, travel = section_of(plan, float(q[0])), travel_of(plan, q)
+    openings = [contour.polygon(_HOLE_CHORD) for contour in plan.made_blank.inner_contours()]
+    outline = plan.curve.outline(_OUTLINE).points
+    if plan.groove is not None:
+        # The floor of the groove is shown as a ring, its flanks joined by a seam.
+        far = plan.groove.outer.curve.outline(_OUTLINE).points
+        openings.append(np.concatenate([far, far[:1], outline[:1], outline[::-1]]))
+        outline = circle((0.0, 0.0), plan.groove.outside_radius).polygon(_HOLE_CHORD)
     scene = Scene(
-        outline=plan.curve.outline(_OUTLINE).points,
-        openings=tuple(contour.polygon(_HOLE_CHORD) for contour in plan.made_blank.inner_contours()),
+        outline=outline,
+        openings=tuple(openings),
         follower=None,
         noun=plan.follower_as_built.noun,
         unit=plan.motion.unit.symbol,
@@ -401,7 +409,10 @@ def _disc(plan: CamPlan, chord: float, notes: list[str]) -> Mesh | None:
     """Mesh of the disc; None, and the reason in the remarks, if its features cut into each other."""
     inner, outer = plan.faces
     try:
-        return cam_mesh(plan.curve, plan.made_blank, outer - inner, chord)
+        if plan.groove is None:
+            return cam_mesh(plan.curve, plan.made_blank, outer - inner, chord)
+        flanks, groove = (plan.curve, plan.groove.outer.curve), plan.groove
+        return grooved_mesh(flanks, plan.made_blank, outer - inner, groove.depth, groove.outside_radius, chord)
     except CadgenError as error:
         notes[:] = [Message("The cam has no solid: {error}.", error=error.message)]
         return None

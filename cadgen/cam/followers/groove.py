@@ -1,0 +1,180 @@
+"""Roller in a groove: the rollers of its two flanks, and the play between them.
+
+The flanks are the two parallels of the path of the roller's centre at half the width of the groove, which is the
+diameter of the roller and the clearance. So a roller as wide as the groove runs on the inner flank as on a disc. On the
+outer flank it is pressed outwards: its motion is -q, and it clears a point from -q = y0 - x + sqrt(R^2 - (y - e)^2) on.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from cadgen.arrays import Array
+from cadgen.cam.follower import Follower, LossRemedy, SizeThatFits
+from cadgen.cam.followers.pivot import seen_from_pivot
+from cadgen.cam.followers.roller import Roller
+from cadgen.cam.followers.swinging_roller import SwingingRoller
+from cadgen.cam.limits import CheckLimits
+from cadgen.cam.round_follower import Complex, RoundFollower
+from cadgen.laws.motion import Motion
+from cadgen.messages import Message
+
+
+class OnOuterFlank(RoundFollower):
+    """Roller that is pressed outwards, with -q as its motion; a kind gives how it rolls."""
+
+    encloses = True
+    noun = Message("roller on the outer flank")
+
+    def centre(self, q: Array, q1: Array, q2: Array) -> tuple[Complex, Complex, Complex]:
+        """Centre of the roller in the frame of its line, mm, with its first two derivatives by the cam angle.
+
+        Args:
+            q: opposite motion, in its unit, shape (n,).
+            q1: its first derivative by the cam angle, 1/rad.
+            q2: its second derivative, 1/rad².
+        """
+        return super().centre(-q, -q1, -q2)  # type: ignore[safe-super]
+
+    def pressed(self, q: Array, normal: Array) -> Array:
+        """Pressure angle, rad, as of the roller on the inner flank.
+
+        Args:
+            q: opposite motion, in its unit, shape (n,).
+            normal: angles of the outline's normal from its line, rad, shape (n,).
+        """
+        return super().pressed(-q, normal)
+
+    def remedies(self) -> tuple[LossRemedy, ...]:
+        """The sizes of the roller change both flanks, so none is tried alone."""
+        return ()
+
+    def sizes(self, motion: Motion, limits: CheckLimits) -> tuple[SizeThatFits, ...]:
+        """The roller on the inner flank has the sizes.
+
+        Args:
+            motion: opposite motion.
+            limits: limits of the checks, mm and rad.
+        """
+        return ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class OuterRoller(OnOuterFlank, Roller):
+    """Roller on a slide, pressed outwards."""
+
+    noun = OnOuterFlank.noun
+
+    def least(self, x: Array, y: Array) -> tuple[Array, ...]:
+        """Opposite motion from which on the roller clears points beyond it, mm.
+
+        Args:
+            x: coordinates along the ray from the camshaft, mm, shape (n,).
+            y: coordinates across it, mm, shape (n,).
+        """
+        across = y - self.offset
+        half = np.sqrt(np.maximum(self.radius**2 - across**2, 0.0))
+        return (np.where(np.abs(across) < self.radius, self.base_radius - x + half, -np.inf),)
+
+    def most(self, x: Array, y: Array, off: Array) -> tuple[Array, ...]:
+        """Upper bound of `least` over all points within `off` mm of each point.
+
+        Args:
+            x: coordinates along the ray from the camshaft, mm, shape (n,).
+            y: coordinates across it, mm, shape (n,).
+            off: distance within which other points may lie, mm, shape (n,).
+        """
+        return super().most(x - 2 * off, y, off)
+
+
+@dataclass(frozen=True, kw_only=True)
+class OuterSwingingRoller(OnOuterFlank, SwingingRoller):
+    """Roller on an arm, pressed outwards."""
+
+    noun = OnOuterFlank.noun
+
+    def sector(self, least: float, greatest: float) -> tuple[float, float]:
+        """Polar angles from its line between which the roller touches the flank, rad.
+
+        Args:
+            least: least radius of the flank, mm.
+            greatest: greatest radius of the flank, mm.
+        """
+        return super().sector(max(least - 2 * self.radius, self.radius), greatest - 2 * self.radius)
+
+    def least(self, x: Array, y: Array) -> tuple[Array, ...]:
+        """Opposite motion from which on the roller clears points beyond it, rad.
+
+        Args:
+            x: coordinates along the follower's line from the camshaft, mm, shape (n,).
+            y: coordinates across it, mm, shape (n,).
+        """
+        distance, angle = seen_from_pivot(self.pivot, self.lifts.side, x, y)
+        within = np.abs(distance - self.arm) < self.radius
+        return (np.where(within, self.rest + self._opening(distance) - angle, -np.inf),)
+
+    def most(self, x: Array, y: Array, off: Array) -> tuple[Array, ...]:
+        """Upper bound of `least` over all points within `off` mm of each point.
+
+        Args:
+            x: coordinates along the follower's line from the camshaft, mm, shape (n,).
+            y: coordinates across it, mm, shape (n,).
+            off: distance within which other points may lie, mm, shape (n,).
+        """
+        _, angle = seen_from_pivot(self.pivot, self.lifts.side, x, y)
+        (bound,) = super().most(x, y, off)
+        # That bound is of angle + opening - rest; here the angle counts the other way.
+        return (np.where(np.isneginf(bound), bound, bound - 2 * angle + 2 * self.rest),)
+
+
+@dataclass(frozen=True)
+class GrooveRollers:
+    """Rollers of a groove: as wide as it for its flanks, and the roller itself for its play.
+
+    Attributes:
+        inner: roller as wide as the groove on the inner flank.
+        outer: the same on the outer flank, with the opposite motion.
+        loose: roller itself on either flank.
+        clearance: width of the groove less the diameter of the roller, mm.
+        depth: depth of the groove, mm.
+    """
+
+    inner: Follower
+    outer: Follower
+    loose: tuple[Follower, Follower]
+    clearance: float
+    depth: float
+
+    @classmethod
+    def of(cls, roller: Roller | SwingingRoller, clearance: float, depth: float) -> "GrooveRollers":
+        """Rollers of a groove for a roller.
+
+        Args:
+            roller: roller that runs in it.
+            clearance: width of the groove less the diameter of the roller, mm.
+            depth: depth of the groove, mm.
+        """
+        wide = replace(roller, base=roller.base - clearance / 2, radius=roller.radius + clearance / 2)
+        return cls(wide, pressed_outwards(wide), (roller, pressed_outwards(roller)), clearance, depth)
+
+    @property
+    def half_width(self) -> float:
+        """Half the width of the groove, mm."""
+        return self.inner.radius
+
+
+def pressed_outwards(roller: Roller | SwingingRoller) -> OnOuterFlank:
+    """The roller on the outer flank.
+
+    Args:
+        roller: roller of either kind.
+    """
+    if isinstance(roller, SwingingRoller):
+        return OuterSwingingRoller(
+            base=roller.base,
+            radius=roller.radius,
+            arm=roller.arm,
+            centre_distance=roller.centre_distance,
+            lifts=roller.lifts,
+        )
+    return OuterRoller(base=roller.base, radius=roller.radius, offset=roller.offset)
