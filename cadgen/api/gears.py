@@ -26,7 +26,7 @@ from cadgen.figures import Facts, JobResult
 from cadgen.gears import pair as numbers
 from cadgen.gears import spur
 from cadgen.gears import train as numeric
-from cadgen.gears.choices import Hand, Thinning
+from cadgen.gears.choices import HelixHand, Thinning
 from cadgen.gears.contact import contact_ratio
 from cadgen.gears.inspection import inspection_of
 from cadgen.gears.layout import TrainPart
@@ -153,7 +153,7 @@ class Gear(JobResult):
     rack_tip_radius: float = 0.38
     tip_chamfer: float = 0.0
     helix_angle: float = 0.0
-    hand: str = Hand.RIGHT
+    hand: str = HelixHand.RIGHT
     double: bool = False
     internal: bool = False
     rim: float | None = None
@@ -169,7 +169,7 @@ class Gear(JobResult):
         real("pressure_angle", self.pressure_angle, radians(10), radians(35), "rad")
         real("profile_shift", self.profile_shift, -2, 2, "modules")
         real("helix_angle", self.helix_angle, 0, STEEPEST_HELIX, "rad")
-        word("hand", self.hand, [hand.value for hand in Hand])
+        word("hand", self.hand, [hand.value for hand in HelixHand])
         for name in ("double", "internal"):
             if not isinstance(value := getattr(self, name), bool):
                 raise DesignError(
@@ -221,7 +221,7 @@ class Gear(JobResult):
             rack_tip_radius_factor=float(self.rack_tip_radius),
             tip_chamfer=float(self.tip_chamfer),
             tooth_thickness_deviation=self.thickness_deviation or 0.0,
-            helix_angle=float(self.helix_angle) * (1 if self.hand == Hand.RIGHT else -1),
+            helix_angle=float(self.helix_angle) * (1 if self.hand == HelixHand.RIGHT else -1),
             double=self.double,
         )
         if not self.internal:

@@ -14,7 +14,7 @@ from cadgen.errors import DesignError, brief
 from cadgen.figures import Facts
 from cadgen.gears.layout import TrainLayout, TrainPart
 from cadgen.gears.pair import GradedGear, closest
-from cadgen.gears.planetary import MOST_PLANETS, Held, PlanetarySet, fitted_ring, spaced
+from cadgen.gears.planetary import MOST_PLANETS, HeldMember, PlanetarySet, fitted_ring, spaced
 from cadgen.gears.ring import RingForm
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train as Stages
@@ -74,7 +74,7 @@ class Planetary(_ByNumbers):
     ring: Gear | None = None
     _: KW_ONLY
     planets: int = 3
-    held: str = Held.RING
+    held: str = HeldMember.RING
     backlash: float | None = None
     centre_distance: float | None = None
     equal: bool = True
@@ -94,7 +94,7 @@ class Planetary(_ByNumbers):
         if self.ring is not None and not self.ring.internal:
             raise DesignError("ring has its teeth outside; give it internal=True")
         whole("planets", self.planets, 1, MOST_PLANETS)
-        word("held", self.held, [held.value for held in Held])
+        word("held", self.held, [held.value for held in HeldMember])
         if not isinstance(self.equal, bool):
             raise DesignError("{name} is {value}; it must be True or False", name="equal", value=repr(self.equal))
         optional("backlash", self.backlash, 0, 100, "mm")
@@ -140,7 +140,7 @@ class Planetary(_ByNumbers):
             ring=graded(given, ring),
             centre_distance=apart,
             planets=self.planets,
-            held=Held(self.held),
+            held=HeldMember(self.held),
             equal=self.equal,
             clearance=self.clearance,
             bearing_span=self.bearing_span,
@@ -163,7 +163,13 @@ class Planetary(_ByNumbers):
             raise DesignError(
                 "sun, planet and ring have a thickness_deviation, all three, or a backlash; give one or the other"
             )
-        backlash = _usual_backlash(nominal) if self.backlash is None else self.backlash
+        backlash = self.backlash
+        if backlash is None:
+            short = 0.0
+            for mesh in nominal.meshes:
+                fixed = replace(mesh, driver=_as_cut(mesh.driver), driven=_as_cut(mesh.driven))
+                short = max(short, (fixed.free_angle() - float(fixed.play().B_min)) * mesh.driven_pitch_radius)
+            backlash = ceil((short + LEFT_BACKLASH) / LEFT_BACKLASH) * LEFT_BACKLASH
         inner, outer_sum = (mesh.thinning_for(backlash) for mesh in nominal.meshes)
         return inner / 2, inner / 2, outer_sum - inner / 2
 
@@ -300,16 +306,6 @@ class Planetary(_ByNumbers):
             checks=checks_facts(made.checks),
             parts=parts_facts(made.layout),
         )
-
-
-def _usual_backlash(nominal: PlanetarySet) -> float:
-    """Backlash with which 0.01 mm are left at the least play of the tighter mesh, mm, rounded up to 0.01 mm."""
-    short = 0.0
-    for mesh in nominal.meshes:
-        fixed = replace(mesh, driver=_as_cut(mesh.driver), driven=_as_cut(mesh.driven))
-        below = fixed.free_angle() - float(fixed.play().B_min)
-        short = max(short, below * mesh.driven_pitch_radius)
-    return ceil((short + LEFT_BACKLASH) / LEFT_BACKLASH) * LEFT_BACKLASH
 
 
 def _as_cut(gear: GradedGear) -> GradedGear:

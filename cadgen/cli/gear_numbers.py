@@ -14,14 +14,14 @@ from cadgen.cli import help
 from cadgen.cli.options import formats_option, out_option
 from cadgen.errors import DesignError
 from cadgen.figures import Sheet
-from cadgen.gears.choices import Hand
+from cadgen.gears.choices import HelixHand
 from cadgen.messages import Message
 
 if TYPE_CHECKING:
     from cadgen import Gear, GearPair, Planetary, Written
 
 Command = Callable[..., Any]
-_MOST = 3  # gears of one command
+Named = dict[str, Any]  # arguments or figures by their names
 
 
 def _numbers(each: Callable[[str], Any], name: str, given: str | None) -> list[Any]:
@@ -62,9 +62,9 @@ def _gear_flags(command: Command) -> Command:
     return command
 
 
-def _gears(count: int, ring: int | None, values: dict[str, Any], names: tuple[str, ...]) -> list[dict[str, Any]]:
+def _gears(count: int, ring: int | None, values: Named, names: tuple[str, ...]) -> list[Named]:
     """Arguments of `Gear` for each gear by the flags; what is given once is for all of them, or for the ring."""
-    arguments: list[dict[str, Any]] = [{} for _ in range(count)]
+    arguments: list[Named] = [{} for _ in range(count)]
     for flags, argument, read, _ in (*_FLAGS, *_RING):
         given = _numbers(read, flags[0].removeprefix("--"), values.pop(argument))
         of_ring = any(argument == each[1] for each in _RING)
@@ -94,7 +94,7 @@ def _gears(count: int, ring: int | None, values: dict[str, Any], names: tuple[st
 
 def _hands(first: str, count: int, ring: int | None) -> list[str]:
     """Hands of gears that mesh in a row: the next one opposite, a ring like its pinion."""
-    other = Hand.LEFT.value if first == Hand.RIGHT else Hand.RIGHT.value
+    other = HelixHand.LEFT.value if first == HelixHand.RIGHT else HelixHand.RIGHT.value
     hands = [first, other, first][:count]
     if ring is not None:
         hands[ring] = hands[ring - 1] if ring else hands[1]
@@ -107,8 +107,8 @@ def _name(usual: str) -> Callable[[Command], Command]:
 
 _HAND = help.option(
     "--hand",
-    type=click.Choice([hand.value for hand in Hand]),
-    default=Hand.RIGHT.value,
+    type=click.Choice([hand.value for hand in HelixHand]),
+    default=HelixHand.RIGHT.value,
     show_default=True,
     help="Of the first gear's helix.",
 )
@@ -208,7 +208,11 @@ def pair(
     """
     from cadgen import Gear, GearPair
 
-    counts = _teeth(teeth, 2)
+    counts = _numbers(int, "teeth", teeth)
+    if len(counts) != 2:
+        raise click.UsageError(
+            Message("--teeth is {given}; give {count} numbers with a comma, such as 20,60", given=teeth, count=2)
+        )
     ring = 1 if internal else None
     arguments = _gears(2, ring, values, ("pinion", "wheel"))
     hands = _hands(hand, 2, ring)
@@ -221,7 +225,7 @@ def pair(
         return
     if backlash_um is not None and backlash_deg is not None:
         raise click.UsageError(Message("--backlash-um and --backlash-deg are both given; give one of them"))
-    common: dict[str, Any] = {
+    common: Named = {
         "centre_distance": centre_distance_mm,
         "bearing_span": 60.0 if bearing_span_mm is None else bearing_span_mm,
         "name": name,
@@ -353,20 +357,10 @@ def planetary(
     )
 
 
-def _teeth(given: str, count: int) -> list[int]:
-    """Numbers of teeth, one for each gear."""
-    counts = _numbers(int, "teeth", given)
-    if len(counts) != count:
-        raise click.UsageError(
-            Message("--teeth is {given}; give {count} numbers with a comma, such as 20,60", given=given, count=count)
-        )
-    return counts
-
-
 def _make(
     made: GearPair | Planetary,
     title: Message,
-    rows: dict[str, Any],
+    rows: Named,
     notes: tuple[str, ...],
     out: Path,
     formats: str | None,
@@ -399,7 +393,7 @@ def _make(
     sys.exit(0 if made.passed or force else 1)
 
 
-def _figures(title: Message, values: dict[str, Any]) -> None:
+def _figures(title: Message, values: Named) -> None:
     """Print values by their keys, units at the end of the names."""
     from cadgen.cli.show import sheet
 

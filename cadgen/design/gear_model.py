@@ -9,7 +9,7 @@ from cadgen.design.schema import TrainDesign
 from cadgen.design.section import listed
 from cadgen.design.train import GearBlankSection, GearHub, GearKeys, SpurStage, StageSection, TrainSection
 from cadgen.errors import DesignError
-from cadgen.gears.choices import Hand
+from cadgen.gears.choices import HelixHand, ToleranceStandard
 from cadgen.gears.fits import clearance, flat_play, key_play
 from cadgen.gears.layout import Blanks
 from cadgen.gears.pair import GradedGear
@@ -240,18 +240,19 @@ def _stage(stage: StageSection, train: TrainSection) -> Stage:
 def _pair(stage: SpurStage, train: TrainSection) -> SpurPair:
     degree = train.helix_angle_deg if stage.helix_angle_deg is None else stage.helix_angle_deg
     helix, double = radians(degree or 0.0), bool(stage.double)
-    driver_hand = stage.driver.hand or Hand.RIGHT
+    driver_hand = stage.driver.hand or HelixHand.RIGHT
     inside = bool(stage.driver.internal) or bool(stage.driven.internal)
-    other_hand = Hand.LEFT if (driver_hand == Hand.RIGHT) != inside else Hand.RIGHT
+    other_hand = HelixHand.LEFT if (driver_hand == HelixHand.RIGHT) != inside else HelixHand.RIGHT
     driver = _gear(stage.driver, train, _signed(helix, driver_hand), double)
     driven = _gear(stage.driven, train, _signed(helix, stage.driven.hand or other_hand), double)
     apart = stage.centre_distance_mm
+    free = 0.0 if train.standard == ToleranceStandard.FREE else None
     pair = SpurPair(
         driver=driver,
         driven=driven,
         centre_distance=nominal_distance(driver.form, driven.form) if apart is None else apart,
         bearing_span=stage.bearing_span_mm or train.bearing_span_mm,
-        centre_distance_deviation=None if stage.f_a_um is None else stage.f_a_um * _UM,
+        centre_distance_deviation=free if stage.f_a_um is None else stage.f_a_um * _UM,
     )
     return _with_backlash(pair, stage)
 
@@ -278,8 +279,8 @@ def _own_thickness(gear: GearKeys) -> float | None:
     return None if gear.E_sn_um is None else gear.E_sn_um * _UM
 
 
-def _signed(helix: float, hand: Hand) -> float:
-    return helix if hand == Hand.RIGHT else -helix
+def _signed(helix: float, hand: HelixHand) -> float:
+    return helix if hand == HelixHand.RIGHT else -helix
 
 
 def _gear(gear: GearKeys, train: TrainSection, helix: float, double: bool) -> GradedGear:
@@ -309,6 +310,8 @@ def _gear(gear: GearKeys, train: TrainSection, helix: float, double: bool) -> Gr
     own = _own_thickness(gear)
     given = {name: getattr(gear, f"{name}_um") for name in _OVERRIDES}
     overrides = {name: value * _UM for name, value in given.items() if value is not None}
+    if train.standard == ToleranceStandard.FREE:
+        overrides = dict.fromkeys(_OVERRIDES, 0.0) | overrides
     return GradedGear(
         form=form,
         grade=gear.grade or train.grade,

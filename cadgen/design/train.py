@@ -23,7 +23,7 @@ from cadgen.design.section import (
     section_with,
 )
 from cadgen.errors import DesignError
-from cadgen.gears.choices import Hand, Thinning
+from cadgen.gears.choices import HelixHand, Thinning, ToleranceStandard
 from cadgen.gears.stage_kinds import SPUR, StageKind, codes, has, kind_of
 from cadgen.messages import Message
 
@@ -55,7 +55,7 @@ class GearKeys(DesignSection):
     T_sn_um: float | None = Field(
         default=None, gt=0, le=1e4, description="width of the zone of the thickness; left out, that of the grade"
     )
-    hand: Annotated[Hand | None, WORD] = Field(
+    hand: Annotated[HelixHand | None, WORD] = Field(
         default=None,
         description="of a helical gear: `right` turns counter-clockwise as it goes away; left out, `right` for the "
         "driver and what meshes with it for the driven gear",
@@ -381,6 +381,11 @@ class TrainSection(DesignSection):
         description="by which a shaft can move across its bearings; it opens every mesh; left out, none",
     )
     grade: int = Field(default=7, ge=3, le=12, description="tolerance grade of ISO 1328")
+    standard: Annotated[ToleranceStandard | None, WORD] = Field(
+        default=None,
+        description="of tolerances that are left out: `iso`, or `free` for none, as for sizes that ISO 1328 does not "
+        "cover; left out, `iso`",
+    )
     thinning: Annotated[Thinning, WORD] = Field(
         default=Thinning.MIDDLE,
         description="what the teeth are cut to: E_sns, the middle between both limits, or E_sni; their zone, T_sn "
@@ -447,6 +452,7 @@ _TEETH = (
         "width_mm",
         "pressure_angle_deg",
         "grade",
+        "standard",
         "thinning",
         "E_sn_um",
         "addendum_factor",

@@ -18,11 +18,18 @@ class Thinning(StrEnum):
     GREATEST = "greatest"
 
 
-class Hand(StrEnum):
-    """Hand of a helix: of a right-hand one, a point turns counter-clockwise as it moves away."""
+class HelixHand(StrEnum):
+    """HelixHand of a helix: of a right-hand one, a point turns counter-clockwise as it moves away."""
 
     RIGHT = "right"
     LEFT = "left"
+
+
+class ToleranceStandard(StrEnum):
+    """Source of tolerances that a design leaves out: ISO 1328 and ISO 286, or none, so that they are 0."""
+
+    ISO = "iso"
+    FREE = "free"
 
 
 class StageOrder(StrEnum):

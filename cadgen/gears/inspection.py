@@ -160,14 +160,11 @@ def _reference_with_shift(form: GearForm) -> float:
     return form.reference_diameter + 2 * form.side * form.profile_shift * form.normal_module
 
 
-def _space_at_base(form: GearForm) -> float:
-    """Half the angle of a space on the base circle, in rad; negative where the teeth overlap there."""
-    return form.base_half_angle if form.side < 0 else pi / form.teeth - form.base_half_angle
-
-
 def _involute_at_centre(form: GearForm, pin_diameter: float) -> float:
-    """Inv α_K at the centre of a pin, mm."""
-    return form.side * (pin_diameter / form.base_diameter / cos(form.base_helix_angle) - _space_at_base(form))
+    """Involute function inv α_K at the centre of a pin; 0 or less where it finds no place."""
+    # Half the angle of a space on the base circle; negative where the teeth overlap there.
+    space = form.base_half_angle if form.side < 0 else pi / form.teeth - form.base_half_angle
+    return form.side * (pin_diameter / form.base_diameter / cos(form.base_helix_angle) - space)
 
 
 def _pin_angle(form: GearForm, pin_diameter: float) -> float:
@@ -227,6 +224,8 @@ def _pin_measurement(limits: tuple[Tooth, Tooth], pin_diameter: float) -> PinMea
         if not rests or not (clear and side * (centre - form.tip_diameter) > -pin_diameter):
             return None
     upper, lower = limits[0].form, limits[1].form
+    if _involute_at_centre(upper.cut_to(0.0), pin_diameter) <= 0:
+        return None
     sizes = [size_over_pins(form, pin_diameter) for form in (upper.cut_to(0.0), upper, lower)]
     return PinMeasurement(pin_diameter, SizeLimits(*sizes), contacts[0])
 

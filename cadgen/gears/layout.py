@@ -223,7 +223,9 @@ def _stacked(train: Train, blanks: Sequence[Blank], clearance: float) -> list[Tr
             flipped=shaft == 1,
         )
 
-    first = _turned_over(first)
+    if isinstance(first, GearForm) and first.double:
+        # It is turned over about x, which turns the arrow of a double helix round.
+        first = replace(first, helix_angle=-first.helix_angle)
     drive = _made(1, Message("drive"), gear_body, first, blanks[0])
     parts = [part("1_pinion", 1, (first,), blanks[0], drive, plane + first.width / 2)]
     for shaft, (before, after) in enumerate(pairwise(stages), 2):
@@ -247,13 +249,6 @@ def _stacked(train: Train, blanks: Sequence[Blank], clearance: float) -> list[Tr
     output = _made(shaft, Message("output"), gear_body, last, blanks[-1])
     parts.append(part(f"{shaft}_wheel", shaft, (last,), blanks[-1], output, plane - last.width / 2))
     return parts
-
-
-def _turned_over(wheel: Wheel) -> Wheel:
-    """Wheel that is as it shall be once it has been turned over about x: the arrow of a double helix turns round."""
-    if isinstance(wheel, GearForm) and wheel.double:
-        return replace(wheel, helix_angle=-wheel.helix_angle)
-    return wheel
 
 
 def _made(shaft: int, place: Message, make: Callable[..., M], *arguments: Wheel | Blank | float) -> M:
@@ -352,20 +347,14 @@ def _collision(axes: Sequence[complex], discs: Sequence[Sequence[_Disc]], cleara
     return next(filter(None, said), None)
 
 
-def _beside(body: _Disc, other: _Disc, apart: float) -> float:
-    """Gap between two bodies in their plane, mm: beside each other, or one within a ring."""
-    gap = apart - body.radius - other.radius
-    for outer, inner in ((body, other), (other, body)):
-        if outer.inner:
-            gap = max(gap, outer.inner - apart - inner.radius)
-    return gap
-
-
 def _between(first: Sequence[_Disc], second: Sequence[_Disc], apart: float, clearance: float) -> Message | None:
     """The first collision of the bodies on two shafts whose axes are `apart`, in words; None if there is none."""
     for body, other in product(first, second):
         in_mesh = body.stage is not None and body.stage == other.stage
-        gap = max(_beside(body, other, apart), max(body.low, other.low) - min(body.high, other.high))
+        gap = max(apart - body.radius - other.radius, max(body.low, other.low) - min(body.high, other.high))
+        for outer, inner in ((body, other), (other, body)):
+            if outer.inner:  # a ring, with room within
+                gap = max(gap, outer.inner - apart - inner.radius)
         if in_mesh or gap >= clearance:
             continue
         if apart < ONE_AXIS:

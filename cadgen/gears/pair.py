@@ -15,7 +15,7 @@ from typing import Self
 from scipy.optimize import brentq
 
 from cadgen.errors import DesignError
-from cadgen.gears.choices import Hand, Thinning
+from cadgen.gears.choices import HelixHand, Thinning
 from cadgen.gears.tolerances import GRADES, ToleranceOverrides
 from cadgen.gears.tooth import GearForm, involute
 from cadgen.messages import Message
@@ -406,7 +406,7 @@ def hand_of(helix_angle: float) -> str:
     Args:
         helix_angle: helix angle β, rad.
     """
-    return Hand.RIGHT if helix_angle > 0 else Hand.LEFT
+    return HelixHand.RIGHT if helix_angle > 0 else HelixHand.LEFT
 
 
 def _pair(driver: GearForm, driven: GearForm) -> str:

@@ -26,7 +26,7 @@ MOST_PLANETS = 12
 MOST_SHIFT = 2.0
 
 
-class Held(StrEnum):
+class HeldMember(StrEnum):
     """Member of a planetary set that does not turn."""
 
     RING = "ring"
@@ -56,7 +56,7 @@ class PlanetarySet:
     ring: GradedGear
     centre_distance: float
     planets: int
-    held: Held = Held.RING
+    held: HeldMember = HeldMember.RING
     equal: bool = True
     clearance: float = 0.3
     bearing_span: float = 1000.0
@@ -154,9 +154,9 @@ class PlanetarySet:
         with the sun held.
         """
         sun, ring = self.sun.form.teeth, self.ring.form.teeth
-        if self.held == Held.RING:
+        if self.held == HeldMember.RING:
             return 1 + Fraction(ring, sun)
-        return 1 + Fraction(sun, ring) if self.held == Held.SUN else -Fraction(ring, sun)
+        return 1 + Fraction(sun, ring) if self.held == HeldMember.SUN else -Fraction(ring, sun)
 
     @property
     def play(self) -> float:
@@ -170,7 +170,7 @@ class PlanetarySet:
             base: plays of both meshes along the transverse lines of action, mm.
         """
         sun, ring = self.sun.form.base_diameter / 2, self.ring.form.base_diameter / 2
-        return base / (ring if self.held == Held.CARRIER else sun + ring)
+        return base / (ring if self.held == HeldMember.CARRIER else sun + ring)
 
     def play_zone(self) -> tuple[float, float]:
         """Least and greatest free angle of the output within the tolerances of one planet's meshes, rad.

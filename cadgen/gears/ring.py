@@ -3,8 +3,8 @@
 A space of the ring is the tooth of an external gear of the thickness e_t, so flanks are those of `tooth`. A rack cannot
 cut the root. A pinion cutter of z_0 teeth does, whose round tips leave a trochoid (`CutterTrochoid`); for printing and
 wire cutting an arc joins flank and root circle. Profile shift and thickness deviation have one sign for both sorts of
-gears: positive ones make a tooth thicker. So a ring's tip circle gets smaller with x > 0 (tables of KHK, JGMA and
-SDP/SI count an internal gear's x the other way round), and E_sn < 0 widens its spaces.
+gears: positive ones make a tooth thicker. So a ring's tip circle gets smaller with x > 0, and E_sn < 0 widens
+its spaces. Tables of KHK, JGMA and SDP/SI count an internal gear's x the other way round.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from cadgen.gears.tooth import (
     pointed,
 )
 from cadgen.messages import Message
-from cadgen.parts.loop import Arc, Curve, CutterTrochoid, Involute, Loop, Segment, Trochoid
+from cadgen.parts.loop import Arc, Curve, CutterTrochoid, Involute, Loop, Segment
 
 # Teeth of the cutter where none are given, and how many more a ring of standard teeth needs so that it is not trimmed
 # (SDP/SI D785, table 5-3a).
@@ -158,7 +158,9 @@ def ring_of(
     )
     most = _addendum_to_base(ring)
     if ring.cutter_teeth and (cutter := placed_cutter(ring, ring.cutter_teeth)):
-        most = min(most, _addendum_to_cutter(ring, cutter))
+        reach = hypot(ring.base_diameter / 2, cutter.axes_apart * sin(cutter.working_angle))
+        to_cutter = (ring.reference_diameter / 2 - reach) / ring.normal_module - ring.profile_shift
+        most = min(most, to_cutter - BASE_MARGIN)
     if keeps_addendum or ring.addendum_factor <= most or most <= 0:
         return ring
     return replace(ring, shortened=round(ring.addendum_factor - floor(most * 1e3) / 1e3, 6))
@@ -168,12 +170,6 @@ def _addendum_to_base(ring: RingForm) -> float:
     """Addendum h_a* with which the flanks of a ring reach to its base circle, in modules."""
     height = (ring.reference_diameter - ring.base_diameter) / 2 - ring.tip_chamfer
     return height / ring.normal_module - ring.profile_shift - BASE_MARGIN
-
-
-def _addendum_to_cutter(ring: RingForm, cutter: Cutter) -> float:
-    """Addendum h_a* of a ring that the involute of its cutter reaches to, in modules."""
-    reach = hypot(ring.base_diameter / 2, cutter.axes_apart * sin(cutter.working_angle))
-    return (ring.reference_diameter / 2 - reach) / ring.normal_module - ring.profile_shift - BASE_MARGIN
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -190,10 +186,15 @@ class RingTooth(Tooth):
         """Section of the hole in the ring, with a tooth on the x axis: flank, root, root circle, root, flank, land."""
         form, pitch = self.form, 2 * pi / self.form.teeth
         root = self.upper_root
-        curves: list[Curve] = [self.upper_flank.mirrored(), _mirrored(root)]
+        if isinstance(root, Arc):  # which runs counterclockwise on both sides
+            lower: Curve = Arc(root.radius, -(root.start + root.sweep), root.sweep, root.centre.conjugate())
+            upper: Curve = root
+        else:
+            lower, upper = root.mirrored(), root.reversed()
+        curves: list[Curve] = [self.upper_flank.mirrored(), lower]
         if self.root_flat_angle > 0:
             curves.append(Arc(form.root_diameter / 2, -self.root_flat_angle, 2 * self.root_flat_angle))
-        curves += [_reversed(root), self.upper_flank.reversed()]
+        curves += [upper, self.upper_flank.reversed()]
         land = Arc(form.tip_diameter / 2, pitch / 2 - self.tip_half_angle, 2 * self.tip_half_angle)
         if form.tip_chamfer > 0:
             end, start = complex(self.upper_flank.point(0.0)), complex(land.point(0.0))
@@ -204,18 +205,6 @@ class RingTooth(Tooth):
         else:
             curves.append(land)
         return Loop(tuple(curve.rotated(pitch / 2) for curve in curves), form.teeth, form.run)
-
-
-def _mirrored(root: Arc | CutterTrochoid | Trochoid) -> Curve:
-    """Root curve from flank to root circle on the other side of the space; arcs run counterclockwise."""
-    if isinstance(root, Arc):
-        return Arc(root.radius, -(root.start + root.sweep), root.sweep, root.centre.conjugate())
-    return root.mirrored()
-
-
-def _reversed(root: Arc | CutterTrochoid | Trochoid) -> Curve:
-    """Root curve from the root circle to the flank on its own side; arcs run counterclockwise."""
-    return root if isinstance(root, Arc) else root.reversed()
 
 
 @lru_cache(maxsize=256)

@@ -25,7 +25,7 @@ from scipy.optimize import brentq
 from cadgen.errors import DesignError
 from cadgen.messages import Message
 from cadgen.parts.loop import Arc, Curve, CutterTrochoid, Involute, Loop, Segment, Trochoid
-from cadgen.parts.run import Run, helix
+from cadgen.parts.run import HelixRun, helix
 
 MINIMUM_TEETH = 4
 # Steeper teeth push along the axis more than round it.
@@ -148,7 +148,7 @@ class GearForm:
         return Message("the gear of {teeth} teeth", teeth=self.teeth)
 
     @property
-    def run(self) -> Run:
+    def run(self) -> HelixRun:
         """Way of the transverse section along the axis."""
         return helix(self.helix_angle, self.reference_diameter, self.width / 2 if self.double else None)
 

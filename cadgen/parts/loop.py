@@ -20,7 +20,7 @@ from cadgen.arrays import gauss_nodes
 from cadgen.curves.contour import Contour
 from cadgen.curves.spacing import even_nodes, inside_spans
 from cadgen.errors import DesignError
-from cadgen.parts.run import STRAIGHT, Run
+from cadgen.parts.run import STRAIGHT, HelixRun
 
 Points = NDArray[np.complex128]
 Reals = NDArray[np.float64]
@@ -178,9 +178,9 @@ class Trochoid(PlaneCurve):
 
     The ellipse has the half axes ρ across the rack's pitch line and ρ/cos β along it, and its centre lies at the depth
     d_c below that line. It is the round tip of the normal section, seen in the transverse one; a spur gear's is a
-    circle. With sinh q = cot τ, τ the direction of the normal in the normal section, the common normal through the
-    pitch point meets the ellipse at Q = (cos β (d_c·sinh q + ρ·tanh q), r − d_c − ρ·sech q). The rack's centre is then
-    at u = cos β·d_c·sinh q − ρ·tanh q·(1/cos β − cos β) along the pitch line, and the gear has turned by u/r (law of
+    circle. Let τ be the direction of the normal in the normal section, and sinh q = cot τ. The common normal through
+    the pitch point then meets the ellipse at Q = (cos β (d_c·sinh q + ρ·tanh q), r − d_c − ρ·sech q). The rack's centre
+    is at u = cos β·d_c·sinh q − ρ·tanh q·(1/cos β − cos β) along the pitch line, and the gear has turned by u/r (law of
     gearing). In q polynomials of low degree follow the curve closely, and it serves d_c of either sign and zero.
     """
 
@@ -352,7 +352,7 @@ class Loop:
 
     curves: tuple[Curve, ...]
     repeats: int = 1
-    run: Run = STRAIGHT
+    run: HelixRun = STRAIGHT
 
     @property
     def radii(self) -> tuple[float, float]:

@@ -7,7 +7,7 @@ from math import cos, pi, sin, tan
 
 
 @dataclass(frozen=True, slots=True)
-class Run:
+class HelixRun:
     """Turning of a section with its height above the start of its wall.
 
     Attributes:
@@ -44,18 +44,18 @@ class Run:
         return ((0.0, self.apex), (self.apex, length))
 
 
-STRAIGHT = Run()
+STRAIGHT = HelixRun()
 
 
-def helix(angle: float, diameter: float, apex: float | None = None) -> Run:
-    """Run of a gear: a point of its reference cylinder turns by 2 tan β / d per mm (ISO 21771-1).
+def helix(angle: float, diameter: float, apex: float | None = None) -> HelixRun:
+    """HelixRun of a gear: a point of its reference cylinder turns by 2 tan β / d per mm (ISO 21771-1).
 
     Args:
         angle: helix angle β, rad; positive for a right-hand helix.
         diameter: reference diameter, mm.
         apex: height at which a double helix turns back, mm.
     """
-    return Run(2 * tan(angle) / diameter, apex) if angle else STRAIGHT
+    return HelixRun(2 * tan(angle) / diameter, apex) if angle else STRAIGHT
 
 
 def lead(angle: float, diameter: float) -> float:

@@ -11,7 +11,7 @@ import pytest
 from cadgen import Gear, Planetary
 from cadgen.errors import DesignError
 from cadgen.gears.pair import GradedGear, closest
-from cadgen.gears.planetary import Held, PlanetarySet, ring_for
+from cadgen.gears.planetary import HeldMember, PlanetarySet, ring_for
 from cadgen.geometry.meshes.teeth import section_of
 from tests.gears.test_internal import form_of, pinion, ring, trial
 
@@ -44,14 +44,14 @@ def test_angles_ratios_and_plays_are_those_of_another_program(said, members):
     expected = said["expected"]
     assert [degrees(angle) for angle in unequal.orbits] == pytest.approx(expected["nearest_angles_deg"], abs=1e-6)
     assert unequal.neighbour_gap == pytest.approx(expected["neighbour_gap"], abs=1e-6)
-    ratios = {held: float(replace(unequal, held=held).ratio) for held in Held}
+    ratios = {held: float(replace(unequal, held=held).ratio) for held in HeldMember}
     wanted = expected["ratios"]
-    assert ratios[Held.RING] == pytest.approx(wanted["ring_fixed_sun_in"])
-    assert ratios[Held.SUN] == pytest.approx(wanted["sun_fixed_ring_in"], abs=5e-7)
-    assert ratios[Held.CARRIER] == pytest.approx(wanted["carrier_fixed_sun_in"])
-    plays = {held: degrees(replace(unequal, held=held).play) for held in Held}
-    assert plays[Held.RING] == pytest.approx(expected["plays_deg"]["carrier"], abs=6e-7)
-    assert plays[Held.CARRIER] == pytest.approx(expected["plays_deg"]["ring"], abs=6e-7)
+    assert ratios[HeldMember.RING] == pytest.approx(wanted["ring_fixed_sun_in"])
+    assert ratios[HeldMember.SUN] == pytest.approx(wanted["sun_fixed_ring_in"], abs=5e-7)
+    assert ratios[HeldMember.CARRIER] == pytest.approx(wanted["carrier_fixed_sun_in"])
+    plays = {held: degrees(replace(unequal, held=held).play) for held in HeldMember}
+    assert plays[HeldMember.RING] == pytest.approx(expected["plays_deg"]["carrier"], abs=6e-7)
+    assert plays[HeldMember.CARRIER] == pytest.approx(expected["plays_deg"]["ring"], abs=6e-7)
 
 
 def test_lecad_planetary_program():

@@ -77,3 +77,17 @@ def test_thicknesses_that_contradict_each_other():
     )
     with pytest.raises(DesignError, match=r"remove driven\.E_sn_um"):
         Design.from_toml(both.replace("driver =", "backlash_um = 100.0\ndriver ="), "pair", train_only=True)
+
+
+def test_small_gears_without_a_standard_have_the_zones_that_they_are_given():
+    small = PAIR.replace("module_mm = 1.0", "module_mm = 0.2").replace("width_mm = 8.0", "width_mm = 2.0")
+    with pytest.raises(DesignError, match="outside ISO 1328-1"):
+        Design.from_toml(small, "small", train_only=True).gears()
+    free = small.replace("bearing_span_mm", 'standard = "free"\nbearing_span_mm')
+    zone = free.replace("driver = {", "backlash_um = 40.0\ndriver = { T_sn_um = 10.0,")
+    train = Design.from_toml(zone, "small", train_only=True).gears()
+    assert train.passed
+    (stage,) = train.layout.train.stages
+    play = stage.play()
+    assert (play.B_max - play.B_min) * stage.driven_pitch_radius == pytest.approx(0.01)
+    assert (play.B_max + play.B_min) / 2 * stage.driven_pitch_radius == pytest.approx(0.04, abs=1e-4)

@@ -77,7 +77,7 @@ def drill(hole: RadialHole, section: Array) -> Manifold:
 CHORD_SHARE = 0.25
 
 
-class Ring(NamedTuple):
+class CornerRing(NamedTuple):
     """Corners of an outline at one height: number of the first, and places, shape (n,), mm."""
 
     first: int
@@ -109,16 +109,16 @@ def body_mesh(body: Body, chord_tolerance: float) -> Mesh:
         body: body of prisms.
         chord_tolerance: greatest distance of a chord from an outline, mm.
     """
-    rings: dict[tuple[Loop, float], Ring] = {}
+    rings: dict[tuple[Loop, float], CornerRing] = {}
     vertices: list[NDArray[np.float64]] = []
     triangles: list[NDArray[np.int64]] = []
     count = 0
 
-    def put(points: Points, height: float) -> Ring:
+    def put(points: Points, height: float) -> CornerRing:
         """Corners at a height."""
         nonlocal count
         vertices.append(np.column_stack([points.real, points.imag, np.full(len(points), height)]))
-        ring = Ring(count, points)
+        ring = CornerRing(count, points)
         count += len(points)
         return ring
 
@@ -160,7 +160,7 @@ def _strip(low: int, high: int, count: int) -> NDArray[np.int64]:
     )
 
 
-def _cap_triangles(cap: Cap, rings: dict[tuple[Loop, float], Ring]) -> NDArray[np.int64]:
+def _cap_triangles(cap: Cap, rings: dict[tuple[Loop, float], CornerRing]) -> NDArray[np.int64]:
     """Triangles of a cap, counter-clockwise from above.
 
     Triangulating thousands of corners at once is slow. One pitch of the outer outline is cut off by the chord

@@ -166,7 +166,11 @@ class _Piece(NamedTuple):
         """Vertices and edges at the lower end, 0, or at the upper one, -1."""
         turn, height = self.along[[end]], float(self.heights[end])
         joints = [self._placed(np.array([point]), turn)[:, 0, 0] for point in ends]
-        vertices = [[_vertex(point, height) for point in each.tolist()] for each in joints]
+        vertices: list[list[TopoDS_Vertex]] = []
+        for each in joints:
+            vertices.append([TopoDS_Vertex() for _ in each])
+            for vertex, point in zip(vertices[-1], each.tolist(), strict=True):
+                _BUILDER.MakeVertex(vertex, gp_Pnt(point.real, point.imag, height), TOLERANCE)
         edges, poles = [], list[Points | None]()
         for number, (curve, section) in enumerate(zip(curves, sections, strict=True)):
             before = vertices[number - 1] if number else vertices[-1][-1:] + vertices[-1][:-1]
@@ -262,12 +266,6 @@ def _face(surface: Geom_Surface, edges: tuple[TopoDS_Edge, ...], sides: tuple[Ge
     wire.Closed(True)
     _BUILDER.Add(face, wire)
     return face
-
-
-def _vertex(point: complex, height: float) -> TopoDS_Vertex:
-    vertex = TopoDS_Vertex()
-    _BUILDER.MakeVertex(vertex, gp_Pnt(point.real, point.imag, height), TOLERANCE)
-    return vertex
 
 
 def _arc(arc: Arc, start: complex, height: float) -> CurveEdge:

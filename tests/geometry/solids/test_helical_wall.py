@@ -28,7 +28,7 @@ from cadgen.geometry.solids.step import step_bytes
 from cadgen.geometry.solids.step_text import read_gear
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import Hub, Web
-from cadgen.parts.run import Run
+from cadgen.parts.run import HelixRun
 
 FLANK_BAR_UM, ROOT_BAR_UM, VOLUME_BAR = 0.001, 0.01, 1e-8
 
@@ -141,7 +141,7 @@ def test_a_lead_that_is_off_is_seen(tmp_path):
     form = gear(30)
     read(body_solid(gear_body(form)), tmp_path / "gear.step")
     outline, wrong = form.outline, 1e-7
-    other = SimpleNamespace(outline=replace(outline, run=Run(outline.run.rate * (1 + wrong))), width=form.width)
+    other = SimpleNamespace(outline=replace(outline, run=HelixRun(outline.run.rate * (1 + wrong))), width=form.width)
     content = read_gear(tmp_path / "gear.step", [other], [0.0])
     # Across the flank an angle is an arc of the base circle, and the ends are off to opposite sides.
     ends = form.base_diameter / 2 * outline.run.rate * form.width * wrong
