@@ -207,6 +207,7 @@ def search_limits(design: TrainDesign, given: Train) -> SearchLimits:
         undercut=spans.undercut if keys.undercut_max is None else keys.undercut_max,
         ratio_tolerance=keys.ratio_tolerance,
         keep=keys.keep,
+        fewer=True,
     )
 
 

@@ -318,7 +318,9 @@ class PlateSection(DesignSection):
 class SearchSection(DesignSection):
     """Within what limits `--order search` looks for trains. Sizes left out span those of the given stages."""
 
-    stages: int | None = Field(default=None, ge=1, le=6, description="how many stages; left out, as many as given")
+    stages: int | None = Field(
+        default=None, ge=1, le=6, description="how many stages at most; left out, as many as given"
+    )
     teeth_min: int | None = Field(default=None, ge=4, le=1000, description="fewest teeth of a gear")
     teeth_max: int | None = Field(default=None, ge=4, le=1000, description="most teeth of a gear")
     modules_mm: Lengths | None = Field(

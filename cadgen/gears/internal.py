@@ -109,7 +109,15 @@ def shortened_ring(pair: Pair) -> RingForm:
         most = min(most, greatest_addendum(pair.cut_to(0.0, 0.0))) - SPARED
     most = floor(most * scale) / scale
     if ring.addendum_factor - ring.shortened > most:
-        if ring.keeps_addendum or most <= 0:
+        if most <= 0:
+            raise DesignError(
+                "{pair} has a ring whose tips dig into the roots of the pinion however short they are; lower the "
+                "profile_shift of the ring ({shift:g}), or raise that of the pinion ({other:g})",
+                pair=str(pair),
+                shift=ring.profile_shift,
+                other=pair.by_size[0].form.profile_shift,
+            )
+        if ring.keeps_addendum:
             raise DesignError(
                 "{pair} has a ring whose tips dig into the roots of the pinion: addendum_factor is {addendum:g}; give "
                 "the ring at most {most:g}",

@@ -60,8 +60,8 @@ class SearchLimits:
     `centre_distance` and a `stage_ratio` between the least and the greatest given, one of `modules`, one of
     `widths`, and no profile shift. As cut it has at least the `contact_ratio`, and its gears lack no more profile
     shift than `undercut`, in modules, to be free of undercut. All gears share the grade, pressure angle, tooth
-    factors and thinning of `pattern`. `keep` trains are returned. Raises `DesignError` for limits that are empty or
-    out of range.
+    factors and thinning of `pattern`. `keep` trains are returned, of fewer stages, too, where `fewer` is set. Raises
+    `DesignError` for limits that are empty or out of range.
     """
 
     ratio: Fraction
@@ -77,6 +77,7 @@ class SearchLimits:
     undercut: float = UNDERCUT
     ratio_tolerance: float = 0.0
     keep: int = 10
+    fewer: bool = False
 
     def __post_init__(self) -> None:
         for name, low, high in (
@@ -125,7 +126,7 @@ class SearchLimits:
             "{stages} with {fewest} to {most} teeth and axes {shortest:g} to {longest:g} mm apart, modules of {modules}"
             " mm and widths of {widths} mm, stage ratios of {least:g} to {greatest:g}, a contact ratio of {contact:g}"
             " or more, and undercut up to {undercut:g} modules of profile shift",
-            stages=Message("one stage") if self.stages == 1 else Message("{count} stages", count=self.stages),
+            stages=_stages_named(self.stages, fewer=self.fewer),
             fewest=fewest,
             most=most,
             shortest=shortest,
@@ -168,6 +169,12 @@ class SearchLimits:
             contact_ratio=max(min(CONTACT_RATIO, contact), LEAST_CONTACT_RATIO),
             undercut=max(UNDERCUT, undercut),
         )
+
+
+def _stages_named(count: int, *, fewer: bool) -> Message:
+    if count == 1:
+        return Message("one stage")
+    return Message("up to {count} stages", count=count) if fewer else Message("{count} stages", count=count)
 
 
 def _contact_and_undercut(pairs: Iterable[SpurPair]) -> tuple[float, float]:
@@ -446,15 +453,36 @@ def search_trains(limits: SearchLimits, blanks: Blanks | None = None, clearance:
         blanks: blanks that the gears must fit; None for any.
         clearance: least gap between a wheel and the shafts beside it, mm.
     """
-    return TrainSearch(limits, blanks, clearance).best(limits.keep)
+    return search_of(limits, blanks, clearance).best(limits.keep)
+
+
+def search_of(
+    limits: SearchLimits, blanks: Blanks | None = None, clearance: float = 0.0
+) -> TrainSearch | SearchOverStages:
+    """Search within limits, over fewer stages, too, where they say so.
+
+    Args:
+        limits: limits of the search.
+        blanks: blanks that the gears must fit; None for any.
+        clearance: least gap between a wheel and the shafts beside it, mm.
+    """
+    if limits.fewer and limits.stages > 1:
+        return SearchOverStages(limits, blanks, clearance)
+    return TrainSearch(limits, blanks, clearance)
 
 
 class TrainSearch:
     """The pairs within limits, and the best trains of those that have not been excluded."""
 
-    def __init__(self, limits: SearchLimits, blanks: Blanks | None = None, clearance: float = 0.0) -> None:
+    def __init__(
+        self,
+        limits: SearchLimits,
+        blanks: Blanks | None = None,
+        clearance: float = 0.0,
+        pairs: Pairs | None = None,
+    ) -> None:
         self._limits, self._blanks = limits, blanks
-        self._pairs = pairs_within(limits)
+        self._pairs = pairs_within(limits) if pairs is None else pairs
         self._fit = (
             Fit.anywhere(limits.stages, self._pairs.driver.size)
             if blanks is None
@@ -506,6 +534,46 @@ class TrainSearch:
         same &= (self._pairs.module == driver.normal_module) & (self._pairs.width == driver.width)
         self._fit.allowed[:, same] = False
         self._excluded.update(np.flatnonzero(same).tolist())
+
+    def without_even_pairs(self) -> None:
+        """Leave out pairs of two equal gears, which only pass the motion on."""
+        self._fit.allowed[:, self._pairs.driver == self._pairs.driven] = False
+
+
+class SearchOverStages:
+    """Searches for trains of one stage up to so many; a train with an even pair gives way to one of fewer stages."""
+
+    def __init__(self, limits: SearchLimits, blanks: Blanks | None = None, clearance: float = 0.0) -> None:
+        pairs = pairs_within(limits)
+        self._searches = [
+            TrainSearch(replace(limits, stages=count, fewer=False), blanks, clearance, pairs)
+            for count in range(1, limits.stages + 1)
+        ]
+
+    def best(self, keep: int) -> tuple[TrainPlay, ...]:
+        """The `keep` trains of the least greatest return error of all numbers of stages, best first.
+
+        Raises `DesignError` if there is none of any number.
+        """
+        found: list[TrainPlay] = []
+        for number, search in enumerate(self._searches, 1):
+            if found:
+                search.without_even_pairs()
+            try:
+                found += search.best(keep)
+            except DesignError:
+                if number == len(self._searches) and not found:
+                    raise
+        return tuple(sorted(found, key=lambda play: play.return_error_max)[:keep])
+
+    def exclude(self, stage: Stage) -> None:
+        """Leave out a pair, at every place of every number of stages.
+
+        Args:
+            stage: pair whose teeth cannot be made, or fail their checks.
+        """
+        for search in self._searches:
+            search.exclude(stage)
 
 
 def _stage(pairs: Pairs, row: int, limits: SearchLimits) -> SpurPair:

@@ -6,6 +6,7 @@ from functools import cache
 from itertools import permutations, product
 from math import degrees, inf, prod, radians
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -117,6 +118,29 @@ def within(**changes) -> SearchLimits:
         keep=25,
     )
     return replace(limits, **changes)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("case", range(20))
+def test_the_search_over_fewer_stages_finds_what_brute_force_finds(case):
+    """Of all numbers of stages, without pairs of equal gears where fewer stages reach the ratio."""
+    generator = np.random.default_rng(case)
+    low = int(generator.integers(10, 16))
+    teeth = low, low + int(generator.integers(4, 6))
+    gears = [
+        Fraction(*generator.integers(teeth[0], teeth[1] + 1, 2).tolist()) for _ in range(int(generator.integers(1, 4)))
+    ]
+    limits = within(stages=3, teeth=teeth, ratio=prod(gears, start=Fraction(1)), fewer=True, keep=40)
+    expected: list[tuple[float, tuple[SpurPair, ...]]] = []
+    for count in (1, 2, 3):
+        longer = brute_force(replace(limits, stages=count, fewer=False))
+        if expected:
+            longer = [each for each in longer if all(stage.ratio != 1 for stage in each[1])]
+        expected += longer
+    expected.sort(key=lambda entry: entry[0])
+    found = search_trains(limits)
+    assert len(found) == min(limits.keep, len(expected)) > 0
+    assert [play.return_error_max for play in found] == pytest.approx([lag for lag, _ in expected[: len(found)]])
 
 
 @pytest.mark.slow

@@ -181,7 +181,7 @@ def test_the_search_makes_the_best_train_whose_gears_fit_and_says_why_not_those_
     assert all("on shaft" in one.reason or "collide" in one.reason for one in plan.skipped)
     said = plan.facts()["skipped"]
     assert said[0]["teeth"] == teeth_of(plan.ranked[0])
-    assert "on shaft 3 (intermediate), the collar of 10 mm stands in the teeth" in said[0]["reason"]
+    assert "on shaft 2 (intermediate), the collar of 10 mm stands in the teeth" in said[0]["reason"]
 
 
 def test_a_train_that_fails_a_check_gives_way_to_the_next_but_not_if_all_fail(monkeypatch):
@@ -356,7 +356,8 @@ def test_the_trial_searches_find_what_passes():
     mixed = plan_gears(load_train(TRIALS / "d08_mix.toml"), "search")
     assert mixed.passed
     assert all(stage.ratio >= 1 for play in mixed.ranked for stage in play.train.stages)
-    assert mixed.facts()["ranked"][0]["modules_mm"] == [0.8, 0.8, 1.0, 1.25]
+    # Three stages have less return error than the four that are given.
+    assert mixed.facts()["ranked"][0]["modules_mm"] == [0.8, 1.0, 1.25]
     asked = load_train(TRIALS / "d08_mix.toml", ["train.search.stage_ratio_min=0.4"])
     (speeding,) = search_trains(replace(gear_model.search_limits(asked, gear_model.train(asked)), keep=1))
     assert speeding.return_error_max < mixed.play.return_error_max

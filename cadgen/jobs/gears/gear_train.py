@@ -18,7 +18,7 @@ from cadgen.gears.distribution import quantiles
 from cadgen.gears.layout import TrainLayout
 from cadgen.gears.spur import SpurPair, spur_pairs
 from cadgen.gears.stage import Departure, Stage, Wheel
-from cadgen.gears.synthesis import SearchLimits, TrainSearch, arrange
+from cadgen.gears.synthesis import SearchLimits, arrange, search_of
 from cadgen.gears.train import Loose, Train, TrainPlay, WholePlay, teeth_of, train_play
 from cadgen.geometry.meshes.made_train import MadeTrain, failing_stages, make_train
 from cadgen.jobs.gears.assembly import Assembly, checks_facts, parts_facts, return_error, stages_facts
@@ -355,7 +355,7 @@ class _Candidates:
             return
         seen = {play.train for play in self.ranked}
         try:
-            search = TrainSearch(self.limits, self._blanks, self._clearance)
+            search = search_of(self.limits, self._blanks, self._clearance)
             excluded = 0
             for keep in DEPTHS:
                 while True:
