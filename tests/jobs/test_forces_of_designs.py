@@ -8,6 +8,7 @@ import pytest
 
 from cadgen import Design
 from cadgen.errors import DesignError
+from cadgen.viewer.page.charts import charts_of
 from tests.jobs.test_motion_figures import FEEDER
 
 NORTON = """
@@ -82,6 +83,15 @@ def test_the_table_of_contacts_has_force_and_torque(tmp_path):
     alpha = np.radians([float(row["pressure_angle_deg"]) for row in rows])
     speed = np.array([float(row["velocity_mm_per_rad"]) for row in rows])
     np.testing.assert_allclose(torque, force * np.cos(alpha) * speed, atol=2e-3 * np.abs(torque).max())
+
+
+def test_the_page_has_curves_of_motion_and_forces():
+    cam = Design.from_toml(NORTON).with_({"dynamics.preload_N": 20.0}).cam()
+    charts = {chart.code: chart for chart in charts_of(cam)}
+    assert list(charts) == ["lift", "velocity", "acceleration", "jerk", "force", "torque", "pressure", "curvature"]
+    assert charts["acceleration"].unit == "mm/rad²"
+    (curve,) = charts["torque"].curves
+    assert max(curve.values) == pytest.approx(codes(cam)["camshaft-torque-greatest"].value, rel=1e-3)
 
 
 def test_an_arm_takes_moments(tmp_path):

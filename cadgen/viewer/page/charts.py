@@ -56,7 +56,7 @@ def _lift(plan: CamPlan, theta: Array, contact: Contact) -> Chart:
 
 
 def _derivatives(plan: CamPlan, theta: Array) -> Iterator[Chart]:
-    """Velocity, acceleration and jerk of a follower by cam angle; none of a follower on the fork of a car."""
+    """Velocity, acceleration and jerk of a follower by cam angle, with its forces; none on the fork of a car."""
     unit = plan.motion.unit
     if unit == TAN:
         return
@@ -64,6 +64,14 @@ def _derivatives(plan: CamPlan, theta: Array) -> Iterator[Chart]:
     for order, (code, title) in enumerate(_DERIVATIVES, 1):
         by = f"{unit.symbol}/rad{_POWERS[order - 1]}"
         yield Chart(code, title, by, theta, (Curve(title, jets[:, order]),))
+    forces = plan.application.forces(plan)
+    if forces is not None:
+        for code, title, by, values in (
+            ("force", Message("Force on the disc"), "N", forces.normal(jets, theta)),
+            ("torque", Message("Torque of the camshaft"), "N·mm", forces.torque(jets, theta)),
+        ):
+            # Where the guide jams there is none.
+            yield Chart(code, title, by, theta, (Curve(title, np.where(np.isfinite(values), values, np.nan)),))
 
 
 def _pressure(plan: CamPlan, theta: Array, contact: Contact) -> Chart:

@@ -205,7 +205,7 @@ def test_the_page_of_a_motion_moves(browser, feeder, tmp_path):
     assert moved.startswith("translate(14 0) rotate(0 ")
     assert page.inner_text("#now .lift b") == "14.000 mm"
     assert page.locator("#now > span").count() == 2  # lift and pressure angle: there is no car
-    assert page.locator(".plot canvas").count() == 3
+    assert page.locator(".plot canvas").count() == 6
     assert page.locator("#scene canvas").count() == 1
     page.click("#go")
     page.wait_for_function("() => Number(document.getElementById('angle').value) > 106")

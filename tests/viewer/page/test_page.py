@@ -340,7 +340,7 @@ def test_the_page_of_a_motion_has_what_moves_and_nothing_of_a_car(feeder):
     # What is what is said below the picture, and curves have ticks where scripts are off.
     legend = unescape(html[html.index('id="cam-legend"') : html.index('id="notes"')])
     assert all(words in legend for words in ("roller", "guide of the slide", "mark of cam angle 0", "outer face"))
-    assert html.count("<noscript><svg") == len(page.charts) == 3
+    assert html.count("<noscript><svg") == len(page.charts) == 6
     assert all(f">{place}°</text>" in html for place in (0, 60, 360))
 
 
