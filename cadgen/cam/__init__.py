@@ -14,7 +14,6 @@
 | `limits`         | what the checks allow; textbook limits of the pressure angle, by name           |
 | `cutter`         | which cutter reaches every concave part                                         |
 | `loss`           | lift that is missing where the envelope is trimmed, and the change that cures it |
-| `groove_checks`  | play of a roller in a groove, and the wall beyond it                            |
 | `sizing`         | least base circles and the best offset for a pressure angle                     |
 | `forces`         | force on the disc, torque of the camshaft, speed of lift-off, contact pressure  |
 | `checks`         | every figure with its limit, place and verdict                                  |

@@ -1,7 +1,7 @@
 """Followers that touch the disc with a circle: their envelope in closed form, whatever moves the circle's centre.
 
-With z(theta) the centre in the frame of the follower's line, x along it and y across, the centre's path in the frame of
-the cam is, but for the azimuth of the line,
+Let z(theta) be the centre in the frame of the follower's line, x along it and y across. The path of the centre in the
+frame of the cam is, but for the azimuth of the line,
 
     p = z e^(i theta),  p' = (z' + i z) e^(i theta),  p'' = (z'' + 2 i z' - z) e^(i theta),
 

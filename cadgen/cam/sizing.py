@@ -11,7 +11,7 @@ from math import ceil
 import numpy as np
 from scipy.optimize import minimize_scalar
 
-from cadgen.arrays import TURN, Array
+from cadgen.arrays import TURN
 from cadgen.laws.motion import Motion
 
 _STATIONS = 7200  # of a turn, from which the greatest value is closed in on
@@ -42,15 +42,12 @@ class SlideSizes:
         theta = np.unique(np.concatenate([np.linspace(0.0, TURN, _STATIONS + 1), self.motion.q.x]))
         greatest = -np.inf
         for _ in range(_ZOOMS):
-            needed = self._needed(theta, offset)
+            lift, slope = self.motion.q(theta % TURN), self.motion.q(theta % TURN, nu=1)
+            needed = np.abs(slope - offset) / np.tan(np.where(slope >= 0, self.rise, self.fall)) - lift
             worst = int(np.argmax(needed))
             greatest = max(greatest, float(needed[worst]))
             theta = np.linspace(theta[max(worst - 1, 0)], theta[min(worst + 1, len(theta) - 1)], _ZOOM)
         return greatest
-
-    def _needed(self, theta: Array, offset: float) -> Array:
-        lift, slope = self.motion.q(theta % TURN), self.motion.q(theta % TURN, nu=1)
-        return np.asarray(np.abs(slope - offset) / np.tan(np.where(slope >= 0, self.rise, self.fall)) - lift)
 
     def least_prime_radius(self, offset: float) -> float:
         """Least distance of the centre from the camshaft at lift 0, mm.

@@ -63,6 +63,7 @@ _OF_FORCES = (
     CheckCode.CONTACT_PRESSURE,
 )
 # Columns of a terminal below which a check's place stands under its name and not beside its figures.
+_FAR_WITHIN = 0.1  # a figure below this share of its limit, or as far above it, is far within it
 _NARROW = 72
 _MOST_ROWS = 10  # of the front of a study
 _STATES = {
@@ -221,12 +222,25 @@ def summary(cam: "Cam", *, counted: bool = False) -> Iterator[Text]:
 
 
 def tightest(checks: "Sequence[Check]") -> "Check | None":
-    """Passed check whose value lies nearest to its limit, as a share of it; None if none has a limit with a unit.
+    """Passed check whose value lies nearest to its limit, as a share of it; None where none comes near one.
 
     Args:
         checks: figures that were judged.
     """
-    limited = [check for check in checks if check.unit and isfinite(check.limit) and check.limit and check.passed]
+    limited = [
+        check
+        for check in checks
+        if check.unit
+        and isfinite(check.limit)
+        and check.limit
+        and check.passed
+        # A figure far within its limit, such as the error of rolling, says nothing of the cam.
+        and (
+            abs(check.value) < abs(check.limit) / _FAR_WITHIN
+            if check.bound == Bound.MIN
+            else abs(check.value) > abs(check.limit) * _FAR_WITHIN
+        )
+    ]
     return min(limited, key=lambda check: abs(check.value - check.limit) / abs(check.limit), default=None)
 
 

@@ -5,11 +5,12 @@ A sheet's title block names the design by its hash, and its notes name the files
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields, is_dataclass, replace
 from datetime import UTC, datetime
 from itertools import chain
 from math import inf
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -177,21 +178,23 @@ def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
 
 def _follower(plan: CamPlan) -> Message:
     """Follower of a cam with its sizes as the design gives them, in a sentence."""
-    section = plan.application.design.follower
-    given = {field.name: getattr(section.keys, field.name) for field in fields(section.keys)}
-    sizes = [
-        Message(
-            "{name} {value}",
-            name=Message(without_unit(key).replace("_", " ")),
-            value=with_unit(
-                f"{value:g}" if isinstance(value, float | int) else Message(str(value).replace("_", " ")), unit_of(key)
-            ),
-        )
-        for key, value in given.items()
-        if value is not None
-    ]
     noun = Message(plan.follower_as_built.noun)
-    return Message("Follower: {parts}.", parts=joined([noun, *sizes], ", "))
+    return Message("Follower: {parts}.", parts=joined([noun, *_sizes(plan.application.design.follower.keys)], ", "))
+
+
+def _sizes(keys: Any) -> Iterator[Message]:
+    """Values of the keys of a follower in words, those of a part of it under its name."""
+    for key, value in ((field.name, getattr(keys, field.name)) for field in fields(keys)):
+        if value is None:
+            continue
+        name = Message(without_unit(key).replace("_", " "))
+        if is_dataclass(value):
+            yield Message("{name}: {parts}", name=name, parts=joined(tuple(_sizes(value)), ", "))
+        elif isinstance(value, float | int):
+            yield Message("{name} {value}", name=name, value=with_unit(f"{value:g}", unit_of(key)))
+        else:
+            words = getattr(value, "words", str(value).replace("_", " "))
+            yield Message("{name} {value}", name=name, value=Message(words))
 
 
 def _verdict(plan: CamPlan) -> str:

@@ -75,7 +75,7 @@ def refuse_groove(clearance: float, radius: float, depth: float, faces: tuple[fl
         )
 
 
-CLEARANCE = "of a groove, its width less the diameter of the roller, half on either side of the path of its centre"
+CLEARANCE = "of a groove, its width less the diameter of the roller; half on either side"
 DEPTH = "of a groove, from the face that files show"
 
 

@@ -1,4 +1,4 @@
-"""Roller in a groove: the rollers of its two flanks, and the play between them.
+"""Roller in a groove: the rollers of its two flanks, the play between them, and its checks.
 
 The flanks are the two parallels of the path of the roller's centre at half the width of the groove, which is the
 diameter of the roller and the clearance. So a roller as wide as the groove runs on the inner flank as on a disc. On the
@@ -10,14 +10,21 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from cadgen.arrays import Array
+from cadgen.cam.checks import cam_place, polar_place
+from cadgen.cam.contact import roll_curve
 from cadgen.cam.follower import Follower, LossRemedy, SizeThatFits
 from cadgen.cam.followers.pivot import seen_from_pivot
 from cadgen.cam.followers.roller import Roller
 from cadgen.cam.followers.swinging_roller import SwingingRoller
 from cadgen.cam.limits import CheckLimits
 from cadgen.cam.round_follower import Complex, RoundFollower
+from cadgen.check import Bound, Check, CheckCode
+from cadgen.curves.closed import ClosedCurve
 from cadgen.laws.motion import Motion
 from cadgen.messages import Message
+
+_STEP = 0.05  # mm between points of the outer flank
+_ROLLED = 1e-4  # mm; what rolling errs by, on either flank
 
 
 class OnOuterFlank(RoundFollower):
@@ -178,3 +185,64 @@ def pressed_outwards(roller: Roller | SwingingRoller) -> OnOuterFlank:
             lifts=roller.lifts,
         )
     return OuterRoller(base=roller.base, radius=roller.radius, offset=roller.offset)
+
+
+def groove_checks(
+    rollers: GrooveRollers, inner: ClosedCurve, outer: ClosedCurve, cam_angle: Array, outside: float, wall: float
+) -> tuple[Check, ...]:
+    """Play of the roller along its motion, and the wall beyond the groove.
+
+    The play is what lies between the places at which the roller itself rests on either flank; to first order the
+    clearance by the cosine of the pressure angle.
+
+    Args:
+        rollers: rollers of the groove.
+        inner: inner flank, mm.
+        outer: outer flank, mm.
+        cam_angle: cam angles, rad, shape (n,).
+        outside: radius of the disc, mm.
+        wall: least wall allowed, mm.
+    """
+    inwards, outwards = rollers.loose
+    (low, _), (high, _) = roll_curve(inner, inwards, cam_angle), roll_curve(outer, outwards, cam_angle)
+    play = -high.lift - low.lift
+    most, least = int(np.argmax(play)), int(np.argmin(play))
+    rim = outer.outline(_STEP).points
+    farthest = int(np.argmax(np.linalg.norm(rim, axis=1)))
+    hollow = [piece.jet(t) for piece, t in zip(outer.pieces, outer.parameters(_STEP), strict=True)]
+    sharpest = max(float(jet.curvature.max()) for jet in hollow)
+    return (
+        Check(
+            CheckCode.GROOVE_PLAY_GREATEST,
+            Message("play in the groove, greatest"),
+            float(play[most]),
+            "mm",
+            place=cam_place(cam_angle[most]),
+        ),
+        Check(
+            CheckCode.GROOVE_PLAY_LEAST,
+            Message("play in the groove, least"),
+            float(play[least]),
+            "mm",
+            -_ROLLED,
+            Bound.MIN,
+            cam_place(cam_angle[least]),
+            Message("raise follower.clearance_mm"),
+        ),
+        Check(
+            CheckCode.GROOVE_HOLLOW,
+            Message("least radius of the outer flank"),
+            1 / sharpest if sharpest > 0 else np.inf,
+            "mm",
+        ),
+        Check(
+            CheckCode.GROOVE_WALL,
+            Message("wall beyond the groove"),
+            outside - float(np.linalg.norm(rim[farthest])),
+            "mm",
+            wall,
+            Bound.MIN,
+            polar_place(rim[farthest]),
+            Message("raise cam.outside_diameter_mm"),
+        ),
+    )

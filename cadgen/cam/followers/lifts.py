@@ -2,12 +2,19 @@
 
 from enum import StrEnum
 
+from cadgen.messages import Message
+
 
 class Lifts(StrEnum):
     """Sense in which an arm lifts, by the sense in which the cam turns."""
 
     AGAINST = "against"
     WITH = "with"
+
+    @property
+    def words(self) -> str:
+        """Sense in words."""
+        return Message("against the cam") if self == Lifts.AGAINST else Message("with the cam")
 
     @property
     def side(self) -> int:

@@ -1,12 +1,12 @@
 """Roller and knife edge on a slide, which moves straight out from the camshaft, beside it by an offset.
 
-**Envelope.** At cam angle theta the centre stands at z = y0 + s + i e in the frame of the ray, with the prime radius
-R_p = R_b + r and y0 = sqrt(R_p^2 - e^2). The profile is the parallel of its path at the radius r.
+**Envelope.** At cam angle theta the centre stands at z = y0 + s + i e in the frame of the ray. The prime radius is
+R_p = R_b + r, and y0 = sqrt(R_p^2 - e^2). The profile is the parallel of its path at the radius r.
 
 **Rolling.** The roller clears a point x ahead of the camshaft and y across from s = x - y0 + sqrt(r^2 - (y - e)^2) on.
 
-An offset e > 0, in the sense of growing polar angle, lessens the pressure angle of the rise,
-tan(alpha) = (s' - e) / (y0 + s), and raises that of the return.
+The pressure angle is tan(alpha) = (s' - e) / (y0 + s). An offset e > 0, in the sense of growing polar angle, lessens
+that of the rise, and raises that of the return.
 """
 
 from dataclasses import dataclass, replace

@@ -5,8 +5,8 @@ pivot, at the distance f from it, positive with the pivot on the far side of the
 delta = delta_0 + q to the one from the pivot to the camshaft; g = 1 where the arm lifts against the sense of the cam,
 -1 where it lifts with it.
 
-**Envelope.** The face has the distance h = c sin(delta) - f from the camshaft, with sin(delta_0) = (R_b + f) / c, and
-its normal the angle g (delta - 90 degrees) from the ray (see `cadgen.cam.straight_follower`).
+**Envelope.** The face has the distance h = c sin(delta) - f from the camshaft, where sin(delta_0) = (R_b + f) / c. Its
+normal has the angle g (delta - 90 degrees) from the ray (see `cadgen.cam.straight_follower`).
 
 **Rolling.** A point at the distance R and the angle phi, at the pivot, is cleared from delta = phi + arcsin(f / R) on.
 

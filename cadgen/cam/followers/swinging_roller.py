@@ -4,7 +4,7 @@ At cam angle theta the pivot stands on the ray, at c from the camshaft. The arm,
 delta = delta_0 + q to the line from the pivot to the camshaft; g = 1 where it lifts against the sense of the cam, -1
 where it lifts with it.
 
-**Envelope.** In the frame of the ray the centre stands at z = c - l cos(delta) - i g l sin(delta), with
+**Envelope.** In the frame of the ray the centre stands at z = c - l cos(delta) - i g l sin(delta). At swing 0 it is
 cos(delta_0) = (c^2 + l^2 - R_p^2) / (2 c l). The profile is the parallel of its path at the roller's radius r.
 
 **Rolling.** A point at the distance R and the angle phi, at the pivot, is cleared from

@@ -1,6 +1,6 @@
 """From a checked cam to files on disk, each read back and rolled against its follower before it is published."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,7 +14,7 @@ from cadgen.jobs.cam.cures import Cures
 from cadgen.laws.unit import TAN
 from cadgen.messages import Message, joined
 from cadgen.output.files.exports import CamExport, GrooveExport
-from cadgen.output.files.formats import CAM, GROOVE, Format, Made
+from cadgen.output.files.formats import CAM, GROOVE
 from cadgen.output.files.publisher import Artifact, Written, publish
 from cadgen.progress import Progress, silent
 
@@ -49,7 +49,14 @@ def write_cam(
 
     def files(folder: Path) -> Iterator[Artifact]:
         progress(Message("writing and reading back {formats}", formats=joined(each.label for each in wanted)))
-        for each, result in _made(plan, folder, wanted):
+        # The kernel gives the volume of a hub, which every format needs.
+        apart = plan.blank.hub is None
+        made = (
+            [one for disc in plan.discs for one in CAM.made(cam_export(disc), folder, wanted, apart=apart)]
+            if plan.groove is None
+            else GROOVE.made(groove_export(plan, plan.groove), folder, wanted)
+        )
+        for each, result in made:
             if isinstance(result, CheckError):
                 # Only a forced export comes here: the check that failed names the same cause.
                 omitted[each.label] = result.message
@@ -69,15 +76,6 @@ def write_cam(
         facts | chosen | Facts(frame=plan.application.frame(plan)),
         lambda _: Facts(omitted=omitted, warnings=warnings),
     )
-
-
-def _made(plan: CamPlan, folder: Path, wanted: Sequence[Format]) -> list[tuple[Format, Made]]:
-    """Files of every disc of a plan, or of its groove."""
-    # The kernel gives the volume of a hub, which every format needs.
-    apart = plan.blank.hub is None
-    if plan.groove is not None:
-        return GROOVE.made(groove_export(plan, plan.groove), folder, wanted)
-    return [one for disc in plan.discs for one in CAM.made(cam_export(disc), folder, wanted, apart=apart)]
 
 
 def cam_export(plan: CamPlan) -> CamExport:

@@ -73,7 +73,10 @@ class Making:
 def steepest(checks: Iterable[Check]) -> tuple[str, ...]:
     """Greatest pressure angle among checks, in words; none if it is not among them."""
     angles = [
-        check for check in checks if check.code in (CheckCode.PRESSURE_ANGLE_RISE, CheckCode.PRESSURE_ANGLE_RETURN)
+        check
+        for check in checks
+        # A square face has none.
+        if check.value and check.code in (CheckCode.PRESSURE_ANGLE_RISE, CheckCode.PRESSURE_ANGLE_RETURN)
     ]
     return tuple(
         Message("pressure angle {angle:.3g}°", angle=check.value)

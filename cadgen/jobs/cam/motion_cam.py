@@ -10,9 +10,8 @@ import numpy as np
 from cadgen.arrays import TURN
 from cadgen.cam.checks import LOST_LIFT, cam_angles, check_cam, signed_pressure
 from cadgen.cam.follower import Follower
-from cadgen.cam.followers.groove import GrooveRollers
+from cadgen.cam.followers.groove import GrooveRollers, groove_checks
 from cadgen.cam.forces import CamForces
-from cadgen.cam.groove_checks import groove_checks
 from cadgen.cam.opposite import OppositeMotion
 from cadgen.car.against_play.profile_kinds import ACTUAL, ProfileKind, profile_of
 from cadgen.check import Check, CheckCode, failing
@@ -196,7 +195,15 @@ def plan_motion_cam(design: MotionDesign, profile: str | None = None, progress: 
     if counter is None:
         return first
     second = replace(_disc(design, kind, OppositeMotion.of(motion), counter, progress), part=SECOND)
-    return replace(first, second=second, checks=(*first.checks, *map(_of_second, second.checks)))
+    checks = (
+        replace(
+            check,
+            code=SecondDisc(f"second-{check.code}"),
+            name=Message("second disc: {name}", name=Message(check.name)),
+        )
+        for check in second.checks
+    )
+    return replace(first, second=second, checks=(*first.checks, *checks))
 
 
 def _grooved(
@@ -226,10 +233,23 @@ def _grooved(
             least=2 * widest,
             cure=ceil(2 * (widest + wall)),
         )
-    flank = (check for check in outer.checks if check.code in _OF_OUTER_FLANK)
     checks = (
-        *(_with_groove(check, rollers.half_width) for check in inner.checks),
-        *(replace(check, code=OuterFlank(f"outer-{check.code}"), name=_outer_name(check)) for check in flank),
+        *(
+            # No cutter is wider than the groove.
+            replace(check, value=min(check.value, rollers.half_width), place=Message("width of the groove"))
+            if check.code == CheckCode.CUTTER_RADIUS and check.value > rollers.half_width
+            else check
+            for check in inner.checks
+        ),
+        *(
+            replace(
+                check,
+                code=OuterFlank(f"outer-{check.code}"),
+                name=Message("outer flank: {name}", name=Message(check.name)),
+            )
+            for check in outer.checks
+            if check.code in _OF_OUTER_FLANK
+        ),
         *groove_checks(rollers, inner.curve, outer.curve, cam_angles(motion), outside, wall),
     )
     made = Groove(outer=outer, depth=rollers.depth, outside_radius=outside)
@@ -245,17 +265,6 @@ def _groove_words(cam: CamPlan, groove: Groove) -> Message:
         depth=groove.depth,
         diameter=2 * groove.outside_radius,
     )
-
-
-def _outer_name(check: Check) -> Message:
-    return Message("outer flank: {name}", name=Message(check.name))
-
-
-def _with_groove(check: Check, half_width: float) -> Check:
-    """Check of the inner flank; no cutter is wider than the groove."""
-    if check.code != CheckCode.CUTTER_RADIUS or check.value <= half_width:
-        return check
-    return replace(check, value=half_width, place=Message("width of the groove"))
 
 
 def _disc(design: MotionDesign, kind: ProfileKind, motion: Motion, follower: Follower, progress: Progress) -> CamPlan:
@@ -282,9 +291,3 @@ def _disc(design: MotionDesign, kind: ProfileKind, motion: Motion, follower: Fol
         checks=checks,
         application=use,
     )
-
-
-def _of_second(check: Check) -> Check:
-    """Check of the second disc of a conjugate pair, with a code and a name of its own."""
-    code = SecondDisc(f"second-{check.code}")
-    return replace(check, code=code, name=Message("second disc: {name}", name=Message(check.name)))

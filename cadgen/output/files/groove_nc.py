@@ -209,6 +209,9 @@ def _loops(moves: Sequence[Move]) -> list[list[Move]]:
 
 def _parallel(loop: Sequence[Move], distance: float, step: float) -> Outline:
     """Parallel of a round, outside by a distance or inside by a negative one, run counterclockwise."""
+    corners: Array = np.array([move.start[:2] for move in loop])
+    following = np.roll(corners, -1, axis=0)
+    side = float(np.sign(np.sum(corners[:, 0] * following[:, 1] - corners[:, 1] * following[:, 0])))
     points, owner = [], []
     for number, move in enumerate(loop):
         at = move.places(step)
@@ -219,17 +222,10 @@ def _parallel(loop: Sequence[Move], distance: float, step: float) -> Outline:
         else:
             way = (move.end - move.start)[:2]
             out = np.tile([way[1], -way[0]], (len(at), 1))
-        points.append(at + distance * _turning(loop) * out / np.linalg.norm(out, axis=1)[:, None])
+        points.append(at + distance * side * out / np.linalg.norm(out, axis=1)[:, None])
         owner.append(np.full(len(at), number))
     every, owners = np.concatenate(points), np.concatenate(owner)
     # Where two moves meet at an angle of rounding, their parallels overlap by nanometres: points go by their angle.
     order = np.argsort(np.arctan2(every[:, 1], every[:, 0]), kind="stable")
     order = np.append(order, order[0])
     return Outline(every[order], owners[order])
-
-
-def _turning(loop: Sequence[Move]) -> float:
-    """1 for a counterclockwise round, -1 for a clockwise one."""
-    corners: Array = np.array([move.start[:2] for move in loop])
-    following = np.roll(corners, -1, axis=0)
-    return float(np.sign(np.sum(corners[:, 0] * following[:, 1] - corners[:, 1] * following[:, 0])))

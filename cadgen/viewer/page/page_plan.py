@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
+from math import degrees
 
 import numpy as np
 
@@ -16,6 +17,7 @@ from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.cures import Cures, find_cures
 from cadgen.jobs.cam.motion_cam import plan_motion_cam
 from cadgen.jobs.gears.gear_train import GearTrain, plan_gears
+from cadgen.laws.unit import MM
 from cadgen.messages import Message
 from cadgen.progress import Progress, silent
 from cadgen.verdict import Readiness
@@ -125,14 +127,16 @@ class PagePlan:
 
     def results(self) -> tuple[tuple[str, Cell], ...]:
         """Figures at the top of what the cam is for, by name: travel and steepest place."""
-        lift = self.cam.follower_as_built.lift(self.cam.motion.q(np.linspace(0.0, TURN, STATIONS + 1)))
+        travel = float(np.ptp(self.cam.motion.q(np.linspace(0.0, TURN, STATIONS + 1))))
         angles = [
             check
             for check in self.cam.checks
             if check.code in (CheckCode.PRESSURE_ANGLE_RISE, CheckCode.PRESSURE_ANGLE_RETURN)
         ]
         return (
-            (Message("travel of the follower"), number(float(np.ptp(lift)), "mm")),
+            (Message("swing of the follower"), number(degrees(travel), "°"))
+            if self.cam.motion.unit != MM
+            else (Message("travel of the follower"), number(travel, "mm")),
             *(
                 (check.name, number(check.value, check.unit, State.PLAIN if check.passed else State.BAD, 1))
                 for check in angles
