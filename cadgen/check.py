@@ -158,6 +158,17 @@ class Check(Figure):
         return self.unit.replace("mm2", "mm²").replace("mm3", "mm³")
 
 
+class CheckList(tuple[Check, ...]):
+    """Checks of a part, with their common verdict."""
+
+    __slots__ = ()
+
+    @property
+    def passed(self) -> bool:
+        """Whether every check keeps its limit."""
+        return not failing(self)
+
+
 def failing(checks: Iterable[Check]) -> tuple[Check, ...]:
     """Checks that do not keep their limit."""
     return tuple(check for check in checks if not check.passed)

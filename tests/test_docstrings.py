@@ -22,6 +22,7 @@ UNITS = (
         "°",
         "s",
         "seconds",
+        "rev/min",
         "N",
         "N mm",
         "N·mm",

@@ -1,20 +1,30 @@
 """A cam that has been computed and checked: its figures, its solid, its files."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
+from math import radians
 from os import PathLike
-from typing import TYPE_CHECKING
+from pathlib import Path
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from cadgen.api.values import numbers, whole
+from cadgen.api.loaded import overrides_of
+from cadgen.api.motion_cam import AnyFollower, Motion, Spring, cam_toml
+from cadgen.api.values import numbers, real, whole
 from cadgen.arrays import TURN, Array
+from cadgen.cam.forces import CamForces, Dynamics, Line, joint_modulus
 from cadgen.car.path_motion import PathMotion
+from cadgen.check import CheckCode, CheckList
+from cadgen.design import load
+from cadgen.design.dynamics import STEEL
+from cadgen.design.override import KeyChange
 from cadgen.design.schema import Design as DesignValues
 from cadgen.design.schema import MotionDesign
-from cadgen.errors import CheckError
+from cadgen.errors import CheckError, DesignError
 from cadgen.figures import Facts, JobResult
 from cadgen.jobs.cam.cam_facts import cam_facts
 from cadgen.jobs.cam.cam_plan import CamPlan
@@ -22,7 +32,9 @@ from cadgen.jobs.cam.comparison import PAPER_PERCENT as PAPER_PERCENT
 from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.jobs.cam.cures import Cures as Cures
 from cadgen.jobs.cam.cures import find_cures
+from cadgen.jobs.cam.motion_cam import plan_motion_cam
 from cadgen.jobs.cam.steering_cam import CarUse
+from cadgen.laws.unit import MM
 from cadgen.output.files.publisher import Written, folder_of, refusal
 from cadgen.progress import Progress, silent
 
@@ -137,11 +149,91 @@ class Profile:
         return f"<Profile {self.name} of {self.computed.origin.name}, {self.length:.1f} mm long>"
 
 
-@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+@dataclass(frozen=True)
+class Extremes:
+    """Greatest and least value of a figure over the turn."""
+
+    greatest: float
+    least: float
+
+
+@dataclass(frozen=True, repr=False)
+class FollowerForces:
+    """CamForces on a follower and its camshaft, in N and mm; of a swinging follower moments, N mm.
+
+    Attributes:
+        computed: forces as functions of the motion.
+    """
+
+    computed: CamForces
+
+    def __repr__(self) -> str:
+        return f"<FollowerForces, {self.normal.least:.4g} to {self.normal.greatest:.4g} N on the disc>"
+
+    @property
+    def normal(self) -> Extremes:
+        """Force on the disc along the normal of its outline, N."""
+        return self._extremes(self.computed.normal)
+
+    @property
+    def torque(self) -> Extremes:
+        """Torque that turns the camshaft, N mm."""
+        return self._extremes(self.computed.torque)
+
+    @property
+    def mean_torque(self) -> float:
+        """Mean torque of the camshaft, N mm."""
+        return self.computed.mean_torque
+
+    @property
+    def pressure(self) -> float | None:
+        """Greatest Hertz pressure in the line of contact, steel on steel, MPa; None for a contact that is no line."""
+        line = self.computed.dynamics.line
+        return None if line is None else self._extremes(self.computed.pressure).greatest
+
+    @property
+    def lift_off_rpm(self) -> float:
+        """Least speed at which the follower leaves the disc, rev/min; infinite if it leaves at none."""
+        return self.computed.lift_off.value * 60 / TURN
+
+    @property
+    def leaves(self) -> tuple[tuple[float, float], ...]:
+        """Cam angles from which and to which the follower has left the disc, rad."""
+        return self.computed.leaves
+
+    @property
+    def least_rate(self) -> float | None:
+        """Least rate of the spring that holds the follower with its preload, N/mm or N mm/rad; None if none does."""
+        return self.computed.least_rate()
+
+    @property
+    def least_preload(self) -> float | None:
+        """Least preload that holds the follower with the spring's rate, N or N mm; None if it is not proved."""
+        return self.computed.least_preload()
+
+    def _extremes(self, figure: "Callable[[Array, Array], Array]") -> Extremes:
+        most, least = self.computed.motion.extremes_of(figure)
+        return Extremes(most.value, least.value)
+
+
+@dataclass(frozen=True, eq=False, repr=False, init=False)
 class Cam(CamPlan, JobResult):
-    """A cam that has been computed and checked, but not yet made: what `Design.cam` gives.
+    """A cam that has been computed and checked, but not yet made: what `Design.cam` gives, or a motion and a follower.
 
     It is the numeric plan itself, with all its figures in mm and rad.
+
+    Args:
+        motion: motion of the follower.
+        follower: `Roller`, `KnifeEdge`, `Flat`, `SwingingRoller` or `SwingingFlat`.
+        base_circle_radius: radius of the base circle, mm.
+        pressure_angle: greatest pressure angle, rad, in place of that radius: the least one that keeps it is taken.
+        thickness: thickness of the disc, mm.
+        bore: diameter of the bore, mm; the usual one if left out.
+        name: name of the cam and its files.
+        changes: other keys of a design file, such as `{"blank.hub.diameter_mm": 20}`.
+
+    Raises:
+        DesignError: values that are not allowed; the message names the key of a design file.
 
     Example:
         >>> from cadgen import Design
@@ -153,6 +245,28 @@ class Cam(CamPlan, JobResult):
         >>> files = cam.write("exports", formats=["step", "dxf"])  # doctest: +SKIP
     """
 
+    def __init__(
+        self,
+        motion: Motion,
+        follower: AnyFollower,
+        *,
+        base_circle_radius: float | None = None,
+        pressure_angle: float | None = None,
+        thickness: float,
+        bore: float | None = None,
+        name: str = "cam",
+        changes: Mapping[str, Any] = MappingProxyType({}),
+    ) -> None:
+        text = cam_toml(motion, follower, base_circle_radius, pressure_angle, thickness, bore, name)
+        design = load.complete_of(text, Path(f"{name}.toml"), tuple(map(KeyChange, overrides_of(changes))))
+        assert isinstance(design, MotionDesign)  # it has [motion]
+        self._take(plan_motion_cam(design, None))
+
+    def _take(self, plan: CamPlan) -> None:
+        for item in fields(CamPlan):
+            object.__setattr__(self, item.name, getattr(plan, item.name))
+        object.__setattr__(self, "checks", CheckList(plan.checks))
+
     @classmethod
     def of(cls, plan: CamPlan) -> "Cam":
         """A plan with its verbs.
@@ -160,7 +274,11 @@ class Cam(CamPlan, JobResult):
         Args:
             plan: computed cam.
         """
-        return plan if isinstance(plan, cls) else cls(**{item.name: getattr(plan, item.name) for item in fields(plan)})
+        if isinstance(plan, cls):
+            return plan
+        cam = object.__new__(cls)
+        cam._take(plan)
+        return cam
 
     def __repr__(self) -> str:
         failed = f": {', '.join(check.name for check in self.failed)}" if self.failed else ""
@@ -214,6 +332,61 @@ class Cam(CamPlan, JobResult):
         if "cures" not in self.__dict__:
             self.__dict__["cures"] = find_cures(self, progress)
         return self.cures
+
+    @property
+    def pressure_angle(self) -> Extremes:
+        """Greatest pressure angle of rise and return, the larger and the smaller one, rad."""
+        codes = (CheckCode.PRESSURE_ANGLE_RISE, CheckCode.PRESSURE_ANGLE_RETURN)
+        both = [radians(check.value) for check in self.checks if check.code in codes]
+        return Extremes(max(both), min(both))
+
+    @property
+    def least_radius(self) -> float:
+        """Least convex radius of the profile, mm."""
+        (radius,) = (check.value for check in self.checks if check.code == CheckCode.CONVEX_RADIUS_PROFILE)
+        return radius
+
+    def forces(
+        self,
+        rpm: float,
+        *,
+        mass: float = 0.0,
+        inertia: float = 0.0,
+        spring: Spring | None = None,
+        load: float = 0.0,
+        damping: float = 0.0,
+    ) -> FollowerForces:
+        """CamForces on follower, spring and camshaft, without weight and friction, which `[dynamics]` has, too.
+
+        Args:
+            rpm: speed of the camshaft, rev/min.
+            mass: mass of all that moves with a slide, kg.
+            inertia: moment of inertia of a swinging follower about its pivot, kg mm².
+            spring: spring that holds it.
+            load: load against the motion, N or N mm.
+            damping: damping of a slide, N s/m, or of an arm, N mm s/rad.
+
+        Raises:
+            DesignError: a number out of its range, a mass of an arm, or a follower whose forces are not worked out.
+        """
+        slides, spring = self.motion.unit == MM, spring or Spring()
+        if (inertia if slides else mass) != 0:
+            raise DesignError(
+                "a follower on a slide has a mass, and one on an arm a moment of inertia: give the other one"
+            )
+        radius = getattr(self.follower_as_built, "radius", 0.0)
+        steel = joint_modulus(STEEL, STEEL)
+        dynamics = Dynamics(
+            # kg to N s²/mm, kg mm² to N mm s²; N s/m to N s/mm.
+            inertia=real("mass or inertia", mass or inertia, 0, 1e9) * 1e-3,
+            rate=real("rate", spring.rate, 0, 1e9),
+            preload=real("preload", spring.preload, -1e7, 1e7),
+            load=real("load", load, -1e7, 1e7),
+            damping=real("damping", damping, 0, 1e9) * (1e-3 if slides else 1.0),
+            line=Line(width=self.faces[1] - self.faces[0], modulus=steel, radius=radius) if radius else None,
+        )
+        speed = real("rpm", rpm, 0, 1e6, "rev/min") * TURN / 60
+        return FollowerForces(CamForces(self.motion, self.follower_as_built, dynamics, speed))
 
     @property
     def wheel(self) -> str:

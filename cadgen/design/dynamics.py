@@ -22,9 +22,9 @@ if TYPE_CHECKING:
     from cadgen.cam.forces import Dynamics
 
 # Modulus of elasticity, MPa, and Poisson's ratio: tables of makers and handbooks; plastics scatter by a third.
-_STEEL = (206_000.0, 0.30)
+STEEL = (206_000.0, 0.30)
 _ELASTIC: dict[DiscMaterial, tuple[float, float]] = {
-    DiscMaterial.STEEL: _STEEL,
+    DiscMaterial.STEEL: STEEL,
     DiscMaterial.ALUMINIUM: (70_000.0, 0.33),
     DiscMaterial.BRASS: (100_000.0, 0.35),
     DiscMaterial.ACRYLIC: (3_200.0, 0.37),
@@ -224,9 +224,9 @@ def dynamics_of(
         guide = Guide(
             friction=section.guide_friction, length=section.guide_length_mm, overhang=section.overhang_mm or 0.0
         )
-    modulus, ratio = _STEEL if material is None else _ELASTIC[material]
+    modulus, ratio = STEEL if material is None else _ELASTIC[material]
     disc = section.disc_modulus_MPa or modulus, _given(section.disc_poisson_ratio, ratio)
-    other = section.follower_modulus_MPa or _STEEL[0], _given(section.follower_poisson_ratio, _STEEL[1])
+    other = section.follower_modulus_MPa or STEEL[0], _given(section.follower_poisson_ratio, STEEL[1])
     width = section.contact_width_mm or thickness
     line = Line(width=width, modulus=joint_modulus(disc, other), radius=follower.radius) if follower.radius else None
     return Dynamics(
