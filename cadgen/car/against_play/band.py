@@ -117,8 +117,8 @@ def best_for_band(
     it is cut for; then one end of the band is best to cut for.
 
     With friction the cam leads on part of each fall, and by how much the profile must make up for that depends on it:
-    then each lead may have a window of its own, and what is made least is the worst end over plays and frictions, or
-    over the cars that are trimmed after a trial run.
+    then each lead may have a window of its own. What is made least is the worst end over plays and frictions, or over
+    the cars that are trimmed after a trial run.
 
     Args:
         lift: lift that is compensated.

@@ -9,6 +9,7 @@ ends within a region that shrinks where a step does not help.
 """
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from math import radians
 
@@ -77,14 +78,10 @@ class LeadSearch:
                 if self.score < _MET_WELL:
                     return
         else:
-            plays = sorted(play for play, _ in self.cars)
-            self._band(self._leading, plays[-1])
-
-    @property
-    def _leading(self) -> Mechanics:
-        """Forces by which the leads of a band are found: of the least friction, and of the middle one after a trim."""
-        ordered = sorted((forces for _, forces in self.cars), key=lambda forces: (forces.friction, forces.drag))
-        return ordered[len(ordered) // 2 if self.trimmed else 0]
+            # The leads are those of the least friction, of cars that are trimmed those of the middle one.
+            ordered = sorted((forces for _, forces in self.cars), key=lambda forces: (forces.friction, forces.drag))
+            forces = ordered[len(ordered) // 2 if self.trimmed else 0]
+            self._band(forces, max(play for play, _ in self.cars))
 
     def _known(self, play: float, forces: Mechanics, share: float) -> None:
         """Gauss-Newton steps within bounds, halved where they do not help.
@@ -149,7 +146,10 @@ class LeadSearch:
         for _ in range(_STEPS):
             if region < _SMALLEST:
                 return
-            slope = np.stack([self._change(leads, at, now, each) for each in _PROBE[0] * np.eye(count)])
+            slope = np.zeros((count, len(now)), dtype=np.complex128)
+            for row, each in zip(slope, _PROBE[0] * np.eye(count), strict=True):
+                with suppress(DesignError):  # a window without room for more stays
+                    row[:] = (self._ends(leads, at + each) - now) / _PROBE[0]
             size = np.maximum(np.abs(now), 1e-9)
             away = np.real(np.conj(now / size) * slope).T  # of each end, by each window
             bounds = [(max(low - each, -region), min(high - each, region)) for each in at]
@@ -173,13 +173,6 @@ class LeadSearch:
                 region /= 2
             if gained < _LITTLE:
                 return
-
-    def _change(self, leads: TurnedLeads, at: Array, now: NDArray[np.complex128], by: Array) -> NDArray[np.complex128]:
-        """Change of the ends by that of a window, mm by rad; none where there is no room for it."""
-        try:
-            return np.asarray((self._ends(leads, at + by) - now) / by.sum())
-        except DesignError:
-            return np.zeros_like(now)
 
     def _ends(self, leads: TurnedLeads, windows: Array) -> NDArray[np.complex128]:
         """Position errors of all cars at their ends, mm, each after its trim if cars are trimmed."""

@@ -122,28 +122,24 @@ class TurnedLeads:
         for lead, window, by in zip(self._leads, windows, moved, strict=True):
             if abs(window) < 1e-9:
                 continue
-            start = lead.start - float(by)
+            start = (lead.start - float(by) + TURN) - TURN  # rounded, so that a turn later it is the same place
             row.level(start, 0.0)
             row.ramp(start, lead.rising, 0.0, float(window))
             if lead.falling:
                 row.level(lead.stop, float(window))
                 row.ramp(lead.stop, lead.falling, float(window), 0.0)
-            elif window > 0:
-                self._into_rise(row, lead, float(window))
+            elif window > 0:  # the fall goes on until it meets the rise after it
+                crossing = valley_crossing(self.lift, float(window), self._pairs, lead.fall)
+                blend = VALLEY_SHARE * float(window)
+                if crossing is None:
+                    raise _no_room(lead.stop)
+                row.level(crossing - blend - float(window), float(window))
+                row.skip(crossing + blend)
             else:
                 back = _FALLING * abs(float(window))
                 row.level(lead.stop - back, float(window))
                 row.ramp(lead.stop - back, back, float(window), 0.0)
         return row.closed(self.lift.blend_start) if row.begun else self.lift
-
-    def _into_rise(self, row: "_Row", lead: _Lead, window: float) -> None:
-        """Fall turned ahead until it meets the rise after it."""
-        crossing = valley_crossing(self.lift, window, self._pairs, lead.fall)
-        blend = VALLEY_SHARE * window
-        if crossing is None:
-            raise _no_room(lead.stop)
-        row.level(crossing - blend - window, window)
-        row.skip(crossing + blend)
 
     @cached_property
     def _pairs(self) -> Array:
@@ -251,7 +247,8 @@ class _Row:
         if stretch.min() < _STEEPEST / 2:
             raise _no_room(start)
         bent = (after - before) * bend / length**2
-        self._parts.append((x + before + (after - before) * share, _stretched(jets, stretch, bent)))
+        # In brackets, so that nodes of neighbouring stretches are equal to the last bit.
+        self._parts.append((x + (before + (after - before) * share), _stretched(jets, stretch, bent)))
         self._at = start + length
 
     def skip(self, stop: float) -> None:
@@ -262,7 +259,7 @@ class _Row:
         """Lift through the nodes, once round."""
         self.level(self._begin + TURN, 0.0)
         x, jets = (np.concatenate(part) for part in zip(*self._parts, strict=True))
-        return closed_lift(x, jets, blend_start)
+        return closed_lift(x - TURN * (self._begin // TURN), jets, blend_start)
 
 
 def _smooth_step(u: Array) -> tuple[Array, Array, Array]:

@@ -95,6 +95,20 @@ def test_the_lift_is_the_wanted_one_but_on_the_leads(carbon_free_car):
         leads.turned([20 * play, 20 * play])
 
 
+@pytest.mark.parametrize("name", ["carbon_free_car", "figure_eight"])
+def test_nodes_are_apart_or_one(name):
+    """Rounding makes no piece between two nodes that are one: its derivatives would be anything."""
+    design = load_design(name)
+    lift, follower = cam_model.lift(design, cam_model.track(design)), cam_model.leaning(design, "a test")
+    rng = np.random.default_rng(1)
+    for _ in range(20):
+        forces = Mechanics(follower=follower, friction=rng.uniform(0.05, 0.3))
+        leads = TurnedLeads(lift, follower, forces, np.radians(1.0), np.radians(-0.3))
+        windows, moved = rng.uniform(0.0, 1.0, leads.count), rng.uniform(-leads.later, leads.earlier)
+        steps = np.diff(leads.turned(np.radians(windows), 0.2 * moved).q.x)
+        assert np.all((steps == 0) | (steps > 1e-9))
+
+
 @pytest.mark.parametrize("friction", [0.05, 0.12, 0.2, 0.28])
 def test_ramps_leave_the_profile_a_radius(carbon_free_car, friction):
     """The envelope of the rod is trimmed nowhere that it was not."""
