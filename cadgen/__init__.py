@@ -68,6 +68,7 @@ _HOMES = {
     "Motion": "api.motion_cam",
     "Plan": "api.planning",
     "Planetary": "api.planetary",
+    "Rack": "api.rack",
     "Report": "api.views",
     "Roller": "api.motion_cam",
     "SetScrew": "parts.features",
@@ -112,6 +113,7 @@ if TYPE_CHECKING:
     )
     from cadgen.api.planetary import Planetary
     from cadgen.api.planning import Plan
+    from cadgen.api.rack import Rack
     from cadgen.api.runs import Comparison
     from cadgen.api.views import Editor, Report
     from cadgen.errors import CadgenError, CheckError, DesignError, FileError
@@ -147,6 +149,7 @@ __all__ = [
     "Motion",
     "Plan",
     "Planetary",
+    "Rack",
     "Report",
     "Roller",
     "SetScrew",

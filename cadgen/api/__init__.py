@@ -9,6 +9,7 @@
 | `drawing`  | drawings of cams and trains                                                |
 | `measured` | measured data, as files or as arrays                                       |
 | `gears`    | gears, pairs and trains by their numbers                                   |
+| `rack`     | racks by their numbers, alone and under a pinion                           |
 | `planetary` | planetary sets by their numbers                                          |
 | `calibration` | a judgement of measured data, and the design built from it              |
 | `adjustment` | settings after trial runs                                                |

@@ -15,6 +15,7 @@
 | `contact`      | contact ratio and undercut, by the formulas and found on the tooth curves       |
 | `inspection`   | span and size over pins, with their limits                                      |
 | `spur`         | spur gears as a stage: their checks in mesh, and their plain values             |
+| `rack`         | numbers of a rack -> its section; a pinion on it                                |
 | `planetary`    | sun, planets and ring: where planets fit, signed ratio, play at the output      |
 | `stage_kinds`  | the table of kinds of stages: a new one is a file beside `spur` and a line there |
 | `train`        | stages in a row, their play and return error (eq. 25-26); joints and bearings   |

@@ -22,7 +22,7 @@ from cadgen.gears.layout import TrainLayout
 from cadgen.gears.stage import Wheel
 from cadgen.gears.train import TrainPlay, WholePlay
 from cadgen.messages import Message, joined
-from cadgen.output.files.exports import GearExport, TrainExport
+from cadgen.output.files.exports import GearExport, RackExport, TrainExport
 from cadgen.output.files.publisher import Artifact, Written, folder_of, publish, refusal
 from cadgen.progress import Progress, silent
 
@@ -38,6 +38,7 @@ _TRAIN_FRAME = (
     "has its axis on z, a tooth on x and its lowest gear at z = 0; in the train it is turned over about x if so "
     "marked, turned by its angle about z and shifted to its axis and height"
 )
+_RACK_FRAME = "mm; the reference line is x at z = 0, the teeth point to y, and the width runs upwards along z"
 _GEAR_FRAME = "mm; the gear's axis is z, a tooth stands on x, and its lower face lies at z = 0"
 
 
@@ -206,6 +207,16 @@ def write_gear(
 
     wanted = GEAR.chosen(formats)
     return _published(f"{gear.name}_gear", GEAR, gear, wanted, facts, _GEAR_FRAME, out, progress)
+
+
+def write_rack(
+    rack: RackExport, facts: Facts, out: Path, progress: Progress, formats: str | Iterable[str] | None
+) -> Written:
+    """Write, read back, judge and publish the files of one rack; as `write_gear`."""
+    from cadgen.output.files.formats import RACK
+
+    wanted = RACK.chosen(formats)
+    return _published(f"{rack.name}_rack", RACK, rack, wanted, facts, _RACK_FRAME, out, progress)
 
 
 def _published(

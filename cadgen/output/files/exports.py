@@ -21,6 +21,7 @@ from cadgen.design.schema import Export
 from cadgen.errors import FileError
 from cadgen.figures import Facts, Figures
 from cadgen.gears.layout import TrainLayout, TrainPart
+from cadgen.gears.rack import RackForm
 from cadgen.gears.tooth import GearForm
 from cadgen.laws.motion import Motion
 from cadgen.messages import Message
@@ -294,6 +295,31 @@ class GearExport:
         description = f"{sort} gear of {self.form.teeth} teeth, module {self.form.normal_module:g} mm"
         colour = colour_of_shaft(self.shaft)
         return SolidPart(solid=body_solid(self.part.body), name=self.name, description=description, colour=colour)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class RackExport:
+    """Rack that is to be written, its reference line on x and its width upwards along z.
+
+    Attributes:
+        name: name of the rack and of its files, without their ending.
+        form: numbers of its teeth.
+        chord: greatest chord error of its mesh, mm.
+    """
+
+    name: str
+    form: RackForm
+    chord: float
+
+    def solid(self) -> SolidPart:
+        """The rack as a solid with name and colour."""
+        from cadgen.geometry.solids.gear_solids import colour_of_shaft
+        from cadgen.geometry.solids.kernel import SolidPart
+        from cadgen.geometry.solids.rack_solid import rack_solid
+
+        description = f"rack of {self.form.teeth} teeth, module {self.form.normal_module:g} mm"
+        colour = colour_of_shaft(2)
+        return SolidPart(solid=rack_solid(self.form), name=self.name, description=description, colour=colour)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -15,7 +15,7 @@ from cadgen.errors import CheckError, DesignError, brief
 from cadgen.figures import Facts
 from cadgen.messages import Message
 from cadgen.output.files.dxf import cam_dxf
-from cadgen.output.files.exports import CamExport, GearExport, GrooveExport, TrainExport
+from cadgen.output.files.exports import CamExport, GearExport, GrooveExport, RackExport, TrainExport
 from cadgen.output.files.groove import (
     groove_3mf,
     groove_dxf,
@@ -27,8 +27,8 @@ from cadgen.output.files.groove import (
 )
 from cadgen.output.files.nc import cam_programs
 from cadgen.output.files.publisher import Artifact
-from cadgen.output.files.step import cam_step, gear_step, train_step
-from cadgen.output.files.stl import cam_stl, gear_stl, train_stl
+from cadgen.output.files.step import cam_step, gear_step, rack_step, train_step
+from cadgen.output.files.stl import cam_stl, gear_stl, rack_stl, train_stl
 from cadgen.output.files.tables import cam_table, train_table
 from cadgen.output.files.threemf import cam_3mf
 from cadgen.output.files.xyz import cam_xyz
@@ -48,7 +48,7 @@ class Format:
     Attributes:
         code: ending of the files' names.
         label: name for people.
-        cam, groove, train, gear: function that writes such a part and reads it back; None where the format has none.
+        cam, groove, train, gear, rack: function that writes such a part and reads it back; None where there is none.
         finer: change of a design that makes its files finer, in words.
         kernel: whether it needs the CAD kernel, which takes far longer than all other formats.
     """
@@ -59,6 +59,7 @@ class Format:
     groove: Writer[GrooveExport] | None = None
     train: Writer[TrainExport] | None = None
     gear: Writer[GearExport] | None = None
+    rack: Writer[RackExport] | None = None
     finer: str = Message("report this design")
     kernel: bool = False
 
@@ -69,9 +70,25 @@ FORMATS = Registry(
     Message("format"),
     (
         Format(
-            code="step", label="STEP", cam=cam_step, groove=groove_step, train=train_step, gear=gear_step, kernel=True
+            code="step",
+            label="STEP",
+            cam=cam_step,
+            groove=groove_step,
+            train=train_step,
+            gear=gear_step,
+            rack=rack_step,
+            kernel=True,
         ),
-        Format(code="stl", label="STL", cam=cam_stl, groove=groove_stl, train=train_stl, gear=gear_stl, finer=_MESH),
+        Format(
+            code="stl",
+            label="STL",
+            cam=cam_stl,
+            groove=groove_stl,
+            train=train_stl,
+            gear=gear_stl,
+            rack=rack_stl,
+            finer=_MESH,
+        ),
         Format(code="3mf", label="3MF", cam=cam_3mf, groove=groove_3mf, finer=_MESH),
         Format(code="dxf", label="DXF", cam=cam_dxf, groove=groove_dxf, finer=_ARCS),
         Format(code="nc", label="G-code", cam=cam_programs, groove=groove_programs, finer=_ARCS),
@@ -88,7 +105,7 @@ class Offer(Generic[P]):
     """Formats that a sort of parts can be written in.
 
     Attributes:
-        part: sort of the parts: `cam`, `groove`, `train` or `gear`.
+        part: sort of the parts: `cam`, `groove`, `train`, `gear` or `rack`.
     """
 
     part: str
@@ -184,3 +201,4 @@ CAM: Offer[CamExport] = Offer("cam")
 GROOVE: Offer[GrooveExport] = Offer("groove")
 TRAIN: Offer[TrainExport] = Offer("train")
 GEAR: Offer[GearExport] = Offer("gear")
+RACK: Offer[RackExport] = Offer("rack")

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from cadgen.geometry.solids.kernel import SolidPart
     from cadgen.geometry.solids.step import PartContent
     from cadgen.geometry.solids.step_text import GearContent
-    from cadgen.output.files.exports import CamExport, GearExport, GrooveExport, TrainExport
+    from cadgen.output.files.exports import CamExport, GearExport, GrooveExport, RackExport, TrainExport
 
 # Greatest error of the lift due to a file, µm.
 LIFT_LIMIT_UM = 0.5
@@ -75,25 +75,39 @@ def whole_part(name: str, content: PartContent, cam: CamExport | GrooveExport) -
 
 def gear_step(gear: GearExport, folder: Path) -> list[Artifact]:
     """STEP file of a gear, which must be one valid solid with name and exact volume; its text has the exact teeth."""
-    from cadgen.geometry.solids.step import read_part, step_bytes
     from cadgen.geometry.solids.step_text import read_gear
 
-    file, solid = folder / f"{gear.name}.step", gear.solid()
+    file = folder / f"{gear.name}.step"
+    whole = _one_solid(file, gear.solid(), gear.part.volume)
+    teeth = tooth_artifact(file.name, read_gear(file, gear.part.gears, gear.part.starts))
+    return [replace(teeth, facts=teeth.facts | whole)]
+
+
+def rack_step(rack: RackExport, folder: Path) -> list[Artifact]:
+    """STEP file of a rack, which must be one valid solid with name and exact volume."""
+    file = folder / f"{rack.name}.step"
+    whole = _one_solid(file, rack.solid(), rack.form.area * rack.form.width)
+    return [Artifact(file.name, whole, (Message("one valid solid of the exact volume"),))]
+
+
+def _one_solid(file: Path, solid: SolidPart, exact: float) -> Facts:
+    """Write a solid, and require of it read back that it is one, valid, with its name and the exact volume, mm³."""
+    from cadgen.geometry.solids.step import read_part, step_bytes
+
     file.write_bytes(step_bytes(solid))
     again = read_part(file)
-    named = (again.name, again.description) == (gear.name, solid.description)
+    named = (again.name, again.description) == (solid.name, solid.description)
     if not (again.valid and again.bodies == 1 and named):
         raise FileError(
             "{file}, read back, is not one valid solid with its name: report this gear",
             file=file.name,
         )
-    error = abs(again.volume / gear.part.volume - 1)
+    error = abs(again.volume / exact - 1)
     if not error <= VOLUME_LIMIT:
         raise FileError(
             "{file}, read back, misses the exact volume by {error:.1e}: report this gear", file=file.name, error=error
         )
-    teeth = tooth_artifact(file.name, read_gear(file, gear.part.gears, gear.part.starts))
-    return [replace(teeth, facts=teeth.facts | Facts(volume_mm3=again.volume, volume_error_relative=error))]
+    return Facts(volume_mm3=again.volume, volume_error_relative=error)
 
 
 def require_few_teeth(train: TrainExport, others: Iterable[str]) -> None:

@@ -21,7 +21,7 @@ from cadgen.output.files.publisher import Artifact, read_file, require
 
 if TYPE_CHECKING:
     from cadgen.geometry.meshes.content import MeshContent
-    from cadgen.output.files.exports import CamExport, GearExport, GrooveExport, TrainExport
+    from cadgen.output.files.exports import CamExport, GearExport, GrooveExport, RackExport, TrainExport
 
 _HEADER = 80
 _RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
@@ -86,6 +86,15 @@ def train_stl(train: TrainExport, folder: Path) -> Iterator[Artifact]:
         yield _part_stl(part, folder, f"{train.stem}_{part.name}", chord)
 
 
+def rack_stl(rack: RackExport, folder: Path) -> Iterator[Artifact]:
+    """STL file of a rack, which must be one watertight body of the exact volume within chord times wall area."""
+    from cadgen.geometry.meshes.mesh import rack_mesh
+
+    name, form = f"{rack.name}.stl", rack.form
+    (folder / name).write_bytes(stl_bytes(rack_mesh(form, rack.chord), rack.name))
+    yield _judged_body(name, read_stl(folder / name), form.area * form.width, rack.chord)
+
+
 def _part_stl(part: TrainPart, folder: Path, stem: str, chord: float) -> Artifact:
     from cadgen.geometry.meshes.mesh import body_mesh
 
@@ -106,16 +115,21 @@ def part_artifact(name: str, again: Mesh, part: TrainPart, chord: float) -> Arti
     Raises:
         FileError: it is something else.
     """
+    return _judged_body(name, again, part.volume, chord)
+
+
+def _judged_body(name: str, again: Mesh, exact: float, chord: float) -> Artifact:
+    """Require of a mesh that it is one closed body of the exact volume, mm³, within chord, mm, times wall area."""
     solid = again.solid()
     require(len(solid.decompose()) == 1, name, Message("is not one body"))
     corners = again.vertices[again.triangles]
     across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     area = np.linalg.norm(across, axis=1) / 2
     walls = float(area[np.abs(across[:, 2]) < area].sum())
-    error = abs(solid.volume() - part.volume)
+    error = abs(solid.volume() - exact)
     require(error <= chord * walls, name, Message("misses the exact volume by {error:.3g} mm³", error=error))
     count = len(again.triangles)
-    facts = Facts(triangles=count, watertight=True, chord_um=chord * 1e3, volume_error_relative=error / part.volume)
+    facts = Facts(triangles=count, watertight=True, chord_um=chord * 1e3, volume_error_relative=error / exact)
     return Artifact(name, facts, (Message("watertight, {count} triangles", count=count),))
 
 
