@@ -318,7 +318,7 @@ def test_units_of_the_head_count(tmp_path, head, stated, factors, unit):
 def test_another_unit_than_that_of_the_head_is_refused(tmp_path):
     file = tmp_path / "lobe.csv"
     file.write_text("angle,lift [mm]\n2,1.5\n", encoding="utf-16")
-    with pytest.raises(DesignError, match=r'is in mm by its first lines, and motion.table_unit is "inch": remove'):
+    with pytest.raises(DesignError, match=r'is "mm" by its first lines, and motion.table_unit is "inch": remove'):
         read_rows(file, "inch")
 
 

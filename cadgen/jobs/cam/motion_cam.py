@@ -45,7 +45,7 @@ _DENSE = 7201  # stations at which the travel is sought
 
 
 @dataclass(frozen=True)
-class SegmentUse(Application):
+class MotionUse(Application):
     """Application of a cam by its motion, of which a design says the sense and the speed.
 
     Attributes:
@@ -275,7 +275,7 @@ def _disc(design: MotionDesign, kind: ProfileKind, motion: Motion, follower: Fol
     progress("checking the profile")
     rolling = kind.rolling(follower)
     checks = check_cam(motion, rolling, wanted.curve, wanted.trims, blank, limits, application=signed_pressure)
-    use = SegmentUse(design)
+    use = MotionUse(design)
     return CamPlan(
         origin=Origin.of(design),
         kind=kind,
