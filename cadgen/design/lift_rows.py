@@ -110,8 +110,8 @@ def _in_their_units(
     turn = angle[1] if angle is not None and angle[0] == "deg" else 1.0
     if lift is not None and stated is not None and lift != _STATED.get(stated, lift):
         raise DesignError(
-            'the unit of the lift in {name} is "{unit}" by its first lines, and motion.table_unit is "{stated}": remove '
-            "motion.table_unit (on the command line with --set motion.table_unit=)",
+            'the unit of the lift in {name} is "{unit}" by its first lines, and motion.table_unit is "{stated}": '
+            "remove motion.table_unit (on the command line with --set motion.table_unit=)",
             name=name,
             unit=heading(cells[1]).unit,
             stated=stated,
