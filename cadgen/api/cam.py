@@ -159,7 +159,7 @@ class Extremes:
 
 @dataclass(frozen=True, repr=False)
 class FollowerForces:
-    """CamForces on a follower and its camshaft, in N and mm; of a swinging follower moments, N mm.
+    """Forces on a follower and its camshaft, in N and mm; of a swinging follower moments, N mm.
 
     Attributes:
         computed: forces as functions of the motion.
@@ -356,7 +356,7 @@ class Cam(CamPlan, JobResult):
         load: float = 0.0,
         damping: float = 0.0,
     ) -> FollowerForces:
-        """CamForces on follower, spring and camshaft, without weight and friction, which `[dynamics]` has, too.
+        """Forces on follower, spring and camshaft, without weight and friction, which `[dynamics]` has, too.
 
         Args:
             rpm: speed of the camshaft, rev/min.
