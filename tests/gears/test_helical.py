@@ -238,3 +238,26 @@ def test_play_of_a_helical_pair_is_that_of_its_transverse_section():
         arcs += pitch * half
     whole = 2 * pi * apart / 54
     assert meshing.backlash().pitch == pytest.approx(whole - arcs, abs=1e-12)
+
+
+def test_sdp_si_chordal_thickness():
+    """SDP/SI D785, tables 10-1 and 10-3: m 10 z 12 x 0.3; m_n 5 z 16 β 25° x 0.2, on the virtual gear."""
+    spur = gear(12, 10.0, 20.0, shift=0.3)
+    half = spur.tooth_thickness / spur.reference_diameter
+    assert spur.reference_diameter * sin(half) == pytest.approx(17.8256, abs=5e-5)
+    height = spur.tip_diameter / 2 - spur.reference_diameter / 2 * cos(half)
+    assert height == pytest.approx(13.6657, abs=5e-5)
+    helical = gear(16, 5.0, 20.0, 25.0, 0.2)
+    virtual = 16 / cos(radians(25)) ** 3 * 5.0
+    half = helical.tooth_thickness * cos(radians(25)) / virtual
+    assert virtual * sin(half) == pytest.approx(8.5728, abs=5e-5)
+    height = (helical.tip_diameter - helical.reference_diameter) / 2 + virtual / 2 * (1 - cos(half))
+    assert height == pytest.approx(6.1712, abs=5e-5)
+
+
+def test_shifted_spur_pairs_of_other_programs():
+    """bolsover.com: m 3, 12/24 at 56.5, Σx 0.96; hanslhansl/din3990: m 4, 19/104, x 0.5/0.15."""
+    meshing = pair_of(gear(12, 3.0, shift=0.6), gear(24, 3.0, shift=0.36), 56.5)
+    assert degrees(meshing.working_pressure_angle) == pytest.approx(26.0888, abs=5e-5)
+    assert meshing.zero_backlash_centre_distance == pytest.approx(56.5, abs=2e-4)
+    assert closest(gear(19, 4.0, shift=0.5), gear(104, 4.0, shift=0.15)) == pytest.approx(248.506843355171, abs=1e-11)

@@ -60,7 +60,7 @@ if TYPE_CHECKING:
 FLANK_TOLERANCE = 0.5e-6
 ROOT_TOLERANCE = 5e-6
 # Roots of helical gears smaller than this, in mm of radius, are fitted more finely.
-SMALL_RADIUS = 10.0
+SMALL_RADIUS = 16.0
 # Poles are rounded to this many decimals of a mm, 5e-6 µm: far below the fit, and it keeps noise digits out
 # of a STEP file.
 DECIMALS = 8
