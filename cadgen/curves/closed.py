@@ -248,7 +248,9 @@ class ByAngle:
             jet = piece.jet(guess)
             rate = cross(jet.point, jet.velocity) / np.sum(jet.point**2, axis=1)
             miss = (polar_angle(jet.point) - target + np.pi) % TURN - np.pi
-            before, guess = guess, np.clip(guess - miss / rate, piece.start, piece.stop)
+            # At a cusp the piece stands still, and so does the search.
+            step = np.divide(miss, rate, out=np.zeros_like(miss), where=rate != 0)
+            before, guess = guess, np.clip(guess - step, piece.start, piece.stop)
             if np.array_equal(guess, before):
                 break
         return np.asarray(guess)

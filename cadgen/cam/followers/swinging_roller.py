@@ -84,8 +84,8 @@ class SwingingRoller(RoundFollower):
 
     @property
     def reach(self) -> float:
-        """Greatest distance of a point of the roller from its line, mm."""
-        return self.radius + 2 * self.arm
+        """Width that carries it at any one cam angle, mm; where that lies, `sector` says."""
+        return 2 * self.radius
 
     def _on_ray(self, delta: Array) -> Complex:
         """Centre in the frame of the ray, mm, by angles of the arm, rad."""

@@ -86,12 +86,12 @@ class MotionUse(Application):
                 yield [(f"{size.key}={size.value:.10g}", f"{size.now:g}")]
 
     def forces(self, cam: CamPlan) -> CamForces | None:
-        """Forces on the follower and its camshaft; None without [dynamics].
+        """Forces on the follower and its camshaft; None without [dynamics], and of a second disc or an outer flank.
 
         Args:
             cam: cam that was computed.
         """
-        return forces_of(self.design, cam.motion, cam.follower_as_built)
+        return None if cam.part else forces_of(self.design, cam.motion, cam.follower_as_built)
 
     def figures(self, cam: CamPlan) -> tuple[Check, ...]:
         """Greatest velocity, acceleration and jerk of the follower, and its forces."""
