@@ -2,10 +2,14 @@
 
 import re
 
+import manifold3d
+import numpy as np
 import pytest
 
 from cadgen import Design, Gear, GearPair
 from cadgen.errors import DesignError
+from cadgen.geometry.meshes.teeth import section_of
+from cadgen.viewer.page.turning_train import turning_train
 
 RING = """
 [train]
@@ -120,3 +124,23 @@ def test_gears_from_python(tmp_path):
     ring.write(tmp_path, formats=["step"])
     with pytest.raises(DesignError, match="rim is given, which a ring has"):
         Gear(teeth=18, module=1, width=8, rim=4)
+
+
+def test_a_ring_turns_with_its_pinion_on_the_page():
+    """Parts at motor position 0 touch and do not overlap: pushed from one side, a little more from there overlaps."""
+    first = "[[train.stages]]\ndriver = { teeth = 20 }\ndriven = { teeth = 40 }\n\n[[train.stages]]"
+    layout = design(RING.replace("[[train.stages]]", first)).gears().layout
+    drive, middle, outer = turning_train(layout, 0.0, 0.0, 1).parts
+    assert [drive.rate, middle.rate, outer.rate] == pytest.approx([6.0, -3.0, -1.0])
+
+    def placed(wheel, turning, more=0.0):
+        corners = section_of(wheel, 1e-5).corners.ravel()
+        corners = np.conj(corners)[::-1] if turning.part.flipped else corners
+        corners = corners * np.exp(1j * (turning.angle + more)) + turning.axis
+        return manifold3d.CrossSection([np.column_stack([corners.real, corners.imag])])
+
+    ring, pinion = outer.part.gears[0], middle.part.gears[1]
+    pushed = [(placed(pinion, middle, more) - placed(ring, outer)).area() for more in (-1e-3, 0.0, 1e-3)]
+    assert pushed[1] < 1e-6
+    assert max(pushed[0], pushed[2]) > 1e-3
+    assert min(pushed[0], pushed[2]) < 1e-6

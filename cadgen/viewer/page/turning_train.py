@@ -12,7 +12,7 @@ The drive stands ahead by as much as makes the lead of the output 0 at u = 0.
 
 from dataclasses import dataclass
 from functools import lru_cache
-from math import pi, sqrt
+from math import pi, prod, sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -133,7 +133,8 @@ def turning_train(layout: TrainLayout, behind: float, plane: float, side: int) -
     ratios = [float(stage.ratio) for stage in stages]
     frees = [stage.free_angle() for stage in stages]
     turns = [float(np.prod(ratios[number:])) for number in range(len(parts))]
-    senses = [-1.0 if (len(stages) - number) % 2 == 0 else 1.0 for number in range(len(parts))]
+    # A ring and its pinion turn the same way; gears side by side turn the sense round.
+    senses = [-float(prod(stage.sense for stage in stages[number:])) for number in range(len(parts))]
     play = sum(free / turned for free, turned in zip(frees, turns[1:], strict=True))
     # Middle of the play: the output's own x axis is the cam's, and what drives it stands as the meshes ask.
     middles = [part.angle + turn for part in parts]
@@ -142,7 +143,7 @@ def turning_train(layout: TrainLayout, behind: float, plane: float, side: int) -
     for number in range(len(parts) - 1, -1, -1):
         angles[number] = middles[number] + shift
         if number:
-            shift *= -ratios[number - 1]
+            shift *= stages[number - 1].sense * ratios[number - 1]
     ahead, lead = turns[0] * play / 2, 0.0
     leads = [0.0]
     for number, (ratio, free) in enumerate(zip(ratios, frees, strict=True)):
