@@ -31,6 +31,15 @@ def cam_facts(plan: CamPlan, cures: Cures) -> Facts:
     )
     if plan.second is not None:
         facts |= Facts(second_disc=Facts(stem=plan.second.stem, profile_area_mm2=plan.second.area))
+    if plan.groove is not None:
+        facts |= Facts(
+            groove=Facts(
+                width_mm=2 * plan.follower_as_built.radius,
+                depth_mm=plan.groove.depth,
+                outside_diameter_mm=2 * plan.groove.outside_radius,
+                outer_flank_area_mm2=plan.groove.outer.area,
+            )
+        )
     return plan.origin.entry() | facts | plan.application.entry(plan)
 
 
