@@ -8,7 +8,7 @@
 | `straight_follower` | followers with a straight face: their envelope in closed form                |
 | `envelope`       | the actual profile: exact envelope of a follower over its planes, trimmed       |
 | `lowest`         | which branch of the envelope is the lowest, with rounding kept out              |
-| `opposite`       | opposite of a motion, for the second follower of a conjugate pair               |
+| `derived_motions`| opposite of a motion, of a second follower; tangent of a steering angle         |
 | `contact`        | a follower rolled on any outline: the lift it gives (shares no code with those) |
 | `difference`     | how far two outlines lift the follower apart                                    |
 | `limits`         | what the checks allow; textbook limits of the pressure angle, by name           |

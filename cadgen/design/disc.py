@@ -1,15 +1,22 @@
 """The disc of a design with [motion]: its base circle, given or found for a pressure angle, and its thickness."""
 
+from dataclasses import replace
 from functools import lru_cache
 from math import ceil, radians
+from typing import TYPE_CHECKING
 
 from pydantic import Field, model_validator
 
+from cadgen.cam.followers.kind import FollowerKind
 from cadgen.design.follower import FollowerSection
 from cadgen.design.motion import MotionSection, motion_of
 from cadgen.design.section import DesignSection
 from cadgen.errors import DesignError
+from cadgen.laws.unit import RAD, TAN
 from cadgen.messages import Message
+
+if TYPE_CHECKING:
+    from cadgen.laws.motion import Motion
 
 _ROLLED = 1e-5  # rad; what the pressure angle of a rolled contact may err by, so that a limit that is asked for is kept
 _ROUNDED = 1e4  # parts of a millimetre to which a base circle that is found is rounded up
@@ -28,6 +35,12 @@ class MotionCam(DesignSection):
         description="of a roller or knife edge on a slide, instead of the radius: greatest pressure angle, for which "
         "the least base circle is taken",
     )
+    base_radius_mm: float | None = Field(
+        default=None, gt=0, le=500, description="of a rod, instead of the radius: a, camshaft to fork axis"
+    )
+    inner_face_mm: float | None = Field(
+        default=None, gt=0, le=500, description="of a rod, fork axis to the disc's nearer face"
+    )
     thickness_mm: float = Field(ge=0.1, le=100, description="between the disc's faces")
     outside_diameter_mm: float | None = Field(
         default=None,
@@ -38,23 +51,55 @@ class MotionCam(DesignSection):
 
     @model_validator(mode="after")
     def _base_circle_is_fixed_once(self) -> "MotionCam":
-        if (self.base_circle_radius_mm is None) == (self.pressure_angle_deg is None):
+        names = ("base_circle_radius_mm", "pressure_angle_deg", "base_radius_mm")
+        given = [name for name in names if getattr(self, name) is not None]
+        if not given:
             raise ValueError(
                 Message(
                     "cam.base_circle_radius_mm is missing: add it, or cam.pressure_angle_deg, for which the least is "
                     "taken"
                 )
-                if self.pressure_angle_deg is None
-                else Message(
-                    "cam.base_circle_radius_mm and cam.pressure_angle_deg both fix the base circle: remove one of them"
+            )
+        if len(given) > 1:
+            raise ValueError(
+                Message(
+                    "cam.{one} and cam.{other} both fix the base circle: remove one of them",
+                    one=given[0],
+                    other=given[1],
+                )
+            )
+        if (self.base_radius_mm is None) != (self.inner_face_mm is None):
+            raise ValueError(
+                Message(
+                    "cam.base_radius_mm and cam.inner_face_mm are the place of a disc under a rod, and one of them is "
+                    "missing: add it, or remove the other"
                 )
             )
         return self
 
     @property
     def faces_mm(self) -> tuple[float, float]:
-        """Heights of the disc's faces."""
-        return 0.0, self.thickness_mm
+        """Heights of the disc's faces; under a rod their distances from the fork axis."""
+        inner = self.inner_face_mm or 0.0
+        return inner, inner + self.thickness_mm
+
+
+def follower_motion(section: MotionSection, kind: FollowerKind) -> "Motion":
+    """Motion of a design in the follower's unit: of a rod the tangent of the steering angle that the section gives.
+
+    Args:
+        section: section [motion].
+        kind: kind of the follower.
+
+    Raises:
+        ValueError: as `motion_of`.
+        DesignError: as `motion_of`.
+    """
+    if kind.unit != TAN:
+        return motion_of(section, kind)
+    from cadgen.cam.derived_motions import TangentMotion
+
+    return TangentMotion.of(motion_of(section, replace(kind, unit=RAD)))
 
 
 @lru_cache(maxsize=64)  # a design is asked for its seat again and again
@@ -69,8 +114,8 @@ def base_circle_radius(cam: MotionCam, motion: MotionSection, follower: Follower
     Raises:
         ValueError: the kind of the follower has no such radius, or it is smaller than nothing.
     """
-    if cam.base_circle_radius_mm is not None:
-        return cam.base_circle_radius_mm
+    if (radius := cam.base_circle_radius_mm or cam.base_radius_mm) is not None:
+        return radius
     assert cam.pressure_angle_deg is not None
     kind = follower.registered
     if kind.least_base is None:

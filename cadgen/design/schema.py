@@ -25,12 +25,12 @@ from cadgen.car.course.layout import Side
 from cadgen.design.as_built import AsBuiltSection
 from cadgen.design.blank import BlankSection
 from cadgen.design.course import CourseSection, OutlineSection
-from cadgen.design.disc import MotionCam, base_circle_radius
+from cadgen.design.disc import MotionCam, base_circle_radius, follower_motion
 from cadgen.design.dynamics import DynamicsSection
 from cadgen.design.file_names import name_fault
 from cadgen.design.follower import FOLLOWER, FollowerSection, fitting_kinds
 from cadgen.design.machining import DrawingText, Machining
-from cadgen.design.motion import MotionSection, motion_of
+from cadgen.design.motion import MotionSection
 from cadgen.design.path import PATH, PathSection
 from cadgen.design.play import MechanicsSection, Optimize, PlaySection, TolerancesSection
 from cadgen.design.section import WORD, DesignSection, Point, Points, Size, listed
@@ -339,16 +339,30 @@ class DiscFile(TrainFile):
     @model_validator(mode="after")
     def _follower_fits_the_disc(self) -> "DiscFile":
         kind, moved = self.follower.registered, self.motion is not None
-        if moved == (kind.unit == TAN):
+        on_fork = isinstance(self.cam, CamSection) or self.cam.base_radius_mm is not None
+        if moved and on_fork != (kind.unit == TAN):
+            raise ValueError(
+                Message(
+                    'follower.kind is "{code}", which leans with a fork: give cam.base_radius_mm and cam.inner_face_mm '
+                    "instead of cam.base_circle_radius_mm, or set follower.kind to {fitting}",
+                    code=kind.code,
+                    fitting=fitting_kinds(moved=True),
+                )
+                if kind.unit == TAN
+                else Message(
+                    'cam.base_radius_mm is of a rod, and follower.kind is "{code}": give cam.base_circle_radius_mm, '
+                    "and remove cam.inner_face_mm",
+                    code=kind.code,
+                )
+            )
+        if not moved and kind.unit != TAN:
             raise ValueError(
                 Message(
                     'follower.kind is "{code}", which {does}: set follower.kind to {fitting}, or give {give}',
                     code=kind.code,
-                    does=Message("follows the steering of a car" if moved else "moves by its lift"),
-                    fitting=fitting_kinds(moved=moved),
-                    give=Message(
-                        "[path] and [car] instead of [motion]" if moved else "[motion] instead of [path] and [car]"
-                    ),
+                    does=Message("moves by its lift"),
+                    fitting=fitting_kinds(moved=False),
+                    give=Message("[motion] instead of [path] and [car]"),
                 )
             )
         kind.refuse(self.follower.keys, self.seat)
@@ -508,7 +522,7 @@ class MotionFile(DiscFile):
     @model_validator(mode="after")
     def _motion_fits_the_follower(self) -> "MotionFile":
         try:
-            motion_of(self.motion, self.follower.registered)
+            follower_motion(self.motion, self.follower.registered)
             if self.dynamics is not None:
                 self.dynamics.refuse(self.follower.registered, self.follower.keys, self.cam.thickness_mm)
         except DesignError as error:

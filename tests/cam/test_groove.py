@@ -9,13 +9,13 @@ from build123d import GeomType, import_step
 
 from cadgen import Design
 from cadgen.arrays import TURN
+from cadgen.cam.derived_motions import OppositeMotion
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.followers.groove import GrooveRollers
 from cadgen.cam.followers.lifts import Lifts
 from cadgen.cam.followers.roller import Roller
 from cadgen.cam.followers.swinging_roller import SwingingRoller
 from cadgen.cam.loss import lost_lift
-from cadgen.cam.opposite import OppositeMotion
 from cadgen.curves.biarc import arcs
 from cadgen.curves.derived import parallel
 from cadgen.errors import CheckError, DesignError

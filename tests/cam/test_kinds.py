@@ -27,7 +27,7 @@ from cadgen.errors import DesignError
 from cadgen.jobs.cam.motion_cam import plan_motion_cam
 from cadgen.laws.segments import MotionSpan, SegmentMotion
 from cadgen.laws.table import has, law_of
-from cadgen.laws.unit import MM
+from cadgen.laws.unit import MM, RAD
 from cadgen.viewer.page.scene import section_of
 
 DATA = Path(__file__).parents[1] / "data/cams"
@@ -392,3 +392,33 @@ def test_files_keep_the_motion(name, tmp_path):
     print(errors)
     for file, error in errors.items():
         assert error <= (1.0 if file.endswith((".dxf", ".nc")) else 5.0 if file.endswith((".stl", ".3mf")) else 0.05)
+
+
+ROD = toml("rodcam", "rod", {"radius_mm": 3.0}, SWUNG, 70.0, 3.0).replace(
+    "base_circle_radius_mm = 70.0", "base_radius_mm = 70.0\ninner_face_mm = 23.5"
+)
+
+
+def test_a_rod_takes_a_motion_in_degrees_of_steering():
+    """Let down on its disc, by the ellipse in each face (decision 11), it steers by the angle that the motion gives."""
+    cam = Design.from_toml(ROD).cam()
+    assert cam.passed
+    plan = cam.computed
+    disc = plan.curve.outline(0.004).points @ [1, 1j]
+    angle = motion(
+        RAD,
+        tuple(
+            (s.get("in_deg") or s["dwell_deg"], s.get("to_deg", h), s.get("law"))
+            for s, h in zip(SWUNG, (0, 14, 0, 0), strict=True)
+        ),
+    )
+    for theta in np.linspace(0.1, TURN, 16):
+        p = disc * np.exp(-1j * theta)
+        under = np.abs(p.imag) < 3.0
+        u, h = p.real[under] - 70.0, np.sqrt(9.0 - p.imag[under] ** 2)
+        steered = [((w * u + h * np.sqrt(u**2 + w**2 - h**2)) / (w**2 - h**2)).max() for w in (23.5, 26.5)]
+        assert np.degrees(np.arctan(max(steered)) - angle.q(theta)) == pytest.approx(0.0, abs=5e-6)  # 2 nm of lift
+    with pytest.raises(DesignError, match="are the place of a disc under a rod, and one of them is missing"):
+        Design.from_toml(ROD.replace("inner_face_mm = 23.5\n", ""))
+    with pytest.raises(DesignError, match=r"cam\.base_radius_mm is of a rod, and follower\.kind is"):
+        Design.from_toml(ROD.replace('"rod"', '"roller"').replace("to_deg", "to_mm"))

@@ -151,7 +151,10 @@ def loaded(changes=()):
         ("motion.segments=[]", "motion says nothing of the lift: add one of motion.segments, motion.points, motion.ha"),
         ("motion.segments=", "motion says nothing of the lift: add one of motion.segments, motion.points, motion.har"),
         ("motion.turns=", 'motion.turns is missing: add it, "clockwise" or "counterclockwise"'),
-        ("follower={kind='rod', radius_mm=3}", 'follower.kind is "rod", which follows the steering of a car'),
+        (
+            "follower={kind='rod', radius_mm=3}",
+            'follower.kind is "rod", which leans with a fork: give cam.base_radius_mm',
+        ),
         ("follower={radius_mm=3}", "follower.kind is missing, and the design has [motion]: add it to the section"),
         ("follower=", "follower.kind is missing, and the design has [motion]: add it to the section"),
         (
@@ -159,7 +162,10 @@ def loaded(changes=()):
             '--set follower.kind=rollr: follower.kind is "rollr"; it must be "roller", "knife", ',
         ),
         ("blank.edge_break_mm=4.99", "leave no land of at least 0.1 mm for the follower"),
-        ("cam.base_radius_mm=70", "cam.base_radius_mm is not a key: did you mean cam.base_circle_radius_mm?"),
+        (
+            "cam.base_radius_mm=70",
+            "cam.base_circle_radius_mm and cam.base_radius_mm both fix the base circle: remove one",
+        ),
         ("follower.offset_mm=50", "follower.offset_mm is 50; its size must be less than the prime radius of 41 mm"),
     ],
 )

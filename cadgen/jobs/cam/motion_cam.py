@@ -9,15 +9,16 @@ import numpy as np
 
 from cadgen.arrays import TURN
 from cadgen.cam.checks import LOST_LIFT, cam_angles, check_cam, signed_pressure
+from cadgen.cam.derived_motions import OppositeMotion
 from cadgen.cam.follower import Follower
 from cadgen.cam.followers.groove import GrooveRollers, groove_checks
 from cadgen.cam.forces import CamForces
-from cadgen.cam.opposite import OppositeMotion
 from cadgen.car.against_play.profile_kinds import ACTUAL, ProfileKind, profile_of
 from cadgen.check import Check, CheckCode, failing
 from cadgen.design import cam_model
+from cadgen.design.disc import follower_motion
 from cadgen.design.load import with_overrides
-from cadgen.design.motion import DiscSense, motion_of
+from cadgen.design.motion import DiscSense
 from cadgen.design.schema import MotionDesign
 from cadgen.errors import DesignError
 from cadgen.figures import Facts, Sheet
@@ -25,7 +26,7 @@ from cadgen.jobs.cam.cam_plan import Application, CamPlan, Groove, Making
 from cadgen.jobs.cam.force_figures import force_checks, force_facts, force_figures, forces_of
 from cadgen.jobs.cam.motion_figures import checks_of, facts_of, notes_of, reservations_of, seams_sheets
 from cadgen.laws.motion import Motion
-from cadgen.laws.unit import MM
+from cadgen.laws.unit import MM, TAN
 from cadgen.messages import Message, clauses
 from cadgen.output.files.manifest import Origin
 from cadgen.parts.blank import PROFILE_STEP
@@ -119,7 +120,8 @@ class MotionUse(Application):
         if cam.motion.unit == MM:
             said = Message("a {follower} that moves {travel:.4g} mm", follower=follower, travel=float(np.ptp(q)))
         else:
-            said = Message("a {follower} that swings {swing:.4g}°", follower=follower, swing=degrees(np.ptp(q)))
+            angle = np.arctan(q) if cam.motion.unit == TAN else q
+            said = Message("a {follower} that swings {swing:.4g}°", follower=follower, swing=degrees(np.ptp(angle)))
         return said if self.rpm is None else clauses(said, Message("at {speed:g} rev/min", speed=self.rpm))
 
     def verdict(self, cam: CamPlan) -> PartVerdict:
@@ -187,7 +189,7 @@ def plan_motion_cam(design: MotionDesign, profile: str | None = None, progress: 
             profile=kind.code,
         )
     registered, keys = design.follower.registered, design.follower.keys
-    motion = motion_of(design.motion, registered)
+    motion = follower_motion(design.motion, registered)
     groove, counter = registered.groove(keys, design.seat), registered.second(keys, design.seat)
     if groove is not None and not kind.by_axis:
         return _grooved(design, kind, motion, groove, progress)

@@ -17,7 +17,7 @@ from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.cures import Cures, find_cures
 from cadgen.jobs.cam.motion_cam import plan_motion_cam
 from cadgen.jobs.gears.gear_train import GearTrain, plan_gears
-from cadgen.laws.unit import MM
+from cadgen.laws.unit import MM, TAN
 from cadgen.messages import Message
 from cadgen.progress import Progress, silent
 from cadgen.verdict import Readiness
@@ -127,7 +127,8 @@ class PagePlan:
 
     def results(self) -> tuple[tuple[str, Cell], ...]:
         """Figures at the top of what the cam is for, by name: travel and steepest place."""
-        travel = float(np.ptp(self.cam.motion.q(np.linspace(0.0, TURN, STATIONS + 1))))
+        q = self.cam.motion.q(np.linspace(0.0, TURN, STATIONS + 1))
+        travel = float(np.ptp(np.arctan(q) if self.cam.motion.unit == TAN else q))
         angles = [
             check
             for check in self.cam.checks

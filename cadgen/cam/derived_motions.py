@@ -1,12 +1,16 @@
-"""Opposite of a motion: what a second follower does that goes in as far as the first one goes out."""
+"""Motions made of another one: its opposite, of a second follower, and the tangent of a steering angle, of a rod."""
 
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Self
 
+import numpy as np
 from scipy.interpolate import PPoly
 
 from cadgen.arrays import Array
+from cadgen.curves.piecewise import quintic_hermite
 from cadgen.laws.motion import Motion
+from cadgen.laws.unit import TAN
 from cadgen.messages import Message
 
 
@@ -85,3 +89,53 @@ class OppositeMotion(Motion):
             return super().extrema()
         peaks, valleys = self.first.extrema()
         return valleys, peaks
+
+
+_PARTS = 16  # of each piece: the tangent of a swing of 30 degrees then errs by less than 1e-10
+
+
+@dataclass(frozen=True)
+class TangentMotion(Motion):
+    """Motion tan(beta) of a fork whose steering angle is the motion beta.
+
+    Attributes:
+        angle: motion beta, rad.
+    """
+
+    angle: Motion | None = None
+
+    @classmethod
+    def of(cls, angle: Motion) -> Self:
+        """Tangent of a steering angle.
+
+        Args:
+            angle: steering angle by cam angle, rad.
+        """
+        x, c = angle.q.x, angle.q.c
+        share = np.linspace(0.0, 1.0, _PARTS + 1)
+        thetas, jets = [], []
+        for number, (start, stop) in enumerate(pairwise(x.tolist())):
+            at = share * (stop - start)
+            # Each piece by its own polynomial: at a seam both sides keep their own derivatives.
+            beta, rate, bend = (np.polyval(np.polyder(c[:, number], order), at) for order in range(3))
+            tangent = np.tan(beta)
+            steep = 1 + tangent**2
+            thetas.append(start + at)
+            jets.append(np.stack([tangent, steep * rate, steep * (bend + 2 * tangent * rate**2)], axis=1))
+        theta = np.concatenate(thetas)
+        theta[-1] = x[-1]
+        curve = quintic_hermite(theta, np.concatenate(jets), periodic=True)
+        return cls(curve, angle.kinks, unit=TAN, angle=angle)
+
+    def softer(self, cam_angle: float, key: str = "") -> str:
+        """Advice that makes the motion milder at a cam angle, as part of a sentence.
+
+        Args:
+            cam_angle: cam angle, rad.
+            key: key of the design file that shapes the motion; left out of the advice if empty.
+        """
+        return super().softer(cam_angle, key) if self.angle is None else self.angle.softer(cam_angle, key)
+
+    def extrema(self) -> tuple[Array, Array]:
+        """Cam angles of the peaks and of the valleys, rad: those of the steering angle."""
+        return super().extrema() if self.angle is None else self.angle.extrema()
