@@ -261,8 +261,8 @@ def page(seed: int, cases: int, found: dict[tuple[int, str], dict[str, Any]]) ->
             for name, one in bands.items()
         ),
         "",
-        "The searches go by the program's own chain, on a quarter of these cars and judged on all, over windows of "
-        "-0.3 to 1° for the leads at frictions of 0.06 and 0.15.",
+        "The searches go by the program's own chain, on a quarter or a third of these cars and judged on all, over "
+        "windows of -0.3 to 1° for the leads at two or three frictions.",
     ]
     return "\n".join(lines)
 

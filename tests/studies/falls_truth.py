@@ -14,6 +14,7 @@ from scipy.interpolate import CubicSpline
 from tests.car.running.friction_truth import TURN, Cells, Rod, fitting_cells, steering
 from tests.studies import draws_truth
 
+DENSE = 14_400  # points of the spline through those of a file
 ROLLED = 7200  # cam angles of a turn at which the rod is rolled
 TRIM_PROBE = 1e-4
 TRIM_STEPS = 4
@@ -39,8 +40,11 @@ class Driver:
     wanted: np.ndarray
 
     def rolled(self, file: Path) -> CubicSpline:
-        """tan(beta) of the rod on the points of a file, by cam angle, periodic."""
-        points = np.loadtxt(file)[:-1, :2]
+        """tan(beta) of the rod on the spline through the points of a file, by cam angle, periodic."""
+        cloud = np.loadtxt(file)[:, :2]
+        along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(cloud, axis=0).T))])
+        spline = CubicSpline(along, cloud, bc_type="periodic")
+        points = spline(along[-1] / DENSE * np.arange(DENSE))
         turns = np.arange(ROLLED) * TURN / ROLLED
         planes = self.rod.inner, self.rod.outer
         return _periodic(draws_truth.steering(points, self.rod.base, self.rod.radius, planes, turns))
