@@ -259,7 +259,8 @@ class CutterTrochoid(PlaneCurve):
     radius R_C of the cutter, at the polar angle ψ_C from the middle of a cutter's tooth. At the direction ν of the
     normal the tip's point is p = R_C·exp(iψ_C) + ρ_0·exp(iν). It cuts where that normal passes the pitch point (law of
     gearing), with the cutter at the angle θ = −arcsin(Im(exp(−iν)·p) / r_w0) − ν. The gear has then turned by z_0/z
-    times as much, and the point is (a_0 + p·exp(iθ))·exp(−iθ z_0/z) in a space about the x axis.
+    times as much, and the point is (a_0 + p·exp(iθ))·exp(−iθ z_0/z) in a space about the x axis. The parameter is q,
+    with sinh q = tan(ν − ψ_C), in which polynomials of low degree follow the curve closely.
     """
 
     axes_apart: float
@@ -274,8 +275,9 @@ class CutterTrochoid(PlaneCurve):
     end: float
 
     def _at(self, t: ArrayLike) -> tuple[Points, Points]:
-        """Points and their change with ν in the space about the x axis, on the side of growing angles."""
-        nu = _share(self.start, self.end, t)
+        """Points and their change with q in the space about the x axis, on the side of growing angles."""
+        q = _share(*self._ends, t)
+        nu = self.centre_angle + np.arctan(np.sinh(q))
         centre = self.centre_radius * np.exp(1j * self.centre_angle)
         seen = np.exp(-1j * nu) * centre
         share = seen.imag / self.pitch_radius
@@ -285,7 +287,13 @@ class CutterTrochoid(PlaneCurve):
         spun, back = np.exp(1j * angle), np.exp(-1j * angle * self.teeth_ratio)
         whole = self.axes_apart + (centre + arm) * spun
         change = 1j * (turning * (centre + arm) + arm) * spun - 1j * turning * self.teeth_ratio * whole
-        return whole * back, change * back
+        return whole * back, change * back / np.cosh(q)
+
+    @property
+    def _ends(self) -> tuple[float, float]:
+        """Parameters q at both ends."""
+        start, end = np.arcsinh(np.tan(np.array([self.start, self.end]) - self.centre_angle)).tolist()
+        return start, end
 
     def point(self, t: ArrayLike) -> Points:
         """Points (mm) at parameters t, see `PlaneCurve`."""
@@ -302,7 +310,8 @@ class CutterTrochoid(PlaneCurve):
         """½∫(x dy − y dx) in mm² by Gauss-Legendre quadrature (`AREA_NODES`), exact to rounding."""
         node, weight = gauss_nodes(AREA_NODES)
         points, change = self._at((node + 1) / 2)
-        return self.hand * float(weight @ (np.conj(points) * change).imag) * (self.end - self.start) / 4
+        start, end = self._ends
+        return self.hand * float(weight @ (np.conj(points) * change).imag) * (end - start) / 4
 
     def rotated(self, angle: float) -> Self:
         """Curve turned about the origin, see `PlaneCurve`."""
@@ -467,6 +476,8 @@ def bezier_poles(curve: Curve, tolerance: float) -> Points:
     for degree in range(LOWEST_DEGREE, HIGHEST_DEGREE + 1):
         nodes, to_poles, at_samples = _bezier_basis(degree)
         poles = to_poles @ curve.point(nodes)
+        if isinstance(curve, CutterTrochoid):  # whose ends are those of its neighbours, to the last digit
+            poles[[0, -1]] = curve.point([0.0, 1.0])
         deviation = float(np.max(np.abs(((at_samples @ poles - exact) * np.conj(tangent)).imag)))
         if deviation <= tolerance:
             return np.asarray(poles)

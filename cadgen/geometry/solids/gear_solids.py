@@ -50,7 +50,7 @@ from cadgen.geometry.solids.kernel import (
 )
 from cadgen.geometry.solids.step import add_part, colour_of, completed, document_bytes, new_document, read_document
 from cadgen.parts.body import Body, Cap, RadialHole, SweptWall, caps_of, walls_of
-from cadgen.parts.loop import Arc, Curve, Involute, Loop, Points, Segment, bezier_poles
+from cadgen.parts.loop import Arc, Curve, CutterTrochoid, Involute, Loop, Points, Segment, bezier_poles
 from cadgen.processes import in_second_process
 
 if TYPE_CHECKING:
@@ -61,6 +61,8 @@ FLANK_TOLERANCE = 0.5e-6
 ROOT_TOLERANCE = 5e-6
 # Roots of helical gears smaller than this, in mm of radius, are fitted more finely.
 SMALL_RADIUS = 16.0
+# Share of that for the roots of rings, of which a rim has less volume to err by.
+RING_SHARE = 0.2
 # Poles are rounded to this many decimals of a mm, 5e-6 µm: far below the fit, and it keeps noise digits out
 # of a STEP file.
 DECIMALS = 8
@@ -94,6 +96,8 @@ def _side(wall: SweptWall, wires: Wires) -> TopoDS_Shape:
     if not wall.outline.run.straight:
         # Small gears have small roots, and their volume shall be as near.
         root = ROOT_TOLERANCE * min(1.0, wall.outline.radii[1] / SMALL_RADIUS) ** 2
+        if any(isinstance(curve, CutterTrochoid) for curve in wall.outline.curves):
+            root *= RING_SHARE
         made = helical_wall(wall, FLANK_TOLERANCE, root, DECIMALS)
         wires[wall.outline, wall.start], wires[wall.outline, wall.end] = made.low, made.high
         return solid_of(made.faces)
@@ -120,7 +124,8 @@ def _copies(curve: Curve, turns: Points, height: float) -> list[CurveEdge]:
     if isinstance(curve, Segment):
         poles = curve.point([0.0, 1.0])
     else:
-        poles = bezier_poles(curve, FLANK_TOLERANCE if isinstance(curve, Involute) else ROOT_TOLERANCE)
+        root = ROOT_TOLERANCE * (RING_SHARE if isinstance(curve, CutterTrochoid) else 1.0)
+        poles = bezier_poles(curve, FLANK_TOLERANCE if isinstance(curve, Involute) else root)
     for row in np.round(turns[:, None] * poles, DECIMALS).tolist():
         points = [gp_Pnt(pole.real, pole.imag, height) for pole in row]
         if isinstance(curve, Segment):

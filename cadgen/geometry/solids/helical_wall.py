@@ -38,7 +38,7 @@ from cadgen.parts.loop import Arc, Curve, Involute, Points, Segment, bernstein, 
 # Greatest distance of a helix from its polynomial, mm: half of the kernel's smallest distance.
 HELIX_TOLERANCE = 5e-8
 # Share of what roots may err that an arc may.
-ARC_SHARE = 0.1
+ARC_SHARE = 0.02
 LOWEST_DEGREE, HIGHEST_DEGREE = 3, 20
 SAMPLES = np.linspace(0.0, 1.0, 101)
 _BUILDER = BRep_Builder()
