@@ -151,8 +151,11 @@ def with_unit(text: str, unit: str) -> str:
     return f"{text}{'' if unit == '°' else ' '}{unit}".rstrip()
 
 
+_THOUSANDTH, _MILLIONTH = 1e-3, 1e-6
+
+
 def rounded(value: float, digits: int | None = None) -> str:
-    """Number as text: to three decimals, a very small one to three digits.
+    """Number as text: to three decimals, a small one to the millionth, and one smaller than that by its power of ten.
 
     Args:
         value: number to show.
@@ -162,7 +165,9 @@ def rounded(value: float, digits: int | None = None) -> str:
         return "–"
     if digits is not None:
         return f"{value:.{digits}f}"
-    return f"{value:.3g}" if abs(value) < 1e-3 and value else f"{value:.3f}".rstrip("0").rstrip(".")
+    if 0 < abs(value) < _MILLIONTH:
+        return f"{value:.3g}"
+    return f"{value:.{3 if abs(value) >= _THOUSANDTH else 6}f}".rstrip("0").rstrip(".")
 
 
 @dataclass(frozen=True)
