@@ -185,14 +185,7 @@ class Pair:
         if self.driver.form.side + self.driven.form.side < 0:
             raise DesignError("{pair} has two internal gears; take internal from one of them", pair=str(self))
         pinion, ring = (each.form for each in self.by_size)
-        if not ring.teeth > pinion.teeth:
-            raise DesignError(
-                "{pair} has a ring of {ring} teeth, which must be larger than its pinion; give the ring at least "
-                "{least} teeth",
-                pair=str(self),
-                ring=ring.teeth,
-                least=pinion.teeth + USUAL_DIFFERENCE,
-            )
+        _require_larger(pinion, ring)
         most, least = self.zero_backlash_centre_distance, (ring.tip_diameter - pinion.tip_diameter) / 2
         if not self.centre_distance <= most + CENTRE_DISTANCE_ROUNDING:
             raise DesignError(
@@ -384,6 +377,8 @@ def closest(driver: GearForm, driven: GearForm) -> float:
     inv α_wt = inv α_t + 2 tan α_n (x_1 + x_2)/(z_1 + z_2). Raises `DesignError` if the profile shifts allow none.
     """
     teeth = driver.side * driver.teeth + driven.side * driven.teeth
+    if driver.side != driven.side:
+        _require_larger(*((driver, driven) if driven.side < 0 else (driven, driver)))
     reference = driver.transverse_module * abs(teeth) / 2
     shift = driver.profile_shift + driven.profile_shift
     if shift == 0:
@@ -398,6 +393,18 @@ def closest(driver: GearForm, driven: GearForm) -> float:
         )
     mesh: float = brentq(lambda angle: involute(angle) - wanted, 0.0, STEEPEST_MESH, xtol=1e-15)
     return reference * cos(alpha) / cos(mesh)
+
+
+def _require_larger(pinion: GearForm, ring: GearForm) -> None:
+    """Refuse a ring that is not larger than its pinion."""
+    if not ring.teeth > pinion.teeth:
+        raise DesignError(
+            "{pair} has a ring of {ring} teeth, which must be larger than its pinion; give the ring at least "
+            "{least} teeth",
+            pair=_pair(pinion, ring),
+            ring=ring.teeth,
+            least=pinion.teeth + USUAL_DIFFERENCE,
+        )
 
 
 def hand_of(helix_angle: float) -> str:

@@ -363,8 +363,11 @@ def test_axes_too_far_or_too_near_are_refused_with_a_distance_that_is_not():
         pair_of(one, two, 20.1)
     with pytest.raises(DesignError, match=r"does not meet .* such as 20$"):
         pair_of(one, two, 15.0)
-    with pytest.raises(DesignError, match="at least 29 teeth"):
-        pair_of(one, ring(18), 1.0)
+    for teeth in (18, 20):
+        with pytest.raises(DesignError, match="at least 29 teeth"):
+            pair_of(one, ring(teeth), 1.0)
+        with pytest.raises(DesignError, match="at least 29 teeth"):
+            closest(one, ring(teeth))
     with pytest.raises(DesignError, match="two internal gears"):
         pair_of(two, two, 20.0)
 
