@@ -59,7 +59,7 @@ if TYPE_CHECKING:
 # Fit of the tooth curves, in mm: half of the 0.001 µm and 0.01 µm that flank and root are allowed.
 FLANK_TOLERANCE = 0.5e-6
 ROOT_TOLERANCE = 5e-6
-# Roots of helical gears smaller than this, in mm of radius, are fitted more finely.
+# Teeth of helical gears smaller than this, in mm of radius, are fitted more finely.
 SMALL_RADIUS = 16.0
 # Share of that for the roots of rings, of which a rim has less volume to err by.
 RING_SHARE = 0.2
@@ -94,11 +94,9 @@ def body_solid(body: Body) -> TopoDS_Solid:
 def _side(wall: SweptWall, wires: Wires) -> TopoDS_Shape:
     """The faces of a wall as a shell facing out of the material; its two wires go into `wires`."""
     if not wall.outline.run.straight:
-        # Small gears have small roots, and their volume shall be as near.
-        root = ROOT_TOLERANCE * min(1.0, wall.outline.radii[1] / SMALL_RADIUS) ** 2
-        if any(isinstance(curve, CutterTrochoid) for curve in wall.outline.curves):
-            root *= RING_SHARE
-        made = helical_wall(wall, FLANK_TOLERANCE, root, DECIMALS)
+        # Small gears, and the rims of rings, have less volume to err by.
+        share = min(1.0, wall.outline.radii[1] / SMALL_RADIUS) ** 2 * (1.0 if wall.outward else RING_SHARE)
+        made = helical_wall(wall, FLANK_TOLERANCE * share, ROOT_TOLERANCE * share, DECIMALS)
         wires[wall.outline, wall.start], wires[wall.outline, wall.end] = made.low, made.high
         return solid_of(made.faces)
     base = wires.get((wall.outline, wall.start))
