@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import json
 import sys
+import tomllib
 from collections.abc import Callable
 from math import degrees, radians
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
+from click.core import ParameterSource
 
 from cadgen.cli import help
 from cadgen.cli.options import formats_option, out_option
@@ -53,6 +56,55 @@ _RING: tuple[tuple[tuple[str, ...], str, Callable[[str], Any], str], ...] = (
     (("--cutter-teeth",), "cutter_teeth", int, "Teeth of the pinion cutter of a ring; 0 for roots that are arcs."),
     (("--root-radius-factor",), "root_radius", float, "Tip radius of that cutter, or of the arc, in modules."),
 )
+
+
+# Flags that say what becomes of the result, and nothing of the gears.
+_ASIDE = ("out", "formats", "as_json", "toml", "force", "lang")
+
+
+def _key(option: click.Parameter) -> str:
+    """Key of a flag in a file: its longest name."""
+    return max(option.opts, key=len).removeprefix("--").replace("-", "_")
+
+
+def _from_file(context: click.Context, _argument: click.Parameter, file: str | None) -> None:
+    """Take from a file what the flags do not say."""
+    if file is None:
+        return
+    try:
+        table = tomllib.loads(Path(file).read_text(encoding="utf-8")).get(str(context.info_name), {})
+    except (OSError, UnicodeError, tomllib.TOMLDecodeError) as error:
+        raise click.UsageError(Message("cannot read {file}: {error}", file=file, error=str(error))) from None
+    options = {_key(each): each.name for each in context.command.params if each.name not in (*_ASIDE, "file")}
+    for key in table:
+        if key not in options:
+            raise click.UsageError(
+                Message("{file} has {key}, which is no flag of this command: remove it", file=file, key=key)
+            )
+    context.default_map = {options[key]: each if isinstance(each, bool) else str(each) for key, each in table.items()}
+
+
+_FILE = click.argument("file", required=False, is_eager=True, expose_value=False, callback=_from_file)
+_TOML = help.option(
+    "--toml", is_flag=True, help="Print the file that says the same, which this command reads, and make nothing."
+)
+
+
+def _said() -> str:
+    """File with the flags as they were given."""
+    context = click.get_current_context()
+    lines = [f"[{context.info_name}]"]
+    for option in context.command.params:
+        name = option.name or ""
+        if name in (*_ASIDE, "file") or context.get_parameter_source(name) == ParameterSource.DEFAULT:
+            continue
+        value = context.params[name]
+        try:
+            text = str(float(value)) if "." in str(value) else str(int(value))
+        except ValueError:
+            text = json.dumps(value)
+        lines.append(f"{_key(option)} = {str(value).lower() if isinstance(value, bool) else text}")
+    return "\n".join(lines) + "\n"
 
 
 def _gear_flags(command: Command) -> Command:
@@ -119,6 +171,7 @@ _FORCE = help.option("--force", is_flag=True, help="Export even if a check fails
 
 
 @help.command()
+@_FILE
 @help.option("--teeth", type=int, required=True, help="Number of teeth.")
 @help.option("--internal", is_flag=True, help="A ring with teeth inside.")
 @_gear_flags
@@ -131,6 +184,7 @@ _FORCE = help.option("--force", is_flag=True, help="Export even if a check fails
 @_OUT
 @formats_option("step,stl")
 @_JSON
+@_TOML
 def gear(
     teeth: int,
     internal: bool,
@@ -141,9 +195,13 @@ def gear(
     out: Path,
     formats: str | None,
     as_json: bool,
+    toml: bool,
     **values: Any,
 ) -> None:
     """Make one gear by flags: spur, helical or double helical, or a ring; with the sizes to measure it by."""
+    if toml:
+        click.echo(_said(), nl=False)
+        return
     from cadgen import Gear
     from cadgen.cli import show
 
@@ -261,6 +319,7 @@ def pair(
 
 
 @help.command()
+@_FILE
 @help.option("--sun", type=int, required=True, help="Teeth of the sun.")
 @help.option("--planet", type=int, required=True, help="Teeth of a planet.")
 @help.option("--ring", type=int, default=None, help="Teeth of the ring; sun and two planets together if left out.")
@@ -288,6 +347,7 @@ def pair(
 @formats_option("step,stl,csv")
 @_FORCE
 @_JSON
+@_TOML
 def planetary(
     sun: int,
     planet: int,
@@ -304,6 +364,7 @@ def planetary(
     formats: str | None,
     force: bool,
     as_json: bool,
+    toml: bool,
     **values: Any,
 ) -> None:
     """Make a planetary set by flags; what is given once is for all gears, with commas for sun, planet and ring.
@@ -311,6 +372,9 @@ def planetary(
     The ring's profile shift follows from the distance of sun and planets. Nothing is exported and the exit code is 1 if
     a check fails, unless --force is given.
     """
+    if toml:
+        click.echo(_said(), nl=False)
+        return
     from cadgen import Gear, Planetary
 
     arguments = _gears(3, 2, values, ("sun", "planet", "ring"))

@@ -60,6 +60,7 @@ BY_METHODS = {
     "only": "cam and train of `draw`",
     "arguments": "source and data",
     "toml": "the design file of a pair",
+    "file": "flags",
 }
 # Commands use two processes; a script says how many it wants, or gives a pool.
 # What is given for no gear has the default of each.

@@ -83,3 +83,26 @@ def test_flags_that_are_wrong(arguments, said):
     done = run(*arguments)
     assert done.exit_code == 2
     assert said in done.output
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("planetary", "--sun", 18, "--planet", 27, "--planets", 3, "--module", "1", "--width", 6.5, "--bore", "5,4,0"),
+        ("gear", "--teeth", 30, *SIZES, "--internal", "--helix-deg", 12, "--hand", "left", "--rim", 3),
+    ],
+)
+def test_a_file_of_the_flags_says_the_same(arguments, tmp_path):
+    file = tmp_path / "set.toml"
+    file.write_text(run(*arguments, "--toml").output)
+    assert run(arguments[0], file, "--toml").output == file.read_text()
+    ending = ("--json", "--formats", "stl", "--out", tmp_path)
+    by_file, by_flags = (json.loads(run(*given, *ending).output) for given in ((arguments[0], file), arguments))
+    assert by_file["files"] == by_flags["files"]
+    # A flag goes before the file.
+    more = run(arguments[0], file, "--width", 7, "--toml").output
+    assert "width_mm = 7" in more
+    file.write_text(f"[{arguments[0]}]\nteeht = 3\n")
+    wrong = run(arguments[0], file)
+    assert wrong.exit_code == 2
+    assert "has teeht, which is no flag" in wrong.output
