@@ -14,6 +14,8 @@ from cadgen.arrays import TURN
 from cadgen.design.motion import DiscSense
 from cadgen.errors import DesignError, brief
 
+# Section of a design file: its keys and values.
+Section = dict[str, Any]
 _SENSES = tuple(sense.value for sense in DiscSense)
 
 
@@ -99,7 +101,7 @@ class Motion:
         if bool(len(self.steps)) == bool(len(self.points)):
             raise DesignError("a motion has either steps or points: give one of them")
 
-    def section(self, *, swings: bool) -> dict[str, Any]:
+    def section(self, *, swings: bool) -> Section:
         """Section [motion] of a design file.
 
         Args:
@@ -110,7 +112,7 @@ class Motion:
         def height(value: float) -> float:
             return _shown(degrees(value) if swings else value)
 
-        given: dict[str, Any] = {"turns": self.turns}
+        given: Section = {"turns": self.turns}
         if self.rpm is not None:
             given["speed_rpm"] = float(self.rpm)
         if self.repeat != 1:
@@ -201,7 +203,7 @@ class SwingingFlat:
 AnyFollower = Roller | KnifeEdge | Flat | SwingingRoller | SwingingFlat
 
 
-def follower_section(follower: AnyFollower) -> dict[str, Any]:
+def follower_section(follower: AnyFollower) -> Section:
     """Section [follower] of a design file.
 
     Args:
@@ -266,12 +268,12 @@ def cam_toml(
         raise DesignError("motion is {given}; it must be a Motion", given=brief(repr(motion), 60))
     if (base_circle_radius is None) == (pressure_angle is None):
         raise DesignError("give either base_circle_radius, mm, or pressure_angle, rad, which the least one then keeps")
-    cam: dict[str, Any] = {"thickness_mm": thickness}
+    cam: Section = {"thickness_mm": thickness}
     if base_circle_radius is None:
         cam["pressure_angle_deg"] = _shown(degrees(real("pressure_angle", pressure_angle, 0, TURN / 4, "rad")))
     else:
         cam["base_circle_radius_mm"] = base_circle_radius
-    tables: dict[str, Any] = {
+    tables: Section = {
         "name": name,
         "motion": motion.section(swings=isinstance(follower, SwingingRoller | SwingingFlat)),
         "follower": follower_section(follower),
