@@ -76,22 +76,35 @@ class LoadedDesign:
         gate_radius_mm: float = 50.0,
         field_mm: tuple[float, float] | None = None,
         closed: bool = False,
+        motion: bool = False,
+        table: str | PathLike[str] | None = None,
         changes: Mapping[str, Any] | Iterable[str] = (),
     ) -> Self:
-        """Begin a design: write a commented file with the paper's mechanism and a path, and load it.
+        """Begin a design: write a commented file, and load it.
+
+        It has the paper's mechanism and a path, or is of a cam by its motion.
 
         Args:
             name, folder: name of the design and, with .toml, of its file; folder for that.
             points, layer: file of the path's points, CSV, TXT or DXF; layer of the polyline in a DXF with several.
             gate_radius_mm, field_mm: radius of the gates at the points; width and height of the field.
             closed: whether the path is a lap.
+            motion, table: whether it is a cam by its motion; file of its lift table, CSV, an example if left out.
             changes: changes as for `with_`, written into the file.
 
         Raises:
             DesignError, FileError: values that are not allowed; points that cannot be read, a file that is there.
         """
-        from cadgen.design.begin import begin, points_of, write_new
+        from cadgen.design.begin import begin, begin_motion, points_of, write_new
 
+        changed, place = overrides_of(changes), folder_of(folder)
+        file = place / f"{plain_text('name', name)}.toml"
+        if motion or table is not None:
+            if points is not None or layer is not None or field_mm is not None or closed:
+                raise DesignError("a cam by its motion has no path: leave points, layer, field and closed out")
+            text = begin_motion(name, None if table is None else paths("table", table)[0], changed, place)
+            write_new(text, file)
+            return cls._checked(text, file, (), False)
         radius = real("gate_radius_mm", gate_radius_mm, 0, 100_000, "mm", above=True)
         if field_mm is not None:
             if not isinstance(field_mm, Sequence) or isinstance(field_mm, str) or len(field_mm) != 2:
@@ -102,8 +115,7 @@ class LoadedDesign:
                 )
             field_mm = (real("field_mm", field_mm[0], 1, 1e6, "mm"), real("field_mm", field_mm[1], 1, 1e6, "mm"))
         source = None if points is None else paths("points", points)[0]
-        path, changed = points_of(source, layer, closed=closed), overrides_of(changes)
-        file = folder_of(folder) / f"{plain_text('name', name)}.toml"
+        path = points_of(source, layer, closed=closed)
         text = begin(name, path, changed, radius, field_mm, closed)
         write_new(text, file)
         return cls._checked(text, file, (), False)

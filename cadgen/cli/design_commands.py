@@ -50,6 +50,13 @@ from cadgen.messages import Message
     help="The path is a lap that is driven again and again, such as a figure 8: from its last point it goes on to the "
     "first. The polyline of a DXF is closed, too.",
 )
+@help.option("--motion", is_flag=True, help="Begin a cam by its motion, without path and car: rises and dwells.")
+@help.option(
+    "--table",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Lift table of such a cam: CSV of cam angle in degrees and lift in mm.",
+)
 @overrides_option
 @out_option(default=Path(), show_default=False, help="Folder for the file.  [default: this one]")
 def new(
@@ -59,10 +66,12 @@ def new(
     gate_radius_mm: float,
     field_mm: tuple[float, float] | None,
     closed: bool,
+    motion: bool,
+    table: Path | None,
     overrides: tuple[str, ...],
     out: Path,
 ) -> None:
-    """Begin a design: NAME.toml, commented, with the paper's mechanism and your path.
+    """Begin a design: NAME.toml, commented, with the paper's mechanism and your path; with --motion any cam.
 
     The dimensions of your car go in with --set, as in --set car.wheelbase_mm=180, or later in the file.
     """
@@ -77,6 +86,8 @@ def new(
         gate_radius_mm=gate_radius_mm,
         field_mm=field_mm,
         closed=closed,
+        motion=motion,
+        table=table,
         changes=overrides,
     )
     verdict(True, Message("{file} begins the design", file=design.file), f"cadgen check {design.file}")

@@ -5,13 +5,14 @@ The text has a word on every key that a team sets first, in the language that is
 
 from collections.abc import Sequence
 from os import PathLike
+from os.path import relpath
 from pathlib import Path
 
 import tomlkit
 
 from cadgen.design.course import MOST_OF_A_KIND
 from cadgen.design.file_names import name_fault
-from cadgen.design.load import design_of
+from cadgen.design.load import complete_of, design_of
 from cadgen.design.override import override
 from cadgen.errors import DesignError, FileError, brief
 from cadgen.inference.records.points import Points, read_points
@@ -124,6 +125,50 @@ friction_greatest = 0.20
 # centre_distance_mm = 40.0
 # driver = {{ teeth = 40 }}
 # driven = {{ teeth = 120 }}
+""")
+
+_MOTION = Message("""\
+# {name}: a cam by its motion. Lengths in mm, angles in degrees; docs/design-file.md has every key.
+#   cadgen check {name}.toml       whether you may cut it; --all shows every check
+#   cadgen cam {name}.toml         the files
+#   cadgen report {name}.toml      a page on which it turns
+name = "{name}"
+
+[motion]
+turns = "counterclockwise"         # of the disc, seen on its outer face; or "clockwise"
+speed_rpm = 120.0                  # for velocity and acceleration in units of time, and for forces
+{source}
+[follower]
+kind = "roller"                    # or knife, flat, swinging_roller, swinging_flat, rod
+radius_mm = 8.0
+offset_mm = 0.0                    # of its line beside the camshaft; positive lessens the pressure angle of the rise
+# closure = "groove"               # the roller runs in a groove, and needs no spring
+
+[cam]
+base_circle_radius_mm = 40.0       # at lift 0; or pressure_angle_deg = 28.0, for the least radius that keeps it
+thickness_mm = 8.0
+
+[blank]
+bore_diameter_mm = 10.0
+# material = "steel"               # on the drawings, and for the feeds of the mill
+# bore_fit = "H7/g6"               # of bore and shaft
+
+# [dynamics]                       # forces, torque, and the speed at which the follower leaves
+# mass_kg = 0.5
+# spring_rate_N_per_mm = 5.0
+# preload_N = 40.0
+""")
+_SEGMENTS = Message("""\
+segments = [                       # rises, returns and dwells of a turn: 360 degrees in all
+    {{ to_mm = 10.0, in_deg = 90.0, law = "modified_sine" }},
+    {{ dwell_deg = 60.0 }},
+    {{ to_mm = 0.0, in_deg = 120.0, law = "polynomial_3_4_5" }},
+    {{ dwell_deg = 90.0 }},
+]
+""")
+_TABLE = Message("""\
+table = {table}
+# table_unit = "inch"              # mm if left out; smooth = true takes the noise out
 """)
 
 _OPEN = {
@@ -249,6 +294,33 @@ def begin(
     text = tomlkit.dumps(document)
     design_of(text, Path(f"{name}.toml"))
     return text
+
+
+def begin_motion(name: str, table: Path | None = None, changes: Sequence[str] = (), folder: Path = Path()) -> str:
+    """Text of a new design of a cam by its motion, which loads.
+
+    Args:
+        name: name of the design and of its file.
+        table: file of a lift table; an example of rises and dwells if left out.
+        changes: `key=value` each, as with `--set`.
+        folder: folder of the design file, from which it names the table.
+
+    Raises:
+        DesignError: a name that files cannot have, values that cannot be, or a table that is no motion.
+    """
+    if fault := name_fault(name):
+        raise DesignError('the name is "{name}"; it must {fault}', name=brief(name[:80]), fault=fault)
+
+    def text(path: str) -> str:
+        source = shown(_TABLE).format(table=tomlkit.string(path).as_string()) if path else shown(_SEGMENTS).format()
+        document = tomlkit.parse(shown(_MOTION).format(name=name, source=source))
+        for change in changes:
+            override(document, change)
+        return tomlkit.dumps(document)
+
+    # The folder may not be there yet, so the table is looked for where it is.
+    complete_of(text("" if table is None else str(table)), Path(f"{name}.toml"))
+    return text("" if table is None else Path(relpath(table, folder)).as_posix())
 
 
 def _sample(places: tuple[tuple[float, float], ...], field: tuple[float, float]) -> Points:

@@ -108,6 +108,46 @@ def test_a_lap_goes_on_from_its_last_point_to_its_first(tmp_path):
     assert str(refused) == "p.dxf has no open polyline, but one that is closed: open it, or give --closed for a lap"
 
 
+def test_a_cam_by_its_motion_begins_ready_and_what_is_commented_out_loads_too(tmp_path):
+    done = new(tmp_path, "feeder", "--motion", "--set", "follower.radius_mm=9")
+    assert done.exit_code == 0, done.output
+    text = (tmp_path / "feeder.toml").read_text()
+    cam = Design.load(tmp_path / "feeder.toml").cam()
+    assert (cam.verdict.readiness.value, cam.follower_as_built.radius) == ("ready", 9.0)
+    keys = [line[2:] for line in text.splitlines() if line.startswith("# ") and "=" in line and "closure" not in line]
+    more = text.replace("# [dynamics]", "[dynamics]")
+    for key in keys:
+        more = more.replace(f"# {key}", key)
+    assert Design.from_toml(more).cam().application.forces(cam) is not None
+
+
+def test_a_lift_table_begins_a_cam_in_another_folder(tmp_path):
+    rows = [(k, 10 * (10 * u**3 - 15 * u**4 + 6 * u**5)) for k in range(0, 360, 2) for u in [min(k, 360 - k) / 180]]
+    (tmp_path / "lobe.csv").write_text("angle,lift\n" + "".join(f"{k},{lift:.6f}\n" for k, lift in rows))
+    done = CliRunner().invoke(
+        cli, ["new", "lobe", "--table", str(tmp_path / "lobe.csv"), "--out", str(tmp_path / "designs")]
+    )
+    assert done.exit_code == 0, done.output
+    assert 'table = "../lobe.csv"' in (tmp_path / "designs" / "lobe.toml").read_text()
+    cam = Design.load(tmp_path / "designs" / "lobe.toml").cam()
+    assert float(cam.lift(3.141592653589793)) == pytest.approx(10.0, abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("--motion", "--closed"), "has no path"),
+        (("--table", "absent.csv"), "there is no such file"),
+        (("--motion", "--set", "follower.radius_mm=-1"), "follower.radius_mm"),
+    ],
+)
+def test_a_motion_that_cannot_be_is_refused(arguments, said, tmp_path):
+    error = new(tmp_path, "x", *arguments).exception
+    assert isinstance(error, CadgenError)
+    assert said in str(error)
+    assert not list(tmp_path.iterdir())
+
+
 @pytest.mark.parametrize("arguments", [("con",), ("a b",), ("x", "--layer", "A"), ("x", "--set", "car.wheelbase=3")])
 def test_what_cannot_be_is_refused_and_nothing_written(arguments, tmp_path):
     assert isinstance(new(tmp_path, *arguments).exception, CadgenError)
