@@ -9,7 +9,7 @@ be told from others, is passed over with one warning. Every process looks for it
 |--------------------|--------------------------------------------------------------------------------------------|
 | `cadgen.followers` | `cadgen.cam.followers.kind.FollowerKind`                                                   |
 | `cadgen.laws`      | `cadgen.laws.law.MotionLaw`                                                                |
-| `cadgen.stages`    | `cadgen.gears.stage_kinds.StageKind`                                                       |
+| `cadgen.stages`    | `cadgen.gears.stage_kind.StageKind`                                                        |
 | `cadgen.formats`   | `cadgen.output.files.formats.Format`, which writes and reads back cams, gears or trains    |
 | `cadgen.data`      | `cadgen.inference.measurement.record.Kind`, a kind of measured data with its model         |
 | `cadgen.effects`   | `cadgen.deviations.catalogue.EffectOf`, an effect on data of a kind that there is          |

@@ -224,7 +224,7 @@ class Cam(CamPlan, JobResult):
 
     Args:
         motion: motion of the follower.
-        follower: `Roller`, `KnifeEdge`, `Flat`, `SwingingRoller` or `SwingingFlat`.
+        follower: `Roller`, `KnifeEdge`, `Flat`, `SwingingRoller`, `SwingingFlat`; or the keys of [follower] of any.
         base_circle_radius: radius of the base circle, mm.
         pressure_angle: greatest pressure angle, rad, in place of that radius: the least one that keeps it is taken.
         thickness: thickness of the disc, mm.

@@ -4,15 +4,17 @@ Angles are in rad and lengths in mm, as everywhere in Python; what these objects
 keys messages name.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from math import degrees, tau
 from typing import Any
 
 from cadgen.api.values import optional, real, whole, word
 from cadgen.arrays import TURN
+from cadgen.cam.followers.table import has, kind_of
 from cadgen.design.motion import DiscSense
 from cadgen.errors import DesignError, brief
+from cadgen.laws.unit import MM
 
 # Section of a design file: its keys and values.
 Section = dict[str, Any]
@@ -200,7 +202,8 @@ class SwingingFlat:
     lifts: str = "against"
 
 
-AnyFollower = Roller | KnifeEdge | Flat | SwingingRoller | SwingingFlat
+# Of any other kind, as of a plug-in, the keys of [follower] in a design file.
+AnyFollower = Roller | KnifeEdge | Flat | SwingingRoller | SwingingFlat | Mapping[str, Any]
 
 
 def follower_section(follower: AnyFollower) -> Section:
@@ -214,6 +217,8 @@ def follower_section(follower: AnyFollower) -> Section:
     """
     f = follower
     match f:
+        case Mapping():
+            given = dict(f)
         case Roller():
             given = {"kind": "roller", "radius_mm": f.radius, "offset_mm": f.offset}
         case KnifeEdge():
@@ -229,7 +234,8 @@ def follower_section(follower: AnyFollower) -> Section:
             given |= {"face_offset_mm": f.face_offset, "lifts": f.lifts}
         case _:
             raise DesignError(
-                "follower is {given}; it must be a Roller, KnifeEdge, Flat, SwingingRoller or SwingingFlat",
+                "follower is {given}; it must be a Roller, KnifeEdge, Flat, SwingingRoller or SwingingFlat, or the "
+                "keys of [follower]",
                 given=brief(repr(follower), 60),
             )
     return given
@@ -273,10 +279,11 @@ def cam_toml(
         cam["pressure_angle_deg"] = _shown(degrees(real("pressure_angle", pressure_angle, 0, TURN / 4, "rad")))
     else:
         cam["base_circle_radius_mm"] = base_circle_radius
+    given = follower_section(follower)
     tables: Section = {
         "name": name,
-        "motion": motion.section(swings=isinstance(follower, SwingingRoller | SwingingFlat)),
-        "follower": follower_section(follower),
+        "motion": motion.section(swings=_swings(given)),
+        "follower": given,
         "cam": cam,
     }
     if bore is not None:
@@ -287,6 +294,12 @@ def cam_toml(
         raise DesignError(
             "a value is no number or text that a design file holds ({error}): correct it", error=brief(str(error), 80)
         ) from None
+
+
+def _swings(follower: Section) -> bool:
+    """Whether a follower swings, by its kind; one that there is not is refused where the design is read."""
+    code = follower.get("kind")
+    return isinstance(code, str) and has(code) and kind_of(code).unit != MM
 
 
 def _shown(value: float) -> float:

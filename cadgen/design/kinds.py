@@ -8,7 +8,7 @@ from cadgen.car.path.path_kinds import QUINTIC, PathKind
 from cadgen.design.follower import FOLLOWER
 from cadgen.design.path import PATH
 from cadgen.design.train import stage_kinds
-from cadgen.gears.stage_kinds import StageKind
+from cadgen.gears.stage_kind import StageKind
 
 # A key's parts from the top, items of lists counted from 0.
 Place = tuple[str | int, ...]

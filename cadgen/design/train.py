@@ -24,7 +24,8 @@ from cadgen.design.section import (
 )
 from cadgen.errors import DesignError
 from cadgen.gears.choices import HelixHand, Thinning, ToleranceStandard
-from cadgen.gears.stage_kinds import SPUR, StageKind, codes, has, kind_of
+from cadgen.gears.stage_kind import StageKind
+from cadgen.gears.stage_kinds import SPUR, codes, has, kind_of
 from cadgen.messages import Message
 
 

@@ -17,6 +17,7 @@
 | `spur`         | spur gears as a stage: their checks in mesh, and their plain values             |
 | `rack`         | numbers of a rack -> its section; a pinion on it                                |
 | `planetary`    | sun, planets and ring: where planets fit, signed ratio, play at the output      |
+| `stage_kind`   | kind of a stage: its code, its keys, and how the stage is built                  |
 | `stage_kinds`  | the table of kinds of stages: a new one is a file beside `spur` and a line there |
 | `train`        | stages in a row, their play and return error (eq. 25-26); joints and bearings   |
 | `chains`       | branch and bound: the cheapest chains of pairs that give a ratio                |

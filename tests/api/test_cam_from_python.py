@@ -96,6 +96,8 @@ def test_the_spring_of_a_published_example():
         (Flat(tilt=radians(10)), 14),
         (SwingingRoller(radius=9, arm=60, centre_distance=80, lifts="with"), radians(14)),
         (SwingingFlat(centre_distance=90, face_offset=5), radians(14)),
+        ({"kind": "roller", "radius_mm": 9.0}, 14),
+        ({"kind": "swinging_flat", "centre_distance_mm": 90.0, "lifts": "against", "face_offset_mm": 5.0}, radians(14)),
     ],
 )
 def test_every_follower_has_its_cam(follower, height):
@@ -132,6 +134,7 @@ def test_it_can_be_pickled(feeder):
         (lambda: Motion([dwell(1.0)], turns="left"), "turns"),
         (lambda: Cam(FEEDER, Roller(radius=9), thickness=10), "give either base_circle_radius"),
         (lambda: Cam(FEEDER, "roller", base_circle_radius=32, thickness=10), "it must be a Roller"),
+        (lambda: Cam(FEEDER, {"kind": "rolex"}, base_circle_radius=32, thickness=10), "follower.kind"),
         (lambda: Cam([], Roller(radius=9), base_circle_radius=32, thickness=10), "it must be a Motion"),
         (lambda: Cam(FEEDER, Roller(radius=-1), base_circle_radius=32, thickness=10), "follower.radius_mm"),
         (lambda: Cam(FEEDER, Roller(radius=9), base_circle_radius=object(), thickness=10), "no number or text"),
