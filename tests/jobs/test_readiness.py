@@ -48,7 +48,8 @@ def test_every_term_of_the_lines_on_a_packaged_design_is_explained_in_the_readme
     used = {term for term in terms if re.search(rf"\b{re.escape(term)}s?\b", said, re.IGNORECASE)}
     rows = re.findall(r"^\| ([^|]+) \| [^|]+ \|$", (ROOT / "README.md").read_text("utf-8"), re.MULTILINE)
     explained = {word for row in rows for word in re.split(r"[,;] ", row)}
-    assert used - {"cam", "ready", "follower", "stage", "tolerance"} <= explained | {"blend"}
+    # The lines lead a path with more room: the verb, and not the lead of a cam.
+    assert used - {"cam", "ready", "follower", "stage", "tolerance", "lead"} <= explained | {"blend"}
     assert "closing blend" in explained
 
 
