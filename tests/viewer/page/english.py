@@ -6,8 +6,8 @@ from html.parser import HTMLParser
 
 # Keys, commands, names of files and designs, units, symbols: the same in every language.
 SAME = re.compile(
-    r"--[\w-]+(?: [\w.=\[\]\"+-]+)?|\[[\w.]+\]|[a-z_]+(?:\.[a-z_0-9]+)+|\b[a-z]+(?:_[a-z]+)+\b|cadgen(?: \w+)?|N·mm|"
-    r"(?:m?m|rad)/(?:rad|s)[²³]?|MPa|"
+    r"--[\w-]+(?: '?[\w.=\[\]\"+-]+'?)?|\[[\w.]+\]|[a-z_]+(?:\.[a-z_0-9]+)+|\b[a-z]+(?:_[a-z]+)+\b|cadgen(?: \w+)?|"
+    r"N·mm|(?:m?m|rad)/(?:rad|s)[²³]?|MPa|"
     r"= \"[a-z_]+\"|"
     r"\b\d_\w+|\b(?:c?mm?[23²³]?|kg|min|deg|N|J|PASS|cubic|quintic|b_spline|STEP|DXF|ISO|DIN|WebGL|three\.js|uPlot)\b|[0-9a-f]{12,}|\S+\.(?:toml|csv|step|html)\b"
 )
