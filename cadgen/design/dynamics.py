@@ -46,8 +46,7 @@ LoadRow = Annotated[tuple[Force, Force], Strict(False)]
 
 
 class DynamicsSection(DesignSection):
-    """Mass, spring and load of a follower that is moved by [motion], for forces, torque and the speed at which it "
-    "leaves."""
+    """Mass, spring and load of a follower that is moved by [motion], for forces, torque and lift-off."""
 
     mass_kg: float | None = Field(default=None, ge=0, le=10_000, description="of all that moves along with the slide")
     inertia_kgmm2: float | None = Field(
@@ -85,8 +84,7 @@ class DynamicsSection(DesignSection):
         ge=0,
         le=180,
         description="angle between the follower's motion outwards and its weight: 180 where the weight presses it on "
-        "the "
-        "disc; left out, no weight",
+        "the disc; left out, no weight",
     )
     guide_friction: float | None = Field(
         default=None, ge=0, le=1.5, description="sliding friction in the slide's guide"

@@ -18,7 +18,7 @@ from cadgen.arrays import TURN
 from cadgen.curves.biarc import arcs
 from cadgen.design.keys import unit_of, without_unit
 from cadgen.design.machining import DrawingText
-from cadgen.errors import FileError
+from cadgen.errors import DesignError, FileError
 from cadgen.figures import Facts, Figures, with_unit
 from cadgen.gears.layout import TrainLayout, TrainPart
 from cadgen.gears.tooth import GearForm
@@ -146,7 +146,16 @@ _STEP = 5  # degrees between its readings
 
 
 def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
-    """Sheet of a cam; it names the files of the folder that hold the same cam."""
+    """Sheet of a cam; it names the files of the folder that hold the same cam.
+
+    Raises:
+        DesignError: the cam has a groove, of which a sheet would show one flank as the outline.
+    """
+    if plan.groove is not None:
+        raise DesignError(
+            "a groove has no sheet yet: make it from the files of cadgen cam, whose manifest has width, depth and "
+            "diameter; cadgen draw --only train draws a train"
+        )
     making, use = plan.making, plan.application
     angles = np.radians(np.arange(0.0, 360.0, EVERY))
     dense = np.linspace(0.0, TURN, _DENSE, endpoint=False)

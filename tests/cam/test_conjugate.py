@@ -164,3 +164,10 @@ def test_closure_and_its_keys_go_together():
     with pytest.raises(DesignError, match=r"needs a second roller: add \[follower.second\] with its keys"):
         Design.from_toml(alone)
     assert Design.from_toml(alone.replace("conjugate", "spring")).cam().computed.second is None
+
+
+def test_the_second_disc_names_the_roller_that_stands_on_its_ray():
+    """On a slide it is the first one: the second roller stands opposite to the ray, half a turn away."""
+    second = Design.from_toml(SLIDE).cam().second
+    assert second.follower.on_ray == "first roller"
+    assert second.curve.radius(np.array([np.pi]))[0] > second.curve.radius(np.array([0.0]))[0]

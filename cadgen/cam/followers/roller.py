@@ -111,6 +111,11 @@ class SecondRoller(Roller):
     base_key = "follower.second.span_mm"
     milder = Message("lower follower.second.radius_mm or raise follower.second.span_mm")
 
+    @property
+    def on_ray(self) -> str:
+        """Roller on the ray of the cam angle: the first one, for the second stands opposite to it."""
+        return Message("first roller")
+
     @classmethod
     def across(cls, first: Roller, radius: float, span: float, offset: float) -> Self:
         """Second roller of a slide, seen from its own side: its offset there is to the other side.

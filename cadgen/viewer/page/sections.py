@@ -274,7 +274,8 @@ def parts_sections(cam: CamPlan, train: GearTrain | None) -> tuple[Section, Sect
 
 def _inspection(cam: CamPlan, train: GearTrain | None) -> Section:
     """Figures to measure the cam and the gears by, with room for what is measured."""
-    tables = [_cam_sizes(cam), _lift_table(cam)]
+    # A groove has no outline to be measured: its sizes are in the parts list and the checks.
+    tables = [_lift_table(cam)] if cam.groove is not None else [_cam_sizes(cam), _lift_table(cam)]
     if train is not None and (gears := _gear_sizes(train.layout)) is not None:
         tables.append(gears)
     return Section(
