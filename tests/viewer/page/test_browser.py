@@ -149,9 +149,9 @@ def test_a_phone_needs_no_sideways_scrolling(browser, address):
     page.wait_for_selector(READY, state="attached")
     assert page.evaluate("() => document.documentElement.scrollWidth") <= 390
     page.set_viewport_size({"width": 844, "height": 390})  # turned, and back again
-    page.wait_for_function("document.querySelector('.plot canvas').clientWidth > 500")
+    page.wait_for_function("() => document.querySelector('.plot canvas').clientWidth > 500")
     page.set_viewport_size({"width": 360, "height": 740})
-    page.wait_for_function("document.querySelector('.plot canvas').clientWidth < 360")
+    page.wait_for_function("() => document.querySelector('.plot canvas').clientWidth < 360")
     assert page.evaluate("() => document.documentElement.scrollWidth") <= 360
     context.close()
 
@@ -211,7 +211,7 @@ def test_the_page_of_a_motion_moves(browser, feeder, tmp_path):
     page.wait_for_function("() => Number(document.getElementById('angle').value) > 106")
     page.click("#go")
     page.set_viewport_size({"width": 390, "height": 844})
-    page.wait_for_function("document.querySelector('.plot canvas').clientWidth < 390")
+    page.wait_for_function("() => document.querySelector('.plot canvas').clientWidth < 390")
     assert page.evaluate("() => document.documentElement.scrollWidth") <= 390
     assert serious_faults(page) == []
     assert said == []
