@@ -176,7 +176,7 @@ def follower(design: Design) -> Follower:
 
 
 def leaning(design: Design, job: str) -> EdgeFollower:
-    """Follower of a design, for a job that is worked out for those that lean alone.
+    """Leaning follower of a design; a job that is worked out for those alone refuses others.
 
     Args:
         design: loaded design.
