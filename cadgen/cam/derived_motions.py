@@ -50,6 +50,11 @@ class OppositeMotion(Motion):
         """Cam angles at which some derivative may jump, rad, shape (m,)."""
         return super().breaks if self.first is None else self.first.breaks
 
+    @property
+    def bends(self) -> Array:
+        """Cam angles within the turn at which the acceleration is meant to jump, rad, shape (n,)."""
+        return super().bends if self.first is None else self.first.bends
+
     def continuous(self, cam_angle: float) -> int:
         """Number of values meant to be continuous at a cam angle: the motion and its first derivatives, 3 at most.
 
@@ -126,6 +131,11 @@ class TangentMotion(Motion):
         theta[-1] = x[-1]
         curve = quintic_hermite(theta, np.concatenate(jets), periodic=True)
         return cls(curve, angle.kinks, unit=TAN, angle=angle)
+
+    @property
+    def bends(self) -> Array:
+        """Cam angles within the turn at which the acceleration is meant to jump, rad, shape (n,)."""
+        return super().bends if self.angle is None else self.angle.bends
 
     def softer(self, cam_angle: float, key: str = "") -> str:
         """Advice that makes the motion milder at a cam angle, as part of a sentence.

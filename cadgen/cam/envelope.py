@@ -72,7 +72,7 @@ def actual_profile(motion: Motion, follower: Follower) -> ActualProfile:
     radii = Radii(reaches, len(cells))
     runs = lowest_branches(radii, _continuations(branches, starts, spans))
     if len(runs) == 1:
-        return ActualProfile(ClosedCurve((branches[runs[0].branch],)), ())
+        return ActualProfile(ClosedCurve(branches[runs[0].branch].smooth_parts()), ())
     begins: list[float] = []
     stops: list[float] = []
     trims = []
@@ -101,13 +101,13 @@ def actual_profile(motion: Motion, follower: Follower) -> ActualProfile:
                 trims.append(trim)
         begins.append(enter)
         stops.append(leave)
-    pieces = []
+    pieces = list[Branch]()
     for run, enter, stop in zip(runs, begins, stops[1:] + stops[:1], strict=True):
         branch = branches[run.branch]
         if stop <= enter and branch.stop - branch.start > TURN - _JOINT:
             stop += TURN  # without kinks one branch covers the whole turn, and a piece of it may run through its end
         if stop > enter:
-            pieces.append(replace(branch, start=enter, stop=stop))
+            pieces += replace(branch, start=enter, stop=stop).smooth_parts()
     return ActualProfile(ClosedCurve(tuple(pieces)), tuple(trims))
 
 

@@ -13,14 +13,15 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from enum import StrEnum
+from itertools import pairwise
 from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cadgen.arrays import Array
+from cadgen.arrays import TURN, Array
 from cadgen.cam.limits import CheckLimits
 from cadgen.check import Check
 from cadgen.curves.closed import ClosedCurve, Jet, cross
@@ -30,6 +31,7 @@ from cadgen.laws.unit import MM, TAN, Unit
 from cadgen.messages import Message
 from cadgen.parts.blank import Blank
 
+_SHORTEST = 1e-6  # rad; shorter parts of a curve are no edge of a solid, and hardly any of its area
 OUTLINE_POINTS = 97  # of a follower in a picture: a circle of 10 mm radius errs by 5 um
 
 
@@ -63,6 +65,10 @@ class Branch(ABC):
             t: parameter of the point.
         """
 
+    def smooth_parts(self) -> tuple[Branch, ...]:
+        """The branch in parts over which its curvature is continuous; as a rule the branch itself."""
+        return (self,)
+
 
 @dataclass(frozen=True, kw_only=True)
 class Swept(Branch):
@@ -81,6 +87,12 @@ class Swept(Branch):
             t: parameter of the point, which is its cam angle, rad.
         """
         return t
+
+    def smooth_parts(self) -> tuple[Branch, ...]:
+        """The branch cut where the acceleration of the motion jumps, for its curvature jumps there."""
+        bends = (self.motion.bends[:, None] + TURN * np.arange(2)).ravel()
+        inside = np.sort(bends[(bends > self.start + _SHORTEST) & (bends < self.stop - _SHORTEST)])
+        return tuple(replace(self, start=a, stop=b) for a, b in pairwise([self.start, *inside.tolist(), self.stop]))
 
     def advance(self, theta: Array) -> Array:
         """Rate of the tangential travel along the envelope, mm/rad; negative on a swallowtail.

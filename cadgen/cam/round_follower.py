@@ -119,7 +119,7 @@ class RoundFollower(Follower):
 
     def pitch_curve(self, motion: Motion) -> ClosedCurve:
         """The path of the circle's centre."""
-        joints = np.unique(np.concatenate([[0.0], motion.kinks, [TURN]])).tolist()
+        joints = np.unique(np.concatenate([[0.0], motion.kinks, motion.bends, [TURN]])).tolist()
         spans = pairwise(joints)
         return ClosedCurve(tuple(Centre(motion=motion, face=0.0, start=a, stop=b, follower=self) for a, b in spans))
 

@@ -117,6 +117,11 @@ class Motion:
         """Cam angles at which some derivative may jump, from 0 to a turn, shape (m,), rad."""
         return np.asarray(self.q.x)
 
+    @property
+    def bends(self) -> Array:
+        """Cam angles within the turn at which the acceleration is meant to jump, rad, shape (n,)."""
+        return np.empty(0)
+
     def continuous(self, cam_angle: float) -> int:
         """Number of values meant to be continuous at a cam angle: the motion and its first derivatives, 3 at most.
 

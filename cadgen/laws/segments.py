@@ -244,6 +244,12 @@ class SegmentMotion(Motion):
         inside = [angle for span in self.segments for angle in span.seams]
         return np.unique([*(span.start for span in self.segments), TURN, *inside])
 
+    @property
+    def bends(self) -> Array:
+        """Cam angles within the turn at which the acceleration jumps, rad, shape (n,)."""
+        first = [seam.cam_angle for seam in self.seams if seam.order == ORDERS - 2]
+        return np.sort((np.array(first)[:, None] + TURN / self.repeat * np.arange(self.repeat)).ravel() % TURN)
+
     @cached_property
     def joints(self) -> tuple[Seam, ...]:
         """Every place where segments or parts of a law meet, with the lowest derivative up to the third that jumps.

@@ -125,7 +125,9 @@ def published_profile(motion: Motion, follower: EdgeFollower) -> ClosedCurve:
 
 def _polar_profile(motion: Motion, follower: EdgeFollower, *, rod_radius: float) -> ClosedCurve:
     inside = _face_changes(motion, follower)
-    joints = np.unique(np.concatenate([[0.0], motion.kinks, inside[(inside > 0) & (inside < TURN)], [TURN]]))
+    joints = np.unique(
+        np.concatenate([[0.0], motion.kinks, motion.bends, inside[(inside > 0) & (inside < TURN)], [TURN]])
+    )
     nodes, _ = motion.stations
     pieces: list[Piece] = []
     for start, stop in pairwise(joints):
