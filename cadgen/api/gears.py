@@ -325,7 +325,7 @@ class Gear(JobResult):
 
         Args:
             folder: folder for the files; it is made if need be.
-            formats: some of step and stl; both if left out.
+            formats: some of step, stl, 3mf and dxf; all if left out.
             progress: function that is called with a few words on each step.
 
         Raises:

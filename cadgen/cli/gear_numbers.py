@@ -182,7 +182,7 @@ _FORCE = help.option("--force", is_flag=True, help="Export even if a check fails
 )
 @_name("gear")
 @_OUT
-@formats_option("step,stl")
+@formats_option("step,stl,3mf,dxf")
 @_JSON
 @_TOML
 def gear(

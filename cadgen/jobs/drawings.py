@@ -20,7 +20,7 @@ from cadgen.design.keys import unit_of, without_unit
 from cadgen.design.machining import DrawingText
 from cadgen.errors import DesignError, FileError
 from cadgen.figures import Facts, Figures, with_unit
-from cadgen.gears.layout import TrainLayout, TrainPart
+from cadgen.gears.layout import TrainLayout
 from cadgen.gears.tooth import GearForm
 from cadgen.inference.measurement.record import Direction
 from cadgen.jobs.cam.cam_plan import CamPlan
@@ -31,7 +31,7 @@ from cadgen.output.drawing.cam_sheet import EVERY, CamPart, cam_drawing
 from cadgen.output.drawing.gear_sheets import Axis, GearPart, gear_drawing, gear_rows, plate_drawing
 from cadgen.output.drawing.shaft_fit import fit_limits, hole_class
 from cadgen.output.drawing.sheet import DrawingSheet, Title, scale_text
-from cadgen.output.files.dxf import write_outline
+from cadgen.output.files.dxf import gear_outlines
 from cadgen.output.files.manifest import NAME, ManifestEntry, Origin, sound_parts
 from cadgen.output.files.publisher import Artifact, Written, publish, require, text_file
 from cadgen.parts.face import Face
@@ -389,7 +389,7 @@ def write_drawings(parts: Parts, out: Path, progress: Progress = silent) -> Writ
             yield from write_sheet(staging, stem, sheet, omitted)
         if parts.train is not None:
             for part in parts.train.layout.parts:
-                yield from _write_outlines(staging, f"{parts.train.stem}_{part.name}", part)
+                yield from gear_outlines(staging, part, f"{parts.train.stem}_{part.name}", "_outline", drilled=False)
         if parts.cam is not None and parts.cam.application.measured_again:
             yield text_file(staging / f"{parts.cam.stem}_inspection.csv", inspection_csv(parts.cam))
 
@@ -452,12 +452,3 @@ def _page(sheet: DrawingSheet, omitted: dict[str, str]) -> bytes:
             " one, such as Noto Sans CJK"
         )
         return page
-
-
-def _write_outlines(staging: Path, stem: str, part: TrainPart) -> Iterator[Artifact]:
-    """DXF of the teeth of each gear of a part with its bore, for a laser or a wire."""
-    bore = part.blank.bore() if part.blank.bore_diameter else None
-    for number, gear in enumerate(part.gears, 1):
-        which = f"_{number}" if len(part.gears) > 1 else ""
-        name = f"{stem}{which}_outline.dxf"
-        yield Artifact(name, Facts(outline_error_um=write_outline(staging / name, gear.outline, bore) * 1e3))

@@ -124,7 +124,7 @@ REFUSED = {
     "no gear": (lambda car: GearPair(PINION, 45, backlash=0.1), "wheel is 45; it must be a Gear"),
     "no stages": (lambda car: Train([]), "stages is []; it must hold at least one GearPair"),
     "a folder": (lambda car: PINION.write(""), "folder is ''; it must be a path"),
-    "a format": (lambda car: PINION.write("x", "stp"), 'formats has "stp"; it must name step or stl'),
+    "a format": (lambda car: PINION.write("x", "stp"), 'formats has "stp"; it must name step, stl, 3mf or dxf'),
     "no formats": (lambda car: PINION.write("x", []), "formats is empty"),
     "no folder": (lambda car: verify("no_such_folder"), "there is no folder no_such_folder"),
 }

@@ -38,8 +38,8 @@ REFUSED = {
     "a list of tolerances": (lambda car: replace(GEAR, tolerances=[1, 2]), "tolerances is [1, 2]; it must map symbols"),
     "a huge module": (lambda car: replace(GEAR, module=10**400), "module is 1000"),
     "a number as directions": (lambda car: Train([PAIR], directions=3), "directions is 3; it must have 1 angles"),
-    "a number as formats": (lambda car: GEAR.write("x", 3), "formats is 3; it must name step or stl"),
-    "bytes as formats": (lambda car: GEAR.write("x", b"stl"), "formats is b'stl'; it must name step or stl"),
+    "a number as formats": (lambda car: GEAR.write("x", 3), "formats is 3; it must name step, stl, 3mf or dxf"),
+    "bytes as formats": (lambda car: GEAR.write("x", b"stl"), "formats is b'stl'; it must name step, stl, 3mf or dxf"),
     "a folder that no system has": (lambda car: GEAR.write("a\0b"), "folder is 'a\\x00b'; it must be a path"),
     "a folder that is a file": (lambda car: GEAR.write(__file__, "stl"), "a file stands where the folder must go"),
     "a module beyond the design file's": (

@@ -162,7 +162,8 @@ class Assembly(JobResult, ABC):
 
         Args:
             folder: folder for the files; it is made if need be.
-            formats: some of step (the assembly and each part), stl and csv (the table of parts); all if left out.
+            formats: some of step (the assembly and each part), stl, 3mf, dxf (outlines) and csv (the table of parts);
+                step, stl and csv if left out.
             force: whether files are written even if a check fails; the manifest then says so.
             progress: function that is called with a few words on each step.
 

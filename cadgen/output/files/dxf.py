@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import pairwise
+from math import cos, degrees, pi
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -24,14 +25,19 @@ from cadgen.curves.contour import Contour, circle
 from cadgen.curves.spline import SplineArc, splines
 from cadgen.errors import FileError
 from cadgen.figures import Facts
+from cadgen.gears.layout import TrainPart
+from cadgen.gears.rack import RackForm
+from cadgen.gears.stage import Wheel, is_ring, rim_diameter
+from cadgen.gears.tooth import GearForm
 from cadgen.messages import Message
 from cadgen.output.files.publisher import Artifact, require
-from cadgen.parts.loop import Loop, bezier_poles
+from cadgen.parts.loop import Arc, Loop, bezier_poles
+from cadgen.parts.run import lead
 
 if TYPE_CHECKING:
     from ezdxf.layouts import Modelspace
 
-    from cadgen.output.files.exports import CamExport
+    from cadgen.output.files.exports import CamExport, GearExport, RackExport, TrainExport
 
 # Greatest error of the lift due to a file, µm.
 LIFT_LIMIT_UM = 1.0
@@ -43,9 +49,11 @@ _STEP = 0.05  # mm between points of a gear's outline that is read back
 _AREA_LIMIT = 1e-3  # of chords as long as the step, relative
 _NODES = np.linspace(0.0, 1.0, 4001)  # of each curve of a tooth, for comparison
 PROFILE, BORE, HOLES, NOTES = "CAM_PROFILE", "BORE", "HOLES", "NOTES"
+RIM = "RIM"  # outer circle of a ring, whose profile is inside
 _COLORS = {PROFILE: 7, BORE: 1, HOLES: 5}  # AutoCAD colour index: black or white, red, blue
 _NOTE_COLOR, _NOTE_HEIGHT = 3, 2.0  # green; mm, of the letters, and between them and the outline
 _MM = 4  # $INSUNITS
+_PLACE_MM = 1e-9  # of a bore or a hole, for the digits of a file
 _GAP_MM = 1e-9  # between the end of a spline and the begin of the next, which are written alike
 
 
@@ -83,7 +91,12 @@ def edges_note(edge_break: float, follower: str) -> str:
 
 
 def write_dxf(
-    path: Path, profile: Contour | Sequence[SplineArc], bore: Contour | None, holes: Sequence[Contour], note: str = ""
+    path: Path,
+    profile: Contour | Sequence[SplineArc],
+    bore: Contour | None,
+    holes: Sequence[Contour],
+    note: str = "",
+    rim: Contour | None = None,
 ) -> None:
     """Write a drawing of the disc, each kind of contour on its own layer; equal input gives equal bytes.
 
@@ -93,6 +106,7 @@ def write_dxf(
         bore: bore with its keyway or flat, mm; None for a part without.
         holes: lightening holes, mm.
         note: line of text under the outline, on a layer of its own that is not plotted; none if empty.
+        rim: outer circle of a ring, mm; None for a part whose profile is its outside.
     """
     import ezdxf
 
@@ -110,6 +124,10 @@ def write_dxf(
                 spline.control_points = np.pad(arc.control_points, ((0, 0), (0, 1)))
                 spline.knots = arc.knots
             points = np.concatenate([arc.control_points for arc in profile])
+        if rim is not None:
+            drawing.layers.add(RIM, color=_COLORS[PROFILE])
+            _add(space, rim, RIM)
+            points = rim.polygon(0.01)
         if bore is not None:
             _add(space, bore, BORE)
         for hole in holes:
@@ -224,12 +242,14 @@ class Drawing:
         bore: contours of the BORE layer.
         holes: contours of the HOLES layer.
         note: text of the NOTES layer.
+        rim: contours of the RIM layer.
     """
 
     profile: Outline
     bore: tuple[Contour, ...]
     holes: tuple[Contour, ...]
     note: str = ""
+    rim: tuple[Contour, ...] = ()
 
 
 def read_dxf(path: Path, step: float = 0.05) -> Drawing:
@@ -242,7 +262,7 @@ def read_dxf(path: Path, step: float = 0.05) -> Drawing:
     Raises:
         FileError: the file is damaged, not in mm, or its profile is missing or open.
     """
-    contours: dict[str, list[Contour]] = {layer: [] for layer in _COLORS}
+    contours: dict[str, list[Contour]] = {layer: [] for layer in (*_COLORS, RIM)}
     splines: list[BSpline] = []
     notes: list[str] = []
     with _whole(path):
@@ -274,7 +294,7 @@ def read_dxf(path: Path, step: float = 0.05) -> Drawing:
         raise FileError(
             "{file} must have one closed curve on layer {layer}: write it again", file=path.name, layer=PROFILE
         )
-    return Drawing(outline, tuple(contours[BORE]), tuple(contours[HOLES]), " ".join(notes))
+    return Drawing(outline, tuple(contours[BORE]), tuple(contours[HOLES]), " ".join(notes), tuple(contours[RIM]))
 
 
 @contextmanager
@@ -341,13 +361,80 @@ def _along(splines: list[BSpline], step: float, path: Path) -> Outline:
     return Outline(np.concatenate(points), owner)
 
 
-def write_outline(path: Path, outline: Loop, bore: Contour | None) -> float:
-    """Write the outline of a gear with its bore, and return its greatest distance from the exact teeth, read back, mm.
+def gear_dxf(gear: GearExport, folder: Path) -> Iterator[Artifact]:
+    """Outline of a gear as splines, with its bore and holes, or with the outer circle of a ring."""
+    yield from gear_outlines(folder, gear.part, gear.name)
+
+
+def train_dxf(train: TrainExport, folder: Path) -> Iterator[Artifact]:
+    """Outline of each gear of a train, in the frame of its part."""
+    for part in train.layout.parts:
+        yield from gear_outlines(folder, part, f"{train.stem}_{part.name}")
+
+
+def gear_outlines(
+    folder: Path, part: TrainPart, stem: str, ending: str = "", *, drilled: bool = True
+) -> Iterator[Artifact]:
+    """Write the transverse section of each gear of a part, that of a helical one at its lower face, and read it back.
+
+    Args:
+        folder: folder for the files.
+        part: part with its gears, of which the first has the lightening holes.
+        stem: start of the files' names.
+        ending: end of the files' names.
+        drilled: whether lightening holes are drawn.
+
+    Raises:
+        FileError: a file holds something else when it is read back.
+    """
+    bore = part.blank.bore() if part.blank.bore_diameter else None
+    holes = next((slab.holes for slab in part.body.slabs if slab.holes), ()) if drilled else ()
+    for number, gear in enumerate(part.gears, 1):
+        name = f"{stem}{f'_{number}' if len(part.gears) > 1 else ''}{ending}.dxf"
+        rim = circle((0.0, 0.0), rim_diameter(gear) / 2) if is_ring(gear) else None
+        inside = () if rim else (bore, *(_circle_of(hole) for hole in (holes if number == 1 else ())))
+        section = gear.outline.from_below(gear.width)
+        error = write_outline(folder / name, section, [each for each in inside if each is not None], rim, _lean(gear))
+        yield Artifact(
+            name, Facts(outline_error_um=error * 1e3), (Message("outline off by {off:.3f} µm", off=error * 1e3),)
+        )
+
+
+def _circle_of(hole: Loop) -> Contour:
+    (arc,) = (curve for curve in hole.curves if isinstance(curve, Arc))
+    return circle((arc.centre.real, arc.centre.imag), arc.radius)
+
+
+def _lean(gear: Wheel) -> str:
+    """Note on the section of a helical gear; empty for teeth along the axis."""
+    if not isinstance(gear, GearForm) or not gear.helix_angle:
+        return ""
+    hand = "right" if gear.helix_angle > 0 else "left"
+    kind = "double helix, below" if gear.double else "helix"
+    length = lead(gear.helix_angle, gear.reference_diameter)
+    return (
+        f"transverse section at the lower face: {kind} {abs(degrees(gear.helix_angle)):g} degrees, {hand} hand, "
+        f"lead {length:.4f} mm"
+    )
+
+
+def write_outline(
+    path: Path, outline: Loop, inside: Sequence[Contour], rim: Contour | None = None, note: str = ""
+) -> float:
+    """Write the outline of a gear, and return its greatest distance from the exact teeth, read back, mm.
+
+    Args:
+        path: file to write.
+        outline: exact section of the teeth, mm.
+        inside: bore and holes inside it, the bore first, mm; none of a ring.
+        rim: outer circle of a ring, mm; None for a gear with teeth outside.
+        note: line of text beside it.
 
     Raises:
         FileError: the file holds something else when it is read back.
     """
-    write_dxf(path, _teeth(outline), bore, ())
+    bored = inside[:1]
+    write_dxf(path, _teeth(outline), bored[0] if bored else None, inside[1:], note, rim)
     drawing = read_dxf(path, _STEP)
     error = _distance(drawing.profile.points, outline)
     # Points on the teeth may leave out a tooth; the area does not.
@@ -355,13 +442,25 @@ def write_outline(path: Path, outline: Loop, bore: Contour | None) -> float:
     area = float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y)) / 2
     if abs(area / outline.area - 1) > _AREA_LIMIT:
         raise FileError("{file}, read back, does not enclose the teeth: report this design", file=path.name)
-    if error > OUTLINE_LIMIT or len(drawing.bore) != (bore is not None):
+    if error > OUTLINE_LIMIT:
         raise FileError(
             "{file}, read back, is {error:.2g} µm off the exact teeth: report this design",
             file=path.name,
             error=error * 1e3,
         )
+    read = (*drawing.bore, *drawing.holes, *drawing.rim)
+    drawn = (*inside, *([rim] if rim else []))
+    same = len(read) == len(drawn) and all(map(_alike, read, drawn))
+    require(same and drawing.note == note, path.name, Message("has another bore, hole, rim or note"))
     return error
+
+
+def _alike(read: Contour, drawn: Contour) -> bool:
+    """Whether a contour read back is that which was drawn, to the rounding of the file."""
+    return read.vertices.shape == drawn.vertices.shape and bool(
+        np.allclose(read.vertices, drawn.vertices, rtol=0, atol=_PLACE_MM)
+        and abs(read.area() - drawn.area()) <= _PLACE_MM * drawn.area()
+    )
 
 
 def _teeth(outline: Loop) -> list[SplineArc]:
@@ -391,3 +490,81 @@ def _distance(points: Array, outline: Loop) -> float:
     _, nearest = cKDTree(np.stack([exact.real, exact.imag], axis=1)).query(np.stack([folded.real, folded.imag], axis=1))
     across = ((folded - exact[nearest]) * np.conj(tangent[nearest])).imag
     return float(np.abs(across).max())
+
+
+def rack_dxf(rack: RackExport, folder: Path) -> Iterator[Artifact]:
+    """Transverse section of a rack at its lower face as splines; its straight sides are splines of degree 1."""
+    name, form = f"{rack.name}.dxf", rack.form
+    note = ""
+    if form.helix_angle:
+        hand = "right" if form.helix_angle > 0 else "left"
+        note = f"transverse section: helix {abs(degrees(form.helix_angle)):g} degrees, {hand} hand"
+    write_dxf(folder / name, _rack_section(form), None, (), note)
+    drawing = read_dxf(folder / name, _STEP)
+    points = drawing.profile.points @ [1, 1j]
+    error = float(_off_rack(points, form).max())
+    area = float(np.sum(points.real * np.roll(points.imag, -1) - np.roll(points.real, -1) * points.imag)) / 2
+    require(abs(area / form.area - 1) <= _AREA_LIMIT, name, Message("does not enclose the teeth"))
+    require(error <= OUTLINE_LIMIT, name, Message("is {error:.2g} µm off the exact teeth", error=error * 1e3))
+    require(drawing.note == note, name, Message("has another bore, hole, rim or note"))
+    yield Artifact(
+        name, Facts(outline_error_um=error * 1e3), (Message("outline off by {off:.3f} µm", off=error * 1e3),)
+    )
+
+
+def _rack_section(form: RackForm) -> list[SplineArc]:
+    """Section of a rack, counterclockwise: fillets as Bézier curves, stretched along the bar, and straight sides."""
+    radius, stretch = form.fillet_factor * form.normal_module, 1 / cos(form.helix_angle)
+    quarter = bezier_poles(Arc(radius, -pi / 2, pi / 2 - form.normal_pressure_angle), OUTLINE_TOLERANCE / stretch)
+    bend = quarter.real * stretch + 1j * (quarter.imag + radius)
+    root, back = -form.dedendum_factor * form.normal_module, -form.back_height
+    here = complex(0.0, root)
+    pieces = []
+    for start, deep, left, right, low, end in form.corners():  # type: ignore[misc]
+        up, down = start + bend, end - np.conj(bend[::-1])
+        up[[0, -1]], down[[0, -1]] = (start, deep), (low, end)
+        pieces += [
+            np.array([here, start]),
+            up,
+            np.array([deep, left]),
+            np.array([left, right]),
+            np.array([right, low]),
+            down,
+        ]
+        here = end
+    ends = [here, complex(form.length, root), complex(form.length, back), complex(0.0, back), complex(0.0, root)]
+    pieces += [np.array(side) for side in pairwise(ends)]
+    return [
+        SplineArc(
+            degree=len(poles) - 1,
+            knots=np.repeat([0.0, 1.0], len(poles)),
+            control_points=np.stack([poles.real, poles.imag], axis=1),
+        )
+        for poles in (piece[::-1] for piece in pieces[::-1])
+    ]
+
+
+def _off_rack(points: Array, form: RackForm) -> Array:
+    """Distance of points on a rack's section from its sides and, folded into half a tooth, from its exact teeth, mm."""
+    radius, stretch = form.fillet_factor * form.normal_module, 1 / cos(form.helix_angle)
+    half = form.pitch / 2
+    x = np.abs((points.real % form.pitch) - half) / stretch  # from the middle of the tooth, in the normal section
+    start, deep, corner = (complex(half - each.real, each.imag) for each in form.corners()[0][:3])
+    start, deep, corner = (complex(each.real / stretch, each.imag) for each in (start, deep, corner))
+    seen = x + 1j * points.imag
+    flank = (corner - deep) / abs(corner - deep)
+    centre = start + 1j * radius
+    off = np.stack(
+        [
+            np.where(seen.real >= start.real, np.abs(seen.imag - start.imag), np.inf),
+            np.where(
+                (seen.real <= start.real) & (seen.imag <= deep.imag), np.abs(np.abs(seen - centre) - radius), np.inf
+            ),
+            np.where(seen.imag >= deep.imag, np.abs(((seen - deep) * np.conj(flank)).imag), np.inf),
+            np.where(seen.real <= corner.real, np.abs(seen.imag - corner.imag), np.inf),
+            np.abs(points.imag + form.back_height),
+            np.abs(points.real),
+            np.abs(points.real - form.length),
+        ]
+    )
+    return np.asarray(off.min(axis=0))

@@ -286,15 +286,19 @@ class GearExport:
     chord: float
     shaft: int = 1
 
+    @property
+    def description(self) -> str:
+        """Description in one line, for formats that have room for it."""
+        sort = "helical" if self.form.helix_angle else "spur"
+        return f"{sort} gear of {self.form.teeth} teeth, module {self.form.normal_module:g} mm"
+
     def solid(self) -> SolidPart:
         """The gear as a solid with name and colour."""
         from cadgen.geometry.solids.gear_solids import body_solid, colour_of_shaft
         from cadgen.geometry.solids.kernel import SolidPart
 
-        sort = "helical" if self.form.helix_angle else "spur"
-        description = f"{sort} gear of {self.form.teeth} teeth, module {self.form.normal_module:g} mm"
-        colour = colour_of_shaft(self.shaft)
-        return SolidPart(solid=body_solid(self.part.body), name=self.name, description=description, colour=colour)
+        solid, colour = body_solid(self.part.body), colour_of_shaft(self.shaft)
+        return SolidPart(solid=solid, name=self.name, description=self.description, colour=colour)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -311,15 +315,26 @@ class RackExport:
     form: RackForm
     chord: float
 
+    @property
+    def description(self) -> str:
+        """Description in one line, for formats that have room for it."""
+        return f"rack of {self.form.teeth} teeth, module {self.form.normal_module:g} mm"
+
+    @cached_property
+    def mesh(self) -> Mesh:
+        """The mesh, for STL and 3MF."""
+        from cadgen.geometry.meshes.mesh import rack_mesh
+
+        return rack_mesh(self.form, self.chord)
+
     def solid(self) -> SolidPart:
         """The rack as a solid with name and colour."""
         from cadgen.geometry.solids.gear_solids import colour_of_shaft
         from cadgen.geometry.solids.kernel import SolidPart
         from cadgen.geometry.solids.rack_solid import rack_solid
 
-        description = f"rack of {self.form.teeth} teeth, module {self.form.normal_module:g} mm"
-        colour = colour_of_shaft(2)
-        return SolidPart(solid=rack_solid(self.form), name=self.name, description=description, colour=colour)
+        solid, colour = rack_solid(self.form), colour_of_shaft(2)
+        return SolidPart(solid=solid, name=self.name, description=self.description, colour=colour)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -14,7 +14,7 @@ from cadgen.design.section import listed
 from cadgen.errors import CheckError, DesignError, brief
 from cadgen.figures import Facts
 from cadgen.messages import Message
-from cadgen.output.files.dxf import cam_dxf
+from cadgen.output.files.dxf import cam_dxf, gear_dxf, rack_dxf, train_dxf
 from cadgen.output.files.exports import CamExport, GearExport, GrooveExport, RackExport, TrainExport
 from cadgen.output.files.groove import (
     groove_3mf,
@@ -30,7 +30,7 @@ from cadgen.output.files.publisher import Artifact
 from cadgen.output.files.step import cam_step, gear_step, rack_step, train_step
 from cadgen.output.files.stl import cam_stl, gear_stl, rack_stl, train_stl
 from cadgen.output.files.tables import cam_table, train_table
-from cadgen.output.files.threemf import cam_3mf
+from cadgen.output.files.threemf import cam_3mf, gear_3mf, rack_3mf, train_3mf
 from cadgen.output.files.xyz import cam_xyz
 from cadgen.processes import in_second_process
 from cadgen.registry import Registry
@@ -89,8 +89,26 @@ FORMATS = Registry(
             rack=rack_stl,
             finer=_MESH,
         ),
-        Format(code="3mf", label="3MF", cam=cam_3mf, groove=groove_3mf, finer=_MESH),
-        Format(code="dxf", label="DXF", cam=cam_dxf, groove=groove_dxf, finer=_ARCS),
+        Format(
+            code="3mf",
+            label="3MF",
+            cam=cam_3mf,
+            groove=groove_3mf,
+            train=train_3mf,
+            gear=gear_3mf,
+            rack=rack_3mf,
+            finer=_MESH,
+        ),
+        Format(
+            code="dxf",
+            label="DXF",
+            cam=cam_dxf,
+            groove=groove_dxf,
+            train=train_dxf,
+            gear=gear_dxf,
+            rack=rack_dxf,
+            finer=_ARCS,
+        ),
         Format(code="nc", label="G-code", cam=cam_programs, groove=groove_programs, finer=_ARCS),
         Format(code="xyz", label="XYZ", cam=cam_xyz, groove=groove_xyz, finer=_POINTS),
         Format(code="csv", label="CSV", cam=cam_table, groove=groove_table, train=train_table, finer=_POINTS),
@@ -106,9 +124,11 @@ class Offer(Generic[P]):
 
     Attributes:
         part: sort of the parts: `cam`, `groove`, `train`, `gear` or `rack`.
+        on_request: codes of formats that are written only where they are named.
     """
 
     part: str
+    on_request: tuple[str, ...] = ()
 
     def formats(self) -> tuple[Format, ...]:
         """All formats of the table that have a writer for such parts."""
@@ -116,22 +136,27 @@ class Offer(Generic[P]):
         return tuple(each for each in every if getattr(each, self.part) is not None)
 
     @property
+    def usual(self) -> tuple[Format, ...]:
+        """Formats that are written where none is named."""
+        return tuple(each for each in self.formats() if each.code not in self.on_request)
+
+    @property
     def codes(self) -> tuple[str, ...]:
-        """Their codes."""
+        """Codes of all formats."""
         return tuple(each.code for each in self.formats())
 
     def chosen(self, wanted: str | Iterable[str] | None) -> tuple[Format, ...]:
         """Formats to be written, in the order of the table.
 
         Args:
-            wanted: endings such as `step` and `dxf`, or one text with commas between them; None for all.
+            wanted: endings such as `step` and `dxf`, or one text with commas between them; None for the usual ones.
 
         Raises:
             DesignError: an ending that is not offered, or none at all.
         """
         offered = self.codes
         if wanted is None:
-            return self.formats()
+            return self.usual
         if isinstance(wanted, bytes) or not isinstance(wanted, Iterable):
             raise DesignError(
                 "formats is {given}; it must name {offered}",
@@ -154,8 +179,8 @@ class Offer(Generic[P]):
         return tuple(each for each in self.formats() if each.code in endings)
 
     def entry(self, stem: str, formats: Sequence[Format]) -> tuple[str, Facts]:
-        """Name of a manifest's entry, and its facts on the formats; of some of them the entry is one of its own."""
-        if len(formats) == len(self.formats()):
+        """Name of a manifest's entry, and its facts on the formats; others than the usual ones have an entry apart."""
+        if tuple(formats) == self.usual:
             return stem, Facts()
         codes = [each.code for each in formats]
         return "_".join([stem, *codes]), Facts(formats=codes)
@@ -199,6 +224,6 @@ class Offer(Generic[P]):
 
 CAM: Offer[CamExport] = Offer("cam")
 GROOVE: Offer[GrooveExport] = Offer("groove")
-TRAIN: Offer[TrainExport] = Offer("train")
+TRAIN: Offer[TrainExport] = Offer("train", on_request=("3mf", "dxf"))
 GEAR: Offer[GearExport] = Offer("gear")
 RACK: Offer[RackExport] = Offer("rack")

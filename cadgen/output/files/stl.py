@@ -88,11 +88,9 @@ def train_stl(train: TrainExport, folder: Path) -> Iterator[Artifact]:
 
 def rack_stl(rack: RackExport, folder: Path) -> Iterator[Artifact]:
     """STL file of a rack, which must be one watertight body of the exact volume within chord times wall area."""
-    from cadgen.geometry.meshes.mesh import rack_mesh
-
     name, form = f"{rack.name}.stl", rack.form
-    (folder / name).write_bytes(stl_bytes(rack_mesh(form, rack.chord), rack.name))
-    yield _judged_body(name, read_stl(folder / name), form.area * form.width, rack.chord)
+    (folder / name).write_bytes(stl_bytes(rack.mesh, rack.name))
+    yield judged_body(name, read_stl(folder / name), form.area * form.width, rack.chord)
 
 
 def _part_stl(part: TrainPart, folder: Path, stem: str, chord: float) -> Artifact:
@@ -100,26 +98,21 @@ def _part_stl(part: TrainPart, folder: Path, stem: str, chord: float) -> Artifac
 
     name = f"{stem}.stl"
     (folder / name).write_bytes(stl_bytes(body_mesh(part.body, chord), stem))
-    return part_artifact(name, read_stl(folder / name), part, chord)
+    return judged_body(name, read_stl(folder / name), part.volume, chord)
 
 
-def part_artifact(name: str, again: Mesh, part: TrainPart, chord: float) -> Artifact:
+def judged_body(name: str, again: Mesh, exact: float, chord: float) -> Artifact:
     """Require of a mesh read back that it is closed, one body, and of the exact volume within chord times wall area.
 
     Args:
         name: name of the file.
         again: mesh read back from it.
-        part: part of a train, or a gear.
+        exact: exact volume, mm³.
         chord: greatest chord error, mm.
 
     Raises:
         FileError: it is something else.
     """
-    return _judged_body(name, again, part.volume, chord)
-
-
-def _judged_body(name: str, again: Mesh, exact: float, chord: float) -> Artifact:
-    """Require of a mesh that it is one closed body of the exact volume, mm³, within chord, mm, times wall area."""
     solid = again.solid()
     require(len(solid.decompose()) == 1, name, Message("is not one body"))
     corners = again.vertices[again.triangles]

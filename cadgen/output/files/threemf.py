@@ -1,4 +1,4 @@
-"""3MF files (mm) of cams: written by lib3mf, and read here without it."""
+"""3MF files (mm) of cams, gears and parts of trains: written by lib3mf, and read here without it."""
 
 from __future__ import annotations
 
@@ -15,13 +15,14 @@ from xml.etree import ElementTree
 import numpy as np
 
 from cadgen.errors import FileError
+from cadgen.gears.layout import TrainPart
 from cadgen.geometry.meshes.mesh import Mesh
 from cadgen.messages import Message
 from cadgen.output.files.publisher import Artifact, read_file, require
-from cadgen.output.files.stl import judged_mesh
+from cadgen.output.files.stl import judged_body, judged_mesh
 
 if TYPE_CHECKING:
-    from cadgen.output.files.exports import CamExport
+    from cadgen.output.files.exports import CamExport, GearExport, RackExport, TrainExport
 
 _MODEL = "3D/3dmodel.model"
 _DATE = (1980, 1, 1, 0, 0, 0)  # the first that a ZIP file can have; equal parts give equal bytes
@@ -35,6 +36,37 @@ def cam_3mf(cam: CamExport, folder: Path) -> Iterator[Artifact]:
     again, title = read_3mf(folder / name)
     require(title == cam.stem, name, Message("has lost its name"))
     yield judged_mesh(cam, name, again)
+
+
+def gear_3mf(gear: GearExport, folder: Path) -> Iterator[Artifact]:
+    """3MF file of a gear."""
+    yield _part_3mf(gear.part, folder, gear.name, gear.description, gear.chord)
+
+
+def train_3mf(train: TrainExport, folder: Path) -> Iterator[Artifact]:
+    """3MF file of each part of a train, in its own frame."""
+    for part, chord in zip(train.layout.parts, train.chords, strict=True):
+        yield _part_3mf(part, folder, f"{train.stem}_{part.name}", train.description, chord)
+
+
+def rack_3mf(rack: RackExport, folder: Path) -> Iterator[Artifact]:
+    """3MF file of a rack."""
+    name, form = f"{rack.name}.3mf", rack.form
+    (folder / name).write_bytes(threemf_bytes(rack.mesh, rack.name, rack.description))
+    again, title = read_3mf(folder / name)
+    require(title == rack.name, name, Message("has lost its name"))
+    yield judged_body(name, again, form.area * form.width, rack.chord)
+
+
+def _part_3mf(part: TrainPart, folder: Path, stem: str, description: str, chord: float) -> Artifact:
+    """3MF file of a part, which must be one closed body of the exact volume with its name."""
+    from cadgen.geometry.meshes.mesh import body_mesh
+
+    name = f"{stem}.3mf"
+    (folder / name).write_bytes(threemf_bytes(body_mesh(part.body, chord), stem, description))
+    again, title = read_3mf(folder / name)
+    require(title == stem, name, Message("has lost its name"))
+    return judged_body(name, again, part.volume, chord)
 
 
 def threemf_bytes(mesh: Mesh, name: str, description: str) -> bytes:
