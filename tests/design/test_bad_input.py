@@ -205,7 +205,7 @@ def test_no_such_file(tmp_path: Path) -> None:
     missing = tmp_path / "missing.toml"
     message = refusal(missing)
     assert f"there is no design file {missing}" in message
-    assert "appendix_car, carbon_free_car, figure_eight, posts_and_walls, s_course or workshop_car" in message
+    assert "roller, s_course, swinging_roller, valve_lobe or workshop_car" in message
     assert refusal(str(missing)) == message
 
 
@@ -242,7 +242,7 @@ def test_no_such_packaged_design(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     monkeypatch.chdir(tmp_path)
     message = refusal("carbon_car")
     assert 'no packaged design "carbon_car"' in message
-    assert "appendix_car, carbon_free_car, figure_eight, posts_and_walls, s_course and workshop_car" in message
+    assert "roller, s_course, swinging_roller, valve_lobe and workshop_car" in message
     assert "./my_car.toml" in message
     (tmp_path / "carbon_car.toml").touch()
     assert "./carbon_car.toml" in refusal("carbon_car")

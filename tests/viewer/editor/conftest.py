@@ -2,11 +2,14 @@
 
 import pytest
 
+from cadgen.design.load import packaged_designs
 from cadgen.progress import silent
 from cadgen.viewer.editor.compute import compute
 from cadgen.viewer.editor.guard import Address
 from cadgen.viewer.editor.server import Service, application
 from cadgen.viewer.editor.session import Session
+
+CARS = [name for name, file in packaged_designs().items() if "[path]" in file.read_text(encoding="utf-8")]
 
 TEXT = """\
 # A small car.   Its comments are to stay.
