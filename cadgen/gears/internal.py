@@ -108,7 +108,7 @@ def shortened_ring(pair: Pair) -> RingForm:
     if not ring.keeps_addendum:
         most = min(most, greatest_addendum(pair.cut_to(0.0, 0.0))) - SPARED
     most = floor(most * scale) / scale
-    if ring.addendum_factor - ring.shortened > most:
+    if ring.addendum_as_made > most:
         if most <= 0:
             raise DesignError(
                 "{pair} has a ring whose tips dig into the roots of the pinion however short they are; lower the "

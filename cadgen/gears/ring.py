@@ -101,9 +101,14 @@ class RingForm(GearForm):
         return ring_tooth(self)
 
     @property
+    def addendum_as_made(self) -> float:
+        """Addendum in modules, as shortened for the pinion."""
+        return self.addendum_factor - self.shortened
+
+    @property
     def tip_diameter(self) -> float:
         """d_a = d − 2 m_n (h_aP* + x) in mm, from the nominal profile shift: the smallest circle of the ring."""
-        height = self.addendum_factor - self.shortened + self.profile_shift
+        height = self.addendum_as_made + self.profile_shift
         return self.reference_diameter - 2 * self.normal_module * height
 
     @property

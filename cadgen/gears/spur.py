@@ -293,17 +293,36 @@ def _tolerance_facts(gear: GradedGear, play: GearPlay[float]) -> Facts:
 
 
 def form_figures(form: GearForm) -> Figures:
-    """Numbers of a gear's teeth."""
+    """Numbers of a gear's teeth, with the circles on which its flanks begin and end."""
     return Figures(
         Figure("teeth", Message("teeth z"), form.teeth),
         Figure("module", Message("module m_n"), form.normal_module, "mm"),
         Figure("pressure_angle", Message("pressure angle"), degrees(form.normal_pressure_angle), "°"),
+        Figure("addendum_factor", Message("addendum h_aP"), form.addendum_as_made),
+        Figure("dedendum_factor", Message("dedendum h_fP"), form.dedendum_factor),
+        *root_figures(form),
         Figure("profile_shift", Message("profile shift x"), form.profile_shift),
         *helix_figures(form),
-        *ring_figures(form),
+        Figure("reference_diameter", Message("reference diameter d"), form.reference_diameter, "mm"),
+        Figure("base_diameter", Message("base diameter d_b"), form.base_diameter, "mm"),
         Figure("width", Message("face width"), form.width, "mm"),
         Figure("tip_diameter", Message("tip diameter"), form.tip_diameter, "mm"),
+        Figure("tip_form_diameter", Message("tip form diameter d_Fa"), form.tip_form_diameter, "mm"),
+        Figure("form_diameter", Message("root form diameter"), tooth_of(form).root_form_diameter, "mm"),
         Figure("root_diameter", Message("root diameter, as cut"), form.root_diameter, "mm"),
+        Figure("tooth_depth", Message("tooth depth h"), form.side * (form.tip_diameter - form.root_diameter) / 2, "mm"),
+    )
+
+
+def root_figures(form: GearForm) -> tuple[Figure, ...]:
+    """Tool that makes the roots: the rack's tip radius, or cutter and rim of a ring."""
+    if not isinstance(form, RingForm):
+        radius = form.rack_tip_radius_factor
+        return (Figure("rack_tip_radius_factor", Message("rack tip radius rho_fP"), radius),)
+    cutter = cutter_of(form)
+    return (
+        Figure("rim_diameter", Message("outer diameter of the ring"), form.rim_diameter, "mm"),
+        Figure("cutter_teeth", Message("teeth of the pinion cutter, 0 for an arc"), cutter.teeth if cutter else 0),
     )
 
 
@@ -314,19 +333,6 @@ def helix_figures(form: GearForm) -> tuple[Figure, ...]:
     return (
         Figure("helix_angle", Message("helix angle, + right hand"), degrees(form.helix_angle), "°"),
         Figure("lead", Message("lead"), lead(form.helix_angle, form.reference_diameter), "mm"),
-        Figure("reference_diameter", Message("reference diameter d"), form.reference_diameter, "mm"),
-    )
-
-
-def ring_figures(form: GearForm) -> tuple[Figure, ...]:
-    """Rim and cutter of an internal gear; nothing of another."""
-    if not isinstance(form, RingForm):
-        return ()
-    cutter = cutter_of(form)
-    return (
-        Figure("rim_diameter", Message("outer diameter of the ring"), form.rim_diameter, "mm"),
-        Figure("form_diameter", Message("root form diameter"), tooth_of(form).root_form_diameter, "mm"),
-        Figure("cutter_teeth", Message("teeth of the pinion cutter, 0 for an arc"), cutter.teeth if cutter else 0),
     )
 
 
@@ -529,9 +535,12 @@ class SpurPair(Pair, Stage):
         """Form, thickness limits, span and size over pins of both gears; a `DesignError` for pins that do not rest."""
         play, inspections = self.play(), _inspections(self)
         driver, driven = self.wheels
+        ratio = Figure("contact_ratio", Message("contact ratio"), contact_ratio(self))
+        overlap = (Figure("overlap_ratio", Message("overlap ratio"), self.overlap_ratio),) if self.overlap_ratio else ()
+        of_both = Figures(ratio, *overlap)
         return (
-            gear_figures(driver, play.driver, inspections[0]),
-            gear_figures(driven, play.driven, inspections[1]),
+            Figures(*gear_figures(driver, play.driver, inspections[0]).values(), *of_both.values()),
+            Figures(*gear_figures(driven, play.driven, inspections[1]).values(), *of_both.values()),
         )
 
 
@@ -547,7 +556,7 @@ def _notes_on_ring(pair: SpurPair, number: int) -> tuple[str, ...]:
                 "the tips of the ring of stage {number} are shortened to an addendum_factor of {factor:g}, so that "
                 "they stay on the pinion's flanks",
                 number=number,
-                factor=round(ring.addendum_factor - ring.shortened, 6),
+                factor=round(ring.addendum_as_made, 6),
             )
         )
     if reserves(pair).trimming < 0:

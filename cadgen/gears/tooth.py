@@ -229,6 +229,11 @@ class GearForm:
         return self.reference_diameter + 2 * self.normal_module * (self.addendum_factor + self.profile_shift)
 
     @property
+    def addendum_as_made(self) -> float:
+        """Addendum in modules, of a ring as shortened for its pinion."""
+        return self.addendum_factor
+
+    @property
     def tip_form_diameter(self) -> float:
         """d_Fa = d_a less the chamfer on both sides, in mm: where the flanks end."""
         return self.tip_diameter - 2 * self.tip_chamfer

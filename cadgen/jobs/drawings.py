@@ -21,6 +21,7 @@ from cadgen.design.machining import DrawingText
 from cadgen.errors import DesignError, FileError
 from cadgen.figures import Facts, Figures, with_unit
 from cadgen.gears.layout import TrainLayout
+from cadgen.gears.stage import rim_diameter
 from cadgen.gears.tooth import GearForm
 from cadgen.inference.measurement.record import Direction
 from cadgen.jobs.cam.cam_plan import CamPlan
@@ -274,9 +275,7 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
             data=data,
             files=folder.files(stem, origin.content_hash, _PART_ENDINGS),
             pitch_diameters=tuple(
-                float(f"{module * teeth:g}")
-                for gear in gears.values()
-                if (module := gear.value("module")) and (teeth := gear.value("teeth"))
+                float(f"{diameter:.7g}") for gear in gears.values() if (diameter := gear.value("reference_diameter"))
             ),
             notes=(Message("Shaft {shaft} of the train, counted from the drive.", shaft=part.shaft),),
         )
@@ -289,7 +288,7 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
             x=part.axis.real,
             y=part.axis.imag,
             bore=part.blank.bore_diameter,
-            reach=max(gear.tip_diameter for gear in part.gears) / 2,
+            reach=max(map(rim_diameter, part.gears)) / 2,
             hole=hole_class(plan.making.holes),
         )
         for part in layout.parts
@@ -389,7 +388,9 @@ def write_drawings(parts: Parts, out: Path, progress: Progress = silent) -> Writ
             yield from write_sheet(staging, stem, sheet, omitted)
         if parts.train is not None:
             for part in parts.train.layout.parts:
-                yield from gear_outlines(staging, part, f"{parts.train.stem}_{part.name}", "_outline", drilled=False)
+                stem = f"{parts.train.stem}_{part.name}"
+                outlines = gear_outlines(staging, part, stem, "_outline", drilled=False)
+                yield from (replace(each, readings=()) for each in outlines)
         if parts.cam is not None and parts.cam.application.measured_again:
             yield text_file(staging / f"{parts.cam.stem}_inspection.csv", inspection_csv(parts.cam))
 

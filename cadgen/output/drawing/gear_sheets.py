@@ -54,80 +54,77 @@ from cadgen.parts.loop import Arc, Loop
 
 
 def gear_rows(gear: Figures, mate: str, stage: Stage, *, drives: bool) -> tuple[tuple[str, str], ...]:
-    """Rows of a gear's data table: names and values of the field, those that a kind of wheel has not left out."""
+    """Rows of a gear's data table in the order of ISO 1340: names and values, those that a kind of wheel has."""
     grade = stage.grades[0 if drives else 1]
+    ring = gear.value("rim_diameter") is not None
 
     def mm(code: str, digits: int = 3) -> str:
         value = gear.value(code)
         return "" if value is None else f"{rounded(value, digits)} mm"
 
+    def plain(code: str) -> str:
+        value = gear.value(code)
+        return "" if value is None else f"{value:.6g}"
+
     def limits(name: str) -> str:
         most, least = gear.value(f"{name}_max"), gear.value(f"{name}_min")
         if most is None or least is None:
             return ""
-        return Message("{least:.3f} to {most:.3f} mm", least=least, most=most)
+        return Message("{least:.3f} to {most:.3f}", least=least, most=most)
 
-    teeth, module, upper, lower = (gear.value(code) for code in ("teeth", "module", "E_sns", "E_sni"))
-    angle, shift = gear.value("pressure_angle"), gear.value("profile_shift")
-    helix, rim = gear.value("helix_angle"), gear.value("rim_diameter")
-    pins = Message("over balls of {pin:g} mm") if helix else Message("over pins of {pin:g} mm")
-    span = Message("span over {teeth} teeth", teeth=gear.value("teeth_spanned"))
-    if rim is not None:
-        pins = Message("between balls of {pin:g} mm")
-        span = Message("span over {teeth} spaces", teeth=gear.value("teeth_spanned"))
-    rows = [
-        (Message("teeth z"), "" if teeth is None else str(teeth)),
+    upper, lower = gear.value("E_sns"), gear.value("E_sni")
+    angle, helix, cutter = (gear.value(code) for code in ("pressure_angle", "helix_angle", "cutter_teeth"))
+    hand = Message("right") if (helix or 0) > 0 else Message("left")
+    rack = [plain(code) for code in ("addendum_factor", "dedendum_factor", "rack_tip_radius_factor")]
+    apart, deviation = rounded(stage.centre_distance, 4), stage.distance_deviation
+    pins = Message("over balls, mm") if helix else Message("over pins, mm")
+    rows: list[tuple[str, str]] = [
         (Message("module m_n"), mm("module", 4)),
+        (Message("teeth z"), Message("{teeth}, inside", teeth=plain("teeth")) if ring else plain("teeth")),
         (Message("pressure angle"), "" if angle is None else f"{angle:g}°"),
-        (Message("profile shift x"), "" if shift is None else f"{shift:g}"),
-        *_helix_rows(gear, stage),
-        (Message("pitch diameter d"), f"{module * teeth:g} mm" if module and teeth and not helix else ""),
+        (Message("h_aP, h_fP") if ring else Message("h_aP, h_fP, rho_fP"), ", ".join(filter(None, rack))),
+        (Message("helix angle, hand"), "" if helix is None else f"{abs(helix):g}° {hand}"),
+        (Message("lead"), mm("lead")),
+        (Message("pitch diameter d"), mm("reference_diameter")),
+        (Message("profile shift x"), plain("profile_shift")),
+        (Message("tooth depth h"), mm("tooth_depth")),
         (Message("tip diameter"), mm("tip_diameter")),
+        (Message("root form diameter"), mm("form_diameter")),
         (Message("root diameter, as cut"), mm("root_diameter")),
+        (Message("outer diameter"), mm("rim_diameter")),
+        (
+            Message("root"),
+            ""
+            if cutter is None
+            else Message("pinion cutter, z0 {teeth:g}", teeth=cutter)
+            if cutter
+            else Message("arc"),
+        ),
         (Message("face width"), mm("width")),
         (Message("grade, ISO 1328-1"), "" if grade is None else str(grade)),
+        (Message("centre distance, mm"), apart if deviation is None else f"{apart} ± {deviation:.4f}"),
+        (Message("meshes with"), mate),
         (
             Message("thickness E_sns / E_sni"),
             "" if upper is None or lower is None else f"{upper:.1f} / {lower:.1f} µm",
         ),
-        *_ring_rows(gear),
-        (span, limits("span")),
-        (Message(pins, pin=gear.value("pin_diameter") or 0), limits("over_pins")),
-        (Message("meshes with"), mate),
-        (Message("centre distance"), f"{stage.centre_distance:g} mm"),
+        (Message("spaces spanned k") if ring else Message("teeth spanned k"), plain("teeth_spanned")),
+        (Message("span W_k, mm"), limits("span")),
+        (Message("ball diameter D_M") if helix or ring else Message("pin diameter D_M"), mm("pin_diameter")),
+        (Message("between balls, mm") if ring else pins, limits("over_pins")),
+        (
+            Message("contact + overlap ratio") if helix else Message("contact ratio"),
+            " + ".join(
+                f"{value:.2f}" for code in ("contact_ratio", "overlap_ratio") if (value := gear.value(code)) is not None
+            ),
+        ),
     ]
     return tuple(row for row in rows if row[1])
 
 
-def _ring_rows(gear: Figures) -> tuple[tuple[str, str], ...]:
-    """Rows on the rim and the cutter of a ring; none of another gear."""
-    rim, form, cutter = (gear.value(code) for code in ("rim_diameter", "form_diameter", "cutter_teeth"))
-    if rim is None or form is None or cutter is None:
-        return ()
-    return (
-        (Message("teeth"), Message("inside")),
-        (Message("outer diameter"), f"{rim:.3f} mm"),
-        (Message("root form diameter"), f"{form:.3f} mm"),
-        (Message("root"), Message("pinion cutter, z0 {teeth:g}", teeth=cutter) if cutter else Message("arc")),
-    )
-
-
-def _helix_rows(gear: Figures, stage: Stage) -> tuple[tuple[str, str], ...]:
-    """Rows on the helix of a gear (ISO 1340); none of a spur gear."""
-    helix, lead, diameter = (gear.value(code) for code in ("helix_angle", "lead", "reference_diameter"))
-    if helix is None or lead is None or diameter is None:
-        return ()
-    hand = Message("right") if helix > 0 else Message("left")
-    return (
-        (Message("helix angle, hand"), f"{abs(helix):g}° {hand}"),
-        (Message("lead"), f"{lead:.3f} mm"),
-        (Message("pitch diameter d"), f"{diameter:.3f} mm"),
-    )
-
-
 _CHORD = 1e-4  # of outlines on the sheet, as a share of their radius
 _GAP = 8.0  # mm on paper from the part to a dimension line, and from line to line
-_TABLE = (42.0, 42.0)  # widths of the columns, mm
+_TABLE = {1: (42.0, 42.0), 2: (37.0, 30.0, 30.0)}  # widths of the columns by the number of gears, mm
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -155,16 +152,19 @@ def gear_drawing(gear: GearPart, title: Title) -> DrawingSheet:
     """Sheet A4, or A3 where the part is larger than A4 shows at 1:1."""
     body = gear.part.body
     across, axial = 2 * _reach(body), body.slabs[-1].end - body.slabs[0].start
-    table_width, notes = sum(_TABLE), tuple(_notes(gear))
+    widths, names, notes = _TABLE[len(gear.data)], _names(gear.part), tuple(_notes(gear))
+    table_width = sum(widths)
+    rows: tuple[tuple[str, ...], ...] = gear.data[0]
+    if len(gear.data) > 1:
+        columns = [dict(data) for data in gear.data]
+        every = dict.fromkeys(name for column in columns for name in column)
+        rows = (("", *names), *((name, *(column.get(name, "-") for column in columns)) for name in every))
+    title_of_table = names[0] if len(names) == 1 else Message("gears")
 
     def tables_of(size: str) -> tuple[SheetTable, ...]:
         width, height = SIZES[size]
-        tables, top = [], height - EDGE - 2.0
-        for data, name in zip(gear.data, _names(gear.part), strict=True):
-            at = (width - EDGE - table_width, top)
-            tables.append(SheetTable(title=name, at=at, widths=_TABLE, rows=data, headed=False))
-            top -= tables[-1].height + 1.0
-        return tuple(tables)
+        at = (width - EDGE - table_width, height - EDGE - 2.0)
+        return (SheetTable(title=title_of_table, at=at, widths=widths, rows=rows, headed=False),)
 
     def columns_of(size: str) -> tuple[NoteColumn, ...]:
         return beside_title(size), over_title(tables_of(size), table_width, title)
@@ -215,7 +215,7 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     part, gap = gear.part, _GAP / scale
     blank = part.blank
     reach = _reach(part.body)
-    curves: list[Closed | Stroke] = [_outline(loop) for loop in dict.fromkeys(_rims(part.body))]
+    curves: list[Closed | Stroke] = [_outline(_at_its_top(part.body, loop)) for loop in dict.fromkeys(_rims(part.body))]
     if is_ring(part.gears[0]):
         curves.append(_outline(part.body.slabs[0].rings[-1]))
     # Under a wider gear they are not seen.
@@ -267,6 +267,12 @@ def _rims(body: Body) -> Iterator[Loop]:
         rings = slab.rings[:-1] if len(slab.rings) % 2 == 0 else slab.rings
         yield from (loop for loop in rings if loop.radii[1] > reach)
         reach = max(reach, slab.rings[0].radii[0])
+
+
+def _at_its_top(body: Body, loop: Loop) -> Loop:
+    """Section at the upper end of the wall that begins with a section."""
+    slabs = [slab for slab in body.slabs if loop in slab.rings]
+    return loop.rotated(loop.run.angle(slabs[-1].end - slabs[0].start))
 
 
 def _drilled(part: TrainPart) -> tuple[Loop, ...]:
@@ -392,7 +398,7 @@ def _notes(gear: GearPart) -> Iterator[str]:
         )
     if blank.bore_diameter:
         yield from gear.fit.notes(blank)
-    else:
+    elif not is_ring(gear.part.gears[0]):
         yield Message("No bore: the design states none.")
     yield from gear.notes
 

@@ -1,0 +1,91 @@
+"""The gear data table of a sheet: its order, its circles by other sources, and room for every cell."""
+
+from math import cos, radians, sin, tan
+
+import pytest
+from matplotlib.font_manager import FontProperties
+from matplotlib.textpath import TextPath
+
+from cadgen import Gear, GearPair
+from cadgen.jobs.gears.assembly import gear_figures
+from cadgen.messages import shown
+from cadgen.output.drawing.gear_sheets import _TABLE, gear_rows
+from cadgen.output.drawing.sheet import TEXT
+
+
+def test_form_circles_of_a_published_gear():
+    """MESYS calculator: z 20, m 1, rack tip radius 0.25."""
+    facts = Gear(teeth=20, module=1, width=8, rack_tip_radius=0.25).facts()
+    assert facts["form_diameter_mm"] == pytest.approx(18.8003, abs=5e-5)
+    assert facts["tip_form_diameter_mm"] == facts["tip_diameter_mm"] == 22.0
+    assert facts["tooth_depth_mm"] == pytest.approx(2.25)
+
+
+def test_base_and_reference_diameter_of_a_helical_gear():
+    facts = Gear(teeth=30, module=2, width=10, helix_angle=radians(25), tip_chamfer=0.1).facts()
+    reference = 60 / cos(radians(25))
+    assert facts["reference_diameter_mm"] == pytest.approx(reference)
+    # cos² α_t = cos² β / (cos² β + tan² α_n)
+    assert facts["base_diameter_mm"] == pytest.approx(
+        reference * cos(radians(25)) / (cos(radians(25)) ** 2 + tan(radians(20)) ** 2) ** 0.5
+    )
+    assert facts["tip_form_diameter_mm"] == pytest.approx(facts["tip_diameter_mm"] - 0.2)
+    assert facts["lead_mm"] * sin(radians(25)) == pytest.approx(reference * 3.141592653589793 * cos(radians(25)))
+
+
+@pytest.fixture(scope="module")
+def tables():
+    helix = {"module": 1, "width": 12, "helix_angle": radians(20)}
+    pairs = {
+        "helical": (Gear(teeth=20, **helix), Gear(teeth=60, hand="left", **helix)),
+        "ring": (Gear(teeth=20, module=1, width=8), Gear(teeth=60, module=1, width=8, internal=True)),
+    }
+    found = {}
+    for name, gears in pairs.items():
+        train = GearPair(*gears, backlash=0.08).computed.layout
+        stage = train.train.stages[0]
+        figures = [next(iter(each.values())) for each in gear_figures(train)]
+        found[name] = [gear_rows(gear, "z = 120, 3_cluster", stage, drives=n == 0) for n, gear in enumerate(figures)]
+    return found
+
+
+def test_order_of_the_table(tables):
+    names = [name for name, _ in tables["helical"][1]]
+    assert names == [
+        "module m_n",
+        "teeth z",
+        "pressure angle",
+        "h_aP, h_fP, rho_fP",
+        "helix angle, hand",
+        "lead",
+        "pitch diameter d",
+        "profile shift x",
+        "tooth depth h",
+        "tip diameter",
+        "root form diameter",
+        "root diameter, as cut",
+        "face width",
+        "grade, ISO 1328-1",
+        "centre distance, mm",
+        "meshes with",
+        "thickness E_sns / E_sni",
+        "teeth spanned k",
+        "span W_k, mm",
+        "ball diameter D_M",
+        "over balls, mm",
+        "contact + overlap ratio",
+    ]
+    ring = dict(tables["ring"][1])
+    assert ring["teeth z"] == "60, inside"
+    assert ring["root"] == "pinion cutter, z0 25"
+    assert ring["spaces spanned k"] == "7"
+
+
+def test_every_cell_has_room(tables):
+    font = FontProperties(family="DejaVu Sans")
+    for rows, widths in ((tables["helical"][1], _TABLE[2]), (tables["ring"][1], _TABLE[1])):
+        for cells in rows:
+            for cell, column in zip(cells, widths[:2], strict=True):
+                path = TextPath((0, 0), shown(cell), size=10, prop=font).get_extents()
+                # The height of the sheets' letters is that of capitals, 0.73 of the size of this font.
+                assert path.width / 7.3 * 0.85 * TEXT < column - 1.0, cell
