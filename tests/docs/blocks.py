@@ -22,6 +22,7 @@ _FENCE = re.compile(r"^(?P<slow><!-- slow -->\n)?```(?P<language>[\w{}-]*)[^\n]*
 
 _FILES = (
     *("docs/tutorial/first_car.toml", "docs/tutorial/camera.csv", "docs/tutorial/trial_1.csv"),
+    "docs/tutorial/lobe.csv",
     "tests/data/measured/track_b.csv",
 )
 

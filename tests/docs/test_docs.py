@@ -306,6 +306,21 @@ def test_the_tutorials_camera_file_is_as_its_script_makes_it() -> None:
     assert (DOCS / "tutorial/camera.csv").read_text(encoding="utf-8") == camera_file()
 
 
+def test_the_measured_lobe_is_as_its_script_makes_it() -> None:
+    from docs.tutorial.make_lobe import lobe_file
+
+    assert (DOCS / "tutorial/lobe.csv").read_text(encoding="utf-8") == lobe_file()
+
+
+def test_the_first_cam_is_the_packaged_roller() -> None:
+    """The page asks what the packaged design asks, so its figures are held by the tests of that."""
+    page = next(block.text for block in blocks(DOCS / "first-cam.md") if block.language == "toml")
+    shown, packaged = tomllib.loads(page), tomllib.loads((ROOT / "designs/roller.toml").read_text(encoding="utf-8"))
+    for section in ("follower", "cam", "dynamics"):
+        assert shown[section] == packaged[section]
+    assert shown["motion"]["segments"] == packaged["motion"]["segments"]
+
+
 def test_the_page_shows_the_design_and_the_data_as_they_are() -> None:
     text = TUTORIAL.read_text(encoding="utf-8")
     design = (DOCS / "tutorial/first_car.toml").read_text(encoding="utf-8")

@@ -156,7 +156,19 @@ class MotionUse(Application):
             )
         )
         groove = () if cam.groove is None else (_groove_words(cam, cam.groove),)
-        return sense, *second, *groove, *notes_of(cam.motion, self.rpm)
+        asked = self.design.cam.pressure_angle_deg
+        least = (
+            ()
+            if asked is None
+            else (
+                Message(
+                    "Base circle: radius {radius:.4g} mm, the least with a pressure angle of {angle:g}°.",
+                    radius=self.design.seat.base_radius,
+                    angle=asked,
+                ),
+            )
+        )
+        return sense, *least, *second, *groove, *notes_of(cam.motion, self.rpm)
 
     def drawing_notes(self, cam: CamPlan) -> tuple[str, ...]:
         """Sense in which the disc turns, and the base circle."""
