@@ -314,6 +314,16 @@ class PlateSection(DesignSection):
     hole_fit: FitName | None = Field(
         default=None, max_length=20, description="of the holes and the shafts in them by ISO 286, such as `H7/h6`"
     )
+    thickness_mm: Feature | None = Field(
+        default=None, le=200, description="of the plates, which are then made as STEP, too"
+    )
+    bearing_bores_mm: Annotated[tuple[Annotated[FeatureOrNone, Le(500)], ...], Strict(False)] | None = Field(
+        default=None,
+        min_length=1,
+        max_length=8,
+        description="diameters of the holes for bearings, one for all shafts or one each from the drive on, 0 for "
+        "none; left out, as large as the shafts",
+    )
 
 
 class SearchSection(DesignSection):

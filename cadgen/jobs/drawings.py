@@ -29,11 +29,12 @@ from cadgen.jobs.gears.assembly import gear_figures
 from cadgen.jobs.gears.gear_train import GearTrain
 from cadgen.messages import ENGLISH, Message, joined, language
 from cadgen.output.drawing.cam_sheet import EVERY, CamPart, cam_drawing
-from cadgen.output.drawing.gear_sheets import Axis, GearPart, gear_drawing, gear_rows, plate_drawing
+from cadgen.output.drawing.gear_sheets import GearPart, gear_drawing, gear_rows, plate_drawing
 from cadgen.output.drawing.shaft_fit import fit_limits, hole_class
 from cadgen.output.drawing.sheet import DrawingSheet, Title, scale_text
 from cadgen.output.files.dxf import gear_outlines
 from cadgen.output.files.manifest import NAME, ManifestEntry, Origin, sound_parts
+from cadgen.output.files.plate import Axis, Plate, bearing_bores, plate_files
 from cadgen.output.files.publisher import Artifact, Written, publish, require, text_file
 from cadgen.parts.face import Face
 from cadgen.progress import Progress, silent
@@ -282,34 +283,53 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
         name = Message("{part}: {bodies}", part=part.name, bodies=bodies)
         title = title_of(origin, plan.title, name, made.material or "", stem, folder)
         yield stem, gear_drawing(sheet, title)
+    stem = f"{plan.stem}_plate"
+    title = title_of(origin, plan.title, Message("plate for the axes"), plan.making.plate or "", stem, folder)
+    pair = replace(title, quantity=2 * title.quantity)
+    holes = Message("shaft Ø, mm") if plan.making.bearing_bores is None else Message("hole Ø, mm")
+    yield stem, plate_drawing(plate_of(plan), holes, tuple(_plate_notes(plan)), pair)
+
+
+def plate_of(plan: GearTrain) -> Plate:
+    """Plate of a train.
+
+    Raises:
+        DesignError: bores for bearings that meet, or are too many or too few.
+    """
+    parts, making = plan.layout.parts, plan.making
+    bores = bearing_bores(making.bearing_bores, [part.blank.bore_diameter for part in parts])
     axes = tuple(
         Axis(
             shaft=part.shaft,
             x=part.axis.real,
             y=part.axis.imag,
-            bore=part.blank.bore_diameter,
+            bore=bore,
             reach=max(map(rim_diameter, part.gears)) / 2,
-            hole=hole_class(plan.making.holes),
+            hole=hole_class(making.holes),
         )
-        for part in layout.parts
+        for part, bore in zip(parts, bores, strict=True)
     )
-    stem = f"{plan.stem}_plate"
-    title = title_of(origin, plan.title, Message("plate for the axes"), plan.making.plate or "", stem, folder)
-    pair = replace(title, quantity=2 * title.quantity)
-    yield stem, plate_drawing(axes, tuple(_plate_notes(plan)), pair)
+    return Plate(axes, making.plate_thickness)
 
 
 def _plate_notes(plan: GearTrain) -> Iterator[str]:
     yield Message("Seen along the axes from the output's end. Broken circles: tips of the gears, for room.")
-    yield Message("Two to a machine, before and behind the gears. Thickness as the bearings need.")
-    holes = plan.making.holes
-    if holes is None:
+    if plan.making.plate_thickness is None:
+        yield Message("Two to a machine, before and behind the gears. Thickness as the bearings need.")
+    else:
+        thickness = plan.making.plate_thickness
+        yield Message("Two to a machine, before and behind the gears, {thickness:g} mm thick.", thickness=thickness)
+    holes, bearings = plan.making.holes, plan.making.bearing_bores is not None
+    if bearings:
+        yield Message("Holes for the bearings, as the table has them.")
+    elif holes is None:
         yield Message(
             "Holes as large as the shafts: open them for your bearings. Where no bore is given there is no hole."
         )
-    else:
-        for size in sorted({part.blank.bore_diameter for part in plan.layout.parts} - {0.0}):
-            yield fit_limits(Message("Hole Ø{size:g}", size=size), Message("shaft"), holes, size)
+    if holes is not None:
+        on = Message("bearing") if bearings else Message("shaft")
+        for size in sorted({axis.bore for axis in plate_of(plan).holed}):
+            yield fit_limits(Message("Hole Ø{size:g}", size=size), on, holes, size)
     yield Message("Places of the axes: hold the distances below, not the general tolerance.")
     for number, stage in enumerate(plan.layout.train.stages, 1):
         deviation = stage.distance_deviation
@@ -391,6 +411,8 @@ def write_drawings(parts: Parts, out: Path, progress: Progress = silent) -> Writ
                 stem = f"{parts.train.stem}_{part.name}"
                 outlines = gear_outlines(staging, part, stem, "_outline", drilled=False)
                 yield from (replace(each, readings=()) for each in outlines)
+            plate = f"{parts.train.stem}_plate"
+            yield from plate_files(plate_of(parts.train), staging, plate)
         if parts.cam is not None and parts.cam.application.measured_again:
             yield text_file(staging / f"{parts.cam.stem}_inspection.csv", inspection_csv(parts.cam))
 

@@ -80,6 +80,8 @@ class TrainMaking:
         output: part on the camshaft.
         plate: material of the plates; None where the design does not say.
         holes: fit of their holes; None where the design does not say.
+        plate_thickness: thickness of the plates, mm; None where the design does not say.
+        bearing_bores: bores for bearings, mm, one for all shafts or one each; None for holes as large as the shafts.
     """
 
     drive: ShaftMaking
@@ -87,6 +89,8 @@ class TrainMaking:
     output: ShaftMaking
     plate: str | None
     holes: str | None
+    plate_thickness: float | None
+    bearing_bores: tuple[float, ...] | None
 
     @classmethod
     def of(cls, keys: TrainSection) -> TrainMaking:
@@ -103,6 +107,8 @@ class TrainMaking:
             shaft("output", keys.output),
             plate.material,
             plate.hole_fit,
+            plate.thickness_mm,
+            plate.bearing_bores_mm,
         )
 
     def shaft(self, number: int, shafts: int) -> ShaftMaking:

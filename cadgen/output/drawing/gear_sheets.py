@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
-from math import atan2, ceil, degrees, floor
+from math import atan2, degrees
 
 import numpy as np
 
@@ -48,6 +48,7 @@ from cadgen.output.drawing.sheet import (
     rounded,
     section_name,
 )
+from cadgen.output.files.plate import Axis, Plate
 from cadgen.parts.body import Body
 from cadgen.parts.features import Keyway
 from cadgen.parts.loop import Arc, Loop
@@ -409,32 +410,9 @@ def _hole_sizes(holes: tuple[Loop, ...]) -> tuple[float, float]:
     return 2 * arc.radius, 2 * abs(arc.centre)
 
 
-MARGIN = 10.0  # mm of plate beyond the gears
-_ROUND = 5.0  # mm, to which its sides are rounded up
 _PLATE_GAP = 10.0  # mm on paper, likewise on the sheet of the plate
 _NUMBER = 4.0  # mm on paper from a hole to the middle of its shaft's number
 _WIDTHS = (14.0, 24.0, 24.0, 22.0)
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Axis:
-    """A shaft of the train where it passes the plate.
-
-    Attributes:
-        shaft: its number, from the drive.
-        x: place of its axis, mm.
-        y: likewise.
-        bore: diameter of the part's bore, mm; 0 for none.
-        reach: radius of the largest gear on it, mm.
-        hole: class of its hole in the plate, such as `H7`; empty where none is given.
-    """
-
-    shaft: int
-    x: float
-    y: float
-    bore: float
-    reach: float
-    hole: str = ""
 
 
 def _distances(first: Axis, second: Axis, gap: float) -> Iterator[LinearDimension]:
@@ -453,16 +431,19 @@ def _distances(first: Axis, second: Axis, gap: float) -> Iterator[LinearDimensio
             )
 
 
-def plate_drawing(axes: tuple[Axis, ...], notes: tuple[str, ...], title: Title) -> DrawingSheet:
-    """Sheet A4, or A3 where the plate is larger than A4 shows at 1:1."""
-    places = np.array([[axis.x, axis.y] for axis in axes])
-    reach = np.array([[axis.reach] for axis in axes])
-    least, most = (places - reach).min(axis=0) - MARGIN, (places + reach).max(axis=0) + MARGIN
-    left, low = (_ROUND * floor(value / _ROUND) for value in least.tolist())
-    right, high = (_ROUND * ceil(value / _ROUND) for value in most.tolist())
+def plate_drawing(plate: Plate, holes: str, notes: tuple[str, ...], title: Title) -> DrawingSheet:
+    """Sheet A4, or A3 where the plate is larger than A4 shows at 1:1.
+
+    Args:
+        plate: plate with its axes.
+        holes: what the diameters of its holes are, over their column.
+        notes: sentences for the shop.
+        title: title block.
+    """
+    axes, (left, low, right, high) = plate.axes, plate.sides
     table_width = sum(_WIDTHS)
     beside = (table_width + 40.0, TITLE_SIZE[1] + 30.0)
-    rows: list[tuple[str, ...]] = [(Message("shaft"), "x, mm", "y, mm", Message("shaft Ø, mm"))]
+    rows: list[tuple[str, ...]] = [(Message("shaft"), "x, mm", "y, mm", holes)]
     for axis in axes:
         hole = f"{axis.bore:g} {axis.hole}".strip() if axis.bore else ""
         rows.append((str(axis.shaft), f"{axis.x:.3f}", f"{axis.y:.3f}", hole))
@@ -482,8 +463,7 @@ def plate_drawing(axes: tuple[Axis, ...], notes: tuple[str, ...], title: Title) 
         LEFT + 24.0 - scale * left,
         EDGE + TITLE_SIZE[1] + 6.0 + (height - 2 * EDGE - TITLE_SIZE[1] - scale * (high - low)) / 2 - scale * low,
     )
-    corners = np.array([[left, low], [right, low], [right, high], [left, high]])
-    curves: list[Closed | Stroke] = [Closed(Contour(corners, np.zeros(4)))]
+    curves: list[Closed | Stroke] = [Closed(plate.outline)]
     for axis in axes:
         at = (axis.x, axis.y)
         curves += [ring(2 * axis.reach, LineKind.PHANTOM, at), *centre_cross(6.0 / scale, at)]

@@ -450,13 +450,18 @@ def write_outline(
         )
     read = (*drawing.bore, *drawing.holes, *drawing.rim)
     drawn = (*inside, *([rim] if rim else []))
-    same = len(read) == len(drawn) and all(map(_alike, read, drawn))
+    same = len(read) == len(drawn) and all(map(alike, read, drawn))
     require(same and drawing.note == note, path.name, Message("has another bore, hole, rim or note"))
     return error
 
 
-def _alike(read: Contour, drawn: Contour) -> bool:
-    """Whether a contour read back is that which was drawn, to the rounding of the file."""
+def alike(read: Contour, drawn: Contour) -> bool:
+    """Whether a contour read back is that which was drawn, to the rounding of the file.
+
+    Args:
+        read: contour read back.
+        drawn: contour that was written.
+    """
     return read.vertices.shape == drawn.vertices.shape and bool(
         np.allclose(read.vertices, drawn.vertices, rtol=0, atol=_PLACE_MM)
         and abs(read.area() - drawn.area()) <= _PLACE_MM * drawn.area()

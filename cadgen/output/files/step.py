@@ -78,7 +78,7 @@ def gear_step(gear: GearExport, folder: Path) -> list[Artifact]:
     from cadgen.geometry.solids.step_text import read_gear
 
     file = folder / f"{gear.name}.step"
-    whole = _one_solid(file, gear.solid(), gear.part.volume)
+    whole = one_solid(file, gear.solid(), gear.part.volume)
     teeth = tooth_artifact(file.name, read_gear(file, gear.part.gears, gear.part.starts))
     return [replace(teeth, facts=teeth.facts | whole)]
 
@@ -86,12 +86,21 @@ def gear_step(gear: GearExport, folder: Path) -> list[Artifact]:
 def rack_step(rack: RackExport, folder: Path) -> list[Artifact]:
     """STEP file of a rack, which must be one valid solid with name and exact volume."""
     file = folder / f"{rack.name}.step"
-    whole = _one_solid(file, rack.solid(), rack.form.area * rack.form.width)
+    whole = one_solid(file, rack.solid(), rack.form.area * rack.form.width)
     return [Artifact(file.name, whole, (Message("one valid solid of the exact volume"),))]
 
 
-def _one_solid(file: Path, solid: SolidPart, exact: float) -> Facts:
-    """Write a solid, and require of it read back that it is one, valid, with its name and the exact volume, mm³."""
+def one_solid(file: Path, solid: SolidPart, exact: float) -> Facts:
+    """Write a solid, and require of it read back that it is one, valid, with its name and the exact volume.
+
+    Args:
+        file: file to write.
+        solid: solid with its name.
+        exact: exact volume, mm³.
+
+    Raises:
+        FileError: it is something else.
+    """
     from cadgen.geometry.solids.step import read_part, step_bytes
 
     file.write_bytes(step_bytes(solid))
