@@ -8,6 +8,7 @@ import click
 import pytest
 
 from cadgen.cli import cli
+from cadgen.design.load import packaged_designs
 from cadgen.design.schema import DesignFile
 from cadgen.inference.measurement import kinds
 
@@ -34,12 +35,13 @@ _WRITTEN = re.compile(
     """,
     re.VERBOSE,
 )
-# Names that are the same in every language: commands, values of their options, sections, kinds of measured data.
+# Names that are the same in every language: commands, values of their options, sections, kinds of data, packaged designs.
 _NAMES = {choice for command in cli.commands.values() for choices in command.params for choice in _choices(choices)}
 _NAMES |= {
     *cli.commands,
     *DesignFile.model_fields,
     *kinds.codes(),
+    *packaged_designs(),
     "cadgen",
     "exports",
     "dask",
