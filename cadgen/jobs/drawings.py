@@ -14,24 +14,25 @@ from typing import Any
 
 import numpy as np
 
-from cadgen.arrays import TURN
+from cadgen.arrays import TURN, Array
 from cadgen.curves.biarc import arcs
 from cadgen.design.keys import unit_of, without_unit
 from cadgen.design.machining import DrawingText
-from cadgen.errors import DesignError, FileError
+from cadgen.errors import FileError
 from cadgen.figures import Facts, Figures, with_unit
 from cadgen.gears.layout import TrainLayout
 from cadgen.gears.stage import rim_diameter
 from cadgen.gears.tooth import GearForm
 from cadgen.inference.measurement.record import Direction
-from cadgen.jobs.cam.cam_plan import CamPlan
+from cadgen.jobs.cam.cam_plan import CamPlan, Groove
 from cadgen.jobs.gears.assembly import gear_figures
 from cadgen.jobs.gears.gear_train import GearTrain
 from cadgen.messages import ENGLISH, Message, joined, language
-from cadgen.output.drawing.cam_sheet import EVERY, CamPart, cam_drawing
+from cadgen.output.drawing.cam_sheet import EVERY, CamPart, SheetGroove, cam_drawing
 from cadgen.output.drawing.gear_sheets import GearPart, gear_drawing, gear_rows, plate_drawing
 from cadgen.output.drawing.shaft_fit import fit_limits, hole_class
 from cadgen.output.drawing.sheet import DrawingSheet, Title, scale_text
+from cadgen.output.drawing.timing import TimingDiagram
 from cadgen.output.files.dxf import gear_outlines
 from cadgen.output.files.manifest import NAME, ManifestEntry, Origin, sound_parts
 from cadgen.output.files.plate import Axis, Plate, bearing_bores, plate_files
@@ -144,25 +145,19 @@ _CAM_ENDINGS = ("_spline.dxf", "_arcs.dxf", ".step", ".nc")  # of the files that
 _ARCS_WITHIN = 1e-3  # mm, of the outline on the sheet
 _DENSE = 7200  # angles at which the greatest and least radius are sought
 _RUNS = 3  # of the inspection, which tells noise from what repeats
+_ACROSS_AT = _DENSE * 215 // 360  # angle at which the width of a groove is dimensioned
 _STEP = 5  # degrees between its readings
 
 
 def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
-    """Sheet of a cam; it names the files of the folder that hold the same cam.
-
-    Raises:
-        DesignError: the cam has a groove, of which a sheet would show one flank as the outline.
-    """
-    if plan.groove is not None:
-        raise DesignError(
-            "a groove has no sheet yet: make it from the files of cadgen cam, whose manifest has width, depth and "
-            "diameter; cadgen draw --only train draws a train"
-        )
+    """Sheet of a cam; it names the files of the folder that hold the same cam."""
     making, use = plan.making, plan.application
     angles = np.radians(np.arange(0.0, 360.0, EVERY))
     dense = np.linspace(0.0, TURN, _DENSE, endpoint=False)
     radii = plan.curve.radius(dense)
     most, least = int(radii.argmax()), int(radii.argmin())
+    endings = (*_CAM_ENDINGS[:-1], "_groove.nc") if plan.groove else _CAM_ENDINGS
+    timing = use.timing(plan)
     part = CamPart(
         profile=arcs(plan.curve, _ARCS_WITHIN),
         angles=angles,
@@ -178,13 +173,42 @@ def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
         sizes=_follower(plan),
         leans=plan.follower.leans,
         face=Message("inner face") if plan.seen == Face.INNER else Message("outer face"),
-        files=folder.files(plan.stem, plan.origin.content_hash, _CAM_ENDINGS),
+        files=folder.files(plan.stem, plan.origin.content_hash, endings),
         notes=(*use.drawing_notes(plan), *([plan.kind.note] if plan.kind.note else [])),
+        timing=None if timing is None else TimingDiagram.of(timing),
+        groove=None if plan.groove is None else _groove(plan, plan.groove, angles),
     )
     noun = Message("second {cam}", cam=Message(use.noun)) if plan.part else Message(use.noun)
     name = Message("{cam}, {kind} profile", cam=noun, kind=Message(str(plan.kind)))
     title = title_of(plan.origin, making.title, name, Message(str(making.material or "")), plan.stem, folder)
     return cam_drawing(part, replace(title, verdict=_verdict(plan)))
+
+
+def _groove(plan: CamPlan, groove: Groove, angles: Array) -> SheetGroove:
+    """Groove of a cam for its sheet.
+
+    Args:
+        plan: cam, whose curve is the inner flank.
+        groove: its groove.
+        angles: polar angles of the table, rad.
+    """
+    dense = np.linspace(0.0, TURN, _DENSE, endpoint=False)
+    outer = groove.outer.curve
+    radii = outer.radius(dense)
+    inner = plan.curve.radius(dense)[:, None] * np.column_stack([np.cos(dense), np.sin(dense)])
+    normal = np.gradient(np.vstack([inner[-1:], inner, inner[:1]]), axis=0)[1:-1] @ np.array([[0.0, -1.0], [1.0, 0.0]])
+    normal /= np.linalg.norm(normal, axis=1)[:, None]
+    half = plan.follower_as_built.radius
+    across = inner[_ACROSS_AT] + np.array([[0.0], [2 * half]]) * normal[_ACROSS_AT]
+    return SheetGroove(
+        outer=arcs(outer, _ARCS_WITHIN),
+        radii=outer.radius(angles),
+        greatest=(float(radii.max()), float(dense[radii.argmax()])),
+        path=np.vstack([inner + half * normal, inner[:1] + half * normal[:1]]),
+        across=across,
+        outside_radius=groove.outside_radius,
+        depth=groove.depth,
+    )
 
 
 def _follower(plan: CamPlan) -> Message:

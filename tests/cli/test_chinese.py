@@ -35,7 +35,7 @@ _WRITTEN = re.compile(
     """,
     re.VERBOSE,
 )
-# Names that are the same in every language: commands, values of their options, sections, kinds of data, packaged designs.
+# Names that are the same in every language: commands, values of options, sections, kinds of data, packaged designs.
 _NAMES = {choice for command in cli.commands.values() for choices in command.params for choice in _choices(choices)}
 _NAMES |= {
     *cli.commands,

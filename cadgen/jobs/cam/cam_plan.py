@@ -141,6 +141,14 @@ class Application:
         """Figures without a verdict that are shown beside the checks."""
         return ()
 
+    def timing(self, cam: "CamPlan") -> Motion | None:
+        """Motion of the timing diagram on the sheet of a cam; None where a sheet has none.
+
+        Args:
+            cam: cam that was computed.
+        """
+        return None
+
     def forces(self, cam: "CamPlan") -> CamForces | None:
         """Forces on the follower and its camshaft; None where nothing is said of them.
 

@@ -170,16 +170,35 @@ class MotionUse(Application):
         )
         return sense, *least, *second, *groove, *notes_of(cam.motion, self.rpm)
 
+    def timing(self, cam: CamPlan) -> Motion:
+        """Motion of the follower, which is the opposite of that of a second disc.
+
+        Args:
+            cam: cam that was computed.
+        """
+        motion = cam.motion
+        return motion.first if isinstance(motion, OppositeMotion) and motion.first is not None else motion
+
     def drawing_notes(self, cam: CamPlan) -> tuple[str, ...]:
-        """Sense in which the disc turns, and the base circle."""
-        return (
-            Message("Turns clockwise, seen on this face."),
-            Message("Second disc of a conjugate pair: key and angle 0 stand as on the first.")
-            if cam.part
-            else _groove_words(cam, cam.groove)
-            if cam.groove
-            else Message("Base circle: radius {radius:g} mm.", radius=self.design.seat.base_radius),
+        """Sense in which the disc turns, base circle or groove, and whose angles the sheet has."""
+        turns = self.design.motion.machine_turns
+        machine = (
+            ()
+            if turns is None
+            else (Message("Angles are the cam's; the machine turns {turns:g} times as far.", turns=turns),)
         )
+        sense = Message("Turns clockwise, seen on this face.")
+        if cam.part:
+            return sense, Message("Second disc of a conjugate pair: key and angle 0 stand as on the first."), *machine
+        if cam.groove is None:
+            return sense, Message("Base circle: radius {radius:g} mm.", radius=self.design.seat.base_radius), *machine
+        cutter = Message(
+            "A cutter of {width:g} mm mills it in one round, a smaller one along either flank; the program is for "
+            "{cutter:g} mm.",
+            width=2 * cam.follower_as_built.radius,
+            cutter=cam.making.machining.cutter_diameter_mm,
+        )
+        return sense, _groove_words(cam, cam.groove), cutter, *machine
 
 
 def plan_motion_cam(design: MotionDesign, profile: str | None = None, progress: Progress = silent) -> CamPlan:

@@ -1,7 +1,7 @@
 """Sheet of a cam: face, section, radii by the angle, and what a shop has to know of it."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import atan2, ceil, cos, degrees, sin
 
 import numpy as np
@@ -14,6 +14,7 @@ from cadgen.output.drawing.placement import placed_dimensions
 from cadgen.output.drawing.section import Layer, ScrewHole, edges_behind_cut, material, outlines_and_hatches
 from cadgen.output.drawing.shaft_fit import ShaftFit, deeper
 from cadgen.output.drawing.sheet import (
+    BEYOND,
     EDGE,
     LEFT,
     SHOWN,
@@ -45,6 +46,7 @@ from cadgen.output.drawing.sheet import (
     rounded,
     section_name,
 )
+from cadgen.output.drawing.timing import TimingDiagram
 from cadgen.parts.blank import Blank
 from cadgen.parts.face import Face
 from cadgen.parts.features import DFlat, Keyway
@@ -57,6 +59,29 @@ _COLUMN = 31.0  # width of each of the tables of radii, and what is between them
 _TABLES = 3 * _COLUMN
 _ARROW = 14.0  # mm on paper of the arrow at the zero mark
 _STEEP = 0.35  # of the sine of the angle between that arrow and the plane of the section
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class SheetGroove:
+    """Groove of a cam, for its sheet.
+
+    Attributes:
+        outer: outer flank as lines and arcs, mm.
+        radii: distance of the exact outer flank from the axis at the angles of the table, mm.
+        greatest: greatest radius of the outer flank, and its polar angle: mm, rad.
+        path: path of the roller's centre, shape (n, 2), mm.
+        across: points of the inner and the outer flank that are nearest to each other, mm, shape (2, 2).
+        outside_radius: radius of the disc, mm.
+        depth: depth, mm.
+    """
+
+    outer: Contour
+    radii: Array
+    greatest: tuple[float, float]
+    path: Array
+    across: Array
+    outside_radius: float
+    depth: float
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -80,6 +105,8 @@ class CamPart:
         face: words for the face that is seen.
         files: name and hash of each file that holds the outline.
         notes: further sentences.
+        timing: timing diagram; None of a cam whose motion is a car's.
+        groove: groove of which the outline is the inner flank; None for a disc whose rim is the outline.
     """
 
     profile: Contour
@@ -98,38 +125,61 @@ class CamPart:
     face: str
     files: tuple[tuple[str, str], ...]
     notes: tuple[str, ...]
+    timing: TimingDiagram | None = None
+    groove: SheetGroove | None = None
+
+    @property
+    def reach(self) -> float:
+        """Greatest distance of the disc from its axis, mm."""
+        return self.greatest[0] if self.groove is None else self.groove.outside_radius
 
 
 def cam_drawing(cam: CamPart, title: Title) -> DrawingSheet:
     """Sheet A4, or A3 where the cam is larger than A4 shows at 1:1."""
-    across, hub = 2 * cam.greatest[0], cam.blank.hub
+    across, hub, timing = 2 * cam.reach, cam.blank.hub, cam.timing
     axial = cam.thickness + (hub.length if hub else 0.0)
     notes = tuple(_notes(cam))
 
     def tables_of(size: str) -> tuple[SheetTable, ...]:
         width, height = SIZES[size]
-        return _radii(cam, (width - EDGE - _TABLES, height - EDGE - 2.0))
+        radii = _radii(cam, (width - EDGE - _TABLES, height - EDGE - 2.0))
+        below = (radii[0].at[0], radii[0].at[1] - radii[0].height - 2.0)
+        segments = timing.table(below) if timing else None
+        return (*radii, *([segments] if segments else []))
 
     def columns_of(size: str) -> tuple[NoteColumn, ...]:
-        return over_title(tables_of(size), _TABLES, title), beside_title(size)
+        over, beside = over_title(tables_of(size), _TABLES, title), beside_title(size)
+        if timing is None:
+            return over, beside
+        # The timing diagram stands beside the title block, and leaves notes a column there that have no other room.
+        if size == "A4" or have_room(notes, (over,)):
+            return (over,)
+        x, y = beside.at
+        return over, replace(beside, at=(x + beside.width - _TABLES, y), width=_TABLES)
 
     # Beside the views: arrows of the section, dimensions of the hub; under them: their names.
     between, after = (40.0 if hub and hub.side == Face.INNER else 27.0), 24.0
     letters = _letters_below(cam)
-    beside, under = _BEFORE + between + after + _TABLES, title.height + 29.0 + letters
+    # The arrow at the zero mark may stand at the greatest radius, and the plane of the section ends beyond it.
+    before = _BEFORE + (9.0 if timing else 0.0)
+    beside, under = before + between + after + _TABLES, title.height + 29.0 + letters
     size, scale = chosen_sheet(
         (across + axial, across), (beside, under), 1.0, 2.0, lambda size: have_room(notes, columns_of(size))
     )
     _, height = SIZES[size]
     least = EDGE + title.height + 18.0 + letters + scale * across / 2
-    face_at = (LEFT + _BEFORE + scale * across / 2, max(least, height / 2 + 5.0))
+    face_at = (LEFT + before + scale * across / 2, max(least, height / 2 + 5.0))
     below = hub.length if hub and hub.side == Face.INNER else 0.0
     section_at = (face_at[0] + scale * (across / 2 + below) + between, face_at[1])
     return DrawingSheet(
         size=size,
         scale=scale,
         title=title,
-        views=(_face(cam, face_at, scale), _section(cam, section_at, scale)),
+        views=(
+            _face(cam, face_at, scale),
+            _section(cam, section_at, scale),
+            *([timing.view(beside_title(size).width - _TABLES * (len(columns_of(size)) - 1), scale)] if timing else []),
+        ),
         tables=tables_of(size),
         notes=notes,
         columns=columns_of(size),
@@ -137,8 +187,8 @@ def cam_drawing(cam: CamPart, title: Title) -> DrawingSheet:
 
 
 def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
-    blank, reach, holes = cam.blank, cam.greatest[0], cam.blank.lightening
-    zero = float(np.interp(0.0, cam.angles, cam.radii, period=TURN))
+    blank, reach, holes = cam.blank, cam.reach, cam.blank.lightening
+    zero = reach if cam.groove else float(np.interp(0.0, cam.angles, cam.radii, period=TURN))
     gap = _GAP / scale
     curves: list[Closed | Stroke] = [
         Closed(cam.profile),
@@ -146,6 +196,7 @@ def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
         *([ring(holes.circle_diameter, LineKind.CENTRE)] if holes and holes.circle_diameter else []),
         *(Closed(hole) for hole in blank.holes()),
         *centre_cross(reach + 0.4 * gap),
+        *(_groove_curves(cam.groove) if cam.groove else ()),
     ]
     labels = [
         Label(text="0°", at=(zero + 0.6 * _ARROW / scale, 2.2 / scale)),
@@ -168,8 +219,36 @@ def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     plane, letters = cutting_plane(angle, end, scale)
     curves += plane
     labels += letters
+    if cam.timing:
+        strokes, word = _sense(cam, scale)
+        curves += strokes
+        labels.append(word)
     dimensions = placed_dimensions(_face_dimensions(cam, scale), curves, labels, scale)
     return View(place=place, curves=tuple(curves), dimensions=dimensions, labels=tuple(labels))
+
+
+def _groove_curves(groove: SheetGroove) -> tuple[Closed | Stroke, ...]:
+    """Outer flank, rim of the disc, and path of the roller's centre."""
+    return Closed(groove.outer), ring(2 * groove.outside_radius), Stroke(groove.path, LineKind.CENTRE)
+
+
+def _sense(cam: CamPart, scale: float) -> tuple[list[Stroke], Label]:
+    """Arrow of the sense in which the disc turns, clockwise on the face that is seen, and its word."""
+    radius = cam.reach + 0.62 * _GAP / scale
+    # Away from the zero mark, from both ends of the plane of the section, and from the words under the face.
+    cut = _cut_angle(cam)
+    middle = max(
+        np.radians([45.0, 70.0, 110.0, 135.0]),
+        key=lambda angle: min(abs(sin(angle - cut)), abs(sin(angle))),
+    )
+    half = 9.0 / scale / radius
+    angles = np.linspace(middle + half, middle - half, 25)
+    points = radius * np.column_stack([np.cos(angles), np.sin(angles)])
+    tip, back = points[-1], points[-2]
+    ahead = tip + (tip - back) * 1e-3
+    strokes = [Stroke(points, LineKind.THIN), arrow(tip, ahead, (2.5 / scale, 0.8 / scale), LineKind.THIN)[1]]
+    x, y = ((radius + 3.2 / scale) * np.array([cos(middle), sin(middle)])).tolist()
+    return strokes, Label(text=Message("turns"), at=(x, y))
 
 
 def _face_dimensions(cam: CamPart, scale: float) -> list[Dimension]:
@@ -206,6 +285,22 @@ def _face_dimensions(cam: CamPart, scale: float) -> list[Dimension]:
                 suffix=" mark",
             )
         )
+    if cam.groove:
+        inner, outer = cam.groove.across
+        way = outer - inner
+        dimensions += [
+            DiameterDimension(
+                name="outside", centre=(0.0, 0.0), diameter=2 * cam.groove.outside_radius, angle=aside + 180.0
+            ),
+            LinearDimension(
+                name="groove width",
+                start=(float(inner[0]), float(inner[1])),
+                end=(float(outer[0]), float(outer[1])),
+                at=(float(inner[0]), float(inner[1])),
+                angle=degrees(atan2(way[1], way[0])),
+                beside=scale * float(np.hypot(*way)) / 2 + BEYOND,
+            ),
+        ]
     ring_of_holes = blank.lightening
     if ring_of_holes and ring_of_holes.circle_diameter:
         x, y = ring_of_holes.centers()[ring_of_holes.count // 3].tolist()
@@ -234,7 +329,15 @@ def _section(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     angle = _cut_angle(cam)
     boss, bore = blank.boss(thickness), blank.bore().polygon(_CHORD)
     profile, holes = cam.profile.polygon(_CHORD), tuple(hole.polygon(_CHORD) for hole in blank.holes())
-    layers = [Layer(0.0, thickness, (profile, bore), holes)]
+    if cam.groove is None:
+        layers = [Layer(0.0, thickness, (profile, bore), holes)]
+    else:
+        floor, flank = thickness - cam.groove.depth, cam.groove.outer.polygon(_CHORD)
+        rim = circle((0.0, 0.0), cam.groove.outside_radius).polygon(_CHORD)
+        layers = [
+            Layer(0.0, floor, (rim, bore), holes),
+            Layer(floor, thickness, (rim, flank, profile, bore), holes),
+        ]
     if boss:
         layers.append(Layer(boss.low, boss.high, (circle((0.0, 0.0), boss.diameter / 2).polygon(_CHORD), bore)))
     areas = [_chamfered(area, cam) for area in material(layers, angle)]
@@ -247,6 +350,9 @@ def _section(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     high = max(area.bounds[2] for area in areas)
     axis = Stroke(np.array([[low - 0.5 * gap, 0.0], [high + 0.5 * gap, 0.0]]), LineKind.CENTRE)
     dimensions: list[Dimension] = [along_axis("thickness", (0.0, thickness), top, top + 0.8 * gap)]
+    if cam.groove:
+        bottom = min(area.bounds[1] for area in areas)
+        dimensions.append(along_axis("groove depth", (floor, thickness), bottom, bottom - 0.8 * gap))
     if isinstance(blank.key, Keyway):
         side = boss.high if boss else thickness
         at = max(side, thickness) + gap
@@ -261,7 +367,7 @@ def _section(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     if boss and screw:
         face, side = (thickness, 1.0) if boss.high > thickness else (0.0, -1.0)
         dimensions.append(screw.height(face, (face + side, -boss.diameter / 2 - 0.8 * gap)))
-    middle, under = (low + high) / 2, -cam.greatest[0] - 1.1 * gap
+    middle, under = (low + high) / 2, -cam.reach - (2.0 if cam.groove else 1.1) * gap
     labels = (
         Label(text=section_name(angle), at=(middle, under), height=3.5),
         Label(text=Message("{face} on the right", face=cam.face), at=(middle, under - 5.0 / scale)),
@@ -306,7 +412,9 @@ def _chamfered(area: shapely.Polygon, cam: CamPart) -> shapely.Polygon:
 
 
 def _radii(cam: CamPart, at: tuple[float, float]) -> tuple[SheetTable, ...]:
-    """Radius of the outline by the polar angle, in three tables beside each other."""
+    """Radius of the outline by the polar angle, in three tables beside each other; of both flanks, in two."""
+    if cam.groove is not None:
+        return _flank_radii(cam, cam.groove, at)
     head = ("θ, °", "R, mm")
     cells = [
         (rounded(degrees(angle), 1), f"{radius:.3f}")
@@ -324,15 +432,45 @@ def _radii(cam: CamPart, at: tuple[float, float]) -> tuple[SheetTable, ...]:
     )
 
 
+def _flank_radii(cam: CamPart, groove: SheetGroove, at: tuple[float, float]) -> tuple[SheetTable, ...]:
+    """Radii of both flanks by the polar angle, in two tables beside each other."""
+    head = ("θ, °", Message("inner, mm"), Message("outer, mm"))
+    columns = (cam.angles.tolist(), cam.radii.tolist(), groove.radii.tolist())
+    cells = [
+        (rounded(degrees(angle), 1), f"{one:.3f}", f"{other:.3f}") for angle, one, other in zip(*columns, strict=True)
+    ]
+    half = ceil(len(cells) / 2)
+    return tuple(
+        SheetTable(
+            title=Message("flanks of the groove about the axis") if number == 0 else "",
+            at=(at[0] + number * _TABLES / 2, at[1]),
+            widths=(11.0, 17.0, 17.0),
+            rows=(head, *cells[number * half : (number + 1) * half]),
+        )
+        for number in range(2)
+    )
+
+
 def _notes(cam: CamPart) -> Iterator[str]:
     blank, (most, at_most), (least, at_least) = cam.blank, cam.greatest, cam.least
-    yield Message(
-        "R {most:.3f} at most, at θ = {at_most:.1f}°; {least:.3f} at least, at {at_least:.1f}°.",
-        most=most,
-        at_most=degrees(at_most) % 360,
-        least=least,
-        at_least=degrees(at_least) % 360,
-    )
+    if cam.groove:
+        widest, at_widest = cam.groove.greatest
+        yield Message(
+            "Inner flank R {least:.3f} at least, at θ = {at_least:.1f}°; outer flank R {most:.3f} at most, at "
+            "{at_most:.1f}°. The chain line is the path of the roller's centre.",
+            least=least,
+            at_least=degrees(at_least) % 360,
+            most=widest,
+            at_most=degrees(at_widest) % 360,
+        )
+    else:
+        yield Message(
+            "R {most:.3f} at most, at θ = {at_most:.1f}°; {least:.3f} at least, at {at_least:.1f}°.",
+            most=most,
+            at_most=degrees(at_most) % 360,
+            least=least,
+            at_least=degrees(at_least) % 360,
+        )
     yield Message(
         "θ counts counterclockwise from the arrow, where the {follower} stands at cam angle 0.", follower=cam.on_ray
     )

@@ -1,0 +1,126 @@
+"""Sheets of cams by their motion: timing diagram, segments, sense; and the groove, held against closed forms."""
+
+from math import pi
+
+import numpy as np
+import pytest
+
+from cadgen import Design
+from cadgen.jobs.drawings import Folder, sheet_of
+from cadgen.output.drawing.sheet import LineKind, Stroke, have_room
+from cadgen.output.drawing.timing import TimingDiagram
+from tests.jobs.test_packaged_cams import CAMS
+
+
+def sheets(name, tmp_path, changes=()):
+    cam = Design.load(name, changes).cam()
+    return [sheet_of(disc, Folder.at(tmp_path)) for disc in cam.computed.discs]
+
+
+def diagram(sheet):
+    return sheet.views[-1]
+
+
+def words(sheet):
+    return [str(label.text) for view in sheet.views for label in view.labels]
+
+
+@pytest.mark.parametrize("name", CAMS)
+def test_each_packaged_cam_has_its_diagram_and_room_for_its_words(name, tmp_path):
+    for sheet in sheets(name, tmp_path):
+        assert have_room(sheet.notes, sheet.columns)
+        assert words(sheet).count("0°") == 2  # on the face, and at the diagram
+        assert "turns" in words(sheet)
+        # The diagram stays beside the title block and its notes, within the frame.
+        points = np.vstack([each.points for each in diagram(sheet).curves]) * sheet.scale + diagram(sheet).place
+        assert points.min() > 10.0
+        right = min([column.at[0] for column in sheet.columns if column.at[1] < 60.0], default=240.0)
+        assert points[:, 0].max() < right
+
+
+def test_the_curve_of_the_diagram_is_the_lift(tmp_path):
+    """A 3-4-5 polynomial by hand, on the paper's scale from the axes to the number at the greatest lift."""
+    (sheet,) = sheets("roller", tmp_path)
+    curve, *_ = diagram(sheet).curves
+    x, y = (curve.points * sheet.scale).T
+    angle, lift = 360 * x / x.max(), 10 * y / y.max()
+    u = np.clip(angle / 90, 0, 1)
+    rising = angle <= 90
+    np.testing.assert_allclose(lift[rising], 10 * (10 * u**3 - 15 * u**4 + 6 * u**5)[rising], atol=1e-9)
+    assert np.all(lift[(angle > 90) & (angle < 135)] == 10.0)
+    (table,) = [each for each in sheet.tables if str(each.title) == "segments"]
+    assert [tuple(map(str, row)) for row in table.rows[1:]] == [
+        ("1", "0 – 90", "10", "polynomial_3_4_5"),
+        ("2", "90 – 135", "10", "dwell"),
+        ("3", "135 – 315", "0", "polynomial_3_4_5"),
+        ("4", "315 – 360", "0", "dwell"),
+    ]
+
+
+def test_both_discs_of_a_pair_show_the_motion_of_their_lever(tmp_path):
+    first, second = sheets("conjugate_pair", tmp_path)
+    assert [row[2] for table in first.tables for row in table.rows if len(row) == 4] == [
+        row[2] for table in second.tables for row in table.rows if len(row) == 4
+    ]
+    assert "Second disc of a conjugate pair: key and angle 0 stand as on the first." in second.notes
+
+
+def test_lobes_are_counted_and_the_first_is_listed():
+    halves = {f"motion.segments.{n}.{key}": value for n, key, value in ((1, "in_deg", 45.0), (3, "in_deg", 90.0))}
+    dwells = {f"motion.segments.{n}.dwell_deg": 22.5 for n in (2, 4)}
+    changes = {"dynamics": None, "motion.repeat": 2} | halves | dwells
+    drawn = TimingDiagram.of(Design.load("roller", changes).cam().computed.motion)
+    assert (drawn.repeat, len(drawn.segments)) == (2, 8)
+    table = drawn.table((0.0, 100.0))
+    assert str(table.title) == "segments of the first of 2 lobes"
+    assert len(table.rows) == 5
+
+
+def test_the_arrow_of_the_sense_is_clockwise(tmp_path):
+    """The disc turns clockwise on the face that is seen: its arrow goes round the axis with a negative moment."""
+    (sheet,) = sheets("roller", tmp_path)
+    arcs = [
+        each.points
+        for each in sheet.views[0].curves
+        if isinstance(each, Stroke) and each.line == LineKind.THIN and len(each.points) == 25
+    ]
+    (arc,) = arcs
+    (x, y), (along, up) = arc[:-1].T, np.diff(arc, axis=0).T
+    assert np.all(x * up - y * along < 0)
+
+
+def test_the_groove_has_both_flanks_width_depth_and_the_path_of_its_roller(tmp_path):
+    """Harmonic motion of 2 inches: the path is 3 inches less an inch by the cosine of the cam angle."""
+    (sheet,) = sheets("groove", tmp_path)
+    assert sheet.dimensions["groove width"] == pytest.approx(19.1, abs=1e-6)
+    assert sheet.dimensions["groove depth"] == pytest.approx(8.0)
+    assert sheet.dimensions["outside"] == pytest.approx(237.0)
+    path = max(
+        (each for each in sheet.views[0].curves if isinstance(each, Stroke) and each.line == LineKind.CENTRE),
+        key=lambda each: len(each.points),
+    ).points
+    angle = np.arctan2(path[:, 1], path[:, 0])
+    np.testing.assert_allclose(np.hypot(*path.T), 25.4 * (3 - np.cos(angle)), atol=1e-3)
+    rows = [row for table in sheet.tables if len(table.widths) == 3 for row in table.rows[1:]]
+    assert len(rows) == 36
+    radii = {float(row[0]): (float(row[1]), float(row[2])) for row in rows}
+    # Where the follower stands still, both flanks are at right angles to the ray.
+    assert radii[0.0] == pytest.approx((50.8 - 9.55, 50.8 + 9.55), abs=1e-9)
+    assert radii[180.0] == pytest.approx((3 * 25.4 + 25.4 - 9.55, 3 * 25.4 + 25.4 + 9.55), abs=1e-9)
+    assert any("A cutter of 19.1 mm mills it in one round" in note for note in sheet.notes)
+    cut = sheet.views[1].hatches
+    areas = sum(_area(hatch.outside) for hatch in cut)
+    # Section along the ray at 0 and 180 degrees: the disc less bore with keyway, less the groove twice.
+    assert areas == pytest.approx(14 * (237 - 20 - 2.8) - 2 * 8 * 19.1, rel=1e-4)
+
+
+def _area(corners):
+    x, y = corners.T
+    return abs(x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2
+
+
+def test_a_motion_without_segments_has_its_curve_alone(tmp_path):
+    (sheet,) = sheets("eccentric", tmp_path)
+    assert not [table for table in sheet.tables if str(table.title).startswith("segments")]
+    x, y = diagram(sheet).curves[0].points.T
+    np.testing.assert_allclose(y / y.max(), (1 - np.cos(2 * pi * x / x.max())) / 2, atol=1e-9)
