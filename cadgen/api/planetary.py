@@ -2,37 +2,29 @@
 
 from __future__ import annotations
 
-from cmath import rect
 from dataclasses import KW_ONLY, dataclass, replace
 from fractions import Fraction
 from functools import cached_property
-from math import ceil, degrees, pi
+from math import degrees, pi
 
 from cadgen.api.gears import Gear, _ByNumbers, require_name
 from cadgen.api.values import optional, real, whole, word
 from cadgen.errors import DesignError, brief
 from cadgen.figures import Facts
+from cadgen.gears.choices import HeldMember
 from cadgen.gears.layout import TrainLayout, TrainPart
 from cadgen.gears.pair import GradedGear, closest
-from cadgen.gears.planetary import MOST_PLANETS, HeldMember, PlanetarySet, fitted_ring, spaced
+from cadgen.gears.planetary import MOST_PLANETS, PlanetarySet, fitted_ring, spaced
+from cadgen.gears.planetary_stage import Carrier, PlanetaryStage
 from cadgen.gears.ring import RingForm
+from cadgen.gears.stage import Standing
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train as Stages
 from cadgen.gears.train import train_play
 from cadgen.gears.wheel_body import gear_body
 from cadgen.geometry.meshes.made_train import MadeTrain, gear_checks
 from cadgen.jobs.gears.assembly import ReturnError, checks_facts, parts_facts, stages_facts
-from cadgen.messages import Message
 from cadgen.parts.blank import Blank
-from cadgen.parts.body import Body, Slab
-from cadgen.parts.loop import circle
-
-# Backlash that is left at the least play within the tolerances where none is given, mm, and its steps.
-LEFT_BACKLASH = 0.01
-# A smaller profile shift of the ring is none.
-LEAST_SHIFT = 5e-5
-# Gap between the carrier's plate and the gears, and the wall round its holes, mm.
-CARRIER_GAP, CARRIER_WALL = 0.5, 3.0
 
 
 @dataclass(frozen=True)
@@ -145,33 +137,14 @@ class Planetary(_ByNumbers):
             clearance=self.clearance,
             bearing_span=self.bearing_span,
         )
-        free = nominal.meshes[1].with_free_tips()
-        cut = replace(nominal, ring=free.driven).cut_to(*self._deviations(nominal, given))
-        inner, outer = cut.meshes
-        outer = outer.fitted()
-        for gear in (inner.driver, inner.driven, outer.driven):
-            gear.form.tooth  # noqa: B018
-        return replace(cut, ring=outer.driven)
-
-    def _deviations(self, nominal: PlanetarySet, ring: Gear) -> tuple[float, float, float]:
-        """Deviations E_sn of sun, planet and ring, mm."""
-        own = [gear.thickness_deviation for gear in (self.sun, self.planet, ring)]
+        own = [gear.thickness_deviation for gear in (self.sun, self.planet, given)]
         if self.backlash is None and None not in own:
-            sun, planet, outer = (float(each or 0.0) for each in own)
-            return sun, planet, outer
+            return nominal.finished(*(float(each or 0.0) for each in own))
         if any(each is not None for each in own):
             raise DesignError(
                 "sun, planet and ring have a thickness_deviation, all three, or a backlash; give one or the other"
             )
-        backlash = self.backlash
-        if backlash is None:
-            short = 0.0
-            for mesh in nominal.meshes:
-                fixed = replace(mesh, driver=_as_cut(mesh.driver), driven=_as_cut(mesh.driven))
-                short = max(short, (fixed.free_angle() - float(fixed.play().B_min)) * mesh.driven_pitch_radius)
-            backlash = ceil((short + LEFT_BACKLASH) / LEFT_BACKLASH) * LEFT_BACKLASH
-        inner, outer_sum = (mesh.thinning_for(backlash) for mesh in nominal.meshes)
-        return inner / 2, inner / 2, outer_sum - inner / 2
+        return nominal.with_backlash(self.backlash)
 
     @property
     def ratio(self) -> Fraction:
@@ -204,86 +177,68 @@ class Planetary(_ByNumbers):
         return self.cut.centre_distance
 
     @cached_property
+    def stage(self) -> PlanetaryStage:
+        """The set as a stage of a train."""
+        thickness = self.cut.planet.form.width / 2 if self.carrier_thickness is None else self.carrier_thickness
+        return PlanetaryStage(
+            nominal=self.cut,
+            made=self.cut,
+            carrier_thickness=thickness,
+            planet_bore=self.planet.bore,
+            sun_bore=self.sun.bore,
+            bearing_span=self.bearing_span,
+        )
+
+    @cached_property
     def computed(self) -> MadeTrain:
         """The set at its place, measured in mesh: sun on planet, and planet in the ring."""
-        cut = self.cut
-        meshes = tuple(replace(mesh, driver=_as_cut(mesh.driver), driven=_as_cut(mesh.driven)) for mesh in cut.meshes)
-        stages = Stages(meshes)
-        layout = TrainLayout(train=stages, parts=self._parts(), directions=(0.0, pi))
+        stages = Stages((self.stage,))
+        layout = TrainLayout(train=stages, parts=self._parts(), directions=(0.0,))
         return MadeTrain(
             train_play(stages), layout, gear_checks(layout, [self.chord(part.gears) for part in layout.parts])
         )
 
     def _parts(self) -> tuple[TrainPart, ...]:
-        """Sun, first planet, ring, the other planets, and the carrier; the sun's teeth have their middle at z = 0."""
-        cut = self.cut
-        planets = [
-            (f"planet_{number}", 1, cut.planet.form, self.planet.blank, rect(cut.centre_distance, orbit), turned)
-            for number, orbit in enumerate(cut.orbits, 1)
-            for turned in (cut.planet_angle(orbit),)
+        """Sun, planets, ring, and the carrier below them; the sun's teeth have their middle at z = 0."""
+        stage, names = self.stage, ("sun", "planet", "ring", "carrier")
+        first = stage.cut.ring_angle if self.held == HeldMember.SUN else 0.0
+        ends = zip(stage.wheels, (first, stage.driven_angle(first, 0.0)), strict=True)
+        every = [
+            Standing(name="", wheel=wheel, blank=Blank(), axis=0j, angle=angle, figures=number)
+            for number, (wheel, angle) in enumerate(ends)
         ]
-        sun = ("sun", 1, cut.sun.form, self.sun.blank, 0j, 0.0)
-        ring = ("ring", 2, cut.ring.form, Blank(), 0j, cut.ring_angle)
         parts = []
-        # Each on a shaft, as it were: that decides who drives whom, and the colour.
-        for shaft, (name, stage, form, blank, axis, angle) in enumerate((sun, planets[0], ring, *planets[1:]), 1):
+        for each in (*every, *stage.standing(first, 0.0)):
+            wheel, carrier = each.wheel, isinstance(each.wheel, Carrier)
+            if carrier and not (self.planet.bore and self.carrier_thickness != 0):
+                continue
+            sun = isinstance(wheel, GearForm) and wheel.side > 0 and each.axis == 0
+            name = each.name or ("carrier" if carrier else "sun" if sun else "ring")
+            blank = Blank(bore_diameter=self.sun.bore) if carrier else self.planet.blank if each.axis else Blank()
+            blank = self.sun.blank if sun else blank
             parts.append(
                 TrainPart(
                     name=name,
-                    shaft=shaft,
-                    gears=(form,),
-                    stages=(stage,),
+                    shaft=names.index(name.partition("_")[0]) + 1,
+                    gears=(wheel,),
+                    stages=(1,),
                     blank=blank,
-                    body=gear_body(form, blank),
-                    axis=axis,
-                    angle=angle,
-                    height=-form.width / 2,
+                    body=gear_body(wheel, blank),
+                    axis=each.axis,
+                    angle=each.angle % (2 * pi),
+                    height=-wheel.width / 2 - (stage.carrier_rise if carrier else 0.0),
                     flipped=False,
+                    figures=each.figures,
                 )
             )
-        return (*parts, *self._carrier())
-
-    def _carrier(self) -> tuple[TrainPart, ...]:
-        """The carrier's plate below the gears, with a hole for the pin of each planet."""
-        cut, pin = self.cut, self.planet.bore
-        thickness = cut.planet.form.width / 2 if self.carrier_thickness is None else self.carrier_thickness
-        if not (pin and thickness):
-            return ()
-        bore = (circle(self.sun.bore),) if self.sun.bore else ()
-        outer = 2 * cut.centre_distance + pin + 2 * CARRIER_WALL
-        holes = tuple(circle(pin, rect(cut.centre_distance, orbit)) for orbit in cut.orbits)
-        lowest = max(gear.form.width for gear in (cut.sun, cut.planet, cut.ring)) / 2
-        return (
-            TrainPart(
-                name="carrier",
-                shaft=self.planets + 3,
-                gears=(),
-                stages=(),
-                blank=Blank(bore_diameter=self.sun.bore),
-                body=Body((Slab(0.0, thickness, (circle(outer), *bore), holes),)),
-                axis=0j,
-                angle=0.0,
-                height=-lowest - CARRIER_GAP - thickness,
-                flipped=False,
-            ),
-        )
+        # Each on a shaft, as it were: that decides its colour.
+        parts.sort(key=lambda part: part.shaft)
+        return tuple(replace(part, shaft=number) for number, part in enumerate(parts, 1))
 
     @property
     def notes(self) -> tuple[str, ...]:
         """Remarks on the set: where the planets stand, the ring's shift, and those on its meshes."""
-        cut = self.cut
-        said = [note for number, mesh in enumerate(cut.meshes, 1) for note in mesh.notes(number)]
-        shift = cut.ring.form.profile_shift
-        if abs(shift) > LEAST_SHIFT:
-            said.insert(
-                0,
-                Message(
-                    "the ring has the profile shift {shift:.4f} (ISO 21771) at the centre distance of {apart:.4f} mm",
-                    shift=shift,
-                    apart=cut.centre_distance,
-                ),
-            )
-        return (spaced(cut), *said)
+        return (spaced(self.cut), *self.stage.notes(1)[1:])
 
     def entry(self) -> Facts:
         """Every tolerance, play, part and inspection size, as in the manifest."""
@@ -306,7 +261,3 @@ class Planetary(_ByNumbers):
             checks=checks_facts(made.checks),
             parts=parts_facts(made.layout),
         )
-
-
-def _as_cut(gear: GradedGear) -> GradedGear:
-    return replace(gear, thinning=gear.form.tooth_thickness_deviation)

@@ -17,6 +17,7 @@ from cadgen.gears.pair import closest as nominal_distance
 from cadgen.gears.ring import ring_of
 from cadgen.gears.spur import SpurPair
 from cadgen.gears.stage import Stage, Wheel
+from cadgen.gears.stage_kind import ToothedTrain
 from cadgen.gears.synthesis import SearchLimits
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
@@ -69,7 +70,14 @@ def train(design: TrainDesign) -> Train:
 def blanks(design: TrainDesign) -> Blanks:
     """Features of the gears besides their teeth, by their place in the train."""
     keys = train_keys(design)
-    return Blanks(drive=_blank(keys.drive), intermediate=_blank(keys.intermediate), output=_blank(keys.output))
+    places = (keys.drive, keys.intermediate, keys.output)
+    drive, intermediate, output = (bool(place.shaft_ends) for place in places)
+    return Blanks(
+        drive=_blank(keys.drive),
+        intermediate=_blank(keys.intermediate),
+        output=_blank(keys.output),
+        ending=(drive, intermediate, output),
+    )
 
 
 def loose(design: TrainDesign, of: Train | None) -> tuple[Loose, ...]:
@@ -235,7 +243,34 @@ def _range(spans: tuple[T, T], low: T | None, high: T | None) -> tuple[T, T]:
 def _stage(stage: StageSection, train: TrainSection) -> Stage:
     if isinstance(stage, SpurStage):
         return _pair(stage, train)
-    return stage.registered.build(stage.keys, stage.bearing_span_mm or train.bearing_span_mm)
+    span = stage.bearing_span_mm or train.bearing_span_mm
+    kind = stage.registered
+    return kind.build(stage.keys, _toothed(train, span) if kind.toothed else span)
+
+
+def _toothed(train: TrainSection, span: float) -> ToothedTrain:
+    """Numbers that the train gives all its gears.
+
+    Args:
+        train: section of the train.
+        span: distance of the bearings of the stage, mm.
+    """
+    return ToothedTrain(
+        bearing_span=span,
+        module=train.module_mm,
+        width=train.width_mm,
+        pressure_angle=radians(train.pressure_angle_deg),
+        helix_angle=radians(train.helix_angle_deg or 0.0),
+        addendum_factor=train.addendum_factor,
+        dedendum_factor=train.dedendum_factor,
+        rack_tip_radius_factor=train.rack_tip_radius_factor,
+        tip_chamfer=train.tip_chamfer_mm,
+        grade=train.grade,
+        without_standard=train.standard == ToleranceStandard.FREE,
+        thinning=train.thinning if train.E_sn_um is None else train.E_sn_um * _UM,
+        pin_diameter=train.pin_diameter_mm,
+        clearance=train.clearance_mm,
+    )
 
 
 def _pair(stage: SpurStage, train: TrainSection) -> SpurPair:

@@ -10,6 +10,8 @@ from cadgen.design.keys import Key, SectionKeys, last, shown, tables
 from cadgen.design.kinds import Kinds
 from cadgen.design.load import DEFAULT_DESIGN, packaged_designs
 from cadgen.design.section import listed
+from cadgen.gears import stage_kinds
+from cadgen.gears.stage_kind import StageKind
 
 _HEAD = """\
 # The design file
@@ -101,6 +103,8 @@ def _other_paths(table: SectionKeys) -> str:
         head = "| key | unit | must be | default | meaning |\n|---|---|---|---|---|\n"
         keys = tables(Kinds(motion=True))[table.name].keys
         return f"\nWith `[motion]`, instead of all these:\n\n{head}{''.join(map(_row, keys))}"
+    if table.name == "train.stages":
+        return "".join(_stage_kind(stage_kinds.kind_of(code)) for code in stage_kinds.codes())
     if table.name == "follower":
         return "".join(_follower_kind(followers.kind_of(code)) for code in followers.codes()[1:])
     kinds = [kind_of(code) for code in codes()] if table.name == "path" else []
@@ -117,6 +121,18 @@ def _follower_kind(kind: FollowerKind) -> str:
         f"\n`{part.heading}` of it. {part.meaning}\n\n{head}{''.join(map(_row, part.keys))}" for part in below
     )
     return f'\nWith `kind = "{kind.code}"`, instead of the keys of the rod. {kind.meaning}\n\n{head}{rows}{inner}'
+
+
+def _stage_kind(kind: StageKind) -> str:
+    every = tables(Kinds(stage=kind)).values()
+    table, *below = [part for part in every if part.name == "train.stages" or part.name.startswith("train.stages.")]
+    head = "| key | unit | must be | default | meaning |\n|---|---|---|---|---|\n"
+    own = [key for key in table.keys if last(key.name) in kind.keys.__annotations__]
+    inner = "".join(
+        f"\n`{last(part.name)}` of it. {part.meaning}\n\n{head}{''.join(map(_row, part.keys))}" for part in below
+    )
+    rows = "".join(map(_row, own))
+    return f'\nWith `kind = "{kind.code}"`, instead of driver and driven. {kind.meaning}\n\n{head}{rows}{inner}'
 
 
 def _path_kind(kind: PathKind, usual: set[str]) -> str:

@@ -295,6 +295,11 @@ class GearBlankSection(Held):
         default=None, max_length=20, description="of the bore on its shaft by ISO 286, such as `H7/h6`; for the drawing"
     )
     material: CellText | None = Field(default=None, description="for the drawing; left out, that of the train")
+    shaft_ends: bool | None = Field(
+        default=None,
+        description="whether the shaft ends at its gears, in bearings of its own, and leaves room beyond; left out, "
+        "only where another one stands on its axis",
+    )
     keyway: GearKeyway | None = None
     hub: GearHub | None = None
     web: GearWeb | None = None
@@ -486,7 +491,7 @@ def train_by_stages(value: object, usual: Callable[[object], TrainSection | None
         ValueError: keys of teeth in a train without spur gears.
     """
     kinds = stage_kinds({"train": value})
-    if not kinds or None in kinds:
+    if not kinds or any(kind is None or kind.toothed for kind in kinds):
         return usual(value)
     train = _TOOTHLESS.model_validate(value)
     usually = _TOOTHLESS.model_fields

@@ -32,6 +32,21 @@ class ToleranceStandard(StrEnum):
     FREE = "free"
 
 
+class HeldMember(StrEnum):
+    """Member of a planetary set that does not turn."""
+
+    RING = "ring"
+    CARRIER = "carrier"
+    SUN = "sun"
+
+
+class Spacing(StrEnum):
+    """Angles between planets: equal ones, or the nearest to these at which the teeth let the planets in."""
+
+    EQUAL = "equal"
+    NEAREST = "nearest"
+
+
 class StageOrder(StrEnum):
     """Order of a train's stages in the car: as the design has them, or that of least return error."""
 

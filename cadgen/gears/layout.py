@@ -1,13 +1,15 @@
 """Where the parts of a train go: parts on shafts, shafts that keep clear of each other, teeth in phase.
 
 All axes are parallel to z. The wheel of a stage and the pinion of the next one are one part on one shaft. A collar
-between them keeps the wheels of neighbouring stages from rubbing. The stages are stacked along z, and every
-pair meshes in a plane of its own. The drive's pinion lies with its hub below the stack, the output's wheel with its
-hub above.
+between them keeps the wheels of neighbouring stages from rubbing. Planets, and the member of a planetary set that is
+held, are parts beside the shafts. The stages are stacked along z, and every pair meshes in a plane of its own. The
+drive's pinion lies with its hub below the stack, the output's wheel with its hub above.
 
 Seen along z a stage's line of centres has a direction. Given ones are kept; for the others the train is folded
 as tightly as it goes without one body coming closer than the clearance to another on a neighbouring or any
-other shaft. Shafts run through the whole stack, from bearing to bearing, with the stack in the middle.
+other shaft. Shafts run through the whole stack, from bearing to bearing, with the stack in the middle. Shafts that are
+said to end, and those on one axis, as of reverted trains and planetary sets, end at their parts. Given directions may
+put two shafts on one axis; directions that are found do not.
 """
 
 from __future__ import annotations
@@ -23,7 +25,7 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import gauss_nodes
 from cadgen.errors import DesignError
-from cadgen.gears.stage import Wheel, is_ring, rim_diameter
+from cadgen.gears.stage import Standing, Wheel, is_ring, rim_diameter
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train
 from cadgen.gears.wheel_body import cluster_body, gear_body, with_collar
@@ -46,11 +48,15 @@ ONE_AXIS = 1e-6
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Blanks:
-    """Features of the gears besides their teeth, on the drive's shaft, the shafts between, and the output's."""
+    """Features of the gears besides their teeth, on the drive's shaft, the shafts between, and the output's.
+
+    `ending` says for the same three whether the shaft ends at its part, to one side of it or, between, to both.
+    """
 
     drive: Blank
     intermediate: Blank
     output: Blank
+    ending: tuple[bool, bool, bool] = (False, False, False)
 
     def by_shaft(self, shafts: int) -> tuple[Blank, ...]:
         """Blank of each of so many shafts, from the drive to the output."""
@@ -63,7 +69,8 @@ class TrainPart:
 
     `gears` are none, one or two wheels by rising height in the part's own frame, each with a tooth on the x axis if it
     has any. `stages` are the numbers of the stages they belong to, from 1. A `flipped` part is first turned over about
-    x.
+    x. `figures` is the number of its figures among those of its stage's wheels, for a part that stands beside the
+    shafts; `shaft` then only counts on, and `turns` and `orbits` are those of `Standing`.
     """
 
     name: str
@@ -76,6 +83,22 @@ class TrainPart:
     angle: float
     height: float
     flipped: bool
+    figures: int | None = None
+    turns: tuple[float, float] = (0.0, 0.0)
+    orbits: bool = False
+
+    @property
+    def beside(self) -> bool:
+        """Whether it stands beside the shafts, as a planet does."""
+        return self.figures is not None
+
+    def wheel_of(self, stage: int) -> int:
+        """Number of its gear among the wheels of a stage, as of `Mating`.
+
+        Args:
+            stage: number of the stage, from 1.
+        """
+        return int(self.shaft > stage) if self.figures is None else self.figures
 
     @property
     def starts(self) -> tuple[float, ...]:
@@ -120,19 +143,46 @@ class TrainPart:
 class TrainLayout:
     """A train whose teeth are thinned as they will be cut, and its parts, one per shaft from drive to output.
 
-    `directions` are those of the stages' lines of centres, in rad.
+    Parts that stand beside the shafts follow them. `directions` are those of the stages' lines of centres, in rad.
     """
 
     train: Train
     parts: tuple[TrainPart, ...]
     directions: tuple[float, ...]
 
+    @property
+    def on_shafts(self) -> tuple[TrainPart, ...]:
+        """Parts on the shafts, from the drive to the output."""
+        return tuple(part for part in self.parts if not part.beside)
+
+    def places(self, stage: int) -> dict[int, int]:
+        """Numbers of the parts that hold the wheels of a stage, by those of the wheels; of equal ones, the first.
+
+        Args:
+            stage: number of the stage, from 1.
+        """
+        found: dict[int, int] = {}
+        for number, part in enumerate(self.parts):
+            if stage in part.stages:
+                found.setdefault(part.wheel_of(stage), number)
+        return found
+
+    def wheel_in(self, part: int, stage: int) -> int:
+        """Number of the gear of a part that belongs to a stage, from below.
+
+        Args:
+            part: number of the part.
+            stage: number of the stage, from 1.
+        """
+        return self.parts[part].stages.index(stage)
+
 
 @dataclass(frozen=True, slots=True)
 class _Disc:
     """A body of revolution about its shaft, of stage `stage` if it is a gear: what must keep clear.
 
-    A ring has room for others inside its `inner` radius.
+    A ring has room for others inside its `inner` radius. A shaft that may end has the heights between which it then
+    runs, and its place in the train.
     """
 
     name: str
@@ -141,6 +191,25 @@ class _Disc:
     low: float
     high: float
     inner: float = 0.0
+    ended: tuple[float, float] | None = None
+    place: str = ""
+
+    def apart_from(self, other: _Disc, apart: float) -> float:
+        """Gap to a body on another axis, mm; negative where they overlap.
+
+        Args:
+            other: the other body.
+            apart: distance of the axes, mm.
+        """
+        gap = max(apart - self.radius - other.radius, max(self.low, other.low) - min(self.high, other.high))
+        for outer, inner in ((self, other), (other, self)):
+            if outer.inner:  # a ring, with room within
+                gap = max(gap, outer.inner - apart - inner.radius)
+        return gap
+
+    def ending(self) -> _Disc:
+        """Shaft that ends at its part; any other body as it is."""
+        return self if self.ended is None else replace(self, low=self.ended[0], high=self.ended[1], ended=None)
 
 
 def lay_out(
@@ -163,11 +232,14 @@ def lay_out(
         clearance: least gap between bodies on different shafts, mm.
     """
     wanted = tuple(directions or (None,) * len(train.stages))
-    on_shafts = blanks.by_shaft(len(train.stages) + 1) if isinstance(blanks, Blanks) else tuple(blanks)
-    parts = _stacked(train, on_shafts, clearance)
-    discs = _discs(parts, train)
-    for pair, bodies, others in zip(train.stages, discs, discs[1:], strict=False):
+    shafts = len(train.stages) + 1
+    on_shafts = blanks.by_shaft(shafts) if isinstance(blanks, Blanks) else tuple(blanks)
+    first, between, last = blanks.ending if isinstance(blanks, Blanks) else (False,) * 3
+    parts, planes = _stacked(train, on_shafts, clearance)
+    discs = _discs(parts, planes, train, (first, *(between,) * (shafts - 2), last))
+    for number, pair in enumerate(train.stages):
         # Neighbours are as far apart in every direction: what collides there needs no search.
+        bodies, others = _turning(discs[number : number + 2], (0j, complex(pair.centre_distance)))
         if collision := _between(bodies, others, pair.centre_distance, clearance):
             raise DesignError(collision)
     chosen = next(_clear_ways(train, wanted, discs, clearance), None)
@@ -184,13 +256,42 @@ def lay_out(
             clearance=clearance,
             step=degrees(DIRECTION_STEP),
         )
-    placed = []
+    placed, beside = [], []
     angle = 0.0
     for number, (part, axis) in enumerate(zip(parts, _axes(train, chosen), strict=True)):
         if number:
             angle = train.stages[number - 1].driven_angle(angle, chosen[number - 1])
         placed.append(replace(part, axis=axis, angle=angle))
+        if number < len(train.stages):
+            standing = train.stages[number].standing(angle, chosen[number])
+            beside += [(number + 1, each, axis, planes[number]) for each in standing]
+    placed += [
+        _beside(each, stage, axis, plane, shafts + count) for count, (stage, each, axis, plane) in enumerate(beside, 1)
+    ]
     return TrainLayout(train=train, parts=tuple(placed), directions=chosen)
+
+
+def _beside(each: Standing, stage: int, axis: complex, plane: float, shaft: int) -> TrainPart:
+    """Part of a body that stands beside the shafts of a stage, whose driver has its middle at `plane`, mm."""
+    try:
+        body = gear_body(each.wheel, each.blank)
+    except DesignError as error:
+        raise DesignError("in stage {number}, {error}", number=stage, error=error.message) from error
+    return TrainPart(
+        name=f"stage{stage}_{each.name}",
+        shaft=shaft,
+        gears=(each.wheel,),
+        stages=(stage,),
+        blank=each.blank,
+        body=body,
+        axis=axis + each.axis,
+        angle=each.angle % (2 * pi),
+        height=plane + each.rise - each.wheel.width / 2,
+        flipped=False,
+        figures=each.figures,
+        turns=each.turns,
+        orbits=each.orbits,
+    )
 
 
 def collar_length(clearance: float) -> float:
@@ -202,11 +303,12 @@ def collar_length(clearance: float) -> float:
     return max(COLLAR, 2 * clearance)
 
 
-def _stacked(train: Train, blanks: Sequence[Blank], clearance: float) -> list[TrainPart]:
-    """The parts, all on one axis, at their heights."""
+def _stacked(train: Train, blanks: Sequence[Blank], clearance: float) -> tuple[list[TrainPart], list[float]]:
+    """The parts on shafts, all on one axis, at their heights; and the heights of the drivers' middles, mm."""
     stages = train.stages
     first, last = stages[0].wheels[0], stages[-1].wheels[1]
-    plane = stages[0].wheels[1].width / 2
+    plane = stages[0].begins
+    planes = [plane]
 
     def part(name: str, shaft: int, gears: tuple[Wheel, ...], blank: Blank, body: Body, height: float) -> TrainPart:
         numbers = (shaft - 1, shaft) if len(gears) == 2 else (max(shaft - 1, 1),)
@@ -238,17 +340,19 @@ def _stacked(train: Train, blanks: Sequence[Blank], clearance: float) -> list[Tr
                 shaft=shaft,
             )
         # What the gears in mesh with both stand out towards each other comes on top of the collar.
-        above, below = (before.wheels[0].width - lower.width) / 2, (after.wheels[1].width - upper.width) / 2
+        above, below = before.stands_out[1], after.stands_out[0]
         length = collar_length(clearance) + max(above, 0.0) + max(below, 0.0)
         blank = _made(shaft, Message("intermediate"), with_collar, blanks[shaft - 1], lower, upper, length, clearance)
         body = _made(shaft, Message("intermediate"), cluster_body, lower, upper, blank)
-        start = plane - lower.width / 2
+        start = plane + before.rise - lower.width / 2
         parts.append(part(f"{shaft}_cluster", shaft, (lower, upper), blank, body, start))
         plane = start + body.slabs[-1].end - upper.width / 2
+        planes.append(plane)
     shaft = len(stages) + 1
     output = _made(shaft, Message("output"), gear_body, last, blanks[-1])
-    parts.append(part(f"{shaft}_wheel", shaft, (last,), blanks[-1], output, plane - last.width / 2))
-    return parts
+    height = plane + stages[-1].rise - last.width / 2
+    parts.append(part(f"{shaft}_wheel", shaft, (last,), blanks[-1], output, height))
+    return parts, planes
 
 
 def _made(shaft: int, place: Message, make: Callable[..., M], *arguments: Wheel | Blank | float) -> M:
@@ -260,9 +364,22 @@ def _made(shaft: int, place: Message, make: Callable[..., M], *arguments: Wheel 
         ) from error
 
 
-def _discs(parts: Sequence[TrainPart], train: Train) -> list[list[_Disc]]:
+def _discs(
+    parts: Sequence[TrainPart], planes: Sequence[float], train: Train, ending: Sequence[bool]
+) -> list[list[_Disc]]:
     """The bodies of revolution on every shaft, at the train's heights: gears, hub and the shaft itself."""
     on_shafts = [_gears_and_hub(part) for part in parts]
+    for number, (stage, plane) in enumerate(zip(train.stages, planes, strict=True), 1):
+        on_shafts[number - 1] += [
+            _Disc(
+                Message("{body} of stage {number}", body=each.wheel.noun, number=number),
+                number,
+                abs(each.axis) + rim_diameter(each.wheel) / 2,
+                plane + each.rise - each.wheel.width / 2,
+                plane + each.rise + each.wheel.width / 2,
+            )
+            for each in stage.standing(0.0, 0.0)
+        ]
     low, high = (
         pick(getattr(disc, end) for on in on_shafts for disc in on) for pick, end in ((min, "low"), (max, "high"))
     )
@@ -275,27 +392,40 @@ def _discs(parts: Sequence[TrainPart], train: Train) -> list[list[_Disc]]:
                 span=pair.bearing_span,
                 least=ceil((high - low) * 1e3 - 1e-6) / 1e3,
             )
-    for part, on in zip(parts, on_shafts, strict=True):
+    for part, on, ends in zip(parts, on_shafts, ending, strict=True):
         if part.blank.bore_diameter:
             stages = {max(part.shaft - 2, 0), min(part.shaft, len(train.stages)) - 1}
             half = max(train.stages[j].bearing_span for j in stages) / 2
             middle = (low + high) / 2
-            on.append(
-                _Disc(
-                    Message("shaft {shaft} itself", shaft=part.shaft),
-                    None,
-                    part.blank.bore_diameter / 2,
-                    middle - half,
-                    middle + half,
-                )
+            own = sorted(part.height + (-z if part.flipped else z) for z in (0.0, part.body.slabs[-1].end))
+            first, last = part.shaft == 1, part.shaft == len(parts)
+            shaft = _Disc(
+                Message("shaft {shaft} itself", shaft=part.shaft),
+                None,
+                part.blank.bore_diameter / 2,
+                middle - half,
+                middle + half,
+                ended=(middle - half if first else own[0], middle + half if last else own[1]),
+                place="drive" if first else "output" if last else "intermediate",
             )
+            on.append(shaft.ending() if ends else shaft)
     return on_shafts
+
+
+def _turning(discs: Sequence[Sequence[_Disc]], axes: Sequence[complex]) -> list[list[_Disc]]:
+    """Bodies on the first shafts: those of two shafts on one axis end at their parts."""
+    shared = [
+        any(abs(axis - other) < ONE_AXIS for place, other in enumerate(axes) if place != number)
+        for number, axis in enumerate(axes)
+    ]
+    return [[each.ending() if ends else each for each in on] for on, ends in zip(discs, shared, strict=False)]
 
 
 def _gears_and_hub(part: TrainPart) -> list[_Disc]:
     def placed(name: str, stage: int | None, diameter: float, low: float, high: float) -> _Disc:
         ends = sorted(part.height + (-z if part.flipped else z) for z in (low, high))
-        return _Disc(Message("{body} on shaft {shaft}", body=name, shaft=part.shaft), stage, diameter / 2, *ends)
+        low, high = ends
+        return _Disc(Message("{body} on shaft {shaft}", body=name, shaft=part.shaft), stage, diameter / 2, low, high)
 
     bottom, top = part.gears[0], part.gears[-1]
     bodies = [placed(bottom.noun, part.stages[0], rim_diameter(bottom), 0.0, bottom.width)]
@@ -330,9 +460,15 @@ def _clear_ways(
     stated = wanted[len(chosen)]
     if stated is not None:
         tried: Sequence[float] = [stated]
+    elif not chosen or not train.stages[len(chosen)].centre_distance:
+        tried = [0.0]
     else:
-        tried = [0.0] if not chosen else [chosen[-1] + turn for turn in _TURNS]
+        tried = [chosen[-1] + turn for turn in _TURNS]
     for direction in tried:
+        if stated is None and train.stages[len(chosen)].centre_distance:
+            *others, newest = _axes(train, (*chosen, direction))
+            if any(abs(newest - other) < ONE_AXIS for other in others):
+                continue
         yield from _clear_ways(train, wanted, discs, clearance, (*chosen, direction))
 
 
@@ -342,8 +478,9 @@ _TURNS = list(chain.from_iterable((turn, -turn) for turn in np.arange(pi, -1e-9,
 
 def _collision(axes: Sequence[complex], discs: Sequence[Sequence[_Disc]], clearance: float) -> Message | None:
     """The first collision of the newest shaft that has one, in words; None if there is none."""
+    bodies = _turning(discs, axes)
     pairs = ((a, b) for b in range(len(axes) - 1, 0, -1) for a in range(b - 1, -1, -1))
-    said = (_between(discs[a], discs[b], abs(axes[b] - axes[a]), clearance) for a, b in pairs)
+    said = (_between(bodies[a], bodies[b], abs(axes[b] - axes[a]), clearance) for a, b in pairs)
     return next(filter(None, said), None)
 
 
@@ -351,19 +488,13 @@ def _between(first: Sequence[_Disc], second: Sequence[_Disc], apart: float, clea
     """The first collision of the bodies on two shafts whose axes are `apart`, in words; None if there is none."""
     for body, other in product(first, second):
         in_mesh = body.stage is not None and body.stage == other.stage
-        gap = max(apart - body.radius - other.radius, max(body.low, other.low) - min(body.high, other.high))
-        for outer, inner in ((body, other), (other, body)):
-            if outer.inner:  # a ring, with room within
-                gap = max(gap, outer.inner - apart - inner.radius)
+        gap = body.apart_from(other, apart)
         if in_mesh or gap >= clearance:
             continue
-        if apart < ONE_AXIS:
-            return Message(
-                "{body} and {other} collide: both stand on one axis; give the stages other directions",
-                body=body.name,
-                other=other.name,
-            )
-        collar = body.stage and other.stage
+        cure = Message("a longer collar") if body.stage and other.stage else Message("smaller bores or hubs")
+        for shaft, beside in ((body, other), (other, body)):
+            if shaft.ended and shaft.ending().apart_from(beside, apart) >= clearance:
+                cure = Message("train.{place}.shaft_ends = true, smaller bores or hubs", place=shaft.place)
         return Message(
             "{body} and {other} collide: at axes {apart:.4g} mm apart the gap between them is {gap:.4g} mm, less than"
             " the clearance of {clearance:g} mm; give {cure}, another order of the stages, or other directions",
@@ -372,6 +503,6 @@ def _between(first: Sequence[_Disc], second: Sequence[_Disc], apart: float, clea
             apart=apart,
             gap=gap,
             clearance=clearance,
-            cure=Message("a longer collar") if collar else Message("smaller bores or hubs"),
+            cure=cure,
         )
     return None

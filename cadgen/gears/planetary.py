@@ -8,12 +8,12 @@ are signed: below 0 the output turns against the input.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from enum import StrEnum
 from fractions import Fraction
-from math import acos, degrees, inf, pi, sin, tan
+from math import acos, ceil, cos, degrees, inf, pi, sin, tan
 from typing import Self
 
 from cadgen.errors import DesignError
+from cadgen.gears.choices import HeldMember
 from cadgen.gears.pair import GradedGear
 from cadgen.gears.ring import RingForm, ring_of
 from cadgen.gears.spur import SpurPair
@@ -24,14 +24,8 @@ from cadgen.messages import Message, joined
 MOST_PLANETS = 12
 # Greatest profile shift of a ring, in modules: with more its teeth number too few or too many.
 MOST_SHIFT = 2.0
-
-
-class HeldMember(StrEnum):
-    """Member of a planetary set that does not turn."""
-
-    RING = "ring"
-    CARRIER = "carrier"
-    SUN = "sun"
+# Backlash that is left at the least play within the tolerances where none is given, mm, and its steps.
+LEFT_BACKLASH = 0.01
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -46,6 +40,7 @@ class PlanetarySet:
         equal: whether the planets must be spaced equally; else they stand as near to that as they fit.
         clearance: least gap between neighbouring planets, mm.
         bearing_span: distance of the bearings of a shaft, mm.
+        centre_distance_deviation: deviation of the planets' distance, mm; None for the standard's.
 
     Raises:
         DesignError: planets that do not fit so, or that touch; teeth that do not mesh.
@@ -60,6 +55,7 @@ class PlanetarySet:
     equal: bool = True
     clearance: float = 0.3
     bearing_span: float = 1000.0
+    centre_distance_deviation: float | None = None
 
     def __post_init__(self) -> None:
         if not 1 <= self.planets <= MOST_PLANETS:
@@ -70,7 +66,7 @@ class PlanetarySet:
         if self.equal and not self.spaced_equally(self.planets):
             raise DesignError(
                 "{planets} planets do not fit at equal angles between a sun of {sun} and a ring of {ring} teeth; give "
-                "planets = {counts}, or let them stand at the nearest angles, {angles}",
+                'planets (planet.count) = {counts}, or spacing = "nearest" for the nearest angles, {angles}',
                 planets=self.planets,
                 sun=self.sun.form.teeth,
                 ring=self.ring.form.teeth,
@@ -81,7 +77,7 @@ class PlanetarySet:
             fewer = [count for count in range(1, self.planets) if self._gap(count) >= self.clearance]
             raise DesignError(
                 "{planets} planets come as near to each other as {gap:.4g} mm, and {clearance:g} mm is the least; give "
-                "planets = {fewer}",
+                "planets (planet.count) = {fewer}",
                 planets=self.planets,
                 gap=self.neighbour_gap,
                 clearance=self.clearance,
@@ -97,12 +93,14 @@ class PlanetarySet:
                 driven=self.planet,
                 centre_distance=self.centre_distance,
                 bearing_span=self.bearing_span,
+                centre_distance_deviation=self.centre_distance_deviation,
             ),
             SpurPair(
                 driver=self.planet,
                 driven=self.ring,
                 centre_distance=self.centre_distance,
                 bearing_span=self.bearing_span,
+                centre_distance_deviation=self.centre_distance_deviation,
             ),
         )
 
@@ -210,6 +208,44 @@ class PlanetarySet:
         forms = ((self.sun, sun), (self.planet, planet), (self.ring, ring))
         one, two, three = (replace(gear, form=gear.form.cut_to(each), thinning=each) for gear, each in forms)
         return replace(self, sun=one, planet=two, ring=three)
+
+    def with_backlash(self, backlash: float | None = None, pin_place: float = 0.0) -> Self:
+        """Set of which both meshes have a backlash on their working pitch circles.
+
+        Sun and planets are thinned by the same amount, the ring by what is then left.
+
+        Args:
+            backlash: backlash, mm; None for so much that no mesh jams within its tolerances.
+            pin_place: greatest distance of a planet's pin from its place along the orbit, mm, that such a backlash
+                leaves room for.
+        """
+        if backlash is None:
+            short = 0.0
+            for mesh in self.meshes:
+                fixed = mesh.thinned_to(*(wheel.tooth_thickness_deviation for wheel in mesh.wheels))
+                short = max(short, (fixed.free_angle() - float(fixed.play().B_min)) * mesh.driven_pitch_radius)
+            if self.planets > 1:
+                bases = (self.sun.form.base_diameter + self.ring.form.base_diameter) / 2
+                short += pin_place * bases / self.centre_distance / cos(self.meshes[0].working_pressure_angle)
+            backlash = ceil((short + LEFT_BACKLASH) / LEFT_BACKLASH) * LEFT_BACKLASH
+        inner, outer = (mesh.thinning_for(backlash) for mesh in self.meshes)
+        return self.finished(inner / 2, inner / 2, outer - inner / 2)
+
+    def finished(self, sun: float, planet: float, ring: float) -> Self:
+        """Set as it is cut: teeth of the given deviations, and tips of the ring that the planets' flanks allow.
+
+        Args:
+            sun, planet, ring: deviations E_sn, mm.
+
+        Raises:
+            DesignError: teeth that cannot be cut, or that foul.
+        """
+        cut = replace(self, ring=self.meshes[1].with_free_tips().driven).cut_to(sun, planet, ring)
+        inner, outer = cut.meshes
+        outer = outer.fitted()
+        for gear in (inner.driver, inner.driven, outer.driven):
+            gear.form.tooth  # noqa: B018
+        return replace(cut, ring=outer.driven)
 
 
 def ring_for(sun: GearForm, planet: GearForm, ring: GearForm, centre_distance: float) -> float:

@@ -1,14 +1,15 @@
-"""A stage of a train of any kind: two wheels on parallel axes, of which one turns the other.
+"""A stage of a train of any kind: an arrangement in which one wheel turns another, with a signed ratio.
 
 The train, its play, its layout, its checks and its files go by this and by nothing else. Spur gears are the first kind
-(`spur`); friction discs, which have no teeth, are that of the how-to page. `Engaged` is what the checks of a stage
-measure on two wheels set against each other; the meshes room finds it on their outlines.
+(`spur`): two wheels on parallel axes. In a planetary set (`planetary_stage`) both turn about one axis, and planets and
+a member that is held stand beside them. Friction discs, which have no teeth, are that of the how-to page. `Engaged` is
+what the checks of a stage measure on two wheels set against each other; the meshes room finds it on their outlines.
 """
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import pi
@@ -19,6 +20,7 @@ from cadgen.figures import Facts, Figures
 from cadgen.gears.choices import Law
 from cadgen.gears.distribution import ZoneSum
 from cadgen.messages import Message
+from cadgen.parts.blank import Blank
 from cadgen.parts.loop import Loop
 
 # Overlap in mm² below which teeth only touch: ten times the rounding of the sections' common area (1e-8 mm).
@@ -166,6 +168,45 @@ class PlayZone(Protocol):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Standing:
+    """Body of a stage that stands beside its driver and its driven wheel: a planet, or the member that is held.
+
+    Attributes:
+        name: its name in those of its part and files, such as `planet_1`.
+        wheel: its rim.
+        blank: what it has besides its rim.
+        axis: its axis from that of the driver, mm.
+        angle: its angle about its axis, rad.
+        rise: height of its middle over that of the driver, mm.
+        figures: number of its figures in those of the stage's wheels.
+        turns: its turning for one of the driver and for one of the driven wheel, which add up.
+        orbits: whether its axis goes round with the driven wheel.
+    """
+
+    name: str
+    wheel: Wheel
+    blank: Blank
+    axis: complex
+    angle: float
+    figures: int
+    rise: float = 0.0
+    turns: tuple[float, float] = (0.0, 0.0)
+    orbits: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Mating:
+    """Two wheels of a stage in mesh, as a stage of their own, and their numbers among its wheels.
+
+    Numbers 0 and 1 are driver and driven wheel of the stage; from 2 on they are those of `Standing.figures`.
+    """
+
+    pair: Stage
+    driver: int = 0
+    driven: int = 1
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Departure:
     """An overridden tolerance: `used` in place of `standard`, in mm (None: no standard covers the size)."""
 
@@ -176,7 +217,7 @@ class Departure:
 
 
 class Stage(ABC):
-    """Stage of a train: a driver turns a driven wheel.
+    """Stage of a train: a driver turns a driven wheel, perhaps by other bodies that stand beside them.
 
     What has a body here holds for stages without teeth and tolerances.
 
@@ -279,6 +320,44 @@ class Stage(ABC):
         """Whether its flanks, as made, hold each other with some play all the time; `engage` as of `checks`."""
         return False
 
+    @property
+    def rise(self) -> float:
+        """Height of the driven wheel's middle over that of the driver, mm."""
+        return 0.0
+
+    @property
+    def begins(self) -> float:
+        """Height of the driver's middle over the lowest of what is in mesh, mm, where the stage is the first one."""
+        return self.wheels[1].width / 2
+
+    @property
+    def stands_out(self) -> tuple[float, float]:
+        """Height by which others stand out under the driver and over the driven wheel, mm; below 0 if they do not."""
+        driver, driven = self.wheels
+        return (driven.width - driver.width) / 2, (driver.width - driven.width) / 2
+
+    def standing(self, driver_angle: float, direction: float) -> tuple[Standing, ...]:
+        """Bodies beside driver and driven wheel, in their places; none of a pair.
+
+        Args:
+            driver_angle: angle of the driver, rad.
+            direction: direction of the stage, rad.
+        """
+        return ()
+
+    @property
+    def matings(self) -> tuple[Mating, ...]:
+        """Its wheels in mesh, two by two: of a pair, itself; none without teeth."""
+        return (Mating(self),) if self.toothed else ()
+
+    def free_angle_of(self, free: Sequence[float]) -> float:
+        """Free angle of the driven wheel, rad, from those of the driven wheels of its `matings`, rad.
+
+        Args:
+            free: free angles, rad, in the order of the matings.
+        """
+        return free[0]
+
     @abstractmethod
     def checks(self, engage: Engage) -> tuple[Check, ...]:
         """Figures of the stage as it is made, with limits and verdicts; of one code there is one.
@@ -307,8 +386,10 @@ class Stage(ABC):
         """Facts on the stage as it is made, for the manifest; keys end in the unit."""
 
     @abstractmethod
-    def wheel_figures(self) -> tuple[Figures, Figures]:
-        """Figures of driver and driven wheel, to make and to measure them by, as in the table of parts.
+    def wheel_figures(self) -> tuple[Figures, ...]:
+        """Figures of driver, driven wheel and what stands beside them, as in the table of parts.
+
+        They are what each is made and measured by.
 
         Raises:
             DesignError: a wheel that it could not measure.

@@ -6,6 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from cadgen.gears.choices import Thinning
+
 if TYPE_CHECKING:
     from cadgen.gears.stage import Stage
 
@@ -21,10 +23,44 @@ class StageKind:
             for the reference; its `__post_init__` may refuse what contradicts itself by a `ValueError`, one sentence
             for the user. `bearing_span_mm` and `direction_deg` are keys of every stage and not among them.
         build: function of the keys and of the distance of the bearings, mm, that returns the stage; a `DesignError`
-            where there is no such stage.
+            where there is no such stage. One of a `toothed` kind takes a `ToothedTrain` in place of that distance.
+        toothed: whether its gears take what they leave out from [train].
     """
 
     code: str
     meaning: str
     keys: type[Any]
-    build: Callable[[Any, float], Stage]
+    build: Callable[[Any, Any], Stage]
+    toothed: bool = False
+
+
+@dataclass(frozen=True, kw_only=True)
+class ToothedTrain:
+    """Numbers that [train] gives all gears of a train: lengths in mm, angles in rad, factors in modules.
+
+    Attributes:
+        bearing_span: distance of the bearings of the stage.
+        module, width, pressure_angle, helix_angle: of gears that do not give theirs.
+        addendum_factor, dedendum_factor, rack_tip_radius_factor: of the basic rack.
+        tip_chamfer: leg of the chamfer at the tips.
+        grade: tolerance grade.
+        without_standard: whether tolerances that are left out are 0.
+        thinning: thickness that teeth are cut to.
+        pin_diameter: diameter of the pins for inspection; None for one to suit each gear.
+        clearance: least gap between bodies.
+    """
+
+    bearing_span: float
+    module: float
+    width: float
+    pressure_angle: float
+    helix_angle: float
+    addendum_factor: float
+    dedendum_factor: float
+    rack_tip_radius_factor: float
+    tip_chamfer: float
+    grade: int
+    without_standard: bool
+    thinning: Thinning | float
+    pin_diameter: float | None
+    clearance: float

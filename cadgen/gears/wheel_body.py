@@ -29,7 +29,8 @@ def gear_body(form: Wheel, blank: Blank | None = None) -> Body:
     teeth = form.outline.from_below(form.width)
     if is_ring(form):
         return _ring_body(form, blank, teeth)
-    holes = _checked_features(blank, form)
+    pins = _pin_holes(blank, form)
+    holes = _checked_features(blank, form) + pins
     bore = _bore(blank)
     hub = (circle(blank.hub.diameter),) if blank.hub else ()
     width = form.width
@@ -46,6 +47,23 @@ def gear_body(form: Wheel, blank: Blank | None = None) -> Body:
     if screw is None:
         return Body(tuple(slabs))
     return Body(tuple(slabs), RadialHole(screw.diameter, width + screw.height, reach=blank.hub.diameter))
+
+
+def _pin_holes(blank: Blank, form: Wheel) -> tuple[Loop, ...]:
+    """Holes of a carrier for the pins of its planets; none of another wheel."""
+    holes: tuple[Loop, ...] = getattr(form, "holes", ())
+    for feature, name, key in (
+        (blank.web, Message("a web"), "web"),
+        (blank.lightening, Message("lightening holes"), "lightening"),
+    ):
+        if feature and holes:
+            raise DesignError(
+                "{gear} has {feature}, and its plate holds the pins of the planets; remove {key}",
+                gear=str(form),
+                feature=name,
+                key=key,
+            )
+    return holes
 
 
 def _ring_body(form: Wheel, blank: Blank, teeth: Loop) -> Body:

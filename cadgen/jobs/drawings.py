@@ -20,8 +20,8 @@ from cadgen.design.keys import unit_of, without_unit
 from cadgen.design.machining import DrawingText
 from cadgen.errors import FileError
 from cadgen.figures import Facts, Figures, with_unit
-from cadgen.gears.layout import TrainLayout
-from cadgen.gears.stage import rim_diameter
+from cadgen.gears.layout import TrainLayout, TrainPart
+from cadgen.gears.stage import Mating, Stage, rim_diameter
 from cadgen.gears.tooth import GearForm
 from cadgen.inference.measurement.record import Direction
 from cadgen.jobs.cam.cam_plan import CamPlan, Groove
@@ -137,7 +137,7 @@ def not_stated(text: DrawingText | None, cam: CamPlan | None, train: GearTrain |
             **cam.application.open_keys(),
         }
     keys["surface finish"] = ("drawing.finish", text and text.finish)
-    further = {} if train is None else train.making.open_keys(len(train.layout.parts))
+    further = {} if train is None else train.making.open_keys(len(train.layout.on_shafts))
     return {name: key for name, (key, value) in keys.items() if not value} | further
 
 
@@ -273,17 +273,19 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
     """Stem of the files that a sheet stands for, and the sheet: of each part, then of the plate."""
     layout, origin = plan.layout, plan.origin
     every = gear_figures(layout)
+    first: dict[tuple[int, int], int] = {}
+    for part in layout.parts:
+        if part.figures is not None:
+            first[part.stages[0], part.figures] = first.get((part.stages[0], part.figures), 0) + 1
     for part, gears in zip(layout.parts, every, strict=True):
+        count = 1 if part.figures is None else first.pop((part.stages[0], part.figures), 0)
+        if not count:  # a planet like the one before
+            continue
         stem = f"{plan.stem}_{part.name}"
-        data = tuple(
-            gear_rows(
-                gear,
-                _mate(layout, every, number, part.shaft),
-                layout.train.stages[number - 1],
-                drives=number == part.shaft,
-            )
-            for number, gear in gears.items()
-        )
+        data = []
+        for number, gear in gears.items():
+            mate, pair, drives = _mates(layout, every, number, part)
+            data.append(gear_rows(gear, mate, pair, drives=drives))
         bodies = joined(
             [
                 Message("gear of {teeth} teeth", teeth=gear.teeth)
@@ -293,25 +295,28 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
             ],
             " and ",
         )
-        made = plan.making.shaft(part.shaft, len(layout.parts))
+        made = plan.making.shaft(part.shaft, len(layout.on_shafts))
+        place = Message("Shaft {shaft} of the train, counted from the drive.", shaft=part.shaft)
+        if part.beside:
+            place = Message("Stage {number} of the train, counted from the drive.", number=part.stages[0])
         sheet = GearPart(
             part=part,
             fit=made.fit,
-            data=data,
+            data=tuple(data),
             files=folder.files(stem, origin.content_hash, _PART_ENDINGS),
             pitch_diameters=tuple(
                 float(f"{diameter:.7g}") for gear in gears.values() if (diameter := gear.value("reference_diameter"))
             ),
-            notes=(Message("Shaft {shaft} of the train, counted from the drive.", shaft=part.shaft),),
+            notes=(place,),
         )
         name = Message("{part}: {bodies}", part=part.name, bodies=bodies)
         title = title_of(origin, plan.title, name, made.material or "", stem, folder)
-        yield stem, gear_drawing(sheet, title)
+        yield stem, gear_drawing(sheet, replace(title, quantity=count * title.quantity))
     stem = f"{plan.stem}_plate"
     title = title_of(origin, plan.title, Message("plate for the axes"), plan.making.plate or "", stem, folder)
-    pair = replace(title, quantity=2 * title.quantity)
+    title = replace(title, quantity=2 * title.quantity)
     holes = Message("shaft Ø, mm") if plan.making.bearing_bores is None else Message("hole Ø, mm")
-    yield stem, plate_drawing(plate_of(plan), holes, tuple(_plate_notes(plan)), pair)
+    yield stem, plate_drawing(plate_of(plan), holes, tuple(_plate_notes(plan)), title)
 
 
 def plate_of(plan: GearTrain) -> Plate:
@@ -320,7 +325,8 @@ def plate_of(plan: GearTrain) -> Plate:
     Raises:
         DesignError: bores for bearings that meet, or are too many or too few.
     """
-    parts, making = plan.layout.parts, plan.making
+    parts, making = plan.layout.on_shafts, plan.making
+    beside = [part for part in plan.layout.parts if part.beside]
     bores = bearing_bores(making.bearing_bores, [part.blank.bore_diameter for part in parts])
     axes = tuple(
         Axis(
@@ -328,7 +334,11 @@ def plate_of(plan: GearTrain) -> Plate:
             x=part.axis.real,
             y=part.axis.imag,
             bore=bore,
-            reach=max(map(rim_diameter, part.gears)) / 2,
+            reach=max(
+                abs(near.axis - part.axis) + rim_diameter(gear) / 2
+                for near in (part, *(each for each in beside if each.stages[0] == part.shaft))
+                for gear in near.gears
+            ),
             hole=hole_class(making.holes),
         )
         for part, bore in zip(parts, bores, strict=True)
@@ -369,12 +379,22 @@ def _plate_notes(plan: GearTrain) -> Iterator[str]:
             )
 
 
-def _mate(layout: TrainLayout, every: Sequence[Mapping[int, Figures]], stage: int, shaft: int) -> str:
-    """The gear in mesh with one on a shaft, in words."""
-    on = stage + 1 if shaft == stage else stage
-    part, gears = next(pair for pair in zip(layout.parts, every, strict=True) if pair[0].shaft == on)
-    teeth = gears[stage].value("teeth")
-    return part.name if teeth is None else f"z = {teeth}, {part.name}"
+def _mates(
+    layout: TrainLayout, every: Sequence[Mapping[int, Figures]], stage: int, part: TrainPart
+) -> tuple[str, Stage, bool]:
+    """Gears in mesh with that of a part, in words; the mesh as a pair; and whether the gear drives it.
+
+    A planet meshes with sun and ring: the pair is that with the sun.
+    """
+    whole, wheel, places = layout.train.stages[stage - 1], part.wheel_of(stage), layout.places(stage)
+    matings = [mating for mating in whole.matings if wheel in (mating.driver, mating.driven)]
+    matings = matings or [Mating(whole)]
+    named = []
+    for mating in matings:
+        other = places[mating.driven if wheel == mating.driver else mating.driver]
+        teeth, name = every[other][stage].value("teeth"), layout.parts[other].name
+        named.append(name if teeth is None else f"z = {teeth}, {name}")
+    return joined(named, "; "), matings[0].pair, wheel == matings[0].driver
 
 
 # Greatest difference of a dimension in a file from that of the part, mm: rounding.

@@ -100,4 +100,15 @@ export class Motion {
     if (index === 0) return -state.theta;
     return shaft.angle + shaft.rate * state.phi + shaft.lead * state.share;
   }
+
+  /** Place of a shaft's axis, mm: that of a planet goes round with its carrier. */
+  place(index, state) {
+    const { axis, round } = this.scene.shafts[index];
+    if (round === null) return axis;
+    const { axis: middle, rate, lead } = this.scene.shafts[round];
+    const turn = rate * state.phi + lead * state.share;
+    const [x, y] = [axis[0] - middle[0], axis[1] - middle[1]];
+    const [c, s] = [Math.cos(turn), Math.sin(turn)];
+    return [middle[0] + c * x - s * y, middle[1] + s * x + c * y];
+  }
 }

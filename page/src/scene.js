@@ -228,6 +228,7 @@ export class Assembly {
     this.state = state;
     this.shafts.forEach((group, index) => {
       group.rotation.z = this.motion.shaft(index, state);
+      group.position.set(...this.motion.place(index, state), 0);
     });
     if (this.rider) {
       const { travel, arm } = this.motion.scene;

@@ -9,6 +9,7 @@ from cadgen.design.keys import keys, last, tables
 from cadgen.design.kinds import Kinds
 from cadgen.design.load import load_design
 from cadgen.design.reference import page
+from cadgen.gears import stage_kinds
 
 PAGE = Path(__file__).parents[2] / "docs" / "design-file.md"
 
@@ -26,7 +27,10 @@ def test_the_page_has_every_key() -> None:
     of_followers = [
         key for kind in kinds for key in keys(kind) if key.startswith("follower.") and key != "follower.kind"
     ]
-    assert sorted(rows) == sorted([*map(last, [*named, *by_motion, *of_followers]), *limits])
+    stages = [Kinds(stage=stage_kinds.kind_of(code)) for code in stage_kinds.codes()]
+    of_stages = [key for kind in stages for key in keys(kind) if key.startswith("train.stages.")]
+    of_stages = [key for key in of_stages if last(key) not in ("kind", "bearing_span_mm", "direction_deg")]
+    assert sorted(rows) == sorted([*map(last, [*named, *by_motion, *of_followers, *of_stages]), *limits])
 
 
 def must_be_there(section: str) -> bool:

@@ -251,7 +251,10 @@ def test_what_is_for_spur_gears_alone_says_so(mixed, job, words):
             "train.stages.1.press is not a key: did you mean train.stages.press_N? [train.stages] takes kind,",
         ),
         ("train.stages.1.f_a_um=3", "[train.stages] takes kind, bearing_span_mm, direction_deg, driver_diameter_mm,"),
-        ('train.stages.1.kind="belt"', 'train.stages.1.kind is "belt"; it must be "spur" or "friction_discs"'),
+        (
+            'train.stages.1.kind="belt"',
+            'train.stages.1.kind is "belt"; it must be "spur", "planetary" or "friction_discs"',
+        ),
         ("train.stages.1.kind=", "train.stages.1.press_N is not a key: [train.stages] takes kind, bearing_span_mm"),
         (
             "train.stages.1={centre_distance_mm = 40, driver.teeth = 20, driven.teeth = 60}",

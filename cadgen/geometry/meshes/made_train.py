@@ -29,7 +29,9 @@ def gear_checks(layout: TrainLayout, chords: Sequence[float]) -> tuple[Check, ..
     cut = layout.train.stages
     checks = [*_bodies(layout, chords), *_worst([_of_stage(stage) for stage in cut])]
     if meshes(cut):
-        error = return_error_um(cut, [_built(stage, stage.centre_distance) for stage in cut])
+        error = return_error_um(
+            cut, [[_built(mating.pair, mating.pair.centre_distance) for mating in stage.matings] for stage in cut]
+        )
         code, name = CheckCode.RETURN_ERROR, Message("return error - computed")
         checks.append(
             Check(code, name, abs(error), "µm", PLAY_LIMIT_UM, Bound.MAX, Message("whole train"), CONTRADICTION)
@@ -48,19 +50,34 @@ def meshes(cut: Sequence[Stage]) -> bool:
     return all(stage.meshes(_built) for stage in cut)
 
 
-def play_error_um(stage: Stage, measured: MeasuredPair) -> float:
+def play_error_um(stage: Stage, measured: Sequence[MeasuredPair]) -> float:
     """Measured less computed play as cut, µm of arc on the driven gear's pitch circle.
 
-    `measured` may come from the exact curves or from a file.
+    Args:
+        stage: stage as cut.
+        measured: sections of its matings, by the exact curves or from a file.
     """
-    return (measured.play(0.0) - stage.free_angle()) * stage.driven_pitch_radius * 1e3
+    found = stage.free_angle_of([pair.play(0.0) for pair in measured])
+    return (found - stage.free_angle()) * stage.driven_pitch_radius * 1e3
 
 
-def return_error_um(cut: Sequence[Stage], measured: Sequence[MeasuredPair]) -> float:
-    """Measured less computed return error as cut, µm of arc on the output wheel's pitch circle."""
+def return_error_um(cut: Sequence[Stage], measured: Sequence[Sequence[MeasuredPair]]) -> float:
+    """Measured less computed return error as cut, µm of arc on the output wheel's pitch circle.
+
+    Args:
+        cut: stages as cut.
+        measured: sections of each stage's matings.
+    """
     ratios = Train(tuple(cut)).output_ratios
     computed = sum(stage.free_angle() / float(ratio) for stage, ratio in zip(cut, ratios, strict=True))
-    return (return_error(measured) - computed) * cut[-1].driven_pitch_radius * 1e3
+    if all(len(pairs) == 1 for pairs in measured):
+        found = return_error([pair for (pair,) in measured])
+    else:
+        found = sum(
+            stage.free_angle_of([pair.play(0.0) for pair in pairs]) / float(ratio)
+            for stage, pairs, ratio in zip(cut, measured, ratios, strict=True)
+        )
+    return (found - computed) * cut[-1].driven_pitch_radius * 1e3
 
 
 @cache  # equal stages of a train have equal sections

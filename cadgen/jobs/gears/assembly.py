@@ -246,7 +246,7 @@ def table_of(layout: TrainLayout) -> list[dict[str, str | float | None]]:
     return [
         {
             "part": part.name,
-            "shaft": part.shaft,
+            "shaft": None if part.beside else part.shaft,
             "stage": stage,
             **gear.facts(),
             "bore_mm": part.blank.bore_diameter,
@@ -274,7 +274,7 @@ def gear_figures(layout: TrainLayout) -> list[dict[int, Figures]]:
     A stage's driver sits on the shaft of its number, the driven wheel on the next.
     """
     wheels = [stage.wheel_figures() for stage in layout.train.stages]
-    return [{stage: wheels[stage - 1][part.shaft > stage] for stage in part.stages} for part in layout.parts]
+    return [{stage: wheels[stage - 1][part.wheel_of(stage)] for stage in part.stages} for part in layout.parts]
 
 
 def parts_facts(layout: TrainLayout) -> list[Facts]:
@@ -282,7 +282,7 @@ def parts_facts(layout: TrainLayout) -> list[Facts]:
     return [
         Facts(
             name=part.name,
-            shaft=part.shaft,
+            shaft=None if part.beside else part.shaft,
             axis_mm=(part.axis.real, part.axis.imag),
             height_mm=part.height,
             angle_deg=degrees(part.angle),

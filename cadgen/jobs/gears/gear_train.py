@@ -78,6 +78,7 @@ class TrainMaking:
         drive: part on the drive's shaft.
         intermediate: part on each shaft between.
         output: part on the camshaft.
+        beside: parts beside the shafts, as planets are.
         plate: material of the plates; None where the design does not say.
         holes: fit of their holes; None where the design does not say.
         plate_thickness: thickness of the plates, mm; None where the design does not say.
@@ -87,6 +88,7 @@ class TrainMaking:
     drive: ShaftMaking
     intermediate: ShaftMaking
     output: ShaftMaking
+    beside: ShaftMaking
     plate: str | None
     holes: str | None
     plate_thickness: float | None
@@ -105,6 +107,7 @@ class TrainMaking:
             shaft("drive", keys.drive),
             shaft("intermediate", keys.intermediate),
             shaft("output", keys.output),
+            shaft("beside", GearBlankSection()),
             plate.material,
             plate.hole_fit,
             plate.thickness_mm,
@@ -115,9 +118,11 @@ class TrainMaking:
         """Making of the part on a shaft.
 
         Args:
-            number: number of the shaft, from 1 at the drive.
+            number: number of the shaft, from 1 at the drive; of a part beside the shafts, a greater one.
             shafts: how many there are.
         """
+        if number > shafts:
+            return self.beside
         return self.drive if number == 1 else self.output if number == shafts else self.intermediate
 
     def open_keys(self, shafts: int) -> dict[str, str]:

@@ -300,7 +300,8 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     dimensions: list[Dimension] = []
     keyed = isinstance(blank.key, Keyway)
     for number, (wheel, start, name) in enumerate(zip(part.gears, part.starts, _names(part), strict=True)):
-        tip, root, end = wheel.tip_diameter / 2, wheel.root_diameter / 2, start + wheel.width
+        tip, end = wheel.tip_diameter / 2, start + wheel.width
+        root = wheel.root_diameter / 2 if wheel.outline.repeats > 1 else tip
         corners = np.array([(start, root), (start, tip), (end, tip), (end, root)])
         strokes += [Stroke(corners * [1.0, side]) for side in (1.0, -1.0)]
         out = start - 0.9 * gap if number == 0 else end + (1.95 if keyed else 0.9) * gap
@@ -334,7 +335,8 @@ def _without_teeth(layer: Layer, part: TrainPart) -> Layer:
     for wheel in part.gears:
         if is_ring(wheel):
             return Layer(layer.low, layer.high, (layer.rings[0], _circle_points(wheel.root_diameter)), layer.holes)
-        if abs(reach - wheel.tip_diameter / 2) < 0.01 and wheel.root_diameter < wheel.tip_diameter - 0.01:
+        toothed = wheel.outline.repeats > 1 and wheel.root_diameter < wheel.tip_diameter - 0.01
+        if toothed and abs(reach - wheel.tip_diameter / 2) < 0.01:
             return Layer(layer.low, layer.high, (_circle_points(wheel.root_diameter), *layer.rings[1:]), layer.holes)
     return layer
 

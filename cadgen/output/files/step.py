@@ -261,25 +261,32 @@ def measured_play(
     errors: list[float | None] = [0.0 if stage.toothed else None for stage in cut]
     total: float | None = None
     for level in range(max(len(gear) for part in slices for gear in part)):
-        measured = [
-            MeasuredPair(before[-1][level % len(before[-1])], after[0][level % len(after[0])], stage.centre_distance)
-            for before, after, stage in zip(slices, slices[1:], cut, strict=False)
-        ]
-        for number, (stage, found) in enumerate(zip(cut, measured, strict=True)):
-            if stage.toothed:
+        measured: list[list[MeasuredPair]] = []
+        for number, stage in enumerate(cut, 1):
+            places, pairs = layout.places(number), []
+            for mating in stage.matings:
+                ends = []
+                for wheel in (mating.driver, mating.driven):
+                    read = slices[places[wheel]][layout.wheel_in(places[wheel], number)]
+                    ends.append(read[level % len(read)])
+                driver, driven = ends
+                pairs.append(MeasuredPair(driver, driven, mating.pair.centre_distance))
+            measured.append(pairs)
+        for place, (stage, found) in enumerate(zip(cut, measured, strict=True)):
+            if found:
                 off = play_error_um(stage, found)
-                errors[number] = max((errors[number] or 0.0, off), key=abs)
+                errors[place] = max((errors[place] or 0.0, off), key=abs)
         if None not in errors:
             total = max((total or 0.0, return_error_um(cut, measured)), key=abs)
         worst = max((abs(error) for error in (*errors, total) if error is not None), default=0.0)
         require(worst <= PLAY_LIMIT_UM, name, Message("has a play {worst:.2g} µm off the computed one", worst=worst))
         for number, (stage, found) in enumerate(zip(cut, measured, strict=True), 1):
-            if not stage.toothed:
-                continue
-            within, past = cycle(found, stage.free_angle(), found.driver.teeth, stage.driven_pitch_radius)
-            held = within <= LEAST_OVERLAP <= past
-            fault = Message("has teeth in stage {number} whose play is not the same over a pitch", number=number)
-            require(held or not passed, name, fault)
+            for mating, pair in zip(stage.matings, found, strict=True):
+                inner = mating.pair
+                within, past = cycle(pair, inner.free_angle(), pair.driver.teeth, inner.driven_pitch_radius)
+                held = within <= LEAST_OVERLAP <= past
+                fault = Message("has teeth in stage {number} whose play is not the same over a pitch", number=number)
+                require(held or not passed, name, fault)
     plays = tuple(
         None if error is None else stage.free_angle() * stage.driven_pitch_radius * 1e3 + error
         for stage, error in zip(cut, errors, strict=True)

@@ -70,6 +70,7 @@ def _scene(scene: Scene, block: Block) -> Facts:
                 angle=float(shaft.angle),
                 rate=shaft.rate,
                 lead=float(shaft.lead),
+                round=shaft.round,
             )
             for shaft in scene.shafts
         ],

@@ -159,6 +159,7 @@ class Shaft:
         angle: angle of its parts at φ = 0 with the driving flanks in contact, rad.
         rate: turns by turn of the cam, with sign.
         lead: angle that it is ahead when the cam has run through the play, rad.
+        round: number of the shaft that its axis goes round with, for a planet; None for an axis that stands.
     """
 
     label: str
@@ -169,6 +170,7 @@ class Shaft:
     angle: float
     rate: float
     lead: float
+    round: int | None = None
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,7 @@
 """Everything that moves on the page: runs over the cam angle, course, car, shafts, and parts in 3D."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from math import hypot
 
@@ -148,6 +148,7 @@ def plain_scene(plan: CamPlan, gears: GearTrain | None) -> tuple[Scene, tuple[st
     shafts = [_camshaft(plan, train)]
     if train is not None:
         shafts += [_shaft(part, None, drawn=number > 0) for number, part in enumerate(reversed(train.parts))]
+        shafts += _planets(train)
     section, travel = section_of(plan, float(q[0])), travel_of(plan, q)
     openings = [contour.polygon(_HOLE_CHORD) for contour in plan.made_blank.inner_contours()]
     outline = plan.curve.outline(_OUTLINE).points
@@ -364,6 +365,7 @@ def bodies_of(plan: CamPlan, gears: GearTrain | None, cam_radius: float) -> Bodi
             # The drive's shaft goes on to its wheel.
             last = turning is train.parts[0]
             shafts.append(_shaft(turning, reach if last and use.drive_wheel.radius else None, drawn=number > 0))
+        shafts += _planets(train)
         if use.drive_wheel.radius:
             wheel = (len(train.parts), reach, use.drive_wheel.radius)
         notes += _notes(plan, train, cam_radius)
@@ -386,7 +388,7 @@ def _behind(plan: CamPlan) -> float:
 
 def _parts(plan: CamPlan, train: TurningTrain | None, notes: list[str]) -> list[Part]:
     """Meshes of all parts, by the finest chord with which they are few enough triangles, and by a coarse one."""
-    turning = () if train is None else tuple(reversed(train.parts))
+    turning = () if train is None else (*reversed(train.parts), *train.beside)
     meshes: list[Mesh | None] = []
     for chord in _CHORDS:
         meshes = [_disc(plan, chord, notes), *(part.stand.mesh(chord) for part in turning)]
@@ -418,8 +420,19 @@ def _disc(plan: CamPlan, chord: float, notes: list[str]) -> Mesh | None:
         return None
 
 
+def _planets(train: TurningTrain) -> list[Shaft]:
+    """Axes of the parts beside the shafts, after those of the camshaft and of the train from the output on."""
+    last = len(train.parts)
+    return [
+        replace(_shaft(each, None, drawn=False), round=None if each.carrier is None else last - each.carrier)
+        for each in train.beside
+    ]
+
+
 def _label(turning: TurningPart) -> Message:
     part = turning.part
+    if part.beside:
+        return Message("stage {number}: {name}", number=part.stages[0], name=part.name.partition("_")[2])
     teeth = " + ".join(str(wheel.teeth) for wheel in part.gears if hasattr(wheel, "teeth"))
     if not teeth:
         return Message("shaft {number}", number=part.shaft)

@@ -63,6 +63,8 @@ class TurningPart:
         angle: its angle at motor position 0, the cam pushed, rad.
         rate: its turns by turn of the cam, with sign; negative for the sense of the cam.
         lead: angle by which it turns, beyond that, when the cam runs through the whole play, rad.
+        carrier: number of the part of the train that its axis goes round with, for a planet; None for an axis that
+            stands.
     """
 
     part: TrainPart
@@ -71,6 +73,7 @@ class TurningPart:
     angle: float
     rate: float
     lead: float
+    carrier: int | None = None
 
     def angle_at(self, motor: float, share: float) -> float:
         """Angle of the part, rad.
@@ -102,11 +105,13 @@ class TurningTrain:
         parts: parts from the drive to the output, whose axis is the camshaft.
         directions: directions of the lines of centres, rad.
         play: return error of the teeth as cut, rad.
+        beside: parts beside the shafts, as planets are.
     """
 
     parts: tuple[TurningPart, ...]
     directions: tuple[float, ...]
     play: float
+    beside: tuple[TurningPart, ...] = ()
 
     @property
     def reach(self) -> float:
@@ -124,7 +129,7 @@ def turning_train(layout: TrainLayout, behind: float, plane: float, side: int) -
         plane: height at which the stack of gears ends towards the cam, mm.
         side: 1 if the stack stands below that plane, -1 if above.
     """
-    stages, parts = layout.train.stages, layout.parts
+    stages, parts = layout.train.stages, layout.on_shafts
     output = parts[-1].axis
     reach = abs(parts[0].axis - output)
     drop = sqrt(max(reach**2 - behind**2, 0.0))
@@ -150,14 +155,31 @@ def turning_train(layout: TrainLayout, behind: float, plane: float, side: int) -
         angles[number] += senses[number] * ahead
         ahead, lead = ahead / ratio - free / 2, lead / ratio + free
         leads.append(lead * senses[number + 1])
-    ends = ((part, part.body.slabs[-1].end) for part in parts)
-    heights = [z for part, end in ends for z in (part.height, part.height + (-end if part.flipped else end))]
+    stacked = ((part, part.body.slabs[-1].end) for part in layout.parts)
+    heights = [z for part, end in stacked for z in (part.height, part.height + (-end if part.flipped else end))]
     raised = plane - (max(heights) if side > 0 else min(heights))
-    return TurningTrain(
-        tuple(
-            TurningPart(part, (part.axis - output) * np.exp(1j * turn), raised, angle % (2 * pi), sense * rate, lead)
-            for part, angle, sense, rate, lead in zip(parts, angles, senses, turns, leads, strict=True)
-        ),
-        tuple(direction + turn for direction in layout.directions),
-        play,
+    turning = tuple(
+        TurningPart(part, (part.axis - output) * np.exp(1j * turn), raised, angle % (2 * pi), sense * rate, lead)
+        for part, angle, sense, rate, lead in zip(parts, angles, senses, turns, leads, strict=True)
     )
+    beside = []
+    for part in (part for part in layout.parts if part.beside):
+        stage = part.stages[0]
+        ends, shares = turning[stage - 1 : stage + 1], part.turns
+        # What driver and driven wheel have turned from the middle of the play turns it, too; and whither it goes round.
+        ahead_of = [angle - middle for angle, middle in zip(angles, middles, strict=True)][stage - 1 : stage + 1]
+        orbit = ahead_of[1] if part.orbits else 0.0
+        middle = parts[stage].axis
+        axis = middle - output + (part.axis - middle) * np.exp(1j * orbit)
+        beside.append(
+            TurningPart(
+                part,
+                complex(axis * np.exp(1j * turn)),
+                raised,
+                (part.angle + turn + sum(share * by for share, by in zip(shares, ahead_of, strict=True))) % (2 * pi),
+                sum(share * end.rate for share, end in zip(shares, ends, strict=True)),
+                sum(share * end.lead for share, end in zip(shares, ends, strict=True)),
+                stage if part.orbits else None,
+            )
+        )
+    return TurningTrain(turning, tuple(direction + turn for direction in layout.directions), play, tuple(beside))

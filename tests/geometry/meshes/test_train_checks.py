@@ -82,7 +82,7 @@ def test_the_cycle_finds_what_is_wrong_only_elsewhere_in_the_pitch(layout):
 def test_play_and_return_error_are_off_by_what_the_teeth_are(layout):
     """A driver thinned by 2 µm more gives its own stage 2 µm of play more, and the output its share by the ratios."""
     cut = layout.train.stages
-    measured = [sections(cut[0], driver=-2.0), *(sections(pair) for pair in cut[1:])]
+    measured = [[sections(cut[0], driver=-2.0)], *([sections(pair)] for pair in cut[1:])]
     assert play_error_um(cut[0], measured[0]) == pytest.approx(2.0, abs=0.06)
     assert play_error_um(cut[1], measured[1]) == pytest.approx(0.0, abs=0.06)
     # 2 µm at the radius of 37.5 mm, through 3 and 3 to one, at the radius of 30 mm.
