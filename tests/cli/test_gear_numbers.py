@@ -56,7 +56,7 @@ def test_a_planetary_set(tmp_path):
     )
     assert done.exit_code == 0
     assert "The planets stand at 0.0000°, 120.0000°, 240.0000°" in done.output
-    with pytest.raises(DesignError, match="give planets \(planet\.count\) = 2 or 3"):
+    with pytest.raises(DesignError, match=r"give planets \(planet\.count\) = 2 or 3"):
         run("planetary", "--sun", 20, "--planet", 31, "--planets", 4, *SIZES)
     unequal = ("planetary", "--sun", 20, "--planet", 31, "--planets", 4, "--unequal", *SIZES)
     assert json.loads(run(*unequal, "--json", "--formats", "csv", "--out", tmp_path).output)["passed"]
