@@ -1,6 +1,11 @@
 // Where everything stands at a motor position: the page computes no mechanics, it reads tables between their entries.
 const TURN = 2 * Math.PI;
 
+/** Angle by which an arm has turned about its pivot since cam angle 0, by the way of its follower's middle, rad. */
+export function swung(pivot, [x, y], { ahead, across }) {
+  return Math.atan2(y + across - pivot[1], x + ahead - pivot[0]) - Math.atan2(y - pivot[1], x - pivot[0]);
+}
+
 export class Motion {
   constructor(scene, charts) {
     this.scene = scene;
@@ -16,13 +21,13 @@ export class Motion {
 
   /** Lift and motion at a cam angle, rad: on a car the motion is the tangent of the steering angle. */
   lift(theta) {
-    const { lift, travel } = this.scene;
+    const { lift, travel, second } = this.scene;
     const place = ((((theta % TURN) + TURN) % TURN) / TURN) * (lift.lift.length - 1);
     const left = Math.min(Math.floor(place), lift.lift.length - 2);
     const share = place - left;
     const between = (values) => values[left] + share * (values[left + 1] - values[left]);
-    const way = travel && { ahead: between(travel.ahead), across: between(travel.across), turned: between(travel.turned) };
-    return { lift: between(lift.lift), tan: between(lift.tan), way };
+    const along = (ways) => ways && { ahead: between(ways.ahead), across: between(ways.across), turned: between(ways.turned) };
+    return { lift: between(lift.lift), tan: between(lift.tan), way: along(travel), secondWay: along(second?.travel) };
   }
 
   /** State of a run at a motor position, rad. */
@@ -55,7 +60,7 @@ export class Motion {
   state(phi, play) {
     const going = play && this.withPlay ? this.withPlay : this.withoutPlay;
     const here = this.at(going, phi);
-    const { lift, tan, way } = this.lift(here.theta);
+    const { lift, tan, way, secondWay } = this.lift(here.theta);
     const planned = this.at(this.planned, phi);
     return {
       ...here,
@@ -64,6 +69,7 @@ export class Motion {
       lift,
       tan,
       way,
+      secondWay,
       planned,
       plannedTan: this.lift(planned.theta).tan,
       off: Math.hypot(here.x - planned.x, here.y - planned.y),

@@ -1,4 +1,5 @@
 // The assembly in 3D. Its frame is that of the cam's file: the camshaft is z, to the car's left; x is ahead and y down.
+import { swung } from "./motion.js";
 import {
   AmbientLight, Box3, BoxGeometry, BufferAttribute, BufferGeometry, Color, CylinderGeometry, DirectionalLight, DoubleSide,
   ExtrudeGeometry, FrontSide, Group, LatheGeometry, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, PerspectiveCamera, Plane,
@@ -73,8 +74,7 @@ export class Assembly {
     this.root.clear();
     this.groups = new Map();
     this.fork = null;
-    this.rider = null; // section of a follower other than the rod, which moves as a whole
-    this.arm = null;
+    this.riders = []; // followers other than the rod, which move as a whole
     this.build();
     for (const code of this.hidden) this.visible(code, false);
     this.colour();
@@ -84,7 +84,7 @@ export class Assembly {
   }
 
   build() {
-    const { shafts, parts, rod, wheel, section, travel, slide, arm } = this.motion.scene;
+    const { shafts, parts, rod, wheel, section, travel, slide, arm, second } = this.motion.scene;
     this.shafts = shafts.map((shaft) => {
       const group = new Group();
       group.position.set(shaft.axis[0], shaft.axis[1], 0);
@@ -116,21 +116,30 @@ export class Assembly {
     }
     if (section) {
       const [low, high] = this.thickness();
-      this.rider = new Group();
-      this.rider.position.set(...travel.centre, 0);
-      this.root.add(this.rider);
-      this.add("follower", this.rider, plate(section, travel.centre, low - 1, high + 1), "rod");
-      if (slide) this.add("follower", this.rider, bar([0, 0], [slide.stem - travel.centre[0], 0], slide.half_width, low, high), "rod");
-      if (arm) {
-        this.arm = new Group();
-        this.arm.position.set(...arm.pivot, 0);
-        this.root.add(this.arm);
-        const off = travel.centre.map((value, i) => value - arm.pivot[i]);
-        this.arm.userData.at = Math.atan2(off[1], off[0]);
-        this.add("follower", this.arm, bar([0, 0], off, 3, high + 1, high + 4), "shaft");
-      }
+      const rider = this.ride({ section, travel, arm }, low, high);
+      if (slide) this.add("follower", rider, bar([0, 0], [slide.stem - travel.centre[0], 0], slide.half_width, low, high), "rod");
+      if (second) this.ride(second, low + second.height, high + second.height, true);
     }
     if (wheel) this.add("wheel", this.shafts[wheel[0]], wheelGeometry(wheel[2]), "wheel", wheel[1]);
+  }
+
+  /** A follower that moves as a whole, on a disc between two heights; its arm lies beside the disc, or behind a face. */
+  ride({ section, travel, arm }, low, high, second = false) {
+    const group = new Group();
+    group.position.set(...travel.centre, 0);
+    this.root.add(group);
+    this.add("follower", group, plate(section, travel.centre, low - 1, high + 1), "rod");
+    let lever = null;
+    if (arm) {
+      lever = new Group();
+      lever.position.set(...arm.pivot, 0);
+      this.root.add(lever);
+      const ends = [[0, 0], ...arm.bends.map(([x, y]) => [x - arm.pivot[0], y - arm.pivot[1]])];
+      const [from, to] = ends.length > 2 ? [low, high] : [high + 1, high + 4];
+      for (let i = 1; i < ends.length; i++) this.add("follower", lever, bar(ends[i - 1], ends[i], 3, from, to), "shaft");
+    }
+    this.riders.push({ group, lever, travel, arm, second });
+    return group;
   }
 
   /** Heights between which the disc lies. */
@@ -230,12 +239,11 @@ export class Assembly {
       group.rotation.z = this.motion.shaft(index, state);
       group.position.set(...this.motion.place(index, state), 0);
     });
-    if (this.rider) {
-      const { travel, arm } = this.motion.scene;
-      const [x, y] = [travel.centre[0] + state.way.ahead, travel.centre[1] + state.way.across];
-      this.rider.position.set(x, y, 0);
-      this.rider.rotation.z = state.way.turned;
-      if (arm) this.arm.rotation.z = Math.atan2(y - arm.pivot[1], x - arm.pivot[0]) - this.arm.userData.at;
+    for (const { group, lever, travel, arm, second } of this.riders) {
+      const way = second ? state.secondWay : state.way;
+      group.position.set(travel.centre[0] + way.ahead, travel.centre[1] + way.across, 0);
+      group.rotation.z = way.turned;
+      if (lever) lever.rotation.z = swung(arm.pivot, travel.centre, way);
     }
     if (this.fork) this.fork.rotation.y = this.motion.scene.rod.side * Math.atan(state.tan);
     this.ask();

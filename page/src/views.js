@@ -1,4 +1,6 @@
 // The two plan views: drawings one above the other, each painted once and then moved as a whole.
+import { swung } from "./motion.js";
+
 const degrees = (rad) => (rad * 180) / Math.PI;
 const short = (value) => Math.round(value * 1000) / 1000;
 
@@ -18,19 +20,18 @@ const find = (id) => document.getElementById(id);
 
 /** The disc and its follower, from the side. */
 function camView(motion) {
-  const [disc, inner, outer, section, arm] = ["disc-layer", "rod-inner", "rod-outer", "follower-section", "follower-arm"].map(find);
-  const { rod, base, travel } = motion.scene;
+  const [disc, inner, outer] = ["disc-layer", "rod-inner", "rod-outer"].map(find);
+  const { rod, base, travel, arm, second } = motion.scene;
+  const rider = rod ? null : riderView("follower", travel, arm);
+  const secondRider = second && riderView("second", second.travel, second.arm);
   let carrying = "inner";
   disc.style.transformOrigin = `${disc.dataset.origin} 50%`;
 
   return (state) => {
     disc.style.transform = `rotate(${short(degrees(state.theta))}deg)`;
     if (!rod) {
-      const [x, y] = travel.centre;
-      const { ahead, across, turned } = state.way;
-      section.setAttribute("transform", `translate(${short(ahead)} ${short(across)}) rotate(${short(degrees(turned))} ${short(x)} ${short(y)})`);
-      arm?.setAttribute("x2", short(x + ahead));
-      arm?.setAttribute("y2", short(y + across));
+      rider(state.way);
+      secondRider?.(state.secondWay);
       return;
     }
     const stretch = Math.hypot(1, state.tan);
@@ -43,6 +44,16 @@ function camView(motion) {
     carrying = carries;
     inner.classList.toggle("far", carries === "outer");
     outer.classList.toggle("far", carries === "inner");
+  };
+}
+
+/** A follower that moves as a whole, with its arm. */
+function riderView(name, travel, arm) {
+  const [section, line] = [`${name}-section`, `${name}-arm`].map(find);
+  const [x, y] = travel.centre;
+  return (way) => {
+    section.setAttribute("transform", `translate(${short(way.ahead)} ${short(way.across)}) rotate(${short(degrees(way.turned))} ${short(x)} ${short(y)})`);
+    if (arm) line?.setAttribute("transform", `rotate(${short(degrees(swung(arm.pivot, travel.centre, way)))} ${arm.pivot.map(short).join(" ")})`);
   };
 }
 

@@ -7,7 +7,7 @@ import numpy as np
 from cadgen.figures import Facts
 from cadgen.messages import CHINESE, shown
 from cadgen.verdict import Readiness
-from cadgen.viewer.page.document import Arm, Chart, Going, Page, Scene, Slide
+from cadgen.viewer.page.document import Arm, Chart, Going, Page, Scene, Slide, Travel
 from cadgen.viewer.page.mesh_block import Block
 
 FORMAT, VERSION = "cadgen-report", 1
@@ -47,13 +47,7 @@ def _scene(scene: Scene, block: Block) -> Facts:
         rod=rod and Facts(radius=rod.radius, length=rod.length, faces=rod.faces, height=rod.height, side=rod.side),
         unit=scene.unit,
         lift=Facts(lift=block.add(scene.lift.lift), tan=block.add(scene.lift.q)),
-        travel=travel
-        and Facts(
-            centre=travel.centre,
-            ahead=block.add(travel.ahead),
-            across=block.add(travel.across),
-            turned=block.add(travel.turned),
-        ),
+        travel=travel and _travel(travel, block),
         section=None if rod else scene.section,
         slide=scene.guide if isinstance(scene.guide, Slide) else None,
         arm=scene.guide if isinstance(scene.guide, Arm) else None,
@@ -86,6 +80,22 @@ def _scene(scene: Scene, block: Block) -> Facts:
             for part in scene.parts
         ],
         wheel=scene.wheel,
+        second=scene.second
+        and Facts(
+            section=scene.second.section,
+            travel=_travel(scene.second.travel, block),
+            arm=scene.second.arm,
+            height=scene.second.height,
+        ),
+    )
+
+
+def _travel(travel: Travel, block: Block) -> Facts:
+    return Facts(
+        centre=travel.centre,
+        ahead=block.add(travel.ahead),
+        across=block.add(travel.across),
+        turned=block.add(travel.turned),
     )
 
 

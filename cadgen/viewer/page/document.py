@@ -243,13 +243,34 @@ class Slide:
 
 @dataclass(frozen=True)
 class Arm:
-    """Arm of a swinging follower, as it is drawn: a line from its pivot to the middle of the section.
+    """Arm of a swinging follower, as it is drawn at cam angle 0: a bent line, which turns about its pivot.
 
     Attributes:
         pivot: place of the pivot in the frame of the ray, mm.
+        bends: places where the line goes on to from the pivot, the last on the follower, mm.
     """
 
     pivot: tuple[float, float]
+    bends: tuple[tuple[float, float], ...]
+
+
+@dataclass(frozen=True)
+class CompanionDisc:
+    """Second disc of a conjugate pair with its own follower, in the frame of the first.
+
+    Attributes:
+        outline: profile of the disc, shape (n, 2), mm.
+        section: section of its follower at cam angle 0, shape (k, 2), mm.
+        travel: way of that section.
+        arm: arm of that follower; None on a slide.
+        height: height of its disc above that of the first in 3D, mm.
+    """
+
+    outline: Array
+    section: Array
+    travel: Travel
+    arm: Arm | None
+    height: float
 
 
 @dataclass(frozen=True)
@@ -339,6 +360,7 @@ class Scene:
         shafts: shafts, the camshaft first.
         parts: parts in 3D.
         wheel: index of the shaft, place along it and radius of the drive wheel, mm; None if it is not known.
+        second: second disc of a conjugate pair; None for one disc.
     """
 
     outline: Array
@@ -360,6 +382,7 @@ class Scene:
     shafts: tuple[Shaft, ...]
     parts: tuple[Part, ...]
     wheel: tuple[int, float, float] | None = None
+    second: CompanionDisc | None = None
 
 
 @dataclass(frozen=True)

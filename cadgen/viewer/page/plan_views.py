@@ -1,6 +1,6 @@
 """The two plan views: the cam with its follower, and the car on its course. The page's script moves them."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from math import atan, cos
 
@@ -12,6 +12,7 @@ from cadgen.viewer.page.document import Arm, CarShape, FloorKind, FloorShape, Go
 
 _MARGIN = 4.0  # mm about the cam
 _PIVOT = 4.0  # mm, radius of a pivot's circle
+_STATION = 24  # one in so many positions of a follower says how much room it takes
 _STEM = 0.85  # of the way between the rails is the stem's
 _ROOM = 220.0  # mm about the floor
 _TRACK = 6  # of a run's positions, one in so many is on its track
@@ -55,11 +56,30 @@ class GuideView:
         rails: places along and across the ray of the ends of each rail; empty of an arm.
         stem: corner of the stem with its length and width; empty of an arm.
         pivot: place of the pivot; None of a slide.
+        arm: points of the arm from the pivot on; empty of a slide.
     """
 
     rails: tuple[tuple[str, str, str], ...] = ()
     stem: tuple[str, str, str, str] | None = None
     pivot: tuple[str, str] | None = None
+    arm: str = ""
+
+
+@dataclass(frozen=True)
+class CompanionView:
+    """Second disc of a conjugate pair with its follower; coordinates as text, mm.
+
+    Attributes:
+        disc: outline, as a path of SVG.
+        follower: section of the follower at cam angle 0, as points of SVG.
+        centre: middle of that section.
+        arm: points of its arm; empty of a slide.
+    """
+
+    disc: str
+    follower: str
+    centre: tuple[str, str]
+    arm: str
 
 
 @dataclass(frozen=True)
@@ -82,6 +102,7 @@ class CamView:
         follower: section of another follower at cam angle 0, as points of SVG.
         centre: middle of that section; None of the rod.
         guide: what leads it; None where that is not drawn.
+        second: second disc of a conjugate pair; None for one disc.
     """
 
     box: str
@@ -97,12 +118,14 @@ class CamView:
     follower: str
     centre: tuple[str, str] | None
     guide: GuideView | None
+    second: CompanionView | None
 
 
 def cam_view(scene: Scene) -> CamView:
     """Cam and follower from the side."""
     n, rod, tan_beta = coordinate, scene.follower, float(scene.lift.q[0])
-    reach = float(np.hypot(*scene.outline.T).max())
+    second = scene.second
+    reach = max(float(np.hypot(*disc.outline.T).max()) for disc in (scene, second) if disc is not None)
     if rod is None:
         inner = scene.clearance
         ahead, behind, aside = _room(scene)
@@ -131,34 +154,63 @@ def cam_view(scene: Scene) -> CamView:
         box=f"{n(left)} {n(-high / 2)} {n(wide)} {n(high)}",
         aspect=f"{wide / high:.4f}",
         axis_at=n(100 * -left / wide),
-        disc=" ".join(f"M{' '.join(f'{n(x)},{n(y)}' for x, y in outline)}Z" for outline in outlines),
+        disc=_path(outlines),
         zero=(n(ray - 7), n(ray - 1.5)),
         inner=n(inner),
         reach=n(reach),
         ahead=n(ahead),
         base=n(scene.base),
         sections=sections,
-        follower="" if rod else " ".join(f"{n(x)},{n(y)}" for x, y in scene.section),
+        follower="" if rod else _points(scene.section),
         centre=None if scene.travel is None else (n(scene.travel.centre[0]), n(scene.travel.centre[1])),
         guide=_guide_view(scene),
+        second=None
+        if second is None
+        else CompanionView(
+            disc=_path((second.outline, *scene.openings)),
+            follower=_points(second.section),
+            centre=(n(second.travel.centre[0]), n(second.travel.centre[1])),
+            arm=_arm(second.arm),
+        ),
     )
+
+
+def _path(outlines: Iterable[Array]) -> str:
+    return " ".join(f"M{_points(outline)}Z" for outline in outlines)
+
+
+def _points(points: Iterable[Sequence[float]] | Array) -> str:
+    return " ".join(f"{coordinate(x)},{coordinate(y)}" for x, y in points)
+
+
+def _arm(arm: Arm | None) -> str:
+    """Points of an arm from its pivot on; empty without one."""
+    return "" if arm is None else _points((arm.pivot, *arm.bends))
 
 
 def _room(scene: Scene) -> tuple[float, float, float]:
     """Room that a follower and its guide take ahead of the camshaft, behind it and to either side, mm."""
-    travel = scene.travel
-    assert travel is not None
-    low, high = scene.section.min(axis=0), scene.section.max(axis=0)
-    ends = [
-        (low[0] + travel.ahead.min(), low[1] + travel.across.min()),
-        (high[0] + travel.ahead.max(), high[1] + travel.across.max()),
-    ]
-    match scene.guide:
-        case Slide(stem=stem):
-            ends.append((stem + float(travel.ahead.max()), 0.0))
-        case Arm(pivot=(x, y)):
-            ends += [(x - _PIVOT, y - _PIVOT), (x + _PIVOT, y + _PIVOT)]
-    along, across = np.array(ends, dtype=float).T
+    assert scene.travel is not None
+    riders = [(scene.section, scene.travel, scene.guide)]
+    if scene.second is not None:
+        riders.append((scene.second.section, scene.second.travel, scene.second.arm))
+    ends = []
+    for section, travel, guide in riders:
+        middle, way = complex(*travel.centre), (travel.ahead + 1j * travel.across)[::_STATION]
+        about = (section[:, 0] + 1j * section[:, 1] - middle)[:, None] * np.exp(1j * travel.turned[::_STATION])
+        places = [(about + middle + way).ravel()]
+        match guide:
+            case Slide(stem=stem):
+                places.append(np.array([stem + float(travel.ahead.max()) + 0j]))
+            case Arm(pivot=pivot, bends=bends):
+                at, foot = complex(*pivot), middle - complex(*pivot)
+                turn = (foot + way) / foot
+                reach = np.array([complex(*bend) - at for bend in bends])[:, None] * turn / np.abs(turn) + at
+                round_pivot = _PIVOT * np.array([1, -1, 1j, -1j])
+                places += [at + round_pivot, (reach[..., None] + round_pivot).ravel()]
+        every = np.concatenate(places)
+        ends.append(np.column_stack([every.real, every.imag]))
+    along, across = np.concatenate(ends).T
     return float(along.max()), float(-along.min()), float(np.abs(across).max())
 
 
@@ -173,7 +225,7 @@ def _guide_view(scene: Scene) -> GuideView | None:
                 stem=(n(foot), n(across - _STEM * half), n(stem - foot), n(2 * _STEM * half)),
             )
         case Arm(pivot=(x, y)):
-            return GuideView(pivot=(n(x), n(y)))
+            return GuideView(pivot=(n(x), n(y)), arm=_arm(scene.guide))
     return None
 
 

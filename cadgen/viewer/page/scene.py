@@ -6,6 +6,7 @@ from functools import lru_cache
 from math import hypot
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll_curve
@@ -30,6 +31,7 @@ from cadgen.viewer.page.document import (
     Arm,
     CarShape,
     Colour,
+    CompanionDisc,
     FloorKind,
     FloorShape,
     Going,
@@ -150,6 +152,7 @@ def plain_scene(plan: CamPlan, gears: GearTrain | None) -> tuple[Scene, tuple[st
         shafts += [_shaft(part, None, drawn=number > 0) for number, part in enumerate(reversed(train.parts))]
         shafts += _planets(train)
     section, travel = section_of(plan, float(q[0])), travel_of(plan, q)
+    second = None if plan.second is None else _companion(plan.second, -q)
     openings = [contour.polygon(_HOLE_CHORD) for contour in plan.made_blank.inner_contours()]
     outline = plan.curve.outline(_OUTLINE).points
     if plan.groove is not None:
@@ -165,7 +168,7 @@ def plain_scene(plan: CamPlan, gears: GearTrain | None) -> tuple[Scene, tuple[st
         unit=plan.motion.unit.symbol,
         section=section,
         travel=travel,
-        guide=_slide(plan, section, travel) if plan.motion.unit == MM else arm_of(travel),
+        guide=_slide(plan, section, travel) if plan.motion.unit == MM else arm_of(plan, travel, float(q[0])),
         hint=Message("seen on its {seen} face, on which it turns clockwise", seen=Message(str(plan.seen))),
         clearance=_clearance(plan),
         base=float(plan.follower_as_built.base_radius),
@@ -176,8 +179,32 @@ def plain_scene(plan: CamPlan, gears: GearTrain | None) -> tuple[Scene, tuple[st
         car=None,
         shafts=tuple(shafts),
         parts=tuple(parts),
+        second=second,
     )
     return scene, tuple(notes)
+
+
+def _companion(plan: CamPlan, q: Array) -> CompanionDisc:
+    """Second disc of a conjugate pair with its follower.
+
+    Args:
+        plan: plan of the second disc.
+        q: motions of its follower, shape (n,).
+    """
+    travel = travel_of(plan, q)
+    return CompanionDisc(
+        outline=plan.curve.outline(_OUTLINE).points,
+        section=section_of(plan, float(q[0])),
+        travel=travel,
+        arm=None if plan.motion.unit == MM else arm_of(plan, travel, float(q[0])),
+        height=_height(plan),
+    )
+
+
+def _height(plan: CamPlan) -> float:
+    """Height of the second disc of a pair above the first, beyond the hub of either, mm."""
+    hub = plan.made_blank.hub
+    return plan.thickness + GAP + (hub.length if hub else 0.0)
 
 
 def travel_of(plan: CamPlan, q: Array) -> Travel:
@@ -208,8 +235,43 @@ def _slide(plan: CamPlan, section: Array, travel: Travel) -> Slide:
     return Slide(across, half_width, (begin, end), end + half_width - float(travel.ahead.min()))
 
 
-def arm_of(travel: Travel) -> Arm | None:
-    """Arm of a section whose middle moves on a circle; None where it does not move, or not so."""
+def arm_of(plan: CamPlan, travel: Travel, q: float) -> Arm | None:
+    """Arm of a follower whose section moves on a circle; of a face an arm behind it, which keeps clear of the disc.
+
+    Args:
+        plan: cam.
+        travel: way of the section.
+        q: motion at cam angle 0, in its unit.
+    """
+    pivot = pivot_of(travel)
+    if pivot is None:
+        return None
+    rolling = plan.follower
+    x, y = rolling.outline(q, rolling.planes[0]).T
+    side = (x + 1j * y) * np.exp(1j * rolling.azimuth)
+    middle = complex(*travel.centre)
+    if abs(side[0] - side[-1]) <= _SEEN:  # closed: a roller
+        return Arm((pivot.real, pivot.imag), ((middle.real, middle.imag),))
+    along, behind = _face(side)
+    foot = side[0] + along * ((pivot - side[0]) * along.conjugate()).real
+    bends = (foot + _PLATE * behind, middle + _PLATE * behind)
+    return Arm((pivot.real, pivot.imag), tuple((float(place.real), float(place.imag)) for place in bends))
+
+
+def _face(side: NDArray[np.complex128]) -> tuple[complex, complex]:
+    """Directions along a straight face, and away from the camshaft at right angles to it.
+
+    Args:
+        side: points of the face, mm.
+    """
+    along = complex(side[-1] - side[0])
+    along /= abs(along)
+    behind = 1j * along
+    return along, behind if (side.mean() * behind.conjugate()).real > 0 else -behind
+
+
+def pivot_of(travel: Travel) -> complex | None:
+    """Pivot of a section whose middle moves on a circle, mm; None where it does not move, or not so."""
     middle = complex(*travel.centre) + travel.ahead + 1j * travel.across
     far = int(np.argmax(np.abs(middle - middle[0])))
     between = int(np.argmin(np.abs(np.abs(middle - middle[0]) - np.abs(middle[far] - middle[0]) / 2)))
@@ -219,7 +281,7 @@ def arm_of(travel: Travel) -> Arm | None:
         return None
     pivot = middle[0] + (abs(a) ** 2 * b - abs(b) ** 2 * a) / (1j * twice)
     radius = np.abs(middle - pivot)
-    return None if np.ptp(radius) > _STRAIGHT * radius.max() else Arm((float(pivot.real), float(pivot.imag)))
+    return None if np.ptp(radius) > _STRAIGHT * radius.max() else complex(pivot)
 
 
 def section_of(plan: CamPlan, q: float) -> Array:
@@ -232,7 +294,9 @@ def section_of(plan: CamPlan, q: float) -> Array:
     rolling = plan.follower
     section = rolling.outline(q, rolling.planes[0])
     if np.hypot(*(section[0] - section[-1])) > _SEEN:  # a side alone: drawn as a plate
-        section = np.concatenate([section, section[::-1] + np.array([_PLATE, 0.0]), section[:1]])
+        _, behind = _face(section[:, 0] + 1j * section[:, 1])
+        back = _PLATE * np.array([behind.real, behind.imag])
+        section = np.concatenate([section, section[::-1] + back, section[:1]])
     seen = np.ptp(section, axis=0).max() > _SEEN
     angle = np.linspace(0.0, TURN, 25)
     if not seen:
@@ -397,9 +461,17 @@ def _parts(plan: CamPlan, train: TurningTrain | None, notes: list[str]) -> list[
     disc = meshes[0]
     coarse = _disc(plan, _COARSE, notes)
     parts = [] if disc is None or coarse is None else [Part("cam", Message("cam"), disc, coarse, 0, Colour.CAM)]
+    if plan.second is not None:
+        raised = [_raised(_disc(plan.second, finest, notes), _height(plan.second)) for finest in (chord, _COARSE)]
+        if raised[0] is not None and raised[1] is not None:
+            parts.append(Part("second-cam", Message("second cam"), raised[0], raised[1], 0, Colour.PINION))
     for number, part in enumerate(turning, 1):
         parts.append(_gear(part.part.name, _label(part), number, part.stand, chord))
     return parts
+
+
+def _raised(mesh: Mesh | None, height: float) -> Mesh | None:
+    return None if mesh is None else Mesh(mesh.vertices + np.array([0.0, 0.0, height]), mesh.triangles)
 
 
 @lru_cache(maxsize=64)  # the gears of a design whose path is edited stay as they are, normals and edges included
@@ -441,7 +513,7 @@ def _label(turning: TurningPart) -> Message:
 
 def _camshaft(plan: CamPlan, train: TurningTrain | None) -> Shaft:
     inner, outer = plan.faces
-    low, high = -_BEYOND, outer - inner + _BEYOND
+    low, high = -_BEYOND, outer - inner + _BEYOND + (0.0 if plan.second is None else _height(plan.second))
     if train is not None:
         ends = train.parts[-1].range
         low, high = min(low, ends[0] - _BEYOND), max(high, ends[1] + _BEYOND)

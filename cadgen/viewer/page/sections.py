@@ -275,7 +275,7 @@ def parts_sections(cam: CamPlan, train: GearTrain | None) -> tuple[Section, Sect
 def _inspection(cam: CamPlan, train: GearTrain | None) -> Section:
     """Figures to measure the cam and the gears by, with room for what is measured."""
     # A groove has no outline to be measured: its sizes are in the parts list and the checks.
-    tables = [_lift_table(cam)] if cam.groove is not None else [_cam_sizes(cam), _lift_table(cam)]
+    tables = [*([] if cam.groove is not None else map(_cam_sizes, cam.discs)), _lift_table(cam)]
     if train is not None and (gears := _gear_sizes(train.layout)) is not None:
         tables.append(gears)
     return Section(
@@ -333,8 +333,8 @@ def _cam_sizes(plan: CamPlan) -> Sheet:
     if blank.edge_break:
         rows.append((Message("broken edges, leg of the chamfer"), blank.edge_break))
     return Sheet(
-        "cam-sizes",
-        Message("Cam"),
+        "second-cam-sizes" if plan.part else "cam-sizes",
+        Message("Second cam") if plan.part else Message("Cam"),
         (Message("size"), Message("nominal"), Message("measured")),
         tuple((name, number(value, "mm"), "") for name, value in rows),
     )
@@ -402,15 +402,16 @@ def _parts(cam: CamPlan, train: GearTrain | None) -> Section:
     teeth = (number(None), number(None)) if gears else ()
     rows: list[tuple[Cell | str, ...]] = [
         (
-            Message("cam"),
-            cam.making.material or "–",
+            Message("second cam") if disc.part else Message("cam"),
+            disc.making.material or "–",
             number(1, digits=0),
             *teeth,
-            number(cam.made_blank.bore_diameter, "mm"),
-            number(cam.thickness, "mm"),
-            number(cam.volume * 1e-3, "cm³"),
-            *(() if mass is None else (number(mass, "g", digits=1),)),
+            number(disc.made_blank.bore_diameter, "mm"),
+            number(disc.thickness, "mm"),
+            number(disc.volume * 1e-3, "cm³"),
+            *(() if mass is None else (number(disc.mass, "g", digits=1),)),
         )
+        for disc in cam.discs
     ]
     if train is not None:
         rows += [(*row, *(() if mass is None else (number(None),))) for row in _gear_rows(train.layout)]

@@ -24,7 +24,7 @@ from cadgen.viewer.page.document import Travel
 from cadgen.viewer.page.html import html_of, table_html
 from cadgen.viewer.page.mesh_block import shaded
 from cadgen.viewer.page.report import page_facts, page_of
-from cadgen.viewer.page.scene import arm_of, section_of, travel_of
+from cadgen.viewer.page.scene import pivot_of, section_of, travel_of
 from cadgen.viewer.page.sections import parts_sections, tolerance_section
 from cadgen.viewer.page.turning_train import turning_train
 from tests.cam.test_roller import SquareFace
@@ -349,12 +349,12 @@ def test_a_swinging_follower_has_its_pivot_and_a_straight_way_none():
     swing = np.radians(20) * (1 - np.cos(np.linspace(0, 2 * np.pi, 721))) / 2
     way = 50 * np.exp(1j * (swing - 1.0))
     ways = Travel((30 + way[0].real, 40 + way[0].imag), (way - way[0]).real, (way - way[0]).imag, swing)
-    assert arm_of(ways).pivot == pytest.approx((30.0, 40.0), abs=1e-9)
+    assert pivot_of(ways) == pytest.approx(30.0 + 40.0j, abs=1e-9)
     still = np.zeros(721)
-    assert arm_of(Travel((41.0, 0.0), still, still, still)) is None
-    assert arm_of(Travel((41.0, 0.0), 3 * swing, 2 * swing, still)) is None
+    assert pivot_of(Travel((41.0, 0.0), still, still, still)) is None
+    assert pivot_of(Travel((41.0, 0.0), 3 * swing, 2 * swing, still)) is None
     wavy = Travel((41.0, 0.0), swing, np.sin(9 * swing), still)
-    assert arm_of(wavy) is None
+    assert pivot_of(wavy) is None
 
 
 def test_a_flat_face_is_drawn_as_a_plate_that_turns_with_its_arm(feeder):
