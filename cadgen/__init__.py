@@ -61,6 +61,8 @@ _HOMES = {
     "GearPair": "api.gears",
     "GearTrain": "jobs.gears.gear_train",
     "Hub": "parts.features",
+    "DFlat": "parts.features",
+    "Flats": "parts.features",
     "Keyway": "parts.features",
     "KnifeEdge": "api.motion_cam",
     "Lightening": "parts.features",
@@ -122,7 +124,7 @@ if TYPE_CHECKING:
     from cadgen.jobs.simulation import Simulation
     from cadgen.jobs.tolerance import ToleranceRun
     from cadgen.output.files.publisher import Written, WrittenFile, verify
-    from cadgen.parts.features import Hub, Keyway, Lightening, SetScrew, Web
+    from cadgen.parts.features import DFlat, Flats, Hub, Keyway, Lightening, SetScrew, Web
 
 __all__ = [
     "Adjustment",
@@ -132,12 +134,14 @@ __all__ = [
     "Card",
     "CheckError",
     "Comparison",
+    "DFlat",
     "Design",
     "DesignError",
     "Editor",
     "Exploration",
     "FileError",
     "Flat",
+    "Flats",
     "Gear",
     "GearPair",
     "GearTrain",

@@ -38,12 +38,20 @@ from cadgen.gears.tooth import STEEPEST_HELIX, GearForm, tooth_of
 from cadgen.gears.train import train_play
 from cadgen.gears.wheel_body import gear_body
 from cadgen.geometry.meshes.made_train import MadeTrain, make_train
-from cadgen.jobs.gears.assembly import Assembly, checks_facts, parts_facts, return_error, stages_facts, write_gear
+from cadgen.jobs.gears.assembly import (
+    Assembly,
+    checks_facts,
+    flats_of,
+    parts_facts,
+    return_error,
+    stages_facts,
+    write_gear,
+)
 from cadgen.jobs.gears.gear_train import NotMadeError as NotMadeError
 from cadgen.output.files.exports import GearExport
 from cadgen.output.files.publisher import Frozen, Written, folder_of
 from cadgen.parts.blank import Blank
-from cadgen.parts.features import Hub, Keyway, Lightening, Web
+from cadgen.parts.features import DFlat, Flats, Hub, Keyway, Lightening, Web
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
@@ -107,7 +115,8 @@ class Gear(JobResult):
         pressure_angle: normal pressure angle, rad.
         profile_shift: profile shift x, in modules.
         bore: diameter of the bore, mm; 0 for none.
-        keyway, hub, web, lightening: features besides the teeth, mm; see their classes.
+        keyway: keyway of the bore; or a `DFlat`; or `Flats`, of which the bore is the size across.
+        hub, web, lightening: features besides the teeth, mm; see their classes.
         grade: tolerance grade of ISO 1328, 3 to 12.
         tolerances: tolerances in place of the standard's, mm, by symbol (f_pt, F_beta, F_r, b_r, F_i_radial).
         thickness_deviation: deviation E_sn of the tooth thickness as cut, mm, negative for thinner teeth; None leaves
@@ -141,7 +150,7 @@ class Gear(JobResult):
     pressure_angle: float = radians(20.0)
     profile_shift: float = 0.0
     bore: float = 0.0
-    keyway: Keyway | None = None
+    keyway: Keyway | DFlat | Flats | None = None
     hub: Hub | None = None
     web: Web | None = None
     lightening: Lightening | None = None
@@ -192,13 +201,13 @@ class Gear(JobResult):
             real(name, getattr(self, name), 0, most, "modules", above=True)
         if self.thickness_deviation is not None:
             real("thickness_deviation", self.thickness_deviation, -10, 10, "mm")
-        for name, kind in (("keyway", Keyway), ("hub", Hub), ("web", Web), ("lightening", Lightening)):
+        for name, kind in (("keyway", Keyway | DFlat | Flats), ("hub", Hub), ("web", Web), ("lightening", Lightening)):
             if not isinstance(value := getattr(self, name), kind | None):
                 raise DesignError(
                     "{name} is {value}; it must be a {kind}",
                     name=name,
                     value=brief(repr(value), 60),
-                    kind=kind.__name__,
+                    kind=getattr(kind, "__name__", "Keyway, a DFlat or Flats"),
                 )
         _require_features(self.keyway, self.hub, self.web, self.lightening)
         require_name(self.name)
@@ -297,6 +306,7 @@ class Gear(JobResult):
             | form_figures(self.form)
             | Facts(
                 bore_mm=self.part.blank.bore_diameter,
+                **flats_of(self.part.blank),
                 E_sn_um=deviation * 1e3,
                 teeth_spanned=sizes.span.teeth_spanned if sizes.span else None,
                 span_mm=sizes.span.span.upper if sizes.span else None,
@@ -358,11 +368,17 @@ def _export(name: str, form: GearForm, part: TrainPart, shaft: int = 1) -> GearE
     return GearExport(name=name, form=form, part=part, chord=usual_chord(part.gears), shaft=shaft)
 
 
-def _require_features(keyway: Keyway | None, hub: Hub | None, web: Web | None, lightening: Lightening | None) -> None:
+def _require_features(
+    keyway: Keyway | DFlat | Flats | None, hub: Hub | None, web: Web | None, lightening: Lightening | None
+) -> None:
     """Refuse sizes that the design file refuses."""
     if keyway:
-        feature("keyway.width", keyway.width, 100)
-        feature("keyway.depth", keyway.depth, 50)
+        if isinstance(keyway, Keyway):
+            feature("keyway.width", keyway.width, 100)
+        if isinstance(keyway, Flats):
+            word("keyway.count", str(keyway.count), ("4", "6"))
+        else:
+            feature("keyway.depth", keyway.depth, 50)
         real("keyway.angle", keyway.angle, -TURN, TURN, "rad")
     if hub:
         feature("hub.diameter", hub.diameter, 1000)

@@ -48,6 +48,8 @@ _FLAGS: tuple[tuple[tuple[str, ...], str, Callable[[str], Any], str], ...] = (
     (("--profile-shift",), "profile_shift", float, "Profile shift x, in modules, by ISO 21771 for a ring, too."),
     (("--addendum-factor",), "addendum", float, "Addendum h_aP*, in modules."),
     (("--bore-diameter-mm", "--bore"), "bore", float, "Diameter of the bore, mm; 0 for none."),
+    (("--bore-flats",), "flats", int, "4 for a square bore, 6 for a hexagonal one; the bore is its size across flats."),
+    (("--flat-across-mm",), "across", float, "Across the flat of a D-bore, mm, from the flat to the far side."),
     (("--grade",), "grade", int, "Tolerance grade of ISO 1328."),
     (("--tip-chamfer-mm",), "tip_chamfer", float, "Leg of the chamfer at the tips, mm."),
 )
@@ -116,6 +118,8 @@ def _gear_flags(command: Command) -> Command:
 
 def _gears(count: int, ring: int | None, values: Named, names: tuple[str, ...]) -> list[Named]:
     """Arguments of `Gear` for each gear by the flags; what is given once is for all of them, or for the ring."""
+    from cadgen import DFlat, Flats
+
     arguments: list[Named] = [{} for _ in range(count)]
     for flags, argument, read, _ in (*_FLAGS, *_RING):
         given = _numbers(read, flags[0].removeprefix("--"), values.pop(argument))
@@ -141,6 +145,27 @@ def _gears(count: int, ring: int | None, values: Named, names: tuple[str, ...]) 
                     Message("--{needed}-mm is missing: give it in mm, such as --{needed}-mm 1", needed=needed)
                 )
         each["name"] = name
+        flats, across = each.pop("flats", None), each.pop("across", None)
+        if flats and across:
+            raise click.UsageError(Message("--bore-flats and --flat-across-mm are both given; give one of them"))
+        bore = each.get("bore", 0.0)
+        if flats not in (None, 4, 6):
+            raise click.UsageError(
+                Message("--bore-flats is {flats}; give 4 for a square, or 6 for a hexagon", flats=flats)
+            )
+        if across and not bore / 2 < across < bore:
+            raise click.UsageError(
+                Message(
+                    "--flat-across-mm is {across:g} in a bore of {bore:g} mm; give more than half of "
+                    "--bore-diameter-mm and less than all of it, such as 4.5 in 5",
+                    across=across,
+                    bore=bore,
+                )
+            )
+        if flats:
+            each["keyway"] = Flats(count=flats)
+        elif across:
+            each["keyway"] = DFlat(depth=bore - across)
     return arguments
 
 
@@ -487,6 +512,8 @@ def _pair_toml(
     bearing_span: float | None,
 ) -> str:
     """Design file of a pair that says what the flags say."""
+    from cadgen import DFlat, Flats
+
     first = gears[0]
     for name in ("module", "pressure_angle", "helix_angle", "tip_chamfer"):
         if len({getattr(gear, name) for gear in gears}) > 1:
@@ -528,4 +555,8 @@ def _pair_toml(
     for place, gear in zip(("drive", "output"), gears, strict=True):
         if gear.bore:
             lines += ["", f"[train.{place}]", f"bore_diameter_mm = {gear.bore!r}"]
+            if isinstance(gear.keyway, Flats):
+                lines.append(f"bore_flats = {gear.keyway.count}")
+            elif isinstance(gear.keyway, DFlat):
+                lines.append(f"d_flat = {{ across_mm = {gear.bore - gear.keyway.depth!r} }}")
     return "\n".join(lines) + "\n"

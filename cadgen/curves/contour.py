@@ -213,6 +213,19 @@ def d_bore(diameter: float, flat_depth: float, angle: float) -> Contour:
     return Contour(_turned(ends, angle), np.array([np.tan(sweep / 4), 0.0]))
 
 
+def polygon_bore(across: float, count: int, angle: float) -> Contour:
+    """A bore about the origin with equal flats all round.
+
+    Args:
+        across: size across flats, mm.
+        count: number of flats, even.
+        angle: polar angle of the first flat's normal, rad.
+    """
+    turns = 2 * np.pi / count * (np.arange(count) - 0.5)
+    corners = across / 2 / np.cos(np.pi / count) * np.stack([np.cos(turns), np.sin(turns)], axis=1)
+    return Contour(_turned(corners, angle), np.zeros(count))
+
+
 def _turned(points: Array, angle: float) -> Array:
     c, s = np.cos(angle), np.sin(angle)
     return np.asarray(points @ np.array([[c, s], [-s, c]]))

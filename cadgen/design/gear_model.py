@@ -24,7 +24,7 @@ from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Loose, Train, bearings
 from cadgen.messages import Message
 from cadgen.parts.blank import Blank
-from cadgen.parts.features import Hub, Keyway, Lightening, SetScrew, Web
+from cadgen.parts.features import DFlat, Flats, Hub, Keyway, Lightening, SetScrew, Web
 from cadgen.verdict import Reservation
 
 T = TypeVar("T", int, float)
@@ -106,7 +106,8 @@ def loose(design: TrainDesign, of: Train | None) -> tuple[Loose, ...]:
         on_shafts.append((Message("the wheel on the camshaft"), "train.output", keys.output, 1.0))
         for name, where, blank, turns in on_shafts:
             width = blank.keyway.width_mm if blank.keyway else None
-            zone = _free_angle(blank, where, blank.bore_diameter_mm, width, None)
+            across = blank.d_flat.across_mm if blank.d_flat else None
+            zone = _free_angle(blank, where, blank.bore_diameter_mm, width, across)
             loose.append(_joint(name, blank, zone).at(turns))
         loose += bearings(of, (keys.bearing_clearance_um or 0.0) * _UM)
     loose.append(_joint(Message("the cam"), design.blank, cam_joint(design)))
@@ -360,10 +361,17 @@ def _gear(gear: GearKeys, train: TrainSection, helix: float, double: bool) -> Gr
 
 def _blank(keys: GearBlankSection) -> Blank:
     """Features of a gear besides its teeth, with the set screw at half the hub's length."""
-    key, hub, web, holes = keys.keyway, keys.hub, keys.web, keys.lightening
+    hub, web, holes = keys.hub, keys.web, keys.lightening
+    key: Keyway | DFlat | Flats | None = None
+    if keys.keyway:
+        key = Keyway(width=keys.keyway.width_mm, depth=keys.keyway.depth_mm)
+    elif keys.d_flat:
+        key = DFlat(depth=keys.bore_diameter_mm - keys.d_flat.across_mm)
+    elif keys.bore_flats:
+        key = Flats(count=keys.bore_flats)
     return Blank(
         bore_diameter=keys.bore_diameter_mm,
-        key=Keyway(width=key.width_mm, depth=key.depth_mm) if key else None,
+        key=key,
         hub=_hub(hub) if hub else None,
         web=Web(thickness=web.thickness_mm, rim_thickness=web.rim_mm) if web else None,
         lightening=Lightening(count=holes.holes, hole_diameter=holes.hole_diameter_mm) if holes else None,

@@ -244,6 +244,14 @@ class GearKeyway(DesignSection):
     depth_mm: Feature = Field(le=50, description="t2: bore and keyway span the bore's diameter and this")
 
 
+class GearFlat(DesignSection):
+    """A flat in the bore, under a tooth of the larger gear, for a D-shaft."""
+
+    across_mm: Feature = Field(
+        le=200, description="from the flat to the bore's far side; more than half the bore's diameter"
+    )
+
+
 class GearHub(DesignSection):
     """A round hub on the outer face of a gear. Between the two gears of an intermediate shaft it is their collar.
 
@@ -300,10 +308,52 @@ class GearBlankSection(Held):
         description="whether the shaft ends at its gears, in bearings of its own, and leaves room beyond; left out, "
         "only where another one stands on its axis",
     )
+    bore_flats: int | None = Field(
+        default=None,
+        ge=4,
+        le=6,
+        description="4 for a square bore, 6 for a hexagonal one, with a flat under a tooth; bore_diameter_mm is then "
+        "its size across flats",
+    )
     keyway: GearKeyway | None = None
+    d_flat: GearFlat | None = None
     hub: GearHub | None = None
     web: GearWeb | None = None
     lightening: GearLightening | None = None
+
+    @model_validator(mode="after")
+    def _one_shape_of_bore(self) -> "GearBlankSection":
+        bore, shapes = self.bore_diameter_mm, ("keyway", "d_flat", "bore_flats")
+        given = [name for name in shapes if getattr(self, name) is not None]
+        if len(given) > 1:
+            raise ValueError(
+                Message(
+                    "{here} has {one} and {other}, which exclude each other: remove {here}.{one}",
+                    here=HERE,
+                    one=given[0],
+                    other=given[1],
+                )
+            )
+        if self.bore_flats == 5:
+            raise ValueError(
+                Message("{here}.bore_flats is 5; it must be 4 for a square, or 6 for a hexagon", here=HERE)
+            )
+        if given and given[0] != "keyway" and not bore:
+            raise ValueError(
+                Message("{here}.{key} needs a bore: give {here}.bore_diameter_mm", here=HERE, key=given[0])
+            )
+        if self.d_flat and not bore / 2 < self.d_flat.across_mm < bore:
+            raise ValueError(
+                Message(
+                    "{here}.d_flat.across_mm is {across:g}; it must lie between {half:g} and {bore:g}, half of the "
+                    "bore and all of it",
+                    here=HERE,
+                    across=self.d_flat.across_mm,
+                    half=bore / 2,
+                    bore=bore,
+                )
+            )
+        return self
 
     @model_validator(mode="after")
     def _bore_fit_is_of_the_bore(self) -> "GearBlankSection":

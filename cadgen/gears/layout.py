@@ -32,7 +32,7 @@ from cadgen.gears.wheel_body import cluster_body, gear_body, with_collar
 from cadgen.messages import Message
 from cadgen.parts.blank import Blank
 from cadgen.parts.body import Body
-from cadgen.parts.features import Keyway
+from cadgen.parts.features import DFlat, Flats, Keyway
 
 M = TypeVar("M", Body, Blank)
 
@@ -117,6 +117,8 @@ class TrainPart:
         hub, bore = self.blank.hub, self.blank.bore_diameter / 2
         if hub is None or hub.set_screw is None:
             return self.body.prismatic_volume
+        if isinstance(self.blank.key, DFlat | Flats):
+            return self.body.prismatic_volume - self.blank.screw_volume()
         key = self.blank.key if isinstance(self.blank.key, Keyway) else None
         outside, hole = hub.diameter / 2, hub.set_screw.diameter / 2
 
@@ -402,7 +404,7 @@ def _discs(
             shaft = _Disc(
                 Message("shaft {shaft} itself", shaft=part.shaft),
                 None,
-                part.blank.bore_diameter / 2,
+                part.blank.shaft_diameter / 2,
                 middle - half,
                 middle + half,
                 ended=(middle - half if first else own[0], middle + half if last else own[1]),

@@ -335,7 +335,7 @@ def fit_of(pairs: Pairs, limits: SearchLimits, blanks: Blanks, clearance: float)
     stages, form = limits.stages, limits.pattern.form
     wheel, pinion = (pairs.module * (teeth / 2 + form.addendum_factor) for teeth in (pairs.driven, pairs.driver))
     shafts = [blanks.drive, *[blanks.intermediate] * (stages - 1), blanks.output]
-    bores = [blank.bore_diameter / 2 for blank in shafts]
+    bores = [blank.shaft_diameter / 2 for blank in shafts]
     hubs = [blank.hub.diameter / 2 if blank.hub else 0.0 for blank in shafts]
     collar = blanks.intermediate.hub
     rubbing = wheel if collar and collar.length < clearance else np.zeros_like(wheel)

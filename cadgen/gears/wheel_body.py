@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import asin, degrees, floor, hypot, isfinite, pi, sin
+from math import asin, degrees, floor, hypot, isfinite, pi, sin, tan
 
 from cadgen.errors import DesignError
 from cadgen.gears.stage import Wheel, is_ring, rim_diameter
@@ -11,7 +11,7 @@ from cadgen.messages import Message
 from cadgen.parts.blank import Blank
 from cadgen.parts.body import Body, RadialHole, Slab
 from cadgen.parts.face import Face
-from cadgen.parts.features import DFlat, Hub, Keyway, Lightening
+from cadgen.parts.features import DFlat, Flats, Hub, Keyway, Lightening
 from cadgen.parts.loop import Loop, circle, loop_of
 
 # Least wall elsewhere in mm: thinner ones bend under the cutter.
@@ -214,8 +214,8 @@ def _inner_diameter(blank: Blank) -> float:
 
 
 def _reach(blank: Blank) -> float:
-    """Diameter of the circle that holds bore and keyway."""
-    radius = blank.bore_diameter / 2
+    """Diameter of the circle that holds bore and keyway, or the corners of its flats."""
+    radius = blank.shaft_diameter / 2
     if isinstance(blank.key, Keyway):
         radius = hypot(radius + blank.key.depth, blank.key.width / 2)
     return 2 * radius
@@ -227,9 +227,7 @@ def _least_hub(blank: Blank) -> float:
 
 
 def _check_kinds(blank: Blank, form: Wheel) -> None:
-    """Refuse features for a disc alone; keyway and set screw stand at the angle 0, under a tooth."""
-    if isinstance(blank.key, DFlat):
-        raise DesignError("{gear} has a D-flat in its bore; give a keyway, or none", gear=str(form))
+    """Refuse features for a disc alone; keyway, flat and set screw stand at the angle 0, under a tooth."""
     if blank.edge_break != 0:
         raise DesignError("{gear} has broken edges; give the teeth a tip chamfer instead", gear=str(form))
     if blank.hub and blank.hub.side != Face.OUTER:
@@ -237,7 +235,8 @@ def _check_kinds(blank: Blank, form: Wheel) -> None:
     if blank.mark is not None:
         raise DesignError("{gear} has a mark; leave it out, for its hub shows which face is up", gear=str(form))
     screw = blank.hub.set_screw if blank.hub else None
-    for name, feature in ((Message("keyway"), blank.key), (Message("set screw"), screw)):
+    key = Message("keyway") if isinstance(blank.key, Keyway) else Message("flat")
+    for name, feature in ((key, blank.key), (Message("set screw"), screw)):
         if feature and feature.angle != 0:
             raise DesignError(
                 "{gear} has its {feature} at {angle:g}°; give 0, which is under a tooth",
@@ -270,13 +269,28 @@ def _check_bore(blank: Blank, form: Wheel) -> None:
                 width=key.width,
                 bore=bore,
             )
+    if isinstance(key, DFlat) and not 0 < key.depth < bore / 2:
+        raise DesignError(
+            "{gear} has a flat at {across:g} mm across a bore of {bore:g} mm; give an across_mm of more than {half:g} "
+            "and less than {bore:g}, such as {usual:g}",
+            gear=str(form),
+            across=bore - key.depth,
+            bore=bore,
+            half=bore / 2,
+            usual=round(0.9 * bore, 2),
+        )
+    if key and not bore:
+        raise DesignError(
+            "{gear} has flats or a keyway and no bore; give bore_diameter_mm, such as 5, or leave them out",
+            gear=str(form),
+        )
     largest = form.root_diameter - 2 * form.least_rim
     if not _reach(blank) <= largest:
         raise DesignError(
             "{gear} has a {feature} that reaches to {reach:.4g} mm diameter under its root of {root:.4g} mm; keep it"
             " within {largest:.4g} mm",
             gear=str(form),
-            feature=Message("keyway") if key and bore <= largest else Message("bore"),
+            feature=Message("keyway") if isinstance(key, Keyway) and bore <= largest else Message("bore"),
             reach=_reach(blank),
             root=form.root_diameter,
             largest=largest,
@@ -356,7 +370,10 @@ def _check_hub(blank: Blank, form: Wheel) -> None:
         )
     if screw := hub.set_screw:
         room = 2 * min(screw.height, hub.length - screw.height)
-        widest = max(min(room, blank.bore_diameter) - 2 * LEAST_WALL, 0.0)
+        key, across = blank.key, blank.bore_diameter
+        if isinstance(key, Flats):  # the hole opens on the flat alone
+            across *= tan(pi / key.count)
+        widest = max(min(room, across) - 2 * LEAST_WALL, 0.0)
         if not 0 < screw.diameter <= widest:
             raise DesignError(
                 "{gear} has a set screw of {screw:g} mm in a hub of {length:g} mm length with a bore of {bore:g} mm;"

@@ -8,11 +8,11 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array, gauss_nodes
 from cadgen.curves.closed import Outline, cross, polar_angle
-from cadgen.curves.contour import Contour, circle, d_bore, keyway_bore
+from cadgen.curves.contour import Contour, circle, d_bore, keyway_bore, polygon_bore
 from cadgen.errors import DesignError
 from cadgen.messages import Message
 from cadgen.parts.body import RadialHole
-from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, Mark, Web
+from cadgen.parts.features import DFlat, Flats, Hub, Keyway, Lightening, Mark, Web
 
 OVERSHOOT = 1.0  # mm by which a cutting tool sticks out of what it cuts
 PROFILE_STEP = 0.1  # mm between the profile's points when the walls are measured: 1e-4 mm of wall at 10 mm of radius
@@ -76,7 +76,7 @@ class Blank:
     """
 
     bore_diameter: float = 0.0
-    key: Keyway | DFlat | None = None
+    key: Keyway | DFlat | Flats | None = None
     hub: Hub | None = None
     web: Web | None = None
     lightening: Lightening | None = None
@@ -101,8 +101,13 @@ class Blank:
         """
         return inner - self.edge_break, outer + self.edge_break
 
+    @property
+    def shaft_diameter(self) -> float:
+        """Diameter of the circle that holds the shaft, mm; 0 without a bore."""
+        return self.key.corners_diameter(self.bore_diameter) if isinstance(self.key, Flats) else self.bore_diameter
+
     def bore(self) -> Contour:
-        """The bore with its keyway or flat, run counterclockwise.
+        """The bore with its keyway or flats, run counterclockwise.
 
         Raises:
             DesignError: the keyway or the flat does not fit the bore.
@@ -112,6 +117,8 @@ class Blank:
                 return keyway_bore(self.bore_diameter, width, depth, angle)
             case DFlat(depth=depth, angle=angle):
                 return d_bore(self.bore_diameter, depth, angle)
+            case Flats(count=count, angle=angle):
+                return polygon_bore(self.bore_diameter, count, angle)
             case _:
                 return circle((0.0, 0.0), self.bore_diameter / 2)
 
@@ -167,9 +174,14 @@ class Blank:
         hub = self.hub
         if hub is None:
             return 0.0
-        whole = (np.pi * hub.diameter**2 / 4 - self.bore().area()) * hub.length
-        if hub.set_screw is None:
-            return float(whole)
+        whole = float((np.pi * hub.diameter**2 / 4 - self.bore().area()) * hub.length)
+        return whole - self.screw_volume()
+
+    def screw_volume(self) -> float:
+        """Volume of the set screw's hole between bore and hub, mm³; 0 without one."""
+        hub = self.hub
+        if hub is None or hub.set_screw is None:
+            return 0.0
         screw, bore = hub.set_screw, self.bore()
         hole = screw.diameter / 2
         # y = ρ sin t makes the integrand smooth between the corners of the bore.
@@ -180,7 +192,7 @@ class Blank:
         t = ends[:-1, None] + half * (1 + nodes)
         y = hole * np.sin(t)
         wall = np.sqrt((hub.diameter / 2) ** 2 - y**2) - _reach(bore, screw.angle, y.ravel()).reshape(y.shape)
-        return float(whole - np.sum(half * weights * 2 * (hole * np.cos(t)) ** 2 * wall))
+        return float(np.sum(half * weights * 2 * (hole * np.cos(t)) ** 2 * wall))
 
     def walls(self, profile: Outline) -> tuple[ThinWall, ...]:
         """Material between profile, bore, hub, set screw and lightening holes, at the thinnest place of each kind.

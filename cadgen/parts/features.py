@@ -76,6 +76,27 @@ class DFlat:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Flats:
+    """Flats all round the bore: a square or a hexagon, whose size across flats is the bore's diameter.
+
+    Attributes:
+        count: number of flats, 4 or 6.
+        angle: polar angle of the first one's middle, rad.
+    """
+
+    count: int
+    angle: float = 0.0
+
+    def corners_diameter(self, across: float) -> float:
+        """Diameter of the circle through the corners, mm.
+
+        Args:
+            across: size across flats, mm.
+        """
+        return across / float(np.cos(np.pi / self.count))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class SetScrew:
     """A radial hole through the hub's wall.
 

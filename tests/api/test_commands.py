@@ -48,6 +48,8 @@ CALLED = {
     "centre_distance_mm": "centre_distance",
     "bearing_span_mm": "bearing_span",
     "unequal": "equal",
+    "flats": "keyway",
+    "across": "keyway",
 }
 BY_METHODS = {
     "lang": "messages.choose",

@@ -107,7 +107,6 @@ def test_the_circle_of_a_gear_s_holes_is_midway_or_as_given():
 @pytest.mark.parametrize(
     ("blank", "message"),
     [
-        (replace(KEYED, key=DFlat(depth=1.0)), "D-flat"),
         (replace(KEYED, edge_break=0.2), "tip chamfer"),
         (replace(KEYED, mark=Mark(diameter=2.0, radius=10.0, angle=1.0)), "has a mark"),
         (replace(HUBBED, hub=replace(HUBBED.hub, side="inner")), "inner face"),

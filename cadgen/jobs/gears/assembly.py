@@ -24,6 +24,8 @@ from cadgen.gears.train import TrainPlay, WholePlay
 from cadgen.messages import Message, joined
 from cadgen.output.files.exports import GearExport, RackExport, TrainExport
 from cadgen.output.files.publisher import Artifact, Written, folder_of, publish, refusal
+from cadgen.parts.blank import Blank
+from cadgen.parts.features import DFlat, Flats
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
@@ -288,11 +290,26 @@ def parts_facts(layout: TrainLayout) -> list[Facts]:
             angle_deg=degrees(part.angle),
             turned_over=part.flipped,
             bore_mm=part.blank.bore_diameter,
+            **flats_of(part.blank),
             volume_mm3=part.volume,
             gears=[Facts(stage=stage) | gear for stage, gear in gears.items()],
         )
         for part, gears in zip(layout.parts, gear_figures(layout), strict=True)
     ]
+
+
+def flats_of(blank: Blank) -> dict[str, float]:
+    """Flats of a bore, for the manifest; nothing of a round one.
+
+    Args:
+        blank: blank of the part.
+    """
+    match blank.key:
+        case DFlat(depth=depth):
+            return {"bore_across_flat_mm": blank.bore_diameter - depth}
+        case Flats(count=count):
+            return {"bore_flats": count}
+    return {}
 
 
 def return_error(play: TrainPlay | WholePlay) -> dict[str, float]:

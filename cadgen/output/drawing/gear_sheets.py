@@ -50,7 +50,7 @@ from cadgen.output.drawing.sheet import (
 )
 from cadgen.output.files.plate import Axis, Plate
 from cadgen.parts.body import Body
-from cadgen.parts.features import Keyway
+from cadgen.parts.features import Flats, Keyway
 from cadgen.parts.loop import Arc, Loop
 
 
@@ -227,7 +227,7 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     curves += [ring(diameter, LineKind.CENTRE) for diameter in gear.pitch_diameters]
     curves += centre_cross(reach + 0.4 * gap)
     dimensions: list[Dimension] = []
-    if blank.bore_diameter:
+    if blank.bore_diameter and not isinstance(blank.key, Flats):
         size, fit = blank.bore_diameter, gear.fit.bore_class
         dimensions.append(DiameterDimension(name="bore", centre=(0.0, 0.0), diameter=size, angle=125.0, suffix=fit))
     if isinstance(blank.key, Keyway):
@@ -298,7 +298,7 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     low, high = part.body.slabs[0].start, part.body.slabs[-1].end
     strokes.append(Stroke(np.array([[low - 0.5 * gap, 0.0], [high + 0.5 * gap, 0.0]]), LineKind.CENTRE))
     dimensions: list[Dimension] = []
-    keyed = isinstance(blank.key, Keyway)
+    keyed = blank.key is not None
     for number, (wheel, start, name) in enumerate(zip(part.gears, part.starts, _names(part), strict=True)):
         tip, end = wheel.tip_diameter / 2, start + wheel.width
         root = wheel.root_diameter / 2 if wheel.outline.repeats > 1 else tip
@@ -313,8 +313,10 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
         outer = rim_diameter(part.gears[0]) / 2
         dimensions.append(axial_diameter("outer diameter", high, outer, high + 0.9 * gap))
     dimensions += _lengths(part, low, high, gap, screw)
-    if isinstance(blank.key, Keyway):
-        more = f" +{deeper(blank.key.width):g}/0"
+    if blank.key:
+        more = gear.fit.bore_class if isinstance(blank.key, Flats) else gear.fit.flat_class
+        if isinstance(blank.key, Keyway):
+            more = f" +{deeper(blank.key.width):g}/0"
         dimensions.append(bore_and_keyway(blank, more, high, high + 0.9 * gap, scale))
     rows_below = [
         each.at[1] for each in dimensions if isinstance(each, LinearDimension) and not each.angle and each.at[1] < 0.0
@@ -359,7 +361,7 @@ def _lengths(part: TrainPart, low: float, high: float, gap: float, screw: ScrewH
     if blank.hub and blank.hub.length:
         alone, half = len(part.gears) == 1, blank.hub.diameter / 2
         end = high if alone else part.gears[0].width + blank.hub.length
-        out = high + (3.0 if isinstance(blank.key, Keyway) else 2.0) * gap
+        out = high + (3.0 if blank.key else 2.0) * gap
         yield axial_diameter("hub diameter" if alone else "collar diameter", end, half, out)
         if alone:
             start, at = (first, -half), (high, -reach - row * gap)
@@ -384,10 +386,19 @@ def _notes(gear: GearPart) -> Iterator[str]:
             diameter=screw.diameter,
             tapped=gear.fit.tapped(),
             height=screw.height,
-            place=Message("over the keyway") if blank.key else Message("in line with a tooth"),
+            place=Message("over the keyway") if isinstance(blank.key, Keyway) else Message("in line with a tooth"),
         )
-    if blank.key:
+    if isinstance(blank.key, Keyway):
         yield Message("A tooth of each gear stands on the axis of the keyway.")
+    elif isinstance(blank.key, Flats):
+        shape = Message("hexagon") if blank.key.count == 6 else Message("square")
+        yield Message(
+            "Bore: {shape}, {across:g} across flats. A tooth of each gear stands over the middle of a flat.",
+            shape=shape,
+            across=blank.bore_diameter,
+        )
+    elif blank.key:
+        yield Message("A tooth of each gear stands over the middle of the flat.")
     if blank.web:
         yield Message("The web is midway along the width; both recesses are alike.")
     drilled = _drilled(gear.part)

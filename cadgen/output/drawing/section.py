@@ -12,7 +12,7 @@ from cadgen.arrays import Array
 from cadgen.output.drawing.sheet import Closed, Hatch, LinearDimension, LineKind, Stroke
 from cadgen.parts.blank import Blank
 from cadgen.parts.body import RadialHole
-from cadgen.parts.features import Keyway
+from cadgen.parts.features import DFlat, Keyway
 
 _FARTHEST = 1e4  # mm, beyond every part
 _GRID = 1e-6  # mm, within which corners of neighbouring layers are one
@@ -109,8 +109,8 @@ class ScrewHole:
         if hole is None or blank.hub is None:
             return None
         inner = blank.bore_diameter / 2
-        if isinstance(blank.key, Keyway) and cos(hole.angle - blank.key.angle) > 1 - _BESIDE:
-            inner += blank.key.depth
+        if isinstance(blank.key, Keyway | DFlat) and cos(hole.angle - blank.key.angle) > 1 - _BESIDE:
+            inner += blank.key.depth if isinstance(blank.key, Keyway) else -blank.key.depth
         return cls(hole, inner, blank.hub.diameter / 2)
 
     def face(self) -> Iterator[Stroke]:

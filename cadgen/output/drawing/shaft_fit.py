@@ -12,7 +12,7 @@ from cadgen.gears.fits import deviations, zones_of
 from cadgen.messages import Message
 from cadgen.output.drawing.sheet import rounded
 from cadgen.parts.blank import Blank
-from cadgen.parts.features import DFlat, Keyway
+from cadgen.parts.features import DFlat, Flats, Keyway
 
 _DEEPER = ((6.0, 0.1), (32.0, 0.2))  # greatest width of a key, and upper deviation of its hub's keyway, mm
 _DEEPEST = 0.3  # upper deviation for wider keys, mm
@@ -86,7 +86,9 @@ class ShaftFit:
         """
         bore, key = blank.bore_diameter, blank.key
         if self.bore:
-            yield fit_limits(Message("Bore Ø{size:g}", size=bore), Message("shaft"), self.bore, bore)
+            flats = isinstance(key, Flats)
+            name = Message("Across flats {size:g}", size=bore) if flats else Message("Bore Ø{size:g}", size=bore)
+            yield fit_limits(name, Message("shaft"), self.bore, bore)
         else:
             yield Message("Fit of the bore: not stated; choose it with the shaft.")
         if isinstance(key, Keyway):

@@ -12,7 +12,7 @@ from cadgen.arrays import Array
 from cadgen.curves.contour import Contour, circle
 from cadgen.messages import Message
 from cadgen.parts.blank import Blank
-from cadgen.parts.features import Keyway
+from cadgen.parts.features import DFlat, Keyway
 
 SIZES = {"A4": (297.0, 210.0), "A3": (420.0, 297.0)}  # landscape, ISO 5457
 SCALES = (10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1)  # ISO 5455
@@ -408,19 +408,22 @@ def keyway_width(key: Keyway, bore_diameter: float, gap: float, scale: float, su
 
 
 def bore_and_keyway(blank: Blank, suffix: str, z: float, at: float, scale: float) -> LinearDimension:
-    """Dimension of bore and keyway together in a section; its limits follow it where its line has room for them.
+    """Dimension of bore and keyway, or of a bore across its flats; limits follow where its line has room for them.
 
     Args:
-        blank: part with a keyway.
+        blank: part with a keyway or flats.
         suffix: limits, with a blank before them.
         z: height of its ends, mm.
         at: height of the dimension line, mm.
         scale: mm on paper for a mm of the part.
     """
-    assert isinstance(blank.key, Keyway)
-    low, high = -blank.bore_diameter / 2, blank.bore_diameter / 2 + blank.key.depth
+    low, high, name = -blank.bore_diameter / 2, blank.bore_diameter / 2, "across flats"
+    if isinstance(blank.key, Keyway):
+        high, name = high + blank.key.depth, "bore and keyway"
+    elif isinstance(blank.key, DFlat):
+        high, name = high - blank.key.depth, "across the flat"
     long = TEXT * WIDEST * len(rounded(high - low) + suffix)
-    plain = across_axis("bore and keyway", z, (low, high), at)
+    plain = across_axis(name, z, (low, high), at)
     if scale * (high - low) >= long:
         return replace(plain, suffix=suffix)
     beside = scale * (high - low) / 2 + long / 2 + 1.0
