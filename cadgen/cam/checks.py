@@ -10,13 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.contact import roll_curve
+from cadgen.cam.contact import roll, roll_curve
 from cadgen.cam.cutter import largest_cutter
 from cadgen.cam.follower import Contact, Follower, Loss, RolledCam, Trim, TrimKind
 from cadgen.cam.limits import CheckLimits
 from cadgen.cam.loss import lost_lift
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.curves.closed import ClosedCurve, Outline
+from cadgen.errors import DesignError
 from cadgen.laws.motion import Motion
 from cadgen.messages import Message, clauses
 from cadgen.parts.blank import Blank
@@ -97,6 +98,8 @@ LOST_LIFT = (
     CheckCode.LOST_LIFT_FACE_CHANGE,
     CheckCode.LOST_LIFT_EFFECT,
 )
+_BETWEEN = 16  # stations more between two of them, about a peak of the pressure angle
+_FINER = 4  # times finer is the outline there: the angle errs by the square of its step, the lift by the third power
 _WALL_POINTS = 200_000  # on the outline, to look for the thinnest wall
 # The sharpest place of a piece is closed in on in so many rounds of so many points; mm of radius that show.
 _ZOOMS, _ZOOM, _SHOWS = 4, 33, 5e-5
@@ -104,9 +107,22 @@ _ORDER: dict[StrEnum, int] = {code: number for number, code in enumerate(CheckCo
 
 
 def cam_angles(motion: Motion) -> Array:
-    """Stations for the checks: an even grid and every kink, rad."""
+    """Stations for the checks, rad: an even grid, every kink, and every jump of the acceleration, often a peak."""
     even = np.linspace(0.0, TURN, STATIONS, endpoint=False)
-    return np.unique(np.concatenate([even, motion.kinks]))
+    return np.unique(np.concatenate([even, motion.kinks, motion.bends]))
+
+
+def _with_peaks(motion: Motion, follower: Follower, curve: ClosedCurve, contact: Contact, step: float) -> Contact:
+    """Contact at its stations and close about those of the greatest pressure angles, which lie between stations."""
+    rising, size = motion.q(contact.cam_angle, nu=1) >= 0, np.abs(contact.pressure_angle)
+    worst = {int(np.argmax(np.where(part, size, -1.0))) for part in (rising, ~rising)}
+    worst |= {int(np.argmax(contact.pressure_angle)), int(np.argmin(contact.pressure_angle))}
+    near = np.linspace(-TURN, TURN, 2 * _BETWEEN + 1) / STATIONS
+    theta = (contact.cam_angle[sorted(worst), None] + near).ravel() % TURN
+    try:
+        return contact.joined(roll(curve.outline(step / _FINER), follower, theta))
+    except DesignError:  # so fine an outline shows a fold beside a crossing, whose lift is judged as lost
+        return contact
 
 
 def check_cam(
@@ -134,6 +150,9 @@ def check_cam(
     """
     theta = cam_angles(motion)
     contact, step = roll_curve(curve, follower, theta)
+    if not follower.leans:
+        contact = _with_peaks(motion, follower, curve, contact, step)
+        theta = contact.cam_angle
     outline = curve.outline(step)
     losses = lost_lift(motion, follower, trims, outline)
     driven = [loss for loss in losses if loss.driven]

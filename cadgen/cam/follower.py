@@ -177,6 +177,12 @@ class Contact:
         """Contact at some of the cam angles, by their indices."""
         return Contact(*(getattr(self, field.name)[rows] for field in fields(self)))
 
+    def joined(self, other: Contact) -> Contact:
+        """Contact at these cam angles and at those of another one."""
+        return Contact(
+            *(np.concatenate([getattr(each, field.name) for each in (self, other)]) for field in fields(self))
+        )
+
 
 class TrimKind(StrEnum):
     """Kind of a trim.

@@ -36,7 +36,7 @@ _NODES = 12  # of a quadrature, on each of so many parts of a stretch between tw
 _PARTS = 32
 _MOST_SEAMS = 500
 _STATIONS = 7200  # of a turn, between which the force changes its sign once at most
-_ROUNDING = 1e-12  # of the greatest force; no smaller one is negative
+_ROUNDING = 1e-12  # of the greatest force, or of all work: what is smaller is none
 _PROOF = 1e-9  # of the greatest force; a proposal that leaves less is proved
 
 
@@ -308,7 +308,7 @@ class CamForces:
 
     @cached_property
     def work(self) -> float:
-        """Work of the camshaft in a turn, N mm: that of damping and friction."""
+        """Work of the camshaft in a turn, N mm: that of damping and friction; 0 where it is but rounding."""
         seams = self.motion.breaks
         if isinstance(self.dynamics.load, Load):
             seams = np.unique(np.concatenate([seams, self.dynamics.load.cam_angle % TURN]))
@@ -318,7 +318,9 @@ class CamForces:
         nodes, weights = gauss_nodes(_NODES)
         width = np.diff(edges)[:, None]
         theta = (edges[:-1, None] + width * (nodes + 1) / 2).ravel()
-        return float((self.torque(self.motion.jets(theta), theta) * (width * weights / 2).ravel()).sum())
+        parts = self.torque(self.motion.jets(theta), theta) * (width * weights / 2).ravel()
+        work = float(parts.sum())
+        return 0.0 if abs(work) < _ROUNDING * float(np.abs(parts).sum()) else work
 
     @property
     def mean_torque(self) -> float:

@@ -92,7 +92,9 @@ def worst_loss(motion: Motion, follower: Follower) -> float:
     return max((loss.lift for loss in losses if loss.driven), default=0.0)
 
 
-def undercut_cures(motion: Motion, follower: Follower, limit: float) -> tuple[Change, ...]:
+def undercut_cures(
+    motion: Motion, follower: Follower, limit: float, without: frozenset[str] = frozenset()
+) -> tuple[Change, ...]:
     """Try each remedy of the follower alone, and return what cures, smallest change first.
 
     The loss falls with the follower's radius and with the base circle: it is r / cos(delta / 2) - r at a corner of
@@ -103,13 +105,14 @@ def undercut_cures(motion: Motion, follower: Follower, limit: float) -> tuple[Ch
         motion: motion wanted.
         follower: follower of any kind.
         limit: lift that may be lost, mm.
+        without: keys that are not tried.
     """
     limit = max(limit, _ROUNDING)
     now = worst_loss(motion, follower)
     if now <= limit:  # the envelope loses less: what is lost is the doing of another curve, which no follower mends
         return ()
     cures = []
-    for remedy in follower.remedies():
+    for remedy in (each for each in follower.remedies() if each.key not in without):
 
         def loss(factor: float, remedy: LossRemedy = remedy) -> float:
             return worst_loss(motion, remedy.follower(remedy.value(factor)))

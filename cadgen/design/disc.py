@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 from functools import lru_cache
-from math import ceil, radians
+from math import ceil, inf, radians
 from typing import TYPE_CHECKING
 
 from pydantic import Field, model_validator
@@ -26,14 +26,14 @@ class MotionCam(DesignSection):
     """The disc of a design with [motion]: `base_circle_radius_mm` or `pressure_angle_deg` fixes its base circle."""
 
     base_circle_radius_mm: float | None = Field(
-        default=None, gt=0, le=1000, description="least radius of the disc, at lift 0"
+        default=None, gt=0, le=1000, description="radius of the disc under a follower that rests at lift 0"
     )
     pressure_angle_deg: float | None = Field(
         default=None,
         ge=1,
         le=60,
-        description="of a roller or knife edge on a slide, instead of the radius: greatest pressure angle, for which "
-        "the least base circle is taken",
+        description="of a roller, a knife edge or a follower on an arm, instead of the radius: greatest pressure "
+        "angle, for which the least base circle is taken",
     )
     base_radius_mm: float | None = Field(
         default=None, gt=0, le=500, description="of a rod, instead of the radius: a, camshaft to fork axis"
@@ -84,22 +84,23 @@ class MotionCam(DesignSection):
         return inner, inner + self.thickness_mm
 
 
-def follower_motion(section: MotionSection, kind: FollowerKind) -> "Motion":
+def follower_motion(section: MotionSection, kind: FollowerKind, *, corners: bool = True) -> "Motion":
     """Motion of a design in the follower's unit: of a rod the tangent of the steering angle that the section gives.
 
     Args:
         section: section [motion].
         kind: kind of the follower.
+        corners: as of `motion_of`.
 
     Raises:
         ValueError: as `motion_of`.
         DesignError: as `motion_of`.
     """
     if kind.unit != TAN:
-        return motion_of(section, kind)
+        return motion_of(section, kind, corners=corners)
     from cadgen.cam.derived_motions import TangentMotion
 
-    return TangentMotion.of(motion_of(section, replace(kind, unit=RAD)))
+    return TangentMotion.of(motion_of(section, replace(kind, unit=RAD), corners=corners))
 
 
 @lru_cache(maxsize=64)  # a design is asked for its seat again and again
@@ -121,8 +122,8 @@ def base_circle_radius(cam: MotionCam, motion: MotionSection, follower: Follower
     if kind.least_base is None:
         raise ValueError(
             Message(
-                'cam.pressure_angle_deg is for a roller or knife edge on a slide, and follower.kind is "{code}": give '
-                "cam.base_circle_radius_mm instead",
+                "cam.pressure_angle_deg is for a roller, a knife edge or a follower on an arm, and follower.kind is "
+                '"{code}": give cam.base_circle_radius_mm instead',
                 code=kind.code,
             )
         )
@@ -131,6 +132,14 @@ def base_circle_radius(cam: MotionCam, motion: MotionSection, follower: Follower
     except DesignError as error:
         raise ValueError(error.message) from None
     least = kind.least_base(follower.keys, moved, radians(cam.pressure_angle_deg) - _ROLLED)
+    if least == inf:
+        raise ValueError(
+            Message(
+                "cam.pressure_angle_deg is {angle:g}; no base circle keeps it with this arm and motion: raise it, lead "
+                "the follower less far, or give cam.base_circle_radius_mm instead",
+                angle=cam.pressure_angle_deg,
+            )
+        )
     if least <= 0:
         raise ValueError(
             Message(

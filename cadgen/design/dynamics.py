@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import cos, radians
+from math import cos, inf, radians
 from typing import TYPE_CHECKING, Annotated
 
 from annotated_types import Ge, Le
@@ -182,6 +182,15 @@ class DynamicsSection(DesignSection):
                 "beyond it",
                 reach=rows[-1][0] - rows[0][0],
             )
+
+
+def most_of(key: str) -> float:
+    """Greatest value that a key of [dynamics] may have, in its unit; infinite if it has no bound.
+
+    Args:
+        key: name of the key.
+    """
+    return next((bound.le for bound in DynamicsSection.model_fields[key].metadata if hasattr(bound, "le")), inf)
 
 
 def closed_by_form(keys: object) -> bool:

@@ -270,7 +270,10 @@ class MotionSection(DesignSection):
                     )
                 )
             if each.get("in_deg") == 0:
-                raise ValueError(_in_no_angle(number, segments))
+                given = values if isinstance(values, dict) else {}
+                repeat, turns = given.get("repeat") or 1, given.get("machine_turns") or 1.0
+                whole = 360 * turns / repeat if isinstance(repeat, int) and isinstance(turns, int | float) else 360.0
+                raise ValueError(_in_no_angle(number, segments, whole))
         return values
 
     @model_validator(mode="after")
@@ -322,11 +325,24 @@ class MotionSection(DesignSection):
         return f"motion.{'table' if self.table else self.source}"
 
 
-def _in_no_angle(number: int, segments: Sequence[Mapping[str, object]]) -> Message:
-    """Refusal of a rise in 0 degrees, with half of the widest segment for it."""
+def _in_no_angle(number: int, segments: Sequence[Mapping[str, object]], whole: float) -> Message:
+    """Refusal of a rise in 0 degrees, with what the others leave of the turn for it, or half of the widest of them.
+
+    Args:
+        number: number of the segment, from 1.
+        segments: keys of all segments, as in the file.
+        whole: degrees that all of them take.
+    """
     angles = [each.get("in_deg", each.get("dwell_deg")) for each in segments]
     widths = [angle if isinstance(angle, int | float) else 0.0 for angle in angles]
-    widest = widths.index(max(widths))
+    widest, left = widths.index(max(widths)), whole - sum(widths)
+    if left > _SAME * whole:
+        return Message(
+            "motion.segments.{number} rises in 0 degrees, which no follower can do: set "
+            "motion.segments.{number}.in_deg to {left:.10g}, which the others leave of the turn",
+            number=number,
+            left=left,
+        )
     if not widths[widest] > 0:
         return Message("motion.segments.{number} rises in 0 degrees: give it some of the turn", number=number)
     return Message(
@@ -339,21 +355,22 @@ def _in_no_angle(number: int, segments: Sequence[Mapping[str, object]]) -> Messa
     )
 
 
-def motion_of(section: MotionSection, kind: FollowerKind) -> "Motion":
+def motion_of(section: MotionSection, kind: FollowerKind, *, corners: bool = True) -> "Motion":
     """Motion of a design.
 
     Args:
         section: section [motion].
         kind: kind of the follower, whose unit the heights must have.
+        corners: whether the follower may have a corner of its path, so that a refusal may name it.
 
     Raises:
         ValueError: a height is in another unit than the follower moves in.
         DesignError: the motion does not fill the turn or does not close, its velocity jumps, or its table cannot be.
     """
-    return SOURCES[section.source](section, kind)
+    return SOURCES[section.source](section, kind, corners)
 
 
-def _segments(section: MotionSection, kind: FollowerKind) -> "Motion":
+def _segments(section: MotionSection, kind: FollowerKind, corners: bool) -> "Motion":
     """Motion of rises and dwells."""
     from cadgen.laws.segments import MotionSpan, SegmentMotion
 
@@ -386,6 +403,7 @@ def _segments(section: MotionSection, kind: FollowerKind) -> "Motion":
         repeat=section.repeat or 1,
         machine_turns=turns,
         allow_velocity_jump=bool(section.allow_velocity_jump),
+        corners=corners,
     )
 
 
@@ -502,7 +520,7 @@ def _refuse_open(items: tuple[MotionSegment, ...], spans: list["MotionSpan"], ki
     )
 
 
-def _points(section: MotionSection, kind: FollowerKind) -> "Motion":
+def _points(section: MotionSection, kind: FollowerKind, corners: bool) -> "Motion":
     """Periodic quintic spline through points."""
     from cadgen.laws.lift_table import points_motion
 
@@ -529,7 +547,7 @@ def _points(section: MotionSection, kind: FollowerKind) -> "Motion":
     return points_motion(angle, height * _value(1.0, kind), kind.unit)
 
 
-def _harmonics(section: MotionSection, kind: FollowerKind) -> "Motion":
+def _harmonics(section: MotionSection, kind: FollowerKind, corners: bool) -> "Motion":
     """Motion of harmonics."""
     from cadgen.laws.series import HarmonicMotion
 
@@ -547,7 +565,7 @@ def _harmonics(section: MotionSection, kind: FollowerKind) -> "Motion":
     return HarmonicMotion.of(list(found.values()), kind.unit)
 
 
-def _table(section: MotionSection, kind: FollowerKind) -> "Motion":
+def _table(section: MotionSection, kind: FollowerKind, corners: bool) -> "Motion":
     """Motion of a lift table."""
     from cadgen.laws.lift_table import LEAST_ROWS, table_motion
 
@@ -584,7 +602,7 @@ def _table(section: MotionSection, kind: FollowerKind) -> "Motion":
     return table_motion(angle, height * scale, kind.unit, lobes=lobes, smooth=smooth, ramps=ramps, key="motion.close")
 
 
-SOURCES: Mapping[str, Callable[[MotionSection, FollowerKind], "Motion"]] = {
+SOURCES: Mapping[str, Callable[[MotionSection, FollowerKind, bool], "Motion"]] = {
     "segments": _segments,
     "points": _points,
     "harmonics": _harmonics,

@@ -18,6 +18,7 @@ from pydantic import (
     model_validator,
 )
 
+from cadgen.cam.followers.closure import Closure
 from cadgen.cam.followers.kind import FollowerSeat
 from cadgen.cam.followers.rod_kind import ROD
 from cadgen.cam.limits import PressureAngleLimitName
@@ -522,7 +523,8 @@ class MotionFile(DiscFile):
     @model_validator(mode="after")
     def _motion_fits_the_follower(self) -> "MotionFile":
         try:
-            follower_motion(self.motion, self.follower.registered)
+            grooved = getattr(self.follower.keys, "closure", None) == Closure.GROOVE
+            follower_motion(self.motion, self.follower.registered, corners=not grooved)
             if self.dynamics is not None:
                 self.dynamics.refuse(self.follower.registered, self.follower.keys, self.cam.thickness_mm)
         except DesignError as error:

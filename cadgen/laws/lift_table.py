@@ -72,6 +72,11 @@ class TableMotion(Motion):
     key: ClassVar[str] = "motion.table"
 
     @property
+    def rough(self) -> bool:
+        """Whether the rows have noise that was not smoothed."""
+        return self.noise > 0 and self.smoothing is None
+
+    @property
     def mirrored(self) -> "TableMotion":
         """The motion of a cam that turns the other way: q at minus the cam angle."""
         low, high = self.covered

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import combinations
-from math import degrees
+from math import degrees, radians
 from typing import ClassVar
 
 import numpy as np
@@ -16,7 +16,7 @@ from cadgen.laws.conditions import Condition, polynomial_law
 from cadgen.laws.form import ORDERS
 from cadgen.laws.law import MotionLaw
 from cadgen.laws.motion import Motion, side_of
-from cadgen.laws.table import POLYNOMIAL
+from cadgen.laws.table import POLYNOMIAL, law_of
 from cadgen.laws.unit import Unit
 from cadgen.messages import Message, joined
 
@@ -29,6 +29,7 @@ _SAME = 1e-9  # rad; nearer to a seam than that an angle is at it
 _SNAP = 1e-12  # of the share; nearer to a seam of the law than that a share is taken as the seam itself
 _MOST_TRIED = 3  # segments that become polynomials together, where one is not enough
 _MOST_CANDIDATES = 12
+_LEAST_LEFT = radians(1.0)  # of a segment that gives some of its angle to another
 _HALF_CYCLOID = 2.0  # velocity of half a cycloid at its fast end, in rises by shares
 
 
@@ -160,6 +161,7 @@ class SegmentMotion(Motion):
         repeat: int = 1,
         machine_turns: float = 1.0,
         allow_velocity_jump: bool = False,
+        corners: bool = True,
     ) -> "SegmentMotion":
         """Motion of segments that fill the turn, or an equal part of it, and close it.
 
@@ -169,6 +171,7 @@ class SegmentMotion(Motion):
             repeat: times that they are repeated in a turn.
             machine_turns: degrees of the design file in a degree of cam angle.
             allow_velocity_jump: whether the velocity may jump, which makes a corner of the path of the follower.
+            corners: whether the follower may have such a corner, so that a refusal may name it.
 
         Raises:
             DesignError: they do not fill the turn, do not close, conditions make no polynomial, or the motion or its
@@ -203,7 +206,7 @@ class SegmentMotion(Motion):
                 after=broken.after,
             )
         if not allow_velocity_jump:
-            raise _velocity_jumps(segments, jumps, unit)
+            raise _velocity_jumps(segments, jumps, unit, machine_turns, corners=corners)
         kinks = [seam.cam_angle + number * whole for number in range(repeat) for seam in jumps]
         return replace(made, kinks=np.array(kinks))
 
@@ -429,8 +432,10 @@ def _does_not_fill(segments: Sequence[MotionSpan], whole: float, machine_turns: 
     )
 
 
-def _velocity_jumps(segments: Sequence[MotionSpan], jumps: Sequence[Seam], unit: Unit) -> DesignError:
-    """Refusal of jumps of the velocity, with the polynomials that meet their neighbours, which were tried."""
+def _velocity_jumps(
+    segments: Sequence[MotionSpan], jumps: Sequence[Seam], unit: Unit, machine_turns: float, *, corners: bool
+) -> DesignError:
+    """Refusal of jumps of the velocity, with the laws that meet their neighbours, which were tried."""
     places = joined(
         Message(
             "at {angle:.4g} degrees from {before:.4g} to {after:.4g}",
@@ -441,13 +446,15 @@ def _velocity_jumps(segments: Sequence[MotionSpan], jumps: Sequence[Seam], unit:
         for seam in jumps
     )
     changes = polynomials(segments, 1)
+    ways = [Message("set {changes}, which meets its neighbours", changes=changes)] if changes else []
+    if corners:
+        ways.append(Message("set motion.allow_velocity_jump to true for a corner there"))
+    ways += _half_laws(segments, jumps, machine_turns)
     return DesignError(
-        "the velocity jumps {places} {unit}/rad, which no follower can do: {cure}set motion.allow_velocity_jump to "
-        "true for a corner there{halves}",
+        "the velocity jumps {places} {unit}/rad, which no follower can do: {ways}",
         places=places,
         unit=unit.symbol,
-        cure=Message("set {changes}, which meets its neighbours, or ", changes=changes) if changes else "",
-        halves=_half_laws(segments, jumps),
+        ways=joined(ways, Message(", or ")) if ways else Message("take laws that meet each other there"),
     )
 
 
@@ -503,9 +510,12 @@ def _straight(span: MotionSpan) -> bool:
     return span.law is not None and span.law.code == "constant_velocity"
 
 
-def _half_laws(segments: Sequence[MotionSpan], jumps: Sequence[Seam]) -> str:
-    """Half laws that lead from rest to a neighbour that moves, or from it to rest, with the angle in which they do."""
-    said: dict[str, None] = {}
+def _half_laws(segments: Sequence[MotionSpan], jumps: Sequence[Seam], machine_turns: float) -> list[Message]:
+    """Half laws that lead from rest to a neighbour that moves, or from it to rest, which end every jump.
+
+    Each takes the angle that its speed asks for, and another segment what is left of the turn.
+    """
+    said: dict[str, Message] = {}
     for seam in jumps:
         number = seam.segment - 1
         for mover, fixed, before in ((number - 1, number, True), (number, number - 1, False)):
@@ -513,11 +523,36 @@ def _half_laws(segments: Sequence[MotionSpan], jumps: Sequence[Seam]) -> str:
             rise = span.after - span.before
             if span.law is None or _straight(span) or rise * velocity <= 0:
                 continue
+            code, width = "half_cycloid_1" if before else "half_cycloid_2", _HALF_CYCLOID * rise / velocity
+            law = replace(span, law=law_of(code), stop=span.start + width, absolute=False)
+            other = _gives(segments, mover % len(segments), fixed % len(segments), law)
+            if other is None:
+                continue
+            left = segments[other].width + span.width - width
             fits = Message(
-                "; {code} in {angle:.6g} degrees fits as motion.segments.{number}, too",
-                code="half_cycloid_1" if before else "half_cycloid_2",
-                angle=degrees(_HALF_CYCLOID * rise / velocity),
+                'set motion.segments.{number}.law to "{code}" with motion.segments.{number}.in_deg = {angle:.12g} and '
+                "motion.segments.{other}.{key} = {left:.12g}",
                 number=mover % len(segments) + 1,
+                code=code,
+                angle=degrees(width) * machine_turns,
+                other=other + 1,
+                key="in_deg" if segments[other].moves else "dwell_deg",
+                left=degrees(left) * machine_turns,
             )
-            said[fits] = None
-    return joined(said, "")
+            said[fits] = fits
+    return list(said.values())
+
+
+def _gives(segments: Sequence[MotionSpan], mover: int, fixed: int, law: MotionSpan) -> int | None:
+    """Segment that makes up for the angle of a new law, so that no velocity jumps; dwells first, the widest of them."""
+    order = sorted(range(len(segments)), key=lambda number: (segments[number].moves, -segments[number].width))
+    for number in order:
+        span = segments[number]
+        left = span.width + segments[mover].width - law.width
+        if number in (mover, fixed) or span.conditions is not None or left < _LEAST_LEFT:
+            continue
+        made = [*segments]
+        made[mover], made[number] = law, replace(span, stop=span.start + left)
+        if not _jumping(_completed(made), 1):
+            return number
+    return None

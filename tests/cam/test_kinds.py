@@ -309,25 +309,31 @@ BAD = [
     (
         "swinging_roller",
         ["follower.arm_mm=40", "follower.centre_distance_mm=100"],
-        "take an arm between 50 and 150 mm",
-        "follower.arm_mm=70",
+        "between 50 and 150 mm: set follower.arm_mm to 86.6, or set follower.centre_distance_mm to 64.1",
+        "follower.arm_mm=86.6",
+    ),
+    (
+        "swinging_roller",
+        ["follower.arm_mm=40", "follower.centre_distance_mm=100"],
+        "or set follower.centre_distance_mm to 64.1",
+        "follower.centre_distance_mm=64.1",
     ),
     (
         "swinging_roller",
         FAR,
-        "at lift 0 lead it by -9.79 to 110.21 degrees",
-        "motion.segments.1={rise_deg=110,in_deg=100,law='cycloidal'}",
+        "would be beyond 60 degrees even at rest: lead it by 0 to 110.19 degrees",
+        "motion.segments.1={rise_deg=110.19,in_deg=100,law='cycloidal'}",
     ),
-    ("swinging_flat", ["follower.centre_distance_mm=51"], "raise it beyond 52", "follower.centre_distance_mm=100"),
+    ("swinging_flat", ["follower.centre_distance_mm=51"], "set it to 104", "follower.centre_distance_mm=104"),
     (
         "swinging_flat",
         ["follower.centre_distance_mm=51"],
         "or lower follower.face_offset_mm",
         "follower.face_offset_mm=-9",
     ),
-    ("swinging_flat", ["motion.segments.1.to_deg=70"], "by less than 64.32 degrees", "motion.segments.1.to_deg=40"),
+    ("swinging_flat", ["motion.segments.1.to_deg=70"], "lead it by 0 to 64.3 degrees", "motion.segments.1.to_deg=64.3"),
     ("swinging_flat", FAST, "the face swings as fast as the cam turns", "motion.segments.1.to_deg=20"),
-    ("swinging_flat", ["follower.face_offset_mm=-50"], "raise it above -42", "follower.face_offset_mm=-30"),
+    ("swinging_flat", ["follower.face_offset_mm=-50"], "set it to -21, or to 0", "follower.face_offset_mm=-21"),
     ("swinging_flat", ["follower.lifts=up"], 'it must be "against" or "with"', "follower.lifts=with"),
     ("swinging_flat", [IN_MM], "moves in degrees: give to_deg instead", IN_MM.replace("mm", "deg")),
 ]
@@ -339,7 +345,7 @@ def test_bad_followers_are_refused_with_cures_that_work(name, changes, words, cu
     with pytest.raises(DesignError, match=re.escape(words)):
         design.with_(changes).cam()
     if cure.startswith("motion.segments.1={rise_deg"):
-        back = "motion.segments.3={rise_deg=-110,in_deg=130,law='cycloidal'}"
+        back = "motion.segments.3={rise_deg=-110.19,in_deg=130,law='cycloidal'}"
         design.with_([*changes, cure, back]).cam()
         return
     design.with_([*changes, cure]).cam()

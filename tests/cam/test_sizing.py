@@ -117,7 +117,7 @@ def test_a_pressure_angle_instead_of_a_radius_gives_the_least_base_circle():
     assert contact.lift[0] == pytest.approx(0.0, abs=1e-6)
     same = design.with_({"cam.base_circle_radius_mm": base}).cam()
     assert [c.value for c in same.checks] == pytest.approx([c.value for c in cam.checks], abs=1e-9)
-    with pytest.raises(DesignError, match="is for a roller or knife edge on a slide"):
+    with pytest.raises(DesignError, match="is for a roller, a knife edge or a follower on an arm"):
         Design.from_toml(DESIGNS["flat"]).with_(["cam.base_circle_radius_mm=", "cam.pressure_angle_deg=25"])
     with pytest.raises(DesignError, match="both fix the base circle: remove one"):
         design.with_(["cam.pressure_angle_deg=25"])

@@ -143,15 +143,14 @@ def test_a_velocity_may_jump_if_it_is_allowed():
     assert len(made({**thrice, "allow_velocity_jump": True}).kinks) == 6
 
 
-@pytest.mark.parametrize(
-    ("before", "fits"),
-    [(90, "half_cycloid_1 in 180 degrees fits as motion.segments.1, too"), (30, "half_cycloid_1 in 180 degrees fits")],
-)
-def test_the_half_law_that_is_named_fits(before, fits):
+def test_the_half_law_that_is_named_fits():
     """Half a cycloid has twice the mean velocity at its end, so it takes twice the angle of the straight line."""
-    line = moves(10, 90, "constant_velocity")
-    with pytest.raises(ValueError, match=fits):
-        made({"segments": [moves(10, before), line, moves(-20, 270 - before)]})
+    line = [moves(10, 90), moves(10, 60, "constant_velocity"), moves(10, 120, "half_cycloid_2")]
+    with pytest.raises(ValueError, match="velocity jumps at 90 degrees") as refused:
+        made({"segments": [*line, dwell(45), moves(-30, 45)]})
+    fits = 'set motion.segments.1.law to "half_cycloid_1" with motion.segments.1.in_deg = 120 and '
+    assert fits + "motion.segments.4.dwell_deg = 15" in str(refused.value)
+    made({"segments": [moves(10, 120, "half_cycloid_1"), *line[1:], dwell(15), moves(-30, 45)]})
     whole = [moves(10, 120, "half_cycloid_1"), moves(10, 60, "constant_velocity"), moves(10, 120, "half_cycloid_2")]
     motion = made({"segments": [*whole, moves(-30, 60)]})
     assert motion.vdi == ("RG", "GG", "GR", "RR")

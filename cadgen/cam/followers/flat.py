@@ -124,7 +124,7 @@ class FlatFace(StraightFollower):
             q: lift, mm, shape (n,).
             across: distances of the contact from the ray, mm, shape (n,).
         """
-        return np.full_like(np.asarray(across, dtype=float), -self.tilt)
+        return np.full_like(np.asarray(across, dtype=float), 0.0 - self.tilt)  # and not -0
 
     def outline(self, q: float, face: float) -> Array:
         """The face, by its ends in the frame of the ray, shape (n, 2), mm.

@@ -100,6 +100,14 @@ class OuterSwingingRoller(OnOuterFlank, SwingingRoller):
 
     noun = OnOuterFlank.noun
 
+    def refuse(self, motion: Motion) -> None:
+        """Refuse as any round follower; what the arm cannot do is refused to the roller on the inner flank.
+
+        Args:
+            motion: opposite motion.
+        """
+        RoundFollower.refuse(self, motion)
+
     def sector(self, least: float, greatest: float) -> tuple[float, float]:
         """Polar angles from its line between which the roller touches the flank, rad.
 

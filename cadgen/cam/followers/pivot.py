@@ -1,11 +1,97 @@
-"""Pivots of followers on an arm: points as they are seen from there, and the room that the disc leaves."""
+"""Followers on an arm, what they share: pivot, lever, swing; points as seen from there, and the room of the disc."""
+
+from abc import abstractmethod
+from dataclasses import replace
+from math import ceil, floor
 
 import numpy as np
+from scipy.interpolate import PPoly
 
 from cadgen.arrays import Array
-from cadgen.cam.follower import RolledCam
+from cadgen.cam.follower import Follower, RolledCam
+from cadgen.cam.followers.lifts import Lifts
 from cadgen.check import Bound, Check, CheckCode
+from cadgen.laws.motion import Motion
+from cadgen.laws.unit import RAD
 from cadgen.messages import Message
+
+_HALVINGS = 12  # of the share of a swing that is sought: to 0.02 % of it
+_LEAST_SHARE = 1 / 64  # of a swing; a smaller one is no cure
+_HUNDREDTHS = 100.0  # of a degree, to which the ends of a swing are rounded, to the safe side
+
+
+class ArmFollower(Follower):
+    """Follower on an arm that swings about a pivot on the ray; its lift is the swing times a lever.
+
+    Attributes:
+        centre_distance: distance of the pivot from the camshaft, mm.
+        lifts: sense in which the arm lifts.
+    """
+
+    unit = RAD
+    centre_distance: float
+    lifts: Lifts
+
+    @property
+    @abstractmethod
+    def rest(self) -> float:
+        """Angle of the arm to the line from the pivot to the camshaft where the swing is 0, rad."""
+
+    @property
+    @abstractmethod
+    def lever(self) -> float:
+        """Lift by the swing, mm."""
+
+    @abstractmethod
+    def keeps(self, motion: Motion) -> bool:
+        """Whether a motion is not refused.
+
+        Args:
+            motion: swing wanted.
+        """
+
+    @property
+    def on_ray(self) -> str:
+        """The pivot, in words."""
+        return Message("pivot of the {follower}", follower=Message(self.noun))
+
+    @property
+    def pivot(self) -> complex:
+        """Pivot in the frame of the follower's line, mm."""
+        return complex(self.centre_distance * np.exp(-1j * self.azimuth))
+
+    def lift(self, q: Array) -> Array:
+        """Way of the contact at rest, or of the roller's centre, along its arc, mm.
+
+        Args:
+            q: swing, rad, shape (n,).
+        """
+        return np.asarray(self.lever * q)
+
+    def of_lift(self, lift: Array) -> tuple[Array, Array, Array]:
+        """Swing by lift, mm, with plane and margin.
+
+        Args:
+            lift: lifts, mm, shape (n,).
+        """
+        return lift / self.lever, np.full_like(lift, self.planes[0]), np.full_like(lift, np.inf)
+
+    def smaller_swing(self, motion: Motion) -> Message | None:
+        """Advice to lead the arm less far, by the greatest share of a motion that is not refused; None if none is.
+
+        Args:
+            motion: swing that is refused.
+        """
+        low, high = 0.0, 1.0
+        for _ in range(_HALVINGS):
+            share = (low + high) / 2
+            curve = PPoly(motion.q.c * share, motion.q.x, extrapolate="periodic")
+            low, high = (share, high) if self.keeps(replace(motion, q=curve)) else (low, share)
+        if low < _LEAST_SHARE:
+            return None
+        swing = np.degrees(low * motion.stations[1])
+        least, most = (ceil(swing.min() * _HUNDREDTHS), floor(swing.max() * _HUNDREDTHS))
+        return Message("lead it by {least:g} to {most:g} degrees", least=least / _HUNDREDTHS, most=most / _HUNDREDTHS)
 
 
 def seen_from_pivot(pivot: complex, side: int, x: Array, y: Array) -> tuple[Array, Array]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import sqrt
+from math import ceil, copysign, floor, sqrt
 from typing import TYPE_CHECKING, Annotated
 
 from annotated_types import Ge, Gt, Le
@@ -69,9 +69,11 @@ def refuse_offset(offset: float, prime_radius: float) -> None:
         raise ValueError(
             Message(
                 "follower.offset_mm is {offset:g}; its size must be less than the prime radius of {prime:g} mm, at "
-                "which the follower's centre stands at lift 0: lower it, or raise cam.base_circle_radius_mm",
+                "which the follower's centre stands at lift 0: set it to {half:g} or less, or raise "
+                "cam.base_circle_radius_mm",
                 offset=offset,
                 prime=prime_radius,
+                half=copysign(floor(prime_radius * 5) / 10, offset),
             )
         )
 
@@ -109,9 +111,9 @@ def _refuse_roller(keys: RollerKeys, seat: FollowerSeat) -> None:
             raise ValueError(
                 Message(
                     "follower.second.span_mm is {span:g}; the second roller would cover the camshaft at lift 0, so "
-                    "nothing is left of its disc: raise it above {least:.4g}",
+                    "nothing is left of its disc: set it to {wide:g} or more",
                     span=keys.second.span_mm,
-                    least=least,
+                    wide=ceil(max(2 * ahead, least + ahead) * 10) / 10,
                 )
             )
 

@@ -15,27 +15,31 @@ face, and tan(alpha) = f / w.
 """
 
 from dataclasses import dataclass, replace
-from math import ceil
+from math import ceil, inf
 
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.cam.follower import Contact, LossRemedy, RolledCam
+from cadgen.cam.follower import Contact, LossRemedy, RolledCam, SizeThatFits
 from cadgen.cam.followers.face_run import contact_run, face_end
 from cadgen.cam.followers.lifts import Lifts
-from cadgen.cam.followers.pivot import pivot_checks, seen_from_pivot
+from cadgen.cam.followers.pivot import ArmFollower, pivot_checks, seen_from_pivot
+from cadgen.cam.limits import CheckLimits
+from cadgen.cam.sizing import ArmSizes, rounded_up
 from cadgen.cam.straight_follower import FaceJet, StraightFollower
 from cadgen.check import Check
 from cadgen.errors import DesignError
 from cadgen.laws.motion import Motion
-from cadgen.laws.unit import RAD
-from cadgen.messages import Message
+from cadgen.messages import Message, joined
 
+_ROLLED = 1e-5  # rad; what the pressure angle of a rolled contact may err by
+_SURE = 1e-4  # mm; what a radius of curvature may err by
+_FARTHER = np.radians(20.0)  # of the face at rest with a pivot that stands farther away
 _PICTURED = (0.6, 1.4)  # ends of a face without a length in pictures, by the contact's distance at rest
 
 
 @dataclass(frozen=True, kw_only=True)
-class SwingingFace(StraightFollower):
+class SwingingFace(ArmFollower, StraightFollower):
     """Flat face on an arm.
 
     Attributes:
@@ -55,7 +59,6 @@ class SwingingFace(StraightFollower):
     noun = Message("flat face")
     base_key = "cam.base_circle_radius_mm"
     milder = Message("raise cam.base_circle_radius_mm")
-    unit = RAD
 
     @property
     def base_radius(self) -> float:  # type: ignore[override]
@@ -73,16 +76,6 @@ class SwingingFace(StraightFollower):
         return float(self.centre_distance * np.cos(self.rest))
 
     @property
-    def on_ray(self) -> str:
-        """The pivot, in words."""
-        return Message("pivot of the {follower}", follower=Message(self.noun))
-
-    @property
-    def pivot(self) -> complex:
-        """Pivot in the frame of the follower's line, mm."""
-        return complex(self.centre_distance * np.exp(-1j * self.azimuth))
-
-    @property
     def azimuth(self) -> float:
         """Angle from the ray, on which the pivot stands, to the face's normal where the swing is 0, rad."""
         return self.lifts.side * (self.rest - np.pi / 2)
@@ -98,22 +91,6 @@ class SwingingFace(StraightFollower):
         turns = self.lifts.side * (np.arcsin(np.clip(sines, -1.0, 1.0)) - self.rest)
         return float(turns.min()), float(turns.max())
 
-    def lift(self, q: Array) -> Array:
-        """Way of the face at its place of contact at rest, mm.
-
-        Args:
-            q: swing, rad, shape (n,).
-        """
-        return np.asarray(self.lever * q)
-
-    def of_lift(self, lift: Array) -> tuple[Array, Array, Array]:
-        """Swing by lift, mm, with plane and margin.
-
-        Args:
-            lift: lifts, mm, shape (n,).
-        """
-        return lift / self.lever, np.full_like(lift, self.planes[0]), np.full_like(lift, np.inf)
-
     def face_jet(self, q: Array, q1: Array, q2: Array) -> FaceJet:
         """Face by the cam angle.
 
@@ -128,22 +105,45 @@ class SwingingFace(StraightFollower):
             self.lifts.side * np.array([q, q1, q2]),
         )
 
+    def _at_camshaft(self, swing: float) -> bool:
+        """Whether the face reaches the camshaft at a swing, rad, so that nothing is left of the disc."""
+        return self.centre_distance * np.sin(self.rest + swing) <= self.face_offset or self.rest + swing <= 0
+
+    def keeps(self, motion: Motion) -> bool:
+        """Whether a motion is not refused.
+
+        Args:
+            motion: swing wanted.
+        """
+        swing, rate = motion.stations[1], self._rate(motion)[1]
+        return bool(
+            self.rest + swing.max() < np.pi / 2 and not self._at_camshaft(float(swing.min())) and rate.min() > 0
+        )
+
+    def _rate(self, motion: Motion) -> tuple[Array, Array]:
+        """Cam angles, rad, and how fast the cam turns past the face there, as a share of its speed."""
+        theta = np.unique(np.concatenate([motion.stations[0], np.linspace(0.0, 2 * np.pi, 3601)]))
+        return theta, np.asarray(1 + self.lifts.side * motion.q(theta, nu=1))
+
     def refuse(self, motion: Motion) -> None:
         """Refuse a swing that ends beyond the square position, or turns the face as fast as the cam turns."""
         angles, swing = motion.stations
-        theta = np.unique(np.concatenate([angles, np.linspace(0.0, 2 * np.pi, 3601)]))
         high, low = int(np.argmax(swing)), int(np.argmin(swing))
         if self.rest + swing[high] >= np.pi / 2:
+            touching = self.base + self.face_offset
+            farther = replace(self, centre_distance=ceil(10 * touching / np.sin(_FARTHER)) / 10)
+            cures = [self.smaller_swing(motion)]
+            if farther.keeps(motion):
+                cures.append(Message("set follower.centre_distance_mm to {c:g}", c=farther.centre_distance))
             raise DesignError(
                 "at cam angle {angle:.1f} degrees the face has swung to {swung:.2f} degrees from the line of its pivot "
-                "and the camshaft, where no contact is left to lift it: from {rest:.2f} degrees at lift 0 lead it by "
-                "less than {most:.2f} degrees, or raise follower.centre_distance_mm",
+                "and the camshaft, where no contact is left to lift it: {cures}",
                 angle=np.degrees(angles[high]) % 360,
                 swung=np.degrees(self.rest + swing[high]),
-                rest=np.degrees(self.rest),
-                most=90 - np.degrees(self.rest),
+                cures=joined([cure for cure in cures if cure], Message(", or "))
+                or Message("lead it less far, and raise follower.centre_distance_mm"),
             )
-        if self.centre_distance * np.sin(self.rest + swing[low]) <= self.face_offset or self.rest + swing[low] <= 0:
+        if self._at_camshaft(float(swing[low])):
             raise DesignError(
                 "the {noun} comes to the camshaft at cam angle {angle:.1f} degrees, so nothing is left of the disc: "
                 "raise {base_key}, or {higher}",
@@ -152,7 +152,7 @@ class SwingingFace(StraightFollower):
                 base_key=self.base_key,
                 higher=motion.higher(float(angles[low])),
             )
-        rate = 1 + self.lifts.side * motion.q(theta, nu=1)
+        theta, rate = self._rate(motion)
         slowest = int(np.argmin(rate))
         if rate[slowest] <= 0:
             raise DesignError(
@@ -229,6 +229,32 @@ class SwingingFace(StraightFollower):
     def remedies(self) -> tuple[LossRemedy, ...]:
         """A larger base circle."""
         return (LossRemedy(self.base_key, self.base, True, lambda value: replace(self, base=value)),)
+
+    def least_base(self, motion: Motion, rise: float, fall: float, convex: float) -> float:
+        """Least base circle that keeps limits of the pressure angle and of the radius, mm; infinite if none does.
+
+        Args:
+            motion: swing wanted.
+            rise: limit while the follower rises or stands, rad.
+            fall: limit while it returns, rad.
+            convex: least radius of curvature of the profile, mm.
+        """
+        sizes = ArmSizes(motion, self.centre_distance, self.lifts.side, rise, fall)
+        low, high = sizes.of_face(self.face_offset, convex)
+        if low > high or low >= np.pi / 2 - motion.stations[1].max():
+            return inf
+        return float(self.centre_distance * np.sin(low) - self.face_offset)
+
+    def sizes(self, motion: Motion, limits: CheckLimits) -> tuple[SizeThatFits, ...]:
+        """Least base circle with which neither the pressure angle nor the radius of curvature is beyond its limit.
+
+        Args:
+            motion: swing wanted.
+            limits: limits of the checks, mm and rad.
+        """
+        angle = limits.pressure_angle
+        base = self.least_base(motion, angle.rise - _ROLLED, angle.fall - _ROLLED, limits.min_convex_radius + _SURE)
+        return (SizeThatFits(self.base_key, self.base, rounded_up(base)),) if 0 < base < inf else ()
 
     def checks(self, cam: RolledCam) -> tuple[Check, ...]:
         """Run of the contact on the face, its end where it has a length, and room between disc and pivot."""

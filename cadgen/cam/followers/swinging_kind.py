@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import acos, cos, degrees, radians, sqrt
+from math import acos, ceil, cos, degrees, floor, hypot, radians, sqrt
 from typing import TYPE_CHECKING, Annotated
 
 from annotated_types import Ge, Gt, Le
@@ -20,7 +20,7 @@ from cadgen.cam.followers.closure import (
 from cadgen.cam.followers.kind import FollowerKind, FollowerSeat
 from cadgen.cam.followers.lifts import Lifts
 from cadgen.laws.unit import RAD
-from cadgen.messages import Message
+from cadgen.messages import Message, joined
 
 if TYPE_CHECKING:
     from cadgen.cam.followers.groove import GrooveRollers
@@ -28,6 +28,10 @@ if TYPE_CHECKING:
     from cadgen.cam.followers.swinging_roller import SecondSwingingRoller, SwingingRoller
 
 
+_APART = 1.0  # mm; an arm that is proposed reaches past the roller by as much
+_SMALLER = 0.5  # of the arm; a roller that is proposed leaves its pivot free
+_CONVEX = 0.5  # mm; least radius of curvature of the disc under a face whose base circle is found for an angle
+_ANY_SEAT = FollowerSeat(base_radius=1.0, faces=(0.0, 1.0), carrying=(0.0, 1.0))  # its base circle is yet to be found
 _PIVOT = "of the arm's pivot from the camshaft"
 _LIFTS = "whether the arm lifts `against` the sense in which the cam turns, or `with` it"
 
@@ -98,25 +102,31 @@ def _refuse_roller(keys: SwingingRollerKeys, seat: FollowerSeat) -> None:
     prime, c = seat.base_radius + keys.radius_mm, keys.centre_distance_mm
     least, most = abs(c - prime), c + prime
     if not least < keys.arm_mm < most:
+        # An arm that is square to the line from camshaft to roller at lift 0 has no pressure angle there.
+        cures = [Message("set follower.centre_distance_mm to {c:g}", c=ceil(10 * hypot(keys.arm_mm, prime)) / 10)]
+        if c > hypot(prime, keys.radius_mm) + _APART:
+            cures.insert(0, Message("set follower.arm_mm to {arm:g}", arm=floor(10 * sqrt(c**2 - prime**2)) / 10))
         raise ValueError(
             Message(
                 "follower.arm_mm is {arm:g}; with the pivot {c:g} mm from the camshaft it cannot bring the roller to "
-                "the prime radius of {prime:g} mm, where its centre stands at lift 0: take an arm between {least:g} "
-                "and {most:g} mm",
+                "the prime radius of {prime:g} mm, where its centre stands at lift 0, for which it must be between "
+                "{least:g} and {most:g} mm: {cures}",
                 arm=keys.arm_mm,
                 c=c,
                 prime=prime,
                 least=least,
                 most=most,
+                cures=joined(cures, Message(", or ")),
             )
         )
     if keys.arm_mm <= keys.radius_mm:
         raise ValueError(
             Message(
-                "follower.arm_mm is {arm:g}; the roller of {radius:g} mm would cover its own pivot: take a longer arm, "
-                "or lower follower.radius_mm",
+                "follower.arm_mm is {arm:g}; the roller of {radius:g} mm would cover its own pivot: set "
+                "follower.radius_mm to {least:g} or less, or take a longer arm with a pivot farther away",
                 arm=keys.arm_mm,
                 radius=keys.radius_mm,
+                least=floor(keys.arm_mm * 10 * _SMALLER) / 10,
             )
         )
     if keys.clearance_mm is not None and keys.depth_mm is not None:
@@ -172,8 +182,9 @@ def _refuse_flat(keys: SwingingFlatKeys, seat: FollowerSeat) -> None:
         raise ValueError(
             Message(
                 "follower.centre_distance_mm is {c:g}; the face, {offset:g} mm from its pivot, cannot touch a base "
-                "circle of {base:g} mm: raise it beyond {least:g}, or lower follower.face_offset_mm or "
-                "cam.base_circle_radius_mm",
+                "circle of {base:g} mm, for which it must be more than {least:g}: set it to {farther:g}, or lower "
+                "follower.face_offset_mm or cam.base_circle_radius_mm",
+                farther=ceil(20 * touching) / 10,
                 c=keys.centre_distance_mm,
                 offset=keys.face_offset_mm,
                 base=seat.base_radius,
@@ -184,9 +195,9 @@ def _refuse_flat(keys: SwingingFlatKeys, seat: FollowerSeat) -> None:
         raise ValueError(
             Message(
                 "follower.face_offset_mm is {offset:g}, which puts the pivot within the disc's side of the face by "
-                "more than the base circle's radius: raise it above {least:g}",
+                "more than the base circle's radius: set it to {higher:g}, or to 0 or more",
                 offset=keys.face_offset_mm,
-                least=-seat.base_radius,
+                higher=-floor(5 * seat.base_radius) / 10,
             )
         )
 
@@ -197,6 +208,7 @@ SWINGING_ROLLER = FollowerKind(
     keys=SwingingRollerKeys,
     build=_roller,
     unit=RAD,
+    least_base=lambda keys, motion, angle: _roller(keys, _ANY_SEAT).least_base(motion, angle, angle),
     second=_second,
     groove=_groove,
     refuse=_refuse_roller,
@@ -207,5 +219,6 @@ SWINGING_FLAT = FollowerKind(
     keys=SwingingFlatKeys,
     build=_flat,
     unit=RAD,
+    least_base=lambda keys, motion, angle: _flat(keys, _ANY_SEAT).least_base(motion, angle, angle, _CONVEX),
     refuse=_refuse_flat,
 )

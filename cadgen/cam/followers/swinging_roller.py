@@ -14,27 +14,30 @@ delta = phi + arccos((l^2 + R^2 - r^2) / (2 l R)) on.
 """
 
 from dataclasses import dataclass, replace
+from math import ceil, cos, hypot, inf, sqrt
 from typing import Self
 
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.cam.follower import LossRemedy, RolledCam
+from cadgen.cam.follower import LossRemedy, RolledCam, SizeThatFits
 from cadgen.cam.followers.lifts import Lifts
-from cadgen.cam.followers.pivot import pivot_checks, seen_from_pivot
+from cadgen.cam.followers.pivot import ArmFollower, pivot_checks, seen_from_pivot
+from cadgen.cam.limits import CheckLimits
 from cadgen.cam.round_follower import Complex, RoundFollower
+from cadgen.cam.sizing import ArmSizes, rounded_up
 from cadgen.check import Check
 from cadgen.errors import DesignError
 from cadgen.laws.motion import Motion
-from cadgen.laws.unit import RAD
-from cadgen.messages import Message
+from cadgen.messages import Message, joined
 
 _SECTOR = 65  # distances of the centre at which its angle is looked at
+_ROLLED = 1e-5  # rad; what the pressure angle of a rolled contact may err by
 _STEEPEST = np.radians(60.0)  # pressure angle at rest beyond which an arm jams in any position
 
 
 @dataclass(frozen=True, kw_only=True)
-class SwingingRoller(RoundFollower):
+class SwingingRoller(ArmFollower, RoundFollower):
     """Roller on an arm.
 
     Attributes:
@@ -54,7 +57,6 @@ class SwingingRoller(RoundFollower):
     noun = Message("roller")
     base_key = "cam.base_circle_radius_mm"
     milder = Message("lower follower.radius_mm or raise cam.base_circle_radius_mm")
-    unit = RAD
 
     @property
     def base_radius(self) -> float:  # type: ignore[override]
@@ -68,14 +70,9 @@ class SwingingRoller(RoundFollower):
         return float(np.arccos(np.clip((c**2 + l**2 - self.base_radius**2) / (2 * c * l), -1.0, 1.0)))
 
     @property
-    def on_ray(self) -> str:
-        """The pivot, in words."""
-        return Message("pivot of the {follower}", follower=Message(self.noun))
-
-    @property
-    def pivot(self) -> complex:
-        """Pivot in the frame of the follower's line, mm."""
-        return complex(self.centre_distance * np.exp(-1j * self.azimuth))
+    def lever(self) -> float:
+        """Length of the arm, mm."""
+        return self.arm
 
     @property
     def azimuth(self) -> float:
@@ -103,22 +100,6 @@ class SwingingRoller(RoundFollower):
         room = float(np.abs(np.diff(aside)).max())
         return float(aside.min()) - half - room, float(aside.max()) + half + room
 
-    def lift(self, q: Array) -> Array:
-        """Way of the centre along its arc, mm.
-
-        Args:
-            q: swing, rad, shape (n,).
-        """
-        return np.asarray(self.arm * q)
-
-    def of_lift(self, lift: Array) -> tuple[Array, Array, Array]:
-        """Swing by the way of the centre, mm, with plane and margin.
-
-        Args:
-            lift: ways, mm, shape (n,).
-        """
-        return lift / self.arm, np.full_like(lift, self.planes[0]), np.full_like(lift, np.inf)
-
     def centre(self, q: Array, q1: Array, q2: Array) -> tuple[Complex, Complex, Complex]:
         """Centre in the frame of the follower's line, mm, with its first two derivatives by the cam angle.
 
@@ -132,29 +113,51 @@ class SwingingRoller(RoundFollower):
         arm = self.arm * np.exp(turn * (self.rest + q)) * back
         return self.centre_distance * back - arm, -turn * q1 * arm, (q1**2 - turn * q2) * arm
 
-    def refuse(self, motion: Motion) -> None:
-        """Refuse a swing beyond what an arm in this place can do, or as any round follower's."""
-        c, l = self.centre_distance, self.arm  # noqa: E741
-        angles, swing = motion.stations
-        # At rest |alpha| <= 60 degrees where 2 c cos(delta + 60°) <= l <= 2 c cos(delta - 60°).
-        half = float(np.arccos(np.clip(l / (2 * c), -1.0, 1.0)))
+    def _beyond(self, motion: Motion) -> int | None:
+        """Number of the station at which the arm stands farthest beyond what it can do; None if it does nowhere.
+
+        At rest |alpha| <= 60 degrees where 2 c cos(delta + 60°) <= l <= 2 c cos(delta - 60°).
+        """
+        swing = motion.stations[1]
+        half = float(np.arccos(np.clip(self.arm / (2 * self.centre_distance), -1.0, 1.0)))
         low, high = abs(half - _STEEPEST), half + _STEEPEST
         beyond = np.maximum(low - self.rest - swing, self.rest + swing - high)
         worst = int(np.argmax(beyond))
-        if beyond[worst] > 0:
-            raise DesignError(
-                "at cam angle {angle:.1f} degrees the arm stands at {swung:.2f} degrees from the line of its pivot and "
-                "the camshaft, where its pressure angle would be beyond {steepest:.0f} degrees even at rest: from "
-                "{rest:.2f} degrees at lift 0 lead it by {least:.2f} to {most:.2f} degrees, or change "
-                "follower.centre_distance_mm or follower.arm_mm",
-                angle=np.degrees(angles[worst]) % 360,
-                swung=np.degrees(self.rest + swing[worst]),
-                steepest=np.degrees(_STEEPEST),
-                rest=np.degrees(self.rest),
-                least=np.degrees(low - self.rest),
-                most=np.degrees(high - self.rest),
-            )
-        super().refuse(motion)
+        return worst if beyond[worst] > 0 else None
+
+    def keeps(self, motion: Motion) -> bool:
+        """Whether a motion is not refused.
+
+        Args:
+            motion: swing wanted.
+        """
+        try:
+            super().refuse(motion)
+        except DesignError:
+            return False
+        return self._beyond(motion) is None
+
+    def refuse(self, motion: Motion) -> None:
+        """Refuse a swing beyond what an arm in this place can do, or as any round follower's."""
+        worst = self._beyond(motion)
+        if worst is None:
+            super().refuse(motion)
+            return
+        angles, swing = motion.stations
+        # With the arm square to the line from camshaft to roller there is no pressure angle at rest.
+        square = replace(self, centre_distance=ceil(10 * hypot(self.arm, self.base_radius)) / 10)
+        cures = [self.smaller_swing(motion)]
+        if square.keeps(motion):
+            cures.append(Message("set follower.centre_distance_mm to {c:g}", c=square.centre_distance))
+        raise DesignError(
+            "at cam angle {angle:.1f} degrees the arm stands at {swung:.2f} degrees from the line of its pivot and "
+            "the camshaft, where its pressure angle would be beyond {steepest:.0f} degrees even at rest: {cures}",
+            angle=np.degrees(angles[worst]) % 360,
+            swung=np.degrees(self.rest + swing[worst]),
+            steepest=np.degrees(_STEEPEST),
+            cures=joined([cure for cure in cures if cure], Message(", or "))
+            or Message("change follower.centre_distance_mm or follower.arm_mm"),
+        )
 
     def point(self) -> "SwingingRoller":
         """The roller's centre."""
@@ -166,6 +169,30 @@ class SwingingRoller(RoundFollower):
             LossRemedy("follower.radius_mm", self.radius, False, lambda value: replace(self, radius=value)),
             LossRemedy(self.base_key, self.base, True, lambda value: replace(self, base=value)),
         )
+
+    def least_base(self, motion: Motion, rise: float, fall: float) -> float:
+        """Least base circle that keeps limits of the pressure angle, mm; infinite if none does.
+
+        Args:
+            motion: swing wanted.
+            rise: limit while the follower rises or stands, rad.
+            fall: limit while it returns, rad.
+        """
+        c, l = self.centre_distance, self.arm  # noqa: E741
+        low, high = ArmSizes(motion, c, self.lifts.side, rise, fall).of_roller(l)
+        if low > high or low >= np.pi:
+            return inf
+        return sqrt(c**2 + l**2 - 2 * c * l * cos(max(low, 0.0))) - self.radius
+
+    def sizes(self, motion: Motion, limits: CheckLimits) -> tuple[SizeThatFits, ...]:
+        """Least base circle for the limits of the pressure angle.
+
+        Args:
+            motion: swing wanted.
+            limits: limits of the checks, mm and rad.
+        """
+        base = self.least_base(motion, limits.pressure_angle.rise - _ROLLED, limits.pressure_angle.fall - _ROLLED)
+        return (SizeThatFits(self.base_key, self.base, rounded_up(base)),) if 0 < base < inf else ()
 
     def least(self, x: Array, y: Array) -> tuple[Array, ...]:
         """Swing from which on the roller clears points, rad (see the module's equation).
@@ -249,4 +276,13 @@ class SecondSwingingRoller(SwingingRoller):
 
     def remedies(self) -> tuple[LossRemedy, ...]:
         """The angle and the radius change both discs, so none is tried alone."""
+        return ()
+
+    def sizes(self, motion: Motion, limits: CheckLimits) -> tuple[SizeThatFits, ...]:
+        """The first roller and the angle set the sizes of the second disc.
+
+        Args:
+            motion: opposite motion.
+            limits: limits of the checks, mm and rad.
+        """
         return ()

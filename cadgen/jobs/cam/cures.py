@@ -61,7 +61,11 @@ class Cures:
         for cure in self.proved:
             change = {"override": cure.override, "now": cure.now}
             if not cure.failing:
-                lines.append(Message("--set {override} (now {now}) cures it.", **change))
+                lines.append(
+                    Message("--set {override} (now {now}) accepts it.", **change)
+                    if cure.override.startswith("checks.")
+                    else Message("--set {override} (now {now}) cures it.", **change)
+                )
                 continue
             failed = listed([Message(check.name) for check in cure.failing], "and")
             said = "--set {override} (now {now}) ends that, but fails {failed}."
@@ -103,12 +107,15 @@ def find_cures(plan: CamPlan, progress: Progress = silent) -> Cures:
 
 def _tried(plan: CamPlan) -> Iterator[Cure]:
     """Try one key at a time: those of the application, those of the follower, and at last the limit itself."""
+    tried = set[str]()
     for changes in plan.application.changes(plan):
-        yield from next(filter(None, (_proved(plan, override, now) for override, now in changes)), [])
+        found = next(filter(None, (_proved(plan, override, now) for override, now in changes)), [])
+        tried.update(cure.override.partition("=")[0] for cure in found)
+        yield from found
     if not plan.lost:
         return
     limit = plan.limits.lost_lift if isfinite(plan.limits.lost_lift) else _borne(plan)
-    for change in undercut_cures(plan.motion, plan.follower_as_built, limit):
+    for change in undercut_cures(plan.motion, plan.follower_as_built, limit, without=frozenset(tried)):
         # Three digits, rounded to the safe side.
         unit = 10.0 ** (floor(log10(change.value)) - 2)
         safe = (ceil if change.value > change.now else floor)(change.value / unit) * unit

@@ -1,5 +1,6 @@
 """Forces on a follower and its camshaft in checks: whether it leaves the disc, at which speed, torque and pressure."""
 
+from collections.abc import Callable
 from math import ceil, degrees, floor, isfinite, log10
 
 import numpy as np
@@ -9,7 +10,7 @@ from cadgen.cam.checks import cam_place
 from cadgen.cam.follower import Follower
 from cadgen.cam.forces import CamForces
 from cadgen.check import Bound, Check, CheckCode
-from cadgen.design.dynamics import closed_by_form, dynamics_of
+from cadgen.design.dynamics import closed_by_form, dynamics_of, most_of
 from cadgen.design.schema import MotionDesign
 from cadgen.figures import Facts
 from cadgen.laws.motion import Motion, Peak
@@ -88,19 +89,31 @@ def _held(forces: CamForces) -> str:
     keys = ("spring_rate_N_per_mm", "preload_N") if slides else ("spring_rate_Nmm_per_rad", "preload_Nmm")
     cures = []
     for key, value in zip(keys, (rate, preload), strict=True):
-        if value is not None:
-            unit = 10.0 ** (floor(log10(abs(value))) - _DIGITS + 1) if value else 1.0
-            safe = ceil(value / unit) * unit  # rounded up
+        if value is None:
+            continue
+        safe = _four_digits(value, ceil)
+        if safe <= most_of(key):
             cures.append(Message("dynamics.{key} to {value:.10g}", key=key, value=safe))
+    slow = _four_digits(forces.lift_off.value * 60 / TURN, floor)
+    if 0 < slow and isfinite(slow):
+        cures.append(Message("motion.speed_rpm to {speed:.10g}", speed=slow))
     if not cures:
         return Message(
             "the follower leaves the disc from {places}: make the motion milder, or go slower", places=places
         )
     return Message(
-        "the follower leaves the disc from {places}: set {cures}, with which none is left, or go slower",
+        "the follower leaves the disc from {places}: set {cures}, with each of which it stays",
         places=places,
         cures=joined(cures, Message(" or ")),
     )
+
+
+def _four_digits(value: float, rounded: Callable[[float], int]) -> float:
+    """A value rounded up or down to four digits; as it is where it is 0 or infinite."""
+    if not value or not isfinite(value):
+        return value
+    unit = 10.0 ** (floor(log10(abs(value))) - _DIGITS + 1)
+    return rounded(value / unit) * unit
 
 
 def force_figures(forces: CamForces) -> tuple[Check, ...]:

@@ -3,12 +3,12 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
-from math import ceil, degrees
+from math import ceil, degrees, radians
 
 import numpy as np
 
 from cadgen.arrays import TURN
-from cadgen.cam.checks import LOST_LIFT, cam_angles, check_cam, signed_pressure
+from cadgen.cam.checks import LOST_LIFT, cam_angles, check_cam, polar_place, signed_pressure
 from cadgen.cam.derived_motions import OppositeMotion
 from cadgen.cam.follower import Follower
 from cadgen.cam.followers.groove import GrooveRollers, groove_checks
@@ -20,12 +20,14 @@ from cadgen.design.disc import follower_motion
 from cadgen.design.load import with_overrides
 from cadgen.design.motion import DiscSense
 from cadgen.design.schema import MotionDesign
-from cadgen.errors import DesignError
+from cadgen.errors import CadgenError, DesignError
 from cadgen.figures import Facts, Sheet
 from cadgen.jobs.cam.cam_plan import Application, CamPlan, Groove, Making
 from cadgen.jobs.cam.force_figures import force_checks, force_facts, force_figures, forces_of
-from cadgen.jobs.cam.motion_figures import checks_of, facts_of, notes_of, reservations_of, seams_sheets
+from cadgen.jobs.cam.motion_figures import checks_of, facts_of, notes_of, reservations_of, seams_sheets, small_height
+from cadgen.laws.lift_table import TableMotion
 from cadgen.laws.motion import Motion
+from cadgen.laws.segments import SegmentMotion, polynomials
 from cadgen.laws.unit import MM, TAN
 from cadgen.messages import Message, clauses
 from cadgen.output.files.manifest import Origin
@@ -42,6 +44,8 @@ _OF_OUTER_FLANK = (*LOST_LIFT, CheckCode.ROD_PUSHED_OUT, CheckCode.ROD_FALLS_SHO
 _BEYOND_GROOVE = 5.0  # mm that are left beyond a groove besides the least wall, where the design does not say
 # Checks that a size of the follower may cure.
 _SIZED = (CheckCode.PRESSURE_ANGLE_RISE, CheckCode.PRESSURE_ANGLE_RETURN, CheckCode.CONVEX_RADIUS_PROFILE)
+_EDGE = radians(0.1)  # of the outline's direction; a smaller turn is no edge that is felt
+SMOOTHED = "motion.smooth=true"
 _DENSE = 7201  # stations at which the travel is sought
 
 
@@ -76,11 +80,14 @@ class MotionUse(Application):
 
     def curable(self, cam: CamPlan) -> tuple[Check, ...]:
         """Failed checks on lost lift, and on what the follower has a size against."""
-        sized = _SIZED if cam.follower_as_built.sizes(cam.motion, cam.limits) else ()
+        rough = isinstance(cam.motion, TableMotion) and cam.motion.rough
+        sized = _SIZED if rough or cam.follower_as_built.sizes(cam.motion, cam.limits) else ()
         return (*cam.lost, *(check for check in failing(cam.checks) if check.code in sized))
 
     def changes(self, cam: CamPlan) -> Iterator[Sequence[tuple[str, str]]]:
-        """Sizes of the follower that keep the limits."""
+        """Smoothing of a noisy table, and sizes of the follower that keep the limits."""
+        if isinstance(cam.motion, TableMotion) and cam.motion.rough:
+            yield [(SMOOTHED, "false")]
         found = self.design.cam.base_circle_radius_mm is None
         for size in cam.follower_as_built.sizes(cam.motion, cam.limits):
             if not (found and size.key == cam.follower_as_built.base_key):
@@ -135,7 +142,16 @@ class MotionUse(Application):
                 Message("give {key} a rise and a return", key=self.design.motion.shaping_key),
             )
             return PartVerdict(checks, (still,))
-        return PartVerdict(checks, reservations_of(cam.motion, self.design))
+        held = [*reservations_of(cam.motion, self.design), *_edges(cam)]
+        if forces is not None and self.rpm is None and (forces.dynamics.inertia or forces.dynamics.damping):
+            held.append(
+                Reservation(
+                    "speed-unknown",
+                    Message("the forces are those of a standing cam, for the design has [dynamics] and no speed"),
+                    Message("give motion.speed_rpm"),
+                )
+            )
+        return PartVerdict(checks, tuple(held))
 
     def notes(self, cam: CamPlan) -> tuple[str, ...]:
         """Sense of the disc, peaks of the motion, and what was done to its table."""
@@ -201,6 +217,26 @@ class MotionUse(Application):
         return sense, _groove_words(cam, cam.groove), cutter, *machine
 
 
+def _edges(cam: CamPlan) -> tuple[Reservation, ...]:
+    """Reservation on the edges of a disc, where its outline has an outer corner; none without."""
+    edges = [corner for corner in cam.curve.corners(_EDGE) if corner.turn > 0]
+    if not edges:
+        return ()
+    sharpest = max(edges, key=lambda corner: corner.turn)
+    return (
+        Reservation(
+            "sharp-edge",
+            Message(
+                "the disc has an edge of {turn:.3g}° at {place} ({count} in all), which wears",
+                turn=degrees(sharpest.turn),
+                place=polar_place(sharpest.point),
+                count=len(edges),
+            ),
+            Message("end the undercut, or the jump of the velocity, that makes it"),
+        ),
+    )
+
+
 def plan_motion_cam(design: MotionDesign, profile: str | None = None, progress: Progress = silent) -> CamPlan:
     """Compute the profile of a cam by its motion and check it.
 
@@ -212,6 +248,28 @@ def plan_motion_cam(design: MotionDesign, profile: str | None = None, progress: 
     Raises:
         DesignError: the follower leaves no disc, or there is no such profile for a cam without a car.
     """
+    try:
+        return _planned(design, profile, progress)
+    except DesignError as error:
+        motion = follower_motion(design.motion, design.follower.registered)
+        if not (isinstance(motion, TableMotion) and motion.rough):
+            raise
+        try:
+            _planned(with_overrides(design, [SMOOTHED]), profile, progress)
+        except CadgenError:
+            raise error from None
+    noise, unit = small_height(motion.noise, motion.unit)
+    raise DesignError(
+        "no disc leads a {follower} through the rows of {key} as they are, for they have {noise:.2g} {unit} of noise "
+        "by their fourth differences: set motion.smooth to true, with which it was tried",
+        follower=Message(design.follower.registered.build(design.follower.keys, design.seat).noun),
+        key=design.motion.shaping_key,
+        noise=noise,
+        unit=unit,
+    )
+
+
+def _planned(design: MotionDesign, profile: str | None, progress: Progress) -> CamPlan:
     kind = ACTUAL if profile is None else profile_of(profile)
     if kind.for_play:
         raise DesignError(
@@ -244,10 +302,15 @@ def _grooved(
 ) -> CamPlan:
     """Disc with a groove: both flanks, what they leave of the disc, and the play of the roller."""
     if motion.kinks.size:
+        assert isinstance(motion, SegmentMotion)  # no other has kinks
+        changes = polynomials(motion.segments[: motion.count], 1)
         raise DesignError(
             'follower.closure is "groove", and the velocity jumps at {angle:.4g} degrees of cam angle, where the outer '
-            "flank would have a corner: take laws that fit each other there, or remove motion.allow_velocity_jump",
+            "flank would have a corner: {cure}",
             angle=degrees(float(motion.kinks[0])),
+            cure=Message("set {changes}, which meets its neighbours", changes=changes)
+            if changes
+            else Message("take laws that meet each other there"),
         )
     if design.blank.edge_break_mm:
         raise DesignError(

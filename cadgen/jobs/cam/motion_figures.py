@@ -12,7 +12,7 @@ from cadgen.figures import Cell, Facts, Sheet, State, number
 from cadgen.laws.lift_table import TableMotion
 from cadgen.laws.motion import Motion
 from cadgen.laws.segments import Seam, SegmentMotion
-from cadgen.laws.unit import MM
+from cadgen.laws.unit import MM, Unit
 from cadgen.messages import Message, joined
 from cadgen.verdict import Reservation
 
@@ -144,9 +144,9 @@ def reservations_of(motion: Motion, design: MotionDesign) -> tuple[Reservation, 
     held: list[Reservation] = []
     if isinstance(motion, SegmentMotion):
         held += _jump_reservations(motion)
-    if isinstance(motion, TableMotion) and motion.noise and motion.smoothing is None:
+    if isinstance(motion, TableMotion) and motion.rough:
         smooth = motion_of(with_overrides(design, ["motion.smooth=true"]).motion, design.follower.registered)
-        noise, small = _small(motion.noise, motion)
+        noise, unit = small_height(motion.noise, motion.unit)
         held.append(
             Reservation(
                 "table-noise",
@@ -155,7 +155,7 @@ def reservations_of(motion: Motion, design: MotionDesign) -> tuple[Reservation, 
                     "them as they are the acceleration runs from {low:.4g} to {high:.4g} {per}/rad², smoothed from "
                     "{least:.4g} to {most:.4g}",
                     noise=noise,
-                    unit=small,
+                    unit=unit,
                     **_range("low", "high", motion.within(2)),
                     **_range("least", "most", smooth.within(2) if isinstance(smooth, TableMotion) else (0.0, 0.0)),
                     per=motion.unit.symbol,
@@ -221,7 +221,7 @@ def notes_of(motion: Motion, speed_rpm: float | None) -> tuple[str, ...]:
         )
     if isinstance(motion, TableMotion) and motion.smoothing is not None:
         change = motion.smoothing
-        (rms, small), (most, _) = _small(change.rms, motion), _small(change.most, motion)
+        (rms, unit), (most, _) = (small_height(value, motion.unit) for value in (change.rms, change.most))
         said.append(
             Message(
                 "The rows of the table were smoothed by {rms:.2g} {unit} rms, {most:.2g} {unit} at most, which is "
@@ -229,7 +229,7 @@ def notes_of(motion: Motion, speed_rpm: float | None) -> tuple[str, ...]:
                 "{per}/rad², now runs from {least:.4g} to {greatest:.4g}.",
                 rms=rms,
                 most=most,
-                unit=small,
+                unit=unit,
                 **_range("low", "high", change.before),
                 **_range("least", "greatest", motion.within(2)),
                 per=motion.unit.symbol,
@@ -253,9 +253,14 @@ def notes_of(motion: Motion, speed_rpm: float | None) -> tuple[str, ...]:
     return tuple(said)
 
 
-def _small(value: float, motion: Motion) -> tuple[float, str]:
-    """A small height in µm, or in degrees, with that unit."""
-    return (value * 1e3, "µm") if motion.unit == MM else (degrees(value), "°")
+def small_height(value: float, unit: Unit) -> tuple[float, str]:
+    """A small height in µm, or a small swing in µrad, with that unit.
+
+    Args:
+        value: height or swing, in the unit of a motion.
+        unit: unit of the motion.
+    """
+    return (value * 1e3, "µm") if unit == MM else (value * 1e6, "µrad")
 
 
 def _range(low: str, high: str, values: tuple[float, float]) -> dict[str, float]:
