@@ -95,7 +95,7 @@ def _held(forces: CamForces) -> str:
         if safe <= most_of(key):
             cures.append(Message("dynamics.{key} to {value:.10g}", key=key, value=safe))
     slow = _four_digits(forces.lift_off.value * 60 / TURN, floor)
-    if 0 < slow and isfinite(slow):
+    if slow > 0 and isfinite(slow):
         cures.append(Message("motion.speed_rpm to {speed:.10g}", speed=slow))
     if not cures:
         return Message(
