@@ -4,9 +4,10 @@ The follower is rigid, and the camshaft turns at a constant speed w. Along its m
 
     F = m w^2 q'' + c w q' + k q + P + L(theta) - m g cos(gamma),
 
-with the mass m, damping c, rate k and preload P of a spring, a load L, and the angle gamma between motion and weight.
-On an arm these are a moment, with the moment of inertia, and rad. The force along the normal and the camshaft's torque
-are
+with the mass m, damping c, rate k and preload P of a spring, a load L, and the angle gamma between motion and weight. At
+180 degrees the weight presses the follower on the disc. On an arm these are a moment, with the moment of inertia, and
+rad. Its weight, at a distance d from the pivot, has the moment -m g d cos(gamma - q). The force along the normal and
+the camshaft's torque are
 
     N = F / a,  T = F q',
 
@@ -14,6 +15,8 @@ where a is the displacement along the normal by the motion, cos(alpha) on a slid
 guide has the length B, the overhang A and the friction mu. It takes mu (2 A + B) / B |sin(alpha)| off a while the
 follower moves outwards, and adds it while it moves inwards; then T = N a q'. Springs, inertia and weight do no work in
 a turn.
+
+On the outer flank of a groove, and on the second disc of a conjugate pair, F is negative and presses with its size.
 
 Lines of contact press by Hertz's p = sqrt(N E* / (pi b rho*)) with 1/rho* = 1/rho + 1/r. The radius rho of the profile
 is negative where it is hollow, and 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2 (Johnson, Contact Mechanics, ch. 4).
@@ -31,7 +34,7 @@ from cadgen.arrays import TURN, Array, gauss_nodes
 from cadgen.cam.follower import Follower
 from cadgen.laws.motion import Motion, Peak
 
-_GRAVITY = 9806.65  # mm/s²
+GRAVITY = 9.80665  # m/s², of a mass in kg in N
 _NODES = 12  # of a quadrature, on each of so many parts of a stretch between two seams
 _PARTS = 32
 _MOST_SEAMS = 500
@@ -89,11 +92,13 @@ class Line:
         width: length of the line, mm.
         modulus: modulus E* of both together, MPa.
         radius: radius of the follower, mm; infinite for a flat face.
+        other_radius: radius of the follower on the second disc, or of the same one on the outer flank of a groove, mm.
     """
 
     width: float
     modulus: float
     radius: float
+    other_radius: float = inf
 
 
 def joint_modulus(one: tuple[float, float], other: tuple[float, float]) -> float:
@@ -115,7 +120,9 @@ class Dynamics:
         preload: force of the spring at q = 0, N or N mm.
         damping: N s/mm or N mm s/rad.
         load: load by the cam angle; a number if it is the same everywhere, N or N mm.
-        uphill: cosine of the angle between the motion and the weight, times -1; 0 without weight.
+        weight: weight of the follower, N; on an arm its greatest moment about the pivot, N mm; 0 where none counts.
+        downhill: angle from the motion outwards at q = 0 to the weight, rad; on an arm in the sense in which it lifts.
+        swings: whether the motion turns against the weight, as that of an arm does.
         guide: guide with friction; None without.
         line: line of contact; None where nothing is said of it, or the contact is a point.
     """
@@ -125,7 +132,9 @@ class Dynamics:
     preload: float = 0.0
     damping: float = 0.0
     load: float | Load = 0.0
-    uphill: float = 0.0
+    weight: float = 0.0
+    downhill: float = pi
+    swings: bool = False
     guide: Guide | None = None
     line: Line | None = None
 
@@ -160,7 +169,8 @@ class CamForces:
         """
         body = self.dynamics
         load = body.load.at(cam_angle) if isinstance(body.load, Load) else body.load
-        return np.asarray(body.rate * jets[:, 0] + body.preload + load + body.inertia * _GRAVITY * body.uphill)
+        heavy = body.weight * np.cos(body.downhill - (jets[:, 0] if body.swings else 0.0))
+        return np.asarray(body.rate * jets[:, 0] + body.preload + load - heavy)
 
     def along(self, jets: Array, cam_angle: Array) -> Array:
         """Force along the motion, N or N mm, shape (n,); negative where the follower would leave the disc.
@@ -213,10 +223,20 @@ class CamForces:
         line = self.dynamics.line
         if line is None:
             return np.zeros(len(jets))
-        rho = self.follower.profile_radius(jets[:, 0], jets[:, 1], jets[:, 2])
+        q, q1, q2 = jets[:, :3].T
+        normal, rho = self.normal(jets, cam_angle), self.follower.profile_radius(q, q1, q2)
+        radius = np.full_like(q, line.radius)
+        if self.closed:
+            # The other flank of a groove lies across its width from the first one, and its metal on the other side.
+            other = (
+                -(rho + 2 * self.follower.radius) if self.second is None else self.second.profile_radius(-q, -q1, -q2)
+            )
+            rho = np.where(normal < 0, other, rho)
+            radius = np.where(normal < 0, line.other_radius, radius)
+            normal = np.abs(normal)
         with np.errstate(divide="ignore", invalid="ignore"):
-            curvature = 1 / rho + 1 / line.radius
-        pressed = np.maximum(self.normal(jets, cam_angle), 0.0)
+            curvature = 1 / rho + 1 / radius
+        pressed = np.maximum(normal, 0.0)
         return np.asarray(np.sqrt(pressed * line.modulus * np.maximum(curvature, 0.0) / (pi * line.width)))
 
     def _held(self, push: Array) -> Array:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import cos, inf, radians
+from math import inf, radians
 from typing import TYPE_CHECKING, Annotated
 
 from annotated_types import Ge, Le
@@ -15,7 +15,7 @@ from cadgen.design.lift_rows import MOST_ROWS
 from cadgen.design.section import DesignSection
 from cadgen.errors import DesignError
 from cadgen.laws.unit import MM
-from cadgen.messages import Message
+from cadgen.messages import Message, joined
 
 if TYPE_CHECKING:
     from cadgen.cam.follower import Follower
@@ -39,7 +39,8 @@ _SLIDE_AND_ARM = (
     ("load_N", "load_Nmm"),
     ("damping_N_s_per_m", "damping_Nmm_s_per_rad"),
 )
-_OF_A_SLIDE = ("gravity_deg", "guide_friction", "guide_length_mm", "overhang_mm")
+_OF_A_SLIDE = ("guide_friction", "guide_length_mm", "overhang_mm")
+_OF_AN_ARM = ("arm_mass_kg", "arm_centre_mm")
 
 Force = Annotated[float, Ge(-1e7), Le(1e7)]
 LoadRow = Annotated[tuple[Force, Force], Strict(False)]
@@ -81,10 +82,19 @@ class DynamicsSection(DesignSection):
     damping_Nmm_s_per_rad: float | None = Field(default=None, ge=0, le=1e9, description="of a swinging follower")
     gravity_deg: float | None = Field(
         default=None,
-        ge=0,
+        ge=-180,
         le=180,
-        description="angle between the follower's motion outwards and its weight: 180 where the weight presses it on "
-        "the disc; left out, no weight",
+        description="angle from the follower's motion outwards to its weight: 180 where the weight presses it on the "
+        "disc; of a swinging follower at swing 0, in the sense in which it lifts; left out, no weight",
+    )
+    arm_mass_kg: float | None = Field(
+        default=None, gt=0, le=10_000, description="of a swinging follower, for its weight; with gravity_deg"
+    )
+    arm_centre_mm: float | None = Field(
+        default=None,
+        gt=0,
+        le=10_000,
+        description="of a swinging follower, distance of its centre of mass from the pivot, on the line of the arm",
     )
     guide_friction: float | None = Field(
         default=None, ge=0, le=1.5, description="sliding friction in the slide's guide"
@@ -138,6 +148,21 @@ class DynamicsSection(DesignSection):
                 key=given[0],
                 code=kind.code,
             )
+        given = [key for key in _OF_AN_ARM if getattr(self, key) is not None]
+        if given and slides:
+            raise DesignError(
+                'dynamics.{key} is of an arm, and a follower of kind "{code}" slides: remove it (on the command line '
+                "with --set dynamics.{key}=)",
+                key=given[0],
+                code=kind.code,
+            )
+        if not slides and (missing := [key for key in ("gravity_deg", *_OF_AN_ARM) if getattr(self, key) is None]):
+            if len(missing) < len(_OF_AN_ARM) + 1:
+                raise DesignError(
+                    "the weight of an arm needs dynamics.gravity_deg, arm_mass_kg and arm_centre_mm together, and "
+                    "{missing} is missing: add it, or remove the others",
+                    missing=joined((f"dynamics.{key}" for key in missing), Message(" and ")),
+                )
         if (self.guide_friction is None) != (self.guide_length_mm is None):
             raise DesignError(
                 "dynamics needs guide_friction and guide_length_mm together, and has only {given}: add the other, or "
@@ -150,13 +175,13 @@ class DynamicsSection(DesignSection):
             )
         if self.load_rows is not None:
             self._refuse_load(self.load_rows, "load_N" if slides else "load_Nmm")
-        if self.contact_width_mm is not None and self.contact_width_mm > thickness:
+        longest = getattr(keys, "depth_mm", None) or thickness
+        if self.contact_width_mm is not None and self.contact_width_mm > longest:
             raise DesignError(
-                "dynamics.contact_width_mm is {width:g}; no line of contact is longer than the disc is thick: set it "
-                "to "
-                "{thickness:g} or less",
+                "dynamics.contact_width_mm is {width:g}; no line of contact is longer than the disc is thick, or its "
+                "groove deep: set it to {longest:g} or less",
                 width=self.contact_width_mm,
-                thickness=thickness,
+                longest=longest,
             )
 
     def _refuse_load(self, rows: tuple[tuple[float, float], ...], constant: str) -> None:
@@ -203,20 +228,24 @@ def closed_by_form(keys: object) -> bool:
 
 
 def dynamics_of(
-    section: DynamicsSection, kind: FollowerKind, follower: Follower, material: DiscMaterial | None, thickness: float
+    section: DynamicsSection,
+    kind: FollowerKind,
+    followers: tuple[Follower, Follower],
+    material: DiscMaterial | None,
+    width: float,
 ) -> Dynamics:
     """Mass, spring, damping and load of a design's follower, in N, mm, s.
 
     Args:
         section: section [dynamics].
         kind: kind of the follower.
-        follower: follower, whose radius presses on the disc.
+        followers: follower, whose radius presses on the disc, and the one on the other flank or on the second disc.
         material: material of the disc; None where the design does not say.
-        thickness: thickness of the disc, mm.
+        width: greatest length of the line of contact, mm.
     """
     import numpy as np
 
-    from cadgen.cam.forces import Dynamics, Guide, Line, Load, joint_modulus
+    from cadgen.cam.forces import GRAVITY, Dynamics, Guide, Line, Load, joint_modulus
 
     slides = kind.unit == MM
     inertia, rate, preload, constant, damping = (
@@ -231,11 +260,18 @@ def dynamics_of(
         guide = Guide(
             friction=section.guide_friction, length=section.guide_length_mm, overhang=section.overhang_mm or 0.0
         )
-    modulus, ratio = STEEL if material is None else _ELASTIC[material]
-    disc = section.disc_modulus_MPa or modulus, _given(section.disc_poisson_ratio, ratio)
+    usual, ratio = STEEL if material is None else _ELASTIC[material]
+    disc = section.disc_modulus_MPa or usual, _given(section.disc_poisson_ratio, ratio)
     other = section.follower_modulus_MPa or STEEL[0], _given(section.follower_poisson_ratio, STEEL[1])
-    width = section.contact_width_mm or thickness
-    line = Line(width=width, modulus=joint_modulus(disc, other), radius=follower.radius) if follower.radius else None
+    radius, other_radius = (follower.radius for follower in followers)
+    line = None
+    if radius:
+        modulus = joint_modulus(disc, other)
+        width = section.contact_width_mm or width
+        line = Line(width=width, modulus=modulus, radius=radius, other_radius=other_radius)
+    weight = 0.0
+    if section.gravity_deg is not None:
+        weight = GRAVITY * (inertia if slides else (section.arm_mass_kg or 0.0) * (section.arm_centre_mm or 0.0))
     return Dynamics(
         # kg to N s²/mm, kg mm² to N mm s², N s/m to N s/mm.
         inertia=inertia * 1e-3,
@@ -243,7 +279,9 @@ def dynamics_of(
         preload=preload,
         damping=damping * (1e-3 if slides else 1.0),
         load=load,
-        uphill=0.0 if section.gravity_deg is None else -cos(radians(section.gravity_deg)),
+        weight=weight,
+        downhill=radians(180.0 if section.gravity_deg is None else section.gravity_deg),
+        swings=not slides,
         guide=guide,
         line=line,
     )

@@ -10,8 +10,10 @@ from scipy.optimize import brentq
 
 from cadgen.arrays import TURN
 from cadgen.cam.contact import roll_curve
+from cadgen.cam.derived_motions import OppositeMotion
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.followers.flat import FlatFace
+from cadgen.cam.followers.groove import pressed_outwards
 from cadgen.cam.followers.lifts import Lifts
 from cadgen.cam.followers.roller import Roller
 from cadgen.cam.followers.swinging_flat import SwingingFace
@@ -209,7 +211,7 @@ def test_the_torque_is_the_normal_force_times_its_lever(name):
 
 def test_damping_is_all_the_work_of_a_turn():
     """The integral of T is that of c w q'^2: springs, inertia, weight and a load by angle of no sum give nothing."""
-    body = replace(NORTON_BODY, uphill=1.0)
+    body = replace(NORTON_BODY, weight=73.5)
     forces = replace(NORTON_FORCES, dynamics=body)
     size = quad(lambda x: abs(float(forces.torque(NORTON.jets(np.array([x])), np.array([x]))[0])), 0, TURN, limit=200)[
         0
@@ -325,3 +327,82 @@ def test_stretches_that_leave_across_the_start():
     ((start, stop),) = forces.leaves
     np.testing.assert_allclose(np.degrees([start, stop]), [322.66, 397.34], atol=5e-3)
     assert replace(forces, dynamics=Dynamics(preload=-1.0)).leaves == ((0.0, TURN),)
+
+
+def test_a_weight_presses_on_the_disc_at_180_degrees():
+    """At rest and without a spring the disc bears the weight, or nothing, or the follower hangs from it."""
+    at = np.array([radians(110)])  # in a dwell: the pressure angle is 0
+    jets = NORTON.jets(at)
+    for angle, force in ((180.0, 2.0), (90.0, 0.0), (0.0, -2.0), (120.0, 1.0)):
+        body = Dynamics(weight=2.0, downhill=radians(angle))
+        found = CamForces(NORTON, Roller(base=63.7, radius=12.5), body, 0.0).normal(jets, at)[0]
+        assert found == pytest.approx(force, abs=1e-12)
+
+
+SWUNG = motion(
+    (100, radians(25), "modified_sine"), (60, radians(25), None), (100, 0.0, "cycloidal"), (100, 0.0, None), unit=RAD
+)
+
+
+@pytest.mark.parametrize("lifts", list(Lifts))
+@pytest.mark.parametrize("down", [180.0, 120.0, -70.0, 0.0])
+def test_the_weight_of_an_arm_is_what_its_height_asks_for(lifts, down):
+    """Work of a virtual swing: the moment is the weight times the rise of the centre of mass, by coordinates."""
+    arm, far = 60.0, 45.0
+    follower = SwingingRoller(base=30, radius=8, arm=arm, centre_distance=88, lifts=lifts)
+    body = Dynamics(weight=3.0 * far, downhill=radians(down), swings=True)
+    forces = CamForces(SWUNG, follower, body, 0.0)
+    # The arm points from the pivot, which stands on the ray, at -exp(i g (rest + q)); it moves outwards along this:
+    turn = 1j * lifts.side
+    outwards = -turn * np.exp(turn * follower.rest)
+    weight = outwards * np.exp(turn * radians(down))  # counted in the sense in which it lifts
+    theta = np.radians([0.0, 30.0, 60.0, 130.0, 210.0])
+    jets = SWUNG.jets(theta)
+
+    def height(q):
+        centre = -far * np.exp(turn * (follower.rest + q))
+        return -(centre * weight.conjugate()).real
+
+    step = 1e-6
+    moment = 3.0 * (height(jets[:, 0] + step) - height(jets[:, 0] - step)) / (2 * step)
+    np.testing.assert_allclose(forces.along(jets, theta), moment, atol=1e-6)
+    assert abs(forces.work) < 1e-9 * 3.0 * far
+
+
+def test_the_outer_flank_presses_by_its_own_curvature():
+    """Hertz beside the made outline of the outer flank: hollow metal about the roller where the path is convex."""
+    roller, half = Roller(base=40.0, radius=9.0), 9.02
+    wide = Roller(base=39.98, radius=half)
+    line = Line(width=6.0, modulus=STEEL, radius=9.0, other_radius=9.0)
+    body = Dynamics(inertia=2e-3, line=line)
+    forces = CamForces(FEEDER, wide, body, rpm(400), closed=True)
+    outer = actual_profile(OppositeMotion.of(FEEDER), pressed_outwards(wide)).curve
+    theta = np.radians([50.0, 60.0, 70.0, 140.0, 150.0])
+    jets = FEEDER.jets(theta)
+    normal = forces.normal(jets, theta)
+    assert (normal < 0).any()
+    z = 0j + np.sqrt(49.0**2) + jets[:, 0]
+    tangent = jets[:, 1] + 1j * z
+    contact = (z - half * 1j * tangent / np.abs(tangent)) * np.exp(1j * theta)  # on the far side of the path
+    jet, _ = outer.at_angle(np.angle(contact))
+    np.testing.assert_allclose(jet.point @ np.array([1, 1j]), contact, atol=1e-6)
+    inner = 1 / roller.profile_radius(*jets[:, :3].T)
+    metal = np.where(normal < 0, -jet.curvature, inner)
+    wanted = np.sqrt(np.abs(normal) * STEEL * (metal + 1 / 9.0) / (pi * 6.0))
+    np.testing.assert_allclose(forces.pressure(jets, theta), wanted, rtol=5e-3)
+    np.testing.assert_allclose(forces.pressure(jets, theta)[normal < 0], wanted[normal < 0], rtol=1e-6)
+
+
+def test_the_second_roller_presses_with_its_own_radius():
+    line = Line(width=8.0, modulus=STEEL, radius=9.0, other_radius=6.0)
+    second = Roller(base=54.0, radius=6.0)
+    forces = CamForces(FEEDER, Roller(base=38.0, radius=9.0), Dynamics(inertia=1e-3, line=line), rpm(300), True, second)
+    theta = np.radians([20.0, 60.0])
+    jets = FEEDER.jets(theta)
+    normal = forces.normal(jets, theta)
+    assert normal[0] > 0 > normal[1]
+    y0, q, q1, q2 = 60.0, -jets[1, 0], -jets[1, 1], -jets[1, 2]
+    z = y0 + q
+    path = (z**2 + q1**2) ** 1.5 / (z**2 + 2 * q1**2 - z * q2)  # of the second roller's centre
+    found = forces.pressure(jets, theta)[1]
+    assert found == pytest.approx(sqrt(-normal[1] * STEEL * (1 / (path - 6.0) + 1 / 6.0) / (pi * 8.0)), rel=1e-12)

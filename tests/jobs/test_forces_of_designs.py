@@ -102,8 +102,15 @@ def test_an_arm_takes_moments(tmp_path):
     assert codes(cam)["normal-force-greatest"].value > 2600 / 70
     with pytest.raises(DesignError, match=r"dynamics.mass_kg is not of a follower .* give inertia_kgmm2 instead"):
         Design.from_toml(text + SWING).with_({"dynamics.mass_kg": 1.0})
-    with pytest.raises(DesignError, match=r"dynamics.gravity_deg is of a slide, and a follower of kind"):
+    with pytest.raises(
+        DesignError, match=r"the weight of an arm needs .* dynamics.arm_mass_kg and dynamics.arm_centre_mm"
+    ):
         Design.from_toml(text + SWING).with_({"dynamics.gravity_deg": 180.0})
+    weight = {"dynamics.gravity_deg": 180.0, "dynamics.arm_mass_kg": 2.0, "dynamics.arm_centre_mm": 40.0}
+    heavier = codes(Design.from_toml(text + SWING).with_(weight).cam())["normal-force-greatest"].value
+    assert heavier - codes(cam)["normal-force-greatest"].value == pytest.approx(2 * 9.80665 * 40 / 70, rel=0.1)
+    with pytest.raises(DesignError, match=r'dynamics.arm_mass_kg is of an arm, and a follower of kind "roller" slides'):
+        Design.from_toml(NORTON).with_(weight)
 
 
 @pytest.mark.parametrize(
@@ -116,7 +123,7 @@ def test_an_arm_takes_moments(tmp_path):
         ),
         (
             {"dynamics.contact_width_mm": 11.0},
-            "is longer than the disc is thick: set it to 10 or less",
+            "is longer than the disc is thick, or its groove deep: set it to 10 or less",
         ),
         ({"dynamics.load_N": 5.0, "dynamics.load_rows": [[0, 1], [90, 2]]}, "two for one value: remove load_N"),
         ({"dynamics.load_rows": [[0, 1], [90, 2], [80, 2]]}, "row 3 of the load is at 80 degrees, after one at 90"),

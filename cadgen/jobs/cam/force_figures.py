@@ -31,11 +31,12 @@ def forces_of(design: MotionDesign, motion: Motion, follower: Follower) -> CamFo
     """
     if design.dynamics is None:
         return None
-    kind, keys, thickness = design.follower.registered, design.follower.keys, design.cam.thickness_mm
-    dynamics = dynamics_of(design.dynamics, kind, follower, design.blank.material, thickness)
+    kind, keys, seat = design.follower.registered, design.follower.keys, design.seat
+    roller, second, groove = kind.build(keys, seat), kind.second(keys, seat), kind.groove(keys, seat)
+    width = design.cam.thickness_mm if groove is None else groove.depth
+    dynamics = dynamics_of(design.dynamics, kind, (roller, second or roller), design.blank.material, width)
     speed = (design.motion.speed_rpm or 0.0) * TURN / 60
-    closed = closed_by_form(keys)
-    return CamForces(motion, follower, dynamics, speed, closed, kind.second(keys, design.seat) if closed else None)
+    return CamForces(motion, follower, dynamics, speed, closed_by_form(keys), second)
 
 
 def force_checks(forces: CamForces) -> tuple[Check, ...]:
