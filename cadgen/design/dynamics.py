@@ -156,13 +156,13 @@ class DynamicsSection(DesignSection):
                 key=given[0],
                 code=kind.code,
             )
-        if not slides and (missing := [key for key in ("gravity_deg", *_OF_AN_ARM) if getattr(self, key) is None]):
-            if len(missing) < len(_OF_AN_ARM) + 1:
-                raise DesignError(
-                    "the weight of an arm needs dynamics.gravity_deg, arm_mass_kg and arm_centre_mm together, and "
-                    "{missing} is missing: add it, or remove the others",
-                    missing=joined((f"dynamics.{key}" for key in missing), Message(" and ")),
-                )
+        missing = [key for key in ("gravity_deg", *_OF_AN_ARM) if getattr(self, key) is None]
+        if not slides and 0 < len(missing) <= len(_OF_AN_ARM):
+            raise DesignError(
+                "the weight of an arm needs dynamics.gravity_deg, arm_mass_kg and arm_centre_mm together, and "
+                "{missing} is missing: add it, or remove the others",
+                missing=joined((f"dynamics.{key}" for key in missing), Message(" and ")),
+            )
         if (self.guide_friction is None) != (self.guide_length_mm is None):
             raise DesignError(
                 "dynamics needs guide_friction and guide_length_mm together, and has only {given}: add the other, or "
