@@ -6,8 +6,8 @@ The follower is rigid, and the camshaft turns at a constant speed w. Along its m
 
 with the mass m, damping c, rate k and preload P of a spring, a load L, and the angle gamma between motion and weight.
 At 180 degrees the weight presses the follower on the disc. On an arm these are a moment, with the moment of inertia,
-and rad. Its weight, at a distance d from the pivot, has the moment -m g d cos(gamma - q). The force along the normal and
-the camshaft's torque are
+and rad. Its weight, at a distance d from the pivot, has the moment -m g d cos(gamma - q). The force along the normal
+and the camshaft's torque are
 
     N = F / a,  T = F q',
 
