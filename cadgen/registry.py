@@ -25,7 +25,7 @@ from cadgen.messages import Message, joined, speak_for
 
 _log = logging.getLogger(__name__)
 # One letter at least, as in 3mf. A unit at the end is written as it is, such as _J.
-_CODE = re.compile(r"[0-9]?[a-z][a-z0-9]*(_[a-z0-9]+)*(_[A-Z][a-z]*)?")
+_CODE = re.compile(r"[0-9]?[a-z][a-z0-9]*(_[a-z0-9]+)*(_[A-Z][A-Za-z]*)?")
 # Distribution and version of each object that a plug-in has brought, and of those that were used in this process.
 _brought: dict[int, tuple[str, str]] = {}
 _used: dict[str, str] = {}

@@ -3,6 +3,7 @@
 import os
 import re
 from collections.abc import Mapping, Sequence
+from copy import deepcopy
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -175,6 +176,30 @@ def _checked(schema: type[TrainFile], values: dict[str, Any], file: Path, overri
         raise DesignError(_report(error, source, applied, NamedKinds.of(values))) from None
     unused = OF_A_CAR if schema is MotionFile else ()
     return {**{name: value for name, value in checked if name not in unused}, "source": source}
+
+
+def with_rows(text: str, file: Path) -> str:
+    """Text of a design in which the rows of its tables stand, so that it needs no other file; comments stay.
+
+    Args:
+        text: TOML.
+        file: path of the design file, beside which the tables lie.
+
+    Raises:
+        DesignError: the text is no design, or a table cannot be read.
+    """
+    before = _parsed(text, file)
+    after = deepcopy(before)
+    _read_tables(after, file, ())
+    if after == before:
+        return text
+    import tomlkit
+
+    document: Any = tomlkit.parse(text)
+    for section, table in after.items():
+        if isinstance(table, dict):
+            document[section] |= {key: value for key, value in table.items() if key not in before[section]}
+    return tomlkit.dumps(document)
 
 
 def _read_tables(values: Mapping[str, object], file: Path, changed: Sequence[Place]) -> None:

@@ -20,8 +20,8 @@ from pathlib import Path
 from time import thread_time
 from typing import Any, TypeVar
 
-from cadgen.design.load import design_of
-from cadgen.design.schema import Design
+from cadgen.design.load import complete_of
+from cadgen.design.schema import Design, MotionDesign
 from cadgen.errors import CadgenError, brief
 from cadgen.studies.sampling import REPLAN, Values
 from cadgen.studies.study import ALL, MOST_DESIGNS, Study
@@ -227,10 +227,10 @@ class DesignJob:
         figures = tuple(known.get(figure.code) for figure in self.figures)
         return Row(task.number, task.values, state, figures, tuple(failed), brief(sentence, _LONGEST))
 
-    def design(self, task: Task) -> Design:
+    def design(self, task: Task) -> Design | MotionDesign:
         """The design of a task, read and checked."""
         text = self.study.text if task.text is None else task.text
-        return design_of(text, Path(self.study.source), self.overrides_of(task))
+        return complete_of(text, Path(self.study.source), self.overrides_of(task))
 
     def overrides_of(self, task: Task) -> tuple[str, ...]:
         """Overrides of the text that a task is read from; those of the base are in a planned text already."""

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from enum import StrEnum
 from functools import cached_property
 from math import degrees
 from typing import Any
@@ -15,11 +16,13 @@ from cadgen.car.path.wheel_track import Track
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import drive, turns_of
 from cadgen.car.steering import track_curvature, travel_ratio
+from cadgen.check import CheckCode
 from cadgen.design import cam_model, variation
-from cadgen.design.schema import Design
+from cadgen.design.schema import Design, MotionDesign
 from cadgen.errors import DesignError
 from cadgen.jobs.cam.cam_plan import DENSITY, CamPlan
 from cadgen.jobs.cam.comparison import known_trains
+from cadgen.jobs.cam.motion_cam import plan_motion_cam
 from cadgen.jobs.cam.steering_cam import comparison_of, plan_cam
 from cadgen.jobs.tolerance import CarSample, ToleranceRun, tolerance_of
 from cadgen.messages import Message
@@ -39,14 +42,30 @@ class Evaluated:
     """
 
     def __init__(
-        self, values: Mapping[str, Any], read: Callable[[], Design], profile: str | None, cars: int, seed: int
+        self,
+        values: Mapping[str, Any],
+        read: Callable[[], Design | MotionDesign],
+        profile: str | None,
+        cars: int,
+        seed: int,
     ) -> None:
         self.values, self._read, self._profile, self._cars, self._seed = values, read, profile, cars, seed
 
     @cached_property
-    def design(self) -> Design:
+    def read(self) -> Design | MotionDesign:
         """The design, checked by its schema."""
         return self._read()
+
+    @property
+    def design(self) -> Design:
+        """Design of a car.
+
+        Raises:
+            DesignError: it has [motion].
+        """
+        if isinstance(self.read, MotionDesign):
+            raise DesignError("this figure is of a car, and the design has [motion]: take another figure")
+        return self.read
 
     @cached_property
     def track(self) -> Track:
@@ -65,13 +84,23 @@ class Evaluated:
 
     @cached_property
     def plan(self) -> CamPlan:
-        """Cam with all its checks, compared under play."""
+        """Cam with all its checks, compared under play where a car has it."""
+        if isinstance(self.read, MotionDesign):
+            return plan_motion_cam(self.read, self._profile)
         return plan_cam(self.design, self._profile, with_play=bool(variation.play_bands(self.design)))
 
     @cached_property
     def tolerance(self) -> ToleranceRun[CamPlan]:
         """Random cars with that cam."""
         return tolerance_of(self.plan, CarSample(samples=self._cars, seed=self._seed))
+
+
+class FigureScope(StrEnum):
+    """Designs that have a figure: cams of a car, cams by their motion, or both."""
+
+    CAR = "car"
+    MOTION = "by-motion"
+    BOTH = "both"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -85,6 +114,7 @@ class StudyFigure:
         more: whether a greater figure is better.
         resolution: differences below it are those of rounding and search, and make no design better.
         cheap: whether it takes milliseconds; a limit on it then screens, and nothing else of the design is computed.
+        scope: designs that have it.
     """
 
     code: str
@@ -93,6 +123,7 @@ class StudyFigure:
     more: bool = False
     resolution: float = 0.0
     cheap: bool = False
+    scope: FigureScope = FigureScope.BOTH
 
     def aim(self, value: float) -> float:
         """A value in the figure's own unit, rounded to its resolution, with the sign by which less is better.
@@ -119,27 +150,29 @@ register, remove, codes, kind_of, has = (
 _Computation = Callable[[Evaluated], float]
 
 
-def _figure(code: str, meaning: str, resolution: float = 0.0, **marks: bool) -> Callable[[_Computation], _Computation]:
+def _figure(
+    code: str, meaning: str, resolution: float = 0.0, scope: FigureScope = FigureScope.BOTH, **marks: bool
+) -> Callable[[_Computation], _Computation]:
     """Register the decorated function as the figure of a code."""
 
     def registered(of: _Computation) -> _Computation:
-        register(StudyFigure(code=code, meaning=meaning, of=of, resolution=resolution, **marks))
+        register(StudyFigure(code=code, meaning=meaning, of=of, resolution=resolution, scope=scope, **marks))
         return of
 
     return registered
 
 
-@_figure("worst_end_mm", "worst position error at the end over the band of play", 0.1)
+@_figure("worst_end_mm", "worst position error at the end over the band of play", 0.1, FigureScope.CAR)
 def _worst_end(evaluated: Evaluated) -> float:
     return comparison_of(evaluated.plan).chosen.band.worst_distance
 
 
-@_figure("worst_end_heading_deg", "worst heading error at the end over the band of play", 1e-3)
+@_figure("worst_end_heading_deg", "worst heading error at the end over the band of play", 1e-3, FigureScope.CAR)
 def _worst_heading(evaluated: Evaluated) -> float:
     return degrees(comparison_of(evaluated.plan).chosen.band.worst_heading)
 
 
-@_figure("passed_percent", "share of random cars that keep the course", more=True)
+@_figure("passed_percent", "share of random cars that keep the course", scope=FigureScope.CAR, more=True)
 def _passed(evaluated: Evaluated) -> float:
     share = evaluated.tolerance.passed
     if share is None:
@@ -149,7 +182,10 @@ def _passed(evaluated: Evaluated) -> float:
 
 @_figure("disc_diameter_mm", "diameter of the circle about the camshaft that holds the disc", 0.01)
 def _diameter(evaluated: Evaluated) -> float:
-    return 2 * float(np.linalg.norm(evaluated.plan.curve.outline(_STEP).points, axis=1).max())
+    plan = evaluated.plan
+    if plan.groove is not None:
+        return 2 * plan.groove.outside_radius
+    return 2 * max(float(np.linalg.norm(disc.curve.outline(_STEP).points, axis=1).max()) for disc in plan.discs)
 
 
 @_figure("disc_mass_g", "mass of the disc without its hub", 0.01)
@@ -159,11 +195,12 @@ def _mass(evaluated: Evaluated) -> float:
     material = plan.making.material
     if material is None:
         raise DesignError("the mass of the disc needs its material: add blank.material, such as aluminium")
-    inner, outer = plan.faces
-    return plan.blank.disc_volume(plan.area, outer - inner) * DENSITY[material] * 1e-3
+    if plan.groove is not None:
+        return (plan.volume - plan.blank.hub_volume()) * DENSITY[material] * 1e-3
+    return sum(disc.blank.disc_volume(disc.area, disc.thickness) for disc in plan.discs) * DENSITY[material] * 1e-3
 
 
-@_figure("holding_energy_J", "energy in a turn of the cam that the drag takes which holds it", 1e-4)
+@_figure("holding_energy_J", "energy in a turn of the cam that the drag takes which holds it", 1e-4, FigureScope.CAR)
 def _energy(evaluated: Evaluated) -> float:
     comparison = comparison_of(evaluated.plan)
     if comparison.task.mechanics is None:
@@ -171,7 +208,7 @@ def _energy(evaluated: Evaluated) -> float:
     return holding(comparison.chosen.lift, comparison.task.mechanics).energy
 
 
-@_figure("return_error_deg", "greatest return error at the camshaft", 1e-4, cheap=True)
+@_figure("return_error_deg", "greatest return error at the camshaft", 1e-4, FigureScope.CAR, cheap=True)
 def _return_error(evaluated: Evaluated) -> float:
     return degrees(evaluated.band.ends[1])
 
@@ -180,12 +217,65 @@ def _return_error(evaluated: Evaluated) -> float:
 def _minutes(evaluated: Evaluated) -> float:
     """Cuts, leads, plunges, tabs and drills, by their own moves."""
     plan = evaluated.plan
-    machining, (inner, outer), material = plan.making.machining, plan.faces, plan.making.material
-    milled = milling_minutes(plan.curve.length(), machining, outer - inner, material)
-    return milled + drilling_minutes(plan.made_blank, machining, outer - inner, material)
+    if plan.groove is not None:
+        raise DesignError("cutting_time_min is of discs that are milled along their rim, and this one has a groove")
+    machining, material = plan.making.machining, plan.making.material
+    return sum(
+        milling_minutes(disc.curve.length(), machining, disc.thickness, material)
+        + drilling_minutes(disc.made_blank, machining, disc.thickness, material)
+        for disc in plan.discs
+    )
 
 
-@_figure("drift_mm", "end of the run by half of the band of play, to first order", 0.1, cheap=True)
+@_figure("pressure_angle_deg", "greatest pressure angle, of either sign", 1e-3)
+def _pressure_angle(evaluated: Evaluated) -> float:
+    return max(
+        check.value
+        for disc in evaluated.plan.discs
+        for check in disc.checks
+        if check.code in (CheckCode.PRESSURE_ANGLE_RISE, CheckCode.PRESSURE_ANGLE_RETURN)
+    )
+
+
+@_figure("least_radius_mm", "least convex radius of the profile", 1e-3, more=True)
+def _least_radius(evaluated: Evaluated) -> float:
+    radii = [
+        check.value
+        for disc in evaluated.plan.discs
+        for check in disc.checks
+        if check.code == CheckCode.CONVEX_RADIUS_PROFILE
+    ]
+    return min(radii)
+
+
+@_figure("contact_pressure_MPa", "greatest pressure in the line of contact, after Hertz", 0.01, FigureScope.MOTION)
+def _contact_pressure(evaluated: Evaluated) -> float:
+    return _of_forces(evaluated, CheckCode.CONTACT_PRESSURE)
+
+
+@_figure("camshaft_torque_Nmm", "greatest torque of the camshaft, of either sign", 0.01, FigureScope.MOTION)
+def _torque(evaluated: Evaluated) -> float:
+    return max(abs(_of_forces(evaluated, code)) for code in (CheckCode.TORQUE_GREATEST, CheckCode.TORQUE_LEAST))
+
+
+@_figure(
+    "least_force_N", "least force on the disc, below which the follower leaves", 1e-3, FigureScope.MOTION, more=True
+)
+def _least_force(evaluated: Evaluated) -> float:
+    return _of_forces(evaluated, CheckCode.FORCE_LEAST)
+
+
+def _of_forces(evaluated: Evaluated, code: CheckCode) -> float:
+    found = [check.value for check in evaluated.plan.figures if check.code == code]
+    if not found:
+        raise DesignError(
+            "{code} is no figure of this cam: it needs [dynamics], and a follower that a spring presses on its disc",
+            code=code.value,
+        )
+    return found[0]
+
+
+@_figure("drift_mm", "end of the run by half of the band of play, to first order", 0.1, FigureScope.CAR, cheap=True)
 def _drift(evaluated: Evaluated) -> float:
     """End of the run by play, to first order: closed, and so cheap enough to screen thousands of designs.
 

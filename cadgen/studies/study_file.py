@@ -11,16 +11,19 @@ from typing import Any
 from pydantic import BaseModel, ValidationError
 
 from cadgen.design.file_names import usable_name
-from cadgen.design.load import design_of, packaged_designs, packaged_studies, read_design
+from cadgen.design.load import complete_of, packaged_designs, packaged_studies, read_design, with_rows
 from cadgen.design.override import key_at, override
 from cadgen.design.parse import DeepError, parse
+from cadgen.design.schema import Design, MotionDesign
 from cadgen.design.section import listed
 from cadgen.errors import DesignError, brief
 from cadgen.messages import Message
 from cadgen.reading import read_regular
+from cadgen.studies import study_figures
 from cadgen.studies.design_row import override_of
 from cadgen.studies.sampling import REPLAN, Variation
 from cadgen.studies.study import Study, StudyFile, Vary, at_place
+from cadgen.studies.study_figures import FigureScope
 
 _KINDS = {
     "string_type": Message("a text"),
@@ -148,6 +151,10 @@ def read_study(file: Path) -> tuple[Study, str]:
         base, source = read_design(content.base)
     else:
         base, source = read_design(file.parent / content.base)
+    try:
+        base = with_rows(base, source)
+    except DesignError as error:
+        raise DesignError("{named}: {error}", named=name, error=error.message) from None
     return _study(content, base, source.name, name, usable_name(file.stem)), text
 
 
@@ -182,7 +189,7 @@ def _content(text: str, name: str) -> StudyFile:
 def _study(content: StudyFile, base: str, source: str, named: str, stem: str) -> Study:
     values = parse(base)
     try:
-        design_of(base, Path(source), content.overrides)
+        _refuse_other_figures(content, complete_of(base, Path(source), content.overrides))
         for change in content.overrides:
             override(values, change)
         variations = tuple(_variation(each, values) for each in content.vary)
@@ -193,6 +200,40 @@ def _study(content: StudyFile, base: str, source: str, named: str, stem: str) ->
     except DesignError as error:
         raise DesignError("{named}: {error}", named=named, error=error.message) from None
     return study
+
+
+def _refuse_other_figures(content: StudyFile, base: Design | MotionDesign) -> None:
+    """Refuse figures that the base design does not have, and paths that are planned where there is no car.
+
+    Args:
+        content: content of the study.
+        base: its base design.
+    """
+    moved = isinstance(base, MotionDesign)
+    if moved and content.replan is not None:
+        raise DesignError(
+            "[replan] plans the path of a car, and the base design {base} has [motion]: remove it", base=base.name
+        )
+    scope = FigureScope.MOTION if moved else FigureScope.CAR
+    fitting = [code for code in study_figures.codes() if study_figures.kind_of(code).scope in (scope, FigureScope.BOTH)]
+    named = {
+        "objectives": content.objectives,
+        "record": content.record,
+        "limits": tuple(limit.figure for limit in content.limits),
+    }
+    for key, figures in named.items():
+        for code in figures:
+            if code not in fitting:
+                other = Message("[path] and [car]") if moved else Message("[motion]")
+                raise DesignError(
+                    "{key} names {code}, which is of a design with {other}, and the base design {base} has none: take "
+                    "{fitting}",
+                    key=key,
+                    code=code,
+                    other=other,
+                    base=base.name,
+                    fitting=listed(fitting, "or"),
+                )
 
 
 def _variation(given: Vary, values: dict[str, Any]) -> Variation:
@@ -223,7 +264,7 @@ def _refuse_unusable(each: Variation, study: Study, values: dict[str, Any]) -> N
         change = override_of(key, value)
         override(deepcopy(values), change)  # refuses a key, or an item of a list, that is not there
         try:
-            design_of(study.text, Path(study.source), (*study.file.overrides, change))
+            complete_of(study.text, Path(study.source), (*study.file.overrides, change))
         except DesignError as error:
             # What only other keys forbid may be right together with what they vary to.
             if f"{key} is " in str(error) and "; it must be " in str(error):

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from cadgen.design.load import design_of
+from cadgen.design.load import complete_of
 from cadgen.design.planned import overridden_text
 from cadgen.errors import FileError
 from cadgen.figures import Facts
@@ -119,7 +119,7 @@ def write_best(results: Results, rows: Sequence[Row], folder: Path) -> list[str]
         file = folder / f"{name}.toml"
         file.write_text(text, encoding="utf-8", newline="")
         computed = job.design(task).model_copy(update={"name": name})
-        if design_of(file.read_text(encoding="utf-8"), file).content_hash != computed.content_hash:
+        if complete_of(file.read_text(encoding="utf-8"), file).content_hash != computed.content_hash:
             raise FileError("{name}: read back it is not the design that was computed; try again", name=file.name)
         names.append(file.name)
     return names
