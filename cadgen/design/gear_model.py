@@ -16,7 +16,7 @@ from cadgen.gears.pair import GradedGear
 from cadgen.gears.pair import closest as nominal_distance
 from cadgen.gears.ring import ring_of
 from cadgen.gears.spur import SpurPair
-from cadgen.gears.stage import Stage, Wheel
+from cadgen.gears.stage import Stage, Wheel, is_bar
 from cadgen.gears.stage_kind import ToothedTrain
 from cadgen.gears.synthesis import SearchLimits
 from cadgen.gears.tolerances import ToleranceOverrides
@@ -64,6 +64,12 @@ def train(design: TrainDesign) -> Train:
             stages.append(_stage(stage, keys))
         except DesignError as error:
             raise DesignError("in stage {number}, {error}", number=number, error=error.message) from error
+        if design.cam is not None and is_bar(stages[-1].wheels[1]):
+            raise DesignError(
+                "train.stages.{number} is a rack, which turns no camshaft: end the train with gears, or leave the cam "
+                "out",
+                number=number,
+            )
     return Train(tuple(stages))
 
 

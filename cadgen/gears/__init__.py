@@ -19,6 +19,8 @@
 | `planetary`       | sun, planets and ring: where planets fit, signed ratio, play at the output            |
 | `planetary_stage` | planetary sets as a stage: carrier and planets as bodies, play of planets that differ |
 | `planetary_kind`  | the kind of planetary stages: their keys                                              |
+| `rack_stage`      | pinion and rack as the last stage: play, travel, place of the bar                     |
+| `rack_kind`       | the kind of rack stages: their keys                                                   |
 | `stage_kind`      | kind of a stage: its code, its keys, and how the stage is built                       |
 | `stage_kinds`     | the table of kinds of stages: a new one is a file beside `spur` and a line there      |
 | `train`           | stages in a row, their play and return error (eq. 25-26); joints and bearings         |

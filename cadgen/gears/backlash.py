@@ -217,8 +217,8 @@ def stage_play(pair: Pair) -> StagePlay[float]:
     """
     form, mesh, f_a = pair.driver.form, pair.working_pressure_angle, pair.centre_distance_deviation
     return play_equations(
-        _tolerances(pair.driver),
-        _tolerances(pair.driven),
+        gear_tolerances_of(pair.driver),
+        gear_tolerances_of(pair.driven),
         f_a=float(centre_distance_deviation(pair.centre_distance, pair.grade)) if f_a is None else f_a,
         j_bn0=pair.base_backlash(pair.centre_distance) / float(np.cos(mesh)),
         module=form.normal_module,
@@ -268,7 +268,8 @@ def _standard(rule: Callable[..., Any], *arguments: Any) -> float | None:
         return None
 
 
-def _tolerances(gear: GradedGear) -> GearTolerances[float]:
+def gear_tolerances_of(gear: GradedGear) -> GearTolerances[float]:
+    """Tolerances of a gear by its grade, or those that stand in for them, mm."""
     form = gear.form
     return gear_tolerances(form.reference_diameter, form.normal_module, form.width, gear.grade, gear.overrides)
 

@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import gauss_nodes
 from cadgen.errors import DesignError
-from cadgen.gears.stage import Standing, Wheel, is_ring, rim_diameter
+from cadgen.gears.stage import Standing, Wheel, is_bar, is_ring, rim_diameter
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train
 from cadgen.gears.wheel_body import cluster_body, gear_body, with_collar
@@ -203,7 +203,10 @@ class _Disc:
             other: the other body.
             apart: distance of the axes, mm.
         """
-        gap = max(apart - self.radius - other.radius, max(self.low, other.low) - min(self.high, other.high))
+        beside = apart - self.radius - other.radius
+        if self.place and other.place and apart >= ONE_AXIS:
+            return beside  # shafts beside each other, whose holes must not meet in a plate
+        gap = max(beside, max(self.low, other.low) - min(self.high, other.high))
         for outer, inner in ((self, other), (other, self)):
             if outer.inner:  # a ring, with room within
                 gap = max(gap, outer.inner - apart - inner.radius)
@@ -244,7 +247,15 @@ def lay_out(
         bodies, others = _turning(discs[number : number + 2], (0j, complex(pair.centre_distance)))
         if collision := _between(bodies, others, pair.centre_distance, clearance):
             raise DesignError(collision)
-    chosen = next(_clear_ways(train, wanted, discs, clearance), None)
+    past: Message | None = None
+    chosen = None
+    for way in _clear_ways(train, wanted, discs, clearance):
+        past = _past_bar(train, parts[-1], _turning(discs, _axes(train, way)), way, clearance)
+        if past is None:
+            chosen = way
+            break
+    if past is not None:
+        raise DesignError(past)
     if chosen is None:
         # For the sake of the message: by the directions given, and then in a row, where shafts are furthest apart.
         row = [0.0 if direction is None else direction for direction in wanted]
@@ -262,7 +273,9 @@ def lay_out(
     angle = 0.0
     for number, (part, axis) in enumerate(zip(parts, _axes(train, chosen), strict=True)):
         if number:
-            angle = train.stages[number - 1].driven_angle(angle, chosen[number - 1])
+            stage, direction = train.stages[number - 1], chosen[number - 1]
+            axis += stage.driven_shift(angle, direction)
+            angle = stage.driven_angle(angle, direction)
         placed.append(replace(part, axis=axis, angle=angle))
         if number < len(train.stages):
             standing = train.stages[number].standing(angle, chosen[number])
@@ -334,6 +347,12 @@ def _stacked(train: Train, blanks: Sequence[Blank], clearance: float) -> tuple[l
     parts = [part("1_pinion", 1, (first,), blanks[0], drive, plane + first.width / 2)]
     for shaft, (before, after) in enumerate(pairwise(stages), 2):
         lower, upper = before.wheels[1], after.wheels[0]
+        if is_bar(lower):
+            raise DesignError(
+                "stage {number} has {rack}, behind which no stage can follow; make it the last one",
+                number=shaft - 1,
+                rack=lower.noun,
+            )
         if is_ring(lower) or is_ring(upper):
             raise DesignError(
                 "{gear} is on shaft {shaft} between two stages, where it cannot be one part with another gear; make "
@@ -353,7 +372,8 @@ def _stacked(train: Train, blanks: Sequence[Blank], clearance: float) -> tuple[l
     shaft = len(stages) + 1
     output = _made(shaft, Message("output"), gear_body, last, blanks[-1])
     height = plane + stages[-1].rise - last.width / 2
-    parts.append(part(f"{shaft}_wheel", shaft, (last,), blanks[-1], output, height))
+    kind = "rack" if is_bar(last) else "wheel"
+    parts.append(part(f"{shaft}_{kind}", shaft, (last,), blanks[-1], output, height))
     return parts, planes
 
 
@@ -423,6 +443,35 @@ def _turning(discs: Sequence[Sequence[_Disc]], axes: Sequence[complex]) -> list[
     return [[each.ending() if ends else each for each in on] for on, ends in zip(discs, shared, strict=False)]
 
 
+def _past_bar(
+    train: Train, part: TrainPart, discs: Sequence[Sequence[_Disc]], chosen: Sequence[float], clearance: float
+) -> Message | None:
+    """First body on another shaft than the pinion's that a rack at the end of the train collides with, in words."""
+    wheel, axes = part.gears[0], _axes(train, chosen)
+    rack = getattr(wheel, "bar", None)
+    if rack is None:
+        return None
+    stage, pinion, way = train.stages[-1], axes[-2], np.exp(1j * chosen[-1])
+    low, high = part.height, part.height + wheel.width
+    # The nearest that the teeth come to the pinion's axis.
+    front = stage.centre_distance - rack.addendum_factor * rack.normal_module
+    for shaft, axis in enumerate(axes[:-2]):
+        for body in discs[shaft]:
+            place = (axis - pinion) * np.conj(way)
+            gap = max(front - place.real - body.radius, abs(place.imag) - body.radius - rack.length / 2)
+            gap = max(gap, max(body.low, low) - min(body.high, high))
+            if gap < clearance:
+                return Message(
+                    "{body} and {rack} collide: the gap between them is {gap:.4g} mm, less than the clearance of "
+                    "{clearance:g} mm; give the last stage another direction_deg",
+                    body=body.name,
+                    rack=wheel.noun,
+                    gap=float(gap),
+                    clearance=clearance,
+                )
+    return None
+
+
 def _gears_and_hub(part: TrainPart) -> list[_Disc]:
     def placed(name: str, stage: int | None, diameter: float, low: float, high: float) -> _Disc:
         ends = sorted(part.height + (-z if part.flipped else z) for z in (low, high))
@@ -430,6 +479,8 @@ def _gears_and_hub(part: TrainPart) -> list[_Disc]:
         return _Disc(Message("{body} on shaft {shaft}", body=name, shaft=part.shaft), stage, diameter / 2, low, high)
 
     bottom, top = part.gears[0], part.gears[-1]
+    if is_bar(bottom):  # which `_past_bar` looks at
+        return []
     bodies = [placed(bottom.noun, part.stages[0], rim_diameter(bottom), 0.0, bottom.width)]
     if is_ring(bottom):
         bodies = [replace(each, inner=bottom.tip_diameter / 2) for each in bodies]

@@ -7,14 +7,15 @@ rack's tip radius. In the transverse section lengths along the pitch line are st
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 from math import cos, degrees, pi, radians, sin, sqrt, tan
 
-import numpy as np
-
-from cadgen.arrays import Array
 from cadgen.errors import DesignError
 from cadgen.gears.pair import SAME_HELIX, Backlash, hand_of
 from cadgen.gears.tooth import LEAST_THICKNESS, PRESSURE_ANGLE_RANGE, STEEPEST_HELIX, GearForm, tooth_of
+from cadgen.parts.body import Body, Slab
+from cadgen.parts.loop import Arc, Curve, EllipseArc, Loop, Segment
+from cadgen.parts.run import HelixRun
 
 # Wall behind the roots, in modules, where no height is given.
 USUAL_BACK = 2.0
@@ -130,7 +131,7 @@ class RackForm:
         half = pi * self.normal_module / 4 - self.tooth_thickness_deviation / 2
         return half - self.dedendum_factor * self.normal_module * tan(angle) - radius * (1 - sin(angle)) / cos(angle)
 
-    def corners(self) -> list[tuple[complex, complex, complex, complex, complex]]:
+    def corners(self) -> list[tuple[complex, complex, complex, complex, complex, complex]]:
         """Corners of each tooth in the transverse section.
 
         They are the end of the fillet before it on the root line, the ends of both flanks, from left to right, and the
@@ -153,37 +154,42 @@ class RackForm:
         return found  # type: ignore[return-value]
 
     @property
+    def outline(self) -> Loop:
+        """Transverse section at the lower face: the reference line on x from 0 on, the teeth towards y.
+
+        Fillets are circles in the normal section, and ellipses in the transverse one of a helical rack.
+        """
+        radius, stretch = self.fillet_factor * self.normal_module, 1 / cos(self.helix_angle)
+        turn = pi / 2 - self.normal_pressure_angle
+
+        def fillet(foot: complex, start: float) -> Curve:
+            # Hollow, so it is run clockwise.
+            centre = foot + 1j * radius
+            if stretch == 1:
+                return Arc(radius, start, -turn, centre)
+            return EllipseArc((radius * stretch, radius), start, -turn, centre)
+
+        root, back = -self.dedendum_factor * self.normal_module, -self.back_height
+        curves: list[Curve] = []
+        at = complex(self.length, root)
+        for start, deep, left, right, low, end in self.corners()[::-1]:
+            curves += [Segment(at, end), fillet(end, -pi / 2), Segment(low, right), Segment(right, left)]
+            curves += [Segment(left, deep), fillet(start, turn - pi / 2)]
+            at = start
+        corners = [at, complex(0.0, root), complex(0.0, back), complex(self.length, back), complex(self.length, root)]
+        curves += [Segment(*ends) for ends in pairwise(corners)]
+        # On the side of a rack that looks away from its pinion, a right-hand helix leans to the left as z grows.
+        return Loop(tuple(curves), run=HelixRun(lean=-tan(self.helix_angle)))
+
+    @property
+    def body(self) -> Body:
+        """The bar, its lower face at z = 0."""
+        return Body((Slab(0.0, self.width, (self.outline,)),))
+
+    @property
     def area(self) -> float:
         """Area of the transverse section, mm²."""
-        module, angle, stretch = self.normal_module, self.normal_pressure_angle, 1 / cos(self.helix_angle)
-        radius, depth = self.fillet_factor * module, self.dedendum_factor * module
-        tip = self.addendum_factor * module
-        # A tooth as a trapezium down to the root line, and what both fillets add between flank and root line.
-        wide = self.land + 2 * (tip + depth) * tan(angle)
-        reach = radius * (1 - sin(angle)) / cos(angle)
-        turning = pi / 2 - angle
-        fillet = reach * radius - turning / 2 * radius**2
-        tooth = (self.land + wide) / 2 * (tip + depth) + 2 * fillet
-        return (self.teeth * tooth) * stretch + self.length * self.back
-
-    def polygon(self, chord: float) -> Array:
-        """Corners of the transverse section, counterclockwise, shape (n, 2), mm.
-
-        Args:
-            chord: greatest distance of a chord from a fillet, mm.
-        """
-        angle, radius = self.normal_pressure_angle, self.fillet_factor * self.normal_module
-        stretch = 1 / cos(self.helix_angle)
-        steps = max(int(np.ceil((pi / 2 - angle) / sqrt(8 * chord / radius / stretch))), 1)
-        turn = np.linspace(0.0, pi / 2 - angle, steps + 1)
-        bend = radius * (np.sin(turn) * stretch + 1j * (1 - np.cos(turn)))
-        top: list[complex] = []
-        for start, _, left, right, _, end in self.corners():  # type: ignore[misc]
-            top += [*(start + bend), left, right, *(end - np.conj(bend[::-1]))]
-        root, back = -self.dedendum_factor * self.normal_module, -self.back_height
-        below = [complex(0.0, root), complex(0.0, back), complex(self.length, back), complex(self.length, root)]
-        points = np.array([*below, *top[::-1]])
-        return np.column_stack([points.real, points.imag])
+        return self.outline.area
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

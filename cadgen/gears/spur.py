@@ -104,6 +104,66 @@ def _engages(state: PairState, engage: Engage) -> bool:
     return built.overlap_midway(0.0) <= LEAST_OVERLAP < built.overlap_tooth_on_tooth(0.0)
 
 
+WIDER = Message("lower addendum_factor or the profile shifts")
+
+
+def room_checks(clearance: float, ratio: float, overlap: float) -> tuple[Check, Check]:
+    """Clearance of the roots, and contact ratio.
+
+    Args:
+        clearance: least clearance between tips and roots, modules (mm over m_n).
+        ratio: transverse contact ratio.
+        overlap: overlap ratio, 0 of spur gears.
+    """
+    name = Message("total contact ratio") if overlap else Message("contact ratio")
+    teeth = Message("give more teeth")
+    roots = Message("root clearance")
+    return (
+        Check(CheckCode.ROOT_CLEARANCE, roots, clearance, "modules", LEAST_ROOT_CLEARANCE, Bound.MIN, advice=WIDER),
+        Check(CheckCode.CONTACT_RATIO, name, ratio + overlap, "", LEAST_CONTACT_RATIO, Bound.MIN, advice=teeth),
+    )
+
+
+def freedom_checks(jam: tuple[float, str, str], hold: tuple[float, str, str]) -> tuple[Check, Check]:
+    """Teeth that neither jam nor pass each other.
+
+    Args:
+        jam: greatest overlap midway, mm², its place, and what to do.
+        hold: least overlap tooth on tooth, mm², its place, and what to do.
+    """
+    tight, loose = Message("teeth jam"), Message("teeth hold each other")
+    return (
+        Check(CheckCode.TEETH_JAM, tight, jam[0], "mm2", LEAST_OVERLAP, Bound.MAX, *jam[1:]),
+        Check(CheckCode.TEETH_HOLD, loose, hold[0], "mm2", LEAST_OVERLAP, Bound.MIN, *hold[1:]),
+    )
+
+
+def cycle_checks(within: float, past: float) -> tuple[Check, Check]:
+    """Teeth over a whole pitch.
+
+    Args:
+        within: greatest overlap just within the play, mm².
+        past: least overlap just past it, mm².
+    """
+    inside, outside = Message("overlap within the play"), Message("overlap past the play")
+    cure = Message("tips meet roots: {cure}", cure=WIDER)
+    return (
+        Check(CheckCode.OVERLAP_WITHIN_PLAY, inside, within, "mm2", LEAST_OVERLAP, Bound.MAX, advice=cure),
+        Check(CheckCode.OVERLAP_PAST_PLAY, outside, past, "mm2", LEAST_OVERLAP, Bound.MIN, advice=CONTRADICTION),
+    )
+
+
+def measured_check(state: PlayState, off: float) -> Check:
+    """Play that was measured against the computed one.
+
+    Args:
+        state: state of the pair.
+        off: difference, µm.
+    """
+    name = Message("play - computed, {state}", state=_WORDS[state])
+    return Check(_PLAY_CHECKS[state], name, abs(off), "µm", PLAY_LIMIT_UM, Bound.MAX, advice=CONTRADICTION)
+
+
 @cache  # equal stages of a train have equal figures
 def pair_checks(pair: Pair, engage: Engage) -> tuple[Check, ...]:
     """The teeth of one stage in mesh: as cut over a whole pitch, and at the limits of the tolerances."""
@@ -111,7 +171,6 @@ def pair_checks(pair: Pair, engage: Engage) -> tuple[Check, ...]:
     module = pair.driver.form.normal_module
     ratio = found_contact_ratio(pair)
     overlap = pair.overlap_ratio
-    wider = Message("lower addendum_factor or the profile shifts")
     greatest, least = limit_states(pair)
     states = {
         PlayState.AS_CUT: PairState(pair, pair.centre_distance),
@@ -133,75 +192,21 @@ def pair_checks(pair: Pair, engage: Engage) -> tuple[Check, ...]:
         closer = Message(
             "they pass each other freely where the tolerances open the axes most; lower F_i_radial, f_a or b_r"
         )
+    formula = abs(ratio - contact_ratio(pair))
+    code, name = CheckCode.CONTACT_RATIO_FORMULA, Message("contact ratio - formula")
     checks = [
-        Check(
-            CheckCode.ROOT_CLEARANCE,
-            Message("root clearance"),
-            min(built.clearances()) / module,
-            "modules",
-            LEAST_ROOT_CLEARANCE,
-            Bound.MIN,
-            advice=wider,
-        ),
-        Check(
-            CheckCode.CONTACT_RATIO,
-            Message("total contact ratio") if overlap else Message("contact ratio"),
-            ratio + overlap,
-            "",
-            LEAST_CONTACT_RATIO,
-            Bound.MIN,
-            advice=Message("give more teeth"),
-        ),
-        Check(
-            CheckCode.CONTACT_RATIO_FORMULA,
-            Message("contact ratio - formula"),
-            abs(ratio - contact_ratio(pair)),
-            "",
-            CONTACT_RATIO_ERROR,
-            Bound.MAX,
-        ),
-        Check(CheckCode.TEETH_JAM, Message("teeth jam"), jam, "mm2", LEAST_OVERLAP, Bound.MAX, _WORDS[jammed], thinner),
-        Check(
-            CheckCode.TEETH_HOLD,
-            Message("teeth hold each other"),
-            hold,
-            "mm2",
-            LEAST_OVERLAP,
-            Bound.MIN,
-            _WORDS[loose],
-            closer,
-        ),
+        *room_checks(min(built.clearances()) / module, ratio, overlap),
+        Check(code, name, formula, "", CONTACT_RATIO_ERROR, Bound.MAX),
+        *freedom_checks((jam, _WORDS[jammed], thinner), (hold, _WORDS[loose], closer)),
     ]
     if _engages(states[PlayState.AS_CUT], engage):
-        over, past = cycle(built, pair.exact_play(), pair.driver.form.teeth, pair.driven_pitch_radius)
-        checks.append(
-            Check(
-                CheckCode.OVERLAP_WITHIN_PLAY,
-                Message("overlap within the play"),
-                over,
-                "mm2",
-                LEAST_OVERLAP,
-                Bound.MAX,
-                advice=Message("tips meet roots: {cure}", cure=wider),
-            )
-        )
-        if ratio >= 1:
-            code = CheckCode.OVERLAP_PAST_PLAY
-            checks.append(Check(code, Message("overlap past the play"), past, "mm2", LEAST_OVERLAP, Bound.MIN))
-    for name, state in states.items():
+        over = cycle(built, pair.exact_play(), pair.driver.form.teeth, pair.driven_pitch_radius)
+        checks += cycle_checks(*over)[: 2 if ratio >= 1 else 1]
+    for each, state in states.items():
         # With a contact ratio below 1 there are places where no tooth is in mesh, and the play is greater.
         if _engages(state, engage) and contact_ratio(state.pair, state.apart) >= 1:
             off = (engage(*state).play(0.0) - state.play()) * pair.driven_pitch_radius * 1e3
-            checks.append(
-                Check(
-                    _PLAY_CHECKS[name],
-                    Message("play - computed, {state}", state=_WORDS[name]),
-                    abs(off),
-                    "µm",
-                    PLAY_LIMIT_UM,
-                    Bound.MAX,
-                )
-            )
+            checks.append(measured_check(each, off))
     return tuple(check if check.advice else replace(check, advice=CONTRADICTION) for check in checks)
 
 
@@ -336,7 +341,7 @@ def helix_figures(form: GearForm) -> tuple[Figure, ...]:
     )
 
 
-def gear_figures(form: GearForm, play: GearPlay[float], sizes: Inspection) -> Figures:
+def gear_figures(form: GearForm, limits: tuple[float, float], sizes: Inspection) -> Figures:
     """Dimensions of one gear for the workshop."""
     span, pins = sizes.span, sizes.pins
     needed: tuple[Figure, ...] = ()
@@ -346,8 +351,8 @@ def gear_figures(form: GearForm, play: GearPlay[float], sizes: Inspection) -> Fi
     return Figures(
         *form_figures(form).values(),
         Figure("E_sn", "E_sn", form.tooth_thickness_deviation * 1e3, "µm"),
-        Figure("E_sns", "E_sns", play.E_sns * 1e3, "µm"),
-        Figure("E_sni", "E_sni", play.E_sni * 1e3, "µm"),
+        Figure("E_sns", "E_sns", limits[0] * 1e3, "µm"),
+        Figure("E_sni", "E_sni", limits[1] * 1e3, "µm"),
         Figure("teeth_spanned", Message("teeth spanned"), span.teeth_spanned if span else None),
         *_limits("span", span.span if span else None),
         *needed,
@@ -539,8 +544,14 @@ class SpurPair(Pair, Stage):
         overlap = (Figure("overlap_ratio", Message("overlap ratio"), self.overlap_ratio),) if self.overlap_ratio else ()
         of_both = Figures(ratio, *overlap)
         return (
-            Figures(*gear_figures(driver, play.driver, inspections[0]).values(), *of_both.values()),
-            Figures(*gear_figures(driven, play.driven, inspections[1]).values(), *of_both.values()),
+            Figures(
+                *gear_figures(driver, (play.driver.E_sns, play.driver.E_sni), inspections[0]).values(),
+                *of_both.values(),
+            ),
+            Figures(
+                *gear_figures(driven, (play.driven.E_sns, play.driven.E_sni), inspections[1]).values(),
+                *of_both.values(),
+            ),
         )
 
 

@@ -152,6 +152,11 @@ def rim_diameter(wheel: Wheel) -> float:
     return float(getattr(wheel, "rim_diameter", wheel.tip_diameter))
 
 
+def is_bar(wheel: Wheel) -> bool:
+    """Whether a wheel is a straight bar, as a rack is, which travels and does not turn."""
+    return hasattr(wheel, "bar")
+
+
 class PlayZone(Protocol):
     """Play of a stage at its driven shaft: a zone, and how it is distributed in it."""
 
@@ -310,6 +315,15 @@ class Stage(ABC):
             driver_angle: of the driver, rad.
             direction: from the driver's axis to that of the driven wheel, rad.
         """
+
+    def driven_shift(self, driver_angle: float, direction: float) -> complex:
+        """Way from where the driven wheel's axis is to the origin of its own frame, mm; none but of a bar.
+
+        Args:
+            driver_angle: angle of the driver, rad.
+            direction: from the driver's axis to that of the driven wheel, rad.
+        """
+        return 0j
 
     @property
     def toothed(self) -> bool:

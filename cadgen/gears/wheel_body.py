@@ -6,7 +6,7 @@ from dataclasses import replace
 from math import asin, degrees, floor, hypot, isfinite, pi, sin, tan
 
 from cadgen.errors import DesignError
-from cadgen.gears.stage import Wheel, is_ring, rim_diameter
+from cadgen.gears.stage import Wheel, is_bar, is_ring, rim_diameter
 from cadgen.messages import Message
 from cadgen.parts.blank import Blank
 from cadgen.parts.body import Body, RadialHole, Slab
@@ -27,8 +27,8 @@ def gear_body(form: Wheel, blank: Blank | None = None) -> Body:
     """
     blank = blank or Blank()
     teeth = form.outline.from_below(form.width)
-    if is_ring(form):
-        return _ring_body(form, blank, teeth)
+    if is_ring(form) or is_bar(form):
+        return _plain_body(form, blank, teeth)
     pins = _pin_holes(blank, form)
     holes = _checked_features(blank, form) + pins
     bore = _bore(blank)
@@ -66,8 +66,8 @@ def _pin_holes(blank: Blank, form: Wheel) -> tuple[Loop, ...]:
     return holes
 
 
-def _ring_body(form: Wheel, blank: Blank, teeth: Loop) -> Body:
-    """The body of a ring: a plain rim, since a shaft cannot pass through it."""
+def _plain_body(form: Wheel, blank: Blank, teeth: Loop) -> Body:
+    """The body of a ring, a plain rim, or of a rack: no shaft can pass through them."""
     for name, key in (
         (Message("a bore"), "bore_diameter_mm" if blank.bore_diameter else ""),
         (Message("a hub"), "hub" if blank.hub else ""),
@@ -75,10 +75,16 @@ def _ring_body(form: Wheel, blank: Blank, teeth: Loop) -> Body:
         (Message("a web"), "web" if blank.web else ""),
         (Message("lightening holes"), "lightening" if blank.lightening else ""),
     ):
+        if key and is_bar(form):
+            raise DesignError(
+                "{gear} has {feature}, and a rack is a plain bar; remove {key}", gear=str(form), feature=name, key=key
+            )
         if key:
             raise DesignError(
                 "{gear} has {feature}, and a ring is a plain rim; remove {key}", gear=str(form), feature=name, key=key
             )
+    if is_bar(form):
+        return Body((Slab(0.0, form.width, (teeth,)),))
     return Body((Slab(0.0, form.width, (circle(rim_diameter(form)), teeth)),))
 
 

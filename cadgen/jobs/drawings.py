@@ -21,7 +21,7 @@ from cadgen.design.machining import DrawingText
 from cadgen.errors import FileError
 from cadgen.figures import Facts, Figures, with_unit
 from cadgen.gears.layout import TrainLayout, TrainPart
-from cadgen.gears.stage import Mating, Stage, rim_diameter
+from cadgen.gears.stage import Mating, Stage, is_bar, rim_diameter
 from cadgen.gears.tooth import GearForm
 from cadgen.inference.measurement.record import Direction
 from cadgen.jobs.cam.cam_plan import CamPlan, Groove
@@ -325,7 +325,7 @@ def plate_of(plan: GearTrain) -> Plate:
     Raises:
         DesignError: bores for bearings that meet, or are too many or too few.
     """
-    parts, making = plan.layout.on_shafts, plan.making
+    parts, making = [part for part in plan.layout.on_shafts if not is_bar(part.gears[0])], plan.making
     beside = [part for part in plan.layout.parts if part.beside]
     bores = bearing_bores(making.bearing_bores, [part.blank.bore_diameter for part in parts])
     axes = tuple(
@@ -388,6 +388,9 @@ def _mates(
     """
     whole, wheel, places = layout.train.stages[stage - 1], part.wheel_of(stage), layout.places(stage)
     matings = [mating for mating in whole.matings if wheel in (mating.driver, mating.driven)]
+    if not matings and whole.matings:  # a carrier
+        planet = whole.matings[0]
+        return layout.parts[places[planet.driven]].name, planet.pair, False
     matings = matings or [Mating(whole)]
     named = []
     for mating in matings:

@@ -133,6 +133,41 @@ class Arc(PlaneCurve):
 
 
 @dataclass(frozen=True, slots=True)
+class EllipseArc(PlaneCurve):
+    """Arc of an ellipse: half axes along the direction `turn` and across it, from the angle `start` by `sweep`."""
+
+    half_axes: tuple[float, float]
+    start: float
+    sweep: float
+    centre: complex = 0j
+    turn: float = 0.0
+
+    def _about_centre(self, angle: Reals) -> Points:
+        along, across = self.half_axes
+        return np.asarray(_unit(self.turn) * (along * np.cos(angle) + 1j * across * np.sin(angle)))
+
+    def point(self, t: ArrayLike) -> Points:
+        """Points (mm) at parameters t, see `PlaneCurve`."""
+        return self.centre + self._about_centre(_share(self.start, self.start + self.sweep, t))
+
+    def tangent(self, t: ArrayLike) -> Points:
+        """Unit tangent at t, see `PlaneCurve`."""
+        angle, (along, across) = _share(self.start, self.start + self.sweep, t), self.half_axes
+        way = np.copysign(1.0, self.sweep) * _unit(self.turn) * (-along * np.sin(angle) + 1j * across * np.cos(angle))
+        return np.asarray(way / np.abs(way))
+
+    def swept_area(self) -> float:
+        """½∫(x dy − y dx) in mm²."""
+        start, end = complex(self.point(0.0)), complex(self.point(1.0))
+        moment = (self.centre.conjugate() * (end - start)).imag
+        return float(self.half_axes[0] * self.half_axes[1] * self.sweep + moment) / 2
+
+    def rotated(self, angle: float) -> Self:
+        """Curve turned about the origin, see `PlaneCurve`."""
+        return replace(self, turn=self.turn + angle, centre=self.centre * complex(_unit(angle)))
+
+
+@dataclass(frozen=True, slots=True)
 class Involute(PlaneCurve):
     """Involute r_b·exp(i(origin + hand·ξ))·(1 − i·hand·ξ) of the base circle over the roll angle ξ.
 
@@ -326,7 +361,7 @@ class CutterTrochoid(PlaneCurve):
         return replace(self, start=self.end, end=self.start)
 
 
-Curve = Segment | Arc | Involute | Trochoid | CutterTrochoid
+Curve = Segment | Arc | EllipseArc | Involute | Trochoid | CutterTrochoid
 
 
 def chord_parameters(curve: Curve, chord_tolerance: float) -> Reals:
@@ -356,7 +391,7 @@ def chord_parameters(curve: Curve, chord_tolerance: float) -> Reals:
 class Loop:
     """Closed counter-clockwise curve: `curves` end to end, and their copies turned by 2π/`repeats`.
 
-    Arcs in it run counter-clockwise. `run` is how a wall of this section turns as it goes up.
+    `run` is how a wall of this section turns as it goes up.
     """
 
     curves: tuple[Curve, ...]

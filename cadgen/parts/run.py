@@ -8,19 +8,21 @@ from math import cos, pi, sin, tan
 
 @dataclass(frozen=True, slots=True)
 class HelixRun:
-    """Turning of a section with its height above the start of its wall.
+    """Turning of a section with its height above the start of its wall, or its lean.
 
     Attributes:
         rate: turning per mm of height, rad/mm; positive for a right-hand helix, 0 for a prism.
         apex: height above the start at which the helix turns back, mm; None for one that does not.
+        lean: shift of the section along x per mm of height, of a wall that does not turn, as that of a helical rack.
     """
 
     rate: float = 0.0
     apex: float | None = None
+    lean: float = 0.0
 
     @property
     def straight(self) -> bool:
-        """Whether the wall is a prism."""
+        """Whether the wall does not turn."""
         return self.rate == 0
 
     def angle(self, height: float) -> float:

@@ -253,7 +253,7 @@ def test_what_is_for_spur_gears_alone_says_so(mixed, job, words):
         ("train.stages.1.f_a_um=3", "[train.stages] takes kind, bearing_span_mm, direction_deg, driver_diameter_mm,"),
         (
             'train.stages.1.kind="belt"',
-            'train.stages.1.kind is "belt"; it must be "spur", "planetary" or "friction_discs"',
+            'train.stages.1.kind is "belt"; it must be "spur", "planetary", "rack" or "friction_discs"',
         ),
         ("train.stages.1.kind=", "train.stages.1.press_N is not a key: [train.stages] takes kind, bearing_span_mm"),
         (

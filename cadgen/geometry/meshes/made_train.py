@@ -16,7 +16,7 @@ from cadgen.gears.layout import Blanks, TrainLayout, lay_out
 from cadgen.gears.stage import CONTRADICTION, PLAY_LIMIT_UM, Stage, Wheel
 from cadgen.gears.train import Train, TrainPlay, thinned
 from cadgen.geometry.meshes.mesh import body_mesh
-from cadgen.geometry.meshes.teeth import MeasuredPair, measured_pair, return_error
+from cadgen.geometry.meshes.teeth import MeasuredMesh, measured_pair, return_error
 from cadgen.messages import Message, clauses, joined
 from cadgen.parts.blank import Blank
 
@@ -50,7 +50,7 @@ def meshes(cut: Sequence[Stage]) -> bool:
     return all(stage.meshes(_built) for stage in cut)
 
 
-def play_error_um(stage: Stage, measured: Sequence[MeasuredPair]) -> float:
+def play_error_um(stage: Stage, measured: Sequence[MeasuredMesh]) -> float:
     """Measured less computed play as cut, µm of arc on the driven gear's pitch circle.
 
     Args:
@@ -61,7 +61,7 @@ def play_error_um(stage: Stage, measured: Sequence[MeasuredPair]) -> float:
     return (found - stage.free_angle()) * stage.driven_pitch_radius * 1e3
 
 
-def return_error_um(cut: Sequence[Stage], measured: Sequence[Sequence[MeasuredPair]]) -> float:
+def return_error_um(cut: Sequence[Stage], measured: Sequence[Sequence[MeasuredMesh]]) -> float:
     """Measured less computed return error as cut, µm of arc on the output wheel's pitch circle.
 
     Args:
@@ -81,7 +81,7 @@ def return_error_um(cut: Sequence[Stage], measured: Sequence[Sequence[MeasuredPa
 
 
 @cache  # equal stages of a train have equal sections
-def _built(stage: Stage, apart: float) -> MeasuredPair:
+def _built(stage: Stage, apart: float) -> MeasuredMesh:
     return measured_pair(stage, apart)
 
 

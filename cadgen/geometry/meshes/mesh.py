@@ -20,7 +20,6 @@ from cadgen.curves.closed import ClosedCurve
 from cadgen.curves.contour import Contour, circle
 from cadgen.curves.polygon import polygon, strip_polygons
 from cadgen.errors import FileError
-from cadgen.gears.rack import RackForm
 from cadgen.parts.blank import OVERSHOOT, PROFILE_STEP, Blank, Boss
 from cadgen.parts.body import Body, Cap, RadialHole, caps_of, walls_of
 from cadgen.parts.loop import Loop, Points
@@ -131,7 +130,9 @@ def body_mesh(body: Body, chord_tolerance: float) -> Mesh:
             low = rings[outline, wall.start] = put(outline.polygon(chord), wall.start)
         section = low.points
         for height in turning_heights(outline, length, chord_tolerance):
-            turned = section if outline.run.straight else section * np.exp(1j * outline.run.angle(height))
+            turned = section * np.exp(1j * outline.run.angle(height)) if outline.run.rate else section
+            if outline.run.lean:
+                turned = section + outline.run.lean * height
             high = put(turned, wall.end if height == length else wall.start + height)
             strip = _strip(low.first, high.first, len(section))
             triangles.append(strip if wall.outward else strip[:, ::-1])
@@ -147,19 +148,6 @@ def body_mesh(body: Body, chord_tolerance: float) -> Mesh:
     # Made before the solid: the order in which both are made is that of their triangles in the result.
     tool = drill(body.radial_hole, np.column_stack([section.real, section.imag]))
     return mesh_of(mesh.solid() - tool)
-
-
-def rack_mesh(rack: RackForm, chord_tolerance: float) -> Mesh:
-    """Mesh of a rack, its reference line on x and its width upwards along z.
-
-    Args:
-        rack: numbers of the rack.
-        chord_tolerance: greatest distance of a chord from a fillet, mm.
-    """
-    solid = Manifold.extrude(CrossSection([rack.polygon(chord_tolerance)]), rack.width)
-    lean = -np.tan(rack.helix_angle)
-    sheared = np.array([[1.0, 0.0, lean, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]])
-    return mesh_of(solid.transform(sheared))
 
 
 def _strip(low: int, high: int, count: int) -> NDArray[np.int64]:

@@ -14,6 +14,7 @@ section is that of its hole, and a pinion overlaps it where it stands out of tha
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -23,6 +24,7 @@ import manifold3d
 import numpy as np
 
 from cadgen.errors import CheckError
+from cadgen.gears.rack import RackForm
 from cadgen.gears.stage import LEAST_OVERLAP, Stage, Wheel, is_ring
 from cadgen.messages import Message
 from cadgen.parts.loop import Points
@@ -77,8 +79,107 @@ class ToothSection:
         return np.append(self.corners[rows].ravel() * np.exp(1j * angle), 0j)
 
 
+class MeasuredMesh(ABC):
+    """Two sections in mesh, of which the driven one is turned, or moved, while the driver stands still."""
+
+    __slots__ = ()
+
+    driver: ToothSection
+    driven: ToothSection
+    centre_distance: float
+
+    @property
+    @abstractmethod
+    def half_pitch(self) -> float:
+        """Half a pitch as an angle of the driven gear, rad."""
+
+    @property
+    @abstractmethod
+    def internal(self) -> bool:
+        """Whether the driven gear turns the same way as the driver."""
+
+    @abstractmethod
+    def middle(self, driver_angle: float) -> float:
+        """Angle of the driven gear with its teeth midway between the driver's, in rad, continuous.
+
+        Args:
+            driver_angle: angle of the driver, rad.
+        """
+
+    @abstractmethod
+    def overlap(self, driver_angle: float, driven_angle: float) -> float:
+        """Overlap of both sections in mm².
+
+        Args:
+            driver_angle: angle of the driver, rad.
+            driven_angle: angle of the driven gear, rad.
+        """
+
+    @abstractmethod
+    def clearances(self) -> tuple[float, float]:
+        """Gap in mm between the driver's tips and the driven gear's roots, and the other way round."""
+
+    def overlap_midway(self, driver_angle: float) -> float:
+        """Overlap in mm² with the teeth midway between the other's: above `LEAST_OVERLAP` they jam.
+
+        Args:
+            driver_angle: angle of the driver, rad.
+        """
+        return self.overlap(driver_angle, self.middle(driver_angle))
+
+    def overlap_tooth_on_tooth(self, driver_angle: float) -> float:
+        """Overlap in mm² half a pitch on: up to `LEAST_OVERLAP` the teeth do not hold each other.
+
+        Args:
+            driver_angle: angle of the driver, rad.
+        """
+        return self.overlap(driver_angle, self.middle(driver_angle) + self.half_pitch)
+
+    def limit(self, driver_angle: float, side: int) -> float:
+        """Angle in rad at which the driven gear, turned from the middle to `side` (±1), begins to overlap the driver.
+
+        Raises `CheckError` if it overlaps already, or not even half a pitch from the middle.
+
+        Args:
+            driver_angle: angle of the driver, rad.
+            side: direction of the turn, 1 or -1.
+        """
+        middle = self.middle(driver_angle)
+        free, blocked = 0.0, self.half_pitch
+        if self.overlap_midway(driver_angle) > LEAST_OVERLAP:
+            raise CheckError(
+                self._fault(Message("overlap midway between their flanks; thin the teeth, or set the axes apart"))
+            )
+        if self.overlap_tooth_on_tooth(driver_angle) <= LEAST_OVERLAP:
+            raise CheckError(self._fault(Message("pass each other freely; set the axes closer")))
+        while blocked - free > ANGLE_STEP:
+            turned = (free + blocked) / 2
+            if self.overlap(driver_angle, middle + side * turned) > LEAST_OVERLAP:
+                blocked = turned
+            else:
+                free = turned
+        return middle + side * (free + blocked) / 2
+
+    def play(self, driver_angle: float) -> float:
+        """Free angle of the driven gear while the driver stands still, in rad.
+
+        Args:
+            driver_angle: angle of the driver, rad.
+        """
+        return self.limit(driver_angle, 1) - self.limit(driver_angle, -1)
+
+    def _fault(self, fault: Message) -> Message:
+        return Message(
+            "the sections with {driver} and {driven} teeth at {apart:g} mm {fault}",
+            driver=self.driver.teeth,
+            driven=self.driven.teeth,
+            apart=self.centre_distance,
+            fault=fault,
+        )
+
+
 @dataclass(frozen=True, slots=True, eq=False)
-class MeasuredPair:
+class MeasuredPair(MeasuredMesh):
     """Two sections in mesh at a centre distance in mm."""
 
     driver: ToothSection
@@ -89,6 +190,11 @@ class MeasuredPair:
     def internal(self) -> bool:
         """Whether one of both is a ring."""
         return self.driver.ring or self.driven.ring
+
+    @property
+    def half_pitch(self) -> float:
+        """Half a pitch of the driven gear, rad."""
+        return pi / self.driven.teeth
 
     @property
     def towards(self) -> tuple[float, float]:
@@ -140,55 +246,6 @@ class MeasuredPair:
         beside = TEETH_INSIDE if pinion.teeth > 2 * TEETH_INSIDE + 1 else section.teeth
         return beside + RING_BEYOND if section.ring else beside
 
-    def overlap_midway(self, driver_angle: float) -> float:
-        """Overlap in mm² with the teeth midway between the other's: above `LEAST_OVERLAP` they jam.
-
-        Args:
-            driver_angle: angle of the driver, rad.
-        """
-        return self.overlap(driver_angle, self.middle(driver_angle))
-
-    def overlap_tooth_on_tooth(self, driver_angle: float) -> float:
-        """Overlap in mm² half a pitch on: up to `LEAST_OVERLAP` the teeth do not hold each other.
-
-        Args:
-            driver_angle: angle of the driver, rad.
-        """
-        return self.overlap(driver_angle, self.middle(driver_angle) + pi / self.driven.teeth)
-
-    def limit(self, driver_angle: float, side: int) -> float:
-        """Angle in rad at which the driven gear, turned from the middle to `side` (±1), begins to overlap the driver.
-
-        Raises `CheckError` if it overlaps already, or not even half a pitch from the middle.
-
-        Args:
-            driver_angle: angle of the driver, rad.
-            side: direction of the turn, 1 or -1.
-        """
-        middle = self.middle(driver_angle)
-        free, blocked = 0.0, pi / self.driven.teeth
-        if self.overlap_midway(driver_angle) > LEAST_OVERLAP:
-            raise CheckError(
-                self._fault(Message("overlap midway between their flanks; thin the teeth, or set the axes apart"))
-            )
-        if self.overlap_tooth_on_tooth(driver_angle) <= LEAST_OVERLAP:
-            raise CheckError(self._fault(Message("pass each other freely; set the axes closer")))
-        while blocked - free > ANGLE_STEP:
-            turned = (free + blocked) / 2
-            if self.overlap(driver_angle, middle + side * turned) > LEAST_OVERLAP:
-                blocked = turned
-            else:
-                free = turned
-        return middle + side * (free + blocked) / 2
-
-    def play(self, driver_angle: float) -> float:
-        """Free angle of the driven gear while the driver stands still, in rad.
-
-        Args:
-            driver_angle: angle of the driver, rad.
-        """
-        return self.limit(driver_angle, 1) - self.limit(driver_angle, -1)
-
     def clearances(self) -> tuple[float, float]:
         """Gap in mm between the driver's tips and the driven gear's roots, and the other way round."""
         if self.internal:
@@ -202,13 +259,63 @@ class MeasuredPair:
             self.centre_distance - self.driven.tip_radius - self.driver.root_radius,
         )
 
-    def _fault(self, fault: Message) -> Message:
-        return Message(
-            "the sections with {driver} and {driven} teeth at {apart:g} mm {fault}",
-            driver=self.driver.teeth,
-            driven=self.driven.teeth,
-            apart=self.centre_distance,
-            fault=fault,
+
+@dataclass(frozen=True, slots=True, eq=False)
+class MeasuredRack(MeasuredMesh):
+    """A pinion and the section of a rack, whose reference line stands so many mm off; angles are those of the pinion.
+
+    The rack's corners are those of its bar, its teeth towards y.
+    """
+
+    driver: ToothSection
+    driven: ToothSection
+    centre_distance: float
+    rack: RackForm
+
+    @property
+    def half_pitch(self) -> float:
+        """Half a pitch as an angle of the pinion, rad."""
+        return pi / self.driver.teeth
+
+    @property
+    def internal(self) -> bool:
+        """Whether it goes along with the pinion: it does."""
+        return True
+
+    @property
+    def pitch_radius(self) -> float:
+        """Radius of the pinion that rolls on the rack, mm."""
+        return self.rack.pitch * self.driver.teeth / (2 * pi)
+
+    def middle(self, driver_angle: float) -> float:
+        """Angle by which the rack has gone along, which is that of the pinion, rad.
+
+        Args:
+            driver_angle: angle of the pinion, rad.
+        """
+        return driver_angle
+
+    def overlap(self, driver_angle: float, driven_angle: float) -> float:
+        """Overlap of both sections in mm².
+
+        Args:
+            driver_angle: angle of the pinion, rad.
+            driven_angle: travel of the rack as an angle of the pinion, rad.
+        """
+        pinion = _section(self.driver.corners.ravel() * np.exp(1j * driver_angle))
+        # A space near the middle of the bar stands at the foot of the pinion's axis.
+        space = round(self.rack.teeth / 2) * self.rack.pitch
+        turned = self.driven.corners.ravel() - space
+        bar = _section(self.centre_distance + 1j * (turned + self.pitch_radius * driven_angle))
+        return float((pinion ^ bar).area())
+
+    def clearances(self) -> tuple[float, float]:
+        """Gap in mm between the pinion's tips and the rack's roots, and the other way round."""
+        heights = np.unique(np.round(self.driven.corners.imag, 9))
+        root, tip = heights[1], heights[-1]
+        return (
+            float(self.centre_distance - root - self.driver.tip_radius),
+            float(self.centre_distance - tip - self.driver.root_radius),
         )
 
 
@@ -224,7 +331,7 @@ def section_of(wheel: Wheel, chord_tolerance: float = CHORD_TOLERANCE) -> ToothS
     return ToothSection(corners, is_ring(wheel))
 
 
-def measured_pair(stage: Stage, centre_distance: float | None = None) -> MeasuredPair:
+def measured_pair(stage: Stage, centre_distance: float | None = None) -> MeasuredMesh:
     """A stage by its exact curves, as cut, at its own centre distance or at another one, mm.
 
     Args:
@@ -233,10 +340,25 @@ def measured_pair(stage: Stage, centre_distance: float | None = None) -> Measure
     """
     apart = stage.centre_distance if centre_distance is None else centre_distance
     driver, driven = stage.wheels
-    return MeasuredPair(section_of(driver), section_of(driven), apart)
+    return sections_in_mesh(stage, section_of(driver), section_of(driven), apart)
 
 
-def return_error(stages: Sequence[MeasuredPair], drive_angle: float = 0.0) -> float:
+def sections_in_mesh(
+    stage: Stage, driver: ToothSection, driven: ToothSection, centre_distance: float | None = None
+) -> MeasuredMesh:
+    """Sections of a stage, exact ones or those of files, set against each other.
+
+    Args:
+        stage: stage of gears.
+        driver, driven: sections of its wheels.
+        centre_distance: distance of the axes, mm; the stage's own if left out.
+    """
+    apart = stage.centre_distance if centre_distance is None else centre_distance
+    rack = getattr(stage.wheels[1], "bar", None)
+    return MeasuredPair(driver, driven, apart) if rack is None else MeasuredRack(driver, driven, apart, rack)
+
+
+def return_error(stages: Sequence[MeasuredMesh], drive_angle: float = 0.0) -> float:
     """Free angle of the output while the drive stands still, in rad, through all stages.
 
     Every stage is held against one flank after the other at the angle that the stage before leaves it; the shafts of

@@ -6,7 +6,6 @@
 | `crossing`    | exact edges where a drilled hole meets a wall                              |
 | `disc_solid`  | the disc of a cam with bore, holes and hub, its rim sharp or broken        |
 | `helical_wall` | walls of helical teeth as Bézier patches and exact cylinders           |
-| `rack_solid`   | a rack, straight or leaning                                            |
 | `gear_solids` | gears, the parts of a gear train, and their assembly                       |
 | `step`        | STEP: reproducible bytes, and what the kernel reads from them              |
 | `step_text`   | rim or tooth curves read from a STEP file's text, without the kernel       |

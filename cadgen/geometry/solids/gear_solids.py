@@ -103,7 +103,8 @@ def _side(wall: SweptWall, wires: Wires) -> TopoDS_Shape:
     if base is None:
         copies = [_copies(curve, wall.outline.turns, wall.start) for curve in wall.outline.curves]
         base = closed_wire([edge for pitch in zip(*copies, strict=True) for edge in pitch])
-    prism = BRepPrimAPI_MakePrism(base, gp_Vec(0.0, 0.0, wall.end - wall.start))
+    height = wall.end - wall.start
+    prism = BRepPrimAPI_MakePrism(base, gp_Vec(wall.outline.run.lean * height, 0.0, height))
     wires[wall.outline, wall.start] = base
     wires[wall.outline, wall.end] = prism.LastShape()
     # The kernel turns the faces of a counter-clockwise wire inwards.
@@ -117,7 +118,8 @@ def _copies(curve: Curve, turns: Points, height: float) -> list[CurveEdge]:
         for arc in (curve.rotated(angle) for angle in np.angle(turns)):
             centre = gp_Pnt(arc.centre.real, arc.centre.imag, height)
             start = gp_Dir(np.cos(arc.start), np.sin(arc.start), 0.0)
-            edges.append(CurveEdge(Geom_Circle(gp_Ax2(centre, UP, start), arc.radius), 0.0, arc.sweep))
+            about = UP if arc.sweep > 0 else UP.Reversed()
+            edges.append(CurveEdge(Geom_Circle(gp_Ax2(centre, about, start), arc.radius), 0.0, abs(arc.sweep)))
         return edges
     if isinstance(curve, Segment):
         poles = curve.point([0.0, 1.0])

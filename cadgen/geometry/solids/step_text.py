@@ -25,9 +25,19 @@ from scipy.interpolate import BSpline
 from cadgen.arrays import Array
 from cadgen.curves.closed import Outline, cross
 from cadgen.errors import FileError
-from cadgen.gears.stage import Wheel, is_ring
+from cadgen.gears.stage import Wheel, is_bar, is_ring
 from cadgen.geometry.meshes.teeth import CHORD_TOLERANCE, ToothSection
-from cadgen.parts.loop import Arc, Curve, CutterTrochoid, Involute, Loop, Trochoid, bernstein, chord_parameters
+from cadgen.parts.loop import (
+    Arc,
+    Curve,
+    CutterTrochoid,
+    EllipseArc,
+    Involute,
+    Loop,
+    Trochoid,
+    bernstein,
+    chord_parameters,
+)
 
 # An instance ends at the first semicolon outside a string; a quote inside a string is doubled.
 _INSTANCE = re.compile(r"#(\d+)\s*=\s*([A-Z0-9_]+)\s*\(((?:[^';]|'[^']*')*)\)\s*;")
@@ -232,6 +242,12 @@ def read_gear(path: Path, gears: Sequence[Wheel], starts: Sequence[float]) -> Ge
     errors: dict[type[Curve], float] = {}
     for wheel, start in zip(gears, starts, strict=True):
         outline, heights = wheel.outline, (start, start + wheel.width)
+        if is_bar(wheel):
+            off, sections = _read_bar(outline, heights, bare, path)
+            errors[Involute] = max(errors.get(Involute, 0.0), off)
+            errors[Trochoid] = max(errors.get(Trochoid, 0.0), _fillet_error(outline, start, bare, curves, path))
+            slices.append(sections)
+            continue
         if not outline.run.straight:
             helical = _read_helical(outline, start, wheel.width, bare, path, ring=is_ring(wheel))
             for kind, off in helical.errors.items():
@@ -266,6 +282,45 @@ def read_gear(path: Path, gears: Sequence[Wheel], starts: Sequence[float]) -> Ge
         lead_error=lead_error,
         slices=tuple(slices),
     )
+
+
+def _read_bar(
+    outline: Loop, heights: tuple[float, float], bare: str, path: Path
+) -> tuple[float, tuple[ToothSection, ...]]:
+    """Sections of a rack at both ends of its width and midway, and the greatest error of a corner, mm.
+
+    Flanks, tips and roots of a rack are straight, so their ends say where they are.
+    """
+    places = np.array([[float(number) for number in place.split(",")] for _, place in _POINT.findall(bare)])
+    counts = [len(chord_parameters(curve, CHORD_TOLERANCE)) - 1 for curve in outline.curves]
+    first = np.cumsum([0, *counts[:-1]])
+    corners = outline.polygon(CHORD_TOLERANCE)
+    ends, worst = [], 0.0
+    for height in heights:
+        wanted = corners[first] + outline.run.lean * (height - heights[0])
+        level = places[np.abs(places[:, 2] - height) < _LEVEL]
+        found = level[:, 0] + 1j * level[:, 1]
+        if not len(found):
+            raise FileError("{name} has other teeth than this gear: export it again", name=path.name)
+        nearest = found[np.abs(found[:, None] - wanted).argmin(axis=0)]
+        worst = max(worst, float(np.abs(nearest - wanted).max()))
+        read = corners.copy()
+        read[first] = nearest - outline.run.lean * (height - heights[0])
+        ends.append(read)
+    return worst, tuple(ToothSection(read[None]) for read in (ends[0], (ends[0] + ends[1]) / 2, ends[1]))
+
+
+def _fillet_error(outline: Loop, height: float, bare: str, curves: Sequence[_Curves], path: Path) -> float:
+    """Greatest distance of the fillets of a rack in the file from the exact ones, at its lower face, mm."""
+    worst = _rim_error(outline, bare, (height, height), path)
+    for exact in (curve for curve in outline.curves if isinstance(curve, EllipseArc)):
+        ends, off = exact.point([0.0, 1.0]), np.inf
+        for each in curves:
+            near = (np.abs(each.poles[:, [0, -1]] - ends).max(axis=1) < _SAME_END) & (each.height == height)
+            if near.any():
+                off = float(np.abs(_across(each.poles[near][:1], exact)).max())
+        worst = max(worst, off)
+    return worst
 
 
 class _Helical(NamedTuple):

@@ -11,6 +11,7 @@ from cadgen.arrays import Array
 from cadgen.curves.contour import Contour
 from cadgen.figures import Figures
 from cadgen.gears.layout import TrainPart
+from cadgen.gears.rack import RackForm
 from cadgen.gears.stage import Stage, is_ring, rim_diameter
 from cadgen.messages import Message
 from cadgen.output.drawing.placement import Room, placed_dimensions
@@ -151,6 +152,9 @@ class GearPart:
 
 def gear_drawing(gear: GearPart, title: Title) -> DrawingSheet:
     """Sheet A4, or A3 where the part is larger than A4 shows at 1:1."""
+    rack = getattr(gear.part.gears[0], "bar", None)
+    if rack is not None:
+        return _rack_drawing(gear, rack, title)
     body = gear.part.body
     across, axial = 2 * _reach(body), body.slabs[-1].end - body.slabs[0].start
     widths, names, notes = _TABLE[len(gear.data)], _names(gear.part), tuple(_notes(gear))
@@ -187,6 +191,66 @@ def gear_drawing(gear: GearPart, title: Title) -> DrawingSheet:
         title=title,
         views=(_face(gear, face_at, scale), _section(gear, section_at, scale)),
         tables=tables_of(size),
+        notes=notes,
+        columns=columns_of(size),
+    )
+
+
+def _rack_drawing(gear: GearPart, rack: RackForm, title: Title) -> DrawingSheet:
+    """Sheet of a rack: its transverse section, and its end from the side."""
+    root, tip = -rack.dedendum_factor * rack.normal_module, rack.addendum_factor * rack.normal_module
+    back, length, width = -rack.back_height, rack.length, rack.width
+    notes, table_width = gear.notes, sum(_TABLE[1])
+
+    def table_of(size: str) -> SheetTable:
+        at = (SIZES[size][0] - EDGE - table_width, SIZES[size][1] - EDGE - 2.0)
+        return SheetTable(title=Message("rack"), at=at, widths=_TABLE[1], rows=gear.data[0], headed=False)
+
+    def columns_of(size: str) -> tuple[NoteColumn, ...]:
+        return beside_title(size), over_title((table_of(size),), table_width, title)
+
+    def holds(size: str) -> bool:
+        return columns_of(size)[1].height >= 0.0 and have_room(notes, columns_of(size))
+
+    beside = (table_width + 74.0, TITLE_SIZE[1] + 40.0)
+    size, scale = chosen_sheet((length + width, tip - back), beside, 1.0, 5.0, holds)
+    gap, middle = _GAP / scale, EDGE + TITLE_SIZE[1] + (SIZES[size][1] - 2 * EDGE - TITLE_SIZE[1]) / 2
+    face_at, side_at = (LEFT + 20.0, middle), (LEFT + 50.0 + scale * length, middle)
+    line = np.array([[-0.5 * gap, 0.0], [length + 0.5 * gap, 0.0]])
+    face = View(
+        place=face_at,
+        curves=(_outline(rack.outline), Stroke(line, LineKind.CENTRE)),
+        dimensions=(
+            LinearDimension(name="length", start=(0.0, back), end=(length, back), at=(0.0, back - gap)),
+            LinearDimension(
+                name="height to the reference line", start=(0.0, back), end=(0.0, 0.0), at=(-gap, back), angle=90.0
+            ),
+        ),
+        labels=(Label(text=Message("from above"), at=(length / 2, back - 2.2 * gap), height=3.5),),
+    )
+    corners = np.array([[0.0, back], [width, back], [width, tip], [0.0, tip], [0.0, back]])
+    side = View(
+        place=side_at,
+        curves=(Stroke(corners), Stroke(np.array([[0.0, root], [width, root]]))),
+        dimensions=(
+            LinearDimension(name="width", start=(0.0, back), end=(width, back), at=(0.0, back - gap)),
+            LinearDimension(name="height", start=(width, back), end=(width, tip), at=(width + gap, back), angle=90.0),
+            LinearDimension(
+                name="height of the roots",
+                start=(width, back),
+                end=(width, root),
+                at=(width + 2 * gap, back),
+                angle=90.0,
+            ),
+        ),
+        labels=(Label(text=Message("from the side"), at=(width / 2, back - 2.2 * gap), height=3.5),),
+    )
+    return DrawingSheet(
+        size=size,
+        scale=scale,
+        title=title,
+        views=(face, side),
+        tables=(table_of(size),),
         notes=notes,
         columns=columns_of(size),
     )

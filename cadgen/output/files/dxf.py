@@ -525,7 +525,7 @@ def _rack_section(form: RackForm) -> list[SplineArc]:
     root, back = -form.dedendum_factor * form.normal_module, -form.back_height
     here = complex(0.0, root)
     pieces = []
-    for start, deep, left, right, low, end in form.corners():  # type: ignore[misc]
+    for start, deep, left, right, low, end in form.corners():
         up, down = start + bend, end - np.conj(bend[::-1])
         up[[0, -1]], down[[0, -1]] = (start, deep), (low, end)
         pieces += [

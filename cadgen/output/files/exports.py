@@ -323,17 +323,16 @@ class RackExport:
     @cached_property
     def mesh(self) -> Mesh:
         """The mesh, for STL and 3MF."""
-        from cadgen.geometry.meshes.mesh import rack_mesh
+        from cadgen.geometry.meshes.mesh import body_mesh
 
-        return rack_mesh(self.form, self.chord)
+        return body_mesh(self.form.body, self.chord)
 
     def solid(self) -> SolidPart:
         """The rack as a solid with name and colour."""
-        from cadgen.geometry.solids.gear_solids import colour_of_shaft
+        from cadgen.geometry.solids.gear_solids import body_solid, colour_of_shaft
         from cadgen.geometry.solids.kernel import SolidPart
-        from cadgen.geometry.solids.rack_solid import rack_solid
 
-        solid, colour = rack_solid(self.form), colour_of_shaft(2)
+        solid, colour = body_solid(self.form.body), colour_of_shaft(2)
         return SolidPart(solid=solid, name=self.name, description=self.description, colour=colour)
 
 

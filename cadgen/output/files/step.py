@@ -15,7 +15,7 @@ from cadgen.figures import Facts
 from cadgen.gears.layout import TrainLayout
 from cadgen.gears.stage import LEAST_OVERLAP, PLAY_LIMIT_UM, cycle
 from cadgen.geometry.meshes.made_train import meshes, play_error_um, return_error_um
-from cadgen.geometry.meshes.teeth import MeasuredPair, ToothSection
+from cadgen.geometry.meshes.teeth import MeasuredMesh, ToothSection, sections_in_mesh
 from cadgen.messages import Message
 from cadgen.output.files.publisher import Artifact, require
 from cadgen.processes import in_second_process
@@ -261,7 +261,7 @@ def measured_play(
     errors: list[float | None] = [0.0 if stage.toothed else None for stage in cut]
     total: float | None = None
     for level in range(max(len(gear) for part in slices for gear in part)):
-        measured: list[list[MeasuredPair]] = []
+        measured: list[list[MeasuredMesh]] = []
         for number, stage in enumerate(cut, 1):
             places, pairs = layout.places(number), []
             for mating in stage.matings:
@@ -270,7 +270,7 @@ def measured_play(
                     read = slices[places[wheel]][layout.wheel_in(places[wheel], number)]
                     ends.append(read[level % len(read)])
                 driver, driven = ends
-                pairs.append(MeasuredPair(driver, driven, mating.pair.centre_distance))
+                pairs.append(sections_in_mesh(mating.pair, driver, driven))
             measured.append(pairs)
         for place, (stage, found) in enumerate(zip(cut, measured, strict=True)):
             if found:
