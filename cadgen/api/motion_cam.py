@@ -12,7 +12,7 @@ from typing import Any
 from cadgen.api.values import optional, real, whole, word
 from cadgen.arrays import TURN
 from cadgen.cam.followers.table import has, kind_of
-from cadgen.design.motion import DiscSense
+from cadgen.design.sources.source import DiscSense
 from cadgen.errors import DesignError, brief
 from cadgen.laws.unit import MM
 

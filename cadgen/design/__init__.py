@@ -7,7 +7,8 @@ Sections of the file, each with what belongs to it alone:
 | `section`     | what all sections have in common                                                      |
 | `path`        | path, with the keys of its kind                                                       |
 | `course`      | field, posts, walls, zones, gates, spacing, the car's outline -> course and body       |
-| `motion`      | rises and dwells, points, harmonics or a table -> the motion that they make           |
+| `motion`      | the section [motion], of one of its sources                                           |
+| `sources`     | rises and dwells, points, harmonics, a table -> the motion that they make             |
 | `dynamics`    | mass, spring and load of a follower -> what its forces need                           |
 | `lift_rows`   | rows of a lift table from a file                                                      |
 | `follower`    | follower, with the keys of its kind                                                   |

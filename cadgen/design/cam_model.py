@@ -3,8 +3,10 @@
 Car, rod, lift and key are those of the car as it was built, if the design has [as_built].
 """
 
-from dataclasses import fields
+from collections.abc import Callable
+from dataclasses import dataclass, fields
 from math import ceil, degrees, inf, radians
+from typing import Any
 
 import numpy as np
 
@@ -18,10 +20,12 @@ from cadgen.car.path_motion import PathMotion, lap_motion, path_motion
 from cadgen.car.steering import Car, by_rim, rim_travel, steering_jets
 from cadgen.design import blank as keys
 from cadgen.design import gear_model
+from cadgen.design.disc import follower_motion
 from cadgen.design.schema import Design, MotionDesign
 from cadgen.deviations.as_built import AS_DESIGNED, AsBuilt, Placed
 from cadgen.deviations.deviation import Place
 from cadgen.errors import DesignError
+from cadgen.laws.motion import Motion
 from cadgen.messages import Message
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, Mark, SetScrew
@@ -251,6 +255,41 @@ def lift(design: Design, driven: Track | None = None) -> PathMotion:
     return path_motion(rim, by_rim(jets, its_car), travel(design, road), blend=blend)
 
 
+@dataclass(frozen=True)
+class CamMotion:
+    """Section of the design file that a motion comes from.
+
+    Attributes:
+        design: class of the designs that have it.
+        motion: function of a design that returns the motion of its follower.
+        shaping_key: function of a design that returns the key that shapes the motion, as messages name it.
+    """
+
+    design: type[Design | MotionDesign]
+    motion: Callable[[Any], Motion]
+    shaping_key: Callable[[Any], str]
+
+
+# The path of a car, and [motion], whose own sources are the bases of its class.
+CAM_MOTIONS = {
+    "path": CamMotion(Design, lift, lambda design: f"path.{fields(design.path.keys)[0].name}"),
+    "motion": CamMotion(
+        MotionDesign,
+        lambda design: follower_motion(design.motion, design.follower.registered),
+        lambda design: design.motion.shaping_key,
+    ),
+}
+
+
+def source_of(design: Design | MotionDesign) -> CamMotion:
+    """Source of the motion of a design's follower.
+
+    Args:
+        design: loaded design.
+    """
+    return next(source for source in CAM_MOTIONS.values() if isinstance(design, source.design))
+
+
 def blank(design: Design | MotionDesign) -> Blank:
     """Features of the disc besides its profile.
 
@@ -287,9 +326,7 @@ def check_limits(design: Design | MotionDesign) -> CheckLimits:
         min_convex_radius=design.checks.min_convex_radius_mm,
         cutter_radius=design.machining.cutter_diameter_mm / 2,
         wall=design.checks.min_wall_mm,
-        motion_key=f"path.{fields(design.path.keys)[0].name}"
-        if isinstance(design, Design)
-        else design.motion.shaping_key,
+        motion_key=source_of(design).shaping_key(design),
     )
 
 

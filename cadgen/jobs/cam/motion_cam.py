@@ -16,10 +16,9 @@ from cadgen.cam.forces import CamForces
 from cadgen.car.against_play.profile_kinds import ACTUAL, ProfileKind, profile_of
 from cadgen.check import Check, CheckCode, failing
 from cadgen.design import cam_model
-from cadgen.design.disc import follower_motion
 from cadgen.design.load import with_overrides
-from cadgen.design.motion import DiscSense
 from cadgen.design.schema import MotionDesign
+from cadgen.design.sources.source import DiscSense
 from cadgen.errors import CadgenError, DesignError
 from cadgen.figures import Facts, Sheet
 from cadgen.jobs.cam.cam_plan import Application, CamPlan, Groove, Making
@@ -251,7 +250,7 @@ def plan_motion_cam(design: MotionDesign, profile: str | None = None, progress: 
     try:
         return _planned(design, profile, progress)
     except DesignError as error:
-        motion = follower_motion(design.motion, design.follower.registered)
+        motion = cam_model.source_of(design).motion(design)
         if not (isinstance(motion, TableMotion) and motion.rough):
             raise
         try:
@@ -278,7 +277,7 @@ def _planned(design: MotionDesign, profile: str | None, progress: Progress) -> C
             profile=kind.code,
         )
     registered, keys = design.follower.registered, design.follower.keys
-    motion = follower_motion(design.motion, registered)
+    motion = cam_model.source_of(design).motion(design)
     groove, counter = registered.groove(keys, design.seat), registered.second(keys, design.seat)
     if groove is not None and not kind.by_axis:
         return _grooved(design, kind, motion, groove, progress)
