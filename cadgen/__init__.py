@@ -63,6 +63,7 @@ _HOMES = {
     "Hub": "parts.features",
     "DFlat": "parts.features",
     "Flats": "parts.features",
+    "PrintCompensation": "parts.print_compensation",
     "Keyway": "parts.features",
     "KnifeEdge": "api.motion_cam",
     "Lightening": "parts.features",
@@ -125,6 +126,7 @@ if TYPE_CHECKING:
     from cadgen.jobs.tolerance import ToleranceRun
     from cadgen.output.files.publisher import Written, WrittenFile, verify
     from cadgen.parts.features import DFlat, Flats, Hub, Keyway, Lightening, SetScrew, Web
+    from cadgen.parts.print_compensation import PrintCompensation
 
 __all__ = [
     "Adjustment",
@@ -153,6 +155,7 @@ __all__ = [
     "Motion",
     "Plan",
     "Planetary",
+    "PrintCompensation",
     "Rack",
     "Report",
     "Roller",

@@ -7,7 +7,7 @@ is compared with when it is read back.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import KW_ONLY, dataclass, fields
+from dataclasses import KW_ONLY, dataclass, fields, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
@@ -52,6 +52,7 @@ from cadgen.output.files.exports import GearExport
 from cadgen.output.files.publisher import Frozen, Written, folder_of
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import DFlat, Flats, Hub, Keyway, Lightening, Web
+from cadgen.parts.print_compensation import PrintCompensation
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
@@ -329,6 +330,7 @@ class Gear(JobResult):
         folder: str | PathLike[str],
         formats: str | Iterable[str] | None = None,
         *,
+        printing: PrintCompensation | None = None,
         progress: Progress = silent,
     ) -> Written:
         """Write files and compare every tooth read back with the exact one; all are published together or none.
@@ -336,13 +338,16 @@ class Gear(JobResult):
         Args:
             folder: folder for the files; it is made if need be.
             formats: some of step, stl, 3mf and dxf; all if left out.
+            printing: what STL and 3MF take back for a printer; None for nothing.
             progress: function that is called with a few words on each step.
 
         Raises:
             DesignError: a format is unknown.
             FileError: a file cannot be written, or holds something else when it is read back.
         """
-        return write_gear(self._export(), self.entry(), folder_of(folder), progress, formats)
+        return write_gear(
+            replace(self._export(), printing=printing), self.entry(), folder_of(folder), progress, formats
+        )
 
     def _export(self) -> GearExport:
         return _export(self.name, self.form, self.part)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from math import cos, degrees, radians
 from os import PathLike
@@ -20,6 +20,7 @@ from cadgen.gears.tooth import CHORD_PER_MODULE, STEEPEST_HELIX
 from cadgen.jobs.gears.assembly import write_rack
 from cadgen.output.files.exports import RackExport
 from cadgen.output.files.publisher import Written, folder_of
+from cadgen.parts.print_compensation import PrintCompensation
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
@@ -149,6 +150,7 @@ class Rack(JobResult):
         folder: str | PathLike[str],
         formats: str | Iterable[str] | None = None,
         *,
+        printing: PrintCompensation | None = None,
         progress: Progress = silent,
     ) -> Written:
         """Write files and read them back; all are published together or none.
@@ -156,13 +158,16 @@ class Rack(JobResult):
         Args:
             folder: folder for the files; it is made if need be.
             formats: some of step, stl, 3mf and dxf; all if left out.
+            printing: what STL and 3MF take back for a printer; None for nothing.
             progress: function that is called with a few words on each step.
 
         Raises:
             DesignError: a format is unknown.
             FileError: a file cannot be written, or holds something else when it is read back.
         """
-        return write_rack(self._export(), self.entry(), folder_of(folder), progress, formats)
+        return write_rack(
+            replace(self._export(), printing=printing), self.entry(), folder_of(folder), progress, formats
+        )
 
     def _export(self) -> RackExport:
         chord = min(CHORD_PER_MODULE * self.form.normal_module, COARSEST_CHORD)

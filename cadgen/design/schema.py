@@ -41,6 +41,7 @@ from cadgen.errors import DesignError
 from cadgen.laws.unit import TAN
 from cadgen.messages import Message
 from cadgen.parts.face import Face
+from cadgen.parts.print_compensation import PrintCompensation
 
 THINNEST_DISC_MM = 0.1
 LEAST_LAND_MM = 0.1  # between two broken edges; less is worn to a ridge by the rod, and no shop can hold it
@@ -214,6 +215,42 @@ class Checks(DesignSection):
     min_wall_mm: float = Field(default=2.0, ge=0, le=100, description="least wall between the outline and any hole")
 
 
+class PrintSection(DesignSection):
+    """Compensation of the files for printing, STL and 3MF: they take back what a printer does to the part.
+
+    They are compared with the part after that is taken out again.
+    """
+
+    hole_um: float = Field(
+        default=0.0, ge=0, le=2000, description="by which bores and holes print too small, in diameter"
+    )
+    chords: bool = Field(
+        default=False,
+        description="whether the corners of round holes stand outside, so that the chords touch the circle",
+    )
+    foot_um: float = Field(
+        default=0.0, ge=0, le=1000, description="by which the first layers bulge on each side (elephant's foot)"
+    )
+    foot_height_um: float = Field(default=200.0, gt=0, le=5000, description="height over which the bulge dies away")
+    shrinkage_percent: float = Field(default=0.0, ge=-5, le=10, description="by which the part shrinks")
+    shrinkage_z_percent: float | None = Field(
+        default=None, ge=-5, le=10, description="by which it shrinks in height; left out, as much as across"
+    )
+
+    @property
+    def compensation(self) -> PrintCompensation:
+        """Its values in mm and shares."""
+        up = self.shrinkage_percent if self.shrinkage_z_percent is None else self.shrinkage_z_percent
+        return PrintCompensation(
+            hole=self.hole_um * 1e-3,
+            chords=self.chords,
+            foot=self.foot_um * 1e-3,
+            foot_height=self.foot_height_um * 1e-3,
+            shrinkage=self.shrinkage_percent / 100,
+            shrinkage_z=up / 100,
+        )
+
+
 class Export(DesignSection):
     """How finely the files follow the exact outline."""
 
@@ -231,6 +268,12 @@ class Export(DesignSection):
         description="greatest error of the arcs in DXF and G-code, which may move the rod by no more than 1 µm",
     )
     point_count: int = Field(default=3600, ge=360, le=36_000, description="points of the xyz and CSV clouds")
+    print: PrintSection | None = None
+
+    @property
+    def printing(self) -> PrintCompensation | None:
+        """Compensation of the files for printing; None where the design does not say."""
+        return None if self.print is None else self.print.compensation
 
     @property
     def cam_chord_um(self) -> float:

@@ -174,7 +174,11 @@ def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
         leans=plan.follower.leans,
         face=Message("inner face") if plan.seen == Face.INNER else Message("outer face"),
         files=folder.files(plan.stem, plan.origin.content_hash, endings),
-        notes=(*use.drawing_notes(plan), *([plan.kind.note] if plan.kind.note else [])),
+        notes=(
+            *use.drawing_notes(plan),
+            *([plan.kind.note] if plan.kind.note else []),
+            *([making.export.printing.note] if making.export.printing else []),
+        ),
         timing=None if timing is None else TimingDiagram.of(timing),
         groove=None if plan.groove is None else _groove(plan, plan.groove, angles),
     )
@@ -307,7 +311,7 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
             pitch_diameters=tuple(
                 float(f"{diameter:.7g}") for gear in gears.values() if (diameter := gear.value("reference_diameter"))
             ),
-            notes=(place,),
+            notes=(place, *([plan.printing.note] if plan.printing else [])),
         )
         name = Message("{part}: {bodies}", part=part.name, bodies=bodies)
         title = title_of(origin, plan.title, name, made.material or "", stem, folder)

@@ -19,7 +19,7 @@ from cadgen.geometry.meshes.teeth import ToothSection, section_of
 from cadgen.jobs.gears.assembly import table_of
 from cadgen.jobs.gears.gear_train import plan_gears
 from cadgen.output.files.step import assembly_facts, measured_play, train_step
-from cadgen.output.files.stl import judged_body
+from cadgen.output.files.stl import MeshedPart, judged_body
 from cadgen.output.files.tables import train_table
 
 
@@ -102,16 +102,16 @@ def test_sections_whose_play_is_right_only_at_the_line_of_centres_are_refused(pl
 
 def test_a_mesh_of_another_volume_or_in_pieces_is_refused(plan):
     part = plan.layout.parts[0]
-    mesh = body_mesh(part.body, 1e-3)
-    assert judged_body("x.stl", mesh, part.volume, 1e-3).facts.json()["watertight"]
+    mesh, meshed = body_mesh(part.body, 1e-3), MeshedPart.of(part, 1e-3, None)
+    assert judged_body("x.stl", mesh, part.volume, meshed).facts.json()["watertight"]
     with pytest.raises(FileError, match="misses the exact volume"):
-        judged_body("x.stl", mesh._replace(vertices=mesh.vertices * 1.01), part.volume, 1e-3)
+        judged_body("x.stl", mesh._replace(vertices=mesh.vertices * 1.01), part.volume, meshed)
     twice = mesh._replace(
         vertices=np.concatenate([mesh.vertices, mesh.vertices + 50.0]),
         triangles=np.concatenate([mesh.triangles, mesh.triangles + len(mesh.vertices)]),
     )
     with pytest.raises(FileError, match="is not one body"):
-        judged_body("x.stl", twice, part.volume, 1e-3)
+        judged_body("x.stl", twice, part.volume, meshed)
 
 
 def test_the_table_of_parts_has_the_limits_of_every_tooth_and_is_read_back(plan, tmp_path, monkeypatch):

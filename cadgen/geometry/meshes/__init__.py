@@ -4,6 +4,7 @@
 |--------------|---------------------------------------------------------------------------------|
 | `mesh`       | a mesh; that of a cam's disc, and that of a body of prisms such as a gear's      |
 | `content`    | a mesh measured: closed or not, its bodies, volume, and the rim of a disc        |
+| `printing`   | what a printer does to a mesh, taken back; and the part from the mesh for it     |
 | `teeth`      | play and clearances of two gears, measured on their sections, without formulas   |
 | `made_train` | play -> thinned teeth, layout, inspection and measured mesh; the train's checks  |
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from math import degrees
@@ -26,6 +26,7 @@ from cadgen.output.files.exports import GearExport, RackExport, TrainExport
 from cadgen.output.files.publisher import Artifact, Written, folder_of, publish, refusal
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import DFlat, Flats
+from cadgen.parts.print_compensation import PrintCompensation
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
@@ -129,6 +130,11 @@ class Assembly(JobResult, ABC):
         return ReturnError(float(play.return_error_min), sum(free), float(play.return_error_max))
 
     @property
+    def printing(self) -> PrintCompensation | None:
+        """Compensation of the files for printing; None for none."""
+        return None
+
+    @property
     def export(self) -> TrainExport:
         """Train as the writers of all formats take it."""
         parts = self.computed.layout.parts
@@ -139,6 +145,7 @@ class Assembly(JobResult, ABC):
             passed=self.passed,
             chords=[self.chord(part.gears) for part in parts],
             table=table_of(self.computed.layout),
+            printing=self.printing,
         )
 
     def build123d(self) -> Compound:
@@ -158,6 +165,7 @@ class Assembly(JobResult, ABC):
         formats: str | Iterable[str] | None = None,
         *,
         force: bool = False,
+        printing: PrintCompensation | None = None,
         progress: Progress = silent,
     ) -> Written:
         """Write files, measure the play on the teeth read back, and publish all together or none.
@@ -167,6 +175,7 @@ class Assembly(JobResult, ABC):
             formats: some of step (the assembly and each part), stl, 3mf, dxf (outlines) and csv (the table of parts);
                 step, stl and csv if left out.
             force: whether files are written even if a check fails; the manifest then says so.
+            printing: what STL and 3MF take back for a printer; None for what the design says.
             progress: function that is called with a few words on each step.
 
         Raises:
@@ -180,7 +189,7 @@ class Assembly(JobResult, ABC):
         place = folder_of(folder)
         if not (self.passed or force):
             raise CheckError(refusal(self.failed))
-        wanted, train = TRAIN.chosen(formats), self.export
+        wanted, train = TRAIN.chosen(formats), replace(self.export, printing=printing or self.printing)
         if any(each.code == "step" for each in wanted):
             require_few_teeth(train, (code for code in TRAIN.codes if code != "step"))
         return _published(f"{self.stem}_train", TRAIN, train, wanted, self.entry(), self.frame, place, progress)

@@ -25,6 +25,7 @@ from cadgen.jobs.gears.assembly import Assembly, checks_facts, parts_facts, retu
 from cadgen.messages import Message, joined
 from cadgen.output.drawing.shaft_fit import ShaftFit
 from cadgen.output.files.manifest import Origin
+from cadgen.parts.print_compensation import PrintCompensation
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
@@ -154,6 +155,7 @@ class GearTrain(Assembly):
         title: texts of the design's title blocks; None where it has none.
         making: what the drawings say of its parts and of the plates besides their shapes.
         mesh_chord: greatest chord error of the parts' meshes that the design gives, mm; None where it gives none.
+        compensation: what files for printing take back; None where the design does not say.
         order: order of the stages: `as-given`, `reordered` or `search`.
         designed: play of the train as the design has it.
         designed_standard: play of that train without the design's overrides; None if the standards do not cover it.
@@ -172,6 +174,7 @@ class GearTrain(Assembly):
     title: DrawingText | None
     making: TrainMaking
     mesh_chord: float | None
+    compensation: PrintCompensation | None
     order: Order
     designed: TrainPlay
     designed_standard: TrainPlay | None
@@ -217,6 +220,11 @@ class GearTrain(Assembly):
     def description(self) -> str:
         """Description of the train for STEP files, one line."""
         return f"gear train, {self.order}, design {self.origin.content_hash[:12]}"
+
+    @property
+    def printing(self) -> PrintCompensation | None:
+        """Compensation of the files for printing; None where the design does not say."""
+        return self.compensation
 
     def chord(self, gears: Sequence[Wheel]) -> float:
         """Greatest chord error of a part's mesh, mm: the design's, or that which suits all of its gears.
@@ -312,6 +320,7 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
         title=design.drawing,
         making=TrainMaking.of(gear_model.train_keys(design)),
         mesh_chord=None if chord is None else chord * 1e-3,
+        compensation=design.export.printing,
         order=order,
         designed=designed_play,
         designed_standard=designed_standard,

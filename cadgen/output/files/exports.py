@@ -27,9 +27,11 @@ from cadgen.laws.motion import Motion
 from cadgen.messages import Message
 from cadgen.output.files.publisher import Artifact
 from cadgen.parts.blank import Blank
+from cadgen.parts.print_compensation import PrintCompensation
 
 if TYPE_CHECKING:
     from cadgen.geometry.meshes.mesh import Mesh
+    from cadgen.geometry.meshes.printing import HoleOutline
     from cadgen.geometry.solids.kernel import SolidPart
 
 # Share of the chord tolerance that the rim's chords may take at a pressure angle of 0; and at least, at 87 degrees.
@@ -127,6 +129,18 @@ class CamExport:
         from cadgen.geometry.meshes.mesh import cam_mesh
 
         return cam_mesh(self.curve, self.blank, self.thickness, self.chord, self.rim_share)
+
+    @property
+    def printing(self) -> PrintCompensation | None:
+        """Compensation of the files for printing; None for none."""
+        return self.export.printing
+
+    @property
+    def holes(self) -> tuple[HoleOutline, ...]:
+        """Bore and holes as the mesh has them."""
+        from cadgen.geometry.meshes.printing import holes_of_disc
+
+        return holes_of_disc(self.blank, self.chord)
 
     @cached_property
     def volume(self) -> float:
@@ -244,6 +258,16 @@ class GrooveExport:
             min(self.inner.rim_share, self.outer.rim_share),
         )
 
+    @property
+    def printing(self) -> PrintCompensation | None:
+        """Compensation of the files for printing; None for none."""
+        return self.inner.printing
+
+    @property
+    def holes(self) -> tuple[HoleOutline, ...]:
+        """Bore and holes as the mesh has them."""
+        return self.inner.holes
+
     @cached_property
     def volume(self) -> float:
         """Volume for comparison with every file's, mm³."""
@@ -278,6 +302,7 @@ class GearExport:
         part: gear as a part by itself.
         chord: greatest chord error of its mesh, mm.
         shaft: number that decides its colour.
+        printing: what files for printing take back; None for nothing.
     """
 
     name: str
@@ -285,6 +310,7 @@ class GearExport:
     part: TrainPart
     chord: float
     shaft: int = 1
+    printing: PrintCompensation | None = None
 
     @property
     def description(self) -> str:
@@ -309,11 +335,19 @@ class RackExport:
         name: name of the rack and of its files, without their ending.
         form: numbers of its teeth.
         chord: greatest chord error of its mesh, mm.
+        printing: what files for printing take back; None for nothing.
     """
 
     name: str
     form: RackForm
     chord: float
+    printing: PrintCompensation | None = None
+    holes: tuple[HoleOutline, ...] = ()
+
+    @property
+    def base(self) -> float:
+        """Exact area of its lower face, mm²."""
+        return self.form.area
 
     @property
     def description(self) -> str:
@@ -347,6 +381,7 @@ class TrainExport:
         passed: whether the train keeps every check, so that its play must be the same over a pitch.
         chords: greatest chord error of each part's mesh, mm.
         table: rows of the table of parts.
+        printing: what files for printing take back; None for nothing.
     """
 
     stem: str
@@ -355,3 +390,4 @@ class TrainExport:
     passed: bool
     chords: Sequence[float]
     table: Sequence[Mapping[str, str | float | None]]
+    printing: PrintCompensation | None = None

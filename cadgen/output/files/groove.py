@@ -16,7 +16,7 @@ from cadgen.output.files.dxf import SPLINE_TOLERANCE, read_curves, write_curves
 from cadgen.output.files.groove_nc import read_groove, rounds_of, write_groove
 from cadgen.output.files.publisher import Artifact, require
 from cadgen.output.files.step import whole_part
-from cadgen.output.files.stl import read_stl, stl_bytes, whole_mesh
+from cadgen.output.files.stl import as_printed, for_printing, read_stl, stl_bytes, whole_mesh
 from cadgen.output.files.tables import cam_table
 from cadgen.output.files.threemf import read_3mf, threemf_bytes
 from cadgen.output.files.xyz import cam_xyz
@@ -62,14 +62,15 @@ def groove_step(cam: GrooveExport, folder: Path) -> Iterator[Artifact]:
 def groove_stl(cam: GrooveExport, folder: Path) -> Iterator[Artifact]:
     """STL file of the part."""
     name = f"{cam.stem}.stl"
-    (folder / name).write_bytes(stl_bytes(cam.mesh, cam.stem))
+    (folder / name).write_bytes(stl_bytes(for_printing(cam.mesh, cam.holes, cam.printing), cam.stem))
     yield _judged_mesh(cam, name, read_stl(folder / name))
 
 
 def groove_3mf(cam: GrooveExport, folder: Path) -> Iterator[Artifact]:
     """3MF file of the part."""
     name = f"{cam.stem}.3mf"
-    (folder / name).write_bytes(threemf_bytes(cam.mesh, cam.stem, cam.description))
+    mesh = for_printing(cam.mesh, cam.holes, cam.printing)
+    (folder / name).write_bytes(threemf_bytes(mesh, cam.stem, cam.description))
     again, title = read_3mf(folder / name)
     require(title == cam.stem, name, Message("has lost its name"))
     yield _judged_mesh(cam, name, again)
@@ -78,7 +79,8 @@ def groove_3mf(cam: GrooveExport, folder: Path) -> Iterator[Artifact]:
 def _judged_mesh(cam: GrooveExport, name: str, again: Mesh) -> Artifact:
     from cadgen.geometry.meshes.content import flanks_of, measured
 
-    facts = whole_mesh(name, measured(again), cam, len(again.triangles))
+    count, again = len(again.triangles), as_printed(again, cam.holes, cam.printing)
+    facts = whole_mesh(name, measured(again), cam, count)
     return cam.judged(name, [flanks_of(again, cam.thickness, cam.step)], cam.chord * 1e3, facts)
 
 

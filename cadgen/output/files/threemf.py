@@ -19,7 +19,8 @@ from cadgen.gears.layout import TrainPart
 from cadgen.geometry.meshes.mesh import Mesh
 from cadgen.messages import Message
 from cadgen.output.files.publisher import Artifact, read_file, require
-from cadgen.output.files.stl import judged_body, judged_mesh
+from cadgen.output.files.stl import MeshedPart, for_printing, judged_body, judged_mesh
+from cadgen.parts.print_compensation import PrintCompensation
 
 if TYPE_CHECKING:
     from cadgen.output.files.exports import CamExport, GearExport, RackExport, TrainExport
@@ -32,7 +33,9 @@ _CORE = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
 def cam_3mf(cam: CamExport, folder: Path) -> Iterator[Artifact]:
     """3MF file of a cam, which must be one watertight body with its name."""
     name = f"{cam.stem}.3mf"
-    (folder / name).write_bytes(threemf_bytes(cam.mesh, cam.stem, cam.description))
+    (folder / name).write_bytes(
+        threemf_bytes(for_printing(cam.mesh, cam.holes, cam.printing), cam.stem, cam.description)
+    )
     again, title = read_3mf(folder / name)
     require(title == cam.stem, name, Message("has lost its name"))
     yield judged_mesh(cam, name, again)
@@ -40,33 +43,37 @@ def cam_3mf(cam: CamExport, folder: Path) -> Iterator[Artifact]:
 
 def gear_3mf(gear: GearExport, folder: Path) -> Iterator[Artifact]:
     """3MF file of a gear."""
-    yield _part_3mf(gear.part, folder, gear.name, gear.description, gear.chord)
+    yield _part_3mf(gear.part, folder, (gear.name, gear.description), gear.chord, gear.printing)
 
 
 def train_3mf(train: TrainExport, folder: Path) -> Iterator[Artifact]:
     """3MF file of each part of a train, in its own frame."""
     for part, chord in zip(train.layout.parts, train.chords, strict=True):
-        yield _part_3mf(part, folder, f"{train.stem}_{part.name}", train.description, chord)
+        named = (f"{train.stem}_{part.name}", train.description)
+        yield _part_3mf(part, folder, named, chord, train.printing)
 
 
 def rack_3mf(rack: RackExport, folder: Path) -> Iterator[Artifact]:
     """3MF file of a rack."""
     name, form = f"{rack.name}.3mf", rack.form
-    (folder / name).write_bytes(threemf_bytes(rack.mesh, rack.name, rack.description))
+    mesh = for_printing(rack.mesh, (), rack.printing)
+    (folder / name).write_bytes(threemf_bytes(mesh, rack.name, rack.description))
     again, title = read_3mf(folder / name)
     require(title == rack.name, name, Message("has lost its name"))
-    yield judged_body(name, again, form.area * form.width, rack.chord)
+    yield judged_body(name, again, form.area * form.width, rack)
 
 
-def _part_3mf(part: TrainPart, folder: Path, stem: str, description: str, chord: float) -> Artifact:
+def _part_3mf(
+    part: TrainPart, folder: Path, named: tuple[str, str], chord: float, printing: PrintCompensation | None
+) -> Artifact:
     """3MF file of a part, which must be one closed body of the exact volume with its name."""
-    from cadgen.geometry.meshes.mesh import body_mesh
-
+    (stem, description), meshed = named, MeshedPart.of(part, chord, printing)
     name = f"{stem}.3mf"
-    (folder / name).write_bytes(threemf_bytes(body_mesh(part.body, chord), stem, description))
+    mesh = for_printing(meshed.mesh, meshed.holes, printing)
+    (folder / name).write_bytes(threemf_bytes(mesh, stem, description))
     again, title = read_3mf(folder / name)
     require(title == stem, name, Message("has lost its name"))
-    return judged_body(name, again, part.volume, chord)
+    return judged_body(name, again, part.volume, meshed)
 
 
 def threemf_bytes(mesh: Mesh, name: str, description: str) -> bytes:
