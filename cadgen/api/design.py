@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from cadgen.api.adjustment import Adjustment
     from cadgen.api.calibration import Advice, Calibration, Calibrations
     from cadgen.api.cam import Cam
+    from cadgen.api.found_cam import FoundCam
     from cadgen.api.planning import Plan
     from cadgen.api.runs import Comparison
     from cadgen.api.values import Pool
@@ -195,6 +196,39 @@ class Design(LoadedDesign):
         sources = sources_of(data, reading_of(design, columns), progress=progress)
         computed = calibrate(design, profile, sources, error, progress)
         return Calibration.of(computed, Design(design, self.text, self.file))
+
+    def find_motion(
+        self,
+        data: Data | Iterable[Data],
+        *,
+        columns: Mapping[str, str] | None = None,
+        progress: Progress = silent,
+    ) -> "FoundCam":
+        """Find the motion of a measured cam that is not known: dwells, laws and ends of segments, and wear.
+
+        Args:
+            data: record of the whole cam: points of its outline (`x_mm`, `y_mm`), radii (`polar_angle_deg`,
+                `radius_mm`), or lifts (`cam_angle_deg`, and `lift_mm` or `lift_deg`); a path, or columns.
+            columns: as of `calibrate`.
+            progress: function that is called with a few words on each step.
+
+        Raises:
+            DesignError: the design states its motion, or its follower is one whose motion is not found.
+            FileError: data cannot be read, or show no motion.
+        """
+        from cadgen.api.found_cam import FoundCam
+        from cadgen.inference.motions.record_kinds import kinds_for
+        from cadgen.jobs.worn_cam.found_cam import find_cam
+
+        design = self.values
+        if not isinstance(design, MotionDesign) or not design.motion.measured:
+            raise DesignError(
+                "a motion is found for a design that has motion.measured = true, instead of one that it states: set "
+                "that, and leave the motion out"
+            )
+        known = kinds_for(design.follower.registered.unit)
+        sources = sources_of(data, reading_of(design, columns), known=known, progress=progress)
+        return FoundCam.of(find_cam(design, self.text, sources, progress))
 
     def next_measurement(
         self, *, profile: str = "actual", form_error_um: float | None = None, progress: Progress = silent

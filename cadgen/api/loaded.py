@@ -153,6 +153,11 @@ class LoadedDesign:
         """SHA-256 of the values of the design, hexadecimal, as in manifests."""
         return self.values.content_hash
 
+    @property
+    def by_motion(self) -> bool:
+        """Whether the design is of a cam by its motion, and not of a car."""
+        return isinstance(self.values, MotionDesign)
+
     def complete(self) -> DesignValues:
         """The design, if it has all that a cam needs."""
         known = self.values

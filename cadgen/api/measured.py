@@ -6,13 +6,14 @@ from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from cadgen.design.schema import Design as DesignValues
+from cadgen.design.schema import TrainDesign
 from cadgen.errors import DesignError, brief
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+    from cadgen.inference.measurement.record import Kind
     from cadgen.inference.records.columns import Reading
     from cadgen.jobs.calibration.sources import Source
 
@@ -45,7 +46,7 @@ class Measured:
 Data = str | PathLike[str] | Mapping[str, Any] | Measured
 
 
-def reading_of(design: DesignValues, columns: Mapping[str, str] | None) -> "Reading":
+def reading_of(design: TrainDesign, columns: Mapping[str, str] | None) -> "Reading":
     """How columns of measured data are to be understood, with a design's ratio for angles of the motor.
 
     Args:
@@ -67,7 +68,12 @@ def reading_of(design: DesignValues, columns: Mapping[str, str] | None) -> "Read
 
 
 def sources_of(
-    data: Data | Iterable[Data], reading: "Reading", *, each: bool = False, progress: Progress = silent
+    data: Data | Iterable[Data],
+    reading: "Reading",
+    *,
+    each: bool = False,
+    known: "Sequence[Kind] | None" = None,
+    progress: Progress = silent,
 ) -> "tuple[Source, ...]":
     """Read measured data.
 
@@ -75,6 +81,7 @@ def sources_of(
         data: paths of CSV files, mappings of columns to arrays, `Measured`, or several of these.
         reading: how their columns are to be understood.
         each: whether the data will be judged one by one.
+        known: kinds that they may be of; all that are registered if left out.
         progress: function that is called with a few words on each step.
 
     Raises:
@@ -83,7 +90,7 @@ def sources_of(
     """
     from cadgen.jobs.calibration.sources import gathered
 
-    sources = (_source(item, number, reading, progress) for number, item in enumerate(_each_of(data), 1))
+    sources = (_source(item, number, reading, known, progress) for number, item in enumerate(_each_of(data), 1))
     return gathered(sources, each=each)
 
 
@@ -101,11 +108,13 @@ def _each_of(data: Data | Iterable[Data]) -> list[Data]:
     return several
 
 
-def _source(data: Data, number: int, reading: "Reading", progress: Progress) -> "Source":
+def _source(
+    data: Data, number: int, reading: "Reading", known: "Sequence[Kind] | None", progress: Progress
+) -> "Source":
     from cadgen.jobs.calibration.sources import read, source_of
 
     if isinstance(data, (str, PathLike)):
-        return read([Path(data)], progress, each=True, reading=reading)[0]
+        return read([Path(data)], progress, each=True, reading=reading, known=known)[0]
     if isinstance(data, Mapping):
         data = Measured(data, name=f"data {number}")
     if not isinstance(data, Measured):
@@ -113,4 +122,4 @@ def _source(data: Data, number: int, reading: "Reading", progress: Progress) -> 
             "data has {given}; each must be a path, columns of values, or Measured", given=brief(repr(data), 60)
         )
     remarks = (data.remarks,) if isinstance(data.remarks, str) else data.remarks
-    return source_of(data.columns, remarks, str(data.name), reading)
+    return source_of(data.columns, remarks, str(data.name), reading, known)

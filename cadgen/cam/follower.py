@@ -374,6 +374,28 @@ class Follower(ABC):
         """
         return lift, np.full_like(lift, self.planes[0]), np.full_like(lift, np.inf)
 
+    def touching(self, points: Array, normals: Array) -> tuple[Array, Array]:
+        """Cam angles at which it touches points of an outline, rad, and the motion there, in its unit, shape (n,) each.
+
+        Args:
+            points: points of the outline in the cam's frame, mm, shape (n, 2).
+            normals: unit normals there, away from the camshaft, shape (n, 2).
+
+        Raises:
+            DesignError: it touches with more than one curve, so that a point does not tell its cam angle.
+        """
+        raise DesignError(
+            "points of an outline do not tell where a {follower} touches them: measure the lift", follower=self.noun
+        )
+
+    def dwelling(self, q: float) -> float:
+        """Radius of the disc on which it stands still, mm.
+
+        Args:
+            q: motion, in its unit.
+        """
+        raise DesignError("a {follower} has no circle on which it stands still: measure the lift", follower=self.noun)
+
     # The envelope.
 
     @abstractmethod

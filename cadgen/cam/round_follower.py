@@ -55,6 +55,26 @@ class RoundFollower(Follower):
         q = np.asarray(q, dtype=float)
         return self.centre(q, np.zeros_like(q), np.zeros_like(q))[0]
 
+    def touching(self, points: Array, normals: Array) -> tuple[Array, Array]:
+        """Cam angles and motion at which the circle touches points of an outline: its centre lies on their normals.
+
+        Args:
+            points: points of the outline in the cam's frame, mm, shape (n, 2).
+            normals: unit normals there, away from the camshaft, shape (n, 2).
+        """
+        centres = points - self.rim * normals
+        lift, aside = self.standing(np.linalg.norm(centres, axis=1))
+        polar = np.arctan2(centres[:, 1], centres[:, 0])
+        return polar - aside - self.azimuth, self.of_lift(lift)[0]
+
+    def dwelling(self, q: float) -> float:
+        """Radius of the disc on which the circle stands still, mm.
+
+        Args:
+            q: motion, in its unit.
+        """
+        return float(np.abs(self.at(np.array([q])))[0] + self.rim)
+
     def refuse(self, motion: Motion) -> None:
         """Refuse a motion that brings the camshaft within the circle, or makes the outline overhang."""
         angles, stations = motion.stations

@@ -62,6 +62,32 @@ class StraightFollower(Follower):
         face = self.face_jet(q, np.zeros_like(q), np.zeros_like(q))
         return face.support[0], face.turn[0]
 
+    @abstractmethod
+    def of_support(self, support: Array) -> Array:
+        """Motion by the distance of the face from the camshaft, in its unit, shape (n,).
+
+        Args:
+            support: distances, mm, shape (n,).
+        """
+
+    def touching(self, points: Array, normals: Array) -> tuple[Array, Array]:
+        """Cam angles and motion at which the face touches points of an outline: it is their tangent.
+
+        Args:
+            points: points of the outline in the cam's frame, mm, shape (n, 2).
+            normals: unit normals there, away from the camshaft, shape (n, 2).
+        """
+        q = self.of_support(np.sum(points * normals, axis=1))
+        return np.arctan2(normals[:, 1], normals[:, 0]) - self.at(q)[1] - self.azimuth, q
+
+    def dwelling(self, q: float) -> float:
+        """Radius of the disc on which the face stands still, mm.
+
+        Args:
+            q: motion, in its unit.
+        """
+        return float(self.at(np.array([q]))[0][0])
+
     @property
     def reach(self) -> float:
         """Without a bound: the face is as long as it must be."""

@@ -186,11 +186,14 @@ def calibrate(
     as_json: bool,
     out: Path | None,
 ) -> None:
-    """Trace measured data to the effects that the design lacks.
+    """Trace measured data to the effects that the design lacks, or find the motion of a worn cam.
 
     FILE is a CSV file of measured lifts, profile, transmission, track, zones, or a track with its steering logged. Its
     columns decide which. Several files and kinds are judged together, as data of one car. DESIGN is the first argument
     if it names a packaged design or ends in .toml.
+
+    With [motion] and motion.measured = true in DESIGN, FILE is the outline or the lift of a cam whose motion is not
+    known: dwells, laws, ends of segments and wear are found, and --out writes the design of a new cam.
 
     The exit code is 1 if not all that was measured is explained.
     """
@@ -203,6 +206,14 @@ def calibrate(
 
     design, files = design_and_files(arguments, packaged_designs(), some=not ask_next)
     loaded = Design.load(design, overrides)
+    if loaded.by_motion:
+        if asked := next(
+            (name for name, given in (("--each", each), ("--next", ask_next), ("--predict", unseen)) if given), ""
+        ):
+            raise click.UsageError(
+                Message("{option} is for a car, and the design has [motion]: leave it out", option=asked)
+            )
+        _cam_alone(loaded, files, columns, as_json=as_json, out=out)
     if each and (ask_next or unseen):
         asked = "--next" if ask_next else "--predict"
         raise click.UsageError(
@@ -235,6 +246,26 @@ def calibrate(
         show.files(written, out)
     show.explained(result, written=written is not None, asked=ask_next)
     raise SystemExit(0 if result.readiness != Readiness.NOT_READY else 1)
+
+
+def _cam_alone(
+    loaded: "Design", files: tuple[str, ...], columns: dict[str, str], *, as_json: bool, out: Path | None
+) -> None:
+    """Find the motion of a measured cam, print or write it, and exit."""
+    from cadgen.cli import show
+    from cadgen.output.report.terminal import write
+
+    with show.progress(not as_json) as progress:
+        found = loaded.find_motion(files, columns=columns, progress=progress)
+        written = None if out is None else found.write(out, progress=progress)
+    if as_json:
+        show.document(found.facts() if written is None else written.entry)
+    else:
+        write(found.report, show.Output())
+        if written is not None and out is not None:
+            show.files(written, out)
+        show.found(found, written=written is not None)
+    raise SystemExit(0 if found.readiness != Readiness.NOT_READY else 1)
 
 
 def _more(

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from cadgen.api.calibration import Calibration, Calibrations
     from cadgen.api.cam import Cam, Cures
     from cadgen.api.exploration import Exploration
+    from cadgen.api.found_cam import FoundCam
     from cadgen.api.planning import Plan
 
 
@@ -374,6 +375,25 @@ def explained(result: "Calibration[Design] | Calibrations[Design]", *, written: 
         verdict(result.readiness, said, Message("cadgen cam on the as-built design"))
     else:
         verdict(result.readiness, said, Message("--out writes the as-built design, for cadgen cam"))
+
+
+def found(result: "FoundCam", *, written: bool) -> None:
+    """Print whether the motion of a measured cam is found, and what to do next.
+
+    Args:
+        result: measured cam.
+        written: whether the new design was written.
+    """
+    step: str = Message("--out writes the design of the new cam, for cadgen cam")
+    if written:
+        step = Message("cadgen cam on {name}.toml", name=result.name)
+    if result.named:
+        said = Message("the law of every segment is named")
+    elif result.readiness == Readiness.NOT_READY:
+        said, step = Message("a segment has no law of the table"), Message("look whether its wear may be copied")
+    else:
+        said = Message("the law of a segment is not decided")
+    verdict(result.readiness, said, step)
 
 
 def settings(adjustment: "Adjustment") -> None:

@@ -53,13 +53,6 @@ class MotionCam(DesignSection):
     def _base_circle_is_fixed_once(self) -> "MotionCam":
         names = ("base_circle_radius_mm", "pressure_angle_deg", "base_radius_mm")
         given = [name for name in names if getattr(self, name) is not None]
-        if not given:
-            raise ValueError(
-                Message(
-                    "cam.base_circle_radius_mm is missing: add it, or cam.pressure_angle_deg, for which the least is "
-                    "taken"
-                )
-            )
         if len(given) > 1:
             raise ValueError(
                 Message(
@@ -117,7 +110,12 @@ def base_circle_radius(cam: MotionCam, motion: MotionSection, follower: Follower
     """
     if (radius := cam.base_circle_radius_mm or cam.base_radius_mm) is not None:
         return radius
-    assert cam.pressure_angle_deg is not None
+    if cam.pressure_angle_deg is None:
+        raise ValueError(
+            Message(
+                "cam.base_circle_radius_mm is missing: add it, or cam.pressure_angle_deg, for which the least is taken"
+            )
+        )
     kind = follower.registered
     if kind.least_base is None:
         raise ValueError(

@@ -10,6 +10,7 @@ from pydantic import model_validator
 from cadgen.cam.followers.kind import FollowerKind
 from cadgen.design.section import listed
 from cadgen.design.sources.harmonics import HarmonicKeys
+from cadgen.design.sources.measured import MeasuredKeys
 from cadgen.design.sources.points import PointKeys
 from cadgen.design.sources.segments import SegmentKeys
 from cadgen.design.sources.source import MotionKeys
@@ -20,10 +21,10 @@ if TYPE_CHECKING:
     from cadgen.laws.motion import Motion
 
 
-class MotionSection(SegmentKeys, PointKeys, HarmonicKeys, TableKeys):
+class MotionSection(SegmentKeys, PointKeys, HarmonicKeys, TableKeys, MeasuredKeys):
     """Motion of the follower in one turn of the cam. A design has it, or [path] and [car].
 
-    One of segments, points, harmonics and table says what the motion is.
+    One of segments, points, harmonics and table says what the motion is; with `measured` it is to be found.
     """
 
     @model_validator(mode="after")

@@ -409,8 +409,19 @@ class DiscFile(TrainFile):
                     give=Message("[motion] instead of [path] and [car]"),
                 )
             )
-        kind.refuse(self.follower.keys, self.seat)
+        if not self.measured_base:
+            kind.refuse(self.follower.keys, self.seat)
         return self
+
+    @property
+    def measured_base(self) -> bool:
+        """Whether the base circle is to be found with the motion."""
+        return bool(
+            self.motion is not None
+            and self.motion.measured
+            and isinstance(self.cam, MotionCam)
+            and self.cam.base_circle_radius_mm is None
+        )
 
     @model_validator(mode="after")
     def _broken_edges_leave_a_land(self) -> "DiscFile":
@@ -567,7 +578,8 @@ class MotionFile(DiscFile):
     def _motion_fits_the_follower(self) -> "MotionFile":
         try:
             grooved = getattr(self.follower.keys, "closure", None) == Closure.GROOVE
-            follower_motion(self.motion, self.follower.registered, corners=not grooved)
+            if not self.motion.measured:
+                follower_motion(self.motion, self.follower.registered, corners=not grooved)
             if self.dynamics is not None:
                 self.dynamics.refuse(self.follower.registered, self.follower.keys, self.cam.thickness_mm)
         except DesignError as error:

@@ -3,6 +3,7 @@
 | room          | what it holds                                                           |
 |---------------|-------------------------------------------------------------------------|
 | `measurement` | measured data -> the effects that explain them; one object a kind       |
+| `motions`     | a worn cam, measured -> the motion that was meant                       |
 | `expectation` | what a new cam, a measurement not made and a run not used will show     |
 | `monte_carlo` | many cars within the tolerances                                         |
 | `adjustment`  | trial runs -> settings of micrometer, key and start                     |

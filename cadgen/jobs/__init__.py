@@ -12,6 +12,7 @@
 | `nominal_car` | the car that these are varied from                       |
 | `error_budget`| what costs most at the finish                            |
 | `calibration` | measured files -> verdicts -> the design as built        |
+| `worn_cam`    | a worn cam, measured -> its motion and a new design      |
 | `drawings`    | cam and train -> drawings for a workshop                 |
 | `adjustment`  | trial runs -> what a hand sets before the next           |
 """

@@ -212,7 +212,7 @@ def test_tables_in_disorder_are_refused(rows, words):
         ({"harmonics": [[1, 1, 0], [1, 0, 1]]}, "motion.harmonics.2 is for k = 1"),
         (
             {},
-            "motion says nothing of the lift: add one of motion.segments, motion.points, motion.harmonics or",
+            "motion says nothing of the lift: add one of motion.segments, motion.points, motion.harmonics,",
         ),
         ({"table": "lobe.csv"}, "motion.table names a file whose rows were not read"),
         ({"points": [[0.0, 0], [10, 1], [5, 2], [20, 3], [30, 2], [40, 1]]}, "row 3 of motion.points is at 5 degrees"),

@@ -24,6 +24,7 @@ _FILES = (
     *("docs/tutorial/first_car.toml", "docs/tutorial/camera.csv", "docs/tutorial/trial_1.csv"),
     "docs/tutorial/lobe.csv",
     "tests/data/measured/track_b.csv",
+    "docs/examples/old_cam.csv",
 )
 
 # Runs `cadgen` with arguments in a folder and returns exit code and what it prints.

@@ -64,6 +64,14 @@ class FlatFace(StraightFollower):
             np.array([self.base + q * share, q1 * share, q2 * share]), np.array([none - self.tilt, none, none])
         )
 
+    def of_support(self, support: Array) -> Array:
+        """Lift by the distance of the face from the camshaft, mm.
+
+        Args:
+            support: distances, mm, shape (n,).
+        """
+        return np.asarray((support - self.base) / np.cos(self.tilt))
+
     def leaning(self, least: float, greatest: float) -> tuple[float, float]:
         """The angle of its normal, which does not change, rad.
 

@@ -80,6 +80,15 @@ class SwingingFace(ArmFollower, StraightFollower):
         """Angle from the ray, on which the pivot stands, to the face's normal where the swing is 0, rad."""
         return self.lifts.side * (self.rest - np.pi / 2)
 
+    def of_support(self, support: Array) -> Array:
+        """Swing by the distance of the face from the camshaft, rad.
+
+        Args:
+            support: distances, mm, shape (n,).
+        """
+        sine = (support + self.face_offset) / self.centre_distance
+        return np.asarray(np.arcsin(np.clip(sine, -1.0, 1.0)) - self.rest)
+
     def leaning(self, least: float, greatest: float) -> tuple[float, float]:
         """Least and greatest angle of its normal from its line while its distance is between two, rad.
 

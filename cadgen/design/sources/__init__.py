@@ -7,4 +7,5 @@
 | `points`    | points of a periodic spline                                                           |
 | `harmonics` | harmonics                                                                             |
 | `table`     | a lift table                                                                          |
+| `measured`  | a measured cam, from which the motion is to be found                                  |
 """

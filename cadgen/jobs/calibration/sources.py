@@ -37,7 +37,12 @@ class Source:
 
 
 def read(
-    paths: Sequence[Path], progress: Progress = silent, *, each: bool = False, reading: Reading = AS_NAMED
+    paths: Sequence[Path],
+    progress: Progress = silent,
+    *,
+    each: bool = False,
+    reading: Reading = AS_NAMED,
+    known: Sequence[Kind] | None = None,
 ) -> tuple[Source, ...]:
     """Read measured files.
 
@@ -47,6 +52,7 @@ def read(
         each: every file will be judged alone; if not, those of one kind must not have more rows than can be judged
             together.
         reading: how their columns are to be understood.
+        known: kinds that they may be of; all that are registered if left out.
 
     Raises:
         FileError: one is no measured data, the same data are given twice, or there are more than can be judged.
@@ -54,7 +60,7 @@ def read(
 
     def loaded(path: Path) -> Source:
         progress(Message("reading {name}", name=brief(path.name)))
-        return Source(path, load(path, reading=reading), digest(path))
+        return Source(path, load(path, known, reading), digest(path))
 
     return gathered(map(loaded, paths), each=each)
 
@@ -90,7 +96,11 @@ def gathered(sources: Iterable[Source], *, each: bool = False) -> tuple[Source, 
 
 
 def source_of(
-    columns: Mapping[str, ArrayLike], remarks: Sequence[str], name: str, reading: Reading = AS_NAMED
+    columns: Mapping[str, ArrayLike],
+    remarks: Sequence[str],
+    name: str,
+    reading: Reading = AS_NAMED,
+    known: Sequence[Kind] | None = None,
 ) -> Source:
     """Measured data from arrays.
 
@@ -100,6 +110,7 @@ def source_of(
         remarks: comment lines of a file, such as `noise 2 um`.
         name: name of the data, for messages and reports.
         reading: how the columns are to be understood.
+        known: kinds that they may be of; all that are registered if left out.
 
     Raises:
         FileError: the columns are not of one length, or as `cadgen.inference.records.load.load`.
@@ -123,7 +134,7 @@ def source_of(
     writer.writerow(arrays)
     writer.writerows(zip(*(values.tolist() for values in arrays.values()), strict=True))
     content = text.getvalue()
-    return Source(Path(name), load_text(content, name, reading=reading), hashlib.sha256(content.encode()).hexdigest())
+    return Source(Path(name), load_text(content, name, known, reading), hashlib.sha256(content.encode()).hexdigest())
 
 
 def stated_form_error(sources: Sequence[Source], given: float | None) -> tuple[float, str]:

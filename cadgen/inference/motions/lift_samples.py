@@ -1,0 +1,203 @@
+"""Samples of a motion from a measured cam: of lifts by angle, or of points of its outline.
+
+A point of the outline with its normal tells the cam angle at which the follower touches it, and the motion there. A
+normal that is off turns the follower along the curve it moves on, so the sample stays on the motion to first order:
+normals from a few neighbours are good enough, and the noise of a sample is that of its own point.
+"""
+
+from dataclasses import dataclass
+from math import ceil, radians, sqrt
+
+import numpy as np
+
+from cadgen.arrays import TURN, Array
+from cadgen.cam.follower import Follower
+from cadgen.laws.lift_table import noise_of
+
+_BESIDE = 4  # points to each side at least, of which a normal is taken
+_WINDOW = radians(1.5)  # about the centre, to each side
+_MOST = 1080  # samples of a turn; of more, neighbours are taken together
+_ARC = radians(15.0)  # of a circle about the camshaft at least, to tell its centre
+_ARC_NOISE = 1.6  # times the noise that points on a circle are off it
+_SAME_POINT = 1e-9  # mm
+
+
+@dataclass(frozen=True, kw_only=True)
+class LiftSamples:
+    """Samples of a motion in the order of their cam angles, shape (n,) each.
+
+    Attributes:
+        cam_angle: cam angles, rad, from some 0 on, within a turn.
+        q: motion measured, in its unit.
+        push: displacement of the surface along its normal by the motion, mm by unit.
+        normal: angle of the outward normal in the disc's frame, rad; None where lifts were measured.
+        noise: standard deviation of a sample along the normal, mm.
+    """
+
+    cam_angle: Array
+    q: Array
+    push: Array
+    normal: Array | None
+    noise: float
+
+    @property
+    def centred(self) -> Array:
+        """Displacement along the normal by a shift of the disc's centre along x and y, shape (n, 2)."""
+        assert self.normal is not None
+        return np.stack([np.cos(self.normal), np.sin(self.normal)], axis=1)
+
+
+def samples_of_lifts(cam_angle: Array, q: Array, push: Array | None = None) -> LiftSamples:
+    """Samples of lifts that were read by the cam angle.
+
+    Args:
+        cam_angle: cam angles, rad, shape (n,).
+        q: lifts, in the motion's unit, shape (n,).
+        push: displacement along the normal by the motion, mm by unit; 1 if left out.
+    """
+    angle = np.mod(cam_angle, TURN)
+    order = np.argsort(angle, kind="stable")
+    return _made(angle[order], q[order], np.ones_like(q) if push is None else push[order], None)
+
+
+def samples_of_points(points: Array, normals: Array, follower: Follower) -> LiftSamples:
+    """Samples of points of an outline.
+
+    Args:
+        points: points from the camshaft in the disc's frame, mm, shape (n, 2).
+        normals: outward unit normals, shape (n, 2).
+        follower: follower, whose base circle may be any.
+    """
+    angle, q = follower.touching(points, normals)
+    angle = np.mod(angle, TURN)
+    order = np.argsort(angle, kind="stable")
+    angle, q = angle[order], q[order]
+    turn = np.arctan2(normals[order, 1], normals[order, 0])
+    step = 1e-6
+    # Another motion at the cam angle: by how much the outline's tangent there is further out.
+    moved = follower.touching(points[order] + step * normals[order], normals[order])[1]
+    return _made(angle, q, step / np.maximum(moved - q, 1e-12), turn)
+
+
+def _made(angle: Array, q: Array, push: Array, normal: Array | None) -> LiftSamples:
+    apart = np.append(np.diff(angle) > 1e-9, True)
+    angle, q, push = angle[apart], q[apart], push[apart]
+    normal = None if normal is None else normal[apart]
+    noise = _noise_of(angle, q) * float(np.median(push))
+    count = -(-len(angle) // _MOST)
+    if count > 1:
+        many = len(angle) // count * count
+        angle, q, push = (each[:many].reshape(-1, count).mean(axis=1) for each in (angle, q, push))
+        if normal is not None:
+            turned = np.exp(1j * normal[:many]).reshape(-1, count).mean(axis=1)
+            normal = np.angle(turned)
+        noise /= np.sqrt(count)
+    return LiftSamples(cam_angle=angle, q=q, push=push, normal=normal, noise=noise)
+
+
+def _noise_of(angle: Array, q: Array) -> float:
+    """Noise of samples by their differences, in the unit of the motion; no less than their digits have."""
+    steps = np.diff(np.unique(q))
+    digits = float(np.median(steps)) / sqrt(12.0) if len(steps) and len(steps) < len(q) / 2 else 0.0
+    fourth = np.abs(np.convolve(q, [1.0, -4.0, 6.0, -4.0, 1.0], "valid"))
+    return max(noise_of(angle, q), digits, float(np.median(fourth)) / (0.6745 * sqrt(70.0)) / 2)
+
+
+def ordered(points: Array) -> Array:
+    """Points of an outline counter-clockwise round their middle, each once, shape (n, 2).
+
+    Args:
+        points: points in any order, mm, shape (n, 2).
+    """
+    middle = (points.min(axis=0) + points.max(axis=0)) / 2
+    off = points - middle
+    order = np.argsort(np.arctan2(off[:, 1], off[:, 0]), kind="stable")
+    points = points[order]
+    apart = np.hypot(*(points - np.roll(points, 1, axis=0)).T) > _SAME_POINT
+    return np.asarray(points[apart])
+
+
+def normals_of(points: Array) -> Array:
+    """Outward unit normals of an outline by parabolas through neighbours, shape (n, 2).
+
+    Args:
+        points: points counter-clockwise, mm, shape (n, 2).
+    """
+    n = len(points)
+    half = min(max(_BESIDE, ceil(_WINDOW * n / TURN)), max((n - 1) // 2, 1))
+    number = (np.arange(n)[:, None] + np.arange(-half, half + 1)) % n
+    near = points[number]
+    step = np.hypot(*np.moveaxis(np.diff(near, axis=1), 2, 0))
+    along = np.concatenate([np.zeros((n, 1)), np.cumsum(step, axis=1)], axis=1)
+    along -= along[:, half : half + 1]
+    along /= np.abs(along).max(axis=1, keepdims=True)
+    basis = np.stack([np.ones_like(along), along, along**2], axis=2)
+    slope = np.linalg.pinv(basis)[:, 1, :]
+    tangent = np.einsum("nk,nkd->nd", slope, near)
+    tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
+    return np.stack([tangent[:, 1], -tangent[:, 0]], axis=1)
+
+
+def centre_of(points: Array) -> Array | None:
+    """Centre of the longest arc of an outline that is a circle to within its noise, mm, shape (2,); None without one.
+
+    A dwell is such an arc, and its centre is the camshaft.
+
+    Args:
+        points: points counter-clockwise, mm, shape (n, 2).
+    """
+    n = len(points)
+    normals = normals_of(points)
+    noise = _noise_of_outline(points, normals)
+    best: tuple[float, Array] | None = None
+    width = max(7, n // 24)
+    for first in range(0, n, max(1, width // 6)):
+        count, found = width, None
+        while count <= n:
+            part = points[(first + np.arange(count)) % n]
+            centre, radius = _circle(part)
+            off = np.hypot(*(part - centre).T) - radius
+            if np.sqrt(np.mean(off**2)) > _ARC_NOISE * noise or _bowed(off, noise):
+                break
+            found = (count, centre, part)
+            count += max(1, width // 6)
+        if found is not None:
+            count, centre, part = found
+            turned = part - centre
+            around = np.unwrap(np.arctan2(turned[:, 1], turned[:, 0]))
+            reach = float(abs(around[-1] - around[0]))
+            if reach >= _ARC and (best is None or reach > best[0]):
+                best = (reach, centre)
+    return None if best is None else best[1]
+
+
+def _bowed(off: Array, noise: float) -> bool:
+    """Whether distances from a circle wander by more than noise does: means of eighths against their scatter."""
+    parts = [part.mean() for part in np.array_split(off, 8)]
+    return bool(np.max(np.abs(parts)) > 4.5 * noise / np.sqrt(len(off) / 8))
+
+
+def _noise_of_outline(points: Array, normals: Array) -> float:
+    """Noise of points along their normals, mm."""
+    shift = np.roll(points, 1, axis=0), np.roll(points, -1, axis=0)
+    far = np.roll(points, 2, axis=0), np.roll(points, -2, axis=0)
+    bend = 6 * points - 4 * (shift[0] + shift[1]) + far[0] + far[1]
+    across = np.sum(bend * normals, axis=1)
+    return max(float(np.median(np.abs(across)) / 0.6745 / np.sqrt(70.0)), 1e-5)
+
+
+def _circle(points: Array) -> tuple[Array, float]:
+    """Centre and radius of the circle nearest to points, by Gauss and Newton from the algebraic one."""
+    middle = points.mean(axis=0)
+    off = points - middle
+    matrix = np.column_stack([2 * off, np.ones(len(off))])
+    a, b, c = np.linalg.lstsq(matrix, np.sum(off**2, axis=1), rcond=None)[0]
+    centre, radius = np.array([a, b]), float(np.sqrt(max(c + a * a + b * b, 1e-12)))
+    for _ in range(4):
+        ray = off - centre
+        distance = np.maximum(np.hypot(*ray.T), 1e-12)
+        step = np.linalg.lstsq(
+            np.column_stack([ray / distance[:, None], np.ones(len(off))]), distance - radius, rcond=None
+        )[0]
+        centre, radius = centre + step[:2], radius + float(step[2])
+    return middle + centre, radius

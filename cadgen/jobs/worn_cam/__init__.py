@@ -1,0 +1,9 @@
+"""Worn cams: from a measured outline or lift to the motion that was meant, and to a new part.
+
+| module          | what it holds                                                                      |
+|-----------------|------------------------------------------------------------------------------------|
+| `found_cam`     | measured cam of unknown motion -> its motion, the new design, the new cam          |
+| `found_design`  | the design file with the motion that was found                                     |
+| `files`         | report, JSON and the new design, published together                                |
+| `found_report`  | the motion that was found in sentences and a table                                 |
+"""

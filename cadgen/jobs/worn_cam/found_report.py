@@ -1,0 +1,207 @@
+"""The motion that was found in a measured cam, in sentences and a table."""
+
+from math import degrees
+
+from cadgen.arrays import TURN
+from cadgen.check import failing
+from cadgen.errors import DesignError
+from cadgen.figures import Cell, Sheet, State, number
+from cadgen.inference.measurement.record import understood_of
+from cadgen.inference.motions.found_motion import FoundFlank
+from cadgen.jobs.worn_cam.found_cam import FoundCamPlan
+from cadgen.laws.unit import MM
+from cadgen.messages import Message, joined
+from cadgen.output.report.terminal import Block
+
+_UM = 1e3
+
+
+def found_report(cam: FoundCamPlan) -> list[Block]:
+    """Report of a motion that was found.
+
+    Args:
+        cam: measured cam.
+    """
+    blocks: list[Block] = []
+    record = cam.source.record
+    if record.notes:
+        blocks.append(understood_of(record))
+    blocks += _measured(cam)
+    blocks.append(_sheet(cam))
+    blocks.append(
+        Message(
+            "Rises are known to {sigma:.2g} {unit}.",
+            sigma=max(flank.rise_sigma for flank in cam.flanks) * (_UM if cam.follower.unit == MM else cam.scale),
+            unit="µm" if cam.follower.unit == MM else Message("degrees"),
+        )
+    )
+    blocks += [sentence for place in range(len(cam.flanks)) if (sentence := _doubt(cam, place))]
+    blocks += [sentence for place in range(len(cam.flanks)) if (sentence := _worn(cam, place))]
+    if (grid := cam.stated.grid) is not None and grid.sure:
+        blocks.append(
+            Message(
+                "All ends of segments lie at multiples of {step:g} degrees from the first, by far too well for chance, "
+                "and are taken to be there; wear turned those of worn segments by up to {most:.2f} degrees.",
+                step=grid.step,
+                most=float(abs(grid.shifts).max()),
+            )
+        )
+    elif grid is not None:
+        blocks.append(
+            Message(
+                "Which flank is worn cannot be told: one may be turned by wear by up to {most:.2f} degrees from whole "
+                "degrees, or another one. Ends stay as they were measured: look at the surfaces, or measure lifts from "
+                "a mark on the shaft.",
+                most=float(abs(grid.shifts).max()),
+            )
+        )
+    blocks.append(_zero(cam))
+    blocks.append(_new_cam(cam))
+    return blocks
+
+
+def _measured(cam: FoundCamPlan) -> list[Block]:
+    """Record, its noise, and the place of the camshaft in it."""
+    rows = len(cam.source.record.run)
+    said = Message(
+        "{file}: {rows} {what}; noise {noise:.2g} µm, {left:.2g} µm left besides wear.",
+        file=cam.source.path.name,
+        rows=rows,
+        what=Message("lifts") if cam.outline is None else Message("points"),
+        noise=cam.noise_um,
+        left=_UM * cam.motion.rms,
+    )
+    if cam.outline is None:
+        return [said]
+    x, y = cam.outline.centre
+    y = -y if cam.mirrored else y
+    if not cam.outline.centred:
+        place = Message(
+            "No dwell is long enough to show where the camshaft is: it is taken to be at the origin of the points. "
+            "Base circle {base:.3f} mm.",
+            base=cam.outline.base,
+        )
+    else:
+        sigma = cam.motion.centre_sigma
+        place = Message(
+            "The camshaft is at x = {x:.4f}, y = {y:.4f} mm of the measured points, to {sigma:.2g} µm; base circle "
+            "{base:.3f} mm.",
+            x=float(x),
+            y=float(y),
+            sigma=_UM * float(max(sigma)) if sigma is not None else cam.noise_um,
+            base=cam.outline.base,
+        )
+    return [said, place]
+
+
+def _sheet(cam: FoundCamPlan) -> Sheet:
+    """Segments with their ends, heights, laws and wear."""
+    unit = "mm" if cam.follower.unit == MM else "°"
+    rows = []
+    for flank in cam.flanks:
+        depth, *_ = flank.wear
+        rows.append(
+            (
+                _law(flank),
+                number(_angle(cam, flank.start), "°", digits=3),
+                number(_angle(cam, flank.stop) or 360.0, "°", digits=3),
+                number(degrees(max(flank.start_sigma, flank.stop_sigma)), "°", digits=3),
+                number((flank.after - flank.before) * cam.scale, unit, digits=4),
+                number(_UM * depth, "µm", State.BAD if depth else State.PLAIN, 0),
+            )
+        )
+    heads = (
+        Message("Law"),
+        Message("From"),
+        Message("To"),
+        Message("Ends ±"),
+        Message("Rise"),
+        Message("Wear"),
+    )
+    return Sheet("found-motion", Message("Motion that was found, without wear"), heads, tuple(rows))
+
+
+def _law(flank: FoundFlank) -> Cell:
+    if not flank.in_table:
+        return Cell(Message("none of the table"), state=State.BAD)
+    codes = [fit.candidate.code for fit in flank.rivals]
+    return Cell(joined(codes, Message(" or ")), state=State.PLAIN if flank.named else State.STRONG)
+
+
+def _angle(cam: FoundCamPlan, theta: float) -> float:
+    """Cam angle of the new design, degrees."""
+    return degrees((theta - cam.stated.zero) % TURN)
+
+
+def _doubt(cam: FoundCamPlan, place: int) -> Message | None:
+    """Sentence on a flank whose law is not named."""
+    flank = cam.flanks[place]
+    ends = {"start": _angle(cam, flank.start), "stop": _angle(cam, flank.stop) or 360.0}
+    lever = float(abs(flank.best.data.push).mean())
+    if not flank.in_table:
+        return Message(
+            "From {start:.2f} to {stop:.2f} degrees the motion has no law of the table; the nearest is {law}, which is "
+            "{off:.0f} µm off. The new design has the measured motion by points, and with it any wear of this flank.",
+            **ends,
+            law=flank.best.candidate.code,
+            off=_UM * float(abs(flank.best.residual).max()),
+        )
+    if flank.named:
+        return None
+    one, two = (fit.candidate.code for fit in flank.rivals[:2])
+    return Message(
+        "From {start:.2f} to {stop:.2f} degrees it is undecided between {one} and {two}: their lifts differ by "
+        "{apart:.1f} µm, the noise is {noise:.1f} µm{worn}. The new design has {one}.",
+        **ends,
+        one=one,
+        two=two,
+        apart=_UM * lever * flank.apart,
+        noise=cam.noise_um,
+        worn=Message(", and the flank is worn") if flank.wear[0] else "",
+    )
+
+
+def _worn(cam: FoundCamPlan, place: int) -> Message | None:
+    """Sentence on the wear of a flank."""
+    depth, at, (first, last) = cam.flanks[place].wear
+    if not depth:
+        return None
+    doubt: str = ""
+    if cam.flanks[place].doubtful:
+        doubt = Message(" It may also be a law that is not in the table, without wear: look at the surface.")
+    return Message(
+        "Worn by up to {depth:.0f} µm at {at:.0f} degrees, and by a third of that from {first:.0f} to {last:.0f}."
+        "{doubt}",
+        doubt=doubt,
+        depth=_UM * depth,
+        at=_angle(cam, at),
+        first=_angle(cam, first),
+        last=_angle(cam, last),
+    )
+
+
+def _zero(cam: FoundCamPlan) -> Message:
+    """Where cam angle 0 of the new design stands on the measured cam."""
+    if cam.outline is None:
+        return Message(
+            "Cam angle 0 of the new design is cam angle {angle:.3f} degrees of the measured lifts.",
+            angle=degrees(cam.zero),
+        )
+    return Message(
+        "At cam angle 0 of the new design the {part} stands at polar angle {angle:.3f} degrees of the measured points, "
+        "seen on the measured face: a key there goes with it.",
+        part=Message(cam.follower.on_ray),
+        angle=degrees(cam.zero),
+    )
+
+
+def _new_cam(cam: FoundCamPlan) -> Message:
+    """Verdict on the cam of the new design."""
+    try:
+        failed = failing(cam.cam.checks)
+    except DesignError as error:
+        return Message("No new cam can be made for it: {reason}.", reason=error.message)
+    if not failed:
+        return Message("The new cam was rolled under its follower: every check holds.")
+    names = joined([Message(each.name) for each in dict.fromkeys(failed)], "; ")
+    return Message("The new cam was rolled under its follower, and does not keep: {names}.", names=names)
