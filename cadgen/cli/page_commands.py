@@ -101,6 +101,8 @@ def report(
 def edit(design: str | None, overrides: tuple[str, ...], port: int, no_browser: bool) -> None:
     """Edit a design on its page in the browser: drag waypoints, gates and posts, move sliders, and see the part.
 
+    Of a cam by its motion, drag the ends of its segments in the timing diagram and choose their laws.
+
     The page is that of cadgen report. It is served to this computer alone, at an address with a random token. The
     actual cam follows each move, the cam of cadgen check soon after; what cannot be computed is said, and the last good
     part stays. Saving writes the design's file, where comments stay. Of a packaged design a copy is edited, which is

@@ -3,6 +3,7 @@
 | module         | what it does                                                              |
 |----------------|---------------------------------------------------------------------------|
 | `course_items` | points on the floor that can be moved; items that can be added and removed |
+| `timing`       | timing diagram of a motion: segments, and the handles that move them      |
 | `controls`     | numbers of a design that can be changed, each with its range              |
 | `text_changes` | a change of a design file's text, comments kept                           |
 | `saving`       | the file: read once, written in one step, never over another's changes    |

@@ -4,8 +4,8 @@ import json
 from dataclasses import replace
 from pathlib import Path
 
-from cadgen.design.load import design_of
-from cadgen.design.schema import Design, TrainDesign
+from cadgen.design.load import complete_of
+from cadgen.design.schema import Design, MotionDesign, TrainDesign
 from cadgen.errors import CadgenError
 from cadgen.gears.choices import Order
 from cadgen.jobs.gears.gear_train import GearTrain, plan_gears
@@ -17,7 +17,7 @@ from cadgen.viewer.editor.job import Job, Result, Stage, State, refusal
 from cadgen.viewer.page.car_page import plan_edited, plan_preview
 from cadgen.viewer.page.data import data_of
 from cadgen.viewer.page.html import floor_html, pieces_of
-from cadgen.viewer.page.page_plan import PagePlan
+from cadgen.viewer.page.page_plan import PagePlan, plan_edited_motion
 from cadgen.viewer.page.report import page_of
 from cadgen.viewer.page.scene import floor_of
 
@@ -25,7 +25,20 @@ from cadgen.viewer.page.scene import floor_of
 _PREVIEWED = ("cam-box", "cam-legend", "course-box", "legend", "charts")
 _LEVEL = 1  # of the compression: it goes no further than to this machine's own browser
 # Sections of a design that its gears do not depend on.
-_NOT_GEARS = {"path", "course", "field", "car", "cam", "follower", "machining", "checks", "drawing", "settings"}
+_NOT_GEARS = {
+    "path",
+    "course",
+    "field",
+    "car",
+    "cam",
+    "follower",
+    "machining",
+    "checks",
+    "drawing",
+    "settings",
+    "motion",
+    "dynamics",
+}
 
 
 def compute(job: Job, progress: Progress) -> Result:
@@ -35,16 +48,22 @@ def compute(job: Job, progress: Progress) -> Result:
         job: version and stage.
         progress: function that is called before each step; an exception of its own ends the computation.
     """
-    design: Design | None = None
+    design: Design | MotionDesign | None = None
     try:
-        design = design_of(job.text, Path(job.file))
-        plan = plan_preview(design, progress) if job.stage == Stage.PREVIEW else plan_edited(design, gears_of, progress)
+        design = complete_of(job.text, Path(job.file))
+        plan: PagePlan
+        if isinstance(design, MotionDesign):
+            plan = plan_edited_motion(design, gears_of, progress, preview=job.stage == Stage.PREVIEW)
+        elif job.stage == Stage.PREVIEW:
+            plan = plan_preview(design, progress)
+        else:
+            plan = plan_edited(design, gears_of, progress)
         progress(Message("laying the page out"))
         return Result(State.DONE, _laid_out(job, plan, progress))
     except CadgenError as error:
         # A design that cannot be driven is shown by its course alone, so that its points can be moved.
         floor = None
-        if design is not None:
+        if isinstance(design, Design):
             floor = floor_html(floor_of(design), [(point.x, point.y) for point in points_of(design)])
         return refusal(State.REFUSED, error.message, floor=floor)
     except MemoryError:
@@ -57,7 +76,7 @@ def _laid_out(job: Job, plan: PagePlan, progress: Progress) -> bytes:
     document, block = data_of(page, _LEVEL)
     pieces = pieces_of(page)
     if job.stage == Stage.PREVIEW:
-        pieces = {code: pieces[code] for code in _PREVIEWED}
+        pieces = {code: pieces[code] for code in _PREVIEWED if code in pieces}
     head = json.dumps(
         {"revision": job.revision, "stage": job.stage, "pieces": pieces, "block": block}, ensure_ascii=False
     )

@@ -8,25 +8,42 @@ from math import ceil, floor, log10
 from cadgen.design.explain import section
 from cadgen.design.keys import Key, dotted, keys, without_unit
 from cadgen.design.kinds import NamedKinds, Place
-from cadgen.design.schema import Design
+from cadgen.design.schema import Design, MotionDesign
 from cadgen.messages import Message, clauses
 from cadgen.viewer.editor.course_items import NAMED_KEYS, point_name
 
 # Groups of controls: code, heading, parts of the design.
 GROUPS = (
     ("car", Message("Car"), ("car",)),
+    ("motion", Message("Motion"), ("motion",)),
     ("cam", Message("Cam and follower"), ("cam", "follower")),
     ("path", Message("Path"), ("path",)),
     ("course", Message("Course and field"), ("course", "field")),
     ("blank", Message("Disc"), ("blank",)),
     ("gears", Message("Gears"), ("train",)),
+    ("forces", Message("Mass, spring and load"), ("dynamics",)),
     ("play", Message("Play and friction"), ("play", "mechanics")),
     ("limits", Message("Limits"), ("checks", "optimize")),
 )
 # Sections whose name is that of their group, or goes without saying.
-_SILENT = ("car", "cam", "path", "course", "train", "play", "mechanics", "checks", "optimize", "blank")
+_SILENT = (
+    "car",
+    "cam",
+    "path",
+    "course",
+    "train",
+    "play",
+    "mechanics",
+    "checks",
+    "optimize",
+    "blank",
+    "motion",
+    "dynamics",
+)
 # Parts of a design that do not change the cam, its gears or their checks.
 _LEFT_OUT = ("train.search",)
+# Numbers that the timing diagram moves, for they must add up.
+_IN_DIAGRAM = ("segments", "repeat", "machine_turns")
 # Half of the range of a slider whose number is 0, by its unit; 1 for other units.
 _ABOUT_ZERO = {"mm": 10.0, "degrees": 30.0, "µm": 50.0}
 _STEPS = 200  # of a slider, at least
@@ -72,7 +89,7 @@ class Group:
     controls: tuple[Control, ...]
 
 
-def groups_of(design: Design, opened: Design) -> tuple[Group, ...]:
+def groups_of(design: Design | MotionDesign, opened: Design | MotionDesign) -> tuple[Group, ...]:
     """All controls of a design, by groups.
 
     Args:
@@ -85,7 +102,8 @@ def groups_of(design: Design, opened: Design) -> tuple[Group, ...]:
     for key, place, value in _numbers(design):
         info = keys(named.at(place)).get(section(place))
         if info is not None:
-            made.setdefault(str(place[0]), []).append(_control(key, info, value, before.get(key, value)))
+            name = key_name(key, moved=isinstance(design, MotionDesign))
+            made.setdefault(str(place[0]), []).append(_control(key, name, info, value, before.get(key, value)))
     groups = (
         Group(code, label, tuple(control for part in parts for control in made.get(part, ())))
         for code, label, parts in GROUPS
@@ -93,7 +111,7 @@ def groups_of(design: Design, opened: Design) -> tuple[Group, ...]:
     return tuple(group for group in groups if group.controls)
 
 
-def _numbers(design: Design) -> Iterator[tuple[str, Place, float]]:
+def _numbers(design: Design | MotionDesign) -> Iterator[tuple[str, Place, float]]:
     """Dotted key, place and value of each number that can be changed."""
     values = design.values()
     for _, _, parts in GROUPS:
@@ -103,7 +121,7 @@ def _numbers(design: Design) -> Iterator[tuple[str, Place, float]]:
 
 
 def _inside(value: object, place: Place) -> Iterator[tuple[str, Place, float]]:
-    if section(place) in _LEFT_OUT:
+    if section(place) in _LEFT_OUT or (place[0] == "motion" and place[-1] in _IN_DIAGRAM):
         return
     if isinstance(value, dict):
         for name, inner in value.items():
@@ -120,7 +138,7 @@ def _inside(value: object, place: Place) -> Iterator[tuple[str, Place, float]]:
         yield dotted(*(part + 1 if isinstance(part, int) else part for part in place)), place, value
 
 
-def _control(key: str, info: Key, value: float, opened: float) -> Control:
+def _control(key: str, name: Message, info: Key, value: float, opened: float) -> Control:
     whole = info.kinds[0] == "a whole number"
     half = abs(opened) / 2 if opened else _ABOUT_ZERO.get(info.unit, 1.0)
     low, high = opened - half, opened + half
@@ -135,7 +153,7 @@ def _control(key: str, info: Key, value: float, opened: float) -> Control:
     digits = max(0, -floor(log10(step)))
     return Control(
         key=key,
-        label=key_name(key),
+        label=name,
         meaning=info.meaning,
         unit=info.unit,
         value=value,
@@ -155,8 +173,13 @@ def _round_step(width: float) -> float:
 
 
 @cache  # of some hundred keys; they are named after every change
-def key_name(key: str) -> Message:
-    """Name of a key: `train.stages.2.driver.teeth` is stage 2, driver, teeth."""
+def key_name(key: str, *, moved: bool = False) -> Message:
+    """Name of a key: `train.stages.2.driver.teeth` is stage 2, driver, teeth.
+
+    Args:
+        key: dotted key.
+        moved: whether the design has [motion], whose follower need be no rod.
+    """
     parts = [part for part in key.split(".") if part not in _SILENT]
     names: list[Message] = []
     while parts:
@@ -175,5 +198,5 @@ def key_name(key: str) -> Message:
                 name = name.replace("_", " ")
             names.append(Message(name))
     if len(names) > 1 and names[0] == "follower":
-        names[0] = Message("rod")
+        names = names[1:] if moved else [Message("rod"), *names[1:]]
     return clauses(*names)

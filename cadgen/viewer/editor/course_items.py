@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from math import ceil, floor
 
 from cadgen.design.parse import parse
-from cadgen.design.schema import Design
+from cadgen.design.schema import Design, MotionDesign
 from cadgen.messages import Message
 from cadgen.viewer.editor.text_changes import NewItem, read_point
 
@@ -86,12 +86,14 @@ class MovablePoint:
     item: str = ""
 
 
-def points_of(design: Design) -> tuple[MovablePoint, ...]:
+def points_of(design: Design | MotionDesign) -> tuple[MovablePoint, ...]:
     """All points of a design that can be moved."""
     return tuple(_points(design))
 
 
-def _points(design: Design) -> Iterator[MovablePoint]:
+def _points(design: Design | MotionDesign) -> Iterator[MovablePoint]:
+    if isinstance(design, MotionDesign):
+        return
     closed = bool(getattr(design.path, "closed", False))
     for name in ("waypoints_mm", "control_points_mm"):
         for number, (x, y) in enumerate(getattr(design.path, name, None) or (), 1):
@@ -139,8 +141,10 @@ class Kind:
     alone: bool
 
 
-def kinds_of(design: Design) -> tuple[Kind, ...]:
-    """All kinds of items, those among them of which there is none."""
+def kinds_of(design: Design | MotionDesign) -> tuple[Kind, ...]:
+    """All kinds of items, those among them of which there is none; a cam by its motion has no course."""
+    if isinstance(design, MotionDesign):
+        return ()
 
     def count(name: str) -> int:
         several = getattr(design.course, name, None)
@@ -153,17 +157,17 @@ def kinds_of(design: Design) -> tuple[Kind, ...]:
     )
 
 
-def places_of(design: Design) -> frozenset[str]:
+def places_of(design: Design | MotionDesign) -> frozenset[str]:
     """Keys that a new item can get."""
     return _keys_of(design, 1)
 
 
-def items_of(design: Design) -> frozenset[str]:
+def items_of(design: Design | MotionDesign) -> frozenset[str]:
     """Keys of all items on the course."""
     return _keys_of(design, 0)
 
 
-def _keys_of(design: Design, more: int) -> frozenset[str]:
+def _keys_of(design: Design | MotionDesign, more: int) -> frozenset[str]:
     """Keys of all items on the course and of so many `more` in each list; of what is alone, either it or its place."""
     keys: set[str] = set()
     for kind in kinds_of(design):
@@ -174,7 +178,7 @@ def _keys_of(design: Design, more: int) -> frozenset[str]:
     return frozenset(keys)
 
 
-def new_item(design: Design, text: str, key: str, at: tuple[float, float]) -> NewItem:
+def new_item(design: Design | MotionDesign, text: str, key: str, at: tuple[float, float]) -> NewItem:
     """Values of a new item.
 
     Args:

@@ -39,7 +39,7 @@ class Job:
         revision: number of the version.
         stage: what is computed of it.
         text: TOML.
-        file: name of its file, for messages.
+        file: path of its file, for messages and for tables beside it.
     """
 
     revision: int

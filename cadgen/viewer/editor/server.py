@@ -131,7 +131,8 @@ def application(service: Service, address: Address) -> ASGIApp:
     """The server as an ASGI application."""
 
     async def page(request: Request) -> Response:
-        return HTMLResponse(shell(service.session.name, {}, edited=True))
+        car = service.session.now.car
+        return HTMLResponse(shell(service.session.name, {}, edited=True, car=car))
 
     async def state(request: Request) -> Response:
         return JSONResponse(service.session.state())

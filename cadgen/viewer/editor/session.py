@@ -7,9 +7,9 @@ from pathlib import Path
 from threading import Lock
 from typing import Any
 
-from cadgen.design.load import design_of
+from cadgen.design.load import complete_of
 from cadgen.design.parse import parse
-from cadgen.design.schema import Design
+from cadgen.design.schema import Design, MotionDesign
 from cadgen.errors import DesignError, brief
 from cadgen.figures import Facts
 from cadgen.viewer.editor.controls import Control, Group, groups_of
@@ -24,6 +24,7 @@ from cadgen.viewer.editor.course_items import (
 )
 from cadgen.viewer.editor.saving import EditedFile, refuse_name
 from cadgen.viewer.editor.text_changes import Value, applied, changed, exchanged, inserted, removed
+from cadgen.viewer.editor.timing import timing_of
 from cadgen.viewer.page.data import both
 
 MOST_STEPS = 200  # that can be undone
@@ -40,13 +41,20 @@ class Version:
     """
 
     text: str
-    design: Design
+    design: Design | MotionDesign
+
+    @property
+    def car(self) -> bool:
+        """Whether it is the design of a car, with a course, and not of a cam by its motion."""
+        return isinstance(self.design, Design)
 
     @cached_property
     def keys(self) -> frozenset[str]:
         """Keys that can be changed."""
         controls = (control.key for group in groups_of(self.design, self.design) for control in group.controls)
-        return frozenset(controls) | frozenset(point.key for point in points_of(self.design))
+        timing = timing_of(self.design)
+        moved = frozenset[str]() if timing is None else timing.keys
+        return frozenset(controls) | frozenset(point.key for point in points_of(self.design)) | moved
 
 
 class Session:
@@ -68,7 +76,7 @@ class Session:
         """
         self._lock = Lock()
         self._origin, text, self._file = EditedFile.of(source)
-        self._opened = self._saved = self._now = Version(text, design_of(text, self._file))
+        self._opened = self._saved = self._now = Version(text, complete_of(text, self._file))
         self._undo: list[Version] = []
         self._redo: list[Version] = []
         self._gesture: str | None = None
@@ -93,9 +101,9 @@ class Session:
         return self._now.text != self._saved.text
 
     def job(self) -> tuple[int, str, str]:
-        """Revision, text and name of the file, of one moment."""
+        """Revision, text and path of the file, of one moment."""
         with self._lock:
-            return self.revision, self._now.text, self._file.name
+            return self.revision, self._now.text, str(self._file)
 
     def change(self, changes: Mapping[str, Value], gesture: str | None = None) -> None:
         """Change some numbers.
@@ -227,6 +235,7 @@ class Session:
                 groups=[_shown(group) for group in groups_of(design, self._opened.design)],
                 points=[_shown(point) for point in points_of(design)],
                 kinds=[_shown(kind) for kind in kinds_of(design)],
+                timing=timing_of(design),
             )
             return facts.json()
 
@@ -268,7 +277,7 @@ def _renamed(version: Version, name: str) -> Version:
     file = Path(f"{name}.toml")
     if "name" in parse(version.text):
         return Version(*applied(version.text, file, [f'name="{name}"']))
-    return Version(version.text, design_of(version.text, file))
+    return Version(version.text, complete_of(version.text, file))
 
 
 def _shown(value: Group | Control | MovablePoint | Kind) -> Facts:

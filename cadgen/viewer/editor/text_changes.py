@@ -11,17 +11,18 @@ from math import isfinite
 from pathlib import Path
 from typing import Any
 
-from cadgen.design.load import design_of
+from cadgen.design.load import complete_of
 from cadgen.design.override import override
 from cadgen.design.parse import parse
-from cadgen.design.schema import Design
+from cadgen.design.schema import Design, MotionDesign
 from cadgen.errors import DesignError, brief
 from cadgen.messages import Message
 
-# A number, or the coordinates of a point.
-Value = float | int | tuple[float, float]
+# A number, the coordinates of a point, or one of the words that a key takes.
+Value = float | int | tuple[float, float] | str
 
 MOST_CHANGES = 100  # in one request
+_WORD = re.compile(r"[a-z0-9_-]{1,64}")  # such as the code of a law: it needs no marks in TOML
 
 
 def read_changes(raw: object) -> dict[str, Value]:
@@ -47,19 +48,19 @@ def read_point(raw: object) -> tuple[float, float]:
 
 
 def _value(key: str, value: object) -> Value:
-    if _number(value):
+    if _number(value) or (isinstance(value, str) and _WORD.fullmatch(value)):
         return value  # type: ignore[return-value]
     try:
         return read_point(value)
     except DesignError:
-        raise DesignError("{key} must be a number, or a pair [x, y] of numbers", key=brief(key, 60)) from None
+        raise DesignError("{key} must be a number, a pair [x, y] of numbers, or a word", key=brief(key, 60)) from None
 
 
 def _number(value: object) -> bool:
     return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) < 1e15 and isfinite(value)
 
 
-def changed(text: str, file: Path, changes: Mapping[str, Value]) -> tuple[str, Design]:
+def changed(text: str, file: Path, changes: Mapping[str, Value]) -> tuple[str, Design | MotionDesign]:
     """Text of a design with some numbers changed, and the design that it is.
 
     Args:
@@ -73,7 +74,7 @@ def changed(text: str, file: Path, changes: Mapping[str, Value]) -> tuple[str, D
     return applied(text, file, [f"{key}={toml(value)}" for key, value in changes.items()])
 
 
-def applied(text: str, file: Path, overrides: list[str]) -> tuple[str, Design]:
+def applied(text: str, file: Path, overrides: list[str]) -> tuple[str, Design | MotionDesign]:
     """Text of a design with overrides written into it, and the design that it is; as `changed`."""
     values = parse(text)
     for change in overrides:
@@ -81,7 +82,7 @@ def applied(text: str, file: Path, overrides: list[str]) -> tuple[str, Design]:
     return checked(_rewritten(text, overrides), file, values)
 
 
-def checked(results: Iterable[str], file: Path, values: dict[str, Any]) -> tuple[str, Design]:
+def checked(results: Iterable[str], file: Path, values: dict[str, Any]) -> tuple[str, Design | MotionDesign]:
     """A changed text and its design, once the text has been read back.
 
     Args:
@@ -96,7 +97,7 @@ def checked(results: Iterable[str], file: Path, values: dict[str, Any]) -> tuple
     for result in results:
         read = values_of(result)
         if read is not None and _without_empty(read) == wanted:
-            return result, design_of(result, file)
+            return result, complete_of(result, file)
     raise DesignError(
         "{file}: this change cannot be written into the file as it is laid out; make it in a text editor, and open the "
         "design again",
@@ -141,7 +142,7 @@ NewItem = dict[str, float | list[float] | list[list[float]] | None]
 Item = list[float] | NewItem
 
 
-def inserted(text: str, file: Path, key: str, item: Item) -> tuple[str, Design]:
+def inserted(text: str, file: Path, key: str, item: Item) -> tuple[str, Design | MotionDesign]:
     """Text of a design with one item more, and the design that it is.
 
     Args:
@@ -173,7 +174,7 @@ def inserted(text: str, file: Path, key: str, item: Item) -> tuple[str, Design]:
     return checked(results, file, values)
 
 
-def removed(text: str, file: Path, key: str) -> tuple[str, Design]:
+def removed(text: str, file: Path, key: str) -> tuple[str, Design | MotionDesign]:
     """Text of a design without an item, and the design that it is; as `inserted`."""
     values = parse(text)
     name, index = _split(key)
@@ -188,7 +189,7 @@ def removed(text: str, file: Path, key: str) -> tuple[str, Design]:
     return checked(of_text(text, name, index), file, values)
 
 
-def exchanged(text: str, file: Path, key: str) -> tuple[str, Design]:
+def exchanged(text: str, file: Path, key: str) -> tuple[str, Design | MotionDesign]:
     """Text of a design with an item and the next one of its list exchanged, and the design; as `inserted`."""
     values = parse(text)
     name, index = _split(key)

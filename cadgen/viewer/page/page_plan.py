@@ -166,6 +166,27 @@ def plan_motion_page(design: MotionDesign, profile: str | None = None, progress:
     return PagePlan(cam=cam, cures=find_cures(cam, progress), gears=gears, refusals=tuple(refusals))
 
 
+def plan_edited_motion(
+    design: MotionDesign, make_gears: MakeGears, progress: Progress = silent, *, preview: bool = False
+) -> PagePlan:
+    """Compute what the editor shows of a cam by its motion.
+
+    Args:
+        design: loaded design with [motion].
+        make_gears: function that plans its train.
+        progress: function that is called with a few words on each step.
+        preview: whether the cam alone is wanted, for a first look.
+
+    Raises:
+        DesignError: no cam can be computed.
+    """
+    cam, refusals = plan_motion_cam(design, None, progress), list[Refusal]()
+    if preview:
+        return PagePlan(cam=cam, cures=Cures((), (), 0), gears=None, scope=Scope.PREVIEW)
+    gears = gears_of(design, make_gears, refusals, progress)
+    return PagePlan(cam=cam, cures=find_cures(cam, progress), gears=gears, refusals=tuple(refusals), scope=Scope.EDITED)
+
+
 def gears_of(design: TrainDesign, make: MakeGears, refusals: list[Refusal], progress: Progress) -> GearTrain | None:
     """The train, or a refusal if it cannot be made; None without one.
 

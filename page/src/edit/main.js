@@ -2,6 +2,7 @@
 import { ask, askForResult } from "./ask.js";
 import { controls } from "./controls.js";
 import { handles } from "./handles.js";
+import { timing } from "./timing.js";
 import { toolbar } from "./toolbar.js";
 
 const { both, element, fill, pick, present, say, translated, unpack } = globalThis.cadgenPage;
@@ -32,7 +33,10 @@ const STATES = {
 
 const bar = toolbar({ step, saved: (name) => act("save", name ? { name } : {}) });
 const panel = controls(document.getElementById("edit"), change);
-const floor = handles(document.getElementById("course-figure"), change, step);
+// A car has its course, and a cam by its motion the timing diagram.
+const course = document.getElementById("course-figure");
+const floor = course && handles(course, change, step);
+const diagram = course ? null : timing(document.getElementById("timing-figure"), change);
 const general = element("p", { id: "general-fault", class: "fault", role: "alert" });
 document.getElementById("edit").prepend(general);
 let status = "computing";
@@ -49,7 +53,8 @@ function take(answer) {
   state = answer;
   bar.show(state);
   panel.show(state);
-  floor.show(state);
+  floor?.show(state);
+  diagram?.show(state);
   document.title = `${state.unsaved ? "• " : ""}${state.name} · cadgen`;
   document.querySelector("h1 span").textContent = state.name;
   if (state.revision > shown.whole) root.dataset.stale = "";
@@ -159,6 +164,7 @@ async function show(stage) {
     if (stage === "whole") whole = data;
     else if (whole) withGears(data.scene, whole.scene);
     lay(answer.pieces);
+    diagram?.curve(data.scene);
     await present(data);
     root.dataset[stage] = revision;
     if (revision !== state.revision) return;
@@ -225,7 +231,7 @@ function lay(pieces) {
       // The points above it are being dragged: only the drawing under them changes.
       const made = document.createElement("div");
       fill(made, html);
-      floor.ground(made.firstElementChild);
+      floor?.ground(made.firstElementChild);
     } else if (node) fill(node, html);
   }
   document.getElementById("failures")?.setAttribute("tabindex", "0"); // it scrolls, by keys too
