@@ -50,7 +50,7 @@ from cadgen.geometry.solids.kernel import (
 )
 from cadgen.geometry.solids.step import add_part, colour_of, completed, document_bytes, new_document, read_document
 from cadgen.parts.body import Body, Cap, RadialHole, SweptWall, caps_of, walls_of
-from cadgen.parts.loop import Arc, Curve, CutterTrochoid, Involute, Loop, Points, Segment, bezier_poles
+from cadgen.parts.loop import Arc, Curve, Involute, Loop, Points, Segment, bezier_poles
 from cadgen.processes import in_second_process
 
 if TYPE_CHECKING:
@@ -59,13 +59,15 @@ if TYPE_CHECKING:
 # Fit of the tooth curves, in mm: half of the 0.001 µm and 0.01 µm that flank and root are allowed.
 FLANK_TOLERANCE = 0.5e-6
 ROOT_TOLERANCE = 5e-6
-# Teeth of helical gears smaller than this, in mm of radius, are fitted more finely.
+# The relative error of a volume is that of the fit times outline over area, and goes with 1 / module. Helical gears and
+# rings are fitted so that it stays below 1e-8 from a module of 0.2 mm on: they take a share of the tolerances, smaller
+# below this radius, mm. Spur gears with teeth outside keep the curves that their files have always had.
 SMALL_RADIUS = 16.0
-# Share of that for the roots of rings, of which a rim has less volume to err by.
-RING_SHARE = 0.2
+HELICAL_SHARE, RING_SHARE = 0.5, 0.1
 # Poles are rounded to this many decimals of a mm, 5e-6 µm: far below the fit, and it keeps noise digits out
-# of a STEP file.
-DECIMALS = 8
+# of a STEP file. Rounded ends leave gaps at the lands, which are exact arcs; a gap of 5e-9 mm along a radius of 8 mm
+# counts in the kernel's volume of a thin rim by 1e-8, so rings have one decimal more.
+DECIMALS, RING_DECIMALS = 8, 9
 UP = gp_Dir(0.0, 0.0, 1.0)
 
 Wires = dict[tuple[Loop, float], TopoDS_Shape]
@@ -94,14 +96,16 @@ def body_solid(body: Body) -> TopoDS_Solid:
 def _side(wall: SweptWall, wires: Wires) -> TopoDS_Shape:
     """The faces of a wall as a shell facing out of the material; its two wires go into `wires`."""
     if not wall.outline.run.straight:
-        # Small gears, and the rims of rings, have less volume to err by.
-        share = min(1.0, wall.outline.radii[1] / SMALL_RADIUS) ** 2 * (1.0 if wall.outward else RING_SHARE)
-        made = helical_wall(wall, FLANK_TOLERANCE * share, ROOT_TOLERANCE * share, DECIMALS)
+        share = _share_of_small(wall) ** 2 * (HELICAL_SHARE if wall.outward else RING_SHARE)
+        made = helical_wall(wall, FLANK_TOLERANCE * share, ROOT_TOLERANCE * share, _decimals(wall))
         wires[wall.outline, wall.start], wires[wall.outline, wall.end] = made.low, made.high
         return solid_of(made.faces)
     base = wires.get((wall.outline, wall.start))
     if base is None:
-        copies = [_copies(curve, wall.outline.turns, wall.start) for curve in wall.outline.curves]
+        share = 1.0 if wall.outward else RING_SHARE * _share_of_small(wall)
+        copies = [
+            _copies(curve, wall.outline.turns, wall.start, share, _decimals(wall)) for curve in wall.outline.curves
+        ]
         base = closed_wire([edge for pitch in zip(*copies, strict=True) for edge in pitch])
     height = wall.end - wall.start
     prism = BRepPrimAPI_MakePrism(base, gp_Vec(wall.outline.run.lean * height, 0.0, height))
@@ -111,8 +115,17 @@ def _side(wall: SweptWall, wires: Wires) -> TopoDS_Shape:
     return prism.Shape().Reversed() if wall.outward else prism.Shape()
 
 
-def _copies(curve: Curve, turns: Points, height: float) -> list[CurveEdge]:
-    """Edges of a curve turned by each of `turns`, at a height, mm."""
+def _share_of_small(wall: SweptWall) -> float:
+    """Share of the tolerances for a wall, smaller for a small one."""
+    return min(1.0, wall.outline.radii[1] / SMALL_RADIUS)
+
+
+def _decimals(wall: SweptWall) -> int:
+    return DECIMALS if wall.outward else RING_DECIMALS
+
+
+def _copies(curve: Curve, turns: Points, height: float, share: float, decimals: int) -> list[CurveEdge]:
+    """Edges of a curve turned by each of `turns`, at a height, mm, fitted to a share of the tolerances and rounded."""
     edges = []
     if isinstance(curve, Arc):
         for arc in (curve.rotated(angle) for angle in np.angle(turns)):
@@ -124,9 +137,8 @@ def _copies(curve: Curve, turns: Points, height: float) -> list[CurveEdge]:
     if isinstance(curve, Segment):
         poles = curve.point([0.0, 1.0])
     else:
-        root = ROOT_TOLERANCE * (RING_SHARE if isinstance(curve, CutterTrochoid) else 1.0)
-        poles = bezier_poles(curve, FLANK_TOLERANCE if isinstance(curve, Involute) else root)
-    for row in np.round(turns[:, None] * poles, DECIMALS).tolist():
+        poles = bezier_poles(curve, share * (FLANK_TOLERANCE if isinstance(curve, Involute) else ROOT_TOLERANCE))
+    for row in np.round(turns[:, None] * poles, decimals).tolist():
         points = [gp_Pnt(pole.real, pole.imag, height) for pole in row]
         if isinstance(curve, Segment):
             along = row[1] - row[0]
