@@ -7,8 +7,9 @@ where it has `motion.repeat`.
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from cadgen.design.motion import MotionSection, MotionSegment
+from cadgen.design.motion import MotionSection
 from cadgen.design.schema import Design, MotionDesign
+from cadgen.design.sources.segments import MotionSegment
 from cadgen.laws.table import POLYNOMIAL, codes
 from cadgen.laws.unit import MM
 
