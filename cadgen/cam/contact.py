@@ -208,7 +208,7 @@ class Ring:
     def _polar(self, place: Array) -> tuple[Array, Array]:
         """Radius of the outline at polar angles, mm, and its derivative by the angle, mm/rad, shape (n,) each.
 
-        By the cubic through the two points on either side, if they are of one piece; else, and for followers that lean,
+        By the cubic through four points of the piece, two on either side where they are there; for followers that lean,
         by the chord.
         """
         radius = np.interp(place, self.angle, self.radius)
@@ -217,7 +217,10 @@ class Ring:
         slope = (after - before) / (2 * step)
         if self.follower.leans:
             return radius, slope
-        first = np.clip(np.searchsorted(self.angle, place) - 2, 0, len(self.angle) - 4)[:, None] + np.arange(4)
+        behind = np.clip(np.searchsorted(self.angle, place), 0, len(self.angle) - 1)
+        begin, end = (np.searchsorted(self.piece, self.piece[behind], side) for side in ("left", "right"))
+        start = np.clip(np.minimum(np.maximum(behind - 2, begin), end - 4), 0, len(self.angle) - 4)
+        first = start[:, None] + np.arange(4)
         x, y = self.angle[first] - place[:, None], self.radius[first]
         smooth = (self.piece[first[:, 0]] == self.piece[first[:, 3]]) & (np.diff(x, axis=1) > _APART).all(axis=1)
         x = np.where(smooth[:, None], x, np.arange(4.0))
@@ -333,13 +336,13 @@ class Ring:
         Returns:
             Numbers of samples with a share, shape (n,); nan where no five points of one piece are there.
         """
-        row, last = np.arange(len(needed)), needed.shape[1] - 1
-        highest, place = np.full(len(needed), -np.inf), np.full(len(needed), np.nan)
-        centred = np.zeros(len(needed), dtype=bool)
+        last, place = needed.shape[1] - 1, np.full(len(needed), np.nan)
+        highest, row = np.full(len(needed), -np.inf), np.arange(len(needed))
         for side in (0, -1, 1, -2, 2, -3, 3):
-            middle = np.clip(top + side, 2, last - 2)
+            middle = np.clip(top[row] + side, 2, last - 2)
             a, b, c, d, e = (needed[row, middle + beside] for beside in range(-2, 3))
-            fits = self._inside[first + middle - 1] & self._inside[first + middle + 1] & np.isfinite(a + b + c + d + e)
+            fits = np.isfinite(a + b + c + d + e)
+            fits &= self._inside[first[row] + middle - 1] & self._inside[first[row] + middle + 1]
             a, b, c, d, e = (np.where(fits, each, 0.0) for each in (a, b, c, d, e))
             slope, bend = (a - 8 * b + 8 * d - e) / 12, (16 * (b + d) - a - e - 30 * c) / 12
             third, fourth = (e - 2 * d + 2 * b - a) / 2, e - 4 * d + 6 * c - 4 * b + a
@@ -349,9 +352,12 @@ class Ring:
                 rise = slope + found * (bend + found * (third / 2 + found * fourth / 6))
                 found = np.clip(found - rise / rate, -2.0, 2.0)
             value = c + found * (slope + found * (bend / 2 + found * (third / 6 + found * fourth / 24)))
-            better = fits & (value > highest) & ~centred
-            highest, place = np.where(better, value, highest), np.where(better, middle + found, place)
-            centred |= fits & (middle == top)  # the others are for a sample beside a joint
+            better = fits & (value > highest[row])
+            highest[row[better]], place[row[better]] = value[better], (middle + found)[better]
+            if side == 0:  # the others are for a sample beside a joint
+                row = row[~fits | (middle != top)]
+            if not row.size:
+                break
         return place
 
 

@@ -2,7 +2,7 @@
 
 import re
 from dataclasses import replace
-from math import cos, inf, radians, sin
+from math import atan2, cos, degrees, inf, radians, sin
 
 import numpy as np
 import pytest
@@ -12,11 +12,12 @@ from cadgen.arrays import TURN
 from cadgen.cam.contact import roll_curve
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.followers.lifts import Lifts
+from cadgen.cam.followers.roller import Knife
 from cadgen.cam.followers.swinging_flat import SwingingFace
 from cadgen.cam.followers.swinging_roller import SwingingRoller
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits, PressureAngleLimit
 from cadgen.errors import DesignError
-from cadgen.laws.unit import RAD
+from cadgen.laws.unit import MM, RAD
 from tests.cam.test_kinds import DESIGNS, motion
 
 MOTION = motion(RAD, ((90, 16.0, "modified_sine"), (50, 16.0, None), (120, 0.0, "cycloidal"), (100, 0.0, None)))
@@ -166,3 +167,11 @@ def test_limits_of_sizes_are_those_of_the_checks():
     assert 0 <= size.value - least < 0.02
     assert size.value + 10 < 120 * sin(radians(90 - 16))
     assert PRESSURE_ANGLE_LIMITS
+
+
+def test_the_pressure_angle_of_a_knife_where_the_acceleration_jumps():
+    """At its peak, where two pieces of the profile meet: tan(alpha) = s' / (R_b + s) by the parabola's middle."""
+    moved = motion(MM, ((50, 3.0, "constant_acceleration"), (130, 0.0, "simple_harmonic"), (180, 0.0, None)))
+    knife = Knife(base=12.0)
+    contact, _ = roll_curve(actual_profile(moved, knife).curve, knife, np.radians([25.0]))
+    assert np.degrees(contact.pressure_angle[0]) == pytest.approx(degrees(atan2(2 * 3.0 / radians(50), 13.5)), abs=2e-4)

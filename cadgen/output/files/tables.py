@@ -186,12 +186,17 @@ def _inserted(rows: Contact, more: Contact, after: NDArray[np.intp]) -> Contact:
 def _needed(rows: Contact, place: Array, curve: ClosedCurve, count: int, tolerance: float) -> Contact:
     """The even rows, and those others without which a line between two rows would leave the profile."""
     even = np.isclose((rows.cam_angle * count / TURN + 0.5) % 1, 0.5, rtol=0, atol=1e-7)
-    kept = [0]
-    for number in range(1, len(even)):
-        ends = place[kept[-1:]], place[[number + 1]]
-        if even[number] or _stray(curve, *ends)[0] > tolerance:
-            kept.append(number)
-    return _chosen(rows, np.array(kept))
+    even[0] = True
+    begins = np.flatnonzero(even)
+    lengths, last, kept = np.diff(np.append(begins, len(even))), begins.copy(), even.copy()
+    # One after the other between two even rows, and so for all pairs of even rows at once.
+    for ahead in range(1, int(lengths.max())):
+        there = np.flatnonzero(lengths > ahead)
+        number = begins[there] + ahead
+        wide = _stray(curve, place[last[there]], place[number + 1]) > tolerance
+        kept[number[wide]] = True
+        last[there[wide]] = number[wide]
+    return _chosen(rows, np.flatnonzero(kept))
 
 
 def write_csv(
