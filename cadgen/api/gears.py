@@ -31,6 +31,7 @@ from cadgen.gears.contact import contact_ratio
 from cadgen.gears.inspection import inspection_of
 from cadgen.gears.layout import TrainPart
 from cadgen.gears.ring import ring_of
+from cadgen.gears.sliding import loss_factor, specific_sliding
 from cadgen.gears.spur import form_figures
 from cadgen.gears.stage import Wheel
 from cadgen.gears.tolerances import ToleranceOverrides
@@ -550,6 +551,16 @@ class GearPair(_ByNumbers):
     def overlap_ratio(self) -> float:
         """Overlap ratio ε_β of helical teeth; 0 for spur gears."""
         return self.cut.overlap_ratio
+
+    @property
+    def specific_sliding(self) -> tuple[float, float]:
+        """Specific sliding of pinion and wheel where contact begins in their roots, as cut: the least of each."""
+        return specific_sliding(self.cut)
+
+    @property
+    def loss_factor(self) -> float:
+        """Loss factor H_v of the teeth as cut (Niemann/Ohlendorf): of the power P they lose P μ H_v."""
+        return loss_factor(self.cut)
 
     @property
     def axial_force(self) -> float:

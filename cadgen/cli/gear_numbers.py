@@ -17,7 +17,7 @@ from cadgen.cli import help
 from cadgen.cli.options import formats_option, out_option
 from cadgen.errors import DesignError
 from cadgen.figures import Sheet
-from cadgen.gears.choices import HelixHand
+from cadgen.gears.choices import HelixHand, ToleranceStandard
 from cadgen.messages import Message
 
 if TYPE_CHECKING:
@@ -261,6 +261,13 @@ def gear(
     "--centre-distance-mm", type=float, default=None, help="Distance of the axes, mm; that without play if left out."
 )
 @help.option("--bearing-span-mm", type=float, default=None, help="Between the bearings of a shaft, mm.")
+@help.option(
+    "--standard",
+    type=click.Choice([each.value for each in ToleranceStandard]),
+    default=ToleranceStandard.ISO.value,
+    show_default=True,
+    help="Of tolerances; free for none, as for sizes that ISO 1328 does not cover.",
+)
 @_name("pair")
 @_OUT
 @formats_option("step,stl,csv")
@@ -276,6 +283,7 @@ def pair(
     backlash_deg: float | None,
     centre_distance_mm: float | None,
     bearing_span_mm: float | None,
+    standard: str,
     name: str,
     out: Path,
     formats: str | None,
@@ -299,18 +307,25 @@ def pair(
     ring = 1 if internal else None
     arguments = _gears(2, ring, values, ("pinion", "wheel"))
     hands = _hands(hand, 2, ring)
+    free = (
+        dict.fromkeys(("f_pt", "F_beta", "F_r", "b_r", "F_i_radial"), 0.0)
+        if standard == ToleranceStandard.FREE
+        else None
+    )
     gears = [
-        Gear(teeth=count, internal=number == ring, hand=of, double=double, **each)
+        Gear(teeth=count, internal=number == ring, hand=of, double=double, tolerances=free, **each)
         for number, (count, of, each) in enumerate(zip(counts, hands, arguments, strict=True))
     ]
     if toml:
-        click.echo(_pair_toml(gears, backlash_um, backlash_deg, centre_distance_mm, bearing_span_mm), nl=False)
+        text = _pair_toml(gears, backlash_um, backlash_deg, centre_distance_mm, bearing_span_mm)
+        click.echo(text.replace("[train]\n", '[train]\nstandard = "free"\n', 1) if free else text, nl=False)
         return
     if backlash_um is not None and backlash_deg is not None:
         raise click.UsageError(Message("--backlash-um and --backlash-deg are both given; give one of them"))
     common: Named = {
         "centre_distance": centre_distance_mm,
         "bearing_span": 60.0 if bearing_span_mm is None else bearing_span_mm,
+        "centre_distance_deviation": 0.0 if free else None,
         "name": name,
     }
     backlash = None if backlash_um is None else backlash_um * 1e-3
@@ -325,6 +340,9 @@ def pair(
         "working_pressure_angle_deg": degrees(made.working_pressure_angle),
         "contact_ratio": made.contact_ratio,
         **({"overlap_ratio": made.overlap_ratio} if made.overlap_ratio else {}),
+        "specific_sliding_pinion": made.specific_sliding[0],
+        "specific_sliding_wheel": made.specific_sliding[1],
+        "loss_factor": made.loss_factor,
         "play_base_um": play.base * 1e3,
         "play_normal_um": play.normal * 1e3,
         "play_pitch_circle_um": play.pitch * 1e3,

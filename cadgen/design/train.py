@@ -448,6 +448,15 @@ class TrainSection(DesignSection):
         le=1000,
         description="by which a shaft can move across its bearings; it opens every mesh; left out, none",
     )
+    friction_coefficient: float | None = Field(
+        default=None,
+        ge=0,
+        le=1,
+        description="mu of the flanks, for the losses of the teeth; left out, these are not told",
+    )
+    friction_source: CellText | None = Field(
+        default=None, description="where friction_coefficient is from, such as `measured, POM dry`"
+    )
     grade: int = Field(default=7, ge=3, le=12, description="tolerance grade of ISO 1328")
     standard: Annotated[ToleranceStandard | None, WORD] = Field(
         default=None,
@@ -486,6 +495,17 @@ class TrainSection(DesignSection):
     output: GearBlankSection = GearBlankSection()
     plate: PlateSection | None = None
     search: SearchSection = SearchSection()
+
+    @model_validator(mode="after")
+    def _friction_has_its_source(self) -> "TrainSection":
+        if (self.friction_coefficient is None) != (self.friction_source is None):
+            raise ValueError(
+                Message(
+                    "train.friction_coefficient and train.friction_source go together: give both, such as 0.1 and "
+                    '"estimated"'
+                )
+            )
+        return self
 
     @model_validator(mode="after")
     def _fits_are_of_sizes_in_the_table(self) -> "TrainSection":

@@ -129,6 +129,20 @@ def contact_ratio(pair: Pair, centre_distance: float | None = None) -> float:
         pair: pair of gears.
         centre_distance: distance of the axes, mm; the pair's own if left out.
     """
+    start, end = path_of_contact(pair, centre_distance)
+    form = pair.driver.form
+    return max(end - start, 0.0) / (pi * form.transverse_module * cos(form.transverse_pressure_angle))
+
+
+def path_of_contact(pair: Pair, centre_distance: float | None = None) -> tuple[float, float]:
+    """Begin and end of contact on the line of action, mm from where it touches the base circle of the first gear.
+
+    The first gear is the driver, or the pinion of a ring.
+
+    Args:
+        pair: pair of gears.
+        centre_distance: distance of the axes, mm; the pair's own if left out.
+    """
     apart = pair.centre_distance if centre_distance is None else centre_distance
     line = apart * sin(pair.pressure_angle(apart))
     driver, driven = (tooth_of(gear.form) for gear in pair.by_size)
@@ -136,14 +150,12 @@ def contact_ratio(pair: Pair, centre_distance: float | None = None) -> float:
     def along(diameter: float, form: GearForm) -> float:
         return sqrt(max(diameter**2 - form.base_diameter**2, 0.0)) / 2
 
-    # Distances from where the line of action touches the first gear's base circle.
     ends = [
         line - along(diameter, driven.form) if driven.form.side > 0 else along(diameter, driven.form) - line
         for diameter in (driven.form.tip_form_diameter, driven.root_form_diameter)
     ]
     start = max(ends[0], along(driver.root_form_diameter, driver.form))
-    end = min(along(driver.form.tip_form_diameter, driver.form), ends[1])
-    return max(end - start, 0.0) / (pi * driver.form.transverse_module * cos(driver.form.transverse_pressure_angle))
+    return start, min(along(driver.form.tip_form_diameter, driver.form), ends[1])
 
 
 def found_contact_ratio(pair: Pair) -> float:

@@ -26,6 +26,7 @@ from cadgen.figures import Facts, Figure, Figures
 from cadgen.gears.choices import HeldMember, Law
 from cadgen.gears.distribution import ZoneSum
 from cadgen.gears.planetary import PlanetarySet, spaced
+from cadgen.gears.sliding import loss_factor
 from cadgen.gears.spur import pair_facts
 from cadgen.gears.stage import Engage, Mating, Stage, Standing, Wheel
 from cadgen.messages import Message, clauses
@@ -286,6 +287,24 @@ class PlanetaryStage(Stage):
     def drawn_play(self) -> ZoneDraw:
         """Play of the output with planets that differ within the tolerances, from sets drawn at random, rad."""
         return _drawn(self)
+
+    def efficiency(self, friction: float) -> float:
+        """Efficiency from that of the meshes with the carrier at rest, η_0 = (1 − μ H_v1)(1 − μ H_v2), i_0 = −z_r/z_s.
+
+        Ring held, sun driving: (1 − i_0 η_0) / (1 − i_0). Sun held, ring driving: (i_0 − η_0) / (i_0 − 1).
+
+        Args:
+            friction: friction coefficient μ of the flanks.
+        """
+        inner, outer = self.cut.meshes
+        fixed = (1 - friction * loss_factor(inner)) * (1 - friction * loss_factor(outer))
+        ratio = -self.cut.ring.form.teeth / self.cut.sun.form.teeth
+        match self.held:
+            case HeldMember.CARRIER:
+                return fixed
+            case HeldMember.RING:
+                return (1 - ratio * fixed) / (1 - ratio)
+        return (ratio - fixed) / (ratio - 1)
 
     def opened(self, clearance: float) -> float:
         """None: a planet that moves out of one mesh moves into the other, to first order as far; in rad.

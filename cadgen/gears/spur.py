@@ -29,6 +29,7 @@ from cadgen.gears.inspection import Inspection, SizeLimits, inspection_of
 from cadgen.gears.internal import require_free, reserves, shortened_ring
 from cadgen.gears.pair import GradedGear, Pair
 from cadgen.gears.ring import RingForm, cutter_of
+from cadgen.gears.sliding import loss_factor, specific_sliding
 from cadgen.gears.stage import CONTRADICTION, LEAST_OVERLAP, PLAY_LIMIT_UM, Departure, Engage, Stage, cycle
 from cadgen.gears.tolerances import (
     flank_tolerance,
@@ -227,6 +228,8 @@ def pair_facts(pair: Pair) -> Facts:
         bearing_span_mm=pair.bearing_span,
         ratio=str(pair.ratio),
         contact_ratio=contact_ratio(pair),
+        loss_factor=loss_factor(pair),
+        specific_sliding=list(specific_sliding(pair)),
         **_beyond_spur(pair),
         **_in_um({name: value for name, value in asdict(play).items() if name not in _NO_LENGTHS}),
         play_um={"mean": spread.mean * 1e3, "std": spread.std * 1e3, **quantiles(spread, 1e3)},
@@ -425,6 +428,14 @@ class SpurPair(Pair, Stage):
     def free_angle(self) -> float:
         """Play of the driven gear as cut, by the exact geometry of involutes, rad."""
         return self.exact_play()
+
+    def efficiency(self, friction: float) -> float:
+        """1 − μ H_v, by the loss factor of the teeth as cut.
+
+        Args:
+            friction: friction coefficient μ of the flanks.
+        """
+        return 1 - friction * loss_factor(self)
 
     def opened(self, clearance: float) -> float:
         """By eq. 1, axes further apart by `clearance`, mm, open 2 C tan(alpha_w) on the pitch circle; in rad.

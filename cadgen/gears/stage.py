@@ -316,6 +316,14 @@ class Stage(ABC):
             direction: from the driver's axis to that of the driven wheel, rad.
         """
 
+    def efficiency(self, friction: float) -> float | None:
+        """Share of the power that the teeth pass on, bearings not counted; None where that is not known.
+
+        Args:
+            friction: friction coefficient μ of the flanks.
+        """
+        return None
+
     def driven_shift(self, driver_angle: float, direction: float) -> complex:
         """Way from where the driven wheel's axis is to the origin of its own frame, mm; none but of a bar.
 

@@ -262,7 +262,7 @@ def _step(size: ArrayLike, steps: Sequence[float], quantity: str, standard: str,
     if not np.all(covered):
         raise DesignError(
             "the {quantity} {size:g} mm is outside {standard}, which gives {symbol}; give {least:g} to "
-            "{most:g} mm, or a value for {symbol}",
+            "{most:g} mm, a value for {symbol}, or standard free for the tolerances of your own alone",
             quantity=Message(quantity),
             size=_first(sizes, covered),
             standard=standard,

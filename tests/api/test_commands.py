@@ -48,6 +48,7 @@ CALLED = {
     "centre_distance_mm": "centre_distance",
     "bearing_span_mm": "bearing_span",
     "unequal": "equal",
+    "standard": "centre_distance_deviation",
     "flats": "keyway",
     "across": "keyway",
 }
@@ -66,7 +67,7 @@ BY_METHODS = {
 }
 # Commands use two processes; a script says how many it wants, or gives a pool.
 # What is given for no gear has the default of each.
-OTHER_DEFAULTS = {"processes", "no_browser", "jobs", "grade", "pressure_angle", "unequal"}
+OTHER_DEFAULTS = {"processes", "no_browser", "jobs", "grade", "pressure_angle", "unequal", "standard"}
 
 
 def commands() -> dict[str, click.Command]:

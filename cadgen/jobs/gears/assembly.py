@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import asdict, dataclass, replace
 from fractions import Fraction
 from functools import cached_property
-from math import degrees
+from math import degrees, prod
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
@@ -20,7 +20,7 @@ from cadgen.errors import CheckError
 from cadgen.figures import Facts, Figures, JobResult
 from cadgen.gears.layout import TrainLayout
 from cadgen.gears.stage import Wheel
-from cadgen.gears.train import TrainPlay, WholePlay
+from cadgen.gears.train import Train, TrainPlay, WholePlay
 from cadgen.messages import Message, joined
 from cadgen.output.files.exports import GearExport, RackExport, TrainExport
 from cadgen.output.files.publisher import Artifact, Written, folder_of, publish, refusal
@@ -305,6 +305,43 @@ def parts_facts(layout: TrainLayout) -> list[Facts]:
         )
         for part, gears in zip(layout.parts, gear_figures(layout), strict=True)
     ]
+
+
+METHOD = Message("Niemann/Ohlendorf: constant friction, load shared equally by the teeth in contact; teeth alone")
+
+
+def losses(train: Train, friction: float, source: str) -> Facts:
+    """Losses of the teeth of a train, as cut, with their method.
+
+    Args:
+        train: train with its teeth as cut.
+        friction: friction coefficient of the flanks.
+        source: where that is from.
+    """
+    each = [stage.efficiency(friction) for stage in train.stages]
+    known = [one for one in each if one is not None]
+    whole = prod(known) if len(known) == len(each) else None
+    return Facts(method=METHOD, friction_coefficient=friction, friction_source=source, stages=each, efficiency=whole)
+
+
+def losses_note(train: Train, friction: float, source: str) -> Message:
+    """Sentence on the losses of the teeth of a train; as `losses`.
+
+    Args:
+        train: train with its teeth as cut.
+        friction: friction coefficient of the flanks.
+        source: where that is from.
+    """
+    each = [stage.efficiency(friction) for stage in train.stages]
+    if None in each:
+        return Message("the losses of this train are not known, for a stage is of another kind than gears")
+    return Message(
+        "the teeth pass on {percent:.2f} % of the power with a friction coefficient of {friction:g} ({source}), by "
+        "Niemann and Ohlendorf; bearings are not counted",
+        percent=100 * prod(one for one in each if one is not None),
+        friction=friction,
+        source=source,
+    )
 
 
 def flats_of(blank: Blank) -> dict[str, float]:

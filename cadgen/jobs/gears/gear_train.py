@@ -21,7 +21,15 @@ from cadgen.gears.stage import Departure, Stage, Wheel
 from cadgen.gears.synthesis import SearchLimits, arrange, search_of
 from cadgen.gears.train import Loose, Train, TrainPlay, WholePlay, teeth_of, train_play
 from cadgen.geometry.meshes.made_train import MadeTrain, failing_stages, make_train
-from cadgen.jobs.gears.assembly import Assembly, checks_facts, parts_facts, return_error, stages_facts
+from cadgen.jobs.gears.assembly import (
+    Assembly,
+    checks_facts,
+    losses,
+    losses_note,
+    parts_facts,
+    return_error,
+    stages_facts,
+)
 from cadgen.messages import Message, joined
 from cadgen.output.drawing.shaft_fit import ShaftFit
 from cadgen.output.files.manifest import Origin
@@ -156,6 +164,7 @@ class GearTrain(Assembly):
         making: what the drawings say of its parts and of the plates besides their shapes.
         mesh_chord: greatest chord error of the parts' meshes that the design gives, mm; None where it gives none.
         compensation: what files for printing take back; None where the design does not say.
+        friction: friction coefficient of the flanks and its source; None where the design has none.
         order: order of the stages: `as-given`, `reordered` or `search`.
         designed: play of the train as the design has it.
         designed_standard: play of that train without the design's overrides; None if the standards do not cover it.
@@ -175,6 +184,7 @@ class GearTrain(Assembly):
     making: TrainMaking
     mesh_chord: float | None
     compensation: PrintCompensation | None
+    friction: tuple[float, str] | None
     order: Order
     designed: TrainPlay
     designed_standard: TrainPlay | None
@@ -242,6 +252,8 @@ class GearTrain(Assembly):
             **quantiles(self.play.return_error_distribution(), degrees(1)),
         }
         facts = Facts(order=self.order, passed=self.passed, ratio=str(self.play.train.ratio), return_error_deg=error)
+        if self.friction is not None:
+            facts |= Facts(losses=losses(self.layout.train, *self.friction))
         if whole.loose:
             facts |= Facts(
                 return_error_with_joints_deg=return_error(whole),
@@ -313,7 +325,8 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
     ranked = arrange(designed, order, limits)
     trains = _Candidates(ranked, limits, design)
     made, skipped = _first_made(design, designed, trains, _baseline(order, designed_play, designed_standard), progress)
-    chord = design.export.mesh_chord_um
+    chord, keys = design.export.mesh_chord_um, gear_model.train_keys(design)
+    friction = None if keys.friction_coefficient is None else (keys.friction_coefficient, keys.friction_source or "")
     sense = gear_model.sense_reservation(design, len(made.layout.train.stages), made.layout.train.sense)
     return GearTrain(
         origin=Origin.of(design),
@@ -321,6 +334,7 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
         making=TrainMaking.of(gear_model.train_keys(design)),
         mesh_chord=None if chord is None else chord * 1e-3,
         compensation=design.export.printing,
+        friction=friction,
         order=order,
         designed=designed_play,
         designed_standard=designed_standard,
@@ -332,6 +346,7 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
         notes=(
             *_thinning_notes(design, made),
             *(note for number, cut in enumerate(made.layout.train.stages, 1) for note in cut.notes(number)),
+            *([] if friction is None else [losses_note(made.layout.train, *friction)]),
             *_joint_notes(design, made.play),
             *(_notes(design, designed, limits) if limits else ()),
             *([] if sense is None else [sense.sentence]),
