@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from cadgen.inference.monte_carlo.random_cars import Map
     from cadgen.jobs.card import Card
     from cadgen.jobs.gears.gear_train import GearTrain
+    from cadgen.jobs.lift_tolerance import LiftToleranceRun
     from cadgen.jobs.simulation import Simulation
     from cadgen.jobs.tolerance import ToleranceRun
 
@@ -164,6 +165,29 @@ class Design(LoadedDesign):
         )
         plan = plan_cam(self.complete(), profile, progress, with_play=True)
         return tolerance_of(Cam.of(plan), sample, progress)
+
+    def lift_tolerance(
+        self, samples: int = 10_000, *, seed: int = 1, progress: Progress = silent
+    ) -> "LiftToleranceRun":
+        """Errors of the lift of random cams within [lift_tolerances], for a cam by its motion.
+
+        Args:
+            samples: number of cams, 1 to 1 000 000.
+            seed: seed of the random numbers, 0 or more.
+            progress: function that is called with a few words on each step.
+
+        Raises:
+            DesignError: the design is of a car, nothing varies, or the follower's kind does not say what it does.
+        """
+        from cadgen.jobs.lift_tolerance import MOST_CAMS, run_lift_tolerance
+
+        design = self.values
+        if not isinstance(design, MotionDesign):
+            raise DesignError(
+                "errors of the lift are worked out for a design with [motion], and this one is of a car: tolerance "
+                "runs its cars"
+            )
+        return run_lift_tolerance(design, whole("samples", samples, 1, MOST_CAMS), whole("seed", seed, 0), progress)
 
     def calibrate(
         self,

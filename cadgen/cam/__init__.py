@@ -15,6 +15,7 @@
 | `cutter`         | which cutter reaches every concave part                                         |
 | `loss`           | lift that is missing where the envelope is trimmed, and the change that cures it |
 | `sizing`         | least base circles and the best offset for a pressure angle                     |
+| `lift_errors`    | errors of the lift by what is off, to first order; a disc put on wrong          |
 | `forces`         | force on the disc, torque of the camshaft, speed of lift-off, contact pressure  |
 | `checks`         | every figure with its limit, place and verdict                                  |
 """

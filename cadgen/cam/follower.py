@@ -17,6 +17,7 @@ from dataclasses import dataclass, fields, replace
 from enum import StrEnum
 from itertools import pairwise
 from math import inf
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -297,6 +298,21 @@ class SizeThatFits:
     value: float
 
 
+@dataclass(frozen=True)
+class FollowerDimension:
+    """Dimension of a follower or its place that may be off, while the disc stays as it is.
+
+    Attributes:
+        code: code of the dimension; `base_circle` stands for a disc that is larger all round.
+        outwards: function of the motion and its first derivative by the cam angle, shape (n,) each, that returns the
+            displacement of the follower's curve along the outward normal at the contact by a unit more of the
+            dimension, mm by mm or by rad, while the follower does not move.
+    """
+
+    code: str
+    outwards: Callable[[Array, Array], Array]
+
+
 class Follower(ABC):
     """A curve that rides on the disc; a kind is a frozen dataclass with the properties and methods below.
 
@@ -387,6 +403,22 @@ class Follower(ABC):
         raise DesignError(
             "points of an outline do not tell where a {follower} touches them: measure the lift", follower=self.noun
         )
+
+    def dimensions(self) -> tuple[FollowerDimension, ...]:
+        """Dimensions that may be off, each with what it does; none for a kind that does not say."""
+        return ()
+
+    def normal(self, q: Array, q1: Array) -> NDArray[np.complexfloating[Any, Any]]:
+        """Outward normal at the contact in the frame of the follower's line, as complex numbers, shape (n,).
+
+        Args:
+            q: motion, in its unit, shape (n,).
+            q1: its first derivative by the cam angle, 1/rad.
+
+        Raises:
+            DesignError: the kind does not say.
+        """
+        raise DesignError("errors of the lift are not worked out for a {follower}", follower=self.noun)
 
     def dwelling(self, q: float) -> float:
         """Radius of the disc on which it stands still, mm.

@@ -9,6 +9,7 @@ and the profile is its parallel at the circle's radius, on the side of the camsh
 """
 
 from abc import abstractmethod
+from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
@@ -17,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.follower import OUTLINE_POINTS, Branch, Follower, OwnSection, Swept, span_jets
+from cadgen.cam.follower import OUTLINE_POINTS, Branch, Follower, FollowerDimension, OwnSection, Swept, span_jets
 from cadgen.curves.closed import ClosedCurve, Jet, cross
 from cadgen.curves.derived import OffsetPiece
 from cadgen.errors import DesignError
@@ -157,6 +158,31 @@ class RoundFollower(Follower):
         tangent = by_motion * q1 + 1j * z
         return np.asarray(-(tangent.conj() * by_motion).imag / np.abs(tangent))
 
+    def normal(self, q: Array, q1: Array) -> Complex:
+        """Outward normal at the contact in the frame of the follower's line: -i t / |t|, with the tangent of `push`.
+
+        Args:
+            q: motion, in its unit, shape (n,).
+            q1: its first derivative by the cam angle, 1/rad.
+        """
+        z, z1, _ = self.centre(q, q1, np.zeros_like(q))
+        tangent = z1 + 1j * z
+        return np.asarray(-1j * tangent / np.abs(tangent))
+
+    def moved(self, code: str, way: Callable[[Array], Complex]) -> FollowerDimension:
+        """Dimension that moves the circle's centre.
+
+        Args:
+            code: code of the dimension.
+            way: function of the motion that returns the way of the centre by a unit of the dimension, mm by mm or rad.
+        """
+        return FollowerDimension(code, lambda q, q1: np.asarray((self.normal(q, q1).conj() * way(q)).real))
+
+    def dimensions(self) -> tuple[FollowerDimension, ...]:
+        """Disc and circle: both lift the follower by as much."""
+        larger = [FollowerDimension(code, lambda q, q1: -np.ones_like(q)) for code in ("base_circle", "roller_radius")]
+        return tuple(larger) if self.radius else (larger[0],)
+
     def profile_radius(self, q: Array, q1: Array, q2: Array) -> Array:
         """Radius of curvature of the profile at the contact, positive where convex, shape (n,), mm.
 
@@ -238,6 +264,10 @@ class RoundSlide(RoundFollower):
             off: distance within which other points may lie, mm, shape (n,).
         """
         return self.least(x + off, self.offset + np.maximum(np.abs(y - self.offset) - off, 0.0))
+
+    def dimensions(self) -> tuple[FollowerDimension, ...]:
+        """Disc, circle, and the distance of the slide's line from the camshaft."""
+        return (*super().dimensions(), self.moved("offset", lambda q: np.full(len(q), 1j)))
 
     def standing(self, distance: Array) -> tuple[Array, Array]:
         """Lift of a point beside the line, mm, and its polar angle from the line, rad.

@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.cam.follower import Branch, Follower, OwnSection, Swept, span_jets
+from cadgen.cam.follower import Branch, Follower, FollowerDimension, OwnSection, Swept, span_jets
 from cadgen.cam.round_follower import Complex
 from cadgen.curves.closed import Jet
 from cadgen.laws.motion import Motion
@@ -156,6 +156,19 @@ class StraightFollower(Follower):
         moved = self.face_jet(q, np.ones_like(q), np.zeros_like(q))
         along = moved.support[1] * q1 / (1.0 + moved.turn[1] * q1)
         return np.asarray(moved.support[1] - along * moved.turn[1])
+
+    def normal(self, q: Array, q1: Array) -> Complex:
+        """Outward normal at the contact in the frame of the follower's line, which is that of the face.
+
+        Args:
+            q: motion, in its unit, shape (n,).
+            q1: its first derivative by the cam angle, 1/rad.
+        """
+        return np.asarray(np.exp(1j * self.at(q)[1]))
+
+    def dimensions(self) -> tuple[FollowerDimension, ...]:
+        """The disc, larger all round."""
+        return (FollowerDimension("base_circle", lambda q, q1: -np.ones_like(q)),)
 
     def profile_radius(self, q: Array, q1: Array, q2: Array) -> Array:
         """Radius of curvature h + h_psi_psi of the profile at the contact, positive where convex, shape (n,), mm.

@@ -103,17 +103,29 @@ def tolerance(
     as_json: bool,
     out: Path | None,
 ) -> None:
-    """Run random cars within the tolerances of [tolerances] and [train].
+    """Run random cars within the tolerances of [tolerances] and [train], or cams within [lift_tolerances].
 
     Reports where they end, how many pass all gates, and which tolerance matters most. A seed gives the same numbers
     on any number of processes. A profile that fails a check is run all the same, and the check is named. The exit code
     is 1 if the cam is not ready.
+
+    Of a design with [motion] it reports by how much each tolerance moves the lift, how many cams keep
+    lift_tolerances.limit_um, and what a disc does that is put on wrong side up.
     """
     from cadgen.api.design import Design
     from cadgen.cli import show, show_play
     from cadgen.cli.show import command, failed, verdict
 
     loaded = Design.load(design, overrides)
+    if loaded.by_motion:
+        if budget or out is not None:
+            raise click.UsageError(
+                Message(
+                    "{option} is for a car, and the design has [motion]: leave it out",
+                    option="--budget" if budget else "--out",
+                )
+            )
+        _lift_tolerance(loaded, samples, seed, as_json=as_json)
     with show.progress(not as_json) as progress:
         run = loaded.tolerance(
             samples, seed=seed, profile=profile, budget=budget, processes=processes, progress=progress
@@ -246,6 +258,30 @@ def calibrate(
         show.files(written, out)
     show.explained(result, written=written is not None, asked=ask_next)
     raise SystemExit(0 if result.readiness != Readiness.NOT_READY else 1)
+
+
+def _lift_tolerance(loaded: "Design", samples: int, seed: int, *, as_json: bool) -> None:
+    """Print the errors of the lift of random cams, and exit."""
+    from cadgen.cli import show
+    from cadgen.cli.show import failed, verdict
+    from cadgen.output.report.terminal import write
+
+    with show.progress(not as_json) as progress:
+        run = loaded.lift_tolerance(samples, seed=seed, progress=progress)
+    if as_json:
+        show.document(run.facts())
+    else:
+        write(run.report, show.Output())
+        ready = run.cam.verdict.readiness
+        if not run.cam.passed:
+            verdict(ready, failed(run.cam.failed), Message("change the design as cadgen check says"))
+        elif run.passed is None:
+            verdict(
+                ready, Message("every check holds"), Message("lift_tolerances.limit_um counts the cams that keep it")
+            )
+        else:
+            verdict(ready, Message("every check holds, and {passed:.1f} % of the cams pass", passed=100 * run.passed))
+    raise SystemExit(0 if run.cam.passed else 1)
 
 
 def _cam_alone(

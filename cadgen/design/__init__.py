@@ -9,6 +9,7 @@ Sections of the file, each with what belongs to it alone:
 | `course`      | field, posts, walls, zones, gates, spacing, the car's outline -> course and body       |
 | `motion`      | the section [motion], of one of its sources                                           |
 | `sources`     | rises and dwells, points, harmonics, a table -> the motion that they make             |
+| `lift_tolerances` | what a cam with [motion] and its follower may be off by                           |
 | `dynamics`    | mass, spring and load of a follower -> what its forces need                           |
 | `lift_rows`   | rows of a lift table from a file                                                      |
 | `follower`    | follower, with the keys of its kind                                                   |

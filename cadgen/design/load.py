@@ -85,7 +85,7 @@ def design_of(text: str, file: Path, overrides: Sequence[str] = ()) -> Design:
 def _without_a_car(file: Path) -> DesignError:
     return DesignError(
         "{file}: this is worked out for a car, but the design has [motion], and not [path] and [car]: a cam by its "
-        "motion has cadgen check, cam, draw, report, edit, explore and gears",
+        "motion has cadgen check, cam, calibrate, tolerance, draw, report, edit, explore and gears",
         file=brief(file.name),
     )
 

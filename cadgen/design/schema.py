@@ -30,6 +30,7 @@ from cadgen.design.disc import MotionCam, base_circle_radius, follower_motion
 from cadgen.design.dynamics import DynamicsSection
 from cadgen.design.file_names import name_fault
 from cadgen.design.follower import FOLLOWER, FollowerSection, fitting_kinds
+from cadgen.design.lift_tolerances import LiftTolerances
 from cadgen.design.machining import DrawingText, Machining
 from cadgen.design.motion import MotionSection
 from cadgen.design.path import PATH, PathSection
@@ -294,6 +295,7 @@ class TrainFile(DesignSection):
     car: CarSection | None = None
     motion: MotionSection | None = None
     dynamics: DynamicsSection | None = None
+    lift_tolerances: LiftTolerances | None = None
     cam: CamSection | MotionCam | None = None
     follower: SerializeAsAny[FollowerSection] | None = None
     blank: BlankSection = BlankSection()
@@ -495,6 +497,17 @@ class DesignFile(DiscFile):
         return self
 
     @model_validator(mode="after")
+    def _tolerances_are_those_of_the_car(self) -> "DesignFile":
+        if self.lift_tolerances is not None:
+            raise ValueError(
+                Message(
+                    "[lift_tolerances] is for a design with [motion], and a car's tolerances stand in [tolerances]: "
+                    "remove [lift_tolerances] (on the command line with --set lift_tolerances=)"
+                )
+            )
+        return self
+
+    @model_validator(mode="after")
     def _laps_need_no_blend(self) -> "DesignFile":
         if not self.path.closed:
             return self
@@ -582,6 +595,8 @@ class MotionFile(DiscFile):
                 follower_motion(self.motion, self.follower.registered, corners=not grooved)
             if self.dynamics is not None:
                 self.dynamics.refuse(self.follower.registered, self.follower.keys, self.cam.thickness_mm)
+            if self.lift_tolerances is not None:
+                self.lift_tolerances.refuse(self.follower.registered)
         except DesignError as error:
             raise ValueError(error.message) from None
         return self

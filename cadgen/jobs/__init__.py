@@ -9,6 +9,7 @@
 | `gears`       | design -> train, checks -> files of a gear train         |
 | `simulation`  | the car's runs with play, one by one                     |
 | `tolerance`   | many cars within the tolerances                          |
+| `lift_tolerance` | errors of the lift of many cams by their motion       |
 | `nominal_car` | the car that these are varied from                       |
 | `error_budget`| what costs most at the finish                            |
 | `calibration` | measured files -> verdicts -> the design as built        |

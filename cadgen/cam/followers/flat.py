@@ -15,7 +15,7 @@ from math import ceil
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.cam.follower import LossRemedy, RolledCam, SizeThatFits
+from cadgen.cam.follower import FollowerDimension, LossRemedy, RolledCam, SizeThatFits
 from cadgen.cam.followers.face_run import contact_run, face_end
 from cadgen.cam.limits import CheckLimits
 from cadgen.cam.sizing import least_base_of_face, rounded_up
@@ -104,6 +104,17 @@ class FlatFace(StraightFollower):
         """
         base = rounded_up(least_base_of_face(motion, self.tilt, limits.min_convex_radius))
         return (SizeThatFits(self.base_key, self.base, base),) if base > 0 else ()
+
+    def dimensions(self) -> tuple[FollowerDimension, ...]:
+        """Disc, and the tilt of the face, about the point where the slide's axis meets it."""
+
+        def leaning(q: Array, q1: Array) -> Array:
+            # Both from the foot of the camshaft's perpendicular, along the face: the contact, and the slide's axis.
+            support = self.base + q * np.cos(self.tilt)
+            axis = support * np.tan(self.tilt) + self.offset / np.cos(self.tilt)
+            return np.asarray(q1 * np.cos(self.tilt) - axis)
+
+        return (*super().dimensions(), FollowerDimension("tilt", leaning))
 
     def least(self, x: Array, y: Array) -> tuple[Array, ...]:
         """Lift from which on the face clears points, mm.

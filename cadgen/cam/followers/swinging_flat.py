@@ -20,7 +20,7 @@ from math import ceil, inf
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.cam.follower import Contact, LossRemedy, RolledCam, SizeThatFits
+from cadgen.cam.follower import Contact, FollowerDimension, LossRemedy, RolledCam, SizeThatFits
 from cadgen.cam.followers.face_run import contact_run, face_end
 from cadgen.cam.followers.lifts import Lifts
 from cadgen.cam.followers.pivot import ArmFollower, pivot_checks, seen_from_pivot
@@ -133,6 +133,14 @@ class SwingingFace(ArmFollower, StraightFollower):
         """Cam angles, rad, and how fast the cam turns past the face there, as a share of its speed."""
         theta = np.unique(np.concatenate([motion.stations[0], np.linspace(0.0, 2 * np.pi, 3601)]))
         return theta, np.asarray(1 + self.lifts.side * motion.q(theta, nu=1))
+
+    def dimensions(self) -> tuple[FollowerDimension, ...]:
+        """Disc, distance of the pivot from the camshaft, and of the face from the pivot."""
+        return (
+            *super().dimensions(),
+            FollowerDimension("centre_distance", lambda q, q1: np.asarray(np.sin(self.rest + q))),
+            FollowerDimension("face_offset", lambda q, q1: -np.ones_like(q)),
+        )
 
     def refuse(self, motion: Motion) -> None:
         """Refuse a swing that ends beyond the square position, or turns the face as fast as the cam turns."""

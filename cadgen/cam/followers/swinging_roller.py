@@ -20,7 +20,7 @@ from typing import Self
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.cam.follower import LossRemedy, RolledCam, SizeThatFits
+from cadgen.cam.follower import FollowerDimension, LossRemedy, RolledCam, SizeThatFits
 from cadgen.cam.followers.lifts import Lifts
 from cadgen.cam.followers.pivot import ArmFollower, pivot_checks, seen_from_pivot
 from cadgen.cam.limits import CheckLimits
@@ -245,6 +245,16 @@ class SwingingRoller(ArmFollower, RoundFollower):
         c, l = self.centre_distance, self.arm  # noqa: E741
         delta = np.arccos(np.clip((c**2 + l**2 - distance**2) / (2 * c * l), -1.0, 1.0))
         return l * (delta - self.rest), np.asarray(np.angle(self._on_ray(delta)) - self.azimuth)
+
+    def dimensions(self) -> tuple[FollowerDimension, ...]:
+        """Disc, roller, length of the arm, and distance of the pivot from the camshaft."""
+        back = np.exp(-1j * self.azimuth)
+        turn = 1j * self.lifts.side
+        return (
+            *super().dimensions(),
+            self.moved("arm", lambda q: np.asarray(-np.exp(turn * (self.rest + q)) * back)),
+            self.moved("centre_distance", lambda q: np.full(len(q), back)),
+        )
 
     def checks(self, cam: RolledCam) -> tuple[Check, ...]:
         """Room between disc and pivot."""
