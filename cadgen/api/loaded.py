@@ -76,6 +76,7 @@ class LoadedDesign:
         gate_radius_mm: float = 50.0,
         field_mm: tuple[float, float] | None = None,
         closed: bool = False,
+        train: bool = False,
         motion: bool = False,
         table: str | PathLike[str] | None = None,
         changes: Mapping[str, Any] | Iterable[str] = (),
@@ -89,19 +90,21 @@ class LoadedDesign:
             points, layer: file of the path's points, CSV, TXT or DXF; layer of the polyline in a DXF with several.
             gate_radius_mm, field_mm: radius of the gates at the points; width and height of the field.
             closed: whether the path is a lap.
+            train: whether a gear train is proposed for the wheel of the outline, laid out in the car.
             motion, table: whether it is a cam by its motion; file of its lift table, CSV, an example if left out.
             changes: changes as for `with_`, written into the file.
 
         Raises:
-            DesignError, FileError: values that are not allowed; points that cannot be read, a file that is there.
+            DesignError, FileError: values that are not allowed; points that cannot be read, a file that is there; no
+                train that fits the car.
         """
-        from cadgen.design.begin import begin, begin_motion, points_of, write_new
+        from cadgen.design.begin import ProposedTrain, begin, begin_motion, points_of, write_new
 
         changed, place = overrides_of(changes), folder_of(folder)
         file = place / f"{plain_text('name', name)}.toml"
         if motion or table is not None:
-            if points is not None or layer is not None or field_mm is not None or closed:
-                raise DesignError("a cam by its motion has no path: leave points, layer, field and closed out")
+            if points is not None or layer is not None or field_mm is not None or closed or train:
+                raise DesignError("a cam by its motion has no path: leave points, layer, field, closed and train out")
             text = begin_motion(name, None if table is None else paths("table", table)[0], changed, place)
             write_new(text, file)
             return cls._checked(text, file, (), False)
@@ -116,7 +119,16 @@ class LoadedDesign:
             field_mm = (real("field_mm", field_mm[0], 1, 1e6, "mm"), real("field_mm", field_mm[1], 1, 1e6, "mm"))
         source = None if points is None else paths("points", points)[0]
         path = points_of(source, layer, closed=closed)
-        text = begin(name, path, changed, radius, field_mm, closed)
+
+        def text_with(proposal: ProposedTrain | None) -> str:
+            return begin(name, path, changed, radius, field_mm, closed, proposal)
+
+        if train:
+            from cadgen.jobs.train_proposal import proposed
+
+            text = proposed(text_with, name)
+        else:
+            text = text_with(None)
         write_new(text, file)
         return cls._checked(text, file, (), False)
 

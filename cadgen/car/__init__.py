@@ -8,6 +8,7 @@
 | `course`       | field, posts, gates; the car's outline swept along its run                     |
 | `planner`      | course and car -> the path on which play moves the car least                   |
 | `running`      | how the car runs when the gears have play                                      |
+| `assembly`     | the train in the car, clear of disc, rod, wheels and floor                     |
 | `draws`        | one cam for every draw: what to set on the car for each spacing                |
 | `against_play` | profiles and remedies against play, and the choice among them                  |
 """

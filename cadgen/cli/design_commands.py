@@ -50,6 +50,11 @@ from cadgen.messages import Message
     help="The path is a lap that is driven again and again, such as a figure 8: from its last point it goes on to the "
     "first. The polyline of a DXF is closed, too.",
 )
+@help.option(
+    "--train",
+    is_flag=True,
+    help="Propose the gear train for the wheel of [car.outline], laid out in the car: see [layout].",
+)
 @help.option("--motion", is_flag=True, help="Begin a cam by its motion, without path and car: rises and dwells.")
 @help.option(
     "--table",
@@ -66,6 +71,7 @@ def new(
     gate_radius_mm: float,
     field_mm: tuple[float, float] | None,
     closed: bool,
+    train: bool,
     motion: bool,
     table: Path | None,
     overrides: tuple[str, ...],
@@ -86,6 +92,7 @@ def new(
         gate_radius_mm=gate_radius_mm,
         field_mm=field_mm,
         closed=closed,
+        train=train,
         motion=motion,
         table=table,
         changes=overrides,

@@ -70,7 +70,7 @@ def gears(
         _return_errors(train)
         _ranking(train.ranked, train.baseline)
         _choice(train)
-        show.figures(Message("teeth in mesh, measured"), train.checks, gap=True)
+        show.train_figures(train.checks)
         if written is not None:
             _files(written, out, train)
         if train.passed:

@@ -51,6 +51,15 @@ _OF_CAR = (
     CheckCode.DRIVE_WHEEL_GREATEST,
     CheckCode.DRIVE_WHEEL_LEAST,
     CheckCode.DRIVE_WHEEL_OUTLINE,
+    CheckCode.ENERGY_LEFT,
+)
+_IN_CAR = (
+    CheckCode.AXLE_REACHED,
+    CheckCode.CAR_CLEARANCE,
+    CheckCode.FLOOR_CLEARANCE,
+    CheckCode.PLATE_ROOM,
+    CheckCode.PLATE_THICKNESS,
+    CheckCode.CAM_SENSE,
 )
 _OF_FORCES = (
     CheckCode.FORCE_LEAST,
@@ -251,12 +260,14 @@ def _groups(checks: "Sequence[Check]") -> Iterator[tuple[Message, list[Check]]]:
     car = [check for check in checks if check.code in _OF_CAR]
     motion = [check for check in checks if check.code.value.startswith("motion-")]
     forces = [check for check in checks if check.code in _OF_FORCES]
-    disc = [check for check in checks if not any(check in group for group in (course, car, motion, forces))]
+    parts = [check for check in checks if check.code in _IN_CAR]
+    disc = [check for check in checks if not any(check in group for group in (course, car, motion, forces, parts))]
     groups = (
         (Message("The cam"), disc),
         (Message("The motion"), motion),
         (Message("The forces"), forces),
         (Message("The car on its path"), car),
+        (Message("The parts in the car"), parts),
         (Message("The course"), course),
     )
     yield from ((title, rows) for title, rows in groups if rows)
@@ -277,6 +288,18 @@ def failures(cam: "Cam") -> None:
 
 def _of_profile(cam: "Cam") -> Message:
     return Message("{name}, {profile} profile", name=cam.origin.name, profile=cam.profile)
+
+
+def train_figures(checks: "Sequence[Check]") -> None:
+    """Print the checks of a train, those of its teeth and those of its place in a car in tables of their own.
+
+    Args:
+        checks: checks of the train.
+    """
+    placed = [check for check in checks if check.code in _IN_CAR]
+    figures(Message("teeth in mesh, measured"), [check for check in checks if check not in placed], gap=True)
+    if placed:
+        figures(Message("the parts in the car"), placed, gap=True)
 
 
 def figures(title: str, checks: "Sequence[Check]", *, gap: bool = False) -> None:

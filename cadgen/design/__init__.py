@@ -20,6 +20,7 @@ Sections of the file, each with what belongs to it alone:
 | `settings`    | what can be set on the car when a spacing is drawn                                    |
 | `as_built`    | the car as it was built                                                               |
 | `train`       | gear train, its stages with the keys of their kinds                                   |
+| `layout`      | how the train stands in the car                                                       |
 | `schema`      | all other sections; ranges, defaults, how keys must fit each other                    |
 
 The file:

@@ -3,10 +3,11 @@
 The text has a word on every key that a team sets first, in the language that is chosen.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from os import PathLike
 from os.path import relpath
 from pathlib import Path
+from typing import NamedTuple
 
 import tomlkit
 
@@ -110,6 +111,9 @@ friction_greatest = 0.20
 # finish = "Ra 1.6, deburred"
 # quantity = 1
 
+{train}""")
+
+_NO_TRAIN = Message("""\
 # The gears between drive wheel and cam: with them play is reckoned with, and the wheel's radius is known.
 # [train]
 # module_mm = 0.5
@@ -118,13 +122,13 @@ friction_greatest = 0.20
 #
 # [[train.stages]]
 # centre_distance_mm = 45.0
-# driver = {{ teeth = 30 }}
-# driven = {{ teeth = 150 }}
+# driver = { teeth = 30 }
+# driven = { teeth = 150 }
 #
 # [[train.stages]]
 # centre_distance_mm = 40.0
-# driver = {{ teeth = 40 }}
-# driven = {{ teeth = 120 }}
+# driver = { teeth = 40 }
+# driven = { teeth = 120 }
 """)
 
 _MOTION = Message("""\
@@ -171,6 +175,39 @@ table = {table}
 # table_unit = "inch"              # mm if left out; smooth = true takes the noise out
 """)
 
+_TRAIN = Message("""\
+# The gears between drive wheel and cam, from the wheel on: cadgen gears {name}.toml makes them.
+[train]
+module_mm = 0.5
+width_mm = 5.0
+bearing_span_mm = 80.0
+grade = 7
+# material = "brass"
+
+{stages}
+[train.drive]                      # the pinion on the axle of the drive wheel
+bore_diameter_mm = 5.0
+hub = {{ diameter_mm = 10.0, length_mm = 6.0, set_screw_mm = 2.5 }}
+
+[train.intermediate]               # wheel and pinion in one piece
+bore_diameter_mm = 3.0
+
+[train.output]                     # the wheel on the camshaft
+bore_diameter_mm = 8.0
+keyway = {{ width_mm = 3.0, depth_mm = 1.4 }}
+
+[layout]                           # parts are set against each other; directions of the stages are found
+turned_over = {turned}                # whether the disc sits turned over on its shaft
+""")
+_STAGE = """\
+[[train.stages]]
+driver = {{ teeth = {driver} }}
+driven = {{ teeth = {driven} }}
+"""
+_WHEEL = Message("""\
+drive_wheel_radius_mm = {radius}       # R_h; the whole path is driven before the closing blend
+""")
+
 _OPEN = {
     "closed": "",
     "wheel": Message(
@@ -198,6 +235,21 @@ _NO_FIELD = Message("""\
 """)
 
 
+class ProposedTrain(NamedTuple):
+    """Train for a new design.
+
+    Attributes:
+        teeth: teeth of driver and driven gear of every stage, from the drive on.
+        wheel_radius: radius of the drive wheel, mm; None where it follows from the ratio.
+    """
+
+    teeth: tuple[tuple[int, int], ...]
+    wheel_radius: float | None
+
+
+WithTrain = Callable[[ProposedTrain | None], str]
+
+
 def text_of(
     name: str,
     places: Sequence[tuple[float, float]],
@@ -207,6 +259,7 @@ def text_of(
     field: tuple[float, float] | None,
     *,
     closed: bool,
+    train: ProposedTrain | None = None,
 ) -> str:
     """Text of a design file, with comments in the chosen language.
 
@@ -218,6 +271,7 @@ def text_of(
         gate_radius: radius of a gate of weight 1, mm.
         field: width and height of the field, mm; None if it is not known.
         closed: whether the path is a lap.
+        train: train that it has; None for one that is commented out.
     """
     gates = [
         f"    {{ at_mm = [{_number(x)}, {_number(y)}], radius_mm = {_number(gate_radius / weight)} }},"
@@ -225,8 +279,11 @@ def text_of(
         if weight > 0
     ]
     parts = {key: shown(text) for key, text in (_CLOSED if closed else _OPEN).items()}
+    if train is not None and train.wheel_radius is not None:
+        parts["wheel"] = shown(_WHEEL).format(radius=_number(train.wheel_radius))
     return shown(_TEXT).format(
         **parts,
+        train=shown(_NO_TRAIN) if train is None else _train_text(name, train),
         name=name,
         offset=_number(offset),
         waypoints="\n".join(f"    [{_number(x)}, {_number(y)}]," for x, y in places),
@@ -235,6 +292,12 @@ def text_of(
         if field is None
         else shown(_FIELD).format(width=_number(field[0]), height=_number(field[1])),
     )
+
+
+def _train_text(name: str, train: ProposedTrain) -> str:
+    stages = "\n".join(_STAGE.format(driver=driver, driven=driven) for driver, driven in train.teeth)
+    turned = "true " if len(train.teeth) % 2 == 0 else "false"
+    return shown(_TRAIN).format(name=name, stages=stages, turned=turned)
 
 
 def _number(value: float) -> str:
@@ -253,6 +316,7 @@ def begin(
     gate_radius: float = GATE_RADIUS,
     field: tuple[float, float] | None = None,
     closed: bool = False,
+    train: ProposedTrain | None = None,
 ) -> str:
     """Text of a new design, which loads.
 
@@ -263,6 +327,7 @@ def begin(
         gate_radius: radius of the gates at the points, mm.
         field: width and height of the field, mm.
         closed: whether the path is a lap that ends as it starts.
+        train: train that it has; None for one that is commented out.
 
     Raises:
         DesignError: a name that files cannot have, or values that cannot be.
@@ -283,7 +348,9 @@ def begin(
             most_of_a_kind=MOST_OF_A_KIND,
         )
     # The middle of the car is to drive the path, unless the changes say where it runs.
-    document = tomlkit.parse(text_of(name, points.places, points.weights, 0.0, gate_radius, field, closed=closed))
+    document = tomlkit.parse(
+        text_of(name, points.places, points.weights, 0.0, gate_radius, field, closed=closed, train=train)
+    )
     for change in changes:
         override(document, change)
     car = document["car"]

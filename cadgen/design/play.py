@@ -197,6 +197,22 @@ class MechanicsSection(DesignSection):
     drive_energy_J: float | None = Field(
         default=None, gt=0, le=1e6, description="what the drive has for a run, such as 3.9 of 1 kg that falls 400 mm"
     )
+    car_mass_kg: float | None = Field(
+        default=None,
+        gt=0,
+        le=1000,
+        description="of the car with its weight or motor; with drive_energy_J what the run takes is checked",
+    )
+    rolling_resistance: float | None = Field(
+        default=None,
+        ge=0,
+        le=0.5,
+        description="force by load, bearings of the wheels included: 0.01 to 0.03 for hard wheels on a floor; left "
+        "out, 0.015",
+    )
+    train_efficiency: float | None = Field(
+        default=None, gt=0, le=1, description="from the drive to the camshaft; left out, 0.97 for each stage"
+    )
 
     @model_validator(mode="after")
     def _bands_run_upwards(self) -> "MechanicsSection":

@@ -31,6 +31,7 @@ from cadgen.design.dynamics import DynamicsSection
 from cadgen.design.file_names import name_fault
 from cadgen.design.follower import FOLLOWER, FollowerSection, fitting_kinds
 from cadgen.design.lift_tolerances import LiftTolerances
+from cadgen.design.layout import LayoutSection
 from cadgen.design.machining import DrawingText, Machining
 from cadgen.design.motion import MotionSection
 from cadgen.design.path import PATH, PathSection
@@ -303,6 +304,7 @@ class TrainFile(DesignSection):
     checks: Checks = Field(default=Checks(), validate_default=True)
     export: Export = Export()
     train: SerializeAsAny[TrainSection] | None = None
+    layout: LayoutSection | None = None
     play: PlaySection | None = None
     mechanics: MechanicsSection | None = None
     tolerances: TolerancesSection = TolerancesSection()
@@ -508,6 +510,39 @@ class DesignFile(DiscFile):
         return self
 
     @model_validator(mode="after")
+    def _layout_has_a_train(self) -> "DesignFile":
+        if self.layout is not None and self.train is None:
+            raise ValueError(
+                Message(
+                    "[layout] says how the gear train stands in the car, and the design has none: add [train], or "
+                    "remove [layout] (on the command line with --set layout=)"
+                )
+            )
+        if self.layout is None or self.train is None:
+            return self
+        shafts = {"drive": self.train.drive, "output": self.train.output}
+        if len(self.train.stages) > 1:
+            shafts["intermediate"] = self.train.intermediate
+        if unbored := [name for name, blank in shafts.items() if not blank.bore_diameter_mm]:
+            raise ValueError(
+                Message(
+                    "train.{place}.bore_diameter_mm is missing, and [layout] sets shafts against other parts: give the "
+                    "diameter of the shaft, or remove [layout] (on the command line with --set layout=)",
+                    place=unbored[0],
+                )
+            )
+        stated = [stage.direction_deg is not None for stage in self.train.stages]
+        if any(stated) and not all(stated):
+            raise ValueError(
+                Message(
+                    "train.stages.{number}.direction_deg is not given, and those of other stages are: with [layout] "
+                    "give all of them, or leave all out to have them found",
+                    number=stated.index(False) + 1,
+                )
+            )
+        return self
+
+    @model_validator(mode="after")
     def _laps_need_no_blend(self) -> "DesignFile":
         if not self.path.closed:
             return self
@@ -547,7 +582,21 @@ class DesignFile(DiscFile):
 
 
 # Sections of a design with [path] and [car] that one with [motion] has not.
-OF_A_CAR = ("path", "field", "course", "car", "play", "mechanics", "tolerances", "optimize", "settings", "as_built")
+OF_A_CAR = (
+    *(
+        "path",
+        "field",
+        "course",
+        "car",
+        "layout",
+        "play",
+        "mechanics",
+        "tolerances",
+        "optimize",
+        "settings",
+        "as_built",
+    ),
+)
 
 
 class MotionFile(DiscFile):
@@ -654,6 +703,27 @@ class Design(DesignFile, TrainDesign):
 
 class MotionDesign(MotionFile, TrainDesign):
     """A whole design of a cam by its motion."""
+
+
+def whole_design(design: TrainDesign) -> Design:
+    """The whole design of one that was read for its train.
+
+    Raises:
+        DesignError: it has no car, with what is missing.
+    """
+    if isinstance(design, Design):
+        return design
+    lacking = [f"[{name}]" for name in ("path", "car", "cam", "follower") if getattr(design, name) is None]
+    if lacking:
+        raise DesignError(
+            "{source} has [layout], which says how the train stands in a car, and lacks {lacking}: add it, or remove "
+            "[layout] (on the command line with --set layout=)",
+            source=design.source,
+            lacking=listed(lacking, "and"),
+        )
+    made = _read_again(Design, design.values(), design.source, design.overrides)
+    assert isinstance(made, Design)
+    return made
 
 
 def _read_again(made: type[TrainDesign], values: dict[str, object], source: str, overrides: tuple[str, ...]) -> object:

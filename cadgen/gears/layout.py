@@ -180,11 +180,18 @@ class TrainLayout:
 
 
 @dataclass(frozen=True, slots=True)
-class _Disc:
-    """A body of revolution about its shaft, of stage `stage` if it is a gear: what must keep clear.
+class Disc:
+    """Body of revolution about its shaft that must keep clear of others.
 
-    A ring has room for others inside its `inner` radius. A shaft that may end has the heights between which it then
-    runs, and its place in the train.
+    Attributes:
+        name: what it is, for people.
+        stage: number of its stage, from 1, of a gear; None of another body.
+        radius: radius, mm.
+        low: height at which it begins, mm.
+        high: height at which it ends, mm.
+        inner: radius inside which a ring has room for others, mm; 0 of a solid body.
+        ended: heights between which a shaft runs that may end, mm; None of another body.
+        place: place in the train of such a shaft.
     """
 
     name: str
@@ -196,7 +203,7 @@ class _Disc:
     ended: tuple[float, float] | None = None
     place: str = ""
 
-    def apart_from(self, other: _Disc, apart: float) -> float:
+    def apart_from(self, other: Disc, apart: float) -> float:
         """Gap to a body on another axis, mm; negative where they overlap.
 
         Args:
@@ -212,9 +219,31 @@ class _Disc:
                 gap = max(gap, outer.inner - apart - inner.radius)
         return gap
 
-    def ending(self) -> _Disc:
+    def raised(self, by: float) -> Disc:
+        """The body at another height.
+
+        Args:
+            by: height by which it is raised, mm.
+        """
+        return replace(self, low=self.low + by, high=self.high + by)
+
+    def ending(self) -> Disc:
         """Shaft that ends at its part; any other body as it is."""
         return self if self.ended is None else replace(self, low=self.ended[0], high=self.ended[1], ended=None)
+
+
+def gears_and_hubs(train: Train, blanks: Sequence[Blank], clearance: float) -> list[list[Disc]]:
+    """Gears and hubs of every shaft, from the drive to the output, at their heights in the train.
+
+    Args:
+        train: train of gears.
+        blanks: blanks, one for each shaft.
+        clearance: least gap between bodies on different shafts, mm.
+
+    Raises:
+        DesignError: a gear or blank cannot be made.
+    """
+    return _gears_and_hubs(*_stacked(train, blanks, clearance), train)
 
 
 def lay_out(
@@ -386,14 +415,12 @@ def _made(shaft: int, place: Message, make: Callable[..., M], *arguments: Wheel 
         ) from error
 
 
-def _discs(
-    parts: Sequence[TrainPart], planes: Sequence[float], train: Train, ending: Sequence[bool]
-) -> list[list[_Disc]]:
-    """The bodies of revolution on every shaft, at the train's heights: gears, hub and the shaft itself."""
+def _gears_and_hubs(parts: Sequence[TrainPart], planes: Sequence[float], train: Train) -> list[list[Disc]]:
+    """Gears and hubs on every shaft, and the bodies that stand beside it."""
     on_shafts = [_gears_and_hub(part) for part in parts]
     for number, (stage, plane) in enumerate(zip(train.stages, planes, strict=True), 1):
         on_shafts[number - 1] += [
-            _Disc(
+            Disc(
                 Message("{body} of stage {number}", body=each.wheel.noun, number=number),
                 number,
                 abs(each.axis) + rim_diameter(each.wheel) / 2,
@@ -402,6 +429,14 @@ def _discs(
             )
             for each in stage.standing(0.0, 0.0)
         ]
+    return on_shafts
+
+
+def _discs(
+    parts: Sequence[TrainPart], planes: Sequence[float], train: Train, ending: Sequence[bool]
+) -> list[list[Disc]]:
+    """The bodies of revolution on every shaft, at the train's heights: gears, hub and the shaft itself."""
+    on_shafts = _gears_and_hubs(parts, planes, train)
     low, high = (
         pick(getattr(disc, end) for on in on_shafts for disc in on) for pick, end in ((min, "low"), (max, "high"))
     )
@@ -421,7 +456,7 @@ def _discs(
             middle = (low + high) / 2
             own = sorted(part.height + (-z if part.flipped else z) for z in (0.0, part.body.slabs[-1].end))
             first, last = part.shaft == 1, part.shaft == len(parts)
-            shaft = _Disc(
+            shaft = Disc(
                 Message("shaft {shaft} itself", shaft=part.shaft),
                 None,
                 part.blank.shaft_diameter / 2,
@@ -434,7 +469,7 @@ def _discs(
     return on_shafts
 
 
-def _turning(discs: Sequence[Sequence[_Disc]], axes: Sequence[complex]) -> list[list[_Disc]]:
+def _turning(discs: Sequence[Sequence[Disc]], axes: Sequence[complex]) -> list[list[Disc]]:
     """Bodies on the first shafts: those of two shafts on one axis end at their parts."""
     shared = [
         any(abs(axis - other) < ONE_AXIS for place, other in enumerate(axes) if place != number)
@@ -444,7 +479,7 @@ def _turning(discs: Sequence[Sequence[_Disc]], axes: Sequence[complex]) -> list[
 
 
 def _past_bar(
-    train: Train, part: TrainPart, discs: Sequence[Sequence[_Disc]], chosen: Sequence[float], clearance: float
+    train: Train, part: TrainPart, discs: Sequence[Sequence[Disc]], chosen: Sequence[float], clearance: float
 ) -> Message | None:
     """First body on another shaft than the pinion's that a rack at the end of the train collides with, in words."""
     wheel, axes = part.gears[0], _axes(train, chosen)
@@ -472,11 +507,11 @@ def _past_bar(
     return None
 
 
-def _gears_and_hub(part: TrainPart) -> list[_Disc]:
-    def placed(name: str, stage: int | None, diameter: float, low: float, high: float) -> _Disc:
+def _gears_and_hub(part: TrainPart) -> list[Disc]:
+    def placed(name: str, stage: int | None, diameter: float, low: float, high: float) -> Disc:
         ends = sorted(part.height + (-z if part.flipped else z) for z in (low, high))
         low, high = ends
-        return _Disc(Message("{body} on shaft {shaft}", body=name, shaft=part.shaft), stage, diameter / 2, low, high)
+        return Disc(Message("{body} on shaft {shaft}", body=name, shaft=part.shaft), stage, diameter / 2, low, high)
 
     bottom, top = part.gears[0], part.gears[-1]
     if is_bar(bottom):  # which `_past_bar` looks at
@@ -500,7 +535,7 @@ def _axes(train: Train, directions: Sequence[float]) -> list[complex]:
 def _clear_ways(
     train: Train,
     wanted: tuple[float | None, ...],
-    discs: Sequence[Sequence[_Disc]],
+    discs: Sequence[Sequence[Disc]],
     clearance: float,
     chosen: tuple[float, ...] = (),
 ) -> Iterator[tuple[float, ...]]:
@@ -529,7 +564,7 @@ def _clear_ways(
 _TURNS = list(chain.from_iterable((turn, -turn) for turn in np.arange(pi, -1e-9, -DIRECTION_STEP).tolist()))
 
 
-def _collision(axes: Sequence[complex], discs: Sequence[Sequence[_Disc]], clearance: float) -> Message | None:
+def _collision(axes: Sequence[complex], discs: Sequence[Sequence[Disc]], clearance: float) -> Message | None:
     """The first collision of the newest shaft that has one, in words; None if there is none."""
     bodies = _turning(discs, axes)
     pairs = ((a, b) for b in range(len(axes) - 1, 0, -1) for a in range(b - 1, -1, -1))
@@ -537,7 +572,7 @@ def _collision(axes: Sequence[complex], discs: Sequence[Sequence[_Disc]], cleara
     return next(filter(None, said), None)
 
 
-def _between(first: Sequence[_Disc], second: Sequence[_Disc], apart: float, clearance: float) -> Message | None:
+def _between(first: Sequence[Disc], second: Sequence[Disc], apart: float, clearance: float) -> Message | None:
     """The first collision of the bodies on two shafts whose axes are `apart`, in words; None if there is none."""
     for body, other in product(first, second):
         in_mesh = body.stage is not None and body.stage == other.stage

@@ -10,6 +10,8 @@
 | `simulation`  | the car's runs with play, one by one                     |
 | `tolerance`   | many cars within the tolerances                          |
 | `lift_tolerance` | errors of the lift of many cams by their motion       |
+| `car_layout`  | the train in its car, and its checks                     |
+| `train_proposal` | wheel, path and sizes of a car -> a train that fits it |
 | `nominal_car` | the car that these are varied from                       |
 | `error_budget`| what costs most at the finish                            |
 | `calibration` | measured files -> verdicts -> the design as built        |

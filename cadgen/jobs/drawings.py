@@ -368,6 +368,15 @@ def _plate_notes(plan: GearTrain) -> Iterator[str]:
         on = Message("bearing") if bearings else Message("shaft")
         for size in sorted({axis.bore for axis in plate_of(plan).holed}):
             yield fit_limits(Message("Hole Ø{size:g}", size=size), on, holes, size)
+    car = plan.car
+    if car is not None and car.arrangement is not None:
+        yield Message(
+            "In the car x points ahead and y down. The fork axis stands {fork:g} mm ahead of axis {last}, which lies "
+            "{height:.4g} mm over the floor.",
+            fork=car.site.base_radius,
+            last=len(plan.layout.parts),
+            height=car.arrangement.height,
+        )
     yield Message("Places of the axes: hold the distances below, not the general tolerance.")
     for number, stage in enumerate(plan.layout.train.stages, 1):
         deviation = stage.distance_deviation

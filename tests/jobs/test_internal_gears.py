@@ -130,7 +130,7 @@ def test_a_ring_turns_with_its_pinion_on_the_page():
     """Parts at motor position 0 touch and do not overlap: pushed from one side, a little more from there overlaps."""
     first = "[[train.stages]]\ndriver = { teeth = 20 }\ndriven = { teeth = 40 }\n\n[[train.stages]]"
     layout = design(RING.replace("[[train.stages]]", first)).gears().layout
-    drive, middle, outer = turning_train(layout, 0.0, 0.0, 1).parts
+    drive, middle, outer = turning_train(layout, 0.0, 0.0).parts
     assert [drive.rate, middle.rate, outer.rate] == pytest.approx([6.0, -3.0, -1.0])
 
     def placed(wheel, turning, more=0.0):

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import pytest
 
+from cadgen.check import CheckCode
 from cadgen.design.load import load_design
 from cadgen.jobs.cam.lever import longer_lever
 from cadgen.jobs.cam.readiness import course_yield
@@ -26,7 +27,10 @@ def test_the_cars_that_it_promises_keep_the_course():
     assert changes == ["cam.mid_plane_mm=35", "follower.length_mm=50", "cam.base_radius_mm=98"]
     assert promised == pytest.approx(found, abs=1.5)
     assert promised > before + 8.0
-    assert not longer.failed
+    # The disc then stands where the drive wheel is, 37 mm from the fork axis, and the row says so.
+    (check,) = longer.failed
+    assert check.code == CheckCode.CAR_CLEARANCE
+    assert "the drive wheel and the disc" in row.build
     assert (row.worst_end, row.on_way) == (1.0, 2.0)
 
 

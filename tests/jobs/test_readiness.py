@@ -16,9 +16,9 @@ ROOT = Path(__file__).parents[2]
 CODES = {
     "appendix_car": (Readiness.NOT_READY, {"friction-not-stated", "cars-lost", "blend-on-path"}),
     "carbon_free_car": (Readiness.RESERVATIONS, {"friction-not-stated", "cars-lost", "blend-on-path"}),
-    "figure_eight": (Readiness.RESERVATIONS, {"friction-not-stated", "cars-lost", "sense-of-train"}),
-    "posts_and_walls": (Readiness.RESERVATIONS, {"friction-not-stated", "cars-lost", "sense-of-train"}),
-    "s_course": (Readiness.RESERVATIONS, {"friction-not-stated", "cars-lost", "sense-of-train"}),
+    "figure_eight": (Readiness.RESERVATIONS, {"friction-not-stated", "cars-lost"}),
+    "posts_and_walls": (Readiness.RESERVATIONS, {"friction-not-stated", "cars-lost"}),
+    "s_course": (Readiness.RESERVATIONS, {"friction-not-stated", "cars-lost"}),
     "workshop_car": (Readiness.RESERVATIONS, {"cars-lost", "blend-on-path"}),
 }
 

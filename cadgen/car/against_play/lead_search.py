@@ -116,7 +116,12 @@ class LeadSearch:
         except DesignError:
             return
         for _ in range(_STEPS):
-            slope = np.stack([(residual(at + each) - now) / each.sum() for each in np.diag(probe)], axis=1)
+            slope = np.zeros((len(now), 2 * count))
+            for column, each in zip(slope.T, np.diag(probe), strict=True):
+                for way in (each, -each):
+                    with suppress(DesignError):  # a window without room to one side is tried to the other
+                        column[:] = (residual(at + way) - now) / way.sum()
+                        break
             step = lsq_linear(slope, -now, bounds=(low - at - 1e-12, high - at + 1e-12)).x
             for share in (1.0, 0.5, 0.25, 0.1):
                 tried = np.clip(at + share * step, low, high)

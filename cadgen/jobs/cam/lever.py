@@ -6,6 +6,7 @@ and play does what it did; a micrometre of disc, rod or micrometer head turns th
 
 from dataclasses import replace
 
+from cadgen.check import failing
 from cadgen.curves.closed import ClosedCurve
 from cadgen.design.load import with_overrides
 from cadgen.design.schema import Design
@@ -28,8 +29,9 @@ from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.readiness import GOOD_YIELD, SAMPLE, SEED, JudgedCar
 from cadgen.jobs.cam.remedies import Remedy, remedies
 from cadgen.jobs.cam.steering_cam import CarUse, comparison_of
+from cadgen.jobs.car_layout import laid_out
 from cadgen.jobs.nominal_car import watched_fleet
-from cadgen.messages import Message
+from cadgen.messages import Message, joined
 from cadgen.progress import Progress, silent
 
 LONGER = 1.4  # times the lever and the base radius
@@ -68,7 +70,7 @@ def longer_lever(design: Design, use: JudgedCar, cut: ClosedCurve, now: Remedy) 
     if use.course is None:
         return ()
     try:
-        with_overrides(design, overrides)
+        layout = laid_out(with_overrides(design, overrides))
         fleet, tolerances = watched_fleet(use, cut), use.tolerances()
         if not fleet.items:
             return ()
@@ -90,6 +92,14 @@ def longer_lever(design: Design, use: JudgedCar, cut: ClosedCurve, now: Remedy) 
         before=shares[0],
         changes=" ".join(f"--set {override}" for override in overrides),
     )
+    if layout is not None and (wrong := failing(layout.plain_checks)):
+        room = Message(
+            "first give its parts room, for {name} is then {value} ({place})",
+            name=wrong[0].name,
+            value=wrong[0].text(),
+            place=wrong[0].place,
+        )
+        build = joined((room, build), "; ")
     return (replace(now, name=Message("lever and disc {factor:g} times as large", factor=LONGER), build=build),)
 
 

@@ -62,6 +62,10 @@ class JudgedCar(VariedCar, Protocol):
         """Reservation on a train that turns the cam the other way round; None if it does not."""
 
     @property
+    def unplaced(self) -> Reservation | None:
+        """Reservation on a train that does not fit the car, which is not laid out; None if nothing is known of that."""
+
+    @property
     def least_yield(self) -> float:
         """Least share of random cars that must keep the course, %."""
 
@@ -277,5 +281,4 @@ def reservations(use: JudgedCar, found: CourseYield | None) -> Iterator[Reservat
             ),
             Message("set car.outline.wheel_diameter_mm to {needed:.1f}", needed=2 * radius),
         )
-    if use.sense is not None:
-        yield use.sense
+    yield from filter(None, (use.sense, use.unplaced))

@@ -44,6 +44,7 @@ from cadgen.jobs.cam.cam_plan import Application, CamPlan, Making, steepest
 from cadgen.jobs.cam.car_facts import as_built_facts, comparison_facts
 from cadgen.jobs.cam.comparison import MeasuredCam, PlayComparison, ProfileChecks, against_play, known_trains, task_of
 from cadgen.jobs.cam.course import OnCourse, course_checks, floor_with, on_course
+from cadgen.jobs.cam.energy_check import energy_checks
 from cadgen.jobs.cam.mechanics import joint_sentences, mechanics_checks, start_sentence
 from cadgen.jobs.cam.path_check import cut_checks, lost_lift_check, lost_lift_reservation, path_checks
 from cadgen.jobs.cam.readiness import (
@@ -55,6 +56,7 @@ from cadgen.jobs.cam.readiness import (
     yield_check,
 )
 from cadgen.jobs.cam.wheel import DriveWheel, drive_wheel, field_notice, sense_of_train
+from cadgen.jobs.car_layout import CarLayout, laid_out, layout_reservation
 from cadgen.laws.motion import Motion
 from cadgen.messages import Message, clauses, sentence
 from cadgen.output.files.manifest import Origin
@@ -285,7 +287,9 @@ class CarUse(Application):
         if found is not None:
             counted = (yield_check(self, found),)
         held_back = (*reservations(played, found), *lost_lift_reservation(cam.checks))
-        return PartVerdict((*cam.checks, *wheel_checks(self), *counted), held_back)
+        placed = () if self.in_car is None else self.in_car.checks
+        spent = energy_checks(self.design, self.track, self.wanted, cam.follower_as_built, self.car, self.drive_wheel)
+        return PartVerdict((*cam.checks, *wheel_checks(self), *spent, *placed, *counted), held_back)
 
     def purpose(self, cam: CamPlan) -> str:
         """Drive wheel, length of the path and ratio of the train."""
@@ -339,10 +343,20 @@ class CarUse(Application):
         """Least share of random cars that must keep the course, %."""
         return self.design.checks.min_yield_percent
 
+    @cached_property
+    def in_car(self) -> CarLayout | None:
+        """Train in the car; None without [layout]."""
+        return laid_out(self.design)
+
     @property
     def sense(self) -> Reservation | None:
-        """Reservation on a train that turns the cam the other way round; None if it does not."""
-        return sense_of_train(self.design)
+        """Reservation on a train that turns the cam the other way round; None if it does not, or with [layout]."""
+        return None if self.in_car is not None else sense_of_train(self.design)
+
+    @property
+    def unplaced(self) -> Reservation | None:
+        """Reservation on a train that does not fit the car, which is not laid out; None if nothing is known of that."""
+        return layout_reservation(self.design)
 
     def changes(self, cam: CamPlan) -> Iterable[Sequence[tuple[str, str]]]:
         """A spline without kinks, and a longer closing blend where lift is lost in it."""
@@ -454,6 +468,8 @@ class CarUse(Application):
         """Tolerances of the faces' distances from the fork axis, and what to do before each run with a brake."""
         inner, outer = self.design.tolerances.inner_face_mm, self.design.tolerances.outer_face_mm
         begin = self.before_each_run
+        if self.in_car is not None and self.in_car.turned_over:
+            begin = (*begin, Message("In the car the disc sits turned over: the face shown points to the fork."))
         if not (inner or outer):
             return begin
         return (

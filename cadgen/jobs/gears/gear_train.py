@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import degrees
 from typing import TYPE_CHECKING
 
@@ -21,6 +21,7 @@ from cadgen.gears.stage import Departure, Stage, Wheel
 from cadgen.gears.synthesis import SearchLimits, arrange, search_of
 from cadgen.gears.train import Loose, Train, TrainPlay, WholePlay, teeth_of, train_play
 from cadgen.geometry.meshes.made_train import MadeTrain, failing_stages, make_train
+from cadgen.jobs.car_layout import CarLayout, laid_out, turned_to
 from cadgen.jobs.gears.assembly import (
     Assembly,
     checks_facts,
@@ -177,6 +178,7 @@ class GearTrain(Assembly):
         layout: parts at their places, with thinned teeth.
         checks: every figure with its verdict.
         loose: joints and bearings with play.
+        car: train in its car; None for a design without [layout].
     """
 
     origin: Origin
@@ -197,6 +199,7 @@ class GearTrain(Assembly):
     layout: TrainLayout
     checks: tuple[Check, ...]
     loose: tuple[Loose, ...]
+    car: CarLayout | None = None
 
     def __repr__(self) -> str:
         return f"<GearTrain of {self.name}, {self.order}, ratio {self.ratio}>"
@@ -301,6 +304,7 @@ class GearTrain(Assembly):
                 checks=checks_facts(self.checks),
                 parts=parts_facts(self.layout),
             )
+            | (Facts() if self.car is None else Facts(car_layout=self.car.entry()))
         )
 
 
@@ -324,10 +328,13 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
     limits = gear_model.search_limits(design, designed) if order == Order.SEARCH else None
     ranked = arrange(designed, order, limits)
     trains = _Candidates(ranked, limits, design)
-    made, skipped = _first_made(design, designed, trains, _baseline(order, designed_play, designed_standard), progress)
+    made, skipped = _first_made(design, trains, _baseline(order, designed_play, designed_standard), progress)
     chord, keys = design.export.mesh_chord_um, gear_model.train_keys(design)
     friction = None if keys.friction_coefficient is None else (keys.friction_coefficient, keys.friction_source or "")
-    sense = gear_model.sense_reservation(design, len(made.layout.train.stages), made.layout.train.sense)
+    car = laid_out(design, made.play.train)
+    sense = None
+    if car is None:
+        sense = gear_model.sense_reservation(design, len(made.layout.train.stages), made.layout.train.sense)
     return GearTrain(
         origin=Origin.of(design),
         title=design.drawing,
@@ -350,10 +357,12 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
             *_joint_notes(design, made.play),
             *(_notes(design, designed, limits) if limits else ()),
             *([] if sense is None else [sense.sentence]),
+            *([] if car is None or car.sentence is None else [car.sentence]),
         ),
         layout=made.layout,
         checks=made.checks,
         loose=gear_model.loose(design, made.play.train),
+        car=car,
     )
 
 
@@ -416,7 +425,7 @@ class _Candidates:
 
 
 def _first_made(
-    design: TrainDesign, designed: Train, trains: _Candidates, baseline: TrainPlay, progress: Progress
+    design: TrainDesign, trains: _Candidates, baseline: TrainPlay, progress: Progress
 ) -> tuple[MadeTrain, tuple[Skipped, ...]]:
     """The first train that can be made and passes its checks, else the first that can be made; and those before it."""
     skipped: list[Skipped] = []
@@ -424,7 +433,7 @@ def _first_made(
     for play in trains:
         progress(Message("laying out and measuring {train}", train=teeth_of(play)))
         try:
-            made = _make(design, designed, play)
+            made = _make(design, play)
         except DesignError as error:
             skipped.append(Skipped(play, error.message))
             for pair in play.train.stages if trains.limits else ():
@@ -458,20 +467,20 @@ def _first_made(
     raise NotMadeError(joined([none, trains.ended], "; ") if trains.ended else none, trains.ranked, baseline)
 
 
-def _make(design: TrainDesign, designed: Train, play: TrainPlay) -> MadeTrain:
+def _make(design: TrainDesign, play: TrainPlay) -> MadeTrain:
+    """Train as it is made: with [layout] with the directions and the checks of its place in the car."""
     # Each stage keeps its direction in another order; searched stages have none.
-    left = list(zip(designed.stages, gear_model.directions(design), strict=True))
-    directions: list[float | None] = []
-    for pair in play.train.stages:
-        place = next((number for number, (known, _) in enumerate(left) if known == pair), None)
-        directions.append(None if place is None else left.pop(place)[1])
-    return make_train(
+    directions, layout = turned_to(design, play.train), laid_out(design, play.train)
+    if layout is not None and layout.directions is not None:
+        directions = layout.directions
+    made = make_train(
         play,
         gear_model.blanks(design),
         directions,
         gear_model.train_keys(design).clearance_mm,
         lambda gears: gear_model.mesh_chord(design, gears),
     )
+    return made if layout is None else replace(made, checks=(*made.checks, *layout.checks))
 
 
 def _thinning_notes(design: TrainDesign, made: MadeTrain) -> tuple[str, ...]:

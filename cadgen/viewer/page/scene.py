@@ -43,7 +43,15 @@ from cadgen.viewer.page.document import (
     Slide,
     Travel,
 )
-from cadgen.viewer.page.turning_train import GAP, Stand, TurningPart, TurningTrain, turning_train
+from cadgen.viewer.page.turning_train import (
+    GAP,
+    Stand,
+    TurningPart,
+    TurningTrain,
+    height_beside,
+    turned_to_axle,
+    turning_train,
+)
 
 POSITIONS = 1440  # of the motor: one each quarter of a degree, and to either side of each jump
 LIFTS = 2880  # straight lines between them err by 0.1 um where the lift bends by 150 mm/rad^2
@@ -432,17 +440,21 @@ def bodies_of(plan: CamPlan, gears: GearTrain | None, cam_radius: float) -> Bodi
         shafts += _planets(train)
         if use.drive_wheel.radius:
             wheel = (len(train.parts), reach, use.drive_wheel.radius)
-        notes += _notes(plan, train, cam_radius)
+        if gears is not None and gears.car is None:
+            notes += _notes(plan, train, cam_radius)
     return Bodies(tuple(shafts), tuple(parts), wheel, fork, side, tuple(notes))
 
 
 def _train(plan: CamPlan, gears: GearTrain, side: int, behind: float) -> TurningTrain:
-    """The train below the disc (side 1) or above it, the drive so many mm behind the camshaft."""
+    """The train as it is laid out in the car, else below the disc (side 1) or above it with its drive behind."""
+    if gears.car is not None and gears.car.arrangement is not None and gears.car.directions is not None:
+        return turning_train(gears.layout, 0.0, gears.car.arrangement.place.raised, 1 if gears.car.turned_over else -1)
     (inner, outer), hub = plan.faces, plan.made_blank.hub
     towards = hub is not None and (hub.side == Face.INNER) == (side > 0)
     stands = hub.length if hub is not None and towards else 0.0
     plane = -GAP - stands if side > 0 else outer - inner + GAP + stands
-    return turning_train(gears.layout, behind, plane, side)
+    layout = gears.layout
+    return turning_train(layout, turned_to_axle(layout, behind), height_beside(layout, plane, side))
 
 
 def _behind(plan: CamPlan) -> float:
@@ -458,8 +470,7 @@ def _parts(plan: CamPlan, train: TurningTrain | None, notes: list[str]) -> list[
         meshes = [_disc(plan, chord, notes), *(part.stand.mesh(chord) for part in turning)]
         if sum(len(mesh.triangles) for mesh in meshes if mesh is not None) <= MOST_TRIANGLES:
             break
-    disc = meshes[0]
-    coarse = _disc(plan, _COARSE, notes)
+    disc, coarse = meshes[0], _disc(plan, _COARSE, notes)
     parts = [] if disc is None or coarse is None else [Part("cam", Message("cam"), disc, coarse, 0, Colour.CAM)]
     if plan.second is not None:
         raised = [_raised(_disc(plan.second, finest, notes), _height(plan.second)) for finest in (chord, _COARSE)]
@@ -484,7 +495,8 @@ def _disc(plan: CamPlan, chord: float, notes: list[str]) -> Mesh | None:
     inner, outer = plan.faces
     try:
         if plan.groove is None:
-            return cam_mesh(plan.curve, plan.made_blank, outer - inner, chord)
+            mesh = cam_mesh(plan.curve, plan.made_blank, outer - inner, chord)
+            return _upside_down(mesh, outer - inner) if _turned_over(plan) else mesh
         flanks, groove = (plan.curve, plan.groove.outer.curve), plan.groove
         return grooved_mesh(flanks, plan.made_blank, outer - inner, groove.depth, groove.outside_radius, chord)
     except CadgenError as error:
@@ -499,6 +511,17 @@ def _planets(train: TurningTrain) -> list[Shaft]:
         replace(_shaft(each, None, drawn=False), round=None if each.carrier is None else last - each.carrier)
         for each in train.beside
     ]
+
+
+def _turned_over(plan: CamPlan) -> bool:
+    """Whether the disc sits turned over on its shaft."""
+    use = plan.application
+    return isinstance(use, CarUse) and use.in_car is not None and use.in_car.turned_over
+
+
+def _upside_down(mesh: Mesh, thickness: float) -> Mesh:
+    """Disc turned over about x, between the same planes."""
+    return Mesh(mesh.vertices * [1.0, -1.0, -1.0] + [0.0, 0.0, thickness], mesh.triangles)
 
 
 def _label(turning: TurningPart) -> Message:
@@ -517,7 +540,8 @@ def _camshaft(plan: CamPlan, train: TurningTrain | None) -> Shaft:
     if train is not None:
         ends = train.parts[-1].range
         low, high = min(low, ends[0] - _BEYOND), max(high, ends[1] + _BEYOND)
-    return Shaft(Message("camshaft"), (0.0, 0.0), plan.blank.bore_diameter, low, high, 0.0, -1.0, 0.0)
+    rate = 1.0 if _turned_over(plan) else -1.0
+    return Shaft(Message("camshaft"), (0.0, 0.0), plan.blank.bore_diameter, low, high, 0.0, rate, 0.0)
 
 
 def _shaft(turning: TurningPart, reach: float | None, *, drawn: bool) -> Shaft:

@@ -1,7 +1,7 @@
 """The gear train beside its cam: shafts in the cam's frame, and how each turns with the motor and the play.
 
 The frame is that of the cam's files: the camshaft is the z axis, which points to the car's left; x points ahead, to the
-fork, and y down. Forwards the cam turns by -θ about z.
+fork, and y down. Forwards the cam turns by -θ about z, or by θ if it sits turned over.
 
 Every driver pushes on the same flanks as long as the gears push the cam. If the cam runs ahead by a share u of the
 play, each stage's driven wheel goes through the same share of its play. With σ = ±1 the sense of a shaft and e its lead
@@ -119,27 +119,50 @@ class TurningTrain:
         return abs(self.parts[0].axis)
 
 
-def turning_train(layout: TrainLayout, behind: float, plane: float, side: int) -> TurningTrain:
-    """Set a train beside its cam.
+def turned_to_axle(layout: TrainLayout, behind: float) -> float:
+    """Angle by which a train is turned as a whole so that its drive stands on the rear axle, rad.
 
     Args:
         layout: train as laid out.
         behind: distance of the rear axle behind the camshaft, mm; the drive's axis is set there, below the height of
             the camshaft, or straight behind it as far as the train reaches.
+    """
+    way = layout.on_shafts[0].axis - layout.on_shafts[-1].axis
+    reach = abs(way)
+    drop = sqrt(max(reach**2 - behind**2, 0.0))
+    target = complex(-behind, drop) if reach > behind else complex(-reach, 0.0)
+    return float(np.angle(target / way)) if reach else 0.0
+
+
+def height_beside(layout: TrainLayout, plane: float, side: int) -> float:
+    """Height by which a train is raised so that it ends at a plane, mm.
+
+    Args:
+        layout: train as laid out.
         plane: height at which the stack of gears ends towards the cam, mm.
         side: 1 if the stack stands below that plane, -1 if above.
     """
+    ends = ((part, part.body.slabs[-1].end) for part in layout.parts)
+    heights = [z for part, end in ends for z in (part.height, part.height + (-end if part.flipped else end))]
+    return plane - (max(heights) if side > 0 else min(heights))
+
+
+def turning_train(layout: TrainLayout, turn: float, raised: float, sense: int = -1) -> TurningTrain:
+    """Set a train beside its cam.
+
+    Args:
+        layout: train as laid out.
+        turn: angle by which it is turned as a whole, rad.
+        raised: height by which it is raised, mm.
+        sense: sense in which the camshaft turns about z, 1 with a disc that sits turned over on it.
+    """
     stages, parts = layout.train.stages, layout.on_shafts
     output = parts[-1].axis
-    reach = abs(parts[0].axis - output)
-    drop = sqrt(max(reach**2 - behind**2, 0.0))
-    target = complex(-behind, drop) if reach > behind else complex(-reach, 0.0)
-    turn = float(np.angle(target / (parts[0].axis - output))) if reach else 0.0
     ratios = [float(stage.ratio) for stage in stages]
     frees = [stage.free_angle() for stage in stages]
     turns = [float(np.prod(ratios[number:])) for number in range(len(parts))]
     # A ring and its pinion turn the same way; gears side by side turn the sense round.
-    senses = [-float(prod(stage.sense for stage in stages[number:])) for number in range(len(parts))]
+    senses = [sense * float(prod(stage.sense for stage in stages[number:])) for number in range(len(parts))]
     play = sum(free / turned for free, turned in zip(frees, turns[1:], strict=True))
     # Middle of the play: the output's own x axis is the cam's, and what drives it stands as the meshes ask.
     middles = [part.angle + turn for part in parts]
@@ -155,9 +178,6 @@ def turning_train(layout: TrainLayout, behind: float, plane: float, side: int) -
         angles[number] += senses[number] * ahead
         ahead, lead = ahead / ratio - free / 2, lead / ratio + free
         leads.append(lead * senses[number + 1])
-    stacked = ((part, part.body.slabs[-1].end) for part in layout.parts)
-    heights = [z for part, end in stacked for z in (part.height, part.height + (-end if part.flipped else end))]
-    raised = plane - (max(heights) if side > 0 else min(heights))
     turning = tuple(
         TurningPart(part, (part.axis - output) * np.exp(1j * turn), raised, angle % (2 * pi), sense * rate, lead)
         for part, angle, sense, rate, lead in zip(parts, angles, senses, turns, leads, strict=True)

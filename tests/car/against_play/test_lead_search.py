@@ -183,3 +183,21 @@ def test_the_cam_that_is_cut_ends_there():
     assert len(chosen.windows) == 2
     assert chosen.by_lead
     assert replace(chosen, windows=(0.01,)).cut_for == "0.573°"
+
+
+# Points of a random walk, whose second lead has no room for a wider window: to probe it ended the whole search.
+TIGHT = """path.waypoints_mm=[[6636.6,1548.7],[5786.0,1861.2],[5203.6,1722.5],[4525.3,1580.9],[3937.0,1369.5],\
+[3206.3,1474.7],[2514.5,1455.9],[1943.5,1045.8],[1100.7,710.8],[500.0,500.0]]"""
+TIGHT_TRAIN = "train.stages=[{driver={teeth=40},driven={teeth=50}},{driver={teeth=30},driven={teeth=115}},\
+{driver={teeth=30},driven={teeth=160}}]"
+
+
+@pytest.mark.slow
+def test_a_lead_without_room_to_one_side_does_not_end_the_search():
+    friction = "mechanics={friction_least=0.05,friction_greatest=0.2}"
+    changes = [TIGHT, TIGHT_TRAIN, friction, "course=", "car.drive_wheel_radius_mm=41.45", "tolerances=", "layout="]
+    comparison = plan_cam(load_design("workshop_car", changes)).application.comparison
+    print(
+        f"worst end {comparison.chosen.band.worst_distance:.0f} mm, before {comparison.before.band.worst_distance:.0f}"
+    )
+    assert comparison.chosen.band.worst_distance < comparison.before.band.worst_distance

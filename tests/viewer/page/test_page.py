@@ -26,7 +26,7 @@ from cadgen.viewer.page.mesh_block import shaded
 from cadgen.viewer.page.report import page_facts, page_of
 from cadgen.viewer.page.scene import pivot_of, section_of, travel_of
 from cadgen.viewer.page.sections import parts_sections, tolerance_section
-from cadgen.viewer.page.turning_train import turning_train
+from cadgen.viewer.page.turning_train import height_beside, turned_to_axle, turning_train
 from tests.cam.test_roller import SquareFace
 from tests.viewer.page.english import left_in_english
 from tests.viewer.page.reading import Tables, at, data, going
@@ -216,7 +216,7 @@ def test_the_mesh_shown_touches_the_rod_within_its_chord(page, html):
 def test_the_train_meshes_wherever_it_is_set(plan):
     layout = plan.gears.layout
     for behind in (20.0, 60.0, 200.0):
-        train = turning_train(layout, behind, -2.0, 1)
+        train = turning_train(layout, turned_to_axle(layout, behind), height_beside(layout, -2.0, 1))
         drive = train.parts[0].axis
         assert abs(drive) == pytest.approx(abs(layout.parts[0].axis - layout.parts[-1].axis))
         assert drive.real == pytest.approx(-min(behind, abs(drive)))

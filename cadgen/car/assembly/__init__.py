@@ -1,0 +1,11 @@
+"""The parts of a car at their places: what keeps clear of what, and where the train goes.
+
+| module        | what it does                                                                     |
+|---------------|----------------------------------------------------------------------------------|
+| `bodies`      | cylinders of any direction, and how far two of them are apart                     |
+| `site`        | what stands in a car besides its train: disc, rod, wheels, floor, plates          |
+| `arrangement` | directions of the stages that bring the drive onto the rear axle, clear of all    |
+
+The frame is that of the cam's files: the camshaft is the z axis, which points to the car's left; x points ahead, to
+the fork, and y down. The plane z = 0 is the disc's lower face.
+"""

@@ -1,0 +1,137 @@
+"""Proposal of a gear train for a new car: from its wheel, the length of its path and its sizes.
+
+With the wheel of the outline a turn of the cam must take the whole path before the closing blend begins:
+    i = l / (1 - blend / 360°) / (π D),  at most 3 % more,
+with l the length of the drive wheel's track and D the wheel's diameter. Of the trains with such a ratio those with the
+least return error, estimated by its share of each stage, are laid out in the car, until one clears all parts.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import islice
+from math import pi
+from pathlib import Path
+
+import numpy as np
+
+from cadgen.car.path.wheel_track import Track
+from cadgen.check import Check, failing
+from cadgen.design import cam_model
+from cadgen.design.begin import ProposedTrain, WithTrain
+from cadgen.design.load import design_of
+from cadgen.design.schema import Design
+from cadgen.errors import DesignError
+from cadgen.jobs.car_layout import layout_of
+
+_MOST_OVER = 1.03  # of the ratio over that with which the blend begins where the path ends
+_SAME_WHEEL = 0.01  # share by which the wheel of a lap, which follows from the ratio, may differ from the outline's
+# Numbers of stages in the order in which they are tried: an odd one turns the cam against the wheel.
+_STAGES = (3, 2, 4, 1)
+_DRIVERS, _DRIVEN = (30, 32, 36, 40), tuple(range(50, 161, 5))
+_LAST_DRIVEN = (60, 160)
+_MOST_LAID_OUT = 60  # trains of each number of stages
+_ANY = ProposedTrain(((30, 150), (40, 120), (40, 120)), None)
+
+
+@dataclass(frozen=True)
+class _Ratio:
+    """Ratios that a train may have."""
+
+    least: float
+    most: float
+
+
+def proposed(text: WithTrain, name: str) -> str:
+    """Text of a new design with a train that fits its car.
+
+    Args:
+        text: text of the design for a proposed train.
+        name: name of the design.
+
+    Raises:
+        DesignError: the outline says no wheel, the path cannot be driven, or no train was found that fits.
+    """
+    file = Path(f"{name}.toml")
+    design = design_of(text(_ANY), file)  # for its path and sizes, which no train changes
+    outline = design.car.outline
+    wheel = None if outline is None else outline.wheel_diameter_mm
+    if wheel is None:
+        raise DesignError(
+            "a train is proposed for the drive wheel, and car.outline.wheel_diameter_mm is not given: give it, or "
+            "leave the proposal out"
+        )
+    track = cam_model.track(design)
+    nearest: tuple[int, tuple[Check, ...]] | None = None
+    for count in _STAGES:
+        for teeth in islice(_trains(_ratio(design, track, wheel), count), _MOST_LAID_OUT):
+            train = ProposedTrain(teeth, None if track.closed else wheel / 2)
+            try:
+                wrong = failing(layout_of(design_of(text(train), file)).plain_checks)
+            except DesignError:  # its gears leave no room for their bores
+                continue
+            if not wrong:
+                return text(train)
+            if nearest is None or len(wrong) < len(nearest[1]):
+                nearest = count, wrong
+    if nearest is None:
+        raise DesignError(
+            "no train of one to four stages brings a wheel of {wheel:g} mm to the path of {length:.0f} mm: change "
+            "car.outline.wheel_diameter_mm, or leave the proposal out",
+            wheel=wheel,
+            length=track.length,
+        )
+    count, wrong = nearest
+    raise DesignError(
+        "no train was found that fits the car; with {count} stages the check of {name} has {value}, and {limit:g} is "
+        "asked for: change the sizes of the car, or leave the proposal out",
+        count=count,
+        name=wrong[0].name,
+        value=wrong[0].text(),
+        limit=wrong[0].limit,
+    )
+
+
+def _ratio(design: Design, track: Track, wheel: float) -> _Ratio:
+    around = pi * wheel
+    if track.closed:
+        lap = track.turn_laps * track.length / around
+        return _Ratio(lap * (1 - _SAME_WHEEL), lap * (1 + _SAME_WHEEL))
+    least = track.length / (1 - design.cam.blend_deg / 360) / around
+    return _Ratio(least, least * _MOST_OVER)
+
+
+def _trains(ratio: _Ratio, count: int) -> Iterator[tuple[tuple[int, int], ...]]:
+    """Trains of a number of stages within a ratio, the least return error first; drivers before driven gears.
+
+    The play of a stage is nearly the same arc for all gears, so its angle at the camshaft goes with one over the teeth
+    of its driven gear and over the ratio behind it. The sum over the stages, and a little for their size, ranks.
+    """
+    pairs = np.array([(z1, z2) for z1 in _DRIVERS for z2 in _DRIVEN if 1 < z2 / z1 <= 6])
+    before = pairs[:0] if count == 1 else pairs
+    chosen = np.zeros((1, 0, 2), dtype=int)
+    for _ in range(count - 1):
+        chosen = np.concatenate(
+            [np.repeat(chosen, len(before), axis=0), np.tile(before[:, None], (len(chosen), 1, 1))], 1
+        )
+        # Ratios rise from stage to stage: the last counts most for the return error.
+        ratios = chosen[..., 1] / chosen[..., 0]
+        chosen = chosen[(np.diff(ratios, axis=1) >= 0).all(axis=1)] if chosen.shape[1] > 1 else chosen
+        total = np.prod(chosen[..., 1] / chosen[..., 0], axis=1)
+        chosen = chosen[total <= ratio.most]
+    found: list[tuple[float, tuple[tuple[int, int], ...]]] = []
+    for last in _DRIVERS:
+        so_far = np.prod(chosen[..., 1] / chosen[..., 0], axis=1)
+        teeth = np.ceil(ratio.least * last / so_far - 1e-9)
+        fits = (teeth / last * so_far <= ratio.most) & (teeth >= _LAST_DRIVEN[0]) & (teeth <= _LAST_DRIVEN[1])
+        for stages, driven in zip(chosen[fits].tolist(), teeth[fits].astype(int).tolist(), strict=True):
+            train = (*(tuple(pair) for pair in stages), (last, driven))
+            found.append((_rank(train), train))
+    return (train for _, train in sorted(found))
+
+
+def _rank(train: tuple[tuple[int, int], ...]) -> float:
+    behind, error = 1.0, 0.0
+    for driver, driven in reversed(train):
+        error += 1 / (driven * behind)
+        behind *= driven / driver
+    return error + 1e-5 * sum(map(sum, train))

@@ -1,0 +1,45 @@
+"""Trains that are proposed for new cars: the cars are ready, and what stands in the way is named."""
+
+from math import pi
+
+import pytest
+
+from cadgen import Design
+from cadgen.check import failing
+from cadgen.errors import DesignError
+from cadgen.jobs.cam.steering_cam import plan_cam
+from cadgen.jobs.car_layout import laid_out
+from cadgen.verdict import Readiness
+
+
+@pytest.mark.parametrize("wheel", [80, 128])
+def test_a_new_car_with_a_proposed_train_is_ready(tmp_path, wheel):
+    design = Design.new("mine", tmp_path, train=True, changes={"car.outline.wheel_diameter_mm": wheel}).values
+    assert not failing(laid_out(design).checks)
+    cam = plan_cam(design)
+    assert cam.verdict.readiness == Readiness.READY
+    # The path ends before the blend of 12 degrees, and not by more than 3 % of the turn.
+    ratio = 1.0
+    for stage in design.train.stages:
+        ratio *= stage.driven.teeth / stage.driver.teeth
+    share = cam.application.track.length / (pi * wheel * ratio)
+    assert (1 - 12 / 360) / 1.03 <= share <= 1 - 12 / 360
+
+
+def test_a_lap_gets_the_wheel_of_its_outline(tmp_path):
+    design = Design.new("lap", tmp_path, train=True, closed=True).values
+    cam = plan_cam(design, "actual", judged=False)
+    assert 2 * cam.application.drive_wheel.radius == pytest.approx(128, rel=0.01)
+    assert not failing(laid_out(design).checks)
+
+
+def test_what_forbids_a_train_is_named(tmp_path):
+    with pytest.raises(DesignError, match=r"the check of least gap to the floor has .* mm, and 400 is asked for"):
+        Design.new("high", tmp_path, train=True, changes={"layout.floor_clearance_mm": 400})
+    with pytest.raises(DesignError, match="no train of one to four stages brings a wheel of 1 mm"):
+        Design.new("small", tmp_path, train=True, changes={"car.outline.wheel_diameter_mm": 1})
+    with pytest.raises(DesignError, match=r"car\.outline\.wheel_diameter_mm is not given"):
+        Design.new("none", tmp_path, train=True, changes={"car.outline": None})
+    with pytest.raises(DesignError, match="leave points, layer, field, closed and train out"):
+        Design.new("cam", tmp_path, train=True, motion=True)
+    assert not list(tmp_path.iterdir())
