@@ -30,8 +30,8 @@ from cadgen.design.disc import MotionCam, base_circle_radius, follower_motion
 from cadgen.design.dynamics import DynamicsSection
 from cadgen.design.file_names import name_fault
 from cadgen.design.follower import FOLLOWER, FollowerSection, fitting_kinds
-from cadgen.design.lift_tolerances import LiftTolerances
 from cadgen.design.layout import LayoutSection
+from cadgen.design.lift_tolerances import LiftTolerances
 from cadgen.design.machining import DrawingText, Machining
 from cadgen.design.motion import MotionSection
 from cadgen.design.path import PATH, PathSection
