@@ -20,7 +20,7 @@ from cadgen.cam.forces import CamForces, Dynamics, Line, joint_modulus
 from cadgen.car.path_motion import PathMotion
 from cadgen.check import CheckCode, CheckList
 from cadgen.design import load
-from cadgen.design.dynamics import STEEL
+from cadgen.design.dynamics import STEEL, closed_by_form
 from cadgen.design.override import KeyChange
 from cadgen.design.schema import Design as DesignValues
 from cadgen.design.schema import MotionDesign
@@ -198,7 +198,7 @@ class FollowerForces:
 
     @property
     def leaves(self) -> tuple[tuple[float, float], ...]:
-        """Cam angles from which and to which the follower has left the disc, rad."""
+        """Cam angles from which and to which the follower has left the disc, or is on the other flank or disc, rad."""
         return self.computed.leaves
 
     @property
@@ -374,8 +374,15 @@ class Cam(CamPlan, JobResult):
             raise DesignError(
                 "a follower on a slide has a mass, and one on an arm a moment of inertia: give the other one"
             )
-        radius = getattr(self.follower_as_built, "radius", 0.0)
-        steel = joint_modulus(STEEL, STEEL)
+        keys, kind, seat = self.design.follower.keys, self.design.follower.registered, self.design.seat
+        roller, second, groove = kind.build(keys, seat), kind.second(keys, seat), kind.groove(keys, seat)
+        radius, width = getattr(roller, "radius", 0.0), self.faces[1] - self.faces[0]
+        line = Line(
+            width=width if groove is None else groove.depth,
+            modulus=joint_modulus(STEEL, STEEL),
+            radius=radius,
+            other_radius=getattr(second or roller, "radius", 0.0),
+        )
         dynamics = Dynamics(
             # kg to N s²/mm, kg mm² to N mm s²; N s/m to N s/mm.
             inertia=real("mass or inertia", mass or inertia, 0, 1e9) * 1e-3,
@@ -383,10 +390,10 @@ class Cam(CamPlan, JobResult):
             preload=real("preload", spring.preload, -1e7, 1e7),
             load=real("load", load, -1e7, 1e7),
             damping=real("damping", damping, 0, 1e9) * (1e-3 if slides else 1.0),
-            line=Line(width=self.faces[1] - self.faces[0], modulus=steel, radius=radius) if radius else None,
+            line=line if radius else None,
         )
-        speed = real("rpm", rpm, 0, 1e6, "rev/min") * TURN / 60
-        return FollowerForces(CamForces(self.motion, self.follower_as_built, dynamics, speed))
+        speed, closed = real("rpm", rpm, 0, 1e6, "rev/min") * TURN / 60, closed_by_form(keys)
+        return FollowerForces(CamForces(self.motion, self.follower_as_built, dynamics, speed, closed, second))
 
     @property
     def wheel(self) -> str:

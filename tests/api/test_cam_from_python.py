@@ -152,3 +152,16 @@ def test_bad_input_is_one_sentence(made, said):
 def test_a_mass_is_of_a_slide_and_an_inertia_of_an_arm(feeder):
     with pytest.raises(DesignError, match="give the other one"):
         feeder.forces(rpm=100, inertia=3)
+
+
+def test_a_groove_holds_its_roller_and_presses_by_its_depth():
+    """Mass alone: the flank changes where the acceleration does, in the middle of each sine (55 and 215 degrees)."""
+    rises = [rise(25, radians(110), "modified_sine"), dwell(radians(50)), rise(-25, radians(110), "modified_sine")]
+    keys = {"kind": "roller", "radius_mm": 10.0, "closure": "groove", "clearance_mm": 0.05, "depth_mm": 5.0}
+    cam = Cam(Motion([*rises, dwell(radians(90))]), keys, base_circle_radius=45, thickness=10)
+    forces = cam.forces(rpm=300, mass=2.0)
+    assert np.degrees(forces.leaves) == pytest.approx(np.array([[55, 110], [160, 215]]), abs=1e-6)
+    assert forces.torque.greatest == pytest.approx(-forces.torque.least, rel=1e-9)
+    disc = Cam(Motion([*rises, dwell(radians(90))]), Roller(radius=10), base_circle_radius=45, thickness=5)
+    pressed = disc.forces(rpm=300, mass=2.0).pressure
+    assert forces.pressure == pytest.approx(pressed, rel=2e-3)  # on the inner flank, 25 um nearer the camshaft

@@ -349,7 +349,7 @@ def _judge_files(truth: Truth, made: Case, cam, wrong: list) -> None:
         if made.spans is None or cam.groove is not None:
             return
         q = motion_by_laws(made.spans, made.keys["motion"].get("repeat", 1))
-        (file,) = Path(folder).rglob("*.xyz")
+        file = min(Path(folder).rglob("*.xyz"), key=lambda path: "second" in path.name)
         rows = np.array(
             [
                 [float(each) for each in line.split()[:2]]

@@ -90,7 +90,9 @@ LAWS = {
     "modified_sine": _modified_sine(0.0),
     "modified_sine_50": _modified_sine(0.5),
     "half_cycloid_1": waves((1, 0, 1, pi, 0)),
-    "half_harmonic_2": waves((1, 0, -1, pi / 2, 0)),
+    "half_harmonic_2": lambda u: np.stack(
+        [np.sin(pi * u / 2), pi / 2 * np.cos(pi * u / 2), -((pi / 2) ** 2) * np.sin(pi * u / 2)]
+    ),
 }
 
 
