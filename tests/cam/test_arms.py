@@ -47,7 +47,8 @@ def angles_and_radii(follower, moved):
     (p0, h0), (p1, h1), (p2, h2) = found
     bend = ((h2 - h1) / (p2 - p1) - (h1 - h0) / (p1 - p0)) / ((p2 - p0) / 2)
     lever = c * np.cos(follower.rest + q) / (1 + side * v)
-    return v, np.abs(np.arctan2(follower.face_offset, lever)), h1 + bend
+    covered = np.hypot(h1, c * np.cos(follower.rest + q) - lever) >= c  # the disc would reach the pivot
+    return v, np.abs(np.arctan2(follower.face_offset, lever)), np.where(covered, -inf, h1 + bend)
 
 
 def keeps(follower, moved, convex):

@@ -326,7 +326,7 @@ def _judge_figures(truth: Truth, q, cam, made: Case, wrong: list) -> None:
         least, most = (float(angle[rows].max(initial=0.0)) for rows in (surely, perhaps))
         if not least - 0.001 - 1e-5 * least <= checks[code].value <= most + 0.001 + 1e-5 * most:
             wrong.append(f"{code} {checks[code].value:.4f}, by definition {least:.4f} to {most:.4f}")
-    rho = truth.radii(q(np.arange(14_400) * TURN / 14_400))
+    rho = truth.radii(jets)
     if cam.groove is None:
         least, said = float(rho[rho > 0].min()), checks["convex-radius-profile"].value
         if min(least, said) < 1e3 and abs(said - least) > 2e-3 * least + 0.02:

@@ -35,6 +35,7 @@ from cadgen.messages import Message, joined
 _ROLLED = 1e-5  # rad; what the pressure angle of a rolled contact may err by
 _SURE = 1e-4  # mm; what a radius of curvature may err by
 _FARTHER = np.radians(20.0)  # of the face at rest with a pivot that stands farther away
+_SHARES = (1.2, 1.5, 2.0, 3.0)  # of the pivot's distance, tried in turn where the disc would cover the pivot
 _PICTURED = (0.6, 1.4)  # ends of a face without a length in pictures, by the contact's distance at rest
 
 
@@ -124,10 +125,16 @@ class SwingingFace(ArmFollower, StraightFollower):
         Args:
             motion: swing wanted.
         """
-        swing, rate = motion.stations[1], self._rate(motion)[1]
-        return bool(
-            self.rest + swing.max() < np.pi / 2 and not self._at_camshaft(float(swing.min())) and rate.min() > 0
-        )
+        swing = motion.stations[1]
+        if self.rest + swing.max() >= np.pi / 2 or self._at_camshaft(float(swing.min())):
+            return False
+        return bool(self._rate(motion)[1].min() > 0 and self._reach(motion)[1].max() < self.centre_distance)
+
+    def _reach(self, motion: Motion) -> tuple[Array, Array]:
+        """Cam angles, rad, and distance of the contact from the camshaft there, mm."""
+        theta, rate = self._rate(motion)
+        support, slope, _ = self.face_jet(motion.q(theta), motion.q(theta, nu=1), np.zeros_like(theta)).support
+        return theta, np.asarray(np.hypot(support, slope / rate))
 
     def _rate(self, motion: Motion) -> tuple[Array, Array]:
         """Cam angles, rad, and how fast the cam turns past the face there, as a share of its speed."""
@@ -178,6 +185,22 @@ class SwingingFace(ArmFollower, StraightFollower):
                 angle=np.degrees(theta[slowest]) % 360,
                 rate=abs(float(motion.q(theta[slowest], nu=1))),
                 softer=motion.softer(float(theta[slowest])),
+            )
+        theta, reach = self._reach(motion)
+        farthest = int(np.argmax(reach))
+        if reach[farthest] >= self.centre_distance:
+            tried = (replace(self, centre_distance=ceil(share * self.centre_distance)) for share in _SHARES)
+            fits = next((other for other in tried if other.keeps(motion)), None)
+            raise DesignError(
+                "at cam angle {angle:.1f} degrees the disc reaches out to {reach:.4g} mm, and would cover the pivot of "
+                "the {noun}, {c:g} mm from the camshaft: {cure}",
+                angle=np.degrees(theta[farthest]) % 360,
+                reach=float(reach[farthest]),
+                noun=Message(self.noun),
+                c=self.centre_distance,
+                cure=Message("lead it less far, or lower cam.base_circle_radius_mm")
+                if fits is None
+                else Message("set follower.centre_distance_mm to {c:g}", c=fits.centre_distance),
             )
 
     def least(self, x: Array, y: Array) -> tuple[Array, ...]:
@@ -258,9 +281,8 @@ class SwingingFace(ArmFollower, StraightFollower):
         """
         sizes = ArmSizes(motion, self.centre_distance, self.lifts.side, rise, fall)
         low, high = sizes.of_face(self.face_offset, convex)
-        if low > high or low >= np.pi / 2 - motion.stations[1].max():
-            return inf
-        return float(self.centre_distance * np.sin(low) - self.face_offset)
+        base = float(self.centre_distance * np.sin(low) - self.face_offset)
+        return base if low <= high and replace(self, base=max(base, _SURE)).keeps(motion) else inf
 
     def sizes(self, motion: Motion, limits: CheckLimits) -> tuple[SizeThatFits, ...]:
         """Least base circle with which neither the pressure angle nor the radius of curvature is beyond its limit.

@@ -8,10 +8,12 @@ from cadgen.check import Check, CheckCode
 from cadgen.design.load import with_overrides
 from cadgen.design.motion import motion_of
 from cadgen.design.schema import MotionDesign
+from cadgen.errors import DesignError
 from cadgen.figures import Cell, Facts, Sheet, State, number
 from cadgen.laws.lift_table import TableMotion
 from cadgen.laws.motion import Motion
 from cadgen.laws.segments import Seam, SegmentMotion
+from cadgen.laws.table import POLYNOMIAL
 from cadgen.laws.unit import MM, Unit
 from cadgen.messages import Message, joined
 from cadgen.verdict import Reservation
@@ -143,7 +145,7 @@ def reservations_of(motion: Motion, design: MotionDesign) -> tuple[Reservation, 
     """
     held: list[Reservation] = []
     if isinstance(motion, SegmentMotion):
-        held += _jump_reservations(motion)
+        held += _jump_reservations(motion, design)
     if isinstance(motion, TableMotion) and motion.rough:
         smooth = motion_of(with_overrides(design, ["motion.smooth=true"]).motion, design.follower.registered)
         noise, unit = small_height(motion.noise, motion.unit)
@@ -166,7 +168,18 @@ def reservations_of(motion: Motion, design: MotionDesign) -> tuple[Reservation, 
     return tuple(held)
 
 
-def _jump_reservations(motion: SegmentMotion) -> list[Reservation]:
+def _milder(motion: SegmentMotion, design: MotionDesign) -> str:
+    """Changes of laws that end the jumps, with which the design is read; empty if there are none."""
+    milder = motion.milder
+    numbers = [part.arguments["number"] for part in getattr(milder, "parts", ())]
+    try:
+        assert with_overrides(design, [f"motion.segments.{number}.law={POLYNOMIAL}" for number in numbers]).seat
+    except DesignError:
+        return ""
+    return milder
+
+
+def _jump_reservations(motion: SegmentMotion, design: MotionDesign) -> list[Reservation]:
     """Reservation on the corners, and on the jumps of the acceleration, each with its places."""
     said = {
         1: (
@@ -180,7 +193,7 @@ def _jump_reservations(motion: SegmentMotion) -> list[Reservation]:
             Message("go slowly, or take laws that meet their neighbours"),
         ),
     }
-    milder, held = motion.milder, []
+    milder, held = _milder(motion, design), []
     for order, (code, text, cure) in said.items():
         jumps = [seam for seam in motion.seams if seam.order == order]
         if not jumps:
