@@ -11,7 +11,7 @@ from dataclasses import KW_ONLY, dataclass, fields, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
-from math import pi, radians
+from math import floor, pi, radians
 from os import PathLike
 from typing import TYPE_CHECKING
 
@@ -31,6 +31,7 @@ from cadgen.gears.contact import contact_ratio
 from cadgen.gears.inspection import inspection_of
 from cadgen.gears.layout import TrainPart
 from cadgen.gears.ring import ring_of
+from cadgen.gears.shifts import USUAL_LAND, Shifts, proposed_shifts
 from cadgen.gears.sliding import loss_factor, specific_sliding
 from cadgen.gears.spur import form_figures
 from cadgen.gears.stage import Wheel
@@ -49,6 +50,7 @@ from cadgen.jobs.gears.assembly import (
     write_gear,
 )
 from cadgen.jobs.gears.gear_train import NotMadeError as NotMadeError
+from cadgen.messages import Message
 from cadgen.output.files.exports import GearExport
 from cadgen.output.files.publisher import Frozen, Written, folder_of
 from cadgen.parts.blank import Blank
@@ -576,6 +578,60 @@ class GearPair(_ByNumbers):
     def wheel_angle(self) -> float:
         """Angle of a tooth of the wheel, its teeth midway between those of a pinion with a tooth on x, rad."""
         return self.cut.driven_angle(0.0, 0.0)
+
+    def shifted(self, shifts: Shifts) -> GearPair:
+        """The pair with other profile shifts, at the centre distance that goes with them.
+
+        Args:
+            shifts: proposal of `propose_shifts`.
+        """
+        pinion = replace(self.pinion, profile_shift=shifts.driver)
+        wheel = replace(self.wheel, profile_shift=shifts.driven)
+        return replace(self, pinion=pinion, wheel=wheel, centre_distance=shifts.centre_distance)
+
+    def propose_shifts(
+        self, centre_distance: float | None = None, least_land: float = USUAL_LAND
+    ) -> tuple[Shifts, ...]:
+        """Profile shifts without undercut, and with balanced sliding, that pass every check of the pair.
+
+        Args:
+            centre_distance: distance of the axes that they must have, mm; None for that of teeth without shifts, or
+                for what undercut asks for.
+            least_land: least tip land, as a factor of the module.
+
+        Raises:
+            DesignError: no shifts keep the limits, or the distance is within the base circles.
+        """
+        real("least_land", least_land, 0, 2, "modules")
+        optional("centre_distance", centre_distance, 0, 2000, "mm", above=True)
+        pinion, wheel = (replace(gear, profile_shift=0.0) for gear in (self.pinion, self.wheel))
+        bare = replace(self, pinion=pinion, wheel=wheel, centre_distance=None)
+        apart = None if centre_distance is None else float(centre_distance)
+        found = proposed_shifts(bare.cut, apart, float(least_land))
+        failing = [self.shifted(each).failed for each in found]
+        tried = tuple(each for each, failed in zip(found, failing, strict=True) if not failed)
+        if found and not tried:
+            raise DesignError(
+                "with the profile shifts {driver:g} and {driven:g} a check of the pair fails, {name}: {advice}",
+                driver=found[0].driver,
+                driven=found[0].driven,
+                name=Message(failing[0][0].name),
+                advice=Message(failing[0][0].advice or "report this pair"),
+            )
+        if not tried:
+            pointed = proposed_shifts(bare.cut, apart, 0.0)
+            if pointed:
+                raise DesignError(
+                    "no profile shifts free this pair of undercut with tip lands of {land:g} modules; give a "
+                    "least_land of {most:g}",
+                    land=least_land,
+                    most=floor(max(min(each.lands) for each in pointed) * 1e3) / 1e3,
+                )
+            raise DesignError(
+                "no profile shifts free this pair of undercut and pointed tips; give more teeth, or another "
+                "centre_distance"
+            )
+        return tried
 
     @cached_property
     def computed(self) -> MadeTrain:

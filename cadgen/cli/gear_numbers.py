@@ -17,11 +17,13 @@ from cadgen.cli import help
 from cadgen.cli.options import formats_option, out_option
 from cadgen.errors import DesignError
 from cadgen.figures import Sheet
+from cadgen.figures import as_json as as_plain
 from cadgen.gears.choices import HelixHand, ToleranceStandard
 from cadgen.messages import Message
 
 if TYPE_CHECKING:
     from cadgen import Gear, GearPair, Planetary, Written
+    from cadgen.gears.shifts import Shifts
 
 Command = Callable[..., Any]
 Named = dict[str, Any]  # arguments or figures by their names
@@ -261,6 +263,8 @@ def gear(
     "--centre-distance-mm", type=float, default=None, help="Distance of the axes, mm; that without play if left out."
 )
 @help.option("--bearing-span-mm", type=float, default=None, help="Between the bearings of a shaft, mm.")
+@help.option("--propose-shifts", is_flag=True, help="Print profile shifts that suit the pair, and make nothing.")
+@help.option("--least-land", type=float, default=0.2, show_default=True, help="Least tip land of these, in modules.")
 @help.option(
     "--standard",
     type=click.Choice([each.value for each in ToleranceStandard]),
@@ -283,6 +287,8 @@ def pair(
     backlash_deg: float | None,
     centre_distance_mm: float | None,
     bearing_span_mm: float | None,
+    propose_shifts: bool,
+    least_land: float,
     standard: str,
     name: str,
     out: Path,
@@ -332,6 +338,10 @@ def pair(
     if backlash_deg is not None:
         nominal = GearPair(*gears, **common).nominal
         backlash = radians(backlash_deg) * nominal.driven_pitch_radius
+    if propose_shifts:
+        bare = GearPair(*gears, backlash=backlash, **common | {"centre_distance": None})
+        _proposals(bare.propose_shifts(centre_distance_mm, least_land), as_json)
+        return
     made = GearPair(*gears, backlash=backlash, **common)
     play = made.plays
     rows = {
@@ -520,6 +530,36 @@ def _files(written: Written, out: Path) -> None:
     rows = [(file.name.removeprefix(stem), size(file.bytes), *file.readings) for file in written]
     heading(out, stem)
     sheet(Sheet("files", "", (Message("file"), Message("size"), Message("read back")), tuple(rows), tail=1), gap=False)
+
+
+def _proposals(shifts: tuple[Shifts, ...], as_json: bool) -> None:
+    """Print the profile shifts that suit a pair."""
+    from cadgen.cli import show
+
+    if as_json:
+        show.document({"proposals": [as_plain(each) for each in shifts]})
+        return
+    aims = {"no undercut": Message("no undercut"), "balanced sliding": Message("balanced sliding")}
+    rows = tuple(
+        (
+            aims[each.aim],
+            f"{each.driver:.4f}, {each.driven:.4f}",
+            f"{each.centre_distance:.4f}",
+            "{:.2f}, {:.2f}".format(*each.sliding),
+            "{:.2f}, {:.2f}".format(*each.lands),
+            f"{each.contact_ratio:.2f}",
+        )
+        for each in shifts
+    )
+    heads = (
+        Message("aim"),
+        Message("--profile-shift"),
+        Message("a, mm"),
+        Message("sliding"),
+        Message("tip lands, modules"),
+        Message("contact ratio"),
+    )
+    show.sheet(Sheet("shifts", Message("profile shifts that pass every check of the pair"), heads, rows))
 
 
 def _pair_toml(

@@ -14,6 +14,7 @@
 | `backlash`        | tolerances -> play of a pair of spur gears (eq. 1-13), and teeth thinned for it       |
 | `contact`         | contact ratio and undercut, by the formulas and found on the tooth curves             |
 | `sliding`      | specific sliding and losses of the teeth                                        |
+| `shifts`       | profile shifts proposed for a pair: no undercut, balanced sliding               |
 | `inspection`      | span and size over pins, with their limits                                            |
 | `spur`            | spur gears as a stage: their checks in mesh, and their plain values                   |
 | `rack`            | numbers of a rack -> its section; a pinion on it                                      |

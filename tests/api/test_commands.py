@@ -28,7 +28,7 @@ FACE: dict[str, Functions] = {
     "merge": (merge,),
     "new": (Design.new,),
     "optimize": (Design.load, Design.optimize),
-    "pair": (Gear, GearPair, GearPair.write),
+    "pair": (Gear, GearPair, GearPair.propose_shifts, GearPair.write),
     "planetary": (Gear, Planetary, Planetary.write),
     "plan": (Design.load, Design.plan),
     "report": (Design.load, Report.of),
@@ -64,6 +64,7 @@ BY_METHODS = {
     "arguments": "source and data",
     "toml": "the design file of a pair",
     "file": "flags",
+    "propose_shifts": "propose_shifts",
 }
 # Commands use two processes; a script says how many it wants, or gives a pool.
 # What is given for no gear has the default of each.
