@@ -196,8 +196,10 @@ def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
         *([ring(holes.circle_diameter, LineKind.CENTRE)] if holes and holes.circle_diameter else []),
         *(Closed(hole) for hole in blank.holes()),
         *centre_cross(reach + 0.4 * gap),
-        *(_groove_curves(cam.groove) if cam.groove else ()),
     ]
+    if cam.groove:
+        groove = cam.groove
+        curves += [Closed(groove.outer), ring(2 * reach), Stroke(groove.path, LineKind.CENTRE)]
     labels = [
         Label(text="0°", at=(zero + 0.6 * _ARROW / scale, 2.2 / scale)),
         Label(
@@ -225,11 +227,6 @@ def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
         labels.append(word)
     dimensions = placed_dimensions(_face_dimensions(cam, scale), curves, labels, scale)
     return View(place=place, curves=tuple(curves), dimensions=dimensions, labels=tuple(labels))
-
-
-def _groove_curves(groove: SheetGroove) -> tuple[Closed | Stroke, ...]:
-    """Outer flank, rim of the disc, and path of the roller's centre."""
-    return Closed(groove.outer), ring(2 * groove.outside_radius), Stroke(groove.path, LineKind.CENTRE)
 
 
 def _sense(cam: CamPart, scale: float) -> tuple[list[Stroke], Label]:

@@ -105,17 +105,23 @@ def _segments(motion: MotionSection) -> Iterator[EditedSegment]:
     for number, each in enumerate(motion.segments):
         stop = round(at + _angle(each).value, _ROUND)
         if each.dwell_deg is None:
-            height = _height_after(each, height)
+            # A polynomial without a height ends by a condition: [angle, order, value] at its last angle.
+            ends = [value for angle, order, value in each.conditions or () if order == 0 and angle == each.in_deg]
+            if each.height is not None:
+                key, value = each.height
+                height = value if key.startswith("to_") else height + value
+            elif ends:
+                height = ends[0]
             heights = _heights(motion, number, movers)
         along = (_moved(motion, number, 1), _moved(motion, number + 1, -1)) if number + 1 < len(motion.segments) else ()
-        key = f"motion.segments.{number + 1}.law"
+        law_key = f"motion.segments.{number + 1}.law"
         yield EditedSegment(
             number=number + 1,
             start=at,
             stop=stop,
             after=height,
             law=each.law or "",
-            law_key=key if each.law else "",
+            law_key=law_key if each.law else "",
             along=along,
             up=tuple(heights or ()),
         )
@@ -131,15 +137,6 @@ def _angle(segment: MotionSegment) -> EditedNumber:
 def _moved(motion: MotionSection, number: int, sign: int) -> EditedNumber:
     angle = _angle(motion.segments[number])
     return EditedNumber(f"motion.segments.{number + 1}.{angle.key}", angle.value, sign)
-
-
-def _height_after(segment: MotionSegment, before: float) -> float:
-    if segment.height is not None:
-        key, value = segment.height
-        return value if key.startswith("to_") else before + value
-    # A polynomial whose end is a condition: [angle, order, value] at its last angle.
-    ends = [value for angle, order, value in segment.conditions or () if order == 0 and angle == segment.in_deg]
-    return ends[0] if ends else before
 
 
 def _heights(motion: MotionSection, number: int, movers: list[int]) -> list[EditedNumber]:

@@ -473,16 +473,14 @@ def _parts(plan: CamPlan, train: TurningTrain | None, notes: list[str]) -> list[
     disc, coarse = meshes[0], _disc(plan, _COARSE, notes)
     parts = [] if disc is None or coarse is None else [Part("cam", Message("cam"), disc, coarse, 0, Colour.CAM)]
     if plan.second is not None:
-        raised = [_raised(_disc(plan.second, finest, notes), _height(plan.second)) for finest in (chord, _COARSE)]
-        if raised[0] is not None and raised[1] is not None:
+        up = np.array([0.0, 0.0, _height(plan.second)])
+        made = [_disc(plan.second, finest, notes) for finest in (chord, _COARSE)]
+        raised = [Mesh(mesh.vertices + up, mesh.triangles) for mesh in made if mesh is not None]
+        if len(raised) == len(made):
             parts.append(Part("second-cam", Message("second cam"), raised[0], raised[1], 0, Colour.PINION))
     for number, part in enumerate(turning, 1):
         parts.append(_gear(part.part.name, _label(part), number, part.stand, chord))
     return parts
-
-
-def _raised(mesh: Mesh | None, height: float) -> Mesh | None:
-    return None if mesh is None else Mesh(mesh.vertices + np.array([0.0, 0.0, height]), mesh.triangles)
 
 
 @lru_cache(maxsize=64)  # the gears of a design whose path is edited stay as they are, normals and edges included
