@@ -26,9 +26,11 @@ class ArmFollower(Follower):
     Attributes:
         centre_distance: distance of the pivot from the camshaft, mm.
         lifts: sense in which the arm lifts.
+        opposite: whether its motion is the opposite of the one in the design, as of a second arm.
     """
 
     unit = RAD
+    opposite: bool = False
     centre_distance: float
     lifts: Lifts
 
@@ -89,7 +91,7 @@ class ArmFollower(Follower):
             low, high = (share, high) if self.keeps(replace(motion, q=curve)) else (low, share)
         if low < _LEAST_SHARE:
             return None
-        swing = np.degrees(low * motion.stations[1])
+        swing = np.degrees(low * motion.stations[1]) * (-1.0 if self.opposite else 1.0)
         least, most = (ceil(swing.min() * _HUNDREDTHS), floor(swing.max() * _HUNDREDTHS))
         return Message("lead it by {least:g} to {most:g} degrees", least=least / _HUNDREDTHS, most=most / _HUNDREDTHS)
 

@@ -57,6 +57,7 @@ class SwingingRoller(ArmFollower, RoundFollower):
     noun = Message("roller")
     base_key = "cam.base_circle_radius_mm"
     milder = Message("lower follower.radius_mm or raise cam.base_circle_radius_mm")
+    elsewhere = Message("change follower.centre_distance_mm or follower.arm_mm")
 
     @property
     def base_radius(self) -> float:  # type: ignore[override]
@@ -144,20 +145,25 @@ class SwingingRoller(ArmFollower, RoundFollower):
             super().refuse(motion)
             return
         angles, swing = motion.stations
-        # With the arm square to the line from camshaft to roller there is no pressure angle at rest.
-        square = replace(self, centre_distance=ceil(10 * hypot(self.arm, self.base_radius)) / 10)
-        cures = [self.smaller_swing(motion)]
-        if square.keeps(motion):
-            cures.append(Message("set follower.centre_distance_mm to {c:g}", c=square.centre_distance))
+        cures = [cure for cure in (self.smaller_swing(motion), self._other_pivot(motion)) if cure]
         raise DesignError(
-            "at cam angle {angle:.1f} degrees the arm stands at {swung:.2f} degrees from the line of its pivot and "
-            "the camshaft, where its pressure angle would be beyond {steepest:.0f} degrees even at rest: {cures}",
+            "at cam angle {angle:.1f} degrees the arm of the {noun} stands at {swung:.2f} degrees from the line of its "
+            "pivot and the camshaft, where its pressure angle would be beyond {steepest:.0f} degrees even at rest: "
+            "{cures}",
+            noun=Message(self.noun),
             angle=np.degrees(angles[worst]) % 360,
             swung=np.degrees(self.rest + swing[worst]),
             steepest=np.degrees(_STEEPEST),
-            cures=joined([cure for cure in cures if cure], Message(", or "))
-            or Message("change follower.centre_distance_mm or follower.arm_mm"),
+            cures=joined(cures, Message(", or ")) or self.elsewhere,
         )
+
+    def _other_pivot(self, motion: Motion) -> Message | None:
+        """Advice to set the pivot elsewhere, which was tried; None if that does not help."""
+        # With the arm square to the line from camshaft to roller there is no pressure angle at rest.
+        square = replace(self, centre_distance=ceil(10 * hypot(self.arm, self.base_radius)) / 10)
+        if self.opposite or not square.keeps(motion):
+            return None
+        return Message("set follower.centre_distance_mm to {c:g}", c=square.centre_distance)
 
     def point(self) -> "SwingingRoller":
         """The roller's centre."""
@@ -268,6 +274,8 @@ class SecondSwingingRoller(SwingingRoller):
     noun = Message("second roller")
     base_key = "follower.second.angle_deg"
     milder = Message("lower follower.second.radius_mm or raise follower.second.angle_deg")
+    elsewhere = Message("change follower.second.angle_deg or follower.second.arm_mm")
+    opposite = True
 
     @classmethod
     def beside(cls, first: SwingingRoller, radius: float, arm: float, angle: float) -> Self:
