@@ -371,8 +371,8 @@ def _plate_notes(plan: GearTrain) -> Iterator[str]:
     car = plan.car
     if car is not None and car.arrangement is not None:
         yield Message(
-            "In the car x points ahead and y down. The fork axis stands {fork:g} mm ahead of axis {last}, which lies "
-            "{height:.4g} mm over the floor.",
+            "In the car x points ahead and y down: turned by 180°, this sheet is seen from the left of the car. The "
+            "fork axis stands {fork:g} mm ahead of axis {last}, which lies {height:.4g} mm over the floor.",
             fork=car.site.base_radius,
             last=len(plan.layout.parts),
             height=car.arrangement.height,
