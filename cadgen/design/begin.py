@@ -106,7 +106,7 @@ start_heading_deg = 0.2
 [mechanics]
 friction_least = 0.05              # steel on greased aluminium
 friction_greatest = 0.20
-
+{brake}
 # [drawing]                        # what cadgen draw writes into the title blocks
 # finish = "Ra 1.6, deburred"
 # quantity = 1
@@ -199,6 +199,10 @@ keyway = {{ width_mm = 3.0, depth_mm = 1.4 }}
 [layout]                           # parts are set against each other; directions of the stages are found
 turned_over = {turned}                # whether the disc sits turned over on its shaft
 """)
+_BRAKE = Message("""\
+drag_least_Nmm = {least:.0f}                # a felt brake on the disc: the cam stays on its gears, and play does nothing
+drag_greatest_Nmm = {greatest:.0f}
+""")
 _STAGE = """\
 [[train.stages]]
 driver = {{ teeth = {driver} }}
@@ -241,10 +245,12 @@ class ProposedTrain(NamedTuple):
     Attributes:
         teeth: teeth of driver and driven gear of every stage, from the drive on.
         wheel_radius: radius of the drive wheel, mm; None where it follows from the ratio.
+        drag: torque of a brake on the disc that keeps the cam on its gears, N mm; 0 for none.
     """
 
     teeth: tuple[tuple[int, int], ...]
     wheel_radius: float | None
+    drag: float = 0.0
 
 
 WithTrain = Callable[[ProposedTrain | None], str]
@@ -283,6 +289,9 @@ def text_of(
         parts["wheel"] = shown(_WHEEL).format(radius=_number(train.wheel_radius))
     return shown(_TEXT).format(
         **parts,
+        brake=""
+        if train is None or not train.drag
+        else shown(_BRAKE).format(least=train.drag, greatest=_MOST_DRAG * train.drag),
         train=shown(_NO_TRAIN) if train is None else _train_text(name, train),
         name=name,
         offset=_number(offset),
@@ -306,6 +315,7 @@ def _number(value: float) -> str:
 
 
 _CAR = ("car.drive_wheel_offset_mm=", "car.idle_wheel_offset_mm=")
+_MOST_DRAG = 1.4  # a felt brake at its strongest, of what it is at its weakest
 _EXAMPLE_FIELD = (7000.0, 3000.0)
 
 

@@ -18,6 +18,8 @@ def test_a_new_car_with_a_proposed_train_is_ready(tmp_path, wheel):
     assert not failing(laid_out(design).checks)
     cam = plan_cam(design)
     assert cam.verdict.readiness == Readiness.READY
+    # The brake keeps the cam on its gears: play moves nothing.
+    assert cam.application.comparison.chosen.band.worst_distance < 0.01
     # The path ends before the blend of 12 degrees, and not by more than 3 % of the turn.
     ratio = 1.0
     for stage in design.train.stages:
