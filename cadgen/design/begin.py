@@ -200,7 +200,7 @@ keyway = {{ width_mm = 3.0, depth_mm = 1.4 }}
 turned_over = {turned}                # whether the disc sits turned over on its shaft
 """)
 _BRAKE = Message("""\
-drag_least_Nmm = {least:.0f}                # a felt brake on the disc: the cam stays on its gears, and play does nothing
+drag_least_Nmm = {least:.0f}             # a felt brake on the disc: the cam stays on its gears, play does nothing
 drag_greatest_Nmm = {greatest:.0f}
 """)
 _STAGE = """\
