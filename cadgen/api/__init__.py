@@ -12,7 +12,7 @@
 | `rack`     | racks by their numbers, alone and under a pinion                           |
 | `planetary` | planetary sets by their numbers                                          |
 | `calibration` | a judgement of measured data, and the design built from it              |
-| `found_cam` | the motion found in a measured cam, and the new cam                        |
+| `found_cam` | a measured cam: its motion and the new cam, or what differs from its design |
 | `adjustment` | settings after trial runs                                                |
 | `planning`   | a planned path, or why there is none                                    |
 | `loaded`   | a design that has been read, and changed copies of it                      |

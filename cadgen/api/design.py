@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from cadgen.api.adjustment import Adjustment
     from cadgen.api.calibration import Advice, Calibration, Calibrations
     from cadgen.api.cam import Cam
-    from cadgen.api.found_cam import FoundCam
+    from cadgen.api.found_cam import ComparedCam, FoundCam
     from cadgen.api.planning import Plan
     from cadgen.api.runs import Comparison
     from cadgen.api.values import Pool
@@ -253,6 +253,38 @@ class Design(LoadedDesign):
         known = kinds_for(design.follower.registered.unit)
         sources = sources_of(data, reading_of(design, columns), known=known, progress=progress)
         return FoundCam.of(find_cam(design, self.text, sources, progress))
+
+    def compare_cam(
+        self,
+        data: Data | Iterable[Data],
+        *,
+        columns: Mapping[str, str] | None = None,
+        progress: Progress = silent,
+    ) -> "ComparedCam":
+        """Find what differs in a measured cam whose motion is known: disc, follower, phase, bore, wrong side up.
+
+        Args:
+            data: record of the whole cam, as of `find_motion`: points of its outline about the bore, or lifts.
+            columns: as of `calibrate`.
+            progress: function that is called with a few words on each step.
+
+        Raises:
+            DesignError: the design is of a car or does not state its motion, or no cam can be made of it.
+            FileError: data cannot be read.
+        """
+        from cadgen.api.found_cam import ComparedCam
+        from cadgen.inference.motions.record_kinds import kinds_for
+        from cadgen.jobs.worn_cam.compared_cam import compare_cam
+
+        design = self.values
+        if not isinstance(design, MotionDesign):
+            raise DesignError(
+                "a measured cam is compared with a design that has [motion], and this one is of a car: calibrate "
+                "judges its data"
+            )
+        known = kinds_for(design.follower.registered.unit)
+        sources = sources_of(data, reading_of(design, columns), known=known, progress=progress)
+        return ComparedCam.of(compare_cam(design, sources, progress))
 
     def next_measurement(
         self, *, profile: str = "actual", form_error_um: float | None = None, progress: Progress = silent

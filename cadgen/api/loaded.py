@@ -170,6 +170,11 @@ class LoadedDesign:
         """Whether the design is of a cam by its motion, and not of a car."""
         return isinstance(self.values, MotionDesign)
 
+    @property
+    def to_be_measured(self) -> bool:
+        """Whether the motion of the design is to be found from a measured cam."""
+        return isinstance(self.values, MotionDesign) and bool(self.values.motion.measured)
+
     def complete(self) -> DesignValues:
         """The design, if it has all that a cam needs."""
         known = self.values

@@ -67,18 +67,33 @@ class LiftErrors:
         theta = np.arange(_STATIONS) * TURN / _STATIONS
         places = theta if set_at is None else np.append(theta, set_at % TURN)
         jets = motion.jets(places)
-        q, q1 = jets[:, 0], jets[:, 1]
-        normal = follower.normal(q, q1) * np.exp(1j * (places + follower.azimuth))
-        push = follower.push(q, q1)
-        found = [(each.code, -each.outwards(q, q1)[:, None] / push[:, None]) for each in follower.dimensions()]
-        found.append((PHASE, q1[:, None]))
-        found.append((ECCENTRICITY, np.stack([normal.real, normal.imag], axis=1) / push[:, None]))
+        push = follower.push(jets[:, 0], jets[:, 1])
         way = follower.lift(np.array([1.0])) - follower.lift(np.array([0.0]))
         errors = []
-        for code, by_motion in found:
-            lift = by_motion * way
-            errors.append(LiftError(code, lift if set_at is None else lift[:-1] - lift[-1]))
+        for each in displacements(motion, follower, places):
+            lift = each.of_unit / push[:, None] * way
+            errors.append(LiftError(each.code, lift if set_at is None else lift[:-1] - lift[-1]))
         return cls(theta, tuple(errors))
+
+
+def displacements(motion: Motion, follower: Follower, cam_angle: Array) -> tuple[LiftError, ...]:
+    """Errors along the outward normal at the contact: that of the lift times `push`, mm by unit.
+
+    Args:
+        motion: motion wanted.
+        follower: follower.
+        cam_angle: cam angles, rad, shape (n,).
+
+    Raises:
+        DesignError: the kind of follower does not say what its dimensions do.
+    """
+    jets = motion.jets(cam_angle)
+    q, q1 = jets[:, 0], jets[:, 1]
+    normal = follower.normal(q, q1) * np.exp(1j * (cam_angle + follower.azimuth))
+    found = [LiftError(each.code, -each.outwards(q, q1)[:, None]) for each in follower.dimensions()]
+    found.append(LiftError(PHASE, (q1 * follower.push(q, q1))[:, None]))
+    found.append(LiftError(ECCENTRICITY, np.stack([normal.real, normal.imag], axis=1)))
+    return tuple(found)
 
 
 def wrong_side_up(curve: ClosedCurve, motion: Motion, follower: Follower) -> float:

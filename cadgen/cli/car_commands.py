@@ -24,6 +24,7 @@ from cadgen.verdict import Readiness
 if TYPE_CHECKING:
     from cadgen.api.calibration import Advice, Calibration, Predictions
     from cadgen.api.design import Design
+    from cadgen.api.found_cam import ComparedCam, FoundCam
     from cadgen.progress import Progress
 
 
@@ -205,7 +206,8 @@ def calibrate(
     if it names a packaged design or ends in .toml.
 
     With [motion] and motion.measured = true in DESIGN, FILE is the outline or the lift of a cam whose motion is not
-    known: dwells, laws, ends of segments and wear are found, and --out writes the design of a new cam.
+    known: dwells, laws, ends of segments and wear are found, and --out writes the design of a new cam. With a motion
+    that is stated, what differs is found: disc, follower, phase, bore, wrong side up.
 
     The exit code is 1 if not all that was measured is explained.
     """
@@ -287,21 +289,23 @@ def _lift_tolerance(loaded: "Design", samples: int, seed: int, *, as_json: bool)
 def _cam_alone(
     loaded: "Design", files: tuple[str, ...], columns: dict[str, str], *, as_json: bool, out: Path | None
 ) -> None:
-    """Find the motion of a measured cam, print or write it, and exit."""
+    """Find the motion of a measured cam, or what differs from its design; print or write it, and exit."""
     from cadgen.cli import show
     from cadgen.output.report.terminal import write
 
+    result: FoundCam | ComparedCam
     with show.progress(not as_json) as progress:
-        found = loaded.find_motion(files, columns=columns, progress=progress)
-        written = None if out is None else found.write(out, progress=progress)
+        judge = loaded.find_motion if loaded.to_be_measured else loaded.compare_cam
+        result = judge(files, columns=columns, progress=progress)
+        written = None if out is None else result.write(out, progress=progress)
     if as_json:
-        show.document(found.facts() if written is None else written.entry)
+        show.document(result.facts() if written is None else written.entry)
     else:
-        write(found.report, show.Output())
+        write(result.report, show.Output())
         if written is not None and out is not None:
             show.files(written, out)
-        show.found(found, written=written is not None)
-    raise SystemExit(0 if found.readiness != Readiness.NOT_READY else 1)
+        show.found(result, written=written is not None)
+    raise SystemExit(0 if result.readiness != Readiness.NOT_READY else 1)
 
 
 def _more(

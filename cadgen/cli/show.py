@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from cadgen.api.calibration import Calibration, Calibrations
     from cadgen.api.cam import Cam, Cures
     from cadgen.api.exploration import Exploration
-    from cadgen.api.found_cam import FoundCam
+    from cadgen.api.found_cam import ComparedCam, FoundCam
     from cadgen.api.planning import Plan
 
 
@@ -400,13 +400,18 @@ def explained(result: "Calibration[Design] | Calibrations[Design]", *, written: 
         verdict(result.readiness, said, Message("--out writes the as-built design, for cadgen cam"))
 
 
-def found(result: "FoundCam", *, written: bool) -> None:
-    """Print whether the motion of a measured cam is found, and what to do next.
+def found(result: "FoundCam | ComparedCam", *, written: bool) -> None:
+    """Print whether a measured cam is explained, and what to do next.
 
     Args:
         result: measured cam.
         written: whether the new design was written.
     """
+    from cadgen.api.found_cam import FoundCam
+
+    if not isinstance(result, FoundCam):
+        _compared(result)
+        return
     step: str = Message("--out writes the design of the new cam, for cadgen cam")
     if written:
         step = Message("cadgen cam on {name}.toml", name=result.name)
@@ -417,6 +422,21 @@ def found(result: "FoundCam", *, written: bool) -> None:
     else:
         said = Message("the law of a segment is not decided")
     verdict(result.readiness, said, step)
+
+
+def _compared(result: "ComparedCam") -> None:
+    if result.comparison.mirrored:
+        verdict(result.readiness, Message("the disc is wrong side up"), Message("turn it over, and measure again"))
+    elif not result.comparison.explained:
+        verdict(
+            result.readiness,
+            Message("not all that was measured is explained"),
+            Message("motion.measured = true instead of the motion finds the one that it has"),
+        )
+    elif not result.found:
+        verdict(result.readiness, Message("nothing differs from the design"))
+    else:
+        verdict(result.readiness, Message("what was measured is explained"), Message("correct what differs"))
 
 
 def settings(adjustment: "Adjustment") -> None:

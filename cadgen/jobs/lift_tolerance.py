@@ -24,7 +24,7 @@ MOST_CAMS = 1_000_000
 _AT_ONCE = 4000  # cams whose errors are in memory together
 _QUANTILES = (0.5, 0.9, 0.95, 0.99)
 _UM = 1e3
-_ANGLES = ("tilt", "phase")
+ANGLES = ("tilt", "phase")
 NAMES = {
     "base_circle": Message("disc all round"),
     "roller_radius": Message("radius of the roller"),
@@ -59,7 +59,7 @@ class LiftCost:
     @property
     def unit(self) -> tuple[str, float]:
         """Unit in which the zone is shown, and its number in mm or rad."""
-        return ("deg", radians(1.0)) if self.code in _ANGLES else ("um", 1 / _UM)
+        return ("deg", radians(1.0)) if self.code in ANGLES else ("um", 1 / _UM)
 
     @property
     def shown(self) -> float:
@@ -143,7 +143,7 @@ class LiftToleranceRun(JobResult):
         rows = tuple(
             (
                 NAMES[cost.code],
-                number(cost.shown, "°" if cost.code in _ANGLES else "µm"),
+                number(cost.shown, "°" if cost.code in ANGLES else "µm"),
                 number(_UM * cost.greatest, "µm", digits=1),
                 number(degrees(cost.cam_angle), "°", digits=0),
                 number(100 * cost.share, "%", digits=0),

@@ -245,3 +245,41 @@ def rolled(cam: Worn, follower: Follower, theta: np.ndarray) -> np.ndarray:
     else:
         push = fixed.imag
     return cam.lift(theta) - cam.wear(theta) / push
+
+
+def dropped(
+    disc: np.ndarray, follower: Follower, theta: np.ndarray, *, mirrored: bool = False, shift: complex = 0j
+) -> np.ndarray:
+    """Place of a follower that is let down on a disc: along its slide, mm, or the angle of its arm, rad.
+
+    Args:
+        disc: dense points of the outline in the cam's frame, as complex numbers.
+        follower: follower.
+        theta: cam angles, rad.
+        mirrored: whether the disc is put on with its other face outwards.
+        shift: displacement of the disc on its shaft, in its own frame, mm.
+    """
+    points = (disc.conj() if mirrored else disc) + shift
+    k, places = follower.keys, []
+    for angle in theta:
+        p = points * np.exp(1j * angle)
+        if follower.kind == "roller":
+            r, e = float(k["radius_mm"]), float(k.get("offset_mm", 0.0))  # type: ignore[arg-type]
+            near = (np.abs(p.real - e) < r) & (p.imag > 0)
+            places.append(float((p.imag[near] + np.sqrt(r**2 - (p.real[near] - e) ** 2)).max()))
+        elif follower.kind == "flat":
+            tilt = np.radians(float(k.get("tilt_deg", 0.0)))  # type: ignore[arg-type]
+            places.append(float((p * np.exp(-1j * (np.pi / 2 + tilt))).real.max() / np.cos(tilt)))
+        else:
+            c, r, l = (float(k[name]) for name in ("centre_distance_mm", "radius_mm", "arm_mm"))  # type: ignore[arg-type]  # noqa: E741
+            away = c - p if follower._side > 0 else c - p.conj()
+            distance, phi = np.abs(away), -np.angle(away)
+            near = np.abs(distance - l) < r
+            opening = np.arccos((l**2 + distance[near] ** 2 - r**2) / (2 * l * distance[near]))
+            places.append(float((phi[near] + opening).max()))
+    return np.array(places)
+
+
+def dense(cam: Worn, follower: Follower, count: int = 40_001) -> np.ndarray:
+    """Dense points of a disc, in the cam's frame."""
+    return follower.contact(cam.lift, np.linspace(0, TURN, count))[0]

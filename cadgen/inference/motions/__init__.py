@@ -10,5 +10,6 @@
 | `found_motion`    | all flanks together, with the centre of the disc; which laws are left               |
 | `outline_motion`  | motion of an outline that was measured in any frame                                 |
 | `whole_degrees`   | ends of segments that a drawing had at whole degrees                                |
+| `differences`     | a measured cam beside its design: what is off                                       |
 | `stated_motion`   | motion that was found as a design states it                                         |
 """

@@ -92,7 +92,7 @@ class FoundCamPlan:
     @property
     def mirrored(self) -> bool:
         """Whether files show the other face than the one that was measured."""
-        return _mirrored(self.design, self.source.record)
+        return mirrored(self.design, self.source.record)
 
     @property
     def base_circle(self) -> float | None:
@@ -230,7 +230,7 @@ def find_cam(design: MotionDesign, text: str, sources: tuple[Source, ...], progr
     points = points_of(record)
     outline = None
     if points is not None:
-        seen = points * [1.0, -1.0] if _mirrored(design, record) else points
+        seen = points * [1.0, -1.0] if mirrored(design, record) else points
         outline = outline_motion(seen, follower)
         found = outline.found
         if outline.base <= 0:
@@ -268,7 +268,12 @@ def _lever(follower: Follower) -> float:
     return float(follower.lift(np.array([1.0]))[0])
 
 
-def _mirrored(design: MotionDesign, record: Record) -> bool:
-    """Whether files, which show the face on which the disc turns clockwise, show another than was measured."""
+def mirrored(design: MotionDesign, record: Record) -> bool:
+    """Whether files, which show the face on which the disc turns clockwise, show another than was measured.
+
+    Args:
+        design: design, which says the sense of the disc.
+        record: record, whose remarks say if it was measured on the inner face.
+    """
     inner = any(_INNER.match(remark) for remark in record.remarks)
     return (design.motion.turns == DiscSense.COUNTERCLOCKWISE) != inner

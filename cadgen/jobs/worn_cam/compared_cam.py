@@ -1,0 +1,152 @@
+"""A measured cam whose motion is known: what differs from its design, by its lift or its outline."""
+
+from dataclasses import dataclass
+from math import atan2, degrees
+
+import numpy as np
+
+from cadgen.cam.lift_errors import ECCENTRICITY, LiftErrors
+from cadgen.design.schema import MotionDesign
+from cadgen.figures import Facts
+from cadgen.inference.motions.differences import (
+    CamComparison,
+    CamDifference,
+    compared,
+    either_side,
+    lift_readings,
+    outline_readings,
+    wrong_side_readings,
+)
+from cadgen.inference.motions.record_kinds import lifts_of, points_of, refuse_several
+from cadgen.jobs.calibration.sources import Source
+from cadgen.jobs.cam.cam_plan import CamPlan
+from cadgen.jobs.cam.motion_cam import plan_motion_cam
+from cadgen.jobs.lift_tolerance import ANGLES
+from cadgen.jobs.worn_cam.found_cam import mirrored
+from cadgen.output.files.manifest import Origin
+from cadgen.progress import Progress, silent
+from cadgen.verdict import Readiness
+
+_UM = 1e3
+
+
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class ComparedCamPlan:
+    """Measured cam beside its design. Lengths are mm and angles rad.
+
+    Attributes:
+        design: design, with its motion.
+        source: measured file.
+        cam: cam as designed.
+        of_disc: whether the outline was measured, and not the lift.
+        comparison: what differs.
+    """
+
+    design: MotionDesign
+    source: Source
+    cam: CamPlan
+    of_disc: bool
+    comparison: CamComparison
+
+    def __repr__(self) -> str:
+        found = ", ".join(each.code for each in self.found) or "as designed"
+        return f"<ComparedCam of {self.source.path.name}: {found}>"
+
+    @property
+    def found(self) -> tuple[CamDifference, ...]:
+        """Deviations that explain the record."""
+        return self.comparison.found
+
+    @property
+    def readiness(self) -> Readiness:
+        """Whether the record is explained; with reservations where other deviations explain it as well."""
+        if not self.comparison.explained or self.comparison.mirrored:
+            return Readiness.NOT_READY
+        return Readiness.RESERVATIONS if self.comparison.rivals else Readiness.READY
+
+    def at_lift(self, difference: CamDifference) -> float:
+        """Greatest error of the lift by a deviation, to first order, mm.
+
+        Args:
+            difference: deviation.
+        """
+        errors = LiftErrors.of(self.cam.motion, self.cam.follower_as_built, None).errors
+        of_unit = next(each.of_unit for each in errors if each.code == difference.code)
+        return float(np.abs(of_unit @ np.array(difference.values)).max())
+
+    def entry(self) -> Facts:
+        """Everything, as in the JSON file."""
+        c = self.comparison
+        return Origin.of(self.design).entry() | Facts(
+            file=self.source.path.name,
+            kind=self.source.kind.code,
+            sha256=self.source.sha256,
+            understood=self.source.record.notes,
+            readiness=self.readiness.value,
+            wrong_side_up=c.mirrored,
+            noise_um=_UM * c.noise,
+            before_um=_UM * c.before,
+            after_um=_UM * c.after,
+            left_um=_UM * c.worst[0],
+            left_at_deg=degrees(c.worst[1]),
+            datum={code: degrees(value) if code == "clocking" else value for code, value in c.datum.items()},
+            found=[self._fact(each) for each in self.found],
+            rivals=c.rivals,
+        )
+
+    def _fact(self, each: CamDifference) -> Facts:
+        angle = each.code in ANGLES
+        scale = degrees(1.0) if angle else _UM
+        facts = Facts(
+            deviation=each.code,
+            unit="deg" if angle else "um",
+            size=each.size * scale,
+            sigma=max(each.sigmas) * scale,
+            lift_um=_UM * self.at_lift(each),
+        )
+        return facts | Facts(direction_deg=direction(each)) if each.code == ECCENTRICITY else facts
+
+
+def direction(each: CamDifference) -> float:
+    """Polar angle of an eccentric bore's disc in the frame of the design, degrees.
+
+    Args:
+        each: deviation with a direction.
+    """
+    x, y = each.values
+    return degrees(atan2(y, x)) % 360
+
+
+def compare_cam(design: MotionDesign, sources: tuple[Source, ...], progress: Progress = silent) -> ComparedCamPlan:
+    """Deviations of a measured cam from its design.
+
+    Args:
+        design: design with its motion.
+        sources: measured file, one.
+        progress: function that is called with a few words on each step.
+
+    Raises:
+        DesignError: no cam can be made of the design, or its follower does not say what its dimensions do.
+        FileError: the record is none of one whole cam.
+    """
+    record = refuse_several(tuple(source.record for source in sources))
+    plan = plan_motion_cam(design, None, progress)
+    follower = plan.follower_as_built
+    progress("comparing")
+    points = points_of(record)
+    if points is None:
+        angle, q = lifts_of(record, follower.unit)
+        readings = lift_readings(angle, q, plan.motion, follower, plan.curve)
+        comparison = compared(readings)
+        if not comparison.explained:
+            comparison = either_side(comparison, lambda: wrong_side_readings(readings))
+    else:
+        seen, other = points * [1.0, -1.0], points
+        if not mirrored(design, record):
+            seen, other = other, seen
+        comparison = compared(outline_readings(seen, plan.motion, follower))
+        if not comparison.explained:
+            comparison = either_side(comparison, lambda: outline_readings(other, plan.motion, follower))
+    return ComparedCamPlan(
+        design=design, source=sources[0], cam=plan, of_disc=points is not None, comparison=comparison
+    )
