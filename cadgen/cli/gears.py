@@ -69,6 +69,7 @@ def gears(
     else:
         _return_errors(train)
         _ranking(train.ranked, train.baseline)
+        _front(train)
         _choice(train)
         show.train_figures(train.checks)
         if written is not None:
@@ -183,6 +184,37 @@ def _ranking(ranked: "Sequence[TrainPlay]", baseline: "TrainPlay") -> None:
     )
     sheet(Sheet("trains", Message("trains, best first"), heads, tuple(rows)))
     Output().print(Message("Module and face width in mm; return error; its change against the train as given."))
+
+
+def _front(train: "GearTrain") -> None:
+    """Print the trains that no other beats in both return error and size."""
+    if not train.front:
+        return
+    from cadgen.cli.show import Output, sheet
+
+    rows = []
+    for each in train.facts()["front"]:
+        efficiency = each["efficiency"]
+        rows.append(
+            (
+                each["teeth"],
+                _each([f"{module:g}" for module in each["modules_mm"]]),
+                f"{each['size_mm']:g}",
+                f"{each['greatest']:.3f}°",
+                "-" if efficiency is None else f"{100 * efficiency:.2f} %",
+            )
+        )
+    heads = (
+        Message("teeth, from the drive"),
+        Message("module"),
+        Message("size, mm"),
+        Message("greatest"),
+        Message("efficiency"),
+    )
+    sheet(Sheet("front", Message("trains that no other beats in return error and size"), heads, tuple(rows)))
+    Output().print(Message("Size is the sum of the centre distances."))
+    if not train.front_whole:
+        Output().print(Message("The front was not searched to its end: narrow [train.search]."))
 
 
 def _each(values: list[str], between: str = " ") -> str:

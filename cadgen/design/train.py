@@ -23,7 +23,7 @@ from cadgen.design.section import (
     section_with,
 )
 from cadgen.errors import DesignError
-from cadgen.gears.choices import HelixHand, Thinning, ToleranceStandard
+from cadgen.gears.choices import HelixHand, SearchObjective, Thinning, ToleranceStandard
 from cadgen.gears.stage_kind import StageKind
 from cadgen.gears.stage_kinds import SPUR, codes, has, kind_of
 from cadgen.messages import Message
@@ -427,6 +427,16 @@ class SearchSection(DesignSection):
     )
     ratio_tolerance: float = Field(default=0.0, ge=0, lt=1, description="relative error allowed for the total ratio")
     keep: int = Field(default=10, ge=1, le=1000, description="how many trains are reported")
+    objective: Annotated[SearchObjective | None, WORD] = Field(
+        default=None,
+        description="what the best train has least of: `return_error`, or `size`, the sum of the centre distances, of "
+        "those on the front; left out, `return_error`",
+    )
+    front: bool | None = Field(
+        default=None,
+        description="whether the Pareto front of return error and size is told: the trains that no other beats in "
+        "both; left out, only for `size`",
+    )
 
 
 class TrainSection(DesignSection):

@@ -42,6 +42,10 @@ EDGE_SLACK = 1e-6
 MOST_TRIED = 300_000_000
 
 
+class EndlessSearchError(DesignError):
+    """Error for limits so wide that a search is given up."""
+
+
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Fit:
     """Where pairs may stand and what they leave to each other; `n` pairs, `length` places from drive to output.
@@ -187,7 +191,7 @@ class _Search:
     def _count(self, tried: int) -> None:
         self.tried += tried
         if self.tried > MOST_TRIED:
-            raise DesignError(
+            raise EndlessSearchError(
                 "the search has not ended after {count} million pairs of stages; narrow the teeth, the stage "
                 "ratios or the ratio tolerance, or ask for fewer stages or trains",
                 count=MOST_TRIED // 1_000_000,

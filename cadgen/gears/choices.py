@@ -54,6 +54,13 @@ class StageOrder(StrEnum):
     REORDERED = "reordered"
 
 
+class SearchObjective(StrEnum):
+    """Objective of a search for trains: least return error, or least size, the sum of the centre distances."""
+
+    RETURN_ERROR = "return_error"
+    SIZE = "size"
+
+
 class Order(StrEnum):
     """Plan of a train: an order of its stages, or a search for the best teeth within limits."""
 

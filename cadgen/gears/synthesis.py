@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from cadgen.arrays import Array
 from cadgen.errors import DesignError
 from cadgen.gears.backlash import StagePlay, play_equations
-from cadgen.gears.chains import LONGEST_CHAIN, BoolArray, Fit, best_chains
+from cadgen.gears.chains import LONGEST_CHAIN, BoolArray, EndlessSearchError, Fit, best_chains
 from cadgen.gears.choices import Order
 from cadgen.gears.contact import (
     LEAST_CONTACT_RATIO,
@@ -471,6 +471,52 @@ def search_of(
     return TrainSearch(limits, blanks, clearance)
 
 
+# By which the next train of a front must be smaller than the one before, mm.
+SMALLER = 1e-6
+# Trains of a front that are looked for.
+MOST_OF_FRONT = 40
+
+
+def size_of(train: Train) -> float:
+    """Size of a train: the sum of its centre distances, mm."""
+    return sum(stage.centre_distance for stage in train.stages)
+
+
+def front_of(limits: SearchLimits) -> tuple[tuple[TrainPlay, ...], bool]:
+    """Pareto front of return error and size: the trains that no other beats in both, least return error first.
+
+    For every number of stages the train of the least return error is found, then that among the smaller ones, and so
+    on. The second value is whether the front is whole: wide limits end it early.
+
+    Args:
+        limits: limits of the search.
+    """
+    counts = range(1, limits.stages + 1) if limits.fewer else (limits.stages,)
+    pairs, found, whole = pairs_within(limits), list[TrainPlay](), True
+    for count in counts:
+        search = TrainSearch(replace(limits, stages=count, fewer=False), pairs=pairs)
+        if found:
+            search.without_even_pairs()
+        size = inf
+        for _ in range(MOST_OF_FRONT):
+            try:
+                (play,) = search.smaller(size).best(1)
+            except EndlessSearchError:
+                whole = False
+                break
+            except DesignError:
+                break
+            found.append(play)
+            size = size_of(play.train) - SMALLER
+        else:
+            whole = False
+    front: list[TrainPlay] = []
+    for play in sorted(found, key=lambda play: (play.return_error_max, size_of(play.train))):
+        if not front or size_of(play.train) < size_of(front[-1].train) - SMALLER / 2:
+            front.append(play)
+    return tuple(front), whole
+
+
 class TrainSearch:
     """The pairs within limits, and the best trains of those that have not been excluded."""
 
@@ -525,6 +571,15 @@ class TrainSearch:
                 tolerance=limits.ratio_tolerance,
             )
         return tuple(train_play(Train(tuple(_stage(pairs, row, limits) for row in rows))) for rows in chains)
+
+    def smaller(self, size: float) -> Self:
+        """The search, without blanks, among trains whose centre distances add up to no more than a size, mm.
+
+        Args:
+            size: greatest sum of the centre distances, mm.
+        """
+        self._fit = replace(self._fit, height=self._pairs.axes, most_height=size)
+        return self
 
     def exclude(self, stage: Stage) -> None:
         """Leave out a pair, at every place: its teeth cannot be made, or fail their checks."""

@@ -11,6 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from cadgen import Design
 from cadgen.errors import DesignError
 from cadgen.gears import chains
 from cadgen.gears.backlash import stage_play
@@ -18,7 +19,7 @@ from cadgen.gears.contact import contact_ratio, missing_shift
 from cadgen.gears.layout import Blanks, lay_out
 from cadgen.gears.pair import GradedGear
 from cadgen.gears.spur import SpurPair
-from cadgen.gears.synthesis import SearchLimits, TrainSearch, all_orders, arrange, search_trains
+from cadgen.gears.synthesis import SearchLimits, TrainSearch, all_orders, arrange, front_of, search_trains, size_of
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train, thinned
@@ -368,3 +369,46 @@ def test_six_stages_are_searched_through_and_a_search_without_end_is_given_up(mo
         search_trains(limits)
     with pytest.raises(DesignError, match=r"997 tooth numbers, 2 modules and 3 widths .* more than 4 million pairs"):
         search_trains(replace(limits, teeth=(4, 1000), modules=(0.5, 0.6), widths=(4.0, 5.0, 6.0)))
+
+
+@pytest.mark.parametrize("case", range(20))
+def test_the_front_is_that_of_brute_force(case):
+    """Trains that no other beats in both greatest return error and sum of centre distances, of one to three stages."""
+    generator = np.random.default_rng(100 + case)
+    low, stages = int(generator.integers(10, 16)), 2 if case % 4 else 3
+    teeth = low, low + int(generator.integers(4, 10) if stages == 2 else generator.integers(3, 5))
+    gears = [Fraction(*generator.integers(teeth[0], teeth[1] + 1, 2).tolist()) for _ in range(stages)]
+    modules = (0.5,) if stages == 3 else (0.5, 0.6)
+    limits = within(stages=stages, teeth=teeth, ratio=prod(gears, start=Fraction(1)), modules=modules, fewer=True)
+    every: list[tuple[float, tuple[SpurPair, ...]]] = []
+    for count in range(1, stages + 1):
+        longer = brute_force(replace(limits, stages=count, fewer=False))
+        every += [each for each in longer if not every or all(stage.ratio != 1 for stage in each[1])]
+    points = sorted({(round(lag, 12), round(sum(stage.centre_distance for stage in made), 9)) for lag, made in every})
+    expected: list[tuple[float, float]] = []
+    for point in points:
+        if not expected or point[1] < expected[-1][1] - 1e-9:
+            expected.append(point)
+    found, whole = front_of(limits)
+    assert whole
+    assert [play.return_error_max for play in found] == pytest.approx([lag for lag, _ in expected])
+    assert [size_of(play.train) for play in found] == pytest.approx([size for _, size in expected])
+
+
+def test_a_design_asks_for_the_smallest_train_and_the_front(tmp_path):
+    file = tmp_path / "three.toml"
+    file.write_text(
+        "[train]\nmodule_mm = 0.5\nwidth_mm = 5.0\nbearing_span_mm = 60.0\nfriction_coefficient = 0.1\n"
+        "friction_source = 'estimated'\n[train.search]\nobjective = 'size'\n"
+        "[[train.stages]]\ndriver = { teeth = 30 }\ndriven = { teeth = 90 }\n"
+        "[[train.stages]]\ndriver = { teeth = 36 }\ndriven = { teeth = 72 }\n"
+    )
+    train = Design.load(file, train_only=True).gears("search")
+    front = train.facts()["front"]
+    assert len(front) > 3
+    assert [each["size_mm"] for each in front] == sorted((each["size_mm"] for each in front), reverse=True)
+    assert [each["greatest"] for each in front] == sorted(each["greatest"] for each in front)
+    made = sum(stage.centre_distance for stage in train.layout.train.stages)
+    assert made == pytest.approx(min(each["size_mm"] for each in front))
+    assert all(0.9 < each["efficiency"] < 1 for each in front)
+    assert "front" not in Design.load(file, ["train.search.objective="], train_only=True).gears("search").facts()

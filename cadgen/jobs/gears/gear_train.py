@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from math import degrees
+from math import degrees, prod
 from typing import TYPE_CHECKING
 
 from cadgen.check import Check
@@ -13,12 +13,12 @@ from cadgen.design.schema import TrainDesign
 from cadgen.design.train import GearBlankSection, PlateSection, TrainSection
 from cadgen.errors import DesignError
 from cadgen.figures import Facts
-from cadgen.gears.choices import Order, Thinning
+from cadgen.gears.choices import Order, SearchObjective, Thinning
 from cadgen.gears.distribution import quantiles
 from cadgen.gears.layout import TrainLayout
 from cadgen.gears.spur import SpurPair, spur_pairs
 from cadgen.gears.stage import Departure, Stage, Wheel
-from cadgen.gears.synthesis import SearchLimits, arrange, search_of
+from cadgen.gears.synthesis import SearchLimits, arrange, front_of, search_of, size_of
 from cadgen.gears.train import Loose, Train, TrainPlay, WholePlay, teeth_of, train_play
 from cadgen.geometry.meshes.made_train import MadeTrain, failing_stages, make_train
 from cadgen.jobs.car_layout import CarLayout, laid_out, turned_to
@@ -166,6 +166,8 @@ class GearTrain(Assembly):
         mesh_chord: greatest chord error of the parts' meshes that the design gives, mm; None where it gives none.
         compensation: what files for printing take back; None where the design does not say.
         friction: friction coefficient of the flanks and its source; None where the design has none.
+        front: trains of a search that no other beats in return error and size; none where they are not asked for.
+        front_whole: whether the front was searched to its end.
         order: order of the stages: `as-given`, `reordered` or `search`.
         designed: play of the train as the design has it.
         designed_standard: play of that train without the design's overrides; None if the standards do not cover it.
@@ -187,6 +189,8 @@ class GearTrain(Assembly):
     mesh_chord: float | None
     compensation: PrintCompensation | None
     friction: tuple[float, str] | None
+    front: tuple[TrainPlay, ...]
+    front_whole: bool
     order: Order
     designed: TrainPlay
     designed_standard: TrainPlay | None
@@ -247,6 +251,19 @@ class GearTrain(Assembly):
         """
         return gear_model.usual_chord(gears) if self.mesh_chord is None else self.mesh_chord
 
+    def efficiency_of(self, train: Train) -> float | None:
+        """Efficiency of the teeth of a train, as cut; None without a friction coefficient, or where it is not known.
+
+        Args:
+            train: train of the front.
+        """
+        if self.friction is None:
+            return None
+        friction, _ = self.friction
+        each = [stage.as_cut().efficiency(friction) for stage in train.stages]
+        known = [one for one in each if one is not None]
+        return prod(known) if len(known) == len(each) else None
+
     def entry(self) -> Facts:
         """Every tolerance, play, part and inspection size, as in the manifest."""
         whole = self.whole
@@ -255,6 +272,20 @@ class GearTrain(Assembly):
             **quantiles(self.play.return_error_distribution(), degrees(1)),
         }
         facts = Facts(order=self.order, passed=self.passed, ratio=str(self.play.train.ratio), return_error_deg=error)
+        if self.front:
+            facts |= Facts(
+                front=[
+                    Facts(
+                        teeth=teeth_of(play),
+                        modules_mm=[stage.module for stage in play.train.stages],
+                        size_mm=size_of(play.train),
+                        efficiency=self.efficiency_of(play.train),
+                        **return_error(play),
+                    )
+                    for play in self.front
+                ],
+                front_whole=self.front_whole,
+            )
         if self.friction is not None:
             facts |= Facts(losses=losses(self.layout.train, *self.friction))
         if whole.loose:
@@ -326,7 +357,14 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
     progress("computing play and return error" if order != Order.SEARCH else "searching trains")
     designed_play, designed_standard = train_play(designed), _by_the_standard(designed)
     limits = gear_model.search_limits(design, designed) if order == Order.SEARCH else None
-    ranked = arrange(designed, order, limits)
+    asked = gear_model.train_keys(design).search
+    by_size = asked.objective == SearchObjective.SIZE
+    front: tuple[TrainPlay, ...] = ()
+    front_whole = True
+    if limits and (by_size or asked.front):
+        progress(Message("searching the front of return error and size"))
+        front, front_whole = front_of(limits)
+    ranked = front[::-1] if by_size and front else arrange(designed, order, limits)
     trains = _Candidates(ranked, limits, design)
     made, skipped = _first_made(design, trains, _baseline(order, designed_play, designed_standard), progress)
     chord, keys = design.export.mesh_chord_um, gear_model.train_keys(design)
@@ -342,6 +380,8 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
         mesh_chord=None if chord is None else chord * 1e-3,
         compensation=design.export.printing,
         friction=friction,
+        front=front,
+        front_whole=front_whole,
         order=order,
         designed=designed_play,
         designed_standard=designed_standard,
