@@ -169,3 +169,29 @@ def test_all_commands_have_the_same_verdict(tmp_path):
     manifest = json.loads((cam.write(tmp_path, formats=["xyz"]).folder / "manifest.json").read_text())
     assert wanted in [part["verdict"] for part in manifest["parts"].values()]
     assert design.tolerance(50).cam.verdict.entry().json() == cam.verdict.entry().json()
+
+
+# A random walk whose return needs a pressure angle of 35.7 degrees: the smoothed profile keeps 35, and loses every car.
+STEEP = (
+    (695.2, 5465.8),
+    (500.0, 4749.3),
+    (809.8, 3818.7),
+    (1242.3, 3180.9),
+    (1426.8, 2630.7),
+    (2019.4, 2158.0),
+    (2356.4, 1419.5),
+    (2915.7, 838.4),
+    (3413.1, 687.4),
+    (4118.3, 500.0),
+)
+
+
+@pytest.mark.slow
+def test_a_profile_that_is_refused_and_ends_nearer_is_named(tmp_path):
+    points = tmp_path / "points.csv"
+    points.write_text("\n".join(f"{x} {y}" for x, y in STEEP))
+    design = Design.new("steep", tmp_path, points=points, train=True, changes={"car.outline.wheel_diameter_mm": 65})
+    (check,) = design.cam().verdict.failed
+    assert check.code == CheckCode.CARS_KEEP_COURSE
+    assert check.advice.startswith("the compensated profile ends 0 mm off at most, and this one 446")
+    assert design.with_({"cam.base_radius_mm": 80}).cam().verdict.passed

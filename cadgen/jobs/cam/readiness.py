@@ -31,6 +31,7 @@ WHEEL_SAME, WHEEL_OTHER = 0.02, 0.25
 # Radius of a drive wheel as a share of the wheelbase: no car stands on smaller wheels, and a larger one reaches past
 # the axle of the front wheel.
 _LEAST_WHEEL, _MOST_WHEEL = 0.02, 1.0
+_NEARER = 0.5  # share of the worst end within which another profile would serve where this one does not
 _SHOWN = 0.5  # mm; less off the end of the path is not worth a sentence
 
 
@@ -136,7 +137,7 @@ def yield_check(use: JudgedCar, found: CourseYield) -> Check:
         use.least_yield,
         Bound.MIN,
         _binds(found),
-        _tighter(found),
+        _better_profile(use) or _tighter(found),
     )
 
 
@@ -145,6 +146,23 @@ def _binds(found: CourseYield) -> Message:
     if found.binding_percent >= 100:
         return Message("every part of it")
     return Message("{key}, which {share:.1f} % keep", key=found.binding, share=found.binding_percent)
+
+
+def _better_profile(use: JudgedCar) -> Message | None:
+    """Advice to mend what refuses a profile that ends much nearer; None if there is none."""
+    comparison = use.comparison
+    if comparison is not None:
+        ends = {each.band.worst_distance: each for each in comparison.evaluations}
+        nearest, off = ends[min(ends)], comparison.chosen.band.worst_distance
+        if nearest.band.worst_distance < off * _NEARER:
+            return Message(
+                "the {nearest} ends {near:.0f} mm off at most, and this one {off:.0f}: cadgen optimize says which "
+                "check refuses it, and what mends that comes first",
+                nearest=nearest.title,
+                near=nearest.band.worst_distance,
+                off=off,
+            )
+    return None
 
 
 def _tighter(found: CourseYield) -> Message:
