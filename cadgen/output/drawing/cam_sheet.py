@@ -159,7 +159,7 @@ def cam_drawing(cam: CamPart, title: Title) -> DrawingSheet:
 
     # Beside the views: arrows of the section, dimensions of the hub; under them: their names.
     between, after = (40.0 if hub and hub.side == Face.INNER else 27.0), 24.0
-    letters = _letters_below(cam)
+    letters = max(_letters_below(cam), _GAP if cam.groove else 0.0)  # and the dimension of the depth of a groove
     # The arrow at the zero mark may stand at the greatest radius, and the plane of the section ends beyond it.
     before = _BEFORE + (9.0 if timing else 0.0)
     beside, under = before + between + after + _TABLES, title.height + 29.0 + letters

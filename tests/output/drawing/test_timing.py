@@ -119,6 +119,16 @@ def _area(corners):
     return abs(x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2
 
 
+@pytest.mark.parametrize("diameter", [160, 170, 180, 200, 237.5])
+def test_the_words_below_a_groove_stay_over_the_title_block(tmp_path, diameter):
+    """At 170 mm they stood in it: the dimension of the depth takes room below the section."""
+    changes = {"follower.radius_mm": 4.0, "cam.base_circle_radius_mm": 20.0, "motion.segments.1.to_mm": 20.0}
+    (sheet,) = sheets("groove", tmp_path, {**changes, "cam.outside_diameter_mm": diameter, "blank.keyway": None})
+    for view in sheet.views[:2]:
+        for label in view.labels:
+            assert view.place[1] + sheet.scale * label.at[1] > 10.0 + sheet.title.height + 1.0, label.text
+
+
 def test_a_motion_without_segments_has_its_curve_alone(tmp_path):
     (sheet,) = sheets("eccentric", tmp_path)
     assert not [table for table in sheet.tables if str(table.title).startswith("segments")]
