@@ -354,6 +354,9 @@ class RackStage(Stage):
             Figure("teeth", Message("teeth"), rack.teeth),
             Figure("module", Message("module m_n"), rack.normal_module, "mm"),
             Figure("pressure_angle", Message("pressure angle"), degrees(rack.normal_pressure_angle), "°"),
+            Figure("addendum_factor", Message("addendum h_aP"), rack.addendum_factor),
+            Figure("dedendum_factor", Message("dedendum h_fP"), rack.dedendum_factor),
+            Figure("rack_tip_radius_factor", Message("rack tip radius rho_fP"), rack.fillet_factor),
             *(
                 (Figure("helix_angle", Message("helix angle, + right hand"), degrees(rack.helix_angle), "°"),)
                 if rack.helix_angle

@@ -288,8 +288,8 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
         stem = f"{plan.stem}_{part.name}"
         data = []
         for number, gear in gears.items():
-            mate, pair, drives = _mates(layout, every, number, part)
-            data.append(gear_rows(gear, mate, pair, drives=drives))
+            mates, pair, drives = _mates(layout, every, number, part)
+            data.append(gear_rows(gear, mates, pair, drives=drives))
         bodies = joined(
             [
                 Message("gear of {teeth} teeth", teeth=gear.teeth)
@@ -394,7 +394,7 @@ def _plate_notes(plan: GearTrain) -> Iterator[str]:
 
 def _mates(
     layout: TrainLayout, every: Sequence[Mapping[int, Figures]], stage: int, part: TrainPart
-) -> tuple[str, Stage, bool]:
+) -> tuple[tuple[str, ...], Stage, bool]:
     """Gears in mesh with that of a part, in words; the mesh as a pair; and whether the gear drives it.
 
     A planet meshes with sun and ring: the pair is that with the sun.
@@ -403,14 +403,14 @@ def _mates(
     matings = [mating for mating in whole.matings if wheel in (mating.driver, mating.driven)]
     if not matings and whole.matings:  # a carrier
         planet = whole.matings[0]
-        return layout.parts[places[planet.driven]].name, planet.pair, False
+        return (layout.parts[places[planet.driven]].name,), planet.pair, False
     matings = matings or [Mating(whole)]
     named = []
     for mating in matings:
         other = places[mating.driven if wheel == mating.driver else mating.driver]
         teeth, name = every[other][stage].value("teeth"), layout.parts[other].name
         named.append(name if teeth is None else f"z = {teeth}, {name}")
-    return joined(named, "; "), matings[0].pair, wheel == matings[0].driver
+    return tuple(named), matings[0].pair, wheel == matings[0].driver
 
 
 # Greatest difference of a dimension in a file from that of the part, mm: rounding.

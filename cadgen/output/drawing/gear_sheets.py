@@ -1,6 +1,6 @@
 """Sheets of a gear train: of each part, with a table of data for each of its gears, and of the plate for the axes."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from math import atan2, degrees
@@ -48,6 +48,7 @@ from cadgen.output.drawing.sheet import (
     ring,
     rounded,
     section_name,
+    upright,
 )
 from cadgen.output.files.plate import Axis, Plate
 from cadgen.parts.body import Body
@@ -55,7 +56,7 @@ from cadgen.parts.features import Flats, Keyway
 from cadgen.parts.loop import Arc, Loop
 
 
-def gear_rows(gear: Figures, mate: str, stage: Stage, *, drives: bool) -> tuple[tuple[str, str], ...]:
+def gear_rows(gear: Figures, mates: Sequence[str], stage: Stage, *, drives: bool) -> tuple[tuple[str, str], ...]:
     """Rows of a gear's data table in the order of ISO 1340: names and values, those that a kind of wheel has."""
     grade = stage.grades[0 if drives else 1]
     ring = gear.value("rim_diameter") is not None
@@ -66,7 +67,7 @@ def gear_rows(gear: Figures, mate: str, stage: Stage, *, drives: bool) -> tuple[
 
     def plain(code: str) -> str:
         value = gear.value(code)
-        return "" if value is None else f"{value:.6g}"
+        return "" if value is None else f"{round(value, 9) + 0.0:.6g}"  # no -0
 
     def limits(name: str) -> str:
         most, least = gear.value(f"{name}_max"), gear.value(f"{name}_min")
@@ -105,7 +106,8 @@ def gear_rows(gear: Figures, mate: str, stage: Stage, *, drives: bool) -> tuple[
         (Message("face width"), mm("width")),
         (Message("grade, ISO 1328-1"), "" if grade is None else str(grade)),
         (Message("centre distance, mm"), apart if deviation is None else f"{apart} ± {deviation:.4f}"),
-        (Message("meshes with"), mate),
+        (Message("meshes with"), mates[0]),
+        *((Message("and with"), mate) for mate in mates[1:]),
         (
             Message("thickness E_sns / E_sni"),
             "" if upper is None or lower is None else f"{upper:.1f} / {lower:.1f} µm",
@@ -222,9 +224,7 @@ def _rack_drawing(gear: GearPart, rack: RackForm, title: Title) -> DrawingSheet:
         curves=(_outline(rack.outline), Stroke(line, LineKind.CENTRE)),
         dimensions=(
             LinearDimension(name="length", start=(0.0, back), end=(length, back), at=(0.0, back - gap)),
-            LinearDimension(
-                name="height to the reference line", start=(0.0, back), end=(0.0, 0.0), at=(-gap, back), angle=90.0
-            ),
+            upright("height to the reference line", 0.0, (back, 0.0), -gap, scale),
         ),
         labels=(Label(text=Message("from above"), at=(length / 2, back - 2.2 * gap), height=3.5),),
     )
@@ -234,14 +234,8 @@ def _rack_drawing(gear: GearPart, rack: RackForm, title: Title) -> DrawingSheet:
         curves=(Stroke(corners), Stroke(np.array([[0.0, root], [width, root]]))),
         dimensions=(
             LinearDimension(name="width", start=(0.0, back), end=(width, back), at=(0.0, back - gap)),
-            LinearDimension(name="height", start=(width, back), end=(width, tip), at=(width + gap, back), angle=90.0),
-            LinearDimension(
-                name="height of the roots",
-                start=(width, back),
-                end=(width, root),
-                at=(width + 2 * gap, back),
-                angle=90.0,
-            ),
+            upright("height", width, (back, tip), width + gap, scale),
+            upright("height of the roots", width, (back, root), width + 2 * gap, scale),
         ),
         labels=(Label(text=Message("from the side"), at=(width / 2, back - 2.2 * gap), height=3.5),),
     )
@@ -375,7 +369,7 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
         ]
     if is_ring(part.gears[0]):
         outer = rim_diameter(part.gears[0]) / 2
-        dimensions.append(axial_diameter("outer diameter", high, outer, high + 0.9 * gap))
+        dimensions.append(axial_diameter("outer diameter", high, outer, high + 1.4 * gap))
     dimensions += _lengths(part, low, high, gap, screw)
     if blank.key:
         more = gear.fit.bore_class if isinstance(blank.key, Flats) else gear.fit.flat_class

@@ -329,6 +329,28 @@ def across_axis(name: str, z: float, ends: tuple[float, float], at: float, prefi
     return LinearDimension(name=name, start=(z, ends[0]), end=(z, ends[1]), at=(at, 0.0), angle=90.0, prefix=prefix)
 
 
+def upright(name: str, x: float, ends: tuple[float, float], at: float, scale: float) -> LinearDimension:
+    """Dimension of a height, its number over the arrows where there is no room between them.
+
+    Args:
+        name: what is dimensioned.
+        x: place of both ends, mm.
+        ends: lower and upper end, mm.
+        at: place of the dimension line, mm.
+        scale: mm on paper for a mm of the part.
+    """
+    low, high = ends
+    long, room = TEXT * WIDEST * len(rounded(high - low)) + 4.0, scale * (high - low)
+    return LinearDimension(
+        name=name,
+        start=(x, low),
+        end=(x, high),
+        at=(at, low),
+        angle=90.0,
+        beside=0.0 if room > long else (room + long) / 2 + 1.0,
+    )
+
+
 def axial_diameter(name: str, z: float, radius: float, at: float) -> LinearDimension:
     """Diameter about the axis in a section.
 

@@ -45,7 +45,7 @@ def tables():
         train = GearPair(*gears, backlash=0.08).computed.layout
         stage = train.train.stages[0]
         figures = [next(iter(each.values())) for each in gear_figures(train)]
-        found[name] = [gear_rows(gear, "z = 120, 3_cluster", stage, drives=n == 0) for n, gear in enumerate(figures)]
+        found[name] = [gear_rows(gear, ("z = 120, 3_cluster",), stage, drives=n == 0) for n, gear in enumerate(figures)]
     return found
 
 
@@ -89,3 +89,14 @@ def test_every_cell_has_room(tables):
                 path = TextPath((0, 0), shown(cell), size=10, prop=font).get_extents()
                 # The height of the sheets' letters is that of capitals, 0.73 of the size of this font.
                 assert path.width / 7.3 * 0.85 * TEXT < column - 1.0, cell
+
+
+def test_a_planet_meshes_with_two_and_no_shift_is_minus_nought():
+    pair = GearPair(Gear(teeth=20, module=1, width=8), Gear(teeth=25, module=1, width=8), backlash=0.08)
+    stage = pair.computed.layout.train.stages[0]
+    figures = next(iter(gear_figures(pair.computed.layout)[0].values()))
+    shift = figures["profile_shift"]
+    figures["profile_shift"] = type(shift)(shift.code, shift.name, -1e-17)
+    rows = dict(gear_rows(figures, ("z = 18, 1_pinion", "z = 72, stage1_ring"), stage, drives=True))
+    assert (rows["meshes with"], rows["and with"]) == ("z = 18, 1_pinion", "z = 72, stage1_ring")
+    assert rows["profile shift x"] == "0"
