@@ -8,6 +8,7 @@ pair that is trimmed only goes together along its axes.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import acos, floor, hypot, sin, sqrt
 
@@ -129,8 +130,12 @@ def shortened_ring(pair: Pair) -> RingForm:
     return ring
 
 
-def require_free(pair: Pair) -> None:
-    """Refuse an internal pair whose teeth foul beside their flanks.
+def require_free(pair: Pair, limits: Sequence[tuple[Pair, float]] = ()) -> None:
+    """Refuse an internal pair whose teeth foul beside their flanks, as cut or at the limits of its tolerances.
+
+    Args:
+        pair: pair as cut.
+        limits: pairs at their limits, each with the distance of its axes, mm.
 
     Raises:
         DesignError: pinion tips that dig into the ring's roots, or tips that foul beside the line of action.
@@ -145,17 +150,27 @@ def require_free(pair: Pair) -> None:
             addendum=pinion.addendum_factor,
             most=floor(greatest_pinion_addendum(pair) * 1e3) / 1e3,
         )
-    if room.trochoid < LEAST_TROCHOID:
+    worst = room.trochoid
+    for state, apart in limits:
+        least, most = (gear.form for gear in state.by_size)
+        worst = min(worst, tip_mesh(least, most, state.pressure_angle(apart)).trochoid())
+    if worst < LEAST_TROCHOID:
         raise DesignError(
             "{pair} fouls beside the line of action, as the ring has only {difference} teeth more; {cure}",
             pair=str(pair),
             difference=ring.teeth - pinion.teeth,
-            cure=_larger_ring(pinion, ring),
+            cure=_larger_ring(pinion, ring, room.trochoid - worst),
         )
 
 
-def _larger_ring(pinion: GearForm, ring: GearForm) -> Message:
-    """Fewest teeth of a ring that clears the pinion, and the distance of their axes then."""
+def _larger_ring(pinion: GearForm, ring: GearForm, spread: float) -> Message:
+    """Fewest teeth of a ring that clears the pinion, and the distance of their axes then.
+
+    Args:
+        pinion: numbers of the pinion.
+        ring: numbers of the ring.
+        spread: angle by which the tolerances take from the reserve, rad.
+    """
     for teeth in range(max(ring.teeth, pinion.teeth) + 1, pinion.teeth + MOST_DIFFERENCE):
         try:
             larger = replace(ring, teeth=teeth)
@@ -164,7 +179,7 @@ def _larger_ring(pinion: GearForm, ring: GearForm) -> Message:
             continue
         base = (larger.base_diameter - pinion.base_diameter) / 2
         angle = acos(min(base / apart, 1.0))
-        if tip_mesh(pinion, larger, angle).trochoid() > 0:
+        if tip_mesh(pinion, larger, angle).trochoid() > spread:
             return Message(
                 "give the ring at least {teeth} teeth, at a centre_distance_mm of {apart:.4f}",
                 teeth=teeth,

@@ -385,7 +385,8 @@ def _stacked(train: Train, blanks: Sequence[Blank], clearance: float) -> tuple[l
         if is_ring(lower) or is_ring(upper):
             raise DesignError(
                 "{gear} is on shaft {shaft} between two stages, where it cannot be one part with another gear; make "
-                "the stage of a ring the last one, or the first one with the ring as its driver",
+                "the stage of a ring the last one, or the first one with the ring as its driver, or give a planetary "
+                'stage held = "ring"',
                 gear=str(lower if is_ring(lower) else upper),
                 shaft=shaft,
             )

@@ -70,7 +70,7 @@ class PlanetarySet:
                 planets=self.planets,
                 sun=self.sun.form.teeth,
                 ring=self.ring.form.teeth,
-                counts=joined([str(count) for count in self.counts], " or "),
+                counts=joined([str(count) for count in self.counts or (1,)], " or "),
                 angles=joined([f"{degrees(angle):.4f}°" for angle in self.orbits], ", "),
             )
         if not self.neighbour_gap >= self.clearance:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict, dataclass, replace
 from enum import StrEnum
 from functools import cache, lru_cache, partial
-from math import degrees, pi, tan
+from math import ceil, degrees, pi, tan
 from typing import Any, NamedTuple, Self
 
 from cadgen.check import Bound, Check, CheckCode
@@ -185,7 +185,14 @@ def pair_checks(pair: Pair, engage: Engage) -> tuple[Check, ...]:
     if pair.internal:
         thinner = Message("thin the teeth, or set the axes closer")
     if closest <= 0:
-        thinner = Message("{cure} (the least play by the tolerances is {play:.1f} µm)", cure=thinner, play=closest)
+        # To whole tens of µm, with as much left as a stage is left that gives no backlash.
+        enough = ceil((pair.backlash().pitch * 1e3 - closest) / 10 + 1) * 10
+        thinner = Message(
+            "{cure} (the least play by the tolerances is {play:.1f} µm; backlash_um = {enough} leaves some)",
+            cure=thinner,
+            play=closest,
+            enough=enough,
+        )
     closer = Message("they pass each other freely; set the axes closer, or thin the teeth less")
     if pair.internal:
         closer = Message("they pass each other freely; set the axes apart, or thin the teeth less")
@@ -466,7 +473,7 @@ class SpurPair(Pair, Stage):
         if not self.internal:
             return self
         fitted = self._with_ring(shortened_ring(self))
-        require_free(fitted)
+        require_free(fitted, limit_states(fitted))
         return fitted
 
     def _with_ring(self, ring: RingForm) -> Self:

@@ -189,7 +189,7 @@ def test_the_cutter_rolled_through_the_ring_leaves_its_root(numbers):
     assert abs(complex(tooth.upper_root.point(0.0)) - complex(tooth.upper_flank.point(1.0))) < 1e-12
 
 
-@pytest.mark.parametrize("wanted", [3, pytest.param(25, marks=(pytest.mark.slow, pytest.mark.long))])
+@pytest.mark.parametrize("wanted", [3, pytest.param(30, marks=(pytest.mark.slow, pytest.mark.long))])
 def test_reserves_have_the_sign_that_polygons_have(wanted):
     """Pairs at zero play: overlaps beside the line of action are the trochoid's, on the way in the trimming's."""
     found = {"trochoid": [], "trimming": []}

@@ -145,3 +145,60 @@ def test_helical_sets_with_shifts_and_other_members_held():
 def test_what_cannot_be_is_refused(members, more, said):
     with pytest.raises(DesignError, match=said):
         Planetary(*members, **more)
+
+
+def _fits(sections, apart, orbit, ring_angle):
+    """Whether some angle of a planet at an orbit overlaps neither sun nor ring, tried at 80 angles over a pitch."""
+    sun, planet, outer = sections
+
+    def polygon(corners):
+        return manifold3d.CrossSection([np.column_stack([corners.real, corners.imag])])
+
+    inner, centre = polygon(sun.teeth_towards(0.0, orbit, 4)), apart * np.exp(1j * orbit)
+    hole = polygon(outer.teeth_towards(ring_angle, orbit, 9))
+    for turn in np.linspace(0.0, 2 * pi / planet.teeth, 81)[:-1]:
+        facing = polygon(centre + planet.teeth_towards(turn, orbit + pi, 4))
+        if (facing ^ inner).area() > 1e-7:
+            continue
+        outside = polygon(centre + planet.teeth_towards(turn, orbit, 4))
+        if (outside - hole).area() < 1e-7:
+            return True
+    return False
+
+
+@pytest.mark.parametrize("cases", [2, pytest.param(200, marks=(pytest.mark.slow, pytest.mark.long))])
+def test_numbers_of_planets_that_are_possible_are_those_of_polygons(cases):
+    """Random tooth counts: at equal angles N planets fit as polygons or not, and neighbours are as far apart."""
+    generator, done = np.random.default_rng(31), 0
+    while done < cases:
+        small, middle = (int(count) for count in generator.integers(14, 32, 2))
+        large = small + 2 * middle + int(generator.integers(-1, 2))
+        try:
+            one, two = pinion(small, deviation=-0.06), pinion(middle, deviation=-0.06)
+            around = ring(large, addendum=0.7, cutter_teeth=0)
+            apart = closest(one, two)
+            shift = ring_for(one, two, around, apart)
+            around = replace(around, profile_shift=shift, tooth_thickness_deviation=-0.06)
+            planets = PlanetarySet(
+                sun=GradedGear(form=one),
+                planet=GradedGear(form=two),
+                ring=GradedGear(form=around),
+                centre_distance=apart,
+                planets=1,
+            )
+            sections = [section_of(each, 2e-4) for each in (one, two, around)]
+        except DesignError:
+            continue
+        done += 1
+        assert _fits(sections, apart, 0.0, planets.ring_angle)
+        tip = np.abs(sections[1].corners).max()
+        for count in range(2, 9):
+            places = apart * np.exp(2j * pi * np.arange(count) / count)
+            gap = np.abs(np.diff(places)).min() - 2 * tip
+            by_polygons = all(
+                _fits(sections, apart, 2 * pi * number / count, planets.ring_angle) for number in range(1, count)
+            )
+            assert planets.spaced_equally(count) == by_polygons, (small, middle, large, count)
+            if by_polygons:
+                assert planets._gap(count) == pytest.approx(gap, abs=1e-6)
+                assert (count in planets.counts) == (gap >= planets.clearance)

@@ -302,11 +302,13 @@ class MeasuredRack(MeasuredMesh):
             driver_angle: angle of the pinion, rad.
             driven_angle: travel of the rack as an angle of the pinion, rad.
         """
-        pinion = _section(self.driver.corners.ravel() * np.exp(1j * driver_angle))
+        # Whole pitches of both change nothing but how far the bar has to reach.
+        pitches = round(driver_angle / (2 * self.half_pitch)) * 2 * self.half_pitch
+        pinion = _section(self.driver.corners.ravel() * np.exp(1j * (driver_angle - pitches)))
         # A space near the middle of the bar stands at the foot of the pinion's axis.
         space = round(self.rack.teeth / 2) * self.rack.pitch
         turned = self.driven.corners.ravel() - space
-        bar = _section(self.centre_distance + 1j * (turned + self.pitch_radius * driven_angle))
+        bar = _section(self.centre_distance + 1j * (turned + self.pitch_radius * (driven_angle - pitches)))
         return float((pinion ^ bar).area())
 
     def clearances(self) -> tuple[float, float]:
