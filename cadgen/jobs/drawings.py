@@ -215,6 +215,9 @@ def _groove(plan: CamPlan, groove: Groove, angles: Array) -> SheetGroove:
     )
 
 
+_SIGNS = {"degrees": "°"}  # of units on a sheet, which are read in any language
+
+
 def _follower(plan: CamPlan) -> Message:
     """Follower of a cam with its sizes as the design gives them, in a sentence."""
     noun = Message(plan.follower_as_built.noun)
@@ -230,7 +233,8 @@ def _sizes(keys: Any) -> Iterator[Message]:
         if is_dataclass(value):
             yield Message("{name}: {parts}", name=name, parts=joined(tuple(_sizes(value)), ", "))
         elif isinstance(value, float | int):
-            yield Message("{name} {value}", name=name, value=with_unit(f"{value:g}", unit_of(key)))
+            unit = unit_of(key)
+            yield Message("{name} {value}", name=name, value=with_unit(f"{value:g}", _SIGNS.get(unit, unit)))
         else:
             words = getattr(value, "words", str(value).replace("_", " "))
             yield Message("{name} {value}", name=name, value=Message(words))
