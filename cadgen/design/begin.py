@@ -28,6 +28,7 @@ LAP = (
     *((3500.0, 1500.0), (2300.0, 2300.0), (1200.0, 1500.0), (2300.0, 700.0)),
 )
 GATE_RADIUS = 50.0
+BASE_RADIUS = 70.0  # mm, of the text below
 
 _TEXT = Message("""\
 # {name}: a car steered by a cam. Lengths in mm, angles in degrees; docs/design-file.md has every key.
@@ -246,11 +247,13 @@ class ProposedTrain(NamedTuple):
         teeth: teeth of driver and driven gear of every stage, from the drive on.
         wheel_radius: radius of the drive wheel, mm; None where it follows from the ratio.
         drag: torque of a brake on the disc that keeps the cam on its gears, N mm; 0 for none.
+        base_radius: distance from the camshaft to the fork axis, mm; None for that of the design.
     """
 
     teeth: tuple[tuple[int, int], ...]
     wheel_radius: float | None
     drag: float = 0.0
+    base_radius: float | None = None
 
 
 WithTrain = Callable[[ProposedTrain | None], str]
@@ -368,6 +371,8 @@ def begin(
         offsets = [car.get(key) for key in ("drive_wheel_offset_mm", "idle_wheel_offset_mm")]
         if all(isinstance(offset, int | float) for offset in offsets):
             document["path"]["offset_mm"] = round(sum(map(float, offsets)) / 2, 4)
+    if train is not None and train.base_radius is not None:
+        document["cam"]["base_radius_mm"] = train.base_radius
     text = tomlkit.dumps(document)
     design_of(text, Path(f"{name}.toml"))
     return text

@@ -4,22 +4,24 @@ With the wheel of the outline a turn of the cam must take the whole path before 
     i = l / (1 - blend / 360°) / (π D),  at most 3 % more,
 with l the length of the drive wheel's track and D the wheel's diameter. Of the trains with such a ratio those with the
 least return error, estimated by its share of each stage, are laid out in the car, until one clears all parts. A brake
-on the disc that keeps the cam on its gears is proposed with it: then the play does nothing.
+on the disc that keeps the cam on its gears is proposed with it: then the play does nothing. Where the base radius of the
+template is too small for the pressure angle, a larger one is proposed, too.
 """
 
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import islice
-from math import ceil, pi
+from math import ceil, pi, radians
 from pathlib import Path
 
 import numpy as np
 
+from cadgen.arrays import TURN
 from cadgen.car.against_play.remedies import holding
 from cadgen.car.path.wheel_track import Track
 from cadgen.check import Check, failing
 from cadgen.design import cam_model, variation
-from cadgen.design.begin import ProposedTrain, WithTrain
+from cadgen.design.begin import BASE_RADIUS, ProposedTrain, WithTrain
 from cadgen.design.load import design_of
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
@@ -32,6 +34,9 @@ _STAGES = (3, 2, 4, 1)
 _DRIVERS, _DRIVEN = (30, 32, 36, 40), tuple(range(50, 161, 5))
 _LAST_DRIVEN = (60, 160)
 _MOST_LAID_OUT = 60  # trains of each number of stages
+_STATIONS = 7200
+_LARGER = (0.0, 5.0, 10.0, 15.0, 20.0, 25.0, 30.0, 40.0)  # mm by which the base radius is raised
+_ANGLE_RESERVE = radians(1.0)  # for the lean of the rod, which the formula leaves aside
 _ANY = ProposedTrain(((30, 150), (40, 120), (40, 120)), None)
 
 
@@ -68,11 +73,12 @@ def proposed(text: WithTrain, name: str) -> str:
         for teeth in islice(_trains(_ratio(design, track, wheel), count), _MOST_LAID_OUT):
             train = ProposedTrain(teeth, None if track.closed else wheel / 2)
             try:
+                train = train._replace(base_radius=_base_radius(design_of(text(train), file)))
                 wrong = failing(layout_of(design_of(text(train), file)).plain_checks)
             except DesignError:  # its gears leave no room for their bores
                 continue
             if not wrong:
-                return text(train._replace(drag=_holding_drag(design)))
+                return text(train._replace(drag=_holding_drag(design_of(text(train), file))))
             if nearest is None or len(wrong) < len(nearest[1]):
                 nearest = count, wrong
     if nearest is None:
@@ -91,6 +97,26 @@ def proposed(text: WithTrain, name: str) -> str:
         value=wrong[0].text(),
         limit=wrong[0].limit,
     )
+
+
+def _base_radius(design: Design) -> float | None:
+    """Base radius of the template, or as much more as keeps the pressure angle, mm; None where the design has its own.
+
+    The pressure angle is that of the lift s on a disc of base radius a, tan(alpha) = s' / (a + s).
+    """
+    now = design.cam.base_radius_mm
+    if now != BASE_RADIUS:
+        return None
+    lift, limits = cam_model.lift(design), cam_model.check_limits(design).pressure_angle
+    rod = cam_model.leaning(design, "the base radius of a new car")
+    theta = np.linspace(0.0, min(lift.blend_start, TURN), _STATIONS)
+    tangents = lift.q(theta)
+    s, slope = rod.lift(tangents), rod.contact_face(tangents) * lift.q(theta, nu=1)
+    for more in _LARGER:
+        angle = np.arctan2(slope, now + more + s)
+        if angle.max() <= limits.rise - _ANGLE_RESERVE and -angle.min() <= limits.fall - _ANGLE_RESERVE:
+            return now + more
+    return now
 
 
 def _holding_drag(design: Design) -> float:

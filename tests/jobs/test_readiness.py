@@ -191,6 +191,7 @@ def test_a_profile_that_is_refused_and_ends_nearer_is_named(tmp_path):
     points = tmp_path / "points.csv"
     points.write_text("\n".join(f"{x} {y}" for x, y in STEEP))
     design = Design.new("steep", tmp_path, points=points, train=True, changes={"car.outline.wheel_diameter_mm": 65})
+    design = design.with_({"cam.base_radius_mm": 70})
     (check,) = design.cam().verdict.failed
     assert check.code == CheckCode.CARS_KEEP_COURSE
     assert check.advice.startswith("the compensated profile ends 0 mm off at most, and this one 446")
