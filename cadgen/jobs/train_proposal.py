@@ -4,8 +4,8 @@ With the wheel of the outline a turn of the cam must take the whole path before 
     i = l / (1 - blend / 360°) / (π D),  at most 3 % more,
 with l the length of the drive wheel's track and D the wheel's diameter. Of the trains with such a ratio those with the
 least return error, estimated by its share of each stage, are laid out in the car, until one clears all parts. A brake
-on the disc that keeps the cam on its gears is proposed with it: then the play does nothing. Where the base radius of the
-template is too small for the pressure angle, a larger one is proposed, too.
+on the disc that keeps the cam on its gears is proposed with it: then the play does nothing. Where the base radius of
+the template is too small for the pressure angle, a larger one is proposed, too.
 """
 
 from collections.abc import Iterator
