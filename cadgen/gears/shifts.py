@@ -96,7 +96,8 @@ def proposed_shifts(pair: Pair, centre_distance: float | None, least_land: float
     if centre_distance is not None:
         sums = [sum_of_shifts(pair, centre_distance)]
     else:
-        lacking = sum(_least_shift(pair, number) for number in (0, 1) if _sides(pair)[number] > 0)
+        forms = (gear.form for gear in (pair.driver, pair.driven))
+        lacking = sum(missing_shift(replace(form, profile_shift=0.0)) for form in forms if form.side > 0)
         # One step of room for each gear, then more for teeth that thinner rims or tips would spoil.
         sums = [0.0, *(ceil(lacking / STEP) * STEP + more for more in (2 * STEP, 0.2, 0.4) if lacking > 0)]
     for total in sums:
@@ -111,7 +112,7 @@ def proposed_shifts(pair: Pair, centre_distance: float | None, least_land: float
 
 
 def _chosen(found: list[Shifts], made: Callable[[float, ShiftAim], Shifts | None]) -> tuple[Shifts, ...]:
-    """Of the candidates on the grid the one with least shifts, and between two of them that with balanced sliding."""
+    """Candidate on the grid with the least shifts, and that with balanced sliding, perhaps between two of the grid."""
     least = min(found, key=lambda each: (abs(each.driver) + abs(each.driven), abs(each.driver)))
     proposals = [replace(least, aim=ShiftAim.NO_UNDERCUT)]
 
@@ -131,17 +132,6 @@ def _chosen(found: list[Shifts], made: Callable[[float, ShiftAim], Shifts | None
             best = made(round(one, DECIMALS), ShiftAim.BALANCED) or best
             break
     return (*proposals, best)
-
-
-def _sides(pair: Pair) -> tuple[int, int]:
-    return pair.driver.form.side, pair.driven.form.side
-
-
-def _least_shift(pair: Pair, number: int) -> float:
-    """Least profile shift of a gear that is free of undercut as cut, 0 or more, in modules."""
-    form = (pair.driver, pair.driven)[number].form
-    bare = replace(form, profile_shift=0.0)
-    return missing_shift(bare)
 
 
 def _candidate(

@@ -1,8 +1,8 @@
 """Sliding of flanks on each other along the path of contact: specific sliding, and the losses that it makes.
 
-**Specific sliding** of a gear is the share of its rolling speed that the flanks slide by, ζ_1 = 1 − ξ_2 / (u ξ_1) and
-ζ_2 = 1 − u ξ_1 / ξ_2, with ξ the distances of the point of contact from where the line of action touches both base
-circles, u = z_2/z_1. It is greatest in magnitude, and negative, where contact begins in a gear's roots; there flanks
+**Specific sliding** of a gear is the share of its rolling speed that the flanks slide by: ζ_1 = 1 − ξ_2 / (u ξ_1) and
+ζ_2 = 1 − u ξ_1 / ξ_2, u = z_2/z_1. The ξ are distances of the point of contact from where the line of action touches
+both base circles. It is greatest in magnitude, and negative, where contact begins in a gear's roots; there flanks
 pit and wear.
 
 **Losses** of the teeth by Niemann and Ohlendorf: of the power P they take P μ H_v, with a constant friction coefficient

@@ -259,6 +259,11 @@ def _check_bore(blank: Blank, form: Wheel) -> None:
         raise DesignError(
             "{gear} has a bore of {bore:g} mm; give more than 0, or 0 for none", gear=str(form), bore=bore
         )
+    if key and not bore:
+        raise DesignError(
+            "{gear} has flats or a keyway and no bore; give bore_diameter_mm, such as 5, or leave them out",
+            gear=str(form),
+        )
     if isinstance(key, Keyway):
         for name, length in ((Message("keyway width"), key.width), (Message("keyway depth"), key.depth)):
             if not (isfinite(length) and length > 0):
@@ -284,11 +289,6 @@ def _check_bore(blank: Blank, form: Wheel) -> None:
             bore=bore,
             half=bore / 2,
             usual=round(0.9 * bore, 2),
-        )
-    if key and not bore:
-        raise DesignError(
-            "{gear} has flats or a keyway and no bore; give bore_diameter_mm, such as 5, or leave them out",
-            gear=str(form),
         )
     largest = form.root_diameter - 2 * form.least_rim
     if not _reach(blank) <= largest:

@@ -5,7 +5,7 @@ from math import acos, pi, sqrt, tan
 import pytest
 from click.testing import CliRunner
 
-from cadgen import Design, DFlat, Flats, Gear, Hub, SetScrew
+from cadgen import Design, DFlat, Flats, Gear, Hub, Keyway, SetScrew
 from cadgen.cli import cli
 from cadgen.errors import DesignError
 
@@ -121,3 +121,9 @@ def test_flags_of_flats(tmp_path):
         failed = run(*more)
         assert failed.exit_code == 2
         assert says in failed.output
+
+
+@pytest.mark.parametrize("key", [Flats(count=4), DFlat(depth=0.5), Keyway(width=1.0, depth=0.5)])
+def test_flats_without_a_bore_are_refused(key):
+    with pytest.raises(DesignError, match="and no bore; give bore_diameter_mm, such as 5"):
+        Gear(**PLAIN, keyway=key)

@@ -104,14 +104,14 @@ class Plate:
 
     @property
     def outline(self) -> Contour:
-        """Its four sides, counterclockwise, mm."""
+        """Four sides of the plate, counterclockwise, mm."""
         left, low, right, high = self.sides
         corners = np.array([[left, low], [right, low], [right, high], [left, high]])
         return Contour(corners, np.zeros(4))
 
     @property
     def holes(self) -> tuple[Contour, ...]:
-        """Its holes, mm."""
+        """Holes of the plate, mm."""
         return tuple(circle((axis.x, axis.y), axis.bore / 2) for axis in self.holed)
 
 
