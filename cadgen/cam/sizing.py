@@ -4,8 +4,8 @@ A follower on a slide, with its line beside the camshaft by e, has tan(alpha) = 
 its limits, one while the follower rises and one while it returns, exactly where y0 is at least the greatest of
 |s' - e| / tan(limit) - s over the turn. The prime radius is then sqrt(y0^2 + e^2).
 
-A follower on an arm has the angle delta = delta_0 + q at its pivot, and a limit A of the pressure angle holds over a
-range of delta at each cam angle. So delta_0, which the base circle sets, has the range that is common to all of them:
+A follower on an arm has the angle delta = delta_0 + q at its pivot. A limit A of the pressure angle holds over a range
+of delta at each cam angle. So delta_0, which the base circle sets, has the range that is common to all of them:
 
 - a roller with l (1 + g q') cos(A) / c = cos(K): delta from |K - A| to the least of A + K and 2 pi - A - K;
 - a flat face with p = 1 + g q': cos(delta) of |f| p / (c tan(A)) or more. Its radius of curvature is

@@ -10,11 +10,11 @@ from pydantic import model_validator
 from cadgen.cam.followers.kind import FollowerKind
 from cadgen.design.section import listed
 from cadgen.design.sources.harmonics import HarmonicKeys
+from cadgen.design.sources.lift_table import TableKeys
 from cadgen.design.sources.measured import MeasuredKeys
 from cadgen.design.sources.points import PointKeys
 from cadgen.design.sources.segments import SegmentKeys
 from cadgen.design.sources.source import MotionKeys
-from cadgen.design.sources.table import TableKeys
 from cadgen.messages import Message
 
 if TYPE_CHECKING:

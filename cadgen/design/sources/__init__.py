@@ -6,6 +6,6 @@
 | `segments`  | rises and dwells                                                                      |
 | `points`    | points of a periodic spline                                                           |
 | `harmonics` | harmonics                                                                             |
-| `table`     | a lift table                                                                          |
+| `lift_table`| a lift table                                                                          |
 | `measured`  | a measured cam, from which the motion is to be found                                  |
 """
