@@ -314,7 +314,7 @@ class CamForces:
                 rate = np.where(jets[:, 0] > 0, -rest / jets[:, 0], np.where(rest < 0, inf, -inf))
             return np.clip(rate, -1e12, 1e12)
 
-        most = self.motion.extremes_of(needed)[0].value
+        most = max(self.motion.extremes_of(needed)[0].value, 0.0)  # where the lift is below 0 a weaker one may hold
         return most if most < 1e12 and self._holds(replace(self.dynamics, rate=most)) else None
 
     def least_preload(self) -> float | None:

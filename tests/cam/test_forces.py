@@ -406,3 +406,14 @@ def test_the_second_roller_presses_with_its_own_radius():
     path = (z**2 + q1**2) ** 1.5 / (z**2 + 2 * q1**2 - z * q2)  # of the second roller's centre
     found = forces.pressure(jets, theta)[1]
     assert found == pytest.approx(sqrt(-normal[1] * STEEL * (1 / (path - 6.0) + 1 / 6.0) / (pi * 8.0)), rel=1e-12)
+
+
+def test_no_spring_of_a_negative_rate_is_proposed():
+    """Below lift 0 a spring pulls away from the disc: there a weaker one holds, down to none, and no less."""
+    moved = HarmonicMotion.of([(0, -1.0, 0.0), (1, 1.0, 0.0), (2, 0.5, 0.0)], MM)
+    low = float(moved.extremes(0)[1].value)
+    assert low < -1
+    body = Dynamics(rate=8.0, preload=4.0)
+    forces = CamForces(moved, Roller(base=40.0, radius=8.0), body, 0.0)
+    assert forces.leaves
+    assert forces.least_rate() == 0.0
