@@ -24,6 +24,8 @@ from cadgen.errors import DesignError
 COARSEST_STEP = 0.06
 FINEST_STEP = 5e-4
 ROLLING_TOLERANCE = 2e-5
+# Change of the pressure angle, rad, at which it is content as well, and the step, mm, at which it is in any case.
+_ANGLE_TOLERANCE, _ANGLE_STEP = 2e-5, 4e-3
 _POINTS_PER_RADIUS = 20  # of the follower at least, or two steps could agree by chance
 # What a disc of any size may take: points on its outline, and points under the follower. The least rod on the largest
 # disc that the schema allows still has some points under it.
@@ -66,6 +68,8 @@ def roll_curve(curve: ClosedCurve, follower: Follower, cam_angle: Array) -> tupl
         step /= 2
         finer = roll(curve.outline(step), follower, cam_angle[pending])
         changed = np.abs(finer.lift - contact.lift[pending]) > ROLLING_TOLERANCE
+        if not follower.leans and step > _ANGLE_STEP:
+            changed |= np.abs(finer.pressure_angle - contact.pressure_angle[pending]) > _ANGLE_TOLERANCE
         for name in ("q", "lift", "face", "margin", "across", "pressure_angle"):
             getattr(contact, name)[pending] = getattr(finer, name)
         pending = pending[changed | (_left(step, follower, finer.pressure_angle) > ROLLING_TOLERANCE)]
