@@ -145,3 +145,12 @@ def test_another_motion_is_not_explained() -> None:
     assert cam.readiness == "not-ready"
     with pytest.raises(DesignError, match="this one is of a car"):
         Design.load("carbon_free_car").compare_cam({"x_mm": [0.0], "y_mm": [0.0]})
+
+
+def test_a_record_that_is_all_noise_explains_nothing() -> None:
+    """A step of the dial, and no reading at all."""
+    design, angle = Design.from_toml(SLIDE, "slide"), np.degrees(THETA)
+    for lift in (10.0 * (angle > 100) * (angle < 200), np.zeros(len(angle))):
+        cam = design.compare_cam({"cam_angle_deg": angle, "lift_mm": lift})
+        assert not cam.comparison.explained
+        assert cam.readiness == "not-ready"

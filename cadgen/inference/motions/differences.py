@@ -39,6 +39,8 @@ _WIDEST = 1.0  # mm or rad, beyond which nothing is taken to be off
 _ROUNDS = 4
 _STEP = 1e-5  # mm or rad, of quotients of differences
 _TURNED = 720  # angles at which a disc is tried for where it stands
+_LOUD = 0.01  # of the travel; a record with more noise shows nothing
+_LEAST_NOISE = 2e-5  # mm; files have digits
 _CLOSE = np.radians(2.0)
 
 
@@ -94,6 +96,11 @@ class CamReadings(ABC):
     def noise(self) -> float:
         """Standard deviation of a reading along the normal, mm."""
 
+    @property
+    @abstractmethod
+    def travel(self) -> float:
+        """Way of the follower, mm."""
+
     @abstractmethod
     def columns(self, values: Mapping[str, Array]) -> dict[str, Array]:
         """Displacements of the readings by a unit of each code, mm by unit, shape (n, k).
@@ -122,9 +129,14 @@ class LiftReadings(CamReadings):
     datum: ClassVar[tuple[str, ...]] = ("zero",)
 
     @property
+    def travel(self) -> float:
+        """Way of the follower, mm."""
+        return _travel(self.motion, self.follower)
+
+    @property
     def noise(self) -> float:
         """Standard deviation of a reading along the normal, mm."""
-        return self.samples.noise
+        return max(self.samples.noise, _LEAST_NOISE)
 
     @cached_property
     def codes(self) -> tuple[str, ...]:
@@ -195,9 +207,14 @@ class OutlineReadings(CamReadings):
         return samples_of_points(self.points, self._normals, self.follower)
 
     @property
+    def travel(self) -> float:
+        """Way of the follower, mm."""
+        return _travel(self.motion, self.follower)
+
+    @property
     def noise(self) -> float:
         """Standard deviation of a point along the normal, mm."""
-        return self._plain.noise
+        return max(self._plain.noise, _LEAST_NOISE)
 
     @cached_property
     def codes(self) -> tuple[str, ...]:
@@ -254,6 +271,10 @@ def changed(follower: Follower, fields: Mapping[str, float]) -> Follower:
     return found
 
 
+def _travel(motion: Motion, follower: Follower) -> float:
+    return float(np.ptp(follower.lift(motion.stations[1])))
+
+
 def _rest(follower: Follower) -> float:
     """Place of a follower where its motion is 0: an angle of its arm, rad, or its distance on a slide, mm."""
     rest: float = getattr(follower, "rest", follower.base_radius)
@@ -271,6 +292,7 @@ class CamComparison:
         noise: standard deviation of a reading along the normal, mm.
         before: rms along the normal with the datum alone, mm.
         after: rms that is left, mm.
+        travel: way of the follower along the normal, mm.
         worst: greatest departure that is left over some degrees, mm, negative for material that is missing, and its
             cam angle, rad.
         mirrored: whether the disc is wrong side up.
@@ -282,13 +304,15 @@ class CamComparison:
     noise: float
     before: float
     after: float
+    travel: float
     worst: tuple[float, float]
     mirrored: bool
 
     @property
     def explained(self) -> bool:
-        """Whether no more than noise is left."""
-        return abs(self.worst[0]) < _SIGMAS * self.noise and self.after < 1.5 * self.noise
+        """Whether no more than noise is left, and the noise is small beside the lift."""
+        quiet = self.after < _LOUD * self.travel
+        return quiet and abs(self.worst[0]) < _SIGMAS * self.noise and self.after < 1.5 * self.noise
 
 
 def compared(readings: CamReadings, *, mirrored: bool = False) -> CamComparison:
@@ -315,7 +339,7 @@ def compared(readings: CamReadings, *, mirrored: bool = False) -> CamComparison:
     while True:
         plain = {name: values[name] for name in readings.datum}
         values, covariance, after = _fitted(readings, best, plain)
-        found = _numbered(readings, best, values, np.sqrt(np.diag(covariance)))
+        found = _numbered(readings, best, values, np.sqrt(np.maximum(np.diag(covariance), 0.0)))
         kept = tuple(each.code for each in found if abs(each.size) > _SIGMAS * max(each.sigmas))
         if kept == best:
             break
@@ -328,6 +352,7 @@ def compared(readings: CamReadings, *, mirrored: bool = False) -> CamComparison:
         noise=readings.noise,
         before=before,
         after=after,
+        travel=readings.travel,
         worst=_worst(left, theta),
         mirrored=mirrored,
     )

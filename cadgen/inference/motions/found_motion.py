@@ -33,6 +33,10 @@ _SAME_LEVEL = 4.0  # standard deviations within which levels of two rests, or tw
 _LEAST_SAMPLES = 90
 _WIDEST_GAP = radians(10.0)
 _WORN = 1 / 3  # of the greatest wear, over which a place counts as worn
+_LOUD = 3.0  # of the noise, that is left by flanks that do not fit together
+_OVERLAP = radians(2.0)  # by which the ends of flanks without a dwell may be off
+_MOST_LEFT = 2.0  # of the readings, that the misfit may be
+_MOST_WEAR = 0.02  # of the rise; what is off by more is no wear of a law
 _SOUND = 1.0  # of the noise; less wear than that is none
 
 
@@ -50,6 +54,7 @@ class FoundFlank:
         rise_sigma: standard deviation of the difference of both, in the motion's unit.
         fits: fits by every law, the likeliest first, that of the likeliest with the values above.
         unknown: fit by a law that is not in the table.
+        fits_in: whether it ends where the next one begins, or before, and all flanks together leave no more than noise.
     """
 
     start: float
@@ -61,6 +66,7 @@ class FoundFlank:
     rise_sigma: float
     fits: tuple[FlankFit, ...]
     unknown: FlankFit
+    fits_in: bool
 
     @property
     def best(self) -> FlankFit:
@@ -69,8 +75,16 @@ class FoundFlank:
 
     @property
     def in_table(self) -> bool:
-        """Whether a law of the table explains the flank."""
-        return self.best.score < self.unknown.score + DECIDED
+        """Whether a law of the table explains the flank, with wear that is none but wear."""
+        return self.fits_in and self._sane and self.best.score < self.unknown.score + DECIDED
+
+    @cached_property
+    def _sane(self) -> bool:
+        """Whether the likeliest law leaves noise and a little wear, and nothing else."""
+        best = self.best
+        depth = float(np.abs(best.wear(best.data.theta)).max())
+        rise = abs(self.after - self.before) * float(np.median(best.data.push))
+        return best.chi2 < _MOST_LEFT * len(best.data.theta) and depth < _MOST_WEAR * rise
 
     @property
     def rivals(self) -> tuple[FlankFit, ...]:
@@ -173,7 +187,7 @@ class FoundMotion:
             number: number of the flank, from 0.
         """
         stop, start = (2 * number - 1) % len(self.seams), 2 * number
-        return float(np.sqrt(self.seams[stop, stop] + self.seams[start, start] - 2 * self.seams[stop, start]))
+        return float(np.sqrt(max(self.seams[stop, stop] + self.seams[start, start] - 2 * self.seams[stop, start], 0.0)))
 
 
 def found_motion(samples: LiftSamples) -> FoundMotion:
@@ -315,10 +329,11 @@ class _JointFit:
 
     def found(self, samples: LiftSamples, ranks: Sequence[tuple[FlankFit, ...]], centre: Array) -> FoundMotion:
         """Motion of the joint values, with the ranks of laws of each flank."""
-        count, sigma = len(self.fits), np.sqrt(np.diag(self.covariance))
+        count, sigma = len(self.fits), np.sqrt(np.maximum(np.diag(self.covariance), 0.0))
         shapes = sum(len(fit.values) - 4 for fit in self.fits)
         first = 2 * count + shapes
         flanks, shape = [], 2 * count
+        quiet = self.rms < _LOUD * samples.noise
         for number, fits in enumerate(ranks):
             best, after = fits[0], (number + 1) % count
             own = len(best.values) - 4
@@ -326,6 +341,7 @@ class _JointFit:
             low, high = self.values[first + number], self.values[first + after]
             values = np.array([a, b, low, high, *self.values[shape : shape + own]])
             shape += own
+            following = float(self.values[2 * after]) + (TURN if after <= number else 0.0)
             both = self.covariance[np.ix_([first + number, first + after], [first + number, first + after])]
             flanks.append(
                 FoundFlank(
@@ -335,9 +351,10 @@ class _JointFit:
                     stop_sigma=float(sigma[2 * number + 1]),
                     before=float(low),
                     after=float(high),
-                    rise_sigma=float(np.sqrt(both[0, 0] + both[1, 1] - 2 * both[0, 1])),
+                    rise_sigma=float(np.sqrt(max(both[0, 0] + both[1, 1] - 2 * both[0, 1], 0.0))),
                     fits=(replace(best, values=values), *fits[1:]),
                     unknown=unknown_law(best),
+                    fits_in=quiet and float(b) < following + _OVERLAP,
                 )
             )
         return FoundMotion(

@@ -219,3 +219,18 @@ def test_records_that_show_no_motion_are_refused() -> None:
         found_motion(samples_of_lifts(theta, np.zeros(720)))
     with pytest.raises(DesignError, match="do not tell where"):
         Follower.touching(EVERY[0][1], np.zeros((1, 2)), np.zeros((1, 2)))
+
+
+def test_laws_that_do_not_fit_together_are_none() -> None:
+    """A lift of straight lines lies within the middle parts of laws that would overlap."""
+    theta = np.linspace(0, TURN, 720, endpoint=False)
+    found = found_motion(samples_of_lifts(theta, np.interp(theta, [0, TURN / 2, TURN], [0, 10, 0])))
+    assert not any(flank.in_table for flank in found.flanks)
+
+
+def test_a_square_has_no_motion_of_the_table() -> None:
+    """Its corners and sides are no wear of a law."""
+    theta = np.linspace(0, TURN, 720, endpoint=False)
+    points = 40 * np.stack([np.cos(theta), np.sin(theta)]) / np.maximum(np.abs(np.cos(theta)), np.abs(np.sin(theta)))
+    made = outline_motion(points.T, Roller(base=20.0, radius=9.0))
+    assert not any(flank.in_table for flank in made.found.flanks)
