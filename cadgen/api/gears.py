@@ -314,6 +314,7 @@ class Gear(JobResult):
                 E_sn_um=deviation * 1e3,
                 teeth_spanned=sizes.span.teeth_spanned if sizes.span else None,
                 span_mm=sizes.span.span.upper if sizes.span else None,
+                span_width_needed_mm=sizes.span.width_needed if sizes.span else sizes.span_needs,
                 pin_diameter_mm=sizes.pins.pin_diameter if sizes.pins else None,
                 over_pins_mm=sizes.pins.over_pins.upper if sizes.pins else None,
                 volume_mm3=self.part.volume,

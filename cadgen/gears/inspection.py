@@ -10,7 +10,7 @@ gear at each limit, so nothing is linearised.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import acos, atan, ceil, cos, hypot, pi, sin, tan
+from math import acos, atan, ceil, cos, hypot, inf, pi, sin, tan
 
 from scipy.optimize import brentq
 
@@ -64,10 +64,14 @@ class PinMeasurement:
 
 @dataclass(frozen=True, slots=True)
 class Inspection:
-    """Sizes that the shop measures on a gear; None where the flanks are too short for that measurement."""
+    """Sizes that the shop measures on a gear; None where the flanks are too short for that measurement.
+
+    `span_needs` is the least face width, mm, for a span where the face is too narrow for any; else None.
+    """
 
     span: SpanMeasurement | None
     pins: PinMeasurement | None
+    span_needs: float | None = None
 
 
 def inspection_of(
@@ -95,8 +99,9 @@ def inspection_of(
         tooth_of(form.cut_to(upper_deviation)),
         tooth_of(form.cut_to(lower_deviation)),
     )
+    span, needed = _span_measurement(limits)
     if pin_diameter is None:
-        return Inspection(_span_measurement(limits), _chosen_pins(limits))
+        return Inspection(span, _chosen_pins(limits), needed)
     pins = _pin_measurement(limits, pin_diameter)
     if pins is None:
         raise DesignError(
@@ -106,7 +111,7 @@ def inspection_of(
             pin=pin_diameter,
             ideal=ideal_pin_diameter(form),
         )
-    return Inspection(_span_measurement(limits), pins)
+    return Inspection(span, pins, needed)
 
 
 def span_over(form: GearForm, teeth_spanned: int) -> float:
@@ -185,20 +190,26 @@ def _usable(tooth: Tooth, contact_diameter: float) -> bool:
     return low < contact_diameter < high
 
 
-def _span_measurement(limits: tuple[Tooth, Tooth]) -> SpanMeasurement | None:
-    """The span that touches nearest to the circle d + 2 x m_n, on the usable flanks at both limits."""
+def _span_measurement(limits: tuple[Tooth, Tooth]) -> tuple[SpanMeasurement | None, float | None]:
+    """Span that touches nearest to the circle d + 2 x m_n, on the usable flanks at both limits.
+
+    The second value is the least face width, mm, that a span needs where the face is too narrow for all.
+    """
     upper, lower = limits[0].form, limits[1].form
     lean, room = cos(upper.base_helix_angle), upper.width / (2 if upper.double else 1)
-    best = None
+    best, least = None, inf
     for count in range(LEAST_TEETH_SPANNED, upper.teeth):
         spans = SizeLimits(span_over(upper.cut_to(0.0), count), span_over(upper, count), span_over(lower, count))
         contacts = [hypot(upper.base_diameter, span * lean) for span in (spans.upper, spans.lower)]
         needed = spans.upper * sin(abs(upper.base_helix_angle))
-        if needed <= room and all(_usable(tooth, contact) for tooth, contact in zip(limits, contacts, strict=True)):
+        if not all(_usable(tooth, contact) for tooth, contact in zip(limits, contacts, strict=True)):
+            continue
+        least = min(least, needed * (2 if upper.double else 1))
+        if needed <= room:
             candidate = SpanMeasurement(count, spans, contacts[0], needed)
             if best is None or _from_middle(upper, contacts[0]) < _from_middle(upper, best.contact_diameter):
                 best = candidate
-    return best
+    return best, least if best is None and least < inf else None
 
 
 def _from_middle(form: GearForm, contact_diameter: float) -> float:

@@ -356,7 +356,7 @@ def gear_figures(form: GearForm, limits: tuple[float, float], sizes: Inspection)
     span, pins = sizes.span, sizes.pins
     needed: tuple[Figure, ...] = ()
     if form.helix_angle:
-        width = span.width_needed if span else None
+        width = span.width_needed if span else sizes.span_needs
         needed = (Figure("span_width_needed", Message("face width that the span needs"), width, "mm"),)
     return Figures(
         *form_figures(form).values(),

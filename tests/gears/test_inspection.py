@@ -175,3 +175,19 @@ def test_flanks_too_short_or_too_far_in_have_no_measurement() -> None:
     # Over so wide a tolerance no pin touches the flanks at both limits and still stands out.
     wide = inspection_of(gear(20, addendum_factor=0.3), 0.0, -1.0)
     assert wide.pins is None
+
+
+def test_a_face_too_narrow_for_the_span_says_how_wide_it_must_be():
+    """W sin beta_b of the span over as few teeth as touch the flanks."""
+    from math import asin, sin
+
+    from cadgen import Gear
+
+    narrow = {"teeth": 40, "module": 1, "helix_angle": radians(30)}
+    facts = Gear(width=8, **narrow).facts()
+    assert facts["span_mm"] is None
+    needed = facts["span_width_needed_mm"]
+    made = Gear(width=needed + 1e-6, **narrow).facts()
+    lean = asin(sin(radians(30)) * cos(radians(20)))
+    assert made["span_width_needed_mm"] == pytest.approx(made["span_mm"] * sin(lean))
+    assert made["span_width_needed_mm"] == pytest.approx(needed)

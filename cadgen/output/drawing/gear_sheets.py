@@ -114,6 +114,7 @@ def gear_rows(gear: Figures, mates: Sequence[str], stage: Stage, *, drives: bool
         ),
         (Message("spaces spanned k") if ring else Message("teeth spanned k"), plain("teeth_spanned")),
         (Message("span W_k, mm"), limits("span")),
+        (Message("span needs a face of"), mm("span_width_needed") if gear.value("span_max") is None else ""),
         (Message("ball diameter D_M") if helix or ring else Message("pin diameter D_M"), mm("pin_diameter")),
         (Message("between balls, mm") if ring else pins, limits("over_pins")),
         (
