@@ -39,6 +39,9 @@ _SAMPLES = 2881  # of the motion over a turn: its greatest lift lies within 0.01
 _WHEEL_WIDTH = 4.0  # mm, where [car.outline] does not say
 _PLATE = 8.0  # mm, thickness of the plates where train.plate.thickness_mm does not say
 _LONGEST_ROD = 4.0  # of a rod whose length is not given: so many times the distance of the disc's outer face
+_NO_CURE = Message(
+    "of the lengths that were tried none gives room: change car.wheelbase_mm, cam.base_radius_mm, teeth or module"
+)
 # Checks that depend on where the parts stand.
 _OF_PLACES = {CheckCode.CAR_CLEARANCE, CheckCode.FLOOR_CLEARANCE, CheckCode.AXLE_REACHED, CheckCode.PLATE_ROOM}
 # Changes of a length that are tried as a cure, mm.
@@ -102,7 +105,10 @@ class CarLayout:
                 "mm",
                 site.clearance,
                 Bound.MIN,
-                Message("at no height of the camshaft does the train join it with the rear axle"),
+                Message("at no height of the camshaft does the train join it with the rear axle")
+                if _keys(self.design).camshaft_height_mm is None
+                else Message("at this height of the camshaft the train does not join it with the rear axle"),
+                _NO_CURE,
             )
         if found is not None:
             yield Check(
@@ -113,6 +119,7 @@ class CarLayout:
                 site.clearance,
                 Bound.MIN,
                 found.least.between,
+                _NO_CURE,
             )
             yield Check(
                 CheckCode.FLOOR_CLEARANCE,
@@ -122,6 +129,7 @@ class CarLayout:
                 site.floor_clearance,
                 Bound.MIN,
                 found.floor.one,
+                _NO_CURE,
             )
             yield Check(
                 CheckCode.PLATE_ROOM,
@@ -131,7 +139,7 @@ class CarLayout:
                 0.0,
                 Bound.MIN,
                 "",
-                Message("raise train.bearing_span_mm to {span:g}", span=ceil(site.span - found.place.room)),
+                Message("raise {key} to {span:g}", key=self.span_key, span=ceil(site.span - found.place.room)),
             )
         if self.widest_bearing:
             yield Check(
@@ -144,19 +152,25 @@ class CarLayout:
                 "",
                 Message("raise train.plate.thickness_mm to {width:g}", width=self.widest_bearing),
             )
-        way = -1 if self.turned_over else 1
         yield Check(
             CheckCode.CAM_SENSE,
-            Message("sense of the cam"),
-            float(self.sense * way),
+            Message("cam turns the wrong way"),
+            float(self.sense > 0) if not self.turned_over else float(self.sense < 0),
             "",
-            -1.0,
+            0.0,
             place=Message("turned over") if self.turned_over else "",
             advice=Message(
                 "set layout.turned_over to {value} and put the disc on its shaft so, or add a stage",
                 value=str(not self.turned_over).lower(),
             ),
         )
+
+    @property
+    def span_key(self) -> str:
+        """Key of the bearing span that decides: that of a stage, or of the train."""
+        stages = gear_model.train_keys(self.design).stages
+        own = [number for number, stage in enumerate(stages, 1) if stage.bearing_span_mm == self.site.span]
+        return f"train.stages.{own[0]}.bearing_span_mm" if own else "train.bearing_span_mm"
 
     @property
     def turned_over(self) -> bool:
@@ -193,6 +207,13 @@ class CarLayout:
         if found is None:
             return said
         return said | Facts(
+            train_face=(Face.INNER if found.place.towards == -self.site.rod_side else Face.OUTER).value,
+            train_raised_mm=found.place.raised,
+            disc_radius_mm=self.site.disc[0].radius,
+            drive_wheel_radius_mm=self.site.wheel_radius,
+            drive_wheel_z_mm=self.site.drive_wheel,
+            idle_wheel_z_mm=self.site.idle_wheel,
+            fork_z_mm=self.site.fork,
             camshaft_height_mm=found.height,
             directions_deg=[degrees(each) % 360 for each in found.directions],
             axes_mm=[[axis.real, axis.imag] for axis in found.axes],
@@ -287,8 +308,8 @@ def _changes(layout: CarLayout) -> Iterator[tuple[str, Message]]:
         if getattr(keys, name) is not None:
             yield f"layout.{name}=", Message("leave layout.{name} out", name=name)
     if layout.arrangement is not None and layout.arrangement.place.room < 0:
-        span = ceil(layout.site.span - layout.arrangement.place.room)
-        yield f"train.bearing_span_mm={span}", Message("raise train.bearing_span_mm to {span}", span=span)
+        span, key = ceil(layout.site.span - layout.arrangement.place.room), layout.span_key
+        yield f"{key}={span}", Message("raise {key} to {span:g}", key=key, span=span)
     sizes = (("cam.base_radius_mm", design.cam.base_radius_mm), ("car.wheelbase_mm", design.car.wheelbase_mm))
     for by in chain.from_iterable((-each, each) for each in _CHANGES):
         for key, now in sizes:
@@ -400,6 +421,7 @@ def _disc(design: Design, radius: float, thickness: float, side: int) -> Iterato
     yield OnCamshaft(Message("the disc"), radius, 0.0, thickness)
     hub = cam_model.blank(design).hub
     if hub is not None:
-        below = (hub.side == Face.INNER) == (side > 0)
+        # Turned over about the camshaft's normal, the disc takes its hub to the other side.
+        below = ((hub.side == Face.INNER) == (side > 0)) != _keys(design).turned_over
         low, high = (-hub.length, 0.0) if below else (thickness, thickness + hub.length)
         yield OnCamshaft(Message("the hub of the disc"), hub.diameter / 2, low, high)

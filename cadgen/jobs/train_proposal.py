@@ -19,7 +19,7 @@ import numpy as np
 from cadgen.arrays import TURN
 from cadgen.car.against_play.remedies import holding
 from cadgen.car.path.wheel_track import Track
-from cadgen.check import Check, failing
+from cadgen.check import Check, CheckCode, failing
 from cadgen.design import cam_model, variation
 from cadgen.design.begin import BASE_RADIUS, ProposedTrain, WithTrain
 from cadgen.design.load import design_of
@@ -68,6 +68,7 @@ def proposed(text: WithTrain, name: str) -> str:
             "leave the proposal out"
         )
     track = cam_model.track(design)
+    cam_model.lift(design, track)  # refuses a path that no wheel makes drivable
     nearest: tuple[int, tuple[Check, ...]] | None = None
     for count in _STAGES:
         for teeth in islice(_trains(_ratio(design, track, wheel), count), _MOST_LAID_OUT):
@@ -79,7 +80,7 @@ def proposed(text: WithTrain, name: str) -> str:
                 continue
             if not wrong:
                 return text(train._replace(drag=_holding_drag(design_of(text(train), file))))
-            if nearest is None or len(wrong) < len(nearest[1]):
+            if nearest is None or _far(wrong) < _far(nearest[1]):
                 nearest = count, wrong
     if nearest is None:
         raise DesignError(
@@ -90,13 +91,19 @@ def proposed(text: WithTrain, name: str) -> str:
         )
     count, wrong = nearest
     raise DesignError(
-        "no train was found that fits the car; with {count} stages the check of {name} has {value}, and {limit:g} is "
-        "asked for: change the sizes of the car, or leave the proposal out",
+        "no train was found that fits the car; the nearest, of {count} stages, fails {name}: {value}, where {limit:g} "
+        "is asked for; raise train.module_mm, change the sizes of the car, or leave the proposal out",
         count=count,
         name=wrong[0].name,
         value=wrong[0].text(),
         limit=wrong[0].limit,
     )
+
+
+def _far(wrong: tuple[Check, ...]) -> tuple[bool, int, float]:
+    """Whether the train is too short, how many checks fail, and by how much the first does."""
+    short = any(check.code == CheckCode.AXLE_REACHED for check in wrong)
+    return short, len(wrong), abs(wrong[0].value - wrong[0].limit)
 
 
 def _base_radius(design: Design) -> float | None:

@@ -132,3 +132,56 @@ def test_a_camshaft_that_no_train_reaches_is_not_ready():
     for change in ("layout.floor_clearance_mm=400", "layout.camshaft_height_mm=400"):
         wrong = failing(laid_out(load_design("workshop_car", [change])).plain_checks)
         assert {check.code for check in wrong} & {CheckCode.CAR_CLEARANCE, CheckCode.FLOOR_CLEARANCE}
+
+
+def test_a_shaft_on_the_axis_of_the_camshaft_is_seen():
+    """Stages of 48, 50, 40 and 40 mm, the last one back: shaft 3 comes to stand on the camshaft's axis."""
+    stages = ",".join(
+        f"{{driver={{teeth={a}}},driven={{teeth={b}}},direction_deg={d}}}"
+        for a, b, d in ((32, 160, 0), (95, 105, 0), (40, 120, 0), (80, 80, 180))
+    )
+    changes = [f"train.stages=[{stages}]", "cam.base_radius_mm=74", "layout.turned_over=true"]
+    changes += [f"train.{place}.{key}=" for place in ("output", "intermediate") for key in ("lightening", "web")]
+    layout = laid_out(load_design("workshop_car", changes))
+    (check,) = (each for each in failing(layout.plain_checks) if each.code == CheckCode.CAR_CLEARANCE)
+    assert check.value < 0
+
+
+def test_the_drive_wheel_stands_in_no_plate():
+    """With 18 mm from fork axis to wheel the wheel stands in the plate beside the disc, at -10 to -2 mm of it."""
+    layout = laid_out(load_design("workshop_car", ["car.drive_wheel_offset_mm=18", "layout.train_face=inner"]))
+    (check,) = (each for each in failing(layout.plain_checks) if each.code == CheckCode.CAR_CLEARANCE)
+    assert check.value < 0
+
+
+def test_the_rod_clears_the_front_wheel():
+    """A wheel of 90 mm reaches 15 mm past a rod that stands 75 mm high."""
+    wheel = "car.outline={length_mm=290,width_mm=260,front_overhang_mm=60,front_wheel_diameter_mm=90,\
+front_wheel_width_mm=4,wheel_diameter_mm=128,wheel_width_mm=4}"
+    layout = laid_out(load_design("workshop_car", [wheel]))
+    assert layout.arrangement.height >= 90 + 2.5 + 1
+    low = laid_out(load_design("workshop_car", [wheel, "layout.camshaft_height_mm=82"]))
+    assert any(check.code == CheckCode.CAR_CLEARANCE for check in failing(low.plain_checks))
+
+
+def test_a_disc_turned_over_takes_its_hub_along():
+    hub = 'blank.hub={diameter_mm=20,length_mm=8,side="outer"}'
+    upright, over = (
+        laid_out(load_design("workshop_car", [hub, f"layout.turned_over={value}"])).site.disc[1]
+        for value in ("false", "true")
+    )
+    assert (upright.low, upright.high) == (3.0, 11.0)
+    assert (over.low, over.high) == (-8.0, 0.0)
+
+
+def test_the_bearing_span_of_a_stage_is_named():
+    design = load_design("workshop_car", ["train.stages.2.bearing_span_mm=30"])
+    (check,) = failing(laid_out(design).plain_checks)
+    assert check.advice.startswith("raise train.stages.2.bearing_span_mm to ")
+    put_in = check.advice.replace("raise ", "").replace(" to ", "=")
+    assert not failing(layout_of(with_overrides(design, [put_in])).plain_checks)
+
+
+def test_a_mass_without_an_energy_is_refused():
+    with pytest.raises(DesignError, match=r"give mechanics\.drive_energy_J, or remove car_mass_kg"):
+        load_design("workshop_car", ["mechanics.car_mass_kg=1.5", "mechanics.drive_energy_J="])

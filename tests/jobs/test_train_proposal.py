@@ -36,7 +36,9 @@ def test_a_lap_gets_the_wheel_of_its_outline(tmp_path):
 
 
 def test_what_forbids_a_train_is_named(tmp_path):
-    with pytest.raises(DesignError, match=r"the check of least gap to the floor has .* mm, and 400 is asked for"):
+    with pytest.raises(
+        DesignError, match=r"fails least gap to the floor: .* mm, where 400 is asked for; raise train\.module_mm"
+    ):
         Design.new("high", tmp_path, train=True, changes={"layout.floor_clearance_mm": 400})
     with pytest.raises(DesignError, match="no train of one to four stages brings a wheel of 1 mm"):
         Design.new("small", tmp_path, train=True, changes={"car.outline.wheel_diameter_mm": 1})
@@ -44,4 +46,9 @@ def test_what_forbids_a_train_is_named(tmp_path):
         Design.new("none", tmp_path, train=True, changes={"car.outline": None})
     with pytest.raises(DesignError, match="leave points, layer, field, closed and train out"):
         Design.new("cam", tmp_path, train=True, motion=True)
+    points = tmp_path / "tight.csv"
+    points.write_text("500 500\n800 500\n850 800\n500 850\n")
+    with pytest.raises(DesignError, match="steering of 35 degrees holds no less than"):
+        Design.new("tight", tmp_path, points=points, train=True)
+    points.unlink()
     assert not list(tmp_path.iterdir())

@@ -292,7 +292,11 @@ def _measured(
         height=height,
         axes=tuple(axes.tolist()),
         place=place,
-        least=_least_of_round(site, shafts, axes),
+        least=min(
+            _least_of_round(site, shafts, axes),
+            _least_of_wheels(site, shafts[0], place),
+            key=lambda found: found.size,
+        ),
         floor=_least_to_floor(site, shafts, axes, height),
     )
     beside = _least_of_fork(site, shafts, way, np.linspace(0.0, 1.0, STEERING_STEPS + 1).tolist())
@@ -304,8 +308,8 @@ def _least_of_round(site: CarSite, shafts: Sequence[Sequence[OnShaft]], axes: ND
     least = Gap(inf, "", "")
     for (i, first), (j, second) in combinations(enumerate(shafts), 2):
         apart = abs(axes[i] - axes[j])
-        if apart < _ROUNDING:
-            continue  # on one axis
+        if (np.abs(np.diff(axes[i : j + 1])) < _ROUNDING).all():
+            continue  # on one axis, as their stage is made
         for (one, own), (other, others) in product(first, second):
             if one.stage is not None and one.stage == other.stage:
                 continue
@@ -318,6 +322,20 @@ def _least_of_round(site: CarSite, shafts: Sequence[Sequence[OnShaft]], axes: ND
             kept = own and others and max(radial, lengthwise) >= site.gear_clearance - _ROUNDING
             if size < least.size and not kept:
                 least = Gap(float(size), one.name, other.name)
+    return least
+
+
+def _least_of_wheels(site: CarSite, axle: Sequence[OnShaft], place: StackPlace) -> Gap:
+    """Least gap along the axle from a rear wheel to a plate, which bears the axle, or to the pinion and its hub."""
+    least, half = Gap(inf, "", ""), site.wheel_width / 2
+    shaft = min(body.radius for body, own in axle if own)
+    beside = [(body.name, body.low, body.high) for body, own in axle if own and body.radius > shaft]
+    beside += [(Message("a plate"), z - site.plate / 2, z + site.plate / 2) for z in (place.near, place.far)]
+    for wheel, middle in ((Message("the drive wheel"), site.drive_wheel), (Message("the idle wheel"), site.idle_wheel)):
+        for name, low, high in beside:
+            size = max(middle - half, low) - min(middle + half, high)
+            if size < least.size:
+                least = Gap(float(size), wheel, name)
     return least
 
 
@@ -349,7 +367,10 @@ def _least_of_fork(
         for body, _ in bodies
     ]
     for share in shares:
-        for number, moving in enumerate(site.fork_bodies(share, way.height)):
+        turned = list(site.fork_bodies(share, way.height))
+        if len(turned) > 1 and (size := gap(*turned)) < least.size:
+            least = Gap(size, turned[0].name, turned[1].name)
+        for number, moving in enumerate(turned):
             for solid in solids:
                 if number == 0 and solid.name == rim:
                     continue

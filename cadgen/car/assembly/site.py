@@ -37,7 +37,8 @@ def bearing_width(bore: float, diameter: float) -> float | None:
         bore: diameter of its shaft, mm.
         diameter: outer diameter, mm.
     """
-    return _BEARINGS.get(round(bore), {}).get(round(diameter)) if bore == round(bore) else None
+    sizes = {float(inside): each for inside, each in _BEARINGS.items()}.get(bore, {})
+    return {float(outside): width for outside, width in sizes.items()}.get(diameter)
 
 
 class OnCamshaft(NamedTuple):
@@ -112,8 +113,9 @@ class CarSite:
 
     @property
     def least_height(self) -> float:
-        """Least height of the camshaft over the floor, mm."""
-        return max(part.radius for part in self.disc) + self.floor_clearance
+        """Least height of the camshaft over the floor, mm: the disc clears it, and the rod the front wheel."""
+        over_wheel = 2 * self.front_radius + self.rod_radius + self.clearance if self.front_radius else 0.0
+        return max(over_wheel, max(part.radius for part in self.disc) + self.floor_clearance)
 
     def stack(self, towards: int, low: float, high: float) -> "StackPlace":
         """Place of a train along its shafts.

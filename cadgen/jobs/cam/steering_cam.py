@@ -469,7 +469,12 @@ class CarUse(Application):
         inner, outer = self.design.tolerances.inner_face_mm, self.design.tolerances.outer_face_mm
         begin = self.before_each_run
         if self.in_car is not None and self.in_car.turned_over:
-            begin = (*begin, Message("In the car the disc sits turned over: the face shown points to the fork."))
+            begin = (
+                *begin,
+                Message("In the car the disc sits turned over: the face shown points to the fork.")
+                if cam.seen == Face.OUTER
+                else Message("In the car the disc sits turned over: the face shown points away from the fork."),
+            )
         if not (inner or outer):
             return begin
         return (

@@ -440,7 +440,7 @@ def bodies_of(plan: CamPlan, gears: GearTrain | None, cam_radius: float) -> Bodi
         shafts += _planets(train)
         if use.drive_wheel.radius:
             wheel = (len(train.parts), reach, use.drive_wheel.radius)
-        if gears is not None and gears.car is None:
+        if gears is not None and (gears.car is None or gears.car.directions is None):
             notes += _notes(plan, train, cam_radius)
     return Bodies(tuple(shafts), tuple(parts), wheel, fork, side, tuple(notes))
 
