@@ -63,18 +63,24 @@ def on_grid(found: FoundMotion) -> GridMotion | None:
                 continue
             flanks = tuple(_moved(flank, *shift) for flank, shift in zip(found.flanks, shifts, strict=True))
             # Ends that were moved are those of flanks that show wear, and the wear that is left explains them.
-            sound = sum(
-                not flank.best.process.size for flank in found.flanks if flank in _stayed(found, shifts, within)
-            )
+            stayed = _stayed(found, shifts, within)
+            sound = sum(not flank.best.process.size for flank in stayed)
+            moved = [flank for flank in found.flanks if flank not in stayed]
+            if sound < len(stayed) and any(not flank.best.process.size for flank in moved):
+                continue
             misfit = sum(flank.best.score for flank in flanks)
             # Lifts are read from a mark of the dividing head on, which the drawing has, too.
             marked = found.samples.normal is None and abs((phase + step / 2) % step - step / 2) <= within[anchor].max()
             rank = (-int(marked), -sound, misfit)
-            tried.append((rank, GridMotion(replace(found, flanks=flanks), step, shifts, sure=True)))
+            # One flank alone shows no grid against another that looks as sound.
+            backed = bool(marked) or len(stayed) > 1 or all(flank.best.process.size for flank in moved)
+            tried.append((rank, GridMotion(replace(found, flanks=flanks), step, shifts, sure=backed)))
         if tried:
             (rank, best), *others = sorted(tried, key=lambda each: each[0])
             rivals = [grid for other, grid in others if other[:2] == rank[:2] and other[2] < rank[2] + DECIDED]
-            return replace(best, sure=all(np.abs(grid.shifts - best.shifts).max() < _ALIKE_DEG for grid in rivals))
+            return replace(
+                best, sure=best.sure and all(np.abs(grid.shifts - best.shifts).max() < _ALIKE_DEG for grid in rivals)
+            )
     return None
 
 
