@@ -151,10 +151,13 @@ def require_free(pair: Pair, limits: Sequence[tuple[Pair, float]] = ()) -> None:
             most=floor(greatest_pinion_addendum(pair) * 1e3) / 1e3,
         )
     worst = room.trochoid
+    fouls = worst < LEAST_TROCHOID
     for state, apart in limits:
         least, most = (gear.form for gear in state.by_size)
-        worst = min(worst, tip_mesh(least, most, state.pressure_angle(apart)).trochoid())
-    if worst < LEAST_TROCHOID:
+        reserve = tip_mesh(least, most, state.pressure_angle(apart)).trochoid()
+        # At the greatest play tips that foul take some of it, so that it is not what the formula says.
+        worst, fouls = min(worst, reserve), fouls or reserve < 0
+    if fouls:
         raise DesignError(
             "{pair} fouls beside the line of action, as the ring has only {difference} teeth more; {cure}",
             pair=str(pair),

@@ -249,6 +249,11 @@ def cured(made: Case, said: str) -> Case | None:
     if got := found(r'give the driven gear hand = "(\w+)"'):
         return put("hand", got[0], stage["driven"])
     if got := found(r"backlash_um = (\d+) leaves some"):
+        if train:  # of the stage that jams, which is one of those that ask for less
+            for each in given["stages"]:
+                if "backlash_um" in each:
+                    each["backlash_um"] = max(each["backlash_um"], int(got[0]))
+            return replace(made, given=given)
         return put("backlash-um", int(got[0]))
     if found(r"face width"):
         return put("width", 8.0, given if train else None)
