@@ -275,16 +275,17 @@ def layout_reservation(design: Design) -> Reservation | None:
     """
     if design.train is None or design.layout is not None:
         return None
-    layout = layout_of(design)
-    if layout.short <= 0:
+    reach = sum(stage.centre_distance for stage in gear_model.train(design).stages)
+    behind = design.car.wheelbase_mm - design.cam.base_radius_mm
+    if reach >= behind:
         return None
     return Reservation(
         "train-short-of-axle",
         Message(
             "the train reaches {reach:.4g} mm from the camshaft at most, and the rear axle lies {behind:.4g} mm behind "
             "it",
-            reach=layout.site.behind - layout.short,
-            behind=layout.site.behind,
+            reach=reach,
+            behind=behind,
         ),
         Message("give the stages more teeth, or add one; with [layout] the parts are checked against each other"),
     )
