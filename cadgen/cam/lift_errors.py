@@ -1,7 +1,7 @@
 """Errors of the lift by what is off in a cam and its follower, to first order; and of a disc that is put on wrong.
 
-Where the follower's curve is moved along its outward normal by u while the disc stays, the follower goes by -u / p,
-with `push` p, the displacement along the normal by the motion. A disc turned ahead by phi gives q' phi. One whose bore
+Let the follower's curve be moved along its outward normal by u while the disc stays: the follower goes by -u / p. Here
+p (`push`) is the displacement along the normal by the motion. A disc turned ahead by phi gives q' phi. One whose bore
 is off by a vector D, which turns with the disc, gives n D / p, with the outward normal n in the disc's frame. Of all
 errors the value at the cam angle at which the follower is set is taken off, for setting it takes that out.
 """

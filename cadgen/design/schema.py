@@ -241,7 +241,7 @@ class PrintSection(DesignSection):
 
     @property
     def compensation(self) -> PrintCompensation:
-        """Its values in mm and shares."""
+        """Compensation for printing, in mm and shares."""
         up = self.shrinkage_percent if self.shrinkage_z_percent is None else self.shrinkage_z_percent
         return PrintCompensation(
             hole=self.hole_um * 1e-3,

@@ -307,7 +307,7 @@ class PlanetaryStage(Stage):
         return (ratio - fixed) / (ratio - 1)
 
     def opened(self, clearance: float) -> float:
-        """None: a planet that moves out of one mesh moves into the other, to first order as far; in rad.
+        """Play that looser bearings add, rad: none, for a planet that leaves one mesh enters the other as far.
 
         Args:
             clearance: growth of the distance of the axes, mm.

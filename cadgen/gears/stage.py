@@ -369,7 +369,7 @@ class Stage(ABC):
 
     @property
     def matings(self) -> tuple[Mating, ...]:
-        """Its wheels in mesh, two by two: of a pair, itself; none without teeth."""
+        """Wheels in mesh, two by two: of a pair, itself; none without teeth."""
         return (Mating(self),) if self.toothed else ()
 
     def free_angle_of(self, free: Sequence[float]) -> float:

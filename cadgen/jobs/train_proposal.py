@@ -145,8 +145,8 @@ def _ratio(design: Design, track: Track, wheel: float) -> _Ratio:
 def _trains(ratio: _Ratio, count: int) -> Iterator[tuple[tuple[int, int], ...]]:
     """Trains of a number of stages within a ratio, the least return error first; drivers before driven gears.
 
-    The play of a stage is nearly the same arc for all gears, so its angle at the camshaft goes with one over the teeth
-    of its driven gear and over the ratio behind it. The sum over the stages, and a little for their size, ranks.
+    The play of a stage is nearly the same arc for all gears. Its angle at the camshaft goes with one over the teeth of
+    its driven gear, and over the ratio behind it. The sum over the stages, and a little for their size, ranks.
     """
     pairs = np.array([(z1, z2) for z1 in _DRIVERS for z2 in _DRIVEN if 1 < z2 / z1 <= 6])
     before = pairs[:0] if count == 1 else pairs

@@ -1,7 +1,7 @@
 """Arrangement of a train in a car: the directions of its stages that bring the drive onto the rear axle, clear of all.
 
-The drive's axis is the rear axle, at -behind + i (H - R) from the camshaft, with H the height of the camshaft over
-the floor and R the radius of the rear wheels. All stages but the last two take directions in even steps, the last two
+The drive's axis is the rear axle, at -behind + i (H - R) from the camshaft. H is the height of the camshaft over the
+floor and R the radius of the rear wheels. All stages but the last two take directions in even steps, the last two
 close the triangle to the camshaft in both ways; a single stage closes by the height alone. Every body of every shaft
 is then set against every other one. Of the arrangements that keep all clearances, that with the lowest camshaft is
 taken, and of equal ones that with the most room.

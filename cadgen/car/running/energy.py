@@ -1,7 +1,7 @@
 """Energy of a run: what rolling, rod, brake and gears take, against what the drive has.
 
-With c the rolling resistance, m the mass of the car, S the mean length of the tracks of its three wheels, M(theta) the
-torque that the gears must give the cam (`mechanics.Mechanics.needed`), and eta the efficiency of the gears,
+Let c be the rolling resistance, m the mass of the car, and S the mean length of the tracks of its three wheels. The
+gears must give the cam the torque M(theta), `mechanics.Mechanics.needed`, and their efficiency is eta. Then
     E = c m g S + 1/eta ∫ max(M, 0) dtheta.
 Where the rod drives the cam ahead, M is negative, and nothing of that comes back: the play is run through, and the
 shock at its end takes it. Air and the kinetic energy at the end are left aside: 0.13 J of a car of 1 kg at 0.5 m/s.

@@ -1,8 +1,8 @@
 """Ends of segments at whole or half degrees, where the sound flanks of a measured cam show that they were drawn so.
 
 Wear that is spread as the velocity of its flank looks like a flank that is turned: the data alone cannot tell them
-apart. Drawings do. If the ends of the flanks that are not worn lie on a grid, by far too well for chance, and the
-others lie beside it as wear would put them, later on a rise and earlier on a return, all are taken to lie on it.
+apart. Drawings do. The ends of flanks that are not worn may lie on a grid, by far too well for chance, and the others
+beside it as wear would put them: later on a rise and earlier on a return. Then all are taken to lie on it.
 """
 
 from dataclasses import dataclass, replace
