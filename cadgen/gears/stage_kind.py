@@ -40,8 +40,13 @@ class ToothedTrain:
 
     Attributes:
         bearing_span: distance of the bearings of the stage.
-        module, width, pressure_angle, helix_angle: of gears that do not give theirs.
-        addendum_factor, dedendum_factor, rack_tip_radius_factor: of the basic rack.
+        module: normal module of gears that give none.
+        width: width of gears that give none.
+        pressure_angle: normal pressure angle of gears that give none.
+        helix_angle: helix angle of gears that give none.
+        addendum_factor: addendum of the basic rack.
+        dedendum_factor: dedendum of the basic rack.
+        rack_tip_radius_factor: radius at the tips of the basic rack.
         tip_chamfer: leg of the chamfer at the tips.
         grade: tolerance grade.
         without_standard: whether tolerances that are left out are 0.
