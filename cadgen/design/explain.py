@@ -187,6 +187,6 @@ def _sentence(kind: str, place: Place, value: Any, context: Mapping[str, Any], k
         "{name} is {shown}; it must be {allowed}{unit}",
         name=name,
         shown=shown(value),
-        allowed=key.allowed_inside if depth else key.allowed,
+        allowed=(key.allowed_inside if depth else key.allowed) or key.kinds[depth],
         unit=unit,
     )

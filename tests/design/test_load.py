@@ -260,3 +260,8 @@ def test_loading_a_design_imports_no_numerics_and_no_kernel() -> None:
     heavy = {"numpy", "scipy", "build123d", "OCP", "rich"}
     assert "pydantic" in run.stdout.split()
     assert not heavy & set(run.stdout.split())
+
+
+def test_a_number_for_a_yes_or_no_is_refused_with_what_it_must_be():
+    with pytest.raises(DesignError, match=r"layout\.turned_over is 2; it must be true or false$"):
+        load_design("workshop_car", ["layout.turned_over=2"])
