@@ -640,7 +640,7 @@ class GearPair(_ByNumbers):
         return Train([self], name=self.name).computed
 
     def build123d(self) -> Compound:
-        """Gears in mesh as one build123d compound, mm: the pinion's axis on z, that of the wheel along x.
+        """Gears in mesh as one build123d compound, mm: the pinion's axis on z, the wheel's axis beside it along x.
 
         The teeth of the pinion begin at z = 0, and those of the wheel lie midway along them; hubs stand upwards.
 

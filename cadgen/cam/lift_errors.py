@@ -77,7 +77,7 @@ class LiftErrors:
 
 
 def displacements(motion: Motion, follower: Follower, cam_angle: Array) -> tuple[LiftError, ...]:
-    """Errors along the outward normal at the contact: that of the lift times `push`, mm by unit.
+    """Errors along the outward normal at the contact: the error of the lift times `push`, mm by unit.
 
     Args:
         motion: motion wanted.

@@ -158,7 +158,7 @@ class StraightFollower(Follower):
         return np.asarray(moved.support[1] - along * moved.turn[1])
 
     def normal(self, q: Array, q1: Array) -> Complex:
-        """Outward normal at the contact in the frame of the follower's line, which is that of the face.
+        """Outward normal of the face at the contact, in the frame of the follower's line.
 
         Args:
             q: motion, in its unit, shape (n,).

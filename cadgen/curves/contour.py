@@ -69,7 +69,7 @@ class Contour:
         return np.hypot(self.chords[:, 0], self.chords[:, 1])
 
     def area(self) -> float:
-        """Enclosed area, mm^2, positive if run counterclockwise: that of the polygon and of the circular segments."""
+        """Enclosed area of polygon and circular segments, mm^2, positive if run counterclockwise."""
         following = np.roll(self.vertices, -1, axis=0)
         polygon = float(np.sum(cross(self.vertices, following))) / 2
         curved = self.bulges != 0

@@ -317,7 +317,7 @@ def _with_backlash(pair: SpurPair, stage: SpurStage) -> SpurPair:
 
 
 def _own_thickness(gear: GearKeys) -> float | None:
-    """Thickness deviation E_sn of a gear as its own keys ask for it, mm; None for that of the train."""
+    """Thickness deviation E_sn that a gear's own keys ask for, mm; None where the train decides."""
     if gear.E_sns_um is not None:
         return (gear.E_sns_um - (gear.T_sn_um or 0.0) / 2) * _UM
     return None if gear.E_sn_um is None else gear.E_sn_um * _UM

@@ -253,7 +253,7 @@ def pair_departures(pair: Pair, number: int) -> tuple[Departure, ...]:
 
 
 def _zone_shift(aim: Thinning | float, E_sns: T, T_sn: T) -> T | float:
-    """How far the zone of the thickness lies above that of the grade, in mm; its middle is what the gear is cut to."""
+    """Height of the thickness zone over the zone of the grade, mm; the gear is cut to the middle of its zone."""
     if aim == Thinning.MIDDLE:
         return 0.0
     if isinstance(aim, str):
@@ -269,7 +269,7 @@ def _standard(rule: Callable[..., Any], *arguments: Any) -> float | None:
 
 
 def gear_tolerances_of(gear: GradedGear) -> GearTolerances[float]:
-    """Tolerances of a gear by its grade, or those that stand in for them, mm."""
+    """Tolerances of a gear by its grade, or overrides in their place, mm."""
     form = gear.form
     return gear_tolerances(form.reference_diameter, form.normal_module, form.width, gear.grade, gear.overrides)
 

@@ -402,7 +402,6 @@ def _site(design: Design, train: Train, keys: LayoutSection, bores: Sequence[flo
         front_radius=front.radius,
         front_width=front.width,
         disc=tuple(_disc(design, follower.base_radius + greatest - follower.radius, outer - inner, side)),
-        camshaft=design.blank.bore_diameter_mm,
         rod_radius=follower.radius,
         rod_length=min(follower.length, _LONGEST_ROD * outer),
         rod_side=side,

@@ -7,7 +7,7 @@ import numpy as np
 
 from cadgen.arrays import Array
 
-_STEPS = 400  # of the projections; the gap of bodies some mm apart is right to 1e-4 mm after some 50
+_STEPS = 400  # of the projections at most
 _STILL = 1e-7  # mm; a step shorter than this ends them
 _PARALLEL = 1e-9
 

@@ -13,7 +13,7 @@ from cadgen.car.assembly.bodies import SolidCylinder
 from cadgen.gears.layout import Disc
 from cadgen.messages import Message
 
-# Width of open deep-groove ball bearings by bore and outer diameter, mm (ISO 15, dimension series 17 to 02).
+# Width of open deep-groove ball bearings by bore and outer diameter, mm: usual catalogue sizes.
 _BEARINGS: dict[int, dict[int, float]] = {
     3: {7: 2, 8: 3, 9: 3, 10: 4},
     4: {9: 2.5, 11: 4, 12: 4, 13: 5, 16: 5},
@@ -72,7 +72,6 @@ class CarSite:
         front_radius: radius of the front wheel, mm; 0 where it is not known.
         front_width: its width, mm.
         disc: rim and hub of the disc.
-        camshaft: diameter of the camshaft, mm.
         rod_radius: radius of the rod, mm.
         rod_length: length of the rod from the fork axis, mm.
         rod_side: 1 for a rod to the left of the fork axis, -1 to the right.
@@ -97,7 +96,6 @@ class CarSite:
     front_radius: float
     front_width: float
     disc: tuple[OnCamshaft, ...]
-    camshaft: float
     rod_radius: float
     rod_length: float
     rod_side: int

@@ -32,7 +32,6 @@ def random_car(rng):
         front_radius=float(rng.choice([0.0, 15.0, 25.0])),
         front_width=5.0,
         disc=(OnCamshaft("the disc", base + disc, 0.0, thickness),),
-        camshaft=8.0,
         rod_radius=2.5,
         rod_length=45.0,
         rod_side=1,
