@@ -83,6 +83,7 @@ def blanks(design: TrainDesign) -> Blanks:
         intermediate=_blank(keys.intermediate),
         output=_blank(keys.output),
         ending=(drive, intermediate, output),
+        own=tuple((each.shaft, _blank(each), bool(each.shaft_ends)) for each in keys.shafts or ()),
     )
 
 
@@ -98,23 +99,15 @@ def loose(design: TrainDesign, of: Train | None) -> tuple[Loose, ...]:
     """
     loose: list[Loose] = []
     if design.train is not None and of is not None:
-        keys, ratio = design.train, float(of.ratio)
-        on_shafts = [(Message("the pinion on the drive"), "train.drive", keys.drive, ratio)]
-        on_shafts += [
-            (
-                Message("wheel and pinion of shaft {number}", number=number),
-                "train.intermediate",
-                keys.intermediate,
-                float(turns),
-            )
-            for number, turns in enumerate(of.output_ratios[:-1], 2)
-        ]
-        on_shafts.append((Message("the wheel on the camshaft"), "train.output", keys.output, 1.0))
-        for name, where, blank, turns in on_shafts:
+        keys, shafts = design.train, len(of.stages) + 1
+        between = (Message("wheel and pinion of shaft {number}", number=number) for number in range(2, shafts))
+        names = (Message("the pinion on the drive"), *between, Message("the wheel on the camshaft"))
+        turning = (of.ratio, *of.output_ratios[:-1], 1)
+        for name, (place, blank), turns in zip(names, keys.on_shafts(shafts), turning, strict=True):
             width = blank.keyway.width_mm if blank.keyway else None
             across = blank.d_flat.across_mm if blank.d_flat else None
-            zone = _free_angle(blank, where, blank.bore_diameter_mm, width, across)
-            loose.append(_joint(name, blank, zone).at(turns))
+            zone = _free_angle(blank, f"train.{place}", blank.bore_diameter_mm, width, across)
+            loose.append(_joint(name, blank, zone).at(float(turns)))
         loose += bearings(of, (keys.bearing_clearance_um or 0.0) * _UM)
     loose.append(_joint(Message("the cam"), design.blank, cam_joint(design)))
     return tuple(joint for joint in loose if joint.greatest > 0)

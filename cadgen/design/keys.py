@@ -224,7 +224,8 @@ def _walk(
     for part, info in section.model_fields.items():
         if not name and kinds.motion and part in OF_A_CAR:
             continue
-        inner = _section_in(info.annotation)
+        annotation = _without_none(info.annotation)
+        inner = _section_in(annotation)
         if inner is FollowerSection:
             inner = section_of(kinds.follower)
         elif inner is PathSection:
@@ -232,13 +233,21 @@ def _walk(
         elif inner is StageSection:
             inner = stage_section(kinds.stage)
         if inner:
-            below.append((part, inner, info.is_required(), get_origin(info.annotation) is tuple))
+            below.append((part, inner, info.is_required(), get_origin(annotation) is tuple))
         else:
             own.append(_key(dotted(name, part), info))
     meaning = " ".join((section.__doc__ or "").split())
     yield SectionKeys(name, meaning, required, many, tuple(own), tuple(part for part, *_ in below))
     for part, inner, needed, repeated in below:
         yield from _walk(dotted(name, part), inner, kinds, required=needed, many=repeated)
+
+
+def _without_none(annotation: Any) -> Any:
+    """Type of a list of sections that may be left out; any other one as it is."""
+    arms = [arm for arm in get_args(annotation) if arm is not type(None)]
+    if len(arms) == 1 and type(None) in get_args(annotation) and get_origin(arms[0]) is Annotated:
+        return get_args(arms[0])[0]
+    return annotation
 
 
 def _section_in(annotation: Any) -> type[DesignSection] | None:

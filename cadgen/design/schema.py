@@ -520,10 +520,8 @@ class DesignFile(DiscFile):
             )
         if self.layout is None or self.train is None:
             return self
-        shafts = {"drive": self.train.drive, "output": self.train.output}
-        if len(self.train.stages) > 1:
-            shafts["intermediate"] = self.train.intermediate
-        if unbored := [name for name, blank in shafts.items() if not blank.bore_diameter_mm]:
+        shafts = self.train.on_shafts(len(self.train.stages) + 1)
+        if unbored := [place for place, blank in shafts if not blank.bore_diameter_mm]:
             raise ValueError(
                 Message(
                     "train.{place}.bore_diameter_mm is missing, and [layout] sets shafts against other parts: give the "

@@ -362,6 +362,17 @@ class GearBlankSection(Held):
         return self
 
 
+class ShaftSection(GearBlankSection):
+    """Features of one shaft between drive and output, instead of those of [train.intermediate].
+
+    One table [[train.shafts]] for each such shaft.
+    """
+
+    shaft: int = Field(
+        ge=2, le=MOST_STAGES, description="its number: 1 is the drive's shaft, 2 that behind the first stage"
+    )
+
+
 class PlateSection(DesignSection):
     """The plates that hold the axes of the train, for their drawing."""
 
@@ -503,8 +514,53 @@ class TrainSection(DesignSection):
     drive: GearBlankSection = GearBlankSection()
     intermediate: GearBlankSection = GearBlankSection()
     output: GearBlankSection = GearBlankSection()
+    shafts: Annotated[tuple[ShaftSection, ...], Strict(False)] | None = Field(
+        default=None, min_length=1, max_length=MOST_STAGES - 1
+    )
     plate: PlateSection | None = None
     search: SearchSection = SearchSection()
+
+    def on_shafts(self, shafts: int) -> tuple[tuple[str, GearBlankSection], ...]:
+        """Place in the section and features of each of so many shafts, from the drive to the output."""
+        own = {each.shaft: (f"shafts.{place}", each) for place, each in enumerate(self.shafts or (), 1)}
+        usual = ("intermediate", self.intermediate)
+        between = (own.get(number, usual) for number in range(2, shafts))
+        return (("drive", self.drive), *between, ("output", self.output))
+
+    @model_validator(mode="after")
+    def _shafts_are_those_between(self) -> "TrainSection":
+        most, seen = max(len(self.stages), self.search.stages or 1), dict[int, int]()
+        for place, each in enumerate(self.shafts or (), 1):
+            if most < 2:
+                raise ValueError(
+                    Message(
+                        "train.shafts is for the shafts between drive and output, and a train of one stage has none: "
+                        "remove it"
+                    )
+                )
+            if each.shaft > most:
+                raise ValueError(
+                    Message(
+                        "train.shafts.{place}.shaft is {shaft}, which is not between drive and output; it must be "
+                        "{least} to {most}",
+                        place=place,
+                        shaft=each.shaft,
+                        least=2,
+                        most=most,
+                    )
+                )
+            if each.shaft in seen:
+                raise ValueError(
+                    Message(
+                        "train.shafts.{place}.shaft and train.shafts.{other}.shaft are both {shaft}: remove one of "
+                        "the two",
+                        place=place,
+                        other=seen[each.shaft],
+                        shaft=each.shaft,
+                    )
+                )
+            seen[each.shaft] = place
+        return self
 
     @model_validator(mode="after")
     def _friction_has_its_source(self) -> "TrainSection":
@@ -521,7 +577,11 @@ class TrainSection(DesignSection):
     def _fits_are_of_sizes_in_the_table(self) -> "TrainSection":
         from cadgen.gears.fits import zones_of
 
-        for place, blank in (("drive", self.drive), ("intermediate", self.intermediate), ("output", self.output)):
+        own = [(f"shafts.{place}", each) for place, each in enumerate(self.shafts or (), 1)]
+        for place, blank in (
+            *(("drive", self.drive), ("intermediate", self.intermediate), ("output", self.output)),
+            *own,
+        ):
             holes = self.plate.hole_fit if self.plate else None
             for key, fit in ((f"train.{place}.bore_fit", blank.bore_fit), ("train.plate.hole_fit", holes)):
                 try:

@@ -51,16 +51,31 @@ class Blanks:
     """Features of the gears besides their teeth, on the drive's shaft, the shafts between, and the output's.
 
     `ending` says for the same three whether the shaft ends at its part, to one side of it or, between, to both.
+    `own` are the shafts between that have features of their own: number from 1 at the drive, blank, whether it ends.
     """
 
     drive: Blank
     intermediate: Blank
     output: Blank
     ending: tuple[bool, bool, bool] = (False, False, False)
+    own: tuple[tuple[int, Blank, bool], ...] = ()
 
     def by_shaft(self, shafts: int) -> tuple[Blank, ...]:
         """Blank of each of so many shafts, from the drive to the output."""
-        return (self.drive, *(self.intermediate,) * (shafts - 2), self.output)
+        own = {number: blank for number, blank, _ in self.own}
+        between = (own.get(number, self.intermediate) for number in range(2, shafts))
+        return (self.drive, *between, self.output)
+
+    def ends(self, shafts: int) -> tuple[bool, ...]:
+        """Whether each of so many shafts ends at its part, from the drive to the output."""
+        first, between, last = self.ending
+        own = {number: ends for number, _, ends in self.own}
+        return (first, *(own.get(number, between) for number in range(2, shafts)), last)
+
+    def places(self, shafts: int) -> tuple[str, ...]:
+        """Place of each of so many shafts in the section [train] of a design, from the drive to the output."""
+        own = {number: f"shafts.{place}" for place, (number, *_) in enumerate(self.own, 1)}
+        return ("drive", *(own.get(number, "intermediate") for number in range(2, shafts)), "output")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -268,9 +283,9 @@ def lay_out(
     wanted = tuple(directions or (None,) * len(train.stages))
     shafts = len(train.stages) + 1
     on_shafts = blanks.by_shaft(shafts) if isinstance(blanks, Blanks) else tuple(blanks)
-    first, between, last = blanks.ending if isinstance(blanks, Blanks) else (False,) * 3
     parts, planes = _stacked(train, on_shafts, clearance)
-    discs = _discs(parts, planes, train, (first, *(between,) * (shafts - 2), last))
+    stated = blanks if isinstance(blanks, Blanks) else Blanks(drive=Blank(), intermediate=Blank(), output=Blank())
+    discs = _discs(parts, planes, train, stated.ends(shafts), stated.places(shafts))
     for number, pair in enumerate(train.stages):
         # Neighbours are as far apart in every direction: what collides there needs no search.
         bodies, others = _turning(discs[number : number + 2], (0j, complex(pair.centre_distance)))
@@ -288,8 +303,8 @@ def lay_out(
     if chosen is None:
         # For the sake of the message: by the directions given, and then in a row, where shafts are furthest apart.
         row = [0.0 if direction is None else direction for direction in wanted]
-        stated = takewhile(lambda direction: direction is not None, (row[0], *wanted[1:]))
-        said = (_collision(_axes(train, list(way)), discs, clearance) for way in (row[: len(list(stated))], row))
+        fixed = takewhile(lambda direction: direction is not None, (row[0], *wanted[1:]))
+        said = (_collision(_axes(train, list(way)), discs, clearance) for way in (row[: len(list(fixed))], row))
         if collision := next(filter(None, said), None):
             raise DesignError(collision)
         raise DesignError(
@@ -434,7 +449,11 @@ def _gears_and_hubs(parts: Sequence[TrainPart], planes: Sequence[float], train: 
 
 
 def _discs(
-    parts: Sequence[TrainPart], planes: Sequence[float], train: Train, ending: Sequence[bool]
+    parts: Sequence[TrainPart],
+    planes: Sequence[float],
+    train: Train,
+    ending: Sequence[bool],
+    places: Sequence[str],
 ) -> list[list[Disc]]:
     """The bodies of revolution on every shaft, at the train's heights: gears, hub and the shaft itself."""
     on_shafts = _gears_and_hubs(parts, planes, train)
@@ -450,7 +469,7 @@ def _discs(
                 span=pair.bearing_span,
                 least=ceil((high - low) * 1e3 - 1e-6) / 1e3,
             )
-    for part, on, ends in zip(parts, on_shafts, ending, strict=True):
+    for part, on, ends, place in zip(parts, on_shafts, ending, places, strict=True):
         if part.blank.bore_diameter:
             stages = {max(part.shaft - 2, 0), min(part.shaft, len(train.stages)) - 1}
             half = max(train.stages[j].bearing_span for j in stages) / 2
@@ -464,7 +483,7 @@ def _discs(
                 middle - half,
                 middle + half,
                 ended=(middle - half if first else own[0], middle + half if last else own[1]),
-                place="drive" if first else "output" if last else "intermediate",
+                place=place,
             )
             on.append(shaft.ending() if ends else shaft)
     return on_shafts

@@ -41,6 +41,7 @@ from cadgen.gears.tooth import MINIMUM_TEETH, GearForm, involute
 from cadgen.gears.train import Train, TrainPlay, train_play
 from cadgen.gears.wheel_body import fits
 from cadgen.messages import Message, joined
+from cadgen.parts.blank import Blank
 
 # Limits of a search that is asked for nothing else. A stage that speeds up only wastes what another gains; more than
 # ten to one is hardly ever built with spur gears.
@@ -334,18 +335,18 @@ def fit_of(pairs: Pairs, limits: SearchLimits, blanks: Blanks, clearance: float)
     """
     stages, form = limits.stages, limits.pattern.form
     wheel, pinion = (pairs.module * (teeth / 2 + form.addendum_factor) for teeth in (pairs.driven, pairs.driver))
-    shafts = [blanks.drive, *[blanks.intermediate] * (stages - 1), blanks.output]
+    shafts = blanks.by_shaft(stages + 1)
     bores = [blank.shaft_diameter / 2 for blank in shafts]
     hubs = [blank.hub.diameter / 2 if blank.hub else 0.0 for blank in shafts]
-    collar = blanks.intermediate.hub
-    rubbing = wheel if collar and collar.length < clearance else np.zeros_like(wheel)
+    collars = [blank.hub for blank in shafts[1:-1]]
+    rubbing = [wheel if collar and collar.length < clearance else np.zeros_like(wheel) for collar in collars]
 
     def past(size: float | Array) -> Array:
         """Room that the axes of a stage leave beside a body of a radius on one shaft; any if there is no body."""
         return np.where(np.asarray(size) > 0, pairs.axes - size - clearance + ROOM_SLACK, inf)
 
     ends = sum(blank.hub.length for blank in (blanks.drive, blanks.output) if blank.hub)
-    collars = (stages - 1) * (collar.length if collar else collar_length(clearance))
+    between = sum(collar.length if collar else collar_length(clearance) for collar in collars)
     allowed = _places(pairs, limits, blanks)
     for place in range(stages):
         for shaft, other in ((place, place + 1), (place + 1, place)):
@@ -356,10 +357,12 @@ def fit_of(pairs: Pairs, limits: SearchLimits, blanks: Blanks, clearance: float)
         allowed=allowed,
         wheel=wheel,
         pinion=pinion,
-        after=np.array([past(np.maximum(bore, rubbing)) for bore in bores[2:]]).reshape(-1, wheel.size),
+        after=np.array([past(np.maximum(bore, rubs)) for bore, rubs in zip(bores[2:], rubbing, strict=True)]).reshape(
+            -1, wheel.size
+        ),
         before=np.array([past(bore) for bore in bores[:-2]]).reshape(-1, wheel.size),
         height=pairs.width,
-        most_height=limits.bearing_span - (ends + collars),
+        most_height=limits.bearing_span - (ends + between),
     )
 
 
@@ -386,16 +389,20 @@ def _places(pairs: Pairs, limits: SearchLimits, blanks: Blanks) -> BoolArray:
             fitting[row] = fit(form_of(limits, int(z), m, b, float(x_E[row])))
         return np.asarray(fitting)
 
-    first = ask(pairs.driver, pairs.shifts[0], lambda form: fits(form, blanks.drive))
-    later = ask(pairs.driver, pairs.shifts[0], lambda form: fits(form, blanks.intermediate, upper=True))
-    before = ask(pairs.driven, pairs.shifts[1], lambda form: fits(form, blanks.intermediate, upper=False))
-    last = ask(pairs.driven, pairs.shifts[1], lambda form: fits(form, blanks.output))
-    return np.array(
-        [
-            (first if place == 0 else later) & (last if place == limits.stages - 1 else before)
-            for place in range(limits.stages)
-        ]
-    )
+    drive, *between, output = blanks.by_shaft(limits.stages + 1)
+    known: dict[tuple[Blank, bool], BoolArray] = {}  # most shafts between have one blank
+
+    def cluster(blank: Blank, upper: bool) -> BoolArray:
+        if (blank, upper) not in known:
+            teeth, x_E = (pairs.driver, pairs.shifts[0]) if upper else (pairs.driven, pairs.shifts[1])
+            known[blank, upper] = ask(teeth, x_E, lambda form: fits(form, blank, upper=upper))
+        return known[blank, upper]
+
+    first = ask(pairs.driver, pairs.shifts[0], lambda form: fits(form, drive))
+    last = ask(pairs.driven, pairs.shifts[1], lambda form: fits(form, output))
+    drivers = [first, *(cluster(blank, True) for blank in between)]
+    driven = [*(cluster(blank, False) for blank in between), last]
+    return np.array([above & below for above, below in zip(drivers, driven, strict=True)])
 
 
 def form_of(limits: SearchLimits, teeth: int, module: float, width: float, x_E: float = 0.0) -> GearForm:

@@ -345,12 +345,9 @@ def _layout(hashed: _Hashed, train: Train) -> CarLayout:
     distances = [stage.centre_distance for stage in train.stages]
     # Of two shafts on one axis each ends at its gears.
     shared = [stage.centre_distance == 0 for stage in train.stages]
-    first, between, last = of_train.ending
     ending = tuple(
         ends or before or after
-        for ends, before, after in zip(
-            (first, *(between,) * (shafts - 2), last), (False, *shared), (*shared, False), strict=True
-        )
+        for ends, before, after in zip(of_train.ends(shafts), (False, *shared), (*shared, False), strict=True)
     )
     site = replace(_site(design, train, keys, bores), ending=ending)
     towards = None if keys.train_face is None else site.rod_side * (-1 if keys.train_face == Face.INNER else 1)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import degrees, prod
 from typing import TYPE_CHECKING
@@ -69,12 +69,14 @@ class ShaftMaking:
 
     Attributes:
         place: place of the shaft in the train, a key of the design.
+        word: word for it.
         material: material of the part; None where the design does not say.
         fit: fits and joint of its bore.
         bored: whether it has a bore, and thus a fit to be stated.
     """
 
     place: str
+    word: str
     material: str | None
     fit: ShaftFit
     bored: bool
@@ -87,6 +89,7 @@ class TrainMaking:
     Attributes:
         drive: part on the drive's shaft.
         intermediate: part on each shaft between.
+        own: parts on shafts between that have features of their own, by the number of the shaft.
         output: part on the camshaft.
         beside: parts beside the shafts, as planets are.
         plate: material of the plates; None where the design does not say.
@@ -97,6 +100,7 @@ class TrainMaking:
 
     drive: ShaftMaking
     intermediate: ShaftMaking
+    own: Mapping[int, ShaftMaking]
     output: ShaftMaking
     beside: ShaftMaking
     plate: str | None
@@ -108,14 +112,19 @@ class TrainMaking:
     def of(cls, keys: TrainSection) -> TrainMaking:
         """Making by the keys of a train."""
 
-        def shaft(place: str, given: GearBlankSection) -> ShaftMaking:
+        def shaft(place: str, given: GearBlankSection, word: str = "") -> ShaftMaking:
             fit = ShaftFit.of(given, given.bore_fit, given.hub.set_screw_thread if given.hub else None)
-            return ShaftMaking(place, given.material or keys.material, fit, bored=given.bore_diameter_mm > 0)
+            material = given.material or keys.material
+            return ShaftMaking(place, word or Message(place), material, fit, bored=given.bore_diameter_mm > 0)
 
         plate = keys.plate or PlateSection()
         return cls(
             shaft("drive", keys.drive),
             shaft("intermediate", keys.intermediate),
+            {
+                each.shaft: shaft(f"shafts.{place}", each, Message("shaft {number}", number=each.shaft))
+                for place, each in enumerate(keys.shafts or (), 1)
+            },
             shaft("output", keys.output),
             shaft("beside", GearBlankSection()),
             plate.material,
@@ -133,7 +142,9 @@ class TrainMaking:
         """
         if number > shafts:
             return self.beside
-        return self.drive if number == 1 else self.output if number == shafts else self.intermediate
+        if number in (1, shafts):
+            return self.drive if number == 1 else self.output
+        return self.own.get(number, self.intermediate)
 
     def open_keys(self, shafts: int) -> dict[str, str]:
         """Facts that the sheets leave open, each with its key.
@@ -141,13 +152,13 @@ class TrainMaking:
         Args:
             shafts: how many shafts there are.
         """
-        each = (self.drive, *([self.intermediate] if shafts > 2 else []), self.output)
+        each = [self.shaft(number, shafts) for number in range(1, shafts + 1)]
         keys: dict[str, str] = {}
         if not all(part.material for part in each):
             keys[Message("material of the gears")] = "train.material"
         for part in each:
             if part.bored and not part.fit.bore:
-                keys[Message("fit of the bore, {place}", place=Message(part.place))] = f"train.{part.place}.bore_fit"
+                keys[Message("fit of the bore, {place}", place=part.word)] = f"train.{part.place}.bore_fit"
         if not self.plate:
             keys[Message("material of the plates")] = "train.plate.material"
         if not self.holes:
