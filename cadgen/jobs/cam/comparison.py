@@ -45,6 +45,20 @@ PAPER_PERCENT = 45.31  # reduction of the sum of deflection errors by the paper'
 _NO_DISTANCE, _NO_HEADING = 1.0, radians(0.01)
 _LOSS = 0.01  # share of the error before that a file may give away
 _LEAST_LOSS = 10.0  # mm; less is within what a start by hand is off
+NEARER = 0.5  # share of the end error with a profile below which one that was refused would serve where it does not
+
+
+@dataclass(frozen=True)
+class Refused:
+    """Profile that ends much nearer than the one that keeps every check of the cam, and fails some.
+
+    Attributes:
+        evaluation: the profile.
+        failed: names of the checks that it fails.
+    """
+
+    evaluation: Evaluation
+    failed: tuple[str, ...]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -72,6 +86,9 @@ class PlayComparison:
         rubbing: effect of friction on the run, a sentence; empty if the design has friction or it changes nothing.
         rubs: worst end of the run with that friction, mm.
         beyond: failed checks of the limits of [optimize], where no profile keeps them all.
+        nearer: profile that was refused though it ends much nearer than `chosen`; None if there is none.
+        taken_for: advice on checks that `chosen` fails, where it was taken for a profile that keeps them and loses the
+            car; empty if it was not.
     """
 
     task: PlayTask
@@ -84,6 +101,8 @@ class PlayComparison:
     rubbing: str
     rubs: float = 0.0
     beyond: tuple[Check, ...] = ()
+    nearer: Refused | None = None
+    taken_for: str = ""
 
     def checked(self, checks: Sequence[Check]) -> tuple[Check, ...]:
         """Checks of the chosen profile, with the limits of [optimize] that it exceeds as the nearest of all.
@@ -92,7 +111,38 @@ class PlayComparison:
             checks: checks of the profile itself.
         """
         codes = [check.code for check in self.beyond]
-        return (*(check for check in checks if check.code not in codes), *self.beyond)
+        kept = [check for check in checks if check.code not in codes]
+        if self.taken_for:
+            failed = failing(kept)
+            kept = [
+                replace(check, advice=joined((check.advice, self.taken_for), "; ")) if check in failed else check
+                for check in kept
+            ]
+        return (*kept, *self.beyond)
+
+    def with_nearer(self, failed: Sequence[Check]) -> "PlayComparison":
+        """Comparison with the profile that was refused though it ends nearer, because the one chosen loses the car.
+
+        Args:
+            failed: checks that the car fails with the profile chosen.
+        """
+        assert self.nearer is not None
+        nearer, kept = self.nearer.evaluation, self.chosen
+        names = joined(dict.fromkeys(check.name for check in failed))
+        reason = Message(
+            "{nearest} taken in the end, though it fails {refused}: with {kept} the car fails {failed}",
+            nearest=Message(str(nearer.profile)),
+            refused=joined(self.nearer.failed),
+            kept=Message(str(kept.profile)),
+            failed=names,
+        )
+        other = Message(
+            "the {kept} keeps that, but ends {off:.0f} mm off at most, and fails {failed}",
+            kept=kept.title,
+            off=kept.band.worst_distance,
+            failed=names,
+        )
+        return replace(self, chosen=nearer, nearer=None, taken_for=other, reasons=(*self.reasons, reason))
 
     def gain(self, evaluation: Evaluation) -> tuple[float | None, float | None]:
         """Shares of heading and position error at the end that a profile takes off; None where there is hardly any.
@@ -310,11 +360,13 @@ class Best:
         evaluation: profile that is chosen.
         reasons: sentences.
         beyond: failed checks of the limits of [optimize], where no profile keeps them all.
+        nearer: profile that was refused though it ends much nearer; None if there is none.
     """
 
     evaluation: Evaluation
     reasons: tuple[str, ...]
     beyond: tuple[Check, ...] = ()
+    nearer: Refused | None = None
 
 
 def best_of(
@@ -353,6 +405,7 @@ def best_of(
         beyond = tuple(_exceeded(limit, near) for limit in allowed if not limit.kept_by(near))
         return Best(remaining[near.name], (error.message, *missed), beyond)
     refused: list[str] = []
+    nearer: Refused | None = None
     while remaining:
         try:
             choice = choose([candidates[name] for name in remaining], allowed, objective=deciding, unit="mm")
@@ -362,7 +415,10 @@ def best_of(
         best = remaining.pop(choice.best.name)
         failed = [check.name for check in failing(checks.of(best))]
         if not failed:
-            return Best(best, (*refused, *choice.reasons, *missed))
+            least, off = (candidates[str(each.profile)].figures[deciding] for each in (first, best))
+            much = off - least > _LEAST_LOSS and least < NEARER * off
+            return Best(best, (*refused, *choice.reasons, *missed), nearer=nearer if much else None)
+        nearer = nearer or Refused(best, tuple(map(Message, failed)))
         refused.append(
             Message(
                 "{profile} refused: it fails {failed}",
@@ -513,6 +569,7 @@ def against_play(
     compared_on: dict[StageOrder, tuple[Evaluation, ...]] = {}
     reasons: list[str] = []
     beyond: tuple[Check, ...] = ()
+    nearer: Refused | None = None
     for name, on_train in works.items():
         if name == order or all_trains:
             compared_on[name], refusals = _evaluations(on_train, profile, progress)
@@ -527,7 +584,7 @@ def against_play(
             others = {name: other_work for name, other_work in works.items() if name != order}
             more = (_other_order(others, profile, checks), _with_friction(design, task))
             beyond = tuple(replace(check, advice=joined((check.advice, *more), "")) for check in best.beyond)
-        chosen = best.evaluation
+        chosen, nearer = best.evaluation, best.nearer
         reasons += best.reasons
     reasons += _lost_sentences(task, chosen)
     reasons += joint_sentences(design)
@@ -549,6 +606,7 @@ def against_play(
         rubbing=said,
         rubs=worst,
         beyond=beyond,
+        nearer=nearer,
     )
 
 

@@ -18,9 +18,10 @@ from cadgen.curves.closed import ClosedCurve
 from cadgen.errors import DesignError
 from cadgen.figures import Figure
 from cadgen.inference.monte_carlo.random_cars import Tolerances, margins_of_cars
+from cadgen.jobs.cam.comparison import NEARER, Refused
 from cadgen.jobs.cam.wheel import DriveWheel
 from cadgen.jobs.nominal_car import VariedCar, watched_fleet
-from cadgen.messages import Message
+from cadgen.messages import Message, joined
 from cadgen.verdict import Reservation
 
 SAMPLE, SEED = 1000, 1  # the standard error of a share of 25 % is 1.4 %, of one of 90 % it is 0.9 %
@@ -31,7 +32,6 @@ WHEEL_SAME, WHEEL_OTHER = 0.02, 0.25
 # Radius of a drive wheel as a share of the wheelbase: no car stands on smaller wheels, and a larger one reaches past
 # the axle of the front wheel.
 _LEAST_WHEEL, _MOST_WHEEL = 0.02, 1.0
-_NEARER = 0.5  # share of the worst end within which another profile would serve where this one does not
 _SHOWN = 0.5  # mm; less off the end of the path is not worth a sentence
 
 
@@ -149,20 +149,35 @@ def _binds(found: CourseYield) -> Message:
 
 
 def _better_profile(use: JudgedCar) -> Message | None:
-    """Advice to mend what refuses a profile that ends much nearer; None if there is none."""
+    """Advice to mend what refuses a profile that ends much nearer, or to take it; None if there is none."""
     comparison = use.comparison
-    if comparison is not None:
-        ends = {each.band.worst_distance: each for each in comparison.evaluations}
-        nearest, off = ends[min(ends)], comparison.chosen.band.worst_distance
-        if nearest.band.worst_distance < off * _NEARER:
-            return Message(
-                "the {nearest} ends {near:.0f} mm off at most, and this one {off:.0f}: cadgen optimize says which "
-                "check refuses it, and what mends that comes first",
-                nearest=nearest.title,
-                near=nearest.band.worst_distance,
-                off=off,
-            )
+    if comparison is None:
+        return None
+    off = comparison.chosen.band.worst_distance
+    if comparison.nearer is not None:
+        return Message("{nearer}: mend that first", nearer=_refused(comparison.nearer, off))
+    ends = {each.band.worst_distance: each for each in comparison.evaluations}
+    nearest = ends[min(ends)]
+    if nearest.band.worst_distance < off * NEARER:
+        return Message(
+            "the {nearest} ends {near:.0f} mm off at most, and this one {off:.0f}: cadgen optimize compares them, and "
+            "says what refuses which",
+            nearest=nearest.title,
+            near=nearest.band.worst_distance,
+            off=off,
+        )
     return None
+
+
+def _refused(nearer: Refused, off: float) -> Message:
+    """Profile that was refused, with its end beside that of the profile chosen, in a clause."""
+    return Message(
+        "the {nearest} ends {near:.0f} mm off at most, and this one {off:.0f}, but it fails {failed}",
+        nearest=nearer.evaluation.title,
+        near=nearer.evaluation.band.worst_distance,
+        off=off,
+        failed=joined(nearer.failed),
+    )
 
 
 def _tighter(found: CourseYield) -> Message:
@@ -264,6 +279,17 @@ def reservations(use: JudgedCar, found: CourseYield | None) -> Iterator[Reservat
             Message("friction is not stated; a rod that rubs takes the car up to {worst:.0f} mm off", worst=worst),
             Message("say in [mechanics] what the car has, and cadgen optimize compares what helps"),
             Figure("friction", Message("off with friction"), worst, "mm"),
+        )
+    if comparison is not None and comparison.nearer is not None:
+        off, near = (each.band.worst_distance for each in (comparison.chosen, comparison.nearer.evaluation))
+        yield Reservation(
+            "nearer-profile-refused",
+            _refused(comparison.nearer, off),
+            Message(
+                "mend that; cadgen check with --profile {code} says where",
+                code=comparison.nearer.evaluation.profile.code,
+            ),
+            Figure("further_off", Message("further off the finish"), off - near, "mm"),
         )
     blend = use.drive_wheel.blend
     if blend is not None and blend.off > _SHOWN:

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from math import degrees, isfinite
+from math import ceil, degrees, isfinite
 
 import numpy as np
 
@@ -24,7 +24,7 @@ from cadgen.car.running.drive import drive, start_pose
 from cadgen.car.running.mechanics import MechanicsBand
 from cadgen.car.running.sampled import rolled_lift
 from cadgen.car.steering import Car
-from cadgen.check import Check, CheckCode
+from cadgen.check import Check, CheckCode, failing
 from cadgen.curves.closed import ClosedCurve, Outline
 from cadgen.design import cam_model, variation
 from cadgen.design.as_built import AsBuiltSection
@@ -65,8 +65,10 @@ from cadgen.parts.face import Face
 from cadgen.progress import Progress, silent
 from cadgen.verdict import PartVerdict, Reservation
 
-# Lengthening the closing blend is tried by these factors.
+# Lengthening the closing blend is tried by these factors, and a larger base circle by those.
 _BLEND_FACTORS = (1.5, 2.0, 3.0, 5.0, 8.0)
+_BASE_FACTORS = (1.03, 1.07, 1.15, 1.3, 1.6, 2.0)
+_STEEP = (CheckCode.PRESSURE_ANGLE_RISE, CheckCode.PRESSURE_ANGLE_RETURN)
 
 
 @dataclass(frozen=True)
@@ -358,23 +360,32 @@ class CarUse(Application):
         """Reservation on a train that does not fit the car, which is not laid out; None if nothing is known of that."""
         return layout_reservation(self.design)
 
+    def curable(self, cam: CamPlan) -> tuple[Check, ...]:
+        """Failed checks on lost lift and on the pressure angle."""
+        return (*cam.lost, *(check for check in failing(cam.checks) if check.code in _STEEP))
+
     def changes(self, cam: CamPlan) -> Iterable[Sequence[tuple[str, str]]]:
-        """A spline without kinks, and a longer closing blend where lift is lost in it."""
+        """A spline without kinks, a larger base circle, and a longer closing blend where lift is lost in it."""
         if self.design.path.spline == CUBIC.code:
             yield [('path.spline="quintic"', "cubic")]
+        if any(check.code in _STEEP for check in failing(cam.checks)):
+            base = self.design.cam.base_radius_mm
+            yield [(f"cam.base_radius_mm={ceil(base * factor):g}", f"{base:g}") for factor in _BASE_FACTORS]
         now = self.design.cam.blend_deg
         if any(trim.after >= self.steering.blend_start for trim in cam.trims):
             yield [(f"cam.blend_deg={now * factor:g}", f"{now:g}") for factor in _BLEND_FACTORS]
 
     def replanned(self, cam: CamPlan, override: str) -> tuple[Check, ...]:
-        """Checks of the cam's profile for a changed design; against play the method already chosen is kept."""
+        """Checks of the cam's profile and of the layout for a changed design; a method against play is kept."""
         design = with_overrides(self.design, [override])
+        layout = laid_out(design)
+        placed = () if layout is None else layout.checks
         if self.comparison is None:
-            return _plan(design, cam.kind, silent).checks
+            return (*_plan(design, cam.kind, silent).checks, *placed)
         chosen, track = self.comparison.chosen, cam_model.track(design)
         task = task_of(design, track, cam_model.lift(design, track), cam_model.follower(design))
         work = TrainTask(task, chosen.train, known_trains(design)[chosen.train])
-        return ProfileChecks(design, task).of(evaluate(work, chosen.profile))
+        return (*ProfileChecks(design, task).of(evaluate(work, chosen.profile)), *placed)
 
     def entry(self, cam: CamPlan) -> Facts:
         """Wheel, track, blend or laps, comparison under play, and the car as built."""
@@ -638,15 +649,37 @@ def _plan_against_play(
     all_trains: bool = False,
     measured: MeasuredCam | None = None,
 ) -> CamPlan:
-    """Plan of a profile, with its comparison under play."""
+    """Plan of a profile, with its comparison under play.
+
+    A profile that keeps every check of the cam and loses the car is no better than one that brings the car in and fails
+    a check: neither is ready. Of the two the second is planned, whose cure is a matter of the disc, and both are named.
+    """
     progress("planning the path")
     track = cam_model.track(design)
     lift, rod = cam_model.lift(design, track), cam_model.follower(design)
     progress(Message("computing the {profile} profile", profile=Message(str(profile))))
     checks = ProfileChecks(design, task_of(design, track, lift, rod))
     comparison = against_play(profile, checks, all_trains=all_trains, measured=measured, progress=progress)
-    chosen = comparison.chosen
     progress("checking the profile")
+    plan = _played(profile, checks, comparison, track)
+    if comparison.nearer is None or not plan.failed:
+        return plan
+    other = _played(profile, checks, comparison.with_nearer(plan.failed), track)
+    of_cam = {check.code for check in failing(other.checks)}
+    lost = {check.code for check in other.failed} - of_cam
+    return other if lost < {check.code for check in plan.failed} else plan
+
+
+def _played(profile: ProfileKind, checks: ProfileChecks, comparison: PlayComparison, track: Track) -> CamPlan:
+    """Plan of the profile that was chosen under play.
+
+    Args:
+        profile: kind of profile that was asked for.
+        checks: checks of the design's profiles.
+        comparison: comparison with its choice.
+        track: track of the drive wheel.
+    """
+    design, chosen, lift = checks.design, comparison.chosen, checks.task.lift
     course, laps = on_course(design, track, lift), _laps(design, track, lift)
     of_cam = comparison.checked(checks.of(chosen))
     checked = (
@@ -658,7 +691,7 @@ def _plan_against_play(
         *outlook_checks(design),
     )
     use = CarUse(design, track, chosen.lift, comparison, course, laps)
-    return _car_plan(use, profile, rod, chosen.cut, chosen.wanted.trims, checked)
+    return _car_plan(use, profile, cam_model.follower(design), chosen.cut, chosen.wanted.trims, checked)
 
 
 def _measured_cam(design: Design) -> MeasuredCam | None:
