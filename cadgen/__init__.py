@@ -20,6 +20,7 @@ The rooms, in walking order; each imports only those before it.
 | `writing`    | files that a user names, written whole or not at all                          |
 | `progress`   | the callback by which a job reports its progress                              |
 | `processes`  | a part of a job beside the rest, or many items, in other processes            |
+| `glossary`   | words of the field, in English and Chinese                                    |
 | `curves`     | closed plane curves: arcs, splines, chords and offsets within a tolerance     |
 | `laws`       | motions: what a follower has to do in one turn of a cam                       |
 | `parts`      | features of a part: bore, keyway, hub, web, holes; a body of prisms           |

@@ -10,6 +10,7 @@
 | `study_commands` | `cadgen explore`, `merge`: studies of many designs            |
 | `page_commands` | `cadgen report`, `edit`, `draw`: what shows a design           |
 | `verify`    | `cadgen verify`: a folder against its manifest                     |
+| `explain`   | `cadgen explain`: a word of the field, or a key of the design file |
 | `options`   | arguments and options that several commands share                  |
 | `show`      | progress, sheets of checks and files, sentences, JSON, the verdict |
 | `show_play` | sheets of methods, runs, remedies, many cars and budgets           |
@@ -38,6 +39,7 @@ from cadgen.cli import help, interrupt, output
 from cadgen.cli.cam_commands import cam, check, optimize
 from cadgen.cli.car_commands import adjust, calibrate, simulate, tolerance
 from cadgen.cli.design_commands import card, new, plan
+from cadgen.cli.explain import explain
 from cadgen.cli.gear_numbers import gear, pair, planetary
 from cadgen.cli.gears import gears
 from cadgen.cli.page_commands import draw, edit, report
@@ -50,6 +52,15 @@ from cadgen.version import __version__
 USAGE, FILE = 2, 3
 _LAST_SECOND = 253402300799  # of the year 9999
 
+# What somebody who has just installed cadgen may want, and the command for it.
+_FIRST = (
+    (Message("A cam by its motion, for any follower:"), "cadgen new my_cam --motion"),
+    (Message("A steering cam for a car on a path of points:"), "cadgen new my_car --points points.csv"),
+    (Message("Two gears in mesh:"), "cadgen pair --teeth 20,40 --module-mm 1 --width-mm 8 --out exports"),
+    (Message("A packaged design, judged without making a file:"), "cadgen check roller"),
+    (Message("What a word means:"), "cadgen explain play"),
+)
+
 
 @click.group(
     cls=help.Group,
@@ -60,12 +71,16 @@ _LAST_SECOND = 253402300799  # of the year 9999
 @click.version_option(__version__, prog_name="cadgen", cls=help.Option, help="Show the version and exit.")
 @click.pass_context
 def cli(context: click.Context) -> None:
-    """Steering cams and the gear trains that drive them, from a planned path to verified files.
+    """Cams and gears: from a motion, a course or numbers of teeth to files that are read back and proven.
 
     DESIGN is the name of a packaged design or a TOML file; without it the paper's car is used.
     """
     if context.invoked_subcommand is None:
-        click.echo(context.get_help(), err=True)
+        page = context.make_formatter()
+        page.write_text(shown(Message("Begin with one of these; `cadgen --help` lists all commands.")))
+        for meaning, line in _FIRST:
+            page.write(f"\n{shown(meaning)}\n  {line}\n")
+        click.echo(page.getvalue(), err=True, nl=False)
         context.exit(USAGE)
 
 
@@ -83,28 +98,20 @@ language_option = help.Option(
     callback=_choose,
 )
 cli.params.append(language_option)
-cli.add_command(new)
-cli.add_command(plan)
-cli.add_command(card)
-cli.add_command(cam)
-cli.add_command(check)
-cli.add_command(gears)
-cli.add_command(gear)
-cli.add_command(pair)
-cli.add_command(planetary)
-cli.add_command(draw)
-cli.add_command(simulate)
-cli.add_command(optimize)
-cli.add_command(tolerance)
-cli.add_command(calibrate)
-cli.add_command(adjust)
-cli.add_command(explore)
-cli.add_command(merge)
-cli.add_command(report)
-cli.add_command(edit)
-cli.add_command(verify)
-for command in cli.commands.values():
-    command.params.append(language_option)
+# The commands in the order of work; `cadgen --help` lists them so.
+cli.sections = {
+    Message("Begin"): (new, plan, card),
+    Message("Judge"): (check, optimize, simulate, tolerance),
+    Message("Make"): (cam, gears, gear, pair, planetary, draw),
+    Message("Show and edit"): (report, edit),
+    Message("Measure and correct"): (calibrate, adjust),
+    Message("Explore thousands of designs"): (explore, merge),
+    Message("Look up"): (verify, explain),
+}
+for commands in cli.sections.values():
+    for command in commands:
+        command.params.append(language_option)
+        cli.add_command(command)
 
 
 def main() -> NoReturn:

@@ -9,10 +9,11 @@ import gettext
 import os
 import re
 import unicodedata
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from inspect import cleandoc
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import click
@@ -124,7 +125,21 @@ class Command(click.Command):
 
 
 class Group(Command, click.Group):
-    """Group of commands whose help is said in the chosen language."""
+    """Group of commands whose help is said in the chosen language, in sections.
+
+    Attributes:
+        sections: commands by the heading that they stand under.
+    """
+
+    sections: Mapping[Message, Sequence[click.Command]] = MappingProxyType({})
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write the first sentence of each command under its heading."""
+        widest = max(len(command.name or "") for commands in self.sections.values() for command in commands)
+        for heading, commands in self.sections.items():
+            rows = [(f"{command.name:{widest}}", command.get_short_help_str(1000)) for command in commands]
+            with formatter.section(shown(heading)):
+                formatter.write_dl(rows)
 
 
 class Option(click.Option):

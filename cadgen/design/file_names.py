@@ -1,10 +1,12 @@
 """Names that files can have on every system."""
 
 import re
+from unicodedata import normalize
 
 from cadgen.messages import Message
 
-_PLAIN = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}")
+_PLAIN = re.compile(r"[^\W_][\w.-]*")  # letters of any script
+_LONGEST = 64  # letters; of three bytes each in a file system, with the ending, some 200 of the 255 that it allows
 # What Windows keeps for devices, in capitals or not, with whatever follows a first dot.
 _DEVICES = re.compile(r"(con|prn|aux|nul|com[0-9]|lpt[0-9])(\..*)?", re.IGNORECASE)
 
@@ -15,10 +17,8 @@ def name_fault(name: str) -> str:
     Args:
         name: name of a design or a part, without the ending of a file.
     """
-    if not _PLAIN.fullmatch(name):
-        return Message(
-            "be 1 to 64 letters (A-Z, a-z), digits, dots, dashes and underscores, and begin with a letter or digit"
-        )
+    if not _PLAIN.fullmatch(name) or len(name) > _LONGEST or normalize("NFC", name) != name:
+        return Message("be 1 to 64 letters, digits, dots, dashes and underscores, and begin with a letter or digit")
     if _DEVICES.fullmatch(name):
         return Message(
             "be another one, for on Windows {device} is a device: add to it, such as {name}_1",
@@ -36,5 +36,5 @@ def usable_name(text: str) -> str:
     Args:
         text: any, such as a file's name without its ending.
     """
-    name = re.sub(r"[^A-Za-z0-9._-]+", "_", text).lstrip("._-")[:64].rstrip(".") or "design"
+    name = re.sub(r"[^\w.-]+", "_", normalize("NFC", text)).lstrip("._-")[:64].rstrip(".") or "design"
     return f"design_{name}"[:64].rstrip(".") if name_fault(name) else name

@@ -19,7 +19,7 @@ from cadgen.design.schema import OF_A_CAR, DesignFile, MotionFile
 from cadgen.design.section import DesignSection, OneOf, ZeroOrFeature, listed
 from cadgen.design.train import StageSection, stage_section
 from cadgen.errors import escaped
-from cadgen.messages import Message
+from cadgen.messages import Message, joined
 
 # How the ends of key names read in a sentence.
 _UNITS = {
@@ -94,6 +94,16 @@ class Key:
     def meaning(self) -> str:
         """A phrase."""
         return self.info.description or ""
+
+    @property
+    def demand(self) -> Message:
+        """Demand on its value, as one phrase: what it must be, its unit and its default."""
+        parts = [Message("must be {allowed}", allowed=self.allowed or self.allowed_inside or self.kinds[0])]
+        if self.unit:
+            parts.append(Message("unit {unit}", unit=Message(self.unit)))
+        if self.default is not None:
+            parts.append(Message("default {value}", value=shown(self.default)))
+        return joined(parts, "; ")
 
     # Sentences are made when they are asked for: some choices are registered in rooms that take long to load.
     @property

@@ -6,7 +6,7 @@ from cadgen.cam.followers import table as followers
 from cadgen.cam.followers.kind import FollowerKind
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
 from cadgen.car.path.path_kinds import PathKind, codes, kind_of
-from cadgen.design.keys import Key, SectionKeys, last, shown, tables
+from cadgen.design.keys import Key, SectionKeys, keys, last, shown, tables
 from cadgen.design.kinds import Kinds
 from cadgen.design.load import DEFAULT_DESIGN, packaged_designs
 from cadgen.design.section import listed
@@ -77,6 +77,25 @@ outwards; on the return the spring drives it back.
 | name | rise | return | source |
 |---|---|---|---|
 """
+
+
+def named_keys(name: str) -> list[Key]:
+    """Keys of every kind of design that have a name.
+
+    Args:
+        name: dotted name, or its last part, which several sections may have.
+    """
+    kinds = (
+        Kinds(),
+        Kinds(motion=True),
+        *(Kinds(follower=followers.kind_of(code), motion=True) for code in followers.codes()[1:]),
+        *(Kinds(stage=stage_kinds.kind_of(code)) for code in stage_kinds.codes()),
+        *(Kinds(path=kind_of(code)) for code in codes()),
+    )
+    found: dict[str, Key] = {}
+    for each in kinds:
+        found = {**keys(each), **found}
+    return [found[name]] if name in found else [key for full, key in found.items() if last(full) == name]
 
 
 def page() -> str:

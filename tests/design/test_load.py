@@ -66,7 +66,9 @@ def designs(draw: st.DrawFn) -> Tables:
     }
     pair = draw(st.lists(st.sampled_from(sorted(faces)), min_size=2, max_size=2, unique=True))
     optional = {
-        "name": st.from_regex(r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}", fullmatch=True).filter(lambda n: not name_fault(n)),
+        "name": st.from_regex(r"[A-Za-z0-9小车é][A-Za-z0-9._小车é-]{0,63}", fullmatch=True).filter(
+            lambda n: not name_fault(n)
+        ),
         "field": st.fixed_dictionaries(
             {"size_mm": st.lists(numbers(1, 1e4), min_size=2, max_size=2)},
             optional={"corner_mm": point, "obstacles_mm": st.lists(point, max_size=4)},
@@ -216,7 +218,8 @@ def test_packaged_designs_are_found_inside_the_installed_package(
 
 
 def test_the_shortest_design_takes_its_name_from_its_file(minimal: Tables, tmp_path: Path) -> None:
-    for file, name in [("mine.toml", "mine"), ("-my car (2).toml", "my_car_2_"), ("ä.toml", "design")]:
+    names = {"mine.toml": "mine", "-my car (2).toml": "my_car_2_", "小车.toml": "小车", "%.toml": "design"}
+    for file, name in names.items():
         (tmp_path / file).write_text(tomli_w.dumps(minimal))
         design = load_design(tmp_path / file)
         assert (design.name, design.source) == (name, file)

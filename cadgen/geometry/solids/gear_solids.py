@@ -48,7 +48,15 @@ from cadgen.geometry.solids.kernel import (
     solids,
     volume,
 )
-from cadgen.geometry.solids.step import add_part, colour_of, completed, document_bytes, new_document, read_document
+from cadgen.geometry.solids.step import (
+    add_part,
+    colour_of,
+    completed,
+    document_bytes,
+    encoded,
+    new_document,
+    read_document,
+)
 from cadgen.parts.body import Body, Cap, RadialHole, SweptWall, caps_of, walls_of
 from cadgen.parts.loop import Arc, Curve, Involute, Loop, Points, Segment, bezier_poles
 from cadgen.processes import in_second_process
@@ -306,4 +314,4 @@ def _judged(shapes: Sequence[TopoDS_Shape]) -> list[tuple[bool, float]]:
 
 
 def _name(label: TDF_Label, name: str) -> None:
-    TDataStd_Name.Set_s(label, TCollection_ExtendedString(name))
+    TDataStd_Name.Set_s(label, TCollection_ExtendedString(encoded(name)))

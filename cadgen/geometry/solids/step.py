@@ -88,8 +88,7 @@ def step_bytes(part: SolidPart) -> bytes:
     """Return the STEP file of a part: the same bytes for the same part, whatever was written before.
 
     Raises:
-        FileError: the kernel refused, the name or the description is not ASCII, or SOURCE_DATE_EPOCH is not a
-            number of seconds.
+        FileError: the kernel refused, or SOURCE_DATE_EPOCH is not a number of seconds.
     """
     document = new_document()
     add_part(document, part)
@@ -104,20 +103,10 @@ def new_document() -> TDocStd_Document:
 
 
 def add_part(document: TDocStd_Document, part: SolidPart) -> TDF_Label:
-    """Put a part with its name and colour into a document, and return its label.
-
-    Raises:
-        FileError: the name or the description is not ASCII.
-    """
-    if not (part.name + part.description).isascii():
-        raise FileError(
-            "{name!r} and {description!r} must be ASCII in a STEP file: the CAD kernel garbles other letters",
-            name=part.name,
-            description=part.description,
-        )
+    """Put a part with its name and colour into a document, and return its label."""
     tool = XCAFDoc_DocumentTool
     label = tool.ShapeTool_s(document.Main()).AddShape(part.solid, False)
-    TDataStd_Name.Set_s(label, TCollection_ExtendedString(part.name))
+    TDataStd_Name.Set_s(label, TCollection_ExtendedString(encoded(part.name)))
     tool.ColorTool_s(document.Main()).SetColor(label, Quantity_Color(*part.colour, Quantity_TOC_sRGB), XCAFDoc_ColorGen)
     return label
 
@@ -302,8 +291,19 @@ def _of_type(session: XSControl_WorkSession, kind: Any) -> list[Any]:
     return [entities.Value(number) for number in range(1, entities.Length() + 1)]
 
 
+def encoded(text: str) -> str:
+    """Text as ISO 10303-21 writes it, letters beyond ASCII by their codes; the kernel garbles them."""
+
+    def codes(found: re.Match[str]) -> str:
+        short = max(found[0]) <= "\uffff"
+        digits = found[0].encode("utf-16-be" if short else "utf-32-be").hex().upper()
+        return f"\\{'X2' if short else 'X4'}\\{digits}\\X0\\"
+
+    return re.sub(r"[^\x00-\x7f]+", codes, text)
+
+
 def _text(value: str) -> TCollection_HAsciiString:
-    return TCollection_HAsciiString(value)
+    return TCollection_HAsciiString(encoded(value))
 
 
 def _silence() -> None:

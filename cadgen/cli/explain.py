@@ -1,0 +1,49 @@
+"""`cadgen explain`: what a word of the field, or a key of the design file, means."""
+
+from itertools import groupby
+
+import click
+
+from cadgen import glossary
+from cadgen.cli import help
+from cadgen.errors import DesignError, brief
+from cadgen.messages import Message, joined, language, shown
+
+_MOST_KEYS = 6  # of one name in several sections
+
+
+@help.command()
+@click.argument("words", nargs=-1, metavar="[TERM]...")
+def explain(words: tuple[str, ...]) -> None:
+    """Explain a word that cadgen uses, or a key of the design file.
+
+    TERM is a word such as `play` or `return error`, in English or Chinese, or a key such as cam.thickness_mm. Without
+    one all words are listed.
+    """
+    from cadgen.design.reference import named_keys
+
+    word = " ".join(words).strip()
+    if word:
+        entries = [
+            *((f"{term.name} ({term.other_name})", term.meaning, "") for term in glossary.find(word, language())),
+            *((key.name, shown(Message(key.meaning)), shown(key.demand)) for key in named_keys(word)[:_MOST_KEYS]),
+        ]
+    else:
+        sections = groupby(glossary.terms(language()).values(), lambda term: term.section)
+        entries = [(title, ", ".join(term.name for term in found), "") for title, found in sections]
+    if not entries:
+        near = glossary.nearest(word, language())
+        raise DesignError(
+            '"{word}" is no term and no key: {hint}',
+            word=brief(word, 40),
+            hint=Message("did you mean {names}?", names=joined(near, Message(" or ")))
+            if near
+            else Message("cadgen explain lists all terms, docs/design-file.md all keys"),
+        )
+    page = click.get_current_context().make_formatter()
+    for name, meaning, demand in entries:
+        page.write(f"{name}\n")
+        with page.indentation():
+            for text in filter(None, (meaning, demand)):
+                page.write_text(text)
+    click.echo(page.getvalue(), nl=False)

@@ -1,0 +1,55 @@
+"""`cadgen explain`, the first screen, and the list of commands."""
+
+import re
+
+import pytest
+from click.testing import CliRunner
+
+from cadgen import glossary
+from cadgen.cli import _FIRST, cli
+from tests.cli.conftest import one_sentence
+
+
+@pytest.mark.parametrize("word", ["play", "Gates", "return error", "回程误差", "轮廓失真", "chord-tolerance"])
+def test_a_word_is_found_in_both_languages_and_by_its_plural(cadgen, word):
+    for language in ("en", "zh"):
+        said = cadgen("--lang", language, "explain", *word.split(), code=0).stdout
+        assert len(said.splitlines()) >= 2
+
+
+def test_a_key_is_explained_with_what_it_must_be(cadgen):
+    assert " ".join(cadgen("explain", "cam.thickness_mm", code=0).stdout.split()) == (
+        "cam.thickness_mm C, between the disc's faces must be at least 0.1 and at most 100; unit mm"
+    )
+    assert "cutter_teeth" in cadgen("explain", "cutter_teeth", code=0).stdout
+
+
+def test_an_unknown_word_names_the_nearest(cadgen):
+    assert "did you mean pressure angle?" in one_sentence(cadgen("explain", "presure", "angle", code=2))
+
+
+def test_the_pages_of_the_glossary_have_the_same_terms_in_the_same_order():
+    english, chinese = (list(glossary.terms(language).values()) for language in ("en", "zh"))
+    assert [(term.name, term.other_name) for term in english] == [(term.other_name, term.name) for term in chinese]
+    assert all(re.search("[\u4e00-\u9fff].*。$", term.meaning) for term in chinese)
+
+
+def test_every_command_stands_under_one_heading():
+    listed = [command.name for commands in cli.sections.values() for command in commands]
+    assert sorted(listed) == sorted(cli.commands)
+
+
+def test_help_is_not_cut_on_a_narrow_terminal():
+    said = CliRunner().invoke(cli, ["--help"], terminal_width=60).output
+    assert "..." not in said.replace("[ARGS]...", "")
+    assert max(map(len, said.splitlines())) <= 60
+    assert said.index("\nBegin:") < said.index("\nJudge:") < said.index("\nMake:") < said.index("\nLook up:")
+
+
+def test_without_arguments_the_first_screen_names_commands_that_there_are(cadgen):
+    result = cadgen(code=2)
+    assert result.stdout == ""
+    assert len(result.stderr.splitlines()) <= 20
+    for _, line in _FIRST:
+        assert f"  {line}\n" in result.stderr
+        assert line.split()[1] in cli.commands
