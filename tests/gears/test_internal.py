@@ -8,6 +8,8 @@ from pathlib import Path
 import manifold3d
 import numpy as np
 import pytest
+from shapely import Polygon
+from shapely.affinity import rotate, translate
 
 from cadgen.errors import DesignError
 from cadgen.gears.contact import contact_ratio, found_contact_ratio
@@ -380,3 +382,25 @@ def test_spans_over_spaces_touch_where_the_flats_are_square_to_the_flank():
     arc = form.base_half_angle + 5 * pi / 52
     assert over / 2 == pytest.approx(base * arc * cos(form.base_helix_angle), abs=1e-12)
     assert sin(form.base_helix_angle) == pytest.approx(sin(radians(12)) * cos(radians(20)))
+
+
+@pytest.mark.parametrize(("small", "large"), [(12, 25), (16, 26), (17, 60), (18, 31), (29, 40), (31, 42), (40, 120)])
+def test_sectors_overlap_as_whole_sections_do(small, large):
+    """Only teeth near the line of centres are set against each other: shapely finds the same with all of them."""
+    pair = pair_of(pinion(small, 0.0, -0.05), ring(large, addendum=0.6, cutter_teeth=0), (large - small) / 2)
+    built = measured_pair(pair)
+    teeth, hole = (
+        Polygon(np.column_stack([section.corners.ravel().real, section.corners.ravel().imag]))
+        for section in (built.driver, built.driven)
+    )
+    for step in range(3):
+        turned = 2 * pi / small * step / 3
+        for off in (0.0, 0.4 * built.half_pitch, built.half_pitch):
+            at = built.middle(turned) + off
+            moved = translate(rotate(hole, degrees(at), origin=(0, 0)), built.centre_distance)
+            whole = rotate(teeth, degrees(turned), origin=(0, 0)).difference(moved).area
+            # Far beside the line of centres more teeth of a large pinion meet than are looked at.
+            found = built.overlap(turned, at)
+            assert found <= whole + 1e-6
+            assert (found > 1e-6) == (whole > 1e-6)
+            assert small > 30 or found == pytest.approx(whole, abs=1e-6)

@@ -18,7 +18,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from math import pi
+from math import asin, ceil, pi
 
 import manifold3d
 import numpy as np
@@ -36,6 +36,7 @@ ANGLE_STEP = 1e-8
 # Teeth to either side of the line of centres: a contact ratio below 3 needs no more.
 TEETH_BESIDE = 2
 # In a ring tips may foul each other far from the line of action, and the ring must reach past the pinion's last tooth.
+# Of a smaller pinion all teeth are looked at.
 TEETH_INSIDE, RING_BEYOND = 7, 3
 
 
@@ -241,10 +242,14 @@ class MeasuredPair(MeasuredMesh):
         """Teeth of a section to either side of the line of centres that are looked at."""
         if not self.internal:
             return TEETH_BESIDE
-        # All of a small pinion asks for all of its ring, lest it stands out of what is left of the hole.
         pinion = self.driven if self.driver.ring else self.driver
-        beside = TEETH_INSIDE if pinion.teeth > 2 * TEETH_INSIDE + 1 else section.teeth
-        return beside + RING_BEYOND if section.ring else beside
+        if pinion.teeth > 2 * (2 * TEETH_INSIDE + 1):  # no more than a quarter of a turn to either side
+            return TEETH_INSIDE + RING_BEYOND if section.ring else TEETH_INSIDE
+        if not section.ring or pinion.tip_radius >= self.centre_distance:  # it reaches over the ring's axis
+            return section.teeth
+        # As far as all of the pinion is seen from the ring's axis, lest it stands out of what is left of the hole.
+        seen = asin(pinion.tip_radius / self.centre_distance)
+        return ceil(seen / (2 * pi) * section.teeth) + RING_BEYOND
 
     def clearances(self) -> tuple[float, float]:
         """Gap in mm between the driver's tips and the driven gear's roots, and the other way round."""
