@@ -159,7 +159,10 @@ def check_cam(
     wanted = follower.lift(motion.q(theta))
     # Where nothing depends on the motion the follower may stand elsewhere, and must be held there as well.
     positions = np.stack([motion.q(theta), np.where(motion.idle(theta), contact.q, motion.q(theta))])
-    trimmed = _trimmed(motion, theta, trims)
+    # Where the envelope is trimmed, or nothing depends on the motion, other checks judge the lift.
+    trimmed = motion.idle(theta)
+    for trim in trims:
+        trimmed |= (theta - trim.before) % TURN <= (trim.after - trim.before) % TURN
     cam = RolledCam(
         motion=motion,
         follower=follower,
@@ -225,14 +228,6 @@ def signed_pressure(cam: RolledCam) -> tuple[Check, ...]:
             (CheckCode.PRESSURE_ANGLE_LEAST, Message("pressure angle, least"), int(np.argmin(angle))),
         )
     )
-
-
-def _trimmed(motion: Motion, theta: Array, trims: tuple[Trim, ...]) -> NDArray[np.bool_]:
-    """Where the envelope is trimmed, or nothing depends on the motion: both have checks of their own."""
-    trimmed = motion.idle(theta)
-    for trim in trims:
-        trimmed |= (theta - trim.before) % TURN <= (trim.after - trim.before) % TURN
-    return trimmed
 
 
 def _pressure(motion: Motion, follower: Follower, contact: Contact, limits: CheckLimits) -> list[Check]:

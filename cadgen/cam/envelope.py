@@ -90,9 +90,11 @@ def actual_profile(motion: Motion, follower: Follower) -> ActualProfile:
             bracket = near - (near - low) % TURN, near + (high - near) % TURN
             both = by_angle[left.branch], by_angle[run.branch]
             leave, enter = _crossing(before, after, both, bracket, near, side)
-            if not _meet(before, after, leave, enter):
-                # The next branch of the face before may be the lowest for less than a cell.
-                between = _next_of_face(branches, left.branch)
+            apart = [b.jet(np.array([t])).point[0] for b, t in ((before, leave), (after, enter))]
+            if np.abs(apart[0] - apart[1]).max() >= 2 * SAME:
+                # They do not meet: the next branch of the face before may be the lowest for less than a cell.
+                face = [number for number, branch in enumerate(branches) if branch.face == before.face]
+                between = face[(face.index(left.branch) + 1) % len(face)]
                 if between == run.branch or len(runs) > len(branches):
                     raise _overhang(motion, follower, after, enter)
                 runs.insert(len(begins), LowestRun(run.cell, between))
@@ -126,12 +128,6 @@ def _continuations(branches: list[Branch], starts: Array, spans: Array) -> dict[
         if after:
             following[number] = max(after)
     return following
-
-
-def _next_of_face(branches: list[Branch], number: int) -> int:
-    """The branch of the same face that comes after one round the turn."""
-    same = [index for index, branch in enumerate(branches) if branch.face == branches[number].face]
-    return same[(same.index(number) + 1) % len(same)]
 
 
 def _branches(motion: Motion, follower: Follower) -> list[Branch]:
@@ -228,12 +224,6 @@ def _closest(
         best = int(np.argmax(off > 0))
         low, high = angles[best - 1], angles[best]
     return float(t[0][best]), float(t[1][best])
-
-
-def _meet(before: Branch, after: Branch, leave: float, enter: float) -> bool:
-    """Whether one branch ends where the next begins."""
-    points = [b.jet(np.array([t])).point[0] for b, t in ((before, leave), (after, enter))]
-    return bool(np.abs(points[0] - points[1]).max() < 2 * SAME)
 
 
 def _overhang(motion: Motion, follower: Follower, after: Branch, enter: float) -> DesignError:

@@ -28,7 +28,10 @@ def specific_sliding(pair: Pair) -> tuple[float, float]:
     """Specific sliding of driver and driven gear where contact begins in their roots, as cut: the least of each."""
     start, end = path_of_contact(pair)
     first, second = (gear.form for gear in pair.by_size)
-    ratio, line = second.teeth / first.teeth, _line(pair)
+    ratio = second.teeth / first.teeth
+    # Distance along the line of action between both base circles, a sin α_wt, mm.
+    bases = first.base_diameter + second.side * second.base_diameter
+    line = tan(pair.working_pressure_angle) * bases / 2 * second.side
 
     def other(along: float) -> float:
         return line - along if second.side > 0 else line + along
@@ -56,11 +59,3 @@ def loss_factor(pair: Pair) -> float:
         mean = 2 * float(np.mean(np.sum(np.abs(places) * inside, axis=0) / np.maximum(inside.sum(axis=0), 1)))
     sliding = 1 / first.teeth + second.side / second.teeth
     return pi * sliding / cos(first.base_helix_angle) * mean
-
-
-def _line(pair: Pair) -> float:
-    """Distance along the line of action between both base circles, a sin α_wt, mm."""
-    first, second = (gear.form for gear in pair.by_size)
-    return (
-        tan(pair.working_pressure_angle) * (first.base_diameter + second.side * second.base_diameter) / 2 * second.side
-    )

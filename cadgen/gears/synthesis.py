@@ -123,11 +123,16 @@ class SearchLimits:
 
     def __str__(self) -> str:
         (fewest, most), (shortest, longest), (least, greatest) = self.teeth, self.centre_distance, self.stage_ratio
+        stages = Message("{count} stages", count=self.stages)
+        if self.stages == 1:
+            stages = Message("one stage")
+        elif self.fewer:
+            stages = Message("up to {count} stages", count=self.stages)
         return Message(
             "{stages} with {fewest} to {most} teeth and axes {shortest:g} to {longest:g} mm apart, modules of {modules}"
             " mm and widths of {widths} mm, stage ratios of {least:g} to {greatest:g}, a contact ratio of {contact:g}"
             " or more, and undercut up to {undercut:g} modules of profile shift",
-            stages=_stages_named(self.stages, fewer=self.fewer),
+            stages=stages,
             fewest=fewest,
             most=most,
             shortest=shortest,
@@ -170,12 +175,6 @@ class SearchLimits:
             contact_ratio=max(min(CONTACT_RATIO, contact), LEAST_CONTACT_RATIO),
             undercut=max(UNDERCUT, undercut),
         )
-
-
-def _stages_named(count: int, *, fewer: bool) -> Message:
-    if count == 1:
-        return Message("one stage")
-    return Message("up to {count} stages", count=count) if fewer else Message("{count} stages", count=count)
 
 
 def _contact_and_undercut(pairs: Iterable[SpurPair]) -> tuple[float, float]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import asin, degrees, floor, hypot, isfinite, pi, sin, tan
+from math import asin, degrees, floor, hypot, inf, isfinite, pi, sin, tan
 
 from cadgen.errors import DesignError
 from cadgen.gears.stage import Wheel, is_bar, is_ring, rim_diameter
@@ -11,7 +11,7 @@ from cadgen.messages import Message
 from cadgen.parts.blank import Blank
 from cadgen.parts.body import Body, RadialHole, Slab
 from cadgen.parts.face import Face
-from cadgen.parts.features import DFlat, Flats, Hub, Keyway, Lightening
+from cadgen.parts.features import DFlat, Flats, Hub, Keyway
 from cadgen.parts.loop import Loop, circle, loop_of
 
 # Least wall elsewhere in mm: thinner ones bend under the cutter.
@@ -204,14 +204,12 @@ def _holes_circle(blank: Blank, rim: float) -> tuple[float, float]:
     even = round(middle * STEPS) / STEPS
     for diameter in (even, middle) if ring is None else (ring,):
         largest = (rim - low) / 2 - abs(diameter - middle) - 2 * LEAST_WALL
-        if not holes or (largest >= holes.hole_diameter and _keep_apart(holes, diameter)):
+        if not holes:
+            break
+        between = diameter * sin(pi / holes.count) if holes.count > 1 else inf
+        if largest >= holes.hole_diameter and between >= holes.hole_diameter + 2 * LEAST_WALL:
             break
     return diameter, largest
-
-
-def _keep_apart(holes: Lightening, on: float) -> bool:
-    """Whether holes on a circle of the diameter `on`, mm, have walls between them."""
-    return holes.count < 2 or on * sin(pi / holes.count) >= holes.hole_diameter + 2 * LEAST_WALL
 
 
 def _inner_diameter(blank: Blank) -> float:

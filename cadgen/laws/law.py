@@ -103,27 +103,23 @@ class MotionLaw:
     @property
     def backwards(self) -> MotionLaw:
         """The law run backwards: 1 - s(1 - u)."""
-        return self._reflected(_backwards)
+        return self._reflected(True)
 
     @property
     def turned(self) -> MotionLaw:
         """The law from its end to its beginning: s(1 - u)."""
-        return self._reflected(_turned)
+        return self._reflected(False)
 
-    def _reflected(self, how: Callable[[MotionLaw, bool, Array], Array]) -> MotionLaw:
+    def _reflected(self, rising: bool) -> MotionLaw:
         return replace(
             self,
-            jet=partial(how, self, True),
-            jet_before=partial(how, self, False),
+            jet=partial(_from_its_end, self, rising, True),
+            jet_before=partial(_from_its_end, self, rising, False),
             seams=tuple(1 - seam for seam in self.seams[::-1]),
         )
 
 
-def _turned(law: MotionLaw, before: bool, u: Array) -> Array:
-    return law.derivatives(1 - u, before=before) * [1.0, -1.0, 1.0, -1.0]
-
-
-def _backwards(law: MotionLaw, before: bool, u: Array) -> Array:
-    value = -_turned(law, before, u)
-    value[:, 0] += 1
-    return value
+def _from_its_end(law: MotionLaw, rising: bool, before: bool, u: Array) -> Array:
+    """Jet of s(1 - u), or of 1 - s(1 - u), which rises again."""
+    falling = law.derivatives(1 - u, before=before) * [1.0, -1.0, 1.0, -1.0]
+    return [1.0, 0.0, 0.0, 0.0] - falling if rising else falling

@@ -98,19 +98,6 @@ def _published_curve(lift: Motion, follower: Follower) -> ActualProfile:
     return ActualProfile(published_profile(lift, rod), ())
 
 
-# Functions with names, so that a kind, and a cam that has it, can be pickled.
-def _compensated_lift(work: TrainTask) -> CutLift:
-    return work.compensated
-
-
-def _smoothed_lift(work: TrainTask) -> CutLift:
-    return work.cut_as(work.smoothed)
-
-
-def _smoothed_compensated_lift(work: TrainTask) -> CutLift:
-    return work.compensated_of(work.smoothed)
-
-
 ACTUAL = ProfileKind(code="actual", meaning="the exact envelope of the rod")
 OPTIMIZED = ProfileKind(
     code="optimized",
@@ -122,20 +109,20 @@ COMPENSATED = ProfileKind(
     code="compensated",
     meaning="cut so that the play takes itself out",
     for_play=True,
-    lift=_compensated_lift,
+    lift=lambda work: work.compensated,
     dilated=True,
 )
 SMOOTHED = ProfileKind(
     code="smoothed",
     meaning="the paper's",
     for_play=True,
-    lift=_smoothed_lift,
+    lift=lambda work: work.cut_as(work.smoothed),
 )
 SMOOTHED_COMPENSATED = ProfileKind(
     code="smoothed+compensated",
     meaning="both",
     for_play=True,
-    lift=_smoothed_compensated_lift,
+    lift=lambda work: work.compensated_of(work.smoothed),
     dilated=True,
 )
 THEORETICAL = ProfileKind(

@@ -377,17 +377,13 @@ def _least_of_fork(
                 reach = hypot(moving.radius, moving.half) + hypot(solid.radius, solid.half)
                 if np.linalg.norm(np.subtract(moving.centre, solid.centre)) - reach >= least.size:
                     continue
-                if _box_gap(moving, solid) < least.size:
+                # The boxes about both bodies along the axes of the car are no farther apart than the bodies.
+                boxes = np.abs(np.subtract(moving.centre, solid.centre)) - _box(moving) - _box(solid)
+                if float(np.sqrt((np.maximum(boxes, 0.0) ** 2).sum())) < least.size:
                     size = gap(moving, solid)
                     if size < least.size:
                         least = Gap(size, moving.name, solid.name)
     return least
-
-
-def _box_gap(one: SolidCylinder, other: SolidCylinder) -> float:
-    """Distance of the boxes about two bodies along the axes of the car, mm: no more than their gap."""
-    between = np.abs(np.subtract(one.centre, other.centre)) - _box(one) - _box(other)
-    return float(np.sqrt((np.maximum(between, 0.0) ** 2).sum()))
 
 
 def _box(body: SolidCylinder) -> Array:

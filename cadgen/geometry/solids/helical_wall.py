@@ -178,7 +178,11 @@ class _Piece(NamedTuple):
             if section is None:
                 assert isinstance(curve, Arc)
                 poles.append(None)
-                made = [_arc(curve, point, height) for point in start.tolist()]
+                circles = [
+                    Geom_Circle(gp_Ax2(gp_Pnt(0.0, 0.0, height), _UP, gp_Dir(at.real, at.imag, 0.0)), curve.radius)
+                    for at in start.tolist()
+                ]
+                made = [CurveEdge(circle, 0.0, curve.sweep) for circle in circles]
             else:
                 rows = self._placed(section, turn)[:, :, 0]
                 rows[:, 0], rows[:, -1] = start, joints[number]
@@ -266,11 +270,6 @@ def _face(surface: Geom_Surface, edges: tuple[TopoDS_Edge, ...], sides: tuple[Ge
     wire.Closed(True)
     _BUILDER.Add(face, wire)
     return face
-
-
-def _arc(arc: Arc, start: complex, height: float) -> CurveEdge:
-    axes = gp_Ax2(gp_Pnt(0.0, 0.0, height), _UP, gp_Dir(start.real, start.imag, 0.0))
-    return CurveEdge(Geom_Circle(axes, arc.radius), 0.0, arc.sweep)
 
 
 def _bezier(row: Sequence[complex], heights: Sequence[float]) -> CurveEdge:

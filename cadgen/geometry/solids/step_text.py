@@ -375,10 +375,7 @@ class _Patches:
 
     def spans(self, low: float, high: float) -> bool:
         """Whether any of them reach from one height to another, mm."""
-        return bool(self._between(low, high).any())
-
-    def _between(self, low: float, high: float) -> NDArray[np.bool_]:
-        return np.asarray((np.abs(self.low - low) < _SAME_END) & (np.abs(self.high - high) < _SAME_END))
+        return bool(((np.abs(self.low - low) < _SAME_END) & (np.abs(self.high - high) < _SAME_END)).any())
 
     def section(self, share: float, turn: complex) -> NDArray[np.complex128]:
         """Poles of all at a share of their height, turned, shape (n, p)."""

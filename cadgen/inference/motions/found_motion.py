@@ -255,20 +255,15 @@ def _flanks(samples: LiftSamples, seen: Sequence[SeenFlank]) -> list[FlankData]:
         low = max((before + flank.start) / 2, flank.start - _BESIDE)
         high = min((flank.stop + after) / 2, flank.stop + _BESIDE)
         rows = (theta >= low) & (theta < high)
-        levels = [
-            float(
-                np.median(q[np.abs(theta - (one + two) / 2) <= max((two - one) / 2, _nearest(theta, (one + two) / 2))])
-            )
-            for one, two in ((low, flank.start), (flank.stop, high))
-        ]
+        levels = []
+        for one, two in ((low, flank.start), (flank.stop, high)):
+            off = np.abs(theta - (one + two) / 2)
+            # Between two flanks that meet, the nearest sample.
+            levels.append(float(np.median(q[off <= max((two - one) / 2, float(off.min()) + 1e-12)])))
         flanks.append(
             FlankData(theta[rows], q[rows], push[rows], samples.noise, flank.start, flank.stop, levels[0], levels[1])
         )
     return flanks
-
-
-def _nearest(theta: Array, place: float) -> float:
-    return float(np.abs(theta - place).min()) + 1e-12
 
 
 @dataclass(frozen=True, eq=False)

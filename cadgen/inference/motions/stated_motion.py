@@ -7,7 +7,7 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.inference.motions.candidates import RATIO_CODE
-from cadgen.inference.motions.found_motion import FoundFlank, FoundMotion
+from cadgen.inference.motions.found_motion import FoundMotion
 from cadgen.inference.motions.whole_degrees import GridMotion, on_grid
 
 _SAME = 4.0  # standard deviations within which two levels, or two ends, are one
@@ -91,18 +91,16 @@ def stated_motion(found: FoundMotion, scale: float, steps: tuple[float, ...]) ->
             # No dwell: both ends are one.
             stop = start if place == len(order) - 1 or motion is not found else round((start + stop) / 2, _DIGITS)
             gap = 0.0
-        segments.append(_segment(flank, round(stop - at, _DIGITS), levels[(place + 1) % len(order)]))
+        best, level = flank.best, levels[(place + 1) % len(order)]
+        ratio = float(f"{exp(best.values[4]):.4g}") if best.candidate.code == RATIO_CODE else None
+        segments.append(
+            StatedSegment(width=round(stop - at, _DIGITS), after=level, law=best.candidate.code, ratio=ratio)
+        )
         at = stop
         if gap:
-            segments.append(StatedSegment(width=round(start - stop, _DIGITS), after=levels[(place + 1) % len(order)]))
+            segments.append(StatedSegment(width=round(start - stop, _DIGITS), after=level))
             at = start
     return StatedMotion(motion=motion, grid=grid, zero=zero, segments=tuple(segments), points=(), rounded=step)
-
-
-def _segment(flank: FoundFlank, width: float, after: float) -> StatedSegment:
-    best = flank.best
-    ratio = float(f"{exp(best.values[4]):.4g}") if best.candidate.code == RATIO_CODE else None
-    return StatedSegment(width=width, after=after, law=best.candidate.code, ratio=ratio)
 
 
 def _first(motion: FoundMotion) -> int:

@@ -62,8 +62,10 @@ def on_grid(found: FoundMotion) -> GridMotion | None:
             if chance is None or chance * len(ends) > _MOST_CHANCE:
                 continue
             flanks = tuple(_moved(flank, *shift) for flank, shift in zip(found.flanks, shifts, strict=True))
-            # Ends that were moved are those of flanks that show wear, and the wear that is left explains them.
-            stayed = _stayed(found, shifts, within)
+            # Flanks whose ends lie on the grid as measured. Ends that were moved are those of flanks that show wear,
+            # and the wear that is left explains them.
+            stay = np.all(np.abs(shifts) <= within, axis=1).tolist()
+            stayed = [flank for flank, on in zip(found.flanks, stay, strict=True) if on]
             sound = sum(not flank.best.process.size for flank in stayed)
             moved = [flank for flank in found.flanks if flank not in stayed]
             if sound < len(stayed) and any(not flank.best.process.size for flank in moved):
@@ -82,12 +84,6 @@ def on_grid(found: FoundMotion) -> GridMotion | None:
                 best, sure=best.sure and all(np.abs(grid.shifts - best.shifts).max() < _ALIKE_DEG for grid in rivals)
             )
     return None
-
-
-def _stayed(found: FoundMotion, shifts: Array, within: Array) -> tuple[FoundFlank, ...]:
-    """Flanks whose ends are on the grid as they were measured."""
-    stay = np.all(np.abs(shifts) <= within, axis=1)
-    return tuple(flank for flank, on in zip(found.flanks, stay.tolist(), strict=True) if on)
 
 
 def _chance(found: FoundMotion, shifts: Array, within: Array, step: float) -> float | None:

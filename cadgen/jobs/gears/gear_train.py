@@ -380,6 +380,7 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
     made, skipped = _first_made(design, trains, _baseline(order, designed_play, designed_standard), progress)
     chord, keys = design.export.mesh_chord_um, gear_model.train_keys(design)
     friction = None if keys.friction_coefficient is None else (keys.friction_coefficient, keys.friction_source or "")
+    whole = WholePlay(teeth=made.play, loose=gear_model.loose(design, made.play.train))
     car = laid_out(design, made.play.train)
     sense = None
     if car is None:
@@ -405,7 +406,7 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
             *_thinning_notes(design, made),
             *(note for number, cut in enumerate(made.layout.train.stages, 1) for note in cut.notes(number)),
             *([] if friction is None else [losses_note(made.layout.train, *friction)]),
-            *_joint_notes(design, made.play),
+            *([whole.sentence()] if whole.loose else []),
             *(_notes(design, designed, limits) if limits else ()),
             *([] if sense is None else [sense.sentence]),
             *([] if car is None or car.sentence is None else [car.sentence]),
@@ -560,12 +561,6 @@ def _thinning_notes(design: TrainDesign, made: MadeTrain) -> tuple[str, ...]:
             limit=Message("upper limit E_sns" if keys.thinning == Thinning.LEAST else "lower limit E_sni"),
         ),
     )
-
-
-def _joint_notes(design: TrainDesign, play: TrainPlay) -> tuple[str, ...]:
-    """Cheapest cure of the return error that joints and bearings add, in words."""
-    whole = WholePlay(teeth=play, loose=gear_model.loose(design, play.train))
-    return (whole.sentence(),) if whole.loose else ()
 
 
 def _notes(design: TrainDesign, designed: Train, limits: SearchLimits) -> tuple[str, ...]:

@@ -243,7 +243,8 @@ def find_cam(design: MotionDesign, text: str, sources: tuple[Source, ...], progr
         follower = follower_with(design, outline.base)
     else:
         angle, q = lifts_of(record, kind.unit)
-        push = np.ones_like(q) if kind.unit == MM else np.full_like(q, _lever(follower))
+        # Way of the contact by the motion: of a swinging follower, mm/rad.
+        push = np.ones_like(q) if kind.unit == MM else np.full_like(q, float(follower.lift(np.array([1.0]))[0]))
         found = found_motion(samples_of_lifts(angle, q, push))
     stated = stated_motion(
         found, 1.0 if kind.unit == MM else degrees(1.0), _STEPS_MM if kind.unit == MM else _STEPS_DEG
@@ -261,11 +262,6 @@ def follower_with(design: MotionDesign, base: float) -> Follower:
     inner, outer = design.cam.faces_mm
     seat = FollowerSeat(base_radius=base, faces=(inner, outer), carrying=(inner, outer))
     return design.follower.registered.build(design.follower.keys, seat)
-
-
-def _lever(follower: Follower) -> float:
-    """Way of the follower's contact by its swing, mm/rad."""
-    return float(follower.lift(np.array([1.0]))[0])
 
 
 def mirrored(design: MotionDesign, record: Record) -> bool:

@@ -7,7 +7,6 @@ from cadgen.check import failing
 from cadgen.errors import DesignError
 from cadgen.figures import Cell, Sheet, State, number
 from cadgen.inference.measurement.record import understood_of
-from cadgen.inference.motions.found_motion import FoundFlank
 from cadgen.jobs.worn_cam.found_cam import FoundCamPlan
 from cadgen.laws.unit import MM
 from cadgen.messages import Message, joined
@@ -100,9 +99,14 @@ def _sheet(cam: FoundCamPlan) -> Sheet:
     rows = []
     for flank in cam.flanks:
         depth, *_ = flank.wear
+        if flank.in_table:
+            codes = joined([fit.candidate.code for fit in flank.rivals], Message(" or "))
+            law = Cell(codes, state=State.PLAIN if flank.named else State.STRONG)
+        else:
+            law = Cell(Message("none of the table"), state=State.BAD)
         rows.append(
             (
-                _law(flank),
+                law,
                 number(_angle(cam, flank.start), "°", digits=3),
                 number(_angle(cam, flank.stop) or 360.0, "°", digits=3),
                 number(degrees(max(flank.start_sigma, flank.stop_sigma)), "°", digits=3),
@@ -119,13 +123,6 @@ def _sheet(cam: FoundCamPlan) -> Sheet:
         Message("Wear"),
     )
     return Sheet("found-motion", Message("Motion that was found, without wear"), heads, tuple(rows))
-
-
-def _law(flank: FoundFlank) -> Cell:
-    if not flank.in_table:
-        return Cell(Message("none of the table"), state=State.BAD)
-    codes = [fit.candidate.code for fit in flank.rivals]
-    return Cell(joined(codes, Message(" or ")), state=State.PLAIN if flank.named else State.STRONG)
 
 
 def _angle(cam: FoundCamPlan, theta: float) -> float:
