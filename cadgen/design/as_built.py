@@ -1,6 +1,7 @@
 """The section of the car as it was built: the effects that measured data were traced to, and what becomes of each."""
 
 import re
+from types import ModuleType
 from typing import TYPE_CHECKING, Annotated
 
 from pydantic import Field, Strict, field_validator, model_validator
@@ -16,20 +17,14 @@ if TYPE_CHECKING:
     from cadgen.inference.measurement.record import Kind as KindOfData
 
 
-def _codes() -> tuple[str, ...]:
+def _kinds() -> ModuleType:
     # Only here: the kinds need numpy, and most designs have no effects.
-    from cadgen.inference.measurement.kinds import codes
+    from cadgen.inference.measurement import kinds
 
-    return codes()
-
-
-def _has(code: str) -> bool:
-    from cadgen.inference.measurement.kinds import has
-
-    return has(code)
+    return kinds
 
 
-Kind = Annotated[str, OneOf(_codes, _has)]
+Kind = Annotated[str, OneOf(lambda: _kinds().codes(), lambda code: _kinds().has(code))]
 
 _ROUNDING = 1e-9  # of a parameter's range, by which a written value may pass its bound
 

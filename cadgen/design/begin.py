@@ -295,7 +295,13 @@ def text_of(
         brake=""
         if train is None or not train.drag
         else shown(_BRAKE).format(least=train.drag, greatest=_MOST_DRAG * train.drag),
-        train=shown(_NO_TRAIN) if train is None else _train_text(name, train),
+        train=shown(_NO_TRAIN)
+        if train is None
+        else shown(_TRAIN).format(
+            name=name,
+            stages="\n".join(_STAGE.format(driver=driver, driven=driven) for driver, driven in train.teeth),
+            turned="true " if len(train.teeth) % 2 == 0 else "false",
+        ),
         name=name,
         offset=_number(offset),
         waypoints="\n".join(f"    [{_number(x)}, {_number(y)}]," for x, y in places),
@@ -304,12 +310,6 @@ def text_of(
         if field is None
         else shown(_FIELD).format(width=_number(field[0]), height=_number(field[1])),
     )
-
-
-def _train_text(name: str, train: ProposedTrain) -> str:
-    stages = "\n".join(_STAGE.format(driver=driver, driven=driven) for driver, driven in train.teeth)
-    turned = "true " if len(train.teeth) % 2 == 0 else "false"
-    return shown(_TRAIN).format(name=name, stages=stages, turned=turned)
 
 
 def _number(value: float) -> str:

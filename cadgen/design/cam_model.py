@@ -18,7 +18,6 @@ from cadgen.car.path.spline import PlannedPath
 from cadgen.car.path.wheel_track import Track, offset_track
 from cadgen.car.path_motion import PathMotion, lap_motion, path_motion
 from cadgen.car.steering import Car, by_rim, rim_travel, steering_jets
-from cadgen.design import blank as keys
 from cadgen.design import gear_model
 from cadgen.design.disc import follower_motion
 from cadgen.design.schema import Design, MotionDesign
@@ -297,18 +296,31 @@ def blank(design: Design | MotionDesign) -> Blank:
     """
     given = design.blank
     back = as_built(design).phase if isinstance(design, Design) and has_key(design) else 0.0
+    key: Keyway | DFlat | None = None
+    if way := given.keyway:
+        key = Keyway(width=way.width_mm, depth=way.depth_mm, angle=radians(way.angle_deg) - back)
+    elif flat := given.d_flat:
+        key = DFlat(depth=given.bore_diameter_mm - flat.across_mm, angle=radians(flat.angle_deg) - back)
+    hub, holes, mark = given.hub, given.lightening, given.mark
+    screw = None
+    if hub and (hole := hub.set_screw):
+        angle = radians(hole.angle_deg) - back
+        screw = SetScrew(diameter=hole.hole_diameter_mm, height=hole.height_mm, angle=angle)
     return Blank(
         bore_diameter=given.bore_diameter_mm,
-        key=_key(given, back),
-        hub=_hub(given.hub, back) if given.hub else None,
-        lightening=_lightening(given.lightening) if given.lightening else None,
-        mark=_mark(given.mark) if given.mark else None,
+        key=key,
+        hub=Hub(diameter=hub.diameter_mm, length=hub.length_mm, side=hub.side, set_screw=screw) if hub else None,
+        lightening=Lightening(
+            count=holes.holes,
+            hole_diameter=holes.hole_diameter_mm,
+            circle_diameter=holes.circle_diameter_mm,
+            start_angle=radians(holes.angle_deg),
+        )
+        if holes
+        else None,
+        mark=Mark(diameter=mark.diameter_mm, radius=mark.radius_mm, angle=radians(mark.angle_deg)) if mark else None,
         edge_break=given.edge_break_mm or 0.0,
     )
-
-
-def _mark(given: keys.MarkSection) -> Mark:
-    return Mark(diameter=given.diameter_mm, radius=given.radius_mm, angle=radians(given.angle_deg))
 
 
 def has_key(design: Design) -> bool:
@@ -320,47 +332,14 @@ def check_limits(design: Design | MotionDesign) -> CheckLimits:
     """Limits of the checks, mm and rad."""
     named = design.checks.pressure_angle_limit
     assert named is not None  # a design fills it in by its follower
+    lost_lift = design.checks.lost_lift_limit_um
+    if lost_lift is None:  # a car shows what an undercut costs
+        lost_lift = inf if isinstance(design, Design) else LOST_LIFT_UM
     return CheckLimits(
         pressure_angle=PRESSURE_ANGLE_LIMITS[named],
-        lost_lift=_lost_lift(design),
+        lost_lift=lost_lift * 1e-3,
         min_convex_radius=design.checks.min_convex_radius_mm,
         cutter_radius=design.machining.cutter_diameter_mm / 2,
         wall=design.checks.min_wall_mm,
         motion_key=source_of(design).shaping_key(design),
-    )
-
-
-def _lost_lift(design: Design | MotionDesign) -> float:
-    """Greatest lift that an undercut may cost, mm; infinite where a car shows what it costs."""
-    given = design.checks.lost_lift_limit_um
-    if given is not None:
-        return given * 1e-3
-    return inf if isinstance(design, Design) else LOST_LIFT_UM * 1e-3
-
-
-def _key(given: keys.BlankSection, back: float) -> Keyway | DFlat | None:
-    if given.keyway:
-        key = given.keyway
-        return Keyway(width=key.width_mm, depth=key.depth_mm, angle=radians(key.angle_deg) - back)
-    if given.d_flat:
-        flat = given.d_flat
-        return DFlat(depth=given.bore_diameter_mm - flat.across_mm, angle=radians(flat.angle_deg) - back)
-    return None
-
-
-def _hub(given: keys.HubSection, back: float) -> Hub:
-    screw = None
-    if given.set_screw:
-        hole = given.set_screw
-        angle = radians(hole.angle_deg) - back
-        screw = SetScrew(diameter=hole.hole_diameter_mm, height=hole.height_mm, angle=angle)
-    return Hub(diameter=given.diameter_mm, length=given.length_mm, side=given.side, set_screw=screw)
-
-
-def _lightening(given: keys.LighteningSection) -> Lightening:
-    return Lightening(
-        count=given.holes,
-        hole_diameter=given.hole_diameter_mm,
-        circle_diameter=given.circle_diameter_mm,
-        start_angle=radians(given.angle_deg),
     )

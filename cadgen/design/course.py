@@ -60,19 +60,17 @@ def _meet(one: tuple[Point, Point], other: tuple[Point, Point]) -> bool:
     turns = _turn(a, b, c), _turn(a, b, d), _turn(c, d, a), _turn(c, d, b)
     if turns[0] * turns[1] < 0 and turns[2] * turns[3] < 0:
         return True
-    ends = zip(turns, ((a, b, c), (a, b, d), (c, d, a), (c, d, b)), strict=True)
-    return any(turn == 0 and _lies_between(p, q, r) for turn, (p, q, r) in ends)
+    # An end of one on the line through the other lies between the other's ends.
+    return any(
+        turn == 0 and all(min(p[i], q[i]) <= r[i] <= max(p[i], q[i]) for i in (0, 1))
+        for turn, (p, q, r) in zip(turns, ((a, b, c), (a, b, d), (c, d, a), (c, d, b)), strict=True)
+    )
 
 
 def _turn(a: Point, b: Point, c: Point) -> int:
     """Sign of the turn from a to b to c: 1 to the left, -1 to the right, 0 straight on or back."""
     area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
     return (area > 0) - (area < 0)
-
-
-def _lies_between(a: Point, b: Point, c: Point) -> bool:
-    """Whether c, on the line through a and b, lies between them."""
-    return min(a[0], b[0]) <= c[0] <= max(a[0], b[0]) and min(a[1], b[1]) <= c[1] <= max(a[1], b[1])
 
 
 if TYPE_CHECKING:
@@ -435,11 +433,36 @@ def layout_of(given: CourseSection | None) -> Course | None:
     if given is None:
         return None
     return Course(
-        edge=_edge(given.field) if given.field else None,
+        edge=_area(given.field) if given.field else None,
         obstacles=(
-            *(_post(post, f"course.posts.{i}") for i, post in enumerate(given.posts, 1)),
-            *(_wall(wall, f"course.walls.{i}") for i, wall in enumerate(given.walls, 1)),
-            *(_zone(zone, f"course.zones.{i}") for i, zone in enumerate(given.zones, 1)),
+            *(
+                Obstacle(
+                    kind=ObstacleKind.POST,
+                    key=f"course.posts.{i}",
+                    shape=Shape.disc(post.at_mm, post.radius_mm),
+                    height=_height(post.height_mm),
+                    side=post.side,
+                )
+                for i, post in enumerate(given.posts, 1)
+            ),
+            *(
+                Obstacle(
+                    kind=ObstacleKind.WALL,
+                    key=f"course.walls.{i}",
+                    shape=Shape(wall.line_mm, reach=wall.thickness_mm / 2),
+                    height=_height(wall.height_mm),
+                )
+                for i, wall in enumerate(given.walls, 1)
+            ),
+            *(
+                Obstacle(
+                    kind=ObstacleKind.ZONE,
+                    key=f"course.zones.{i}",
+                    shape=_area(zone),
+                    height=_height(zone.height_mm),
+                )
+                for i, zone in enumerate(given.zones, 1)
+            ),
         ),
         gates=tuple(_gate(gate, f"course.gates.{i}", GATE_RADIUS) for i, gate in enumerate(given.gates, 1)),
         start=_gate(given.start, "course.start", STAND_RADIUS) if given.start else None,
@@ -492,39 +515,17 @@ def _corners(given: OutlineSection, middle: float) -> tuple[Point, ...]:
     return ((front, left), (front - length, left), (front - length, left - width), (front, left - width))
 
 
-def _edge(given: FieldSection) -> Shape:
+def _area(given: FieldSection | ZoneSection) -> Shape:
     if given.outline_mm is not None:
         return Shape(given.outline_mm, filled=True)
-    return _rectangle(given.corner_mm or (0.0, 0.0), given.size_mm or (0.0, 0.0))
-
-
-def _rectangle(corner: Point, size: tuple[float, float]) -> Shape:
-    (x, y), (width, height) = corner, size
-    return Shape(((x, y), (x + width, y), (x + width, y + height), (x, y + height)), filled=True)
+    if isinstance(given, FieldSection) or given.size_mm is not None:
+        (x, y), (width, height) = given.corner_mm or (0.0, 0.0), given.size_mm or (0.0, 0.0)
+        return Shape(((x, y), (x + width, y), (x + width, y + height), (x, y + height)), filled=True)
+    return Shape.disc(given.at_mm or (0.0, 0.0), given.radius_mm or 0.0)
 
 
 def _height(given: float | None) -> float:
     return inf if given is None else given
-
-
-def _post(given: PostSection, key: str) -> Obstacle:
-    shape = Shape.disc(given.at_mm, given.radius_mm)
-    return Obstacle(kind=ObstacleKind.POST, key=key, shape=shape, height=_height(given.height_mm), side=given.side)
-
-
-def _wall(given: WallSection, key: str) -> Obstacle:
-    shape = Shape(given.line_mm, reach=given.thickness_mm / 2)
-    return Obstacle(kind=ObstacleKind.WALL, key=key, shape=shape, height=_height(given.height_mm))
-
-
-def _zone(given: ZoneSection, key: str) -> Obstacle:
-    if given.outline_mm is not None:
-        shape = Shape(given.outline_mm, filled=True)
-    elif given.corner_mm is not None and given.size_mm is not None:
-        shape = _rectangle(given.corner_mm, given.size_mm)
-    else:
-        shape = Shape.disc(given.at_mm or (0.0, 0.0), given.radius_mm or 0.0)
-    return Obstacle(kind=ObstacleKind.ZONE, key=key, shape=shape, height=_height(given.height_mm))
 
 
 def _gate(given: GateSection | StartSection, key: str, radius: float) -> Gate:

@@ -7,7 +7,7 @@ from typing import TypeVar
 from cadgen.design.blank import TIGHT, Held, ShaftJoint
 from cadgen.design.schema import TrainDesign
 from cadgen.design.section import listed
-from cadgen.design.train import GearBlankSection, GearHub, GearKeys, SpurStage, StageSection, TrainSection
+from cadgen.design.train import GearBlankSection, GearKeys, SpurStage, TrainSection
 from cadgen.errors import DesignError
 from cadgen.gears.choices import HelixHand, ToleranceStandard
 from cadgen.gears.fits import clearance, flat_play, key_play
@@ -61,7 +61,11 @@ def train(design: TrainDesign) -> Train:
     stages: list[Stage] = []
     for number, stage in enumerate(keys.stages, 1):
         try:
-            stages.append(_stage(stage, keys))
+            if isinstance(stage, SpurStage):
+                stages.append(_pair(stage, keys))
+            else:
+                kind, span = stage.registered, stage.bearing_span_mm or keys.bearing_span_mm
+                stages.append(kind.build(stage.keys, _toothed(keys, span) if kind.toothed else span))
         except DesignError as error:
             raise DesignError("in stage {number}, {error}", number=number, error=error.message) from error
         if design.cam is not None and is_bar(stages[-1].wheels[1]):
@@ -241,14 +245,6 @@ def _range(spans: tuple[T, T], low: T | None, high: T | None) -> tuple[T, T]:
     return spans[0] if low is None else low, spans[1] if high is None else high
 
 
-def _stage(stage: StageSection, train: TrainSection) -> Stage:
-    if isinstance(stage, SpurStage):
-        return _pair(stage, train)
-    span = stage.bearing_span_mm or train.bearing_span_mm
-    kind = stage.registered
-    return kind.build(stage.keys, _toothed(train, span) if kind.toothed else span)
-
-
 def _toothed(train: TrainSection, span: float) -> ToothedTrain:
     """Numbers that the train gives all its gears.
 
@@ -369,19 +365,14 @@ def _blank(keys: GearBlankSection) -> Blank:
         key = DFlat(depth=keys.bore_diameter_mm - keys.d_flat.across_mm)
     elif keys.bore_flats:
         key = Flats(count=keys.bore_flats)
+    screw = SetScrew(diameter=hub.set_screw_mm, height=hub.length_mm / 2) if hub and hub.set_screw_mm else None
     return Blank(
         bore_diameter=keys.bore_diameter_mm,
         key=key,
-        hub=_hub(hub) if hub else None,
+        hub=Hub(diameter=hub.diameter_mm, length=hub.length_mm, set_screw=screw) if hub else None,
         web=Web(thickness=web.thickness_mm, rim_thickness=web.rim_mm) if web else None,
         lightening=Lightening(count=holes.holes, hole_diameter=holes.hole_diameter_mm) if holes else None,
     )
-
-
-def _hub(keys: GearHub) -> Hub:
-    diameter, length = keys.set_screw_mm, keys.length_mm
-    screw = SetScrew(diameter=diameter, height=length / 2) if diameter else None
-    return Hub(diameter=keys.diameter_mm, length=length, set_screw=screw)
 
 
 def sense_reservation(design: TrainDesign, stages: int, sense: int | None = None) -> Reservation | None:

@@ -245,7 +245,8 @@ def _walk(
         if inner:
             below.append((part, inner, info.is_required(), get_origin(annotation) is tuple))
         else:
-            own.append(_key(dotted(name, part), info))
+            below_name = dotted(name, part)
+            own.append(Key(below_name, unit_of(below_name), _kinds(info.annotation)[0], info))
     meaning = " ".join((section.__doc__ or "").split())
     yield SectionKeys(name, meaning, required, many, tuple(own), tuple(part for part, *_ in below))
     for part, inner, needed, repeated in below:
@@ -264,10 +265,6 @@ def _section_in(annotation: Any) -> type[DesignSection] | None:
     candidates = (annotation, *get_args(annotation))
     candidates += tuple(inner for arm in candidates if get_origin(arm) is Annotated for inner in get_args(arm))
     return next((c for c in candidates if isinstance(c, type) and issubclass(c, DesignSection)), None)
-
-
-def _key(name: str, info: FieldInfo) -> Key:
-    return Key(name, unit_of(name), _kinds(info.annotation)[0], info)
 
 
 def _bound(limits: Sequence[Any], names: tuple[str, str]) -> float | None:

@@ -173,7 +173,11 @@ def _checked(schema: type[TrainFile], values: dict[str, Any], file: Path, overri
     try:
         checked = schema.model_validate(values)
     except ValidationError as error:
-        raise DesignError(_report(error, source, applied, NamedKinds.of(values))) from None
+        sentences, more = explain(error, MAX_ERRORS_SHOWN, NamedKinds.of(values))
+        # Each after the file or the override that it comes from.
+        lines = [joined((_blame(place, source, applied), sentence), ": ") for place, sentence in sentences]
+        rest = [Message("and {more} more like these", more=more)] if more else []
+        raise DesignError(joined([*lines, *rest], "\n")) from None
     unused = OF_A_CAR if schema is MotionFile else ()
     return {**{name: value for name, value in checked if name not in unused}, "source": source}
 
@@ -318,13 +322,6 @@ def _syntax(problem: str, file: str, text: str) -> str:
         match=brief(match[1][:1].lower() + match[1][1:]),
         quoted_line=quoted_line,
     )
-
-
-def _report(error: ValidationError, source: str, applied: Sequence[tuple[Place, str]], named: NamedKinds) -> str:
-    """Lines on the errors, each after the file or the override that it comes from."""
-    sentences, more = explain(error, MAX_ERRORS_SHOWN, named)
-    lines = [joined((_blame(place, source, applied), sentence), ": ") for place, sentence in sentences]
-    return joined([*lines, *([Message("and {more} more like these", more=more)] if more else [])], "\n")
 
 
 def _blame(place: Place, source: str, applied: Sequence[tuple[Place, str]]) -> str:

@@ -184,7 +184,14 @@ def section_with(base: type[S], meaning: str, keys: type[Any]) -> type[S]:
             inner = section_with(DesignSection, below.__doc__ or "", below)
             more[item.name] = inner | None if default is None else inner, Field(default)
             continue
-        more[item.name] = _as_read(hints[item.name]), Field(default, description=phrase)
+        # As a file is read, words are text, and points are lists with the limits of a coordinate.
+        read, limits = get_args(hints[item.name])[0], get_args(hints[item.name])[1:]
+        read_as: Any = hints[item.name]
+        if is_word(read):
+            read_as = Annotated[(read, *limits, WORD)]
+        elif read == path_kinds.Points:
+            read_as = Annotated[(Points, *limits)]
+        more[item.name] = read_as, Field(default, description=phrase)
 
     def together(section: S) -> S:
         keys_in(section, keys)  # which refuses what contradicts itself
@@ -205,14 +212,6 @@ def is_word(annotation: Any) -> bool:
     """Whether a value is a word of an enumeration, or may be left out and is else one."""
     arms = (annotation, *get_args(annotation))
     return any(isinstance(arm, type) and issubclass(arm, StrEnum) for arm in arms)
-
-
-def _as_read(hint: Any) -> Any:
-    """Type of a key as a file is read: words are text there, and points are lists with the limits of a coordinate."""
-    arguments = get_args(hint)
-    if is_word(arguments[0]):
-        return Annotated[(*arguments, WORD)]
-    return Annotated[(Points, *arguments[1:])] if arguments[0] == path_kinds.Points else hint
 
 
 def keys_in(section: DesignSection, keys: type[Any]) -> Any:
