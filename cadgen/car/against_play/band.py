@@ -208,16 +208,19 @@ def _best_with_friction(
     fine = minimize_scalar(worst, bounds=around, method="bounded", options={"xatol": _FINE})
     made_for = min(float(fine.x), float(tried[best]), key=worst)
     if len(cars) > 1:
-        search = LeadSearch(compensated_lift(lift, follower, made_for), follower, runs, cars)
-        search.run()
-        # Where the cars differ little, as one that was measured, the windows of the middle one serve all best.
+        # Where the cars differ little, as one that was measured, they are one known car and those about it.
         middle = replace(
             mechanics[0],
             friction=float(np.mean([forces.friction for forces in mechanics])),
             drag=float(np.mean([forces.drag for forces in mechanics])),
         )
-        known = LeadSearch(lift, follower, runs, [(sum(band) / 2, middle)])
+        about = LeadSearch(lift, follower, runs, [(sum(band) / 2, middle), *cars])
+        known = about if about.alike else LeadSearch(lift, follower, runs, about.cars[:1])
         known.run()
+        if about.alike and known.worst < worst(made_for) - _NO_BETTER:
+            return by_lead(known, 0.0)
+        search = LeadSearch(compensated_lift(lift, follower, made_for), follower, runs, cars)
+        search.run()
         if known.best is not None:
             ends = over_band(known.best, wanted, car, length, np.array(band), mechanics=mechanics).worst_distance
             if ends < min(search.worst, worst(made_for)) - _NO_BETTER:

@@ -4,8 +4,12 @@ For one car, whose play and friction are known, the windows are the play but for
 Gauss-Newton steps through the exact chain (turned lift, leads, run) on the end and on the headings after the leads. The
 first ramps may move besides, so that there are unknowns enough on a cam that leads once or twice.
 
-For the cars of a band the worst end is made least, before or after the trim of a trial run: linear programs on the
-ends within a region that shrinks where a step does not help.
+For cars that differ little about a known one, the same steps make the sum of squares of all their ends least. The end
+answers to the friction by how far a lead begins and ends elsewhere, and a ramp that makes the fall steeper at once lets
+every friction begin the lead at one place. To the play the end answers by the leads themselves, whatever the profile.
+
+For the cars of a wide band the worst end is made least, before or after the trim of a trial run: linear programs on
+the ends within a region that shrinks where a step does not help.
 """
 
 from collections.abc import Sequence
@@ -35,7 +39,15 @@ _LITTLE = 0.01  # of the sum of squares; a step that gains less is the last
 _MET = 0.1  # mm; an end that is met
 _MET_WELL = 1.0  # mm; a score at which no other places of the ramps are tried
 _ON_WAY = 0.1  # mm at the end for a mm on the way
-_PLACES = (1.0, 0.95, 1.05)  # shares of the friction by which leads are found, where two of them may be one
+# Shares of the friction by which leads are found, where two of them may be one, and by what the ramps begin earlier at
+# first, rad: for one car, and for cars that differ little, whose sum of squares has many valleys.
+_PLACES = ((1.0, 0.0), (0.95, 0.0), (1.05, 0.0))
+_PLACES_ALIKE = (
+    *((share, radians(ahead)) for share in (1.05, 1.1) for ahead in (0.0, 1.5, -1.5)),
+    *((share, radians(ahead)) for share in (0.9, 1.0) for ahead in (0.0, -1.5)),
+    *((share, radians(-1.5)) for share in (0.8, 0.85)),
+)
+_ALIKE = (radians(0.06), 0.06)  # cars whose plays and frictions differ by no more differ little
 _NEGATIVE = -0.3  # times the greatest play: the least window of cars that are trimmed
 _REGION = radians(0.25)  # first step of a window over a band
 _SMALLEST = radians(0.01)
@@ -69,12 +81,19 @@ class LeadSearch:
     score: float = np.inf
     _trims: dict[int, SteeringTrim] = field(default_factory=dict, repr=False)
 
+    @property
+    def alike(self) -> bool:
+        """Whether the cars differ little: in play and friction, and not in drag."""
+        plays, frictions, drags = zip(
+            *((play, forces.friction, forces.drag) for play, forces in self.cars), strict=True
+        )
+        return bool(np.ptp(plays) <= _ALIKE[0] and np.ptp(frictions) <= _ALIKE[1] and np.ptp(drags) == 0)
+
     def run(self) -> None:
-        """Search over the leads of one car, or over those of the band's cars."""
-        if len(self.cars) == 1 and not self.trimmed:
-            play, forces = self.cars[0]
-            for share in _PLACES:
-                self._known(play, forces, share)
+        """Search over the leads of one car, of cars about the first one that differ little, or of a band's cars."""
+        if self.alike and not self.trimmed:
+            for share, ahead in _PLACES if len(self.cars) == 1 else _PLACES_ALIKE:
+                self._known(share, ahead)
                 if self.score < _MET_WELL:
                     return
         else:
@@ -83,32 +102,32 @@ class LeadSearch:
             forces = ordered[len(ordered) // 2 if self.trimmed else 0]
             self._band(forces, max(play for play, _ in self.cars))
 
-    def _known(self, play: float, forces: Mechanics, share: float) -> None:
+    def _known(self, share: float, ahead: float) -> None:
         """Gauss-Newton steps within bounds, halved where they do not help.
 
         Args:
-            play: return error of the car, rad.
-            forces: forces of the car.
-            share: share of its friction by which the leads are found.
+            share: share of the first car's friction by which the leads are found.
+            ahead: angle by which the first ramps begin earlier at first, rad.
         """
-        placed = replace(forces, friction=share * forces.friction)
-        leads = TurnedLeads(self.lift, self.follower, placed, _ROOM * play)
+        play, forces = self.cars[0]
+        leads = TurnedLeads(self.lift, self.follower, replace(forces, friction=share * forces.friction), _ROOM * play)
         count = leads.count
         if not count:
             return
         marks = np.minimum(leads.valleys + radians(1.0), self.runs.wanted.blend_start)
-        first = np.concatenate([np.full(count, play), np.zeros(count)])
         low = np.concatenate([np.zeros(count), -np.minimum(leads.later, _EARLIER)])
         high = np.concatenate([np.full(count, _ROOM * play), np.minimum(leads.earlier, _EARLIER)])
+        first = np.clip(np.repeat([play, ahead], count), low, high)
         kept, probe = np.repeat(_KEPT, count), np.repeat(_PROBE, count)
 
         def residual(at: Array) -> Array:
             cam = leads.turned(at[:count], at[count:])
-            error = self.runs.error(cam, forces.leads(cam), play)
-            way = float(error.distance.max())
-            self._note(cam, at[:count], error.end_distance, error.end_distance + _ON_WAY * way)
-            ends = self.runs.ends(error)
-            heading = np.interp(marks, error.motor, error.heading)
+            stretches = {forces: forces.leads(cam) for forces in dict.fromkeys(forces for _, forces in self.cars)}
+            errors = [self.runs.error(cam, stretches[forces], play) for play, forces in self.cars]
+            worst = max(error.end_distance for error in errors)
+            self._note(cam, at[:count], worst, worst + _ON_WAY * float(errors[0].distance.max()))
+            ends = np.concatenate([self.runs.ends(error) for error in errors])
+            heading = np.interp(marks, errors[0].motor, errors[0].heading)
             return np.concatenate([ends.real, ends.imag, _HEADING * heading, kept * (at - first)])
 
         try:

@@ -120,6 +120,34 @@ def test_ramps_leave_the_profile_a_radius(carbon_free_car, friction):
 
 
 @pytest.mark.parametrize(
+    ("play_deg", "friction"), [(0.735, 0.288), pytest.param(0.653, 0.203, marks=(pytest.mark.slow, pytest.mark.long))]
+)
+def test_a_cam_for_a_narrow_band_is_less_moved_by_its_friction(carbon_free_car, play_deg, friction):
+    """Play known within 0.02 degrees and friction within 0.01: what is left is what 0.02 degrees of play make."""
+    built = carbon_free_car
+    play, by = np.radians([play_deg, 0.02])
+    forces = [Mechanics(follower=built.follower, friction=friction + off) for off in (-0.01, 0.0, 0.01)]
+    runs = trial(built)
+
+    def made_for(band, mechanics):
+        found = best_for_band(built.lift, built.follower, built.car, built.track.length, band, mechanics=mechanics)
+        ends = [
+            [complex(runs.ends(runs.error(found.lift, each.leads(found.lift), play + off))[-1]) for off in (-by, 0, by)]
+            for each in forces
+        ]
+        return np.array(ends)
+
+    middle, narrow = made_for((play, play), forces[1:2]), made_for((play - by, play + by), forces[::2])
+    by_friction, by_play = abs(narrow[2, 1] - narrow[0, 1]) / 2, abs(narrow[1, 2] - narrow[1, 0]) / 2
+    print(f"{by_play:.1f} mm by play; by friction {abs(middle[2, 1] - middle[0, 1]) / 2:.1f} before, {by_friction:.1f}")
+    assert abs(middle[1, 1]) < 1.0
+    assert abs(narrow[1, 1]) < 3.0
+    assert by_friction < abs(middle[2, 1] - middle[0, 1]) / 4
+    assert by_play == pytest.approx(abs(middle[1, 2] - middle[1, 0]) / 2, rel=0.1)
+    assert np.abs(narrow).max() < min(np.abs(middle).max(), 2 * by_play)
+
+
+@pytest.mark.parametrize(
     ("name", "most"), [("carbon_free_car", 45.0), ("appendix_car", 42.0), ("s_course", 1.2), ("posts_and_walls", 3.4)]
 )
 def test_one_trim_leaves_half_of_what_the_plain_cam_leaves(name, most):
