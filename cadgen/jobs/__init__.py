@@ -11,6 +11,7 @@
 | `tolerance`   | many cars within the tolerances                          |
 | `lift_tolerance` | errors of the lift of many cams by their motion       |
 | `car_layout`  | the train in its car, and its checks                     |
+| `car_assembly` | a car put together: all parts at their places            |
 | `train_proposal` | wheel, path and sizes of a car -> a train that fits it |
 | `nominal_car` | the car that these are varied from                       |
 | `error_budget`| what costs most at the finish                            |

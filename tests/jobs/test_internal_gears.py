@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from cadgen import Design, Gear, GearPair
+from cadgen.car.assembly.turning_train import turning_train
 from cadgen.errors import DesignError
 from cadgen.geometry.meshes.teeth import section_of
-from cadgen.viewer.page.turning_train import turning_train
 
 RING = """
 [train]

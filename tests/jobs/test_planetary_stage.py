@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 
 from cadgen import Design
+from cadgen.car.assembly.turning_train import turning_train
 from cadgen.errors import DesignError
+from cadgen.geometry.meshes.car_meshes import stood
 from cadgen.geometry.meshes.mesh import body_mesh
-from cadgen.viewer.page.turning_train import turning_train
 
 HEAD = """
 [train]
@@ -85,7 +86,7 @@ def test_ratios_with_their_sign_and_bodies_that_turn_without_meeting(member, rat
     assert (train.ratio, train.layout.train.sense) == (ratio, sense)
     turning = turning_train(train.layout, 0.0, 0.0, 1)
     parts = [*turning.parts, *turning.beside]
-    meshes = [each.stand.mesh(2e-3).solid() for each in parts]
+    meshes = [stood(each.stand, 2e-3).solid() for each in parts]
     for motor in (0.0, 0.35, 1.3):
         placed = []
         for each, mesh in zip(parts, meshes, strict=True):

@@ -5,6 +5,8 @@
 | `bodies`      | cylinders of any direction, and how far two of them are apart                     |
 | `site`        | what stands in a car besides its train: disc, rod, wheels, floor, plates          |
 | `arrangement` | directions of the stages that bring the drive onto the rear axle, clear of all    |
+| `turning_train` | the train beside its cam, and how its shafts turn                               |
+| `car_parts`   | parts of a car: shape, place, material, mass, and what each moves with            |
 
 The frame is that of the cam's files: the camshaft is the z axis, which points to the car's left; x points ahead, to
 the fork, and y down. The plane z = 0 is the disc's lower face.

@@ -3,6 +3,7 @@
 | module       | what it does                                                                    |
 |--------------|---------------------------------------------------------------------------------|
 | `mesh`       | a mesh; that of a cam's disc, and that of a body of prisms such as a gear's      |
+| `car_meshes` | parts of a car as meshes                                                         |
 | `content`    | a mesh measured: closed or not, its bodies, volume, and the rim of a disc        |
 | `printing`   | what a printer does to a mesh, taken back; and the part from the mesh for it     |
 | `teeth`      | play and clearances of two gears, measured on their sections, without formulas   |

@@ -10,10 +10,10 @@ from typing import NamedTuple
 
 import numpy as np
 from OCP.BRep import BRep_Builder
-from OCP.BRepAlgoAPI import BRepAlgoAPI_BooleanOperation, BRepAlgoAPI_Cut, BRepAlgoAPI_Fuse
+from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut, BRepAlgoAPI_Fuse
 from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeFace
 from OCP.BRepPrimAPI import BRepPrimAPI_MakePrism
-from OCP.collections import Array1_gp_Pnt, Array2_gp_Pnt, List_TopoDS_Shape
+from OCP.collections import Array1_gp_Pnt, Array2_gp_Pnt
 from OCP.Geom import (
     Geom_BSplineCurve,
     Geom_BSplineSurface,
@@ -46,6 +46,7 @@ from cadgen.geometry.solids.kernel import (
     TOLERANCE,
     CurveEdge,
     SolidPart,
+    boolean,
     closed_wire,
     contour_edges,
     drill,
@@ -60,6 +61,7 @@ from cadgen.geometry.solids.kernel import (
     spline_edges,
     wire_of,
 )
+from cadgen.messages import Message
 from cadgen.parts.blank import PROFILE_STEP, Blank, Boss
 
 _UP = gp_Dir(0.0, 0.0, 1.0)
@@ -217,6 +219,7 @@ def _start_point(arc: SplineArc, z: float) -> gp_Pnt:
 SPLINE_TOLERANCE = 1e-5
 _DEGREE: Degree = 5  # fewer control points than degree 3 at this tolerance, and continuous third derivatives
 _COLOUR = (0.55, 0.62, 0.70)  # of milled aluminium
+_UNJOINED = Message("the CAD kernel cannot join the hub to the disc: change the design's [blank.hub]")
 
 
 def cam_part(profile: ClosedCurve, blank: Blank, thickness: float, *, name: str, description: str) -> SolidPart:
@@ -278,7 +281,7 @@ def grooved_part(
     floor = thickness - depth
     # The ring ends in the plane of the face, so that its own edges become those of the groove.
     edges = [spline_edges(splines(flank, SPLINE_TOLERANCE, _DEGREE), floor) for flank in (outer, inner)]
-    shape = _boolean(BRepAlgoAPI_Cut(), disc, [prism(edges[0], [edges[1]], depth)])
+    shape = boolean(BRepAlgoAPI_Cut(), disc, [prism(edges[0], [edges[1]], depth)], _UNJOINED)
     if boss is not None:
         shape = _with_hub(shape, boss, bore)
     return _one_part(shape, name, description)
@@ -310,17 +313,6 @@ def _with_hub(disc: TopoDS_Shape, boss: Boss, bore: Contour) -> TopoDS_Shape:
     tools = [prism(contour_edges(bore, boss.bottom), (), boss.top - boss.bottom)]
     if boss.drill:
         tools.append(drill(boss.drill))
-    return with_exact_crossings(_boolean(BRepAlgoAPI_Cut(), _boolean(BRepAlgoAPI_Fuse(), disc, [hub]), tools))
-
-
-def _boolean(operation: BRepAlgoAPI_BooleanOperation, shape: TopoDS_Shape, tools: list[TopoDS_Shape]) -> TopoDS_Shape:
-    arguments, others = List_TopoDS_Shape(), List_TopoDS_Shape()
-    arguments.Append(shape)
-    for tool in tools:
-        others.Append(tool)
-    operation.SetArguments(arguments)
-    operation.SetTools(others)
-    operation.Build()
-    if not operation.IsDone():
-        raise FileError("the CAD kernel cannot join the hub to the disc: change the design's [blank.hub]")
-    return operation.Shape()
+    return with_exact_crossings(
+        boolean(BRepAlgoAPI_Cut(), boolean(BRepAlgoAPI_Fuse(), disc, [hub], _UNJOINED), tools, _UNJOINED)
+    )

@@ -11,11 +11,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 import numpy as np
 from OCP.BOPAlgo import BOPAlgo_ArgumentAnalyzer
 from OCP.BRep import BRep_Builder
+from OCP.BRepAlgoAPI import BRepAlgoAPI_BooleanOperation
 from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeFace
 from OCP.BRepCheck import BRepCheck_Analyzer
 from OCP.BRepGProp import BRepGProp
 from OCP.BRepPrimAPI import BRepPrimAPI_MakeCylinder, BRepPrimAPI_MakePrism
-from OCP.collections import Array1_double, Array1_gp_Pnt, Array1_int
+from OCP.collections import Array1_double, Array1_gp_Pnt, Array1_int, List_TopoDS_Shape
 from OCP.Geom import Geom_BSplineCurve, Geom_Circle, Geom_Curve, Geom_Line
 from OCP.gp import gp_Ax2, gp_Dir, gp_Pln, gp_Pnt, gp_Vec
 from OCP.GProp import GProp_GProps
@@ -218,6 +219,32 @@ def drill(hole: RadialHole) -> TopoDS_Shape:
     """Cylinder that a radial hole takes away, from the z axis outwards."""
     axis = gp_Ax2(gp_Pnt(0.0, 0.0, hole.height), gp_Dir(np.cos(hole.angle), np.sin(hole.angle), 0.0))
     return BRepPrimAPI_MakeCylinder(axis, hole.diameter / 2, hole.reach).Shape()
+
+
+def boolean(
+    operation: BRepAlgoAPI_BooleanOperation, shape: TopoDS_Shape, tools: Sequence[TopoDS_Shape], refusal: str
+) -> TopoDS_Shape:
+    """Join tools to a shape, or cut them out of it.
+
+    Args:
+        operation: operation of the kernel, not yet built.
+        shape: shape.
+        tools: further shapes.
+        refusal: sentence where the kernel cannot do it.
+
+    Raises:
+        FileError: the kernel cannot do it.
+    """
+    arguments, others = List_TopoDS_Shape(), List_TopoDS_Shape()
+    arguments.Append(shape)
+    for tool in tools:
+        others.Append(tool)
+    operation.SetArguments(arguments)
+    operation.SetTools(others)
+    operation.Build()
+    if not operation.IsDone():
+        raise FileError(refusal)
+    return operation.Shape()
 
 
 def solids(shape: TopoDS_Shape) -> list[TopoDS_Solid]:

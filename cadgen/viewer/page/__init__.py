@@ -5,7 +5,6 @@
 | `page_plan`     | cam and gears, each computed once, and what stands on their page  |
 | `car_page`      | a car's page: runs, random cars and calibration besides           |
 | `document`      | content of a page: sheets, curves, meshes, motion                 |
-| `turning_train` | the train beside its cam, and how its shafts turn                 |
 | `charts`        | curves over the cam angle                                         |
 | `scene`         | everything that moves: runs, course, parts and shafts in 3D       |
 | `sections`      | sheets of checks, play, tolerance, inspection, parts, calibration |

@@ -11,6 +11,14 @@ from numpy.typing import NDArray
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll_curve
 from cadgen.cam.follower import EdgeFollower
+from cadgen.car.assembly.turning_train import (
+    Stand,
+    TurningPart,
+    TurningTrain,
+    height_beside,
+    turned_to_axle,
+    turning_train,
+)
 from cadgen.car.course.body import place_of
 from cadgen.car.course.layout import CarPoint, Course, Gate, Shape, Side
 from cadgen.car.running.drive import drive, start_pose
@@ -19,6 +27,7 @@ from cadgen.curves.contour import circle
 from cadgen.design.course import layout_of
 from cadgen.design.schema import Design
 from cadgen.errors import CadgenError
+from cadgen.geometry.meshes.car_meshes import stood
 from cadgen.geometry.meshes.mesh import Mesh, cam_mesh, grooved_mesh
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.steering_cam import CarUse
@@ -43,18 +52,10 @@ from cadgen.viewer.page.document import (
     Slide,
     Travel,
 )
-from cadgen.viewer.page.turning_train import (
-    GAP,
-    Stand,
-    TurningPart,
-    TurningTrain,
-    height_beside,
-    turned_to_axle,
-    turning_train,
-)
 
 POSITIONS = 1440  # of the motor: one each quarter of a degree, and to either side of each jump
 LIFTS = 2880  # straight lines between them err by 0.1 um where the lift bends by 150 mm/rad^2
+GAP = 2.0  # mm between the cam, or its hub, and the stack of gears
 _OUTLINE = 0.5  # mm between points of the profile in the plan view
 _SEEN = 1.5  # mm, radius of a point that is drawn
 _PLATE = 4.0  # mm, thickness of a follower of which only the side is known that touches the disc
@@ -467,7 +468,7 @@ def _parts(plan: CamPlan, train: TurningTrain | None, notes: list[str]) -> list[
     turning = () if train is None else (*reversed(train.parts), *train.beside)
     meshes: list[Mesh | None] = []
     for chord in _CHORDS:
-        meshes = [_disc(plan, chord, notes), *(part.stand.mesh(chord) for part in turning)]
+        meshes = [_disc(plan, chord, notes), *(stood(part.stand, chord) for part in turning)]
         if sum(len(mesh.triangles) for mesh in meshes if mesh is not None) <= MOST_TRIANGLES:
             break
     disc, coarse = meshes[0], _disc(plan, _COARSE, notes)
@@ -485,7 +486,7 @@ def _parts(plan: CamPlan, train: TurningTrain | None, notes: list[str]) -> list[
 
 @lru_cache(maxsize=64)  # the gears of a design whose path is edited stay as they are, normals and edges included
 def _gear(code: str, label: str, shaft: int, stand: Stand, chord: float) -> Part:
-    return Part(code, label, stand.mesh(chord), stand.mesh(_COARSE), shaft, Colour.GEAR)
+    return Part(code, label, stood(stand, chord), stood(stand, _COARSE), shaft, Colour.GEAR)
 
 
 def _disc(plan: CamPlan, chord: float, notes: list[str]) -> Mesh | None:

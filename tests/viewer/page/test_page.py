@@ -11,6 +11,7 @@ import pytest
 
 from cadgen import Design, Report
 from cadgen.cam.contact import roll_curve
+from cadgen.car.assembly.turning_train import height_beside, turned_to_axle, turning_train
 from cadgen.check import CheckCode
 from cadgen.design.load import load_design
 from cadgen.figures import Cell, Sheet, number
@@ -26,7 +27,6 @@ from cadgen.viewer.page.mesh_block import shaded
 from cadgen.viewer.page.report import page_facts, page_of
 from cadgen.viewer.page.scene import pivot_of, section_of, travel_of
 from cadgen.viewer.page.sections import parts_sections, tolerance_section
-from cadgen.viewer.page.turning_train import height_beside, turned_to_axle, turning_train
 from tests.cam.test_roller import SquareFace
 from tests.viewer.page.english import left_in_english
 from tests.viewer.page.reading import Tables, at, data, going

@@ -11,17 +11,13 @@ The drive stands ahead by as much as makes the lead of the output 0 at u = 0.
 """
 
 from dataclasses import dataclass
-from functools import lru_cache
 from math import pi, prod, sqrt
 from typing import NamedTuple
 
 import numpy as np
 
 from cadgen.gears.layout import TrainLayout, TrainPart
-from cadgen.geometry.meshes.mesh import Mesh, body_mesh
 from cadgen.parts.body import Body
-
-GAP = 2.0  # mm between the cam, or its hub, and the stack of gears
 
 
 class Stand(NamedTuple):
@@ -36,20 +32,6 @@ class Stand(NamedTuple):
     body: Body
     height: float
     side: float
-
-    def mesh(self, chord: float) -> Mesh:
-        """Mesh of the part about its own axis, at the height where it stands, mm.
-
-        Args:
-            chord: greatest distance of a chord from a curve, mm.
-        """
-        return _stood(self, chord)
-
-
-@lru_cache(maxsize=128)  # chord by chord until the triangles are few enough; and again while a design is edited
-def _stood(stand: Stand, chord: float) -> Mesh:
-    mesh = body_mesh(stand.body, chord)
-    return Mesh(mesh.vertices * [1.0, stand.side, stand.side] + [0.0, 0.0, stand.height], mesh.triangles)
 
 
 @dataclass(frozen=True)

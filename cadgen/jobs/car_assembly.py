@@ -1,0 +1,608 @@
+"""Parts of a car put together: disc, train, shafts, wheels, fork and rod at their places in the layout.
+
+What the design does not say of a part is chosen here and named in its texts: the fork, its wheel, and hubs of wheels.
+"""
+
+from collections.abc import Iterator
+from colorsys import hsv_to_rgb
+from dataclasses import dataclass, replace
+from functools import cached_property
+from math import asin, atan, cos, pi, sin, sqrt, tan
+
+import numpy as np
+
+from cadgen.arrays import Array
+from cadgen.car.assembly.car_parts import (
+    Block,
+    BodyShape,
+    CarPart,
+    Content,
+    DiscShape,
+    Drilled,
+    Group,
+    GroupKind,
+    Prism,
+    Supply,
+    along,
+    at,
+    still,
+    together,
+)
+from cadgen.car.assembly.site import CarSite, bearing_width
+from cadgen.car.assembly.turning_train import TurningPart, TurningTrain, turning_train
+from cadgen.car.running.friction import DiscMaterial
+from cadgen.curves.chamfer import chamfered_off
+from cadgen.curves.contour import Contour, circle
+from cadgen.errors import DesignError
+from cadgen.jobs.cam.cam_plan import DENSITY, CamPlan
+from cadgen.jobs.cam.steering_cam import CarUse
+from cadgen.jobs.car_layout import CarLayout
+from cadgen.jobs.gears.gear_train import GearTrain
+from cadgen.messages import Message
+from cadgen.output.files.manifest import Origin
+from cadgen.parts.body import Body, RadialHole, Slab
+from cadgen.parts.features import Keyway
+from cadgen.parts.loop import circle as circle_loop
+
+# Height of a parallel key and depth of its seat in the shaft by its width, mm (DIN 6885-1, ISO 773).
+_KEYS = {2.0: (2.0, 1.2), 3.0: (3.0, 1.8), 4.0: (4.0, 2.5), 5.0: (5.0, 3.0), 6.0: (6.0, 3.5), 8.0: (7.0, 4.0)}
+_SEAT_SHARE = 0.6  # of the height of a key in its shaft, where the table has none of its width
+WHEEL_HUB = 6.0  # mm by which the hub of a rear wheel stands out, away from the disc
+_HUB_WALL = 4.0  # mm between a wheel's bore and the outside of its hub
+_SCREW_HOLE = 2.5  # mm, to be tapped M3
+_CLAMP = 8.0  # mm of camshaft beyond the disc for its clamp
+_FRONT_RADIUS, _FRONT_WIDTH = 20.0, 4.0  # mm, where [car.outline] does not say
+# Fork, mm: its spindle and the head that holds the rod, its bridge, cheeks, and the pin of the wheel.
+_SPINDLE, _HEAD, _HEAD_HALF, _JOURNAL = 6.0, 14.0, 7.0, 12.0
+_BRIDGE_LENGTH, _BRIDGE_HEIGHT, _CHEEK, _PIN, _GAP = 18.0, 8.0, 3.0, 4.0, 2.0
+_FRONT_HUB_DIAMETER, _FRONT_HUB = 10.0, 12.0
+_SCREWS_APART, _THROUGH = 12.0, 3.2
+_METAL, _DARK, _BRASS = (0.66, 0.68, 0.70), (0.22, 0.24, 0.27), (0.78, 0.65, 0.30)
+_DISC_COLOUR, _FORK_COLOUR = (0.86, 0.47, 0.21), (0.27, 0.47, 0.70)
+_STEEL = Message("steel")
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class CarAssembly:
+    """A car put together.
+
+    Attributes:
+        origin: design of the car.
+        layout: train in its car.
+        cam: plan of its cam.
+        train: plan of its train.
+        parts: parts of the car.
+    """
+
+    origin: Origin
+    layout: CarLayout
+    cam: CamPlan
+    train: GearTrain
+    parts: tuple[CarPart, ...]
+
+    @cached_property
+    def use(self) -> CarUse:
+        """Car that the cam steers."""
+        return CarUse.of(self.cam)
+
+    def fork_angle(self, cam_angle: float) -> float:
+        """Angle of the fork about y with the rod on the disc, rad.
+
+        Args:
+            cam_angle: cam angle, rad.
+        """
+        tangent = float(np.asarray(self.use.rolled(self.cam).q(np.array([cam_angle % (2 * pi)])))[0])
+        return self.layout.site.rod_side * atan(tangent)
+
+    def part(self, code: str) -> CarPart:
+        """Part by its code.
+
+        Raises:
+            KeyError: there is none.
+        """
+        return {part.code: part for part in self.parts}[code]
+
+    def balance(self, cam_angle: float = 0.0) -> Content:
+        """Mass of the car, g, with all that is listed, and the centre of what has a place, mm.
+
+        Args:
+            cam_angle: cam angle, rad.
+        """
+        fork = self.fork_angle(cam_angle)
+        placed = together(part.balance(cam_angle, fork) for part in self.parts)
+        return Content(placed.volume + sum(part.each * part.further for part in self.parts), placed.centre)
+
+
+def put_together(cam: CamPlan, train: GearTrain, frame: tuple[CarPart, ...] = ()) -> CarAssembly:
+    """Put a car together.
+
+    Args:
+        cam: plan of its cam.
+        train: plan of its train, with its layout.
+        frame: plates, shafts and bought parts; of parts with one code these are taken.
+
+    Raises:
+        DesignError: the design has no layout, or its train has no place in the car.
+    """
+    car = train.car
+    if car is None:
+        raise DesignError(
+            "{name} does not say where its train stands in the car: add a section [layout], which may be empty",
+            name=train.name,
+        )
+    if car.arrangement is None or car.directions is None:
+        raise DesignError(
+            "the parts of {name} have no room in the car: see cadgen gears {name} for what to change", name=train.name
+        )
+    turning = turning_train(train.layout, 0.0, car.arrangement.place.raised, 1 if car.turned_over else -1)
+    made = _Parts(cam, train, car, turning)
+    own = {part.code: part for part in made.every()}
+    given = {part.code: part for part in frame}
+    # A colour to each part: readers of STEP tell parts apart by them, and two alike share one entity of the file.
+    shades: dict[tuple[float, float, float], int] = {}
+    parts = []
+    for part in (own | given).values():
+        repeated = shades[part.colour] = shades.get(part.colour, -1) + 1
+        red, green, blue = (each * 0.985**repeated for each in part.colour)
+        parts.append(replace(part, colour=(red, green, blue)))
+    return CarAssembly(origin=train.origin, layout=car, cam=cam, train=train, parts=tuple(parts))
+
+
+@dataclass(frozen=True, eq=False)
+class _Parts:
+    """Parts of a car as they are made."""
+
+    cam: CamPlan
+    train: GearTrain
+    car: CarLayout
+    turning: TurningTrain
+
+    @property
+    def site(self) -> CarSite:
+        return self.car.site
+
+    @cached_property
+    def groups(self) -> tuple[Group, ...]:
+        """Groups of the shafts, from the drive to the camshaft."""
+        return tuple(
+            Group(GroupKind.SHAFT, number, part.axis, part.rate) for number, part in enumerate(self.turning.parts, 1)
+        )
+
+    @cached_property
+    def fork_group(self) -> Group:
+        return Group(GroupKind.FORK, axis=complex(self.site.base_radius, self.site.fork))
+
+    def every(self) -> Iterator[CarPart]:
+        """All parts, in the order of the list."""
+        yield self.disc()
+        yield from self.gears()
+        yield from self.keys()
+        yield from self.shafts()
+        yield from self.bearings()
+        yield from self.wheels()
+        yield from self.fork()
+        yield from self.screws()
+
+    def disc(self) -> CarPart:
+        """Disc of the cam on the camshaft."""
+        plan = self.cam
+        thickness, stated = plan.thickness, plan.making.material
+        place = still()
+        if self.car.turned_over:
+            place = np.array([[1.0, 0.0, 0.0, 0.0], [0.0, -1.0, 0.0, 0.0], [0.0, 0.0, -1.0, thickness]])
+        blank = plan.made_blank
+        chamfers = 2 * chamfered_off(plan.curve, blank.edge_break) if blank.edge_break else 0.0
+        return CarPart(
+            code="cam-disc",
+            title=Message("disc of the cam"),
+            shape=DiscShape(plan.curve, blank, thickness, chamfers),
+            places=(place,),
+            group=self.groups[-1],
+            material=Message(str(stated or DiscMaterial.ALUMINIUM)),
+            density=DENSITY[stated or DiscMaterial.ALUMINIUM] * 1e-3,
+            assumed=stated is None,
+            colour=_DISC_COLOUR,
+            standard=plan.stem,
+            shaft=len(self.groups),
+        )
+
+    def gears(self) -> Iterator[CarPart]:
+        """Gears, one part on each shaft, and planets beside them."""
+        shafts = len(self.groups)
+        for number, turning in enumerate((*self.turning.parts, *self.turning.beside), 1):
+            part = turning.part
+            material, density, assumed = _material(self.train.making.shaft(part.shaft, shafts).material)
+            yield CarPart(
+                code=f"gear-{part.name}".replace("_", "-"),
+                title=Message("gear {name} on shaft {shaft}", name=part.name, shaft=part.shaft)
+                if number <= shafts
+                else Message("{name} of stage {stage}", name=part.name.partition("_")[2], stage=part.stages[0]),
+                shape=BodyShape(part.body, part.volume),
+                places=(_gear_place(turning),),
+                group=self.groups[number - 1] if number <= shafts else self._beside(turning, number),
+                material=material,
+                density=density,
+                assumed=assumed,
+                colour=_hue(number),
+                standard=f"{self.train.stem}_{part.name}",
+                shaft=part.shaft if number <= shafts else 0,
+            )
+
+    def _beside(self, turning: TurningPart, number: int) -> Group:
+        carrier = None if turning.carrier is None else self.groups[turning.carrier]
+        return Group(GroupKind.BESIDE, number, turning.axis, turning.rate, carrier)
+
+    def keys(self) -> Iterator[CarPart]:
+        """Parallel keys of disc and gears."""
+        for code, title, key, bore, angle, (low, high), shaft in self._keyed():
+            height, seat = _key_size(key.width)
+            height = min(height, seat + key.depth)
+            bottom = bore / 2 - seat
+            bar = _box(bottom, bottom + height, -key.width / 2, key.width / 2)
+            c, s = cos(angle), sin(angle)
+            axis = self.groups[shaft - 1].axis
+            place = np.array([[c, -s, 0.0, axis.real], [s, c, 0.0, axis.imag], [0.0, 0.0, 1.0, 0.0]])
+            yield CarPart(
+                code=code,
+                title=title,
+                shape=Block((Prism(bar, low, high),)),
+                places=(place,),
+                group=self.groups[shaft - 1],
+                material=_STEEL,
+                density=DENSITY[DiscMaterial.STEEL] * 1e-3,
+                colour=_BRASS,
+                supply=Supply.BOUGHT,
+                standard=f"DIN 6885-1 (ISO 773) B {key.width:g} x {height:g} x {high - low:g}",
+                shaft=shaft,
+            )
+
+    def _keyed(self) -> Iterator[tuple[str, Message, Keyway, float, float, tuple[float, float], int]]:
+        """Code, title, keyway, bore, polar angle in the car, heights and shaft of each key."""
+        last = len(self.groups)
+        for turning in self.turning.parts:
+            blank, part = turning.part.blank, turning.part
+            if isinstance(blank.key, Keyway):
+                angle = (-blank.key.angle if part.flipped else blank.key.angle) + turning.angle
+                yield (
+                    f"key-shaft-{part.shaft}",
+                    Message("key of the gear on shaft {shaft}", shaft=part.shaft),
+                    blank.key,
+                    blank.bore_diameter,
+                    angle,
+                    turning.range,
+                    part.shaft,
+                )
+        blank = self.cam.made_blank
+        if isinstance(blank.key, Keyway):
+            angle = -blank.key.angle if self.car.turned_over else blank.key.angle
+            low, high = min(each.low for each in self.site.disc), max(each.high for each in self.site.disc)
+            title = Message("key of the disc")
+            yield "key-cam-disc", title, blank.key, blank.bore_diameter, angle, (low, high), last
+
+    def shaft_ends(self, number: int) -> tuple[float, float]:
+        """Heights between which a shaft runs, mm.
+
+        Args:
+            number: number of the shaft, from 1.
+        """
+        site, place = self.site, self.car.arrangement.place if self.car.arrangement else None
+        assert place is not None  # `put_together` refuses a car without an arrangement
+        ends = sorted((place.near, place.far))
+        low, high = self.turning.parts[number - 1].range
+        if not site.ending[number - 1]:
+            low, high = min(low, ends[0] - site.plate / 2), max(high, ends[1] + site.plate / 2)
+        half = site.wheel_width / 2
+        if number == 1:
+            for z, side in self._rear_wheels():
+                low, high = min(low, z - half), max(high, z + half)
+                low, high = min(low, z + side * (half + WHEEL_HUB)), max(high, z + side * (half + WHEEL_HUB))
+        if number == len(self.groups):
+            below = place.towards > 0
+            disc = (min(each.low for each in site.disc), max(each.high for each in site.disc))
+            low, high = min(low, disc[0] - below * _CLAMP), max(high, disc[1] + (not below) * _CLAMP)
+        return low, high
+
+    def _rear_wheels(self) -> tuple[tuple[float, int], tuple[float, int]]:
+        """Heights of drive and idle wheel, and the side on which their hubs stand: outwards."""
+        drive, idle = self.site.drive_wheel, self.site.idle_wheel
+        return (drive, 1 if drive > idle else -1), (idle, -1 if drive > idle else 1)
+
+    def shafts(self) -> Iterator[CarPart]:
+        """Shafts with the seats of their keys."""
+        keyed = list(self._keyed())
+        for number, (turning, group) in enumerate(zip(self.turning.parts, self.groups, strict=True), 1):
+            diameter = turning.part.blank.shaft_diameter
+            low, high = self.shaft_ends(number)
+            cuts = tuple(
+                Prism(_seat(diameter, key, angle), *ends)
+                for _, _, key, _, angle, ends, shaft in keyed
+                if shaft == number
+            )
+            title = Message("shaft {shaft}", shaft=number)
+            if number == 1:
+                title = Message("rear axle, shaft 1")
+            elif number == len(self.groups):
+                title = Message("camshaft, shaft {shaft}", shaft=number)
+            yield CarPart(
+                code=f"shaft-{number}",
+                title=title,
+                shape=Block((Prism(circle((0.0, 0.0), diameter / 2), low, high),), cuts),
+                places=(at(group.axis.real, group.axis.imag, 0.0),),
+                group=group,
+                material=_STEEL,
+                density=DENSITY[DiscMaterial.STEEL] * 1e-3,
+                assumed=True,
+                colour=_METAL,
+                shaft=number,
+                order=-1,
+            )
+
+    def bearings(self) -> Iterator[CarPart]:
+        """Bearings in both plates, one part for each size."""
+        site, place = self.site, self.car.arrangement.place if self.car.arrangement else None
+        assert place is not None  # `put_together` refuses a car without an arrangement
+        sizes: dict[tuple[float, float], list[Array]] = {}
+        for number, (turning, outside) in enumerate(zip(self.turning.parts, site.bearings, strict=True)):
+            if outside and not site.ending[number]:
+                axis, size = turning.axis, (turning.part.blank.shaft_diameter, outside)
+                sizes.setdefault(size, []).extend(at(axis.real, axis.imag, z) for z in (place.near, place.far))
+        for (bore, outside), places in sizes.items():
+            width = bearing_width(bore, outside) or site.plate
+            ring = Prism(circle((0.0, 0.0), outside / 2), -width / 2, width / 2, (circle((0.0, 0.0), bore / 2),))
+            yield CarPart(
+                code=f"bearing-{bore:g}-{outside:g}".replace(".", "p"),
+                title=Message("ball bearing"),
+                shape=Block((ring,)),
+                places=tuple(places),
+                group=Group(GroupKind.FRAME),
+                material=_STEEL,
+                density=0.6 * DENSITY[DiscMaterial.STEEL] * 1e-3,  # the room between its rings is empty
+                colour=_DARK,
+                supply=Supply.BOUGHT,
+                standard=f"ISO 15, {bore:g} x {outside:g} x {width:g}",
+            )
+
+    def wheels(self) -> Iterator[CarPart]:
+        """Drive wheel, fixed on the rear axle, and idle wheel, which runs free on it."""
+        bore, group = self.turning.parts[0].part.blank.shaft_diameter, self.groups[0]
+        half, outside = self.site.wheel_width / 2, bore + 2 * _HUB_WALL
+        rim = 2 * self.site.wheel_radius
+        drive, idle = self._rear_wheels()
+        for (z, side), code, title, fixed in (
+            (drive, "drive-wheel", Message("drive wheel"), True),
+            (idle, "idle-wheel", Message("idle wheel"), False),
+        ):
+            hole = RadialHole(_SCREW_HOLE, half + WHEEL_HUB / 2, outside / 2 + 1.0) if fixed else None
+            body = Body(
+                (
+                    Slab(-half, half, (circle_loop(rim), circle_loop(bore))),
+                    Slab(half, half + WHEEL_HUB, (circle_loop(outside), circle_loop(bore))),
+                ),
+                hole,
+            )
+            axis = group.axis
+            place = at(axis.real, axis.imag, z)
+            if side < 0:
+                place[1, 1] = place[2, 2] = -1.0
+            yield CarPart(
+                code=code,
+                title=title,
+                shape=BodyShape(body),
+                places=(place,),
+                group=group,
+                material=Message("acrylic"),
+                density=DENSITY[DiscMaterial.ACRYLIC] * 1e-3,
+                assumed=True,
+                colour=_DARK if fixed else (0.25, 0.24, 0.28),
+                shaft=1,
+            )
+
+    def fork(self) -> Iterator[CarPart]:
+        """Fork with its wheel and the rod, straight ahead."""
+        site, group = self.site, self.fork_group
+        height = self.car.arrangement.height if self.car.arrangement else 0.0
+        radius = site.front_radius or min(_FRONT_RADIUS, (height - 2 * _HEAD - _BRIDGE_HEIGHT - 2 * _GAP) / 2)
+        width = site.front_width or _FRONT_WIDTH
+        if radius < _FRONT_HUB_DIAMETER:
+            raise DesignError(
+                "the camshaft stands {height:.4g} mm over the floor, which leaves no room for a front wheel under the "
+                "rod: set layout.camshaft_height_mm to {least:g} or more, or cam.base_radius_mm",
+                height=height,
+                least=np.ceil(2 * _HEAD + _BRIDGE_HEIGHT + 2 * _GAP + 2 * _FRONT_HUB_DIAMETER),
+            )
+        hub = max(_FRONT_HUB, width + 2 * _GAP)
+        steel, aluminium = (DENSITY[each] * 1e-3 for each in (DiscMaterial.STEEL, DiscMaterial.ALUMINIUM))
+        # Heights over the floor, turned into y: the wheel's axle, the bridge over the wheel.
+        axle, bridge = height - radius, height - 2 * radius - _GAP
+        x, z = site.base_radius, site.fork
+        upwards = along((0.0, -1.0, 0.0), (0.0, 0.0, site.rod_side), (x, 0.0, z))
+        socket = RadialHole(2 * site.rod_radius, 0.0, _HEAD / 2 + 1.0)
+        spindle = Body(
+            tuple(
+                Slab(low, high, (circle_loop(across),))
+                for low, high, across in (
+                    (-bridge, -_HEAD_HALF, _SPINDLE),
+                    (-_HEAD_HALF, _HEAD_HALF, max(_HEAD, 2 * site.rod_radius + _HUB_WALL)),
+                    (_HEAD_HALF, _HEAD_HALF + _JOURNAL, _SPINDLE),
+                )
+            ),
+            socket,
+        )
+        yield CarPart(
+            code="fork-spindle",
+            title=Message("spindle of the fork"),
+            shape=BodyShape(spindle),
+            places=(upwards,),
+            group=group,
+            material=_STEEL,
+            density=steel,
+            assumed=True,
+            colour=(0.70, 0.71, 0.74),
+        )
+        rod = Prism(circle((0.0, 0.0), site.rod_radius), 0.0, site.rod_length)
+        stated = getattr(self.car.design.follower.keys, "material", None)
+        yield CarPart(
+            code="rod",
+            title=Message("rod"),
+            shape=Block((rod,)),
+            places=(along((0.0, 0.0, site.rod_side), (1.0, 0.0, 0.0), (x, 0.0, z)),),
+            group=group,
+            material=Message(str(stated or "steel")),
+            density=steel,
+            assumed=stated is None,
+            colour=(0.80, 0.81, 0.83),
+        )
+        half = _BRIDGE_LENGTH / 2
+        holes = tuple(
+            Drilled((side * _SCREWS_APART / 2, hub / 2, 0.0), (0.0, -1.0, 0.0), _SCREW_HOLE, hub) for side in (-1, 1)
+        )
+        # Its own z points up, and its own y along the shafts.
+        block = Prism(
+            _box(-half, half, -hub / 2, hub / 2),
+            -_BRIDGE_HEIGHT / 2,
+            _BRIDGE_HEIGHT / 2,
+            (circle((0.0, 0.0), _SPINDLE / 2),),
+        )
+        yield CarPart(
+            code="fork-bridge",
+            title=Message("bridge of the fork"),
+            shape=Block((block,), drilled=holes),
+            places=(along((0.0, -1.0, 0.0), (1.0, 0.0, 0.0), (x, bridge - _BRIDGE_HEIGHT / 2, z)),),
+            group=group,
+            material=Message("aluminium"),
+            density=aluminium,
+            assumed=True,
+            colour=_FORK_COLOUR,
+        )
+        top = bridge - _BRIDGE_HEIGHT - axle
+        cheek = Prism(
+            Contour(
+                np.array([[-half, top], [half, top], [half, 0.0], [-half, 0.0]]),
+                np.array([0.0, 0.0, 1.0, 0.0]),
+            ),
+            0.0,
+            _CHEEK,
+            (
+                circle((0.0, 0.0), _PIN / 2),
+                *(circle((side * _SCREWS_APART / 2, top + _BRIDGE_HEIGHT / 2), _THROUGH / 2) for side in (-1, 1)),
+            ),
+        )
+        yield CarPart(
+            code="fork-cheek",
+            title=Message("cheek of the fork"),
+            shape=Block((cheek,)),
+            places=(at(x, axle, z + hub / 2), at(x, axle, z - hub / 2 - _CHEEK)),
+            group=group,
+            material=Message("aluminium"),
+            density=aluminium,
+            assumed=True,
+            colour=(0.30, 0.50, 0.72),
+        )
+        pin = Prism(circle((0.0, 0.0), _PIN / 2), -hub / 2 - _CHEEK, hub / 2 + _CHEEK)
+        yield CarPart(
+            code="front-pin",
+            title=Message("axle of the front wheel"),
+            shape=Block((pin,)),
+            places=(at(x, axle, z),),
+            group=group,
+            material=_STEEL,
+            density=steel,
+            supply=Supply.BOUGHT,
+            standard=f"ISO 2338, {_PIN:g} m6 x {hub + 2 * _CHEEK:g}",
+            colour=(0.60, 0.61, 0.64),
+        )
+        wheel = Body(
+            tuple(
+                Slab(low, high, (circle_loop(across), circle_loop(_PIN)))
+                for low, high, across in (
+                    (-hub / 2, -width / 2, _FRONT_HUB_DIAMETER),
+                    (-width / 2, width / 2, 2 * radius),
+                    (width / 2, hub / 2, _FRONT_HUB_DIAMETER),
+                )
+            )
+        )
+        yield CarPart(
+            code="front-wheel",
+            title=Message("front wheel"),
+            shape=BodyShape(wheel),
+            places=(at(x, axle, z),),
+            group=group,
+            material=Message("POM"),
+            density=DENSITY[DiscMaterial.POM] * 1e-3,
+            assumed=True,
+            colour=(0.20, 0.21, 0.24),
+        )
+        yield CarPart(
+            code="fork-screws",
+            title=Message("cap screws of the fork's cheeks"),
+            shape=None,
+            places=(),
+            group=group,
+            material=_STEEL,
+            density=0.0,
+            mass=0.7,
+            supply=Supply.BOUGHT,
+            standard="ISO 4762, M3 x 8",
+            further=4,
+        )
+
+    def screws(self) -> Iterator[CarPart]:
+        """Set screws of hubs."""
+        count = 1 + sum(
+            turning.part.blank.hub is not None and turning.part.blank.hub.set_screw is not None
+            for turning in self.turning.parts
+        )
+        hub = self.cam.made_blank.hub
+        count += hub is not None and hub.set_screw is not None
+        yield CarPart(
+            code="set-screws",
+            title=Message("set screws of the hubs"),
+            shape=None,
+            places=(),
+            group=Group(GroupKind.FRAME),
+            material=_STEEL,
+            density=0.0,
+            mass=0.15,
+            supply=Supply.BOUGHT,
+            standard="ISO 4029, M3 x 4",
+            further=count,
+        )
+
+
+def _gear_place(turning: TurningPart) -> Array:
+    """Place of a gear with the gears pushing the cam at cam angle 0, shape (3, 4)."""
+    part = turning.part
+    return replace(part, axis=turning.axis, angle=turning.angle, height=part.height + turning.lift).transform
+
+
+def _hue(number: int) -> tuple[float, float, float]:
+    """Colour of a gear by its number."""
+    return hsv_to_rgb((0.58 + number * (sqrt(5) - 1) / 2) % 1.0, 0.35, 0.75)
+
+
+def _material(stated: str | None) -> tuple[str, float, bool]:
+    """Material in words, its density, g/mm³, and whether either is assumed: steel where nothing else is known."""
+    if stated is None:
+        return _STEEL, DENSITY[DiscMaterial.STEEL] * 1e-3, True
+    for each, density in DENSITY.items():
+        if each.lower() in stated.lower():
+            return stated, density * 1e-3, False
+    return stated, DENSITY[DiscMaterial.STEEL] * 1e-3, True
+
+
+def _key_size(width: float) -> tuple[float, float]:
+    """Height of a key, and depth of its seat in the shaft, mm."""
+    return _KEYS.get(width, (width, _SEAT_SHARE * width))
+
+
+def _box(left: float, right: float, low: float, high: float) -> Contour:
+    return Contour(np.array([[left, low], [right, low], [right, high], [left, high]]), np.zeros(4))
+
+
+def _seat(diameter: float, key: Keyway, angle: float) -> Contour:
+    """Section of a key's seat in a shaft, out to the shaft's own circle."""
+    radius, half = diameter / 2, key.width / 2
+    wall, floor = sqrt(radius**2 - half**2), radius - _key_size(key.width)[1]
+    corners = np.array([[floor, -half], [wall, -half], [wall, half], [floor, half]])
+    c, s = cos(angle), sin(angle)
+    return Contour(corners @ np.array([[c, s], [-s, c]]), np.array([0.0, tan(asin(half / radius) / 2), 0.0, 0.0]))

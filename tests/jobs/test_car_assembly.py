@@ -1,0 +1,75 @@
+"""A car put together: its parts, their masses against the CAD kernel's, and the designs of which none can be made."""
+
+from math import pi
+
+import numpy as np
+import pytest
+
+from cadgen.car.assembly.car_parts import BodyShape
+from cadgen.design.load import load_design
+from cadgen.errors import DesignError
+from cadgen.geometry.meshes.car_meshes import shape_mesh
+from cadgen.jobs.cam.steering_cam import plan_cam
+from cadgen.jobs.car_assembly import CarAssembly, put_together
+from cadgen.jobs.gears.gear_train import plan_gears
+
+
+def car_of(*overrides: str) -> CarAssembly:
+    design = load_design("workshop_car", overrides)
+    return put_together(plan_cam(design, "actual"), plan_gears(design))
+
+
+@pytest.fixture(scope="module")
+def car() -> CarAssembly:
+    return car_of()
+
+
+def test_every_part_has_a_code_a_colour_and_a_mass(car: CarAssembly) -> None:
+    assert len({part.code for part in car.parts}) == len(car.parts)
+    assert len({part.colour for part in car.parts}) == len(car.parts)
+    assert all(part.code.isascii() and part.each > 0 and part.quantity > 0 for part in car.parts)
+    assert car.balance().volume == pytest.approx(sum(part.each * part.quantity for part in car.parts))
+
+
+def test_volumes_are_those_of_the_cad_kernel(car: CarAssembly) -> None:
+    from cadgen.geometry.solids.car_solids import car_solids
+    from cadgen.geometry.solids.kernel import volume
+
+    for code, part in car_solids(car.parts, "").items():
+        # 7e-4 for the rod's socket in the spindle, which is taken as a cylinder between axis and outside.
+        assert car.part(code).content.volume == pytest.approx(
+            volume(part.solid), rel=1e-3 if "spindle" in code else 3e-5
+        )
+
+
+def test_meshes_have_the_volumes_of_their_parts(car: CarAssembly) -> None:
+    for part in car.parts:
+        if part.shape is not None and "gear" not in part.code:
+            solid = shape_mesh(part.shape, 0.002).solid()
+            assert solid.volume() == pytest.approx(part.content.volume, rel=2e-3), part.code
+
+
+def test_wheels_stand_on_the_floor_and_the_rod_points_to_the_disc(car: CarAssembly) -> None:
+    height = car.layout.arrangement.height if car.layout.arrangement else 0.0
+    for code, slab in (("drive-wheel", 0), ("front-wheel", 1)):
+        (place,), shape = car.part(code).placed(), car.part(code).shape
+        assert isinstance(shape, BodyShape)
+        radius = shape.body.slabs[slab].rings[0].radii[1]
+        assert place[1, 3] + radius == pytest.approx(height)
+    angle = 1.9
+    fork = car.fork_angle(angle)
+    (rod,) = car.part("rod").placed(angle, fork)
+    beta = np.arctan(car.use.steering.q(np.array([angle])))[0]
+    assert rod[:, 2] == pytest.approx([np.sin(beta), 0.0, np.cos(beta)], abs=1e-6)
+
+
+def test_the_drive_turns_by_the_ratio_against_the_cam(car: CarAssembly) -> None:
+    assert car.part("drive-wheel").group.rate == pytest.approx(45.0)
+    assert car.part("cam-disc").group.rate == pytest.approx(-1.0)
+    travel = 2 * pi * car.layout.site.wheel_radius * 45.0
+    assert travel == pytest.approx(car.use.travel)
+
+
+def test_a_design_without_a_layout_is_refused_with_its_cure() -> None:
+    with pytest.raises(DesignError, match=r"add a section \[layout\]"):
+        car_of("layout=")
