@@ -47,9 +47,10 @@ def test_a_script_is_short_and_runs(ran, script):
     assert ran(script.stem)
 
 
-def test_readme_has_the_cam_script():
-    lines = (ROOT / "docs" / "examples" / "cam.py").read_text().split('"""', 2)[2].strip()
-    assert lines in (ROOT / "README.md").read_text()
+def test_readme_has_the_script_of_a_cam_by_its_motion():
+    lines = (ROOT / "docs" / "examples" / "feeder.py").read_text().split('"""', 2)[2].strip()
+    for name in ("README.md", "README.zh-CN.md"):
+        assert lines in (ROOT / name).read_text("utf-8")
 
 
 @pytest.mark.slow
