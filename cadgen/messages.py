@@ -9,7 +9,7 @@ manifests are English in every language.
 import logging
 from collections.abc import Iterable, Mapping
 from contextvars import ContextVar
-from functools import cache, reduce
+from functools import cache, partial, reduce
 from importlib.resources import files
 from importlib.util import find_spec
 
@@ -46,7 +46,7 @@ class Message(str):
         return made
 
     def __reduce__(self) -> tuple[object, ...]:
-        return _message, (self.template, dict(self.arguments))
+        return partial(Message, self.template, **self.arguments), ()
 
     def translated(self, language: str) -> str:
         """Text in a language.
@@ -166,10 +166,6 @@ def language_of(environment: Mapping[str, str]) -> str:
     """
     stated = next((environment[name] for name in _VARIABLES if environment.get(name)), "")
     return next((code for code in LANGUAGES if stated.lower().startswith(code)), ENGLISH)
-
-
-def _message(template: str, arguments: Mapping[str, object]) -> Message:
-    return Message(template, **arguments)
 
 
 def speak_for(package: str) -> None:

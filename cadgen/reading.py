@@ -37,17 +37,14 @@ def open_regular(file: Path) -> BinaryIO:
     """Open a regular file for reading; errors as `read_regular`, but for the size."""
     _refuse_kind(file.stat().st_mode, file)
     # Something else may have taken its place; opening a pipe must not wait for a writer.
-    stream = open(file, "rb", opener=_opened_at_once)  # noqa: SIM115 (the caller closes it)
+    at_once = getattr(os, "O_NONBLOCK", 0)
+    stream = open(file, "rb", opener=lambda name, flags: os.open(name, flags | at_once))  # noqa: SIM115 (the caller closes it)
     try:
         _refuse_kind(os.fstat(stream.fileno()).st_mode, file)
     except BaseException:
         stream.close()
         raise
     return stream
-
-
-def _opened_at_once(name: str, flags: int) -> int:
-    return os.open(name, flags | getattr(os, "O_NONBLOCK", 0))
 
 
 def _refuse_kind(mode: int, file: Path) -> None:

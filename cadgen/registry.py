@@ -31,12 +31,14 @@ _brought: dict[int, tuple[str, str]] = {}
 _used: dict[str, str] = {}
 
 
-def load_plugins(group: str, register: Callable[[Any], object]) -> None:
+def load_plugins(group: str, sort: type[Any], register: Callable[[Any], object], noun: str = "") -> None:
     """Register what the installed plug-ins bring in a group; a faulty one gives a warning.
 
     Args:
         group: group of entry points, such as `cadgen.followers`.
+        sort: class that each object that they bring must have.
         register: function that adds one object; it raises an error that says what is wrong with it.
+        noun: what they should bring, in words; the name of the class if left out.
     """
     from importlib.metadata import entry_points  # a twentieth of a second that most commands save
 
@@ -47,6 +49,12 @@ def load_plugins(group: str, register: Callable[[Any], object]) -> None:
         try:
             brought = point.load()
             for each in brought if isinstance(brought, tuple) else (brought,):
+                if not isinstance(each, sort):
+                    raise DesignError(
+                        "it brings {found}, and should bring {sort}",
+                        found=type(each).__name__,
+                        sort=noun or sort.__name__,
+                    )
                 register(each)
                 _brought[id(each)] = name, version
             speak_for(point.module.partition(".")[0])
@@ -170,11 +178,4 @@ class Registry(Generic[K]):
     def _look_for_plugins(self) -> None:
         group, self._group = self._group, ""  # once, and not again while one is loaded
         if group:
-            load_plugins(group, self._register_plugin)
-
-    def _register_plugin(self, kind: Any) -> None:
-        if not isinstance(kind, self._sort):
-            raise DesignError(
-                "it brings {found}, and should bring {sort}", found=type(kind).__name__, sort=self._sort.__name__
-            )
-        self.register(kind)
+            load_plugins(group, self._sort, self.register)

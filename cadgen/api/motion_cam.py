@@ -280,9 +280,12 @@ def cam_toml(
     else:
         cam["base_circle_radius_mm"] = base_circle_radius
     given = follower_section(follower)
+    code = given.get("kind")
+    # A kind that there is not is refused where the design is read.
+    swings = isinstance(code, str) and has(code) and kind_of(code).unit != MM
     tables: Section = {
         "name": name,
-        "motion": motion.section(swings=_swings(given)),
+        "motion": motion.section(swings=swings),
         "follower": given,
         "cam": cam,
     }
@@ -294,12 +297,6 @@ def cam_toml(
         raise DesignError(
             "a value is no number or text that a design file holds ({error}): correct it", error=brief(str(error), 80)
         ) from None
-
-
-def _swings(follower: Section) -> bool:
-    """Whether a follower swings, by its kind; one that there is not is refused where the design is read."""
-    code = follower.get("kind")
-    return isinstance(code, str) and has(code) and kind_of(code).unit != MM
 
 
 def _shown(value: float) -> float:

@@ -113,15 +113,15 @@ def edit(design: str | None, overrides: tuple[str, ...], port: int, no_browser: 
     from cadgen.api.views import Editor
 
     editor = Editor.open(design, overrides)
-    editor.serve(port, browser=not no_browser, show=_show)
+    editor.serve(
+        port,
+        browser=not no_browser,
+        show=lambda address: click.echo(shown(Message("{address}  (Ctrl-C ends it)", address=address))),
+    )
     ended = Message("ended; nothing is unsaved")
     if editor.unsaved:
         ended = Message("ended; changes that were not saved are gone")
     click.echo(shown(ended))
-
-
-def _show(address: str) -> None:
-    click.echo(shown(Message("{address}  (Ctrl-C ends it)", address=address)))
 
 
 @help.command()

@@ -204,7 +204,7 @@ def summary(cam: "Cam", *, counted: bool = False) -> Iterator[Text]:
     """
     ruling = cam.verdict
     yield Text.assemble(
-        f"{shown(_of_profile(cam))}{shown(': ')}",
+        f"{shown(Message('{name}, {profile} profile', name=cam.origin.name, profile=cam.profile))}{shown(': ')}",
         (shown(ruling.readiness.words), f"bold {_COLOURS[ruling.readiness]}"),
     )
     yield Text(shown(Message("For {purpose}.", purpose=cam.application.purpose(cam))))
@@ -284,10 +284,6 @@ def failures(cam: "Cam") -> None:
     if cam.failed:
         title = Message("{name}: the {profile} profile fails its checks", name=cam.origin.name, profile=cam.profile)
         figures(title, cam.failed, gap=True)
-
-
-def _of_profile(cam: "Cam") -> Message:
-    return Message("{name}, {profile} profile", name=cam.origin.name, profile=cam.profile)
 
 
 def train_figures(checks: "Sequence[Check]") -> None:

@@ -245,8 +245,8 @@ def _walk(
         if inner:
             below.append((part, inner, info.is_required(), get_origin(annotation) is tuple))
         else:
-            below_name = dotted(name, part)
-            own.append(Key(below_name, unit_of(below_name), _kinds(info.annotation)[0], info))
+            key = dotted(name, part)
+            own.append(Key(key, unit_of(key), _kinds(info.annotation)[0], info))
     meaning = " ".join((section.__doc__ or "").split())
     yield SectionKeys(name, meaning, required, many, tuple(own), tuple(part for part, *_ in below))
     for part, inner, needed, repeated in below:

@@ -119,13 +119,7 @@ def _look_for_plugins() -> None:
     group = "cadgen.effects"
     if group not in _looked_for:
         _looked_for.add(group)
-        load_plugins(group, _register_plugin)
-
-
-def _register_plugin(brought: object) -> None:
-    if not isinstance(brought, EffectOf):
-        raise TypeError(f"it brings {type(brought).__name__}, and should bring EffectOf")
-    brought.catalogue.register(brought.effect)
+        load_plugins(group, EffectOf, lambda brought: brought.catalogue.register(brought.effect))
 
 
 def _runout(match: re.Match[str], indices: Mapping[str, float]) -> Effect:

@@ -170,7 +170,10 @@ def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
         profile_tolerance=use.profile_tolerance or None,
         follower=Message(plan.follower.noun),
         on_ray=Message(plan.follower.on_ray),
-        sizes=_follower(plan),
+        sizes=Message(
+            "Follower: {parts}.",
+            parts=joined([Message(plan.follower_as_built.noun), *_sizes(use.design.follower.keys)], ", "),
+        ),
         leans=plan.follower.leans,
         face=Message("inner face") if plan.seen == Face.INNER else Message("outer face"),
         files=folder.files(plan.stem, plan.origin.content_hash, endings),
@@ -216,12 +219,6 @@ def _groove(plan: CamPlan, groove: Groove, angles: Array) -> SheetGroove:
 
 
 _SIGNS = {"degrees": "°"}  # of units on a sheet, which are read in any language
-
-
-def _follower(plan: CamPlan) -> Message:
-    """Follower of a cam with its sizes as the design gives them, in a sentence."""
-    noun = Message(plan.follower_as_built.noun)
-    return Message("Follower: {parts}.", parts=joined([noun, *_sizes(plan.application.design.follower.keys)], ", "))
 
 
 def _sizes(keys: Any) -> Iterator[Message]:

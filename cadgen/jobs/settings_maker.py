@@ -16,7 +16,7 @@ from cadgen.car.draws.drawn_spacing import DrawnSpacing, steering_check
 from cadgen.car.draws.setting_ranges import CarSetting
 from cadgen.car.draws.target import Steering, Target, moved_rod, planned_point
 from cadgen.car.path_motion import PathMotion
-from cadgen.car.running.drive import Pose, Run, drive, turns_of
+from cadgen.car.running.drive import Run, drive, turns_of
 from cadgen.car.running.sampled import rolled_lift
 from cadgen.curves.closed import ClosedCurve
 from cadgen.design import cam_model, draw_model
@@ -109,10 +109,6 @@ class Maker:
         return cam_model.as_built(self.design).precompensated(ACTUAL.curve(self._wanted, self._rod).curve)
 
     @cached_property
-    def _stations(self) -> Array:
-        return np.linspace(0.0, TURN, _STATIONS, endpoint=False)
-
-    @cached_property
     def _nodes(self) -> Array:
         """Every other station up to where runs are judged, or all round where they go on."""
         even = np.linspace(0.0, TURN, _STATIONS // 2 + 1)
@@ -131,7 +127,8 @@ class Maker:
         return Steering.of(self._rod, ranges.disc, ranges.head, lambda rod: self._contact(self._plain, rod).q)
 
     def _contact(self, cut: ClosedCurve, rod: EdgeFollower) -> Contact:
-        return draw_model.contact(self.design, cut, rod, self._stations)
+        stations = np.linspace(0.0, TURN, _STATIONS, endpoint=False)
+        return draw_model.contact(self.design, cut, rod, stations)
 
     def _driven(self, spacing: float, target: Target, setting: CarSetting) -> tuple[DrawnSpacing, list[float]]:
         """The setting as it drives, and motor positions, rad, at which it does not keep the course."""
@@ -152,7 +149,12 @@ class Maker:
         if self._use.comparison is not None:
             contact = self._contact(self.cam.curve, rod)
             lift = rolled_lift(contact, self._use.steering, blend_start=self._wanted.blend_start)
-            comparison = _moved(self._use.comparison, lift, start, length)
+            # The chosen profile on a disc that was moved, with another wheel and another start.
+            comparison = replace(
+                self._use.comparison,
+                task=replace(self._use.comparison.task, start=start, length=length),
+                chosen=replace(self._use.comparison.chosen, rolled=lift),
+            )
             with_play = self._end_with_play(comparison, spacing)
             if self._course.judged == Judged.PLAY:
                 checks += play_checks(on, comparison)
@@ -187,12 +189,6 @@ class Maker:
         last = stop - (TURN / track.turn_laps if track.closed else 0.0)
         runs = (comparison.run(comparison.chosen, play) for play in plays.tolist())
         return max(float(self._off(run, spacing)[run.motor[run.motor <= stop] >= last].max()) for run in runs)
-
-
-def _moved(comparison: PlayComparison, rolled: PathMotion, start: Pose, length: float) -> PlayComparison:
-    """The comparison under play with the chosen profile on a disc that was moved, another wheel and another start."""
-    task = replace(comparison.task, start=start, length=length)
-    return replace(comparison, task=task, chosen=replace(comparison.chosen, rolled=rolled))
 
 
 def _wrong_places(run: CourseRun) -> list[float]:

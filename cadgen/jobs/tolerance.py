@@ -157,6 +157,10 @@ class ToleranceRun(JobResult, Generic[C]):
         """The run, as in the manifest; the number of processes does not show."""
         plan, use = self.cam, CarUse.of(self.cam)
         position, heading = self.end_position, self.end_heading_deg
+        course: Facts | None = None
+        if self.watched:
+            kept = {f"{100 * part:g} %": margin for part, margin in self.margins.items()}
+            course = Facts(watched=self.watched, least_margin_mm={**kept, "least": self.ends.margin.min()})
         facts = Facts(
             drive_wheel=use.drive_wheel.entry(),
             cadgen=__version__,
@@ -171,7 +175,7 @@ class ToleranceRun(JobResult, Generic[C]):
             law=self.law,
             gate_width_mm=self.gate_width,
             gates=self.gates,
-            course=self._course_facts(),
+            course=course,
             **{"yield": self.passed},
             end_position_mm={"mean": position.mean, **_quantiles(position), "greatest": position.greatest},
             end_heading_deg={"mean of size": heading.mean, **_quantiles(heading)},
@@ -190,13 +194,6 @@ class ToleranceRun(JobResult, Generic[C]):
         )
         budget = Facts() if self.budget is None else Facts(budget=self.budget.entry())
         return plan.origin.entry() | facts | budget
-
-    def _course_facts(self) -> Facts | None:
-        """Parts of the course that the cars must keep, and the least margin that they keep to it."""
-        if not self.watched:
-            return None
-        kept = {f"{100 * part:g} %": margin for part, margin in self.margins.items()}
-        return Facts(watched=self.watched, least_margin_mm={**kept, "least": self.ends.margin.min()})
 
     def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
         """Write pictures of the distribution and the sensitivities, all together or none.

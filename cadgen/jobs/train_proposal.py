@@ -167,13 +167,9 @@ def _trains(ratio: _Ratio, count: int) -> Iterator[tuple[tuple[int, int], ...]]:
         fits = (teeth / last * so_far <= ratio.most) & (teeth >= _LAST_DRIVEN[0]) & (teeth <= _LAST_DRIVEN[1])
         for stages, driven in zip(chosen[fits].tolist(), teeth[fits].astype(int).tolist(), strict=True):
             train = (*(tuple(pair) for pair in stages), (last, driven))
-            found.append((_rank(train), train))
+            behind, error = 1.0, 0.0
+            for driver, driven_teeth in reversed(train):
+                error += 1 / (driven_teeth * behind)
+                behind *= driven_teeth / driver
+            found.append((error + 1e-5 * sum(map(sum, train)), train))
     return (train for _, train in sorted(found))
-
-
-def _rank(train: tuple[tuple[int, int], ...]) -> float:
-    behind, error = 1.0, 0.0
-    for driver, driven in reversed(train):
-        error += 1 / (driven * behind)
-        behind *= driven / driver
-    return error + 1e-5 * sum(map(sum, train))

@@ -142,13 +142,11 @@ class EllipseArc(PlaneCurve):
     centre: complex = 0j
     turn: float = 0.0
 
-    def _about_centre(self, angle: Reals) -> Points:
-        along, across = self.half_axes
-        return np.asarray(_unit(self.turn) * (along * np.cos(angle) + 1j * across * np.sin(angle)))
-
     def point(self, t: ArrayLike) -> Points:
         """Points (mm) at parameters t, see `PlaneCurve`."""
-        return self.centre + self._about_centre(_share(self.start, self.start + self.sweep, t))
+        angle, (along, across) = _share(self.start, self.start + self.sweep, t), self.half_axes
+        around = np.asarray(_unit(self.turn) * (along * np.cos(angle) + 1j * across * np.sin(angle)))
+        return self.centre + around
 
     def tangent(self, t: ArrayLike) -> Points:
         """Unit tangent at t, see `PlaneCurve`."""

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from cadgen.arrays import Array, gauss_nodes
+from cadgen.arrays import gauss_nodes
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import Run
 from cadgen.car.running.mechanics import Mechanics
@@ -66,14 +66,10 @@ def run_energy(
     drag = np.minimum(pushed, forces.drag)
     work, braked = (float(width / 2 * (each @ weights).sum()) * 1e-3 for each in (pushed, drag))
     tracks = (run.drive_wheel, run.front_wheel, run.idle_wheel)
-    length = float(np.mean([_length(track) for track in tracks])) * 1e-3
+    length = float(np.mean([np.hypot(*np.diff(track, axis=0).T).sum() for track in tracks])) * 1e-3
     return RunEnergy(
         rolling=rolling * mass * GRAVITY * length,
         rod=work - braked,
         drag=braked,
         gears=work * (1 / efficiency - 1),
     )
-
-
-def _length(track: Array) -> float:
-    return float(np.hypot(*np.diff(track, axis=0).T).sum())

@@ -290,7 +290,10 @@ def _promising(
         joint.constant[joint.within],
         np.arange(width, width + datum.shape[1]),
     )
-    leaves_more = _leaves_more(joint, best)
+    # More than noise and form error is left, by chi-square, at the least discrepancy: one as large as it may be would
+    # hide what an effect does better.
+    spectrum = int(np.argmin(np.where(joint.within & (joint.beside == joint.beside.min()), best.misfit, np.inf)))
+    leaves_more = joint.square(best.active, spectrum) > joint.rows + CHANCE * float(np.sqrt(2 * joint.rows))
     subsets = {*_subsets(free.effects), *_grown(free.effects, best)}
     rated = sorted(_rate_free(this, subsets, search), key=lambda r: r.score)
     most = MOST_CAUSES if leaves_more else LARGEST_SUBSET
@@ -329,15 +332,6 @@ def _accompanied(companion: Effect, core: tuple[Effect, ...], beside: list[Rated
     datum = [(e, v) for e, v in best.active if e not in best.effects]
     known = {e.key: (e, v) for e, v in (*values, *best.active) if e.key in wanted}
     return tuple(e for e in core if e.key in wanted), [*datum, *known.values()]
-
-
-def _leaves_more(joint: Joint, best: Hypothesis) -> bool:
-    """Does the best subset leave more than noise and form error, by chi-square, so that there is more to find?
-
-    Asked at the least discrepancy, for as large as it may be it would hide what an effect does better.
-    """
-    spectrum = int(np.argmin(np.where(joint.within & (joint.beside == joint.beside.min()), best.misfit, np.inf)))
-    return joint.square(best.active, spectrum) > joint.rows + CHANCE * float(np.sqrt(2 * joint.rows))
 
 
 def _rate_free(this: Round, subsets: Iterable[tuple[int, ...]], search: Search) -> Iterator[Rated]:

@@ -56,7 +56,13 @@ def load(path: Path, known: Sequence[Kind] | None = None, reading: Reading = AS_
             cannot be in its unit, angles that go round twice, or too few rows.
     """
     content, name = _content(path), escaped(path.name)
-    text, notes = text_of(content, name, lambda text: _named(text, known, reading))
+
+    def named(text: str) -> int:
+        # Number of the names of columns that are known, in one of the first lines.
+        lines = [line for line in text.splitlines()[:_FIRST] if not line.startswith("#")]
+        return max((_known_names(re.split(r"[;\t,|]", line), known, reading) for line in lines), default=0)
+
+    text, notes = text_of(content, name, named)
     record = load_text(text, name, known, reading)
     return replace(record, notes=(*notes, *record.notes)) if notes else record
 
@@ -112,12 +118,6 @@ def _known_names(cells: Sequence[str], known: Sequence[Kind] | None, reading: Re
     names = [column for kind in known or kinds() for column in kind.header] + list(reading.columns.values())
     quantities = {heading(column).quantity for column in names} | set(TIMES)
     return sum(heading(cell).quantity in quantities for cell in cells)
-
-
-def _named(text: str, known: Sequence[Kind] | None, reading: Reading) -> int:
-    """Number of the names of columns that are known in the first lines of a text."""
-    lines = [line for line in text.splitlines()[:_FIRST] if not line.startswith("#")]
-    return max((_known_names(re.split(r"[;\t,|]", line), known, reading) for line in lines), default=0)
 
 
 def digest(path: Path) -> str:

@@ -59,7 +59,13 @@ def read_points(path: Path, layer: str | None = None, *, closed: bool = False) -
             "{name} cannot be read ({reason}): give a file of points, or a DXF", name=name, reason=reason
         ) from None
     if is_dxf:
-        return _polyline(content, name, layer, closed)
+        from io import BytesIO
+
+        from ezdxf import recover
+
+        with _damage_named(name):
+            drawing, _ = recover.read(BytesIO(content))
+            return _only_polyline(drawing, name, layer, closed)
     if layer is not None:
         raise FileError("{name} has no layers, which only a DXF has: remove --layer", name=name)
     try:
@@ -125,16 +131,6 @@ def _damage_named(name: str) -> Iterator[None]:
         raise FileError(
             "{name} is no DXF that can be read ({error}): save it again", name=name, error=escaped(str(error)[:80])
         ) from None
-
-
-def _polyline(content: bytes, name: str, layer: str | None, closed: bool) -> Points:
-    from io import BytesIO
-
-    from ezdxf import recover
-
-    with _damage_named(name):
-        drawing, _ = recover.read(BytesIO(content))
-        return _only_polyline(drawing, name, layer, closed)
 
 
 def _only_polyline(drawing: Any, name: str, layer: str | None, closed: bool) -> Points:

@@ -118,7 +118,10 @@ def _sheet_text(content: bytes, name: str) -> tuple[str, tuple[Message, ...]]:
             )
         book = openpyxl.load_workbook(BytesIO(content), read_only=True, data_only=True)
         for sheet in book.worksheets:
-            rows = [[_cell_text(cell) for cell in row] for row in sheet.iter_rows(values_only=True)]
+            rows = [
+                ["" if cell is None else repr(cell) if isinstance(cell, float) else str(cell) for cell in row]
+                for row in sheet.iter_rows(values_only=True)
+            ]
             rows = [row for row in rows if any(row)]
             if rows:
                 break
@@ -132,10 +135,6 @@ def _sheet_text(content: bytes, name: str) -> tuple[str, tuple[Message, ...]]:
     out = StringIO()
     csv.writer(out, delimiter="\t", lineterminator="\n").writerows(row[:width] for row in rows)
     return out.getvalue(), (Message("sheet {title}", title=brief(sheet.title)),)
-
-
-def _cell_text(cell: object) -> str:
-    return "" if cell is None else repr(cell) if isinstance(cell, float) else str(cell)
 
 
 def head_of(text: str, name: str, known: Callable[[Sequence[str]], int]) -> Head:
@@ -171,18 +170,12 @@ def head_of(text: str, name: str, known: Callable[[Sequence[str]], int]) -> Head
     mark, names, body = mark or _mark(body[top][1]), heads[top], body[top + 1 :]
     if mark != ",":
         notes.append(Message("its columns are set apart by {marks}", marks=_MARKS.get(mark, Message("spaces"))))
-    if body and (units := _units(_split(body[0][1], mark, body[0][0], name), len(names))):
+    units = [cell.strip("[]() ") for cell in _split(body[0][1], mark, body[0][0], name)] if body else []
+    if len(units) == len(names) and any(units) and all(not unit or unit_of(unit) for unit in units):
         names = [f"{column} [{unit}]" if unit else column for column, unit in zip(names, units, strict=True)]
         notes.append(Message("its second line has the units"))
         body = body[1:]
     return Head(tuple(names), tuple(body), mark, tuple(remarks), tuple(notes))
-
-
-def _units(cells: list[str], columns: int) -> list[str]:
-    """Units of a line that has nothing else; none if it is another line."""
-    units = [cell.strip("[]() ") for cell in cells]
-    fit = len(units) == columns and any(units) and all(not unit or unit_of(unit) for unit in units)
-    return units if fit else []
 
 
 def rows_of(head: Head, name: str) -> TableRows:
@@ -209,23 +202,19 @@ def rows_of(head: Head, name: str) -> TableRows:
     if not any(_COMMA.fullmatch(cell) for column in columns for cell in column):
         return TableRows(lines, table)
     for column in columns:
-        if unclear := _thousands(column):
+        # A comma may set thousands apart, as 1,250 beside 980 or 0.5 does.
+        commas = [cell for cell in column if _COMMA.fullmatch(cell)]
+        others = [cell for cell in column if _POINT.fullmatch(cell)]
+        grouped = all(_GROUPS.fullmatch(cell) and not re.match(r"\s*[+-]?0", cell) for cell in commas)
+        if commas and others and (grouped or any("." in cell for cell in others)):
             raise FileError(
                 "{name}: its commas may stand for decimal points or for thousands, as in {cell}; save it with decimal "
                 "points",
                 name=name,
-                cell=brief(unclear.strip()),
+                cell=brief(commas[0].strip()),
             )
     points = tuple(tuple(c.replace(",", ".") if _COMMA.fullmatch(c) else c for c in row) for row in table)
     return TableRows(lines, points, (Message("it has decimal commas"),))
-
-
-def _thousands(column: Sequence[str]) -> str:
-    """Number of a column whose comma may set thousands apart, as 1,250 beside 980 or 0.5 does; empty if none."""
-    commas = [cell for cell in column if _COMMA.fullmatch(cell)]
-    others = [cell for cell in column if _POINT.fullmatch(cell)]
-    grouped = all(_GROUPS.fullmatch(cell) and not re.match(r"\s*[+-]?0", cell) for cell in commas)
-    return commas[0] if commas and others and (grouped or any("." in cell for cell in others)) else ""
 
 
 def _mark(line: str) -> str:

@@ -6,9 +6,6 @@ import numpy as np
 
 from cadgen.arrays import TURN
 from cadgen.cam.contact import roll_curve
-from cadgen.cam.follower import EdgeFollower
-from cadgen.car.path_motion import PathMotion
-from cadgen.car.running.mechanics import Mechanics
 from cadgen.car.running.sampled import rolled_lift
 from cadgen.design import cam_model, gear_model, variation
 from cadgen.design.schema import Design
@@ -59,11 +56,14 @@ def nominal_of(design: Design, profile: str, progress: Progress = silent) -> Nom
         lift = rolled_lift(roll_curve(plan.on_shaft, follower, angle)[0], lift, blend_start=lift.blend_start)
         cut = cut if plan.kind.gives_lift else lift
     ratios, teeth = ratios_and_teeth(design)
+    forces = variation.mechanics(bare, follower, cut)
+    play = None if bare.play is None else bare.play.measured_deg
     return Nominal(
         lift=lift,
         cut=cut,
-        mechanics=_forces(bare, follower, cut),
-        play=_measured_play(bare),
+        mechanics=None if forces is None else forces.nominal,
+        # Measured with the rod lifted, and its standard deviation.
+        play=None if play is None else (radians(play), radians(INCLINOMETER_DEG)),
         follower=follower,
         profile=plan.on_shaft,
         car=cam_model.car(bare),
@@ -71,18 +71,6 @@ def nominal_of(design: Design, profile: str, progress: Progress = silent) -> Nom
         ratios=ratios,
         teeth=teeth,
     )
-
-
-def _forces(design: Design, rod: EdgeFollower, lift: PathMotion) -> Mechanics | None:
-    """Rod force and drag by [mechanics]; None without it."""
-    band = variation.mechanics(design, rod, lift)
-    return None if band is None else band.nominal
-
-
-def _measured_play(design: Design) -> tuple[float, float] | None:
-    """Return error of [play] that was measured with the rod lifted, and its standard deviation, rad."""
-    given = None if design.play is None else design.play.measured_deg
-    return None if given is None else (radians(given), radians(INCLINOMETER_DEG))
 
 
 def ratios_and_teeth(design: Design) -> tuple[tuple[float, ...], tuple[int, ...]]:

@@ -213,23 +213,21 @@ def stop_as_designed(design: Design) -> float:
 
 
 def _listed_effects(effects: list[EffectSection]) -> str:
-    named = [
-        Message(
-            "{effect} {values} ({place}, from {kind})",
-            effect=Message(effect.effect),
-            values=_values(effect),
-            place=Message(effect.place),
-            kind=Message(effect.kind),
+    named = []
+    for effect in effects:
+        units = {parameter.name: parameter.unit for parameter in effect.known().parameters}
+        values = [
+            f"{value.value:.4g}{_SIGNS[units.get(value.name, '')]}"
+            + (f" ± {value.sigma:.2g}" if value.sigma is not None else "")
+            for value in effect.values
+        ]
+        named.append(
+            Message(
+                "{effect} {values} ({place}, from {kind})",
+                effect=Message(effect.effect),
+                values=", ".join(values),
+                place=Message(effect.place),
+                kind=Message(effect.kind),
+            )
         )
-        for effect in effects
-    ]
     return listed(named, "and")
-
-
-def _values(effect: EffectSection) -> str:
-    units = {p.name: p.unit for p in effect.known().parameters}
-    return ", ".join(
-        f"{value.value:.4g}{_SIGNS[units.get(value.name, '')]}"
-        + (f" ± {value.sigma:.2g}" if value.sigma is not None else "")
-        for value in effect.values
-    )

@@ -95,7 +95,12 @@ class OnCourse:
             driving: run up to a motor position (rad) in a number of steps, with what happens between them.
         """
         if self.track.closed:
-            return self._run_laps(driving)
+            laps = self.run_laps
+            steps = min(max(_LEAST_STEPS, ceil(self.track.length / _STEP)), _MOST_STEPS // laps)
+            run = driving(self.stop, steps * laps)
+            poses, lap = poses_of(run, self.car), TURN / self.track.turn_laps
+            ends = np.searchsorted(run.motor, lap * (np.arange(laps) + 1.0) - _ROUNDING).tolist()
+            return CourseRun(self, run, poses, judge_laps(poses, self.car, self.body, self.course, ends))
         steps = min(max(STEPS, ceil(self.travel / _STEP)), _MOST_STEPS)
         run = driving(self.stop, steps)
         poses, end = poses_of(run, self.car), len(run.motor)
@@ -115,14 +120,6 @@ class OnCourse:
         driven = judge(poses.part(0, end), self.car, self.body, before)
         blend = judge(poses.part(end - 1, len(poses)), self.car, self.body, behind)
         return CourseRun(self, run, poses, driven, blend)
-
-    def _run_laps(self, driving: Callable[[float, int], Run]) -> "CourseRun":
-        laps = self.run_laps
-        steps = min(max(_LEAST_STEPS, ceil(self.track.length / _STEP)), _MOST_STEPS // laps)
-        run = driving(self.stop, steps * laps)
-        poses, lap = poses_of(run, self.car), TURN / self.track.turn_laps
-        ends = np.searchsorted(run.motor, lap * (np.arange(laps) + 1.0) - _ROUNDING).tolist()
-        return CourseRun(self, run, poses, judge_laps(poses, self.car, self.body, self.course, ends))
 
     @cached_property
     def planned(self) -> "CourseRun":
@@ -443,10 +440,6 @@ def play_checks(on: OnCourse, comparison: PlayComparison) -> tuple[Check, ...]:
     worst: dict[str, Check] = {}
     for check in (check for play, end in cases for check in on.played(comparison, play, end).checks()):
         known = worst.get(check.code)
-        if known is None or _worse(check, known):
+        if known is None or (check.value > known.value if check.bound == Bound.MAX else check.value < known.value):
             worst[check.code] = check
     return tuple(worst.values())
-
-
-def _worse(check: Check, other: Check) -> bool:
-    return check.value > other.value if check.bound == Bound.MAX else check.value < other.value

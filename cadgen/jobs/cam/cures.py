@@ -114,7 +114,12 @@ def _tried(plan: CamPlan) -> Iterator[Cure]:
         yield from found
     if not plan.lost:
         return
-    limit = plan.limits.lost_lift if isfinite(plan.limits.lost_lift) else _borne(plan)
+    limit = plan.limits.lost_lift
+    if not isfinite(limit):
+        # So much that the car is moved by no more than allowed, in proportion to what is lost.
+        effect = next(check for check in plan.lost if check.code == CheckCode.LOST_LIFT_EFFECT)
+        most = max(check.value for check in plan.checks if check.code in LOST_LIFT and check.code != effect.code)
+        limit = most * 1e-3 * effect.limit / effect.value
     for change in undercut_cures(plan.motion, plan.follower_as_built, limit, without=frozenset(tried)):
         # Three digits, rounded to the safe side.
         unit = 10.0 ** (floor(log10(change.value)) - 2)
@@ -127,13 +132,6 @@ def _tried(plan: CamPlan) -> Iterator[Cure]:
         if lost:
             allowed = ceil(max(check.value for check in lost) * 10) / 10  # rounded up to a tenth
             yield from _proved(plan, f"{key}={allowed:g}", f"{lost[0].limit:g}")
-
-
-def _borne(plan: CamPlan) -> float:
-    """Lift, mm, that may be lost so that the car is moved by no more than allowed, in proportion to what is lost."""
-    effect = next(check for check in plan.lost if check.code == CheckCode.LOST_LIFT_EFFECT)
-    most = max(check.value for check in plan.checks if check.code in LOST_LIFT and check.code != effect.code)
-    return most * 1e-3 * effect.limit / effect.value
 
 
 def _proved(plan: CamPlan, override: str, now: str) -> list[Cure]:

@@ -129,6 +129,10 @@ def yield_check(use: JudgedCar, found: CourseYield) -> Check:
         use: car that the cam steers.
         found: cars that keep the course.
     """
+    # Part of the course that the fewest cars keep.
+    binds = Message("{key}, which {share:.1f} % keep", key=found.binding, share=found.binding_percent)
+    if found.binding_percent >= 100:
+        binds = Message("every part of it")
     return Check(
         CheckCode.CARS_KEEP_COURSE,
         Message("cars that keep the course"),
@@ -136,16 +140,9 @@ def yield_check(use: JudgedCar, found: CourseYield) -> Check:
         "%",
         use.least_yield,
         Bound.MIN,
-        _binds(found),
+        binds,
         _better_profile(use) or _tighter(found),
     )
-
-
-def _binds(found: CourseYield) -> Message:
-    """Part of the course that the fewest cars keep."""
-    if found.binding_percent >= 100:
-        return Message("every part of it")
-    return Message("{key}, which {share:.1f} % keep", key=found.binding, share=found.binding_percent)
 
 
 def _better_profile(use: JudgedCar) -> Message | None:

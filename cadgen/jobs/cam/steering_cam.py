@@ -281,7 +281,12 @@ class CarUse(Application):
             return PartVerdict(())
         found: CourseYield | None = None
         counted: tuple[Check, ...] = ()
-        played = self._with_play(cam)
+        played, rides = self, isinstance(cam.follower_as_built, EdgeFollower)
+        if self.comparison is None and cam.kind == ACTUAL and self.course is not None and rides and self.play_known:
+            # The plain profile is planned without the comparison under play.
+            compared = _plan_against_play(self.design, ACTUAL, silent, measured=_measured_cam(self.design)).application
+            assert isinstance(compared, CarUse)
+            played = compared
         try:
             found = course_yield(played, cam.curve)
         except DesignError as error:
@@ -319,15 +324,6 @@ class CarUse(Application):
             *(Message("the play moves the finish by {end:.1f} mm at most", end=end) for end in ends),
             *steepest(cam.checks),
         )
-
-    def _with_play(self, cam: CamPlan) -> "CarUse":
-        """The car with its comparison under play, which the plain profile is planned without."""
-        rides = isinstance(cam.follower_as_built, EdgeFollower)
-        if self.comparison is not None or cam.kind != ACTUAL or self.course is None or not (rides and self.play_known):
-            return self
-        other = _plan_against_play(self.design, ACTUAL, silent, measured=_measured_cam(self.design)).application
-        assert isinstance(other, CarUse)
-        return other
 
     @property
     def play_known(self) -> bool:
@@ -424,20 +420,18 @@ class CarUse(Application):
         Args:
             stop: cam angle at which the run ends, rad.
         """
+        starts = self.before_each_run
+        if starts and self.comparison is not None:
+            # With what it costs, where the play is known.
+            task, play = self.comparison.task, max(self.comparison.band.ends)
+            starts = (start_sentence(task.planned(), task.car, task.length, play),)
         return (
             *field_notice(self.design),
             *assumed_play(self.design),
             *joint_sentences(self.design),
             *as_built_sentences(self.design, stop),
-            *self._start_notes(),
+            *starts,
         )
-
-    def _start_notes(self) -> tuple[Message, ...]:
-        """Advice for each start, with what it costs where the play is known."""
-        if not self.before_each_run or self.comparison is None:
-            return self.before_each_run
-        task, play = self.comparison.task, max(self.comparison.band.ends)
-        return (start_sentence(task.planned(), task.car, task.length, play),)
 
     @property
     def before_each_run(self) -> tuple[Message, ...]:

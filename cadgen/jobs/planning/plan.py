@@ -3,7 +3,7 @@
 Of several such paths, with more and more room at gates and obstacles, the one is kept that most cars drive (`cars`).
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from math import ceil, pi
 from pathlib import Path
@@ -20,7 +20,7 @@ from cadgen.car.planner.gates import is_exact
 from cadgen.car.planner.path_plan import PathPlan, reasons
 from cadgen.car.planner.path_plan import best_plan as planned
 from cadgen.car.planner.path_task import Margins, PathTask
-from cadgen.check import Check, failing
+from cadgen.check import failing
 from cadgen.design import cam_model, draw_model, gear_model
 from cadgen.design.course import body_of, layout_of, spacings_of
 from cadgen.design.load import design_of
@@ -232,7 +232,11 @@ def _kept_by_checks(
             kept=tightening,
             wheel_radius=radius,
         )
-        more = tightening.after(_due_to_path(cam))
+        comparison = CarUse.of(cam).comparison
+        # With friction, limits that no profile keeps are the rod's: a path has no influence on them.
+        rubs = comparison is not None and comparison.task.mechanics is not None
+        beyond = comparison.beyond if comparison is not None and rubs else ()
+        more = tightening.after(check for check in failing(cam.checks) if check not in beyond)
         for each in settings:
             more = more.larger(tightening.after(each.failed))
         if more == tightening:
@@ -240,13 +244,6 @@ def _kept_by_checks(
         tightening, begin = more, rounded(result.path.points)
     assert path is not None  # the last round gives one or raises
     return path
-
-
-def _due_to_path(cam: CamPlan) -> Iterator[Check]:
-    """Failed checks on which a path has influence: with friction, limits that no profile keeps are the rod's."""
-    comparison = CarUse.of(cam).comparison
-    rubs = comparison is not None and comparison.task.mechanics is not None
-    yield from (check for check in failing(cam.checks) if not (rubs and comparison and check in comparison.beyond))
 
 
 def _settings(design: Design, task: PathTask, cam: CamPlan, progress: Progress) -> tuple[DrawnSpacing, ...]:

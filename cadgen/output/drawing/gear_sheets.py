@@ -275,7 +275,11 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     part, gap = gear.part, _GAP / scale
     blank = part.blank
     reach = _reach(part.body)
-    curves: list[Closed | Stroke] = [_outline(_at_its_top(part.body, loop)) for loop in dict.fromkeys(_rims(part.body))]
+    curves: list[Closed | Stroke] = []
+    for loop in dict.fromkeys(_rims(part.body)):
+        # The section at the upper end of the wall that begins with this one.
+        slabs = [slab for slab in part.body.slabs if loop in slab.rings]
+        curves.append(_outline(loop.rotated(loop.run.angle(slabs[-1].end - slabs[0].start))))
     if is_ring(part.gears[0]):
         curves.append(_outline(part.body.slabs[0].rings[-1]))
     # Under a wider gear they are not seen.
@@ -327,12 +331,6 @@ def _rims(body: Body) -> Iterator[Loop]:
         rings = slab.rings[:-1] if len(slab.rings) % 2 == 0 else slab.rings
         yield from (loop for loop in rings if loop.radii[1] > reach)
         reach = max(reach, slab.rings[0].radii[0])
-
-
-def _at_its_top(body: Body, loop: Loop) -> Loop:
-    """Section at the upper end of the wall that begins with a section."""
-    slabs = [slab for slab in body.slabs if loop in slab.rings]
-    return loop.rotated(loop.run.angle(slabs[-1].end - slabs[0].start))
 
 
 def _drilled(part: TrainPart) -> tuple[Loop, ...]:

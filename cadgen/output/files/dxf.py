@@ -308,27 +308,20 @@ def _whole(path: Path) -> Iterator[None]:
 
 def _drawn(path: Path) -> Iterator[tuple[str, dict[int, list[str]]]]:
     """Kind and values of each entity of a file, which must be in millimetres."""
-    sections = _sections(path)
-    if _units(sections["HEADER"]) != _MM:
+    lines = path.read_text(encoding="cp1252").splitlines()
+    # A tag is a line with a code and a line with a value.
+    tags = [(int(code), value.strip()) for code, value in zip(lines[::2], lines[1::2], strict=True)]
+    if tags[-1] != (0, "EOF"):
+        raise ValueError("cut short")
+    begins = [i for i, tag in enumerate(tags) if tag == (0, "SECTION")] + [len(tags)]
+    sections = {tags[begin + 1][1]: tags[begin + 2 : end] for begin, end in pairwise(begins)}
+    header = sections["HEADER"]
+    if int(header[header.index((9, "$INSUNITS")) + 1][1]) != _MM:
         raise FileError("{file} is not in millimetres: write it again", file=path.name)
     yield from _entities(sections["ENTITIES"])
 
 
 Tag = tuple[int, str]
-
-
-def _sections(path: Path) -> dict[str, list[Tag]]:
-    """Tags of each section by its name; a tag is a line with a code and a line with a value."""
-    lines = path.read_text(encoding="cp1252").splitlines()
-    tags = [(int(code), value.strip()) for code, value in zip(lines[::2], lines[1::2], strict=True)]
-    if tags[-1] != (0, "EOF"):
-        raise ValueError("cut short")
-    begins = [i for i, tag in enumerate(tags) if tag == (0, "SECTION")] + [len(tags)]
-    return {tags[begin + 1][1]: tags[begin + 2 : end] for begin, end in pairwise(begins)}
-
-
-def _units(header: list[Tag]) -> int:
-    return int(header[header.index((9, "$INSUNITS")) + 1][1])
 
 
 def _entities(tags: list[Tag]) -> Iterator[tuple[str, dict[int, list[str]]]]:

@@ -39,10 +39,6 @@ _RIM_SHARE = 0.8
 _LEAST_RIM_SHARE = 0.04
 
 
-def _nothing(outline: Outline, contact: Contact, limit: float) -> Figures:
-    return Figures()
-
-
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CamExport:
     """Cam that is to be written, and the proof of its files: the follower is rolled on each outline read back.
@@ -80,7 +76,7 @@ class CamExport:
     machining: Machining
     motion: Motion | None = None
     forces: CamForces | None = None
-    in_use: Callable[[Outline, Contact, float], Figures] = _nothing
+    in_use: Callable[[Outline, Contact, float], Figures] = lambda outline, contact, limit: Figures()
 
     @property
     def land(self) -> tuple[float, float] | None:

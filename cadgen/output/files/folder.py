@@ -229,7 +229,9 @@ def _publish(staging: Path, out: Path) -> None:
         if name not in new and known and all(unchanged(out / file, digest) for file, digest in known):
             kept[name] = staying.content
     _prepare(staging, out, files, manifest_text(kept))
-    _write(staging / MANIFEST, manifest_text(kept | {name: entry.content for name, entry in new.items()}))
+    beside = staging / f".new-{MANIFEST}"
+    _store(beside, manifest_text(kept | {name: entry.content for name, entry in new.items()}))
+    os.replace(beside, staging / MANIFEST)  # at once
     (staging / _PREPARED).rename(staging / _REPLACED)
     try:
         if (staging / _KEPT).exists():
@@ -304,13 +306,6 @@ def _undo(staging: Path, out: Path) -> list[str]:
         os.replace(replaced / MANIFEST, out / MANIFEST)
     (staging / MANIFEST).unlink()  # from here on nothing is left to be undone
     return sorted(set(back))
-
-
-def _write(file: Path, text: str) -> None:
-    """Replace a file's content at once."""
-    beside = file.with_name(f".new-{file.name}")
-    _store(beside, text)
-    os.replace(beside, file)
 
 
 def _store(file: Path, text: str) -> None:

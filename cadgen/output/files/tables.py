@@ -99,7 +99,10 @@ def train_table(train: TrainExport, folder: Path) -> Iterator[Artifact]:
     name = f"{train.stem}_parts.csv"
     text = io.StringIO(newline="")
     writer = csv.DictWriter(text, list(dict.fromkeys(key for row in train.table for key in row)), lineterminator="\n")
-    rows = [{key: _cell(value) for key, value in row.items()} for row in train.table]
+    rows = [
+        {key: f"{value:.4f}" if isinstance(value, float) else value for key, value in row.items()}
+        for row in train.table
+    ]
     writer.writeheader()
     writer.writerows(rows)
     (folder / name).write_text(text.getvalue(), encoding="ascii", newline="\n")
@@ -107,12 +110,6 @@ def train_table(train: TrainExport, folder: Path) -> Iterator[Artifact]:
     same = len(again) == len(rows) and all(row.items() <= read.items() for read, row in zip(again, rows, strict=True))
     require(same, name, Message("has other values"))
     yield Artifact(name, Facts(rows=len(rows)), (Message("{count} rows", count=len(rows)),))
-
-
-def _cell(value: object) -> str:
-    if value is None:
-        return ""
-    return f"{value:.4f}" if isinstance(value, float) else str(value)
 
 
 def contact_rows(curve: ClosedCurve, follower: Follower, count: int, tolerance: float) -> Contact:
@@ -143,7 +140,9 @@ def contact_rows(curve: ClosedCurve, follower: Follower, count: int, tolerance: 
         along = _on_section(curve, follower, before, (place[wide] + place[wide + 1]) / 2)
         jump = theta[wide + 1] - theta[wide] < _JUMP
         columns = (np.where(jump, getattr(along, name), getattr(between, name)) for name in _CONTACT)
-        rows = _inserted(rows, Contact(*columns), wide)
+        rows = Contact(
+            *(np.insert(getattr(rows, name), wide + 1, more) for name, more in zip(_CONTACT, columns, strict=True))
+        )
         place = _places(rows, follower)
         stray = np.insert(stray, wide + 1, 0.0)
         new = np.concatenate([wide + np.arange(len(wide)), wide + np.arange(len(wide)) + 1])
@@ -177,10 +176,6 @@ def _on_section(curve: ClosedCurve, follower: Follower, before: Contact, place: 
 
 def _chosen(rows: Contact, which: NDArray[np.intp]) -> Contact:
     return Contact(*(getattr(rows, name)[which] for name in _CONTACT))
-
-
-def _inserted(rows: Contact, more: Contact, after: NDArray[np.intp]) -> Contact:
-    return Contact(*(np.insert(getattr(rows, name), after + 1, getattr(more, name)) for name in _CONTACT))
 
 
 def _needed(rows: Contact, place: Array, curve: ClosedCurve, count: int, tolerance: float) -> Contact:
@@ -225,6 +220,10 @@ def write_csv(
     polar = np.degrees(np.arctan2(jet.point[:, 1], jet.point[:, 0])) % 360
     with np.errstate(divide="ignore"):
         radius = np.where(np.abs(jet.curvature) < _STRAIGHT, np.nan, 1 / jet.curvature)
+    loads: list[Array] = []
+    if forces is not None:
+        jets = forces.motion.jets(contact.cam_angle)
+        loads = [forces.normal(jets, contact.cam_angle), forces.torque(jets, contact.cam_angle)]
     numbers = np.column_stack(
         [
             np.degrees(contact.cam_angle),
@@ -238,7 +237,7 @@ def write_csv(
                 else []
             ),
             *([] if motion is None else [motion.jets(contact.cam_angle)[:, 1:]]),
-            *([] if forces is None else _force_columns(forces, contact.cam_angle)),
+            *loads,
             normal,
             np.degrees(contact.pressure_angle),
             radius,
@@ -252,11 +251,6 @@ def write_csv(
     )
     head = ",".join(columns(follower.unit, derived=motion is not None, forces=forces is not None))
     path.write_text("\n".join([head, *rows]) + "\n", encoding="ascii", newline="\n")
-
-
-def _force_columns(forces: CamForces, cam_angle: Array) -> list[Array]:
-    jets = forces.motion.jets(cam_angle)
-    return [forces.normal(jets, cam_angle), forces.torque(jets, cam_angle)]
 
 
 def read_csv(path: Path) -> dict[str, Array]:

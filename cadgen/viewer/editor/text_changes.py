@@ -315,17 +315,13 @@ def _list_without(written: str, index: int) -> str:
         end += 1
     line = _line_start(written, begin)
     if line is not None:
-        return _closed_up(written, line, end)
+        # It begins its line: the line goes, too, unless something follows there.
+        rest = _BLANK_TO_END.match(written, end)
+        if rest is not None:
+            return written[:line] + written[rest.end() :]
+        begin = len(written) - len(written[line:].lstrip(" \t"))
+        return written[:begin] + written[end:]
     return written[:begin].rstrip(" \t" if written[end] in "]\r\n" else "") + written[end:]
-
-
-def _closed_up(written: str, line: int, end: int) -> str:
-    """A text without the piece that begins a line; without the line, unless something follows there."""
-    rest = _BLANK_TO_END.match(written, end)
-    if rest is not None:
-        return written[:line] + written[rest.end() :]
-    begin = len(written) - len(written[line:].lstrip(" \t"))
-    return written[:begin] + written[end:]
 
 
 def _list_exchanged(written: str, index: int, *, whole_lines: bool) -> str:

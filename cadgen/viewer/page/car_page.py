@@ -183,7 +183,8 @@ def plan_page(
 
         known = default_profile(design).code if profile is None else profile
         try:
-            calibration = calibrate(design, _measured_profile(design, known), sources, None, progress)
+            measured = known if design.as_built is None else design.as_built.profile
+            calibration = calibrate(design, measured, sources, None, progress)
         except (DesignError, FileError) as error:
             unread = error.message
     if unread:
@@ -234,8 +235,3 @@ def plan_preview(design: Design, progress: Progress = silent) -> CarPage:
     """
     cam = plan_cam(design, ACTUAL.code, progress, judged=False)
     return CarPage(cam=cam, cures=Cures((), (), 0), gears=None, scope=Scope.PREVIEW)
-
-
-def _measured_profile(design: Design, known: str) -> str:
-    """Profile of the cam that was measured: that of the design as built, else that of the report."""
-    return known if design.as_built is None else design.as_built.profile

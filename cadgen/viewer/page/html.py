@@ -156,7 +156,11 @@ def _hash(content: str) -> str:
 
 @cache
 def _templates() -> Environment:
-    made = Environment(loader=FunctionLoader(_source), autoescape=True, undefined=StrictUndefined)
+    def source(name: str) -> str:
+        # Without line ends and the indentation behind them.
+        return re.sub(r"\n *", "", _FOLDER.joinpath("templates", name).read_text(encoding="utf-8"))
+
+    made = Environment(loader=FunctionLoader(source), autoescape=True, undefined=StrictUndefined)
     made.globals.update(_=Message, said=_said, zh=_zh, labels=_labels, n=coordinate, points=_points, plotted=_plotted)
     return made
 
@@ -164,11 +168,6 @@ def _templates() -> Environment:
 def _piece(name: str, content: object) -> Markup:
     """Content laid out by a macro of `templates/pieces.html`."""
     return Markup(getattr(_templates().get_template("pieces.html").module, name)(content))
-
-
-def _source(name: str) -> str:
-    """A template without line ends and the indentation behind them."""
-    return re.sub(r"\n *", "", _FOLDER.joinpath("templates", name).read_text(encoding="utf-8"))
 
 
 def _said(text: str) -> Markup:

@@ -495,7 +495,9 @@ def _disc(plan: CamPlan, chord: float, notes: list[str]) -> Mesh | None:
     try:
         if plan.groove is None:
             mesh = cam_mesh(plan.curve, plan.made_blank, outer - inner, chord)
-            return _upside_down(mesh, outer - inner) if _turned_over(plan) else mesh
+            if _turned_over(plan):  # about x, between the same planes
+                mesh = Mesh(mesh.vertices * [1.0, -1.0, -1.0] + [0.0, 0.0, outer - inner], mesh.triangles)
+            return mesh
         flanks, groove = (plan.curve, plan.groove.outer.curve), plan.groove
         return grooved_mesh(flanks, plan.made_blank, outer - inner, groove.depth, groove.outside_radius, chord)
     except CadgenError as error:
@@ -516,11 +518,6 @@ def _turned_over(plan: CamPlan) -> bool:
     """Whether the disc sits turned over on its shaft."""
     use = plan.application
     return isinstance(use, CarUse) and use.in_car is not None and use.in_car.turned_over
-
-
-def _upside_down(mesh: Mesh, thickness: float) -> Mesh:
-    """Disc turned over about x, between the same planes."""
-    return Mesh(mesh.vertices * [1.0, -1.0, -1.0] + [0.0, 0.0, thickness], mesh.triangles)
 
 
 def _label(turning: TurningPart) -> Message:

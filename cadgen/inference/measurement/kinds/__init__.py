@@ -94,15 +94,7 @@ def kind_with(columns: Collection[str]) -> Kind | None:
 def _look_for_plugins() -> None:
     if _GROUP not in _looked_for:
         _looked_for.add(_GROUP)
-        load_plugins(_GROUP, _register_plugin)
-
-
-def _register_plugin(kind: object) -> None:
-    if not isinstance(kind, Kind):
-        raise TypeError(
-            Message("it brings {found}, and should bring a kind of measured data", found=type(kind).__name__)
-        )
-    register(kind)
+        load_plugins(_GROUP, Kind, register, Message("a kind of measured data"))
 
 
 for kind in (LIFT, PROFILE, TRANSMISSION, TRACK, ZONES):

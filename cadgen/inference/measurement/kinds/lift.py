@@ -1,6 +1,5 @@
 """Lift: a dial on the lever at the disc's inner face, read by cam angle, forward and back."""
 
-from collections.abc import Iterable
 from functools import cached_property
 
 import numpy as np
@@ -74,11 +73,6 @@ def _check(record: Record) -> None:
     refuse_twice(record, key[:, angle != 0], "cam_angle_deg")  # 0 and 360 may both be there
 
 
-def _spans(record: Record, nominal: Nominal) -> Iterable[Span]:
-    expected = nominal.follower.inner * nominal.lift.q(np.radians(record["cam_angle_deg"]))
-    yield Span("lift_mm", float(np.ptp(record["lift_mm"])), float(np.ptp(expected)), "mm")
-
-
 KIND = Kind(
     code="lift",
     title="Lift",
@@ -92,7 +86,14 @@ KIND = Kind(
     datum=Datum(words="the zero of the dial in each run", name="zero of the dial", numbers=(("zero_um", "um"),)),
     model=LiftModel,
     check=_check,
-    spans=_spans,
+    spans=lambda record, nominal: [
+        Span(
+            "lift_mm",
+            float(np.ptp(record["lift_mm"])),
+            float(np.ptp(nominal.follower.inner * nominal.lift.q(np.radians(record["cam_angle_deg"])))),
+            "mm",
+        )
+    ],
     around=True,
     noise=4e-3,
     nearness=4,

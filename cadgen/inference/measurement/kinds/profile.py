@@ -1,6 +1,5 @@
 """Profile: points of the outline from a measuring machine, about the bore, by their distances from the changed disc."""
 
-from collections.abc import Iterable
 from functools import cached_property
 from math import pi
 
@@ -178,11 +177,6 @@ def _check(record: Record) -> None:
             )
 
 
-def _spans(record: Record, nominal: Nominal) -> Iterable[Span]:
-    radius = float(np.hypot(record["x_mm"], record["y_mm"]).max())
-    yield Span("x_mm, y_mm", radius, float(np.linalg.norm(nominal.disc.points, axis=1).max()), "mm")
-
-
 def _clocking(
     model: ProfileModel, residual: Array, sigma: Array, active: Active, datum: list[tuple[Effect, Array, Array]]
 ) -> tuple[Array, Array]:
@@ -205,7 +199,14 @@ KIND = Kind(
     ),
     model=ProfileModel,
     check=_check,
-    spans=_spans,
+    spans=lambda record, nominal: [
+        Span(
+            "x_mm, y_mm",
+            float(np.hypot(record["x_mm"], record["y_mm"]).max()),
+            float(np.linalg.norm(nominal.disc.points, axis=1).max()),
+            "mm",
+        )
+    ],
     around=True,
     noise=2e-3,
     nearness=0,

@@ -348,7 +348,9 @@ class TrackModel(Model):
 
         def wheel(motor: Array) -> Array:
             angle = self._asked(motor, active) + run.phase
-            rod = self._tangents(lift, angle if following is None else following.cam_angle(angle))
+            at = angle if following is None else following.cam_angle(angle)
+            # Most effects leave lift and cam angles as they are; the lift is kept so that no other is taken for it.
+            _, rod = self._known.of((id(lift), at.tobytes()), lambda: (lift, lift.q(at)))
             return through(STEERING, wheel_tangent(rod, run.car), active, motor)
 
         length = run.length * (1 - run.wear * (nodes[1:] + nodes[:-1])[:, None] / 2 / TURN)
@@ -356,11 +358,6 @@ class TrackModel(Model):
         at = np.interp(motor, nodes, np.arange(len(nodes)))
         low = np.minimum(at.astype(np.intp), len(nodes) - 2)
         return np.asarray(place[low] + (at - low) * (place[low + 1] - place[low]))
-
-    def _tangents(self, lift: PathMotion, cam_angle: Array) -> Array:
-        """tan(beta) of the rod; remembered, for most effects leave lift and cam angles as they are."""
-        # With the lift, so that no other one is taken for it.
-        return self._known.of((id(lift), cam_angle.tobytes()), lambda: (lift, lift.q(cam_angle)))[1]
 
     def _asked(self, motor: Array, active: Active) -> Array:
         """Cam angle that the gears ask for at motor positions, rad; the cam is set on its shaft at the start."""
