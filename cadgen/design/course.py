@@ -39,20 +39,13 @@ def crossing(corners: Sequence[Point]) -> tuple[int, int] | None:
     for i in range(count):
         for j in range(i + 1, count):
             if j == i + 1 or (i == 0 and j == count - 1):
-                first, second = (i, j) if j == i + 1 else (j, i)
-                if _folds_back(sides[first], sides[second]):
+                (a, b), (_, c) = (sides[i], sides[j]) if j == i + 1 else (sides[j], sides[i])
+                # One runs back over the other, or has no length.
+                if _turn(a, b, c) == 0 and (b[0] - a[0]) * (c[0] - b[0]) + (b[1] - a[1]) * (c[1] - b[1]) <= 0:
                     return i, j
             elif _meet(sides[i], sides[j]):
                 return i, j
     return None
-
-
-def _folds_back(first: tuple[Point, Point], second: tuple[Point, Point]) -> bool:
-    """Whether a side runs back over the one before it, or one of the two has no length."""
-    (a, b), (_, c) = first, second
-    if _turn(a, b, c) != 0:
-        return False
-    return (b[0] - a[0]) * (c[0] - b[0]) + (b[1] - a[1]) * (c[1] - b[1]) <= 0
 
 
 def _meet(one: tuple[Point, Point], other: tuple[Point, Point]) -> bool:

@@ -32,7 +32,9 @@ def planned_text(design: Design, text: str, points: Array, radius_mm: float | No
     path["spline"] = "b_spline"
     path["spline"].comment("by cadgen plan: a curve of degree 5 by its control points")
     path["offset_mm"] = design.path.offset_mm
-    path["control_points_mm"] = _points(points)
+    pairs = [f"[{x!r}, {y!r}]" for x, y in rounded(points).tolist()]
+    lines = [", ".join(pairs[at : at + _A_ROW]) for at in range(0, len(pairs), _A_ROW)]
+    path["control_points_mm"] = tomlkit.value("[\n    " + ",\n    ".join(lines) + ",\n]")
     if radius_mm is not None:
         values["car"]["drive_wheel_radius_mm"] = radius_mm
         values["car"]["drive_wheel_radius_mm"].comment("by cadgen plan: the whole path before the closing blend")
@@ -80,11 +82,3 @@ def rounded(points: Array) -> Array:
         points: control points, shape (n, 2), mm.
     """
     return points.round(DIGITS)
-
-
-def _points(points: Array) -> Any:
-    import tomlkit
-
-    rows = rounded(points).tolist()
-    lines = [", ".join(f"[{x!r}, {y!r}]" for x, y in rows[at : at + _A_ROW]) for at in range(0, len(rows), _A_ROW)]
-    return tomlkit.value("[\n    " + ",\n    ".join(lines) + ",\n]")

@@ -332,13 +332,6 @@ class PlanetaryStage(Stage):
     def _ring_angle(self, sun_angle: float, direction: float) -> float:
         return self.cut.meshes[1].driven_angle(self.cut.planet_angle(direction, sun_angle), direction + pi)
 
-    def _sun_angle(self, driver_angle: float, direction: float) -> float:
-        """Angle of the sun: of one that is held, by that of the ring that drives."""
-        if self.held != HeldMember.SUN:
-            return driver_angle
-        sun, ring = self.nominal.sun.form.teeth, self.nominal.ring.form.teeth
-        return (self._ring_angle(0.0, direction) - driver_angle) * ring / sun
-
     def standing(self, driver_angle: float, direction: float) -> tuple[Standing, ...]:
         """Planets, and the member that is held.
 
@@ -346,7 +339,10 @@ class PlanetaryStage(Stage):
             driver_angle: angle of the input, rad.
             direction: direction of the first planet, rad.
         """
-        cut, sun_angle = self.cut, self._sun_angle(driver_angle, direction)
+        cut, sun_angle = self.cut, driver_angle
+        if self.held == HeldMember.SUN:  # the ring drives
+            z_sun, z_ring = self.nominal.sun.form.teeth, self.nominal.ring.form.teeth
+            sun_angle = (self._ring_angle(0.0, direction) - driver_angle) * z_ring / z_sun
         blank = Blank(bore_diameter=self.planet_bore)
         planets = tuple(
             Standing(

@@ -268,10 +268,13 @@ class SegmentMotion(Motion):
             for angle in span.seams:
                 before, behind = (span.jets(np.array([angle]), before=side)[0] for side in (True, False))
                 sides.append((float(angle), before, behind))
-            found += [
-                _seam(angle, before, behind, least, number + 1, inside=bool(place))
-                for place, (angle, before, behind) in enumerate(sides)
-            ]
+            for place, (angle, before, behind) in enumerate(sides):
+                both = np.where(np.abs([before, behind]) > least, [before, behind], 0.0)
+                jumps = np.flatnonzero(np.abs(behind - before) > least)
+                order = int(jumps[0]) if jumps.size else None
+                one, two = both[:, order].tolist() if order is not None else (0.0, 0.0)
+                states = (state_of(*both[0, 1:3]), state_of(*both[1, 1:3]))
+                found.append(Seam(angle, order, one, two, states, number + 1, inside=bool(place)))
         return tuple(found)
 
     @property
@@ -346,15 +349,6 @@ def state_of(velocity: float, acceleration: float) -> str:
     return {(False, False): "R", (True, False): "G", (False, True): "U", (True, True): "B"}[
         velocity != 0, acceleration != 0
     ]
-
-
-def _seam(angle: float, before: Array, after: Array, least: Array, segment: int, *, inside: bool) -> Seam:
-    sides = np.where(np.abs([before, after]) > least, [before, after], 0.0)
-    jumps = np.flatnonzero(np.abs(after - before) > least)
-    order = int(jumps[0]) if jumps.size else None
-    one, two = sides[:, order].tolist() if order is not None else (0.0, 0.0)
-    states = (state_of(*sides[0, 1:3]), state_of(*sides[1, 1:3]))
-    return Seam(angle, order, one, two, states, segment, inside)
 
 
 def _completed(segments: Sequence[MotionSpan]) -> list[MotionSpan]:

@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from annotated_types import Ge, Gt, Le
 
+from cadgen.cam.followers.kind import FollowerSeat
 from cadgen.messages import Message
+
+if TYPE_CHECKING:
+    from cadgen.cam.followers.groove import GrooveRollers
+    from cadgen.cam.followers.roller import Roller
+    from cadgen.cam.followers.swinging_roller import SwingingRoller
 
 
 class Closure(StrEnum):
@@ -118,3 +125,22 @@ def refuse_parts_of_closures(closure: Closure | None, second: Any, groove: dict[
         raise ValueError(
             Message('follower.{key} is of a groove: set follower.closure = "groove", or remove it', key=given[0])
         )
+
+
+def groove_with(
+    roller: Callable[[Any, FollowerSeat], Roller | SwingingRoller],
+) -> Callable[[Any, FollowerSeat], GrooveRollers | None]:
+    """Function of keys and seat that returns the rollers of a groove; None where the keys have no groove.
+
+    Args:
+        roller: function of keys and seat that returns the roller.
+    """
+
+    def groove(keys: Any, seat: FollowerSeat) -> GrooveRollers | None:
+        from cadgen.cam.followers.groove import GrooveRollers
+
+        if keys.clearance_mm is None or keys.depth_mm is None:
+            return None
+        return GrooveRollers.of(roller(keys, seat), keys.clearance_mm, keys.depth_mm)
+
+    return groove

@@ -14,6 +14,7 @@ from cadgen.cam.followers.closure import (
     DEPTH,
     Closure,
     SecondOnSlide,
+    groove_with,
     refuse_groove,
     refuse_parts_of_closures,
 )
@@ -21,7 +22,6 @@ from cadgen.cam.followers.kind import FollowerKind, FollowerSeat
 from cadgen.messages import Message
 
 if TYPE_CHECKING:
-    from cadgen.cam.followers.groove import GrooveRollers
     from cadgen.cam.followers.roller import Knife, Roller, SecondRoller
     from cadgen.laws.motion import Motion
 
@@ -84,14 +84,6 @@ def _roller(keys: RollerKeys, seat: FollowerSeat) -> Roller:
     return Roller(base=seat.base_radius, radius=keys.radius_mm, offset=keys.offset_mm)
 
 
-def _groove(keys: RollerKeys, seat: FollowerSeat) -> GrooveRollers | None:
-    from cadgen.cam.followers.groove import GrooveRollers
-
-    if keys.clearance_mm is None or keys.depth_mm is None:
-        return None
-    return GrooveRollers.of(_roller(keys, seat), keys.clearance_mm, keys.depth_mm)
-
-
 def _second(keys: RollerKeys, seat: FollowerSeat) -> SecondRoller | None:
     from cadgen.cam.followers.roller import SecondRoller
 
@@ -137,7 +129,7 @@ ROLLER = FollowerKind(
     build=_roller,
     least_base=lambda keys, motion, angle: _least_base(keys.offset_mm, keys.radius_mm, motion, angle),
     second=_second,
-    groove=_groove,
+    groove=groove_with(_roller),
     refuse=_refuse_roller,
 )
 KNIFE = FollowerKind(

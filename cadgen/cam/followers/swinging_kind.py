@@ -14,6 +14,7 @@ from cadgen.cam.followers.closure import (
     DEPTH,
     Closure,
     SecondOnArm,
+    groove_with,
     refuse_groove,
     refuse_parts_of_closures,
 )
@@ -23,7 +24,6 @@ from cadgen.laws.unit import RAD
 from cadgen.messages import Message, joined
 
 if TYPE_CHECKING:
-    from cadgen.cam.followers.groove import GrooveRollers
     from cadgen.cam.followers.swinging_flat import SwingingFace
     from cadgen.cam.followers.swinging_roller import SecondSwingingRoller, SwingingRoller
 
@@ -79,14 +79,6 @@ def _roller(keys: SwingingRollerKeys, seat: FollowerSeat) -> SwingingRoller:
         centre_distance=keys.centre_distance_mm,
         lifts=keys.lifts,
     )
-
-
-def _groove(keys: SwingingRollerKeys, seat: FollowerSeat) -> GrooveRollers | None:
-    from cadgen.cam.followers.groove import GrooveRollers
-
-    if keys.clearance_mm is None or keys.depth_mm is None:
-        return None
-    return GrooveRollers.of(_roller(keys, seat), keys.clearance_mm, keys.depth_mm)
 
 
 def _second(keys: SwingingRollerKeys, seat: FollowerSeat) -> SecondSwingingRoller | None:
@@ -210,7 +202,7 @@ SWINGING_ROLLER = FollowerKind(
     unit=RAD,
     least_base=lambda keys, motion, angle: _roller(keys, _ANY_SEAT).least_base(motion, angle, angle),
     second=_second,
-    groove=_groove,
+    groove=groove_with(_roller),
     refuse=_refuse_roller,
 )
 SWINGING_FLAT = FollowerKind(

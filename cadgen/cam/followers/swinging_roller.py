@@ -145,7 +145,12 @@ class SwingingRoller(ArmFollower, RoundFollower):
             super().refuse(motion)
             return
         angles, swing = motion.stations
-        cures = [cure for cure in (self.smaller_swing(motion), self._other_pivot(motion)) if cure]
+        smaller = self.smaller_swing(motion)
+        cures = [smaller] if smaller else []
+        # With the arm square to the line from camshaft to roller there is no pressure angle at rest.
+        square = replace(self, centre_distance=ceil(10 * hypot(self.arm, self.base_radius)) / 10)
+        if not self.opposite and square.keeps(motion):
+            cures.append(Message("set follower.centre_distance_mm to {c:g}", c=square.centre_distance))
         raise DesignError(
             "at cam angle {angle:.1f} degrees the arm of the {noun} stands at {swung:.2f} degrees from the line of its "
             "pivot and the camshaft, where its pressure angle would be beyond {steepest:.0f} degrees even at rest: "
@@ -156,14 +161,6 @@ class SwingingRoller(ArmFollower, RoundFollower):
             steepest=np.degrees(_STEEPEST),
             cures=joined(cures, Message(", or ")) or self.elsewhere,
         )
-
-    def _other_pivot(self, motion: Motion) -> Message | None:
-        """Advice to set the pivot elsewhere, which was tried; None if that does not help."""
-        # With the arm square to the line from camshaft to roller there is no pressure angle at rest.
-        square = replace(self, centre_distance=ceil(10 * hypot(self.arm, self.base_radius)) / 10)
-        if self.opposite or not square.keeps(motion):
-            return None
-        return Message("set follower.centre_distance_mm to {c:g}", c=square.centre_distance)
 
     def point(self) -> "SwingingRoller":
         """The roller's centre."""

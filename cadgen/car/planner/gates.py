@@ -142,7 +142,12 @@ def _through(
     """
     margin, spare = kept
     x, y = planned_place(gate, vehicle)
-    track, along = motion.point(x, y)[0], _along(motion, x, y)
+    track = motion.point(x, y)[0]
+    # Unit vector along which the point of the car moves.
+    first, second = motion.jets[1][0], motion.jets[2][0]
+    turning = (first[0] * second[1] - first[1] * second[0]) / float(first @ first)
+    moving = first + turning * (x * motion.left[0] - y * motion.ahead[0])
+    along = moving / np.linalg.norm(moving)
     rows = []
 
     columns, u = np.repeat(motion.places.both, 2, axis=0), np.repeat(motion.places.u, 2)
@@ -187,14 +192,6 @@ def _through(
         if most < pi:
             rows.append(within(LimitKind.HEADING, turned, most, _PER_RAD, motion.turning[0]))
     return rows
-
-
-def _along(motion: Kinematics, x: float, y: float) -> Array:
-    """Unit vector along which a point of the car moves at the first place, shape (2,)."""
-    first, second = motion.jets[1][0], motion.jets[2][0]
-    turning = (first[0] * second[1] - first[1] * second[0]) / float(first @ first)
-    moving = first + turning * (x * motion.left[0] - y * motion.ahead[0])
-    return np.asarray(moving / np.linalg.norm(moving))
 
 
 def _within(reach: float, margin: float) -> float:

@@ -17,7 +17,6 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import linprog
 from scipy.sparse import csr_array, eye_array, hstack, vstack
 
@@ -83,7 +82,9 @@ def best_step(
     beyond = sum(sizes)
     # Variables: points, falls, the error, violations.
     columns, slopes = cost.by_rises()
-    by_rise = _sparse(columns, slopes * _SCALE, points)
+    # Entries of a column that stands twice add up.
+    rows = np.repeat(np.arange(len(slopes)), slopes.shape[1])
+    by_rise = csr_array(((slopes * _SCALE).ravel(), (rows, columns.ravel())), shape=(len(slopes), points))
     blocks = [hstack([by_rise, -eye_array(intervals), csr_array((intervals, 1 + beyond))])]
     bounds_above = [-cost.rises * _SCALE]
     directed, least = _directed(cost, by_rise, beyond)
@@ -143,13 +144,6 @@ def _directed(cost: PlayCost, by_rise: csr_array, beyond: int) -> tuple[csr_arra
         rows.append(np.concatenate([by_points, by_falls, [-1.0], np.zeros(beyond)]))
         right.append(-float(as_it_is @ cost.rises))
     return csr_array(np.array(rows)), np.array(right)
-
-
-def _sparse(columns: NDArray[np.intp], values: Array, width: int) -> csr_array:
-    """Sparse matrix of rows by their columns; entries of a column that stands twice add up."""
-    count, each = values.shape
-    number = np.repeat(np.arange(count), each)
-    return csr_array((values.ravel(), (number, columns.ravel())), shape=(count, width))
 
 
 EACH = 8  # places of a span at which the limits are held; an even number, for Simpson's rule

@@ -123,13 +123,19 @@ def outlook(
     old = np.abs(np.concatenate(ends[0]) + rest)
     on_new = np.abs(np.concatenate(ends[1]) + rest + new_form(models[1], DRAWS, rng))
     least, most = np.percentile(on_new, RANGE)
+    explained = False if diagnoses[0].contradicted else None
+    if track is not None:
+        # The effects, with what repeats beside them, leave no more than noise on the runs left out.
+        r = track.residual
+        remains = r.after if r.left_out is None else r.left_out.repeating
+        explained = track.verdict not in (Verdict.UNEXPLAINED, Verdict.RUNS_DISAGREE) and remains <= EXPLAINED * r.noise
     return Outlook(
         old=float(np.median(old)),
         new=float(np.median(on_new)),
         least=float(least),
         most=float(most),
         worse=float(np.mean(on_new > old + SAME)),
-        explained=(False if diagnoses[0].contradicted else None) if track is None else _explained(track),
+        explained=explained,
         contradicted=diagnoses[0].contradicted,
     )
 
@@ -145,13 +151,6 @@ def new_form(model: TrackModel, count: int, rng: np.random.Generator) -> NDArray
     x, y = model.form[[len(model.form) // 2 - 1, -1]]  # the last point of the run: its rows are first all x, then all y
     sizes = np.sqrt(TYPICAL.variance(model.order, model.floor)) * rng.standard_normal((count, len(model.order)))
     return np.asarray(sizes @ (x + 1j * y))
-
-
-def _explained(track: EvidenceDiagnosis) -> bool:
-    """Do the effects with what repeats beside them leave no more than noise on the runs left out?"""
-    r = track.residual
-    left = r.after if r.left_out is None else r.left_out.repeating
-    return track.verdict not in (Verdict.UNEXPLAINED, Verdict.RUNS_DISAGREE) and left <= EXPLAINED * r.noise
 
 
 @dataclass(frozen=True)

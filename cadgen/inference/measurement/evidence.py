@@ -96,7 +96,13 @@ def estimate_noise(model: Model, residual: Array) -> Noise:
     sigma: Array = np.full(len(residual), variance**0.5)
     if model.slip.size:
         sigma = _scattered_abscissa(deviation, model.slip, variance)
-    slip = _run_slip(np.asarray(fit[-rows.runs :], dtype=float), model.slip, sigma, rows.run) if slipping else 0.0
+    slip = 0.0
+    if slipping:
+        # Spread of the runs' own abscissa errors beyond what noise makes of nothing.
+        weight = np.bincount(rows.run, weights=(model.slip / sigma) ** 2)
+        chance = float(np.mean((1.0 / np.sqrt(np.maximum(weight, 1e-300))) ** 2))
+        spread = float(np.var(np.asarray(fit[-rows.runs :], dtype=float), ddof=1))
+        slip = float(np.sqrt(spread - chance)) if spread > SLIP_RATIO * chance else 0.0
     standard = deviation / sigma
     follows = rows.run[1:] == rows.run[:-1]
     lag = float(np.sum((standard[1:] * standard[:-1])[follows]) / np.sum(standard**2))
@@ -112,15 +118,6 @@ def _scattered_abscissa(deviation: Array, slope: Array, variance: float) -> Arra
         share, _ = nnls(design / expected[:, None], deviation**2 / expected)
         expected = np.maximum(design @ share, 0.05 * variance)
     return np.asarray(np.sqrt(expected * variance / np.mean(expected)))
-
-
-def _run_slip(own: Array, slope: Array, sigma: Array, run: Index) -> float:
-    """Spread of the runs' own abscissa errors beyond what noise makes of nothing."""
-    weight = np.bincount(run, weights=(slope / sigma) ** 2)
-    error = 1.0 / np.sqrt(np.maximum(weight, 1e-300))
-    spread = float(np.var(own, ddof=1))
-    chance = float(np.mean(error**2))
-    return float(np.sqrt(spread - chance)) if spread > SLIP_RATIO * chance else 0.0
 
 
 KNEES = (3.0, 6.0, 12.0, 25.0)

@@ -73,18 +73,14 @@ class FoundFlank:
         """Fit of the likeliest law."""
         return self.fits[0]
 
-    @property
-    def in_table(self) -> bool:
-        """Whether a law of the table explains the flank, with wear that is none but wear."""
-        return self.fits_in and self._sane and self.best.score < self.unknown.score + DECIDED
-
     @cached_property
-    def _sane(self) -> bool:
-        """Whether the likeliest law leaves noise and a little wear, and nothing else."""
+    def in_table(self) -> bool:
+        """Whether a law of the table explains the flank, and leaves noise and a little wear and nothing else."""
         best = self.best
         depth = float(np.abs(best.wear(best.data.theta)).max())
         rise = abs(self.after - self.before) * float(np.median(best.data.push))
-        return best.chi2 < _MOST_LEFT * len(best.data.theta) and depth < _MOST_WEAR * rise
+        sane = best.chi2 < _MOST_LEFT * len(best.data.theta) and depth < _MOST_WEAR * rise
+        return self.fits_in and sane and best.score < self.unknown.score + DECIDED
 
     @property
     def rivals(self) -> tuple[FlankFit, ...]:

@@ -157,7 +157,9 @@ def centre_of(points: Array) -> Array | None:
             part = points[(first + np.arange(count)) % n]
             centre, radius = _circle(part)
             off = np.hypot(*(part - centre).T) - radius
-            if np.sqrt(np.mean(off**2)) > _ARC_NOISE * noise or _bowed(off, noise):
+            # An arc that bows wanders by more than noise does: means of eighths against their scatter.
+            eighths = np.max(np.abs([eighth.mean() for eighth in np.array_split(off, 8)]))
+            if np.sqrt(np.mean(off**2)) > _ARC_NOISE * noise or eighths > 4.5 * noise / np.sqrt(len(off) / 8):
                 break
             found = (count, centre, part)
             count += max(1, width // 6)
@@ -169,12 +171,6 @@ def centre_of(points: Array) -> Array | None:
             if reach >= _ARC and (best is None or reach > best[0]):
                 best = (reach, centre)
     return None if best is None else best[1]
-
-
-def _bowed(off: Array, noise: float) -> bool:
-    """Whether distances from a circle wander by more than noise does: means of eighths against their scatter."""
-    parts = [part.mean() for part in np.array_split(off, 8)]
-    return bool(np.max(np.abs(parts)) > 4.5 * noise / np.sqrt(len(off) / 8))
 
 
 def _noise_of_outline(points: Array, normals: Array) -> float:

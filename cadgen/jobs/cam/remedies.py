@@ -128,8 +128,14 @@ def remedies(design: Design, comparison: PlayComparison, progress: Progress = si
         if evaluation.profile is ACTUAL and evaluation.train == design.optimize.order and not evaluation.measured
     )
     cases, chosen = sheet.known.cases, comparison.chosen
+    name = Message("this design: {profile}", profile=Message(str(chosen.profile)))
+    if sheet.task.trimmed:
+        name = Message("{name}, trimmed", name=name)
+        this = _trimmed(sheet, name, chosen.lift, chosen.rolled, sheet.mechanics.fine_cases)
+    else:
+        this = sheet.row(name, chosen.lift, chosen.rolled, sheet.mechanics.cases)
     rows = [
-        _this_design(sheet, chosen),
+        this,
         sheet.row(Message("plain cam"), plain.lift, plain.rolled, cases),
     ]
     rows += _reordered(sheet)
@@ -141,15 +147,6 @@ def remedies(design: Design, comparison: PlayComparison, progress: Progress = si
         rows += [_trim(sheet, plain), _compensated_trim(sheet)]
         rows += _drag(sheet, plain)
     return tuple(rows)
-
-
-def _this_design(sheet: _Sheet, chosen: Evaluation) -> Remedy:
-    """The design as it is, after the trim if it is to have one."""
-    name = Message("this design: {profile}", profile=Message(str(chosen.profile)))
-    if sheet.task.trimmed:
-        cases = sheet.mechanics.fine_cases
-        return _trimmed(sheet, Message("{name}, trimmed", name=name), chosen.lift, chosen.rolled, cases)
-    return sheet.row(name, chosen.lift, chosen.rolled, sheet.mechanics.cases)
 
 
 def _reordered(sheet: _Sheet) -> list[Remedy]:

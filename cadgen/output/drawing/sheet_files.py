@@ -207,14 +207,17 @@ class _Place:
         attributes = {"layer": LineKind.DIMENSION.value}
         made: ezdxf.entities.DimStyleOverride
         if isinstance(dimension, DiameterDimension):
+            # The text stands outside the circle, on the dimension line's own side.
+            centre = self._on_paper(dimension.centre)
+            reach = dimension.reach or self.scale * dimension.diameter / 2 + 9.0
             made = self.space.add_diameter_dim(
-                center=Vec2(self._on_paper(dimension.centre)),
+                center=Vec2(centre),
                 radius=self.scale * dimension.diameter / 2,
                 angle=dimension.angle,
                 text=text,
                 dimstyle=_STYLE,
                 override={"dimtad": 1, "dimtofl": 1, "dimtmove": 0},
-                location=self._diameter_place(dimension),
+                location=Vec2(centre) + Vec2.from_deg_angle(dimension.angle, reach),
                 dxfattribs=attributes,
             )
         else:
@@ -244,11 +247,6 @@ class _Place:
         middle = sum(((end - base).dot(along) for end in ends), 0.0) / 2
         upright = Vec2.from_deg_angle(180.0 - (90.0 - dimension.angle) % 180.0)
         return base + along * (middle + dimension.beside) + upright * (_DIMGAP + TEXT / 2)
-
-    def _diameter_place(self, dimension: DiameterDimension) -> Vec2:
-        """Place of the text of a diameter: outside the circle, on the dimension line's own side."""
-        reach = dimension.reach or self.scale * dimension.diameter / 2 + 9.0
-        return Vec2(self._on_paper(dimension.centre)) + Vec2.from_deg_angle(dimension.angle, reach)
 
 
 def _text(

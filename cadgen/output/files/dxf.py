@@ -385,17 +385,15 @@ def gear_outlines(
     for number, gear in enumerate(part.gears, 1):
         name = f"{stem}{f'_{number}' if len(part.gears) > 1 else ''}{ending}.dxf"
         rim = circle((0.0, 0.0), rim_diameter(gear) / 2) if is_ring(gear) else None
-        inside = () if rim else (bore, *(_circle_of(hole) for hole in (holes if number == 1 else ())))
+        inside = [] if bore is None or rim else [bore]
+        if number == 1 and not rim:
+            arcs = [curve for hole in holes for curve in hole.curves if isinstance(curve, Arc)]
+            inside += [circle((arc.centre.real, arc.centre.imag), arc.radius) for arc in arcs]
         section = gear.outline.from_below(gear.width)
-        error = write_outline(folder / name, section, [each for each in inside if each is not None], rim, _lean(gear))
+        error = write_outline(folder / name, section, inside, rim, _lean(gear))
         yield Artifact(
             name, Facts(outline_error_um=error * 1e3), (Message("outline off by {off:.3f} µm", off=error * 1e3),)
         )
-
-
-def _circle_of(hole: Loop) -> Contour:
-    (arc,) = (curve for curve in hole.curves if isinstance(curve, Arc))
-    return circle((arc.centre.real, arc.centre.imag), arc.radius)
 
 
 def _lean(gear: Wheel) -> str:

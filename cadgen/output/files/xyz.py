@@ -54,7 +54,13 @@ def write_xyz(path: Path, curve: ClosedCurve, count: int) -> None:
     """
     tables = [_arc_length(curve, number) for number in range(len(curve.pieces))]
     even = sum(float(arc[-1]) for _, arc in tables) / count
-    jumps = _jumps(curve)
+    # Whether direction or curvature jumps at the start of each piece.
+    corners = {corner.after for corner in curve.corners()}
+    ends = [piece.jet(np.array([piece.start, piece.stop])).curvature for piece in curve.pieces]
+    jumps = [
+        number in corners or abs(first - ends[number - 1][1]) > _SAME_CURVATURE
+        for number, (first, _) in enumerate(ends)
+    ]
     points = []
     for number, (piece, (t, arc)) in enumerate(zip(curve.pieces, tables, strict=True)):
         places, step = np.linspace(0.0, arc[-1], max(2, round(arc[-1] / even)) + 1, retstep=True)
@@ -95,16 +101,6 @@ def read_xyz(path: Path, step: float = 0.05) -> Outline:
     within = max(5, ceil(chords.max() / step) + 1)
     dense = spline(s[:-1, None] + chords[:, None] * np.linspace(0.0, 1.0, within))
     return Outline(dense.reshape(-1, 2), np.repeat(np.arange(len(chords)), within))
-
-
-def _jumps(curve: ClosedCurve) -> list[bool]:
-    """Whether direction or curvature jumps at the start of each piece."""
-    corners = {corner.after for corner in curve.corners()}
-    ends = [piece.jet(np.array([piece.start, piece.stop])).curvature for piece in curve.pieces]
-    return [
-        number in corners or abs(first - ends[number - 1][1]) > _SAME_CURVATURE
-        for number, (first, _) in enumerate(ends)
-    ]
 
 
 def _arc_length(curve: ClosedCurve, number: int) -> tuple[Array, Array]:

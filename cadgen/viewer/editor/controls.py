@@ -142,7 +142,12 @@ def _control(key: str, name: Message, info: Key, value: float, opened: float) ->
     whole = info.kinds[0] == "a whole number"
     half = abs(opened) / 2 if opened else _ABOUT_ZERO.get(info.unit, 1.0)
     low, high = opened - half, opened + half
-    step = 1.0 if whole else _round_step((high - low) / _STEPS)
+    step = 1.0
+    if not whole:
+        # The greatest of 1, 2 and 5 times a power of ten that is no more than the width of a step.
+        width = (high - low) / _STEPS
+        power = 10.0 ** floor(log10(width))
+        step = next(times * power for times in (5.0, 2.0, 1.0) if times * power <= width * (1 + 1e-9))
     low, high = step * floor(low / step), step * ceil(high / step)
     if info.least is not None:
         # A bound may itself be refused, such as a length of 0: the slider ends one step before.
@@ -164,12 +169,6 @@ def _control(key: str, name: Message, info: Key, value: float, opened: float) ->
         step=round(step, digits + 2),
         whole=whole,
     )
-
-
-def _round_step(width: float) -> float:
-    """The greatest of 1, 2 and 5 times a power of ten that is no more than a width."""
-    power = 10.0 ** floor(log10(width))
-    return next(times * power for times in (5.0, 2.0, 1.0) if times * power <= width * (1 + 1e-9))
 
 
 @cache  # of some hundred keys; they are named after every change

@@ -160,8 +160,12 @@ def _templates() -> Environment:
         # Without line ends and the indentation behind them.
         return re.sub(r"\n *", "", _FOLDER.joinpath("templates", name).read_text(encoding="utf-8"))
 
+    def labels(text: str) -> Markup:
+        # Attributes of an element's label in both languages.
+        return Markup(' aria-label="{}" data-label-zh="{}"').format(text, shown(text, CHINESE))
+
     made = Environment(loader=FunctionLoader(source), autoescape=True, undefined=StrictUndefined)
-    made.globals.update(_=Message, said=_said, zh=_zh, labels=_labels, n=coordinate, points=_points, plotted=_plotted)
+    made.globals.update(_=Message, said=_said, zh=_zh, labels=labels, n=coordinate, points=_points, plotted=_plotted)
     return made
 
 
@@ -179,11 +183,6 @@ def _zh(text: str) -> Markup:
     """Attribute of an element's text in Chinese; nothing where it is the same."""
     chinese = shown(text, CHINESE)
     return Markup("") if chinese == text else Markup(' data-zh="{}"').format(chinese)
-
-
-def _labels(text: str) -> Markup:
-    """Attributes of an element's label in both languages."""
-    return Markup(' aria-label="{}" data-label-zh="{}"').format(text, shown(text, CHINESE))
 
 
 class Plot(NamedTuple):
