@@ -54,7 +54,10 @@ def actual_profile(motion: Motion, follower: Follower) -> ActualProfile:
     follower.refuse(motion)
     side = -1.0 if follower.encloses else 1.0  # of a disc outside of the follower the farthest branch is left
     branches = _branches(motion, follower)
-    starts, spans = np.array([[_angle(b, b.start), _travel(b)] for b in branches]).T
+    starts = np.array([_angle(b, b.start) for b in branches])
+    # Polar angles that the branches run through, up to a whole turn, which an end less start would not show.
+    angles = [np.unwrap(polar_angle(b.jet(np.linspace(b.start, b.stop, 65)).point)) for b in branches]
+    spans = np.array([each[-1] - each[0] for each in angles])
     by_angle = [ByAngle(b) for b in branches]
 
     # Cells between all places where a branch begins or ends, and an even grid; each has one lowest branch.
@@ -263,10 +266,3 @@ def _trim(motion: Motion, before: Branch, after: Branch, leave: float, enter: fl
 
 def _angle(branch: Branch, t: float) -> float:
     return float(polar_angle(branch.jet(np.array([t])).point)[0])
-
-
-def _travel(branch: Branch) -> float:
-    """Polar angle that a branch runs through, rad; up to a whole turn, which an end less start would not show."""
-    points = branch.jet(np.linspace(branch.start, branch.stop, 65)).point
-    angles = np.unwrap(polar_angle(points))
-    return float(angles[-1] - angles[0])

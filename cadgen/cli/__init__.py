@@ -142,7 +142,11 @@ def main() -> NoReturn:
         summary = brief(f"{type(error).__name__}: {error}", 400)
         text = Message("a fault in cadgen, please report it with your design file ({summary})", summary=summary)
         code = _fail(text, FILE)
-    code = _flushed(code)
+    try:  # while a failure can still be reported
+        if sys.stdout:
+            sys.stdout.flush()
+    except OSError as error:
+        code = _unwritable(error, code)
     interrupt.ignore()
     sys.exit(code)
 
@@ -165,16 +169,6 @@ def _fail(message: str, code: int) -> int:
         print(json.dumps({"error": output.sentence(message, arguments), "exit_code": code}))
     else:
         output.tell(output.sentence(shown(message), arguments))
-    return code
-
-
-def _flushed(code: int | str | None) -> int | str | None:
-    """Flush standard output, while a failure can still be reported; return the exit code."""
-    try:
-        if sys.stdout:
-            sys.stdout.flush()
-    except OSError as error:
-        return _unwritable(error, code)
     return code
 
 

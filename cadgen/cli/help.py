@@ -12,6 +12,7 @@ import unicodedata
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from inspect import cleandoc
+from itertools import pairwise
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -31,17 +32,16 @@ def choose_language(arguments: Sequence[str]) -> None:
     Args:
         arguments: arguments of the command line.
     """
-    named = [value for value in map(_named, ["", *arguments], arguments) if value in LANGUAGES]
+    named = []
+    for before, argument in pairwise(["", *arguments]):
+        option, _, value = argument.partition("=")
+        if before == "--lang" or option == "--lang":
+            named.append(argument if before == "--lang" else value)
+    named = [value for value in named if value in LANGUAGES]
     choose(named[-1] if named else language_of(os.environ))
     gettext.bindtextdomain(_DOMAIN, str(Path(__file__).parents[1] / "locale"))
     gettext.textdomain(_DOMAIN)
     os.environ["LANGUAGE"] = ENGLISH if "--json" in arguments else language()
-
-
-def _named(before: str, argument: str) -> str:
-    """Value that an argument gives to `--lang`."""
-    option, _, value = argument.partition("=")
-    return argument if before == "--lang" else value if option == "--lang" else ""
 
 
 def width_of(text: str) -> int:

@@ -348,8 +348,14 @@ def begin(
     if fault := name_fault(name):
         raise DesignError('the name is "{name}"; it must {fault}', name=brief(name[:80]), fault=fault)
     if points is None:
-        example = LAP if closed else EXAMPLE
-        points, field = _sample(example, field or _EXAMPLE_FIELD), field or _EXAMPLE_FIELD
+        example: tuple[tuple[float, float], ...] = LAP if closed else EXAMPLE
+        field = field or _EXAMPLE_FIELD
+        # In the middle of the field, and smaller where the field is smaller than the example's.
+        share = min(1.0, *(size / full for size, full in zip(field, _EXAMPLE_FIELD, strict=True)))
+        if share < 1:
+            corner = [(size - share * full) / 2 for size, full in zip(field, _EXAMPLE_FIELD, strict=True)]
+            example = tuple((round(corner[0] + share * x, 1), round(corner[1] + share * y, 1)) for x, y in example)
+        points = Points(example, (1.0,) * len(example))
     elif closed and points.places[0] == points.places[-1]:  # once is enough, and one gate
         points = Points(points.places[:-1], points.weights[:-1])
     count = sum(weight > 0 for weight in points.weights)
@@ -403,15 +409,6 @@ def begin_motion(name: str, table: Path | None = None, changes: Sequence[str] = 
     # The folder may not be there yet, so the table is looked for where it is.
     complete_of(text("" if table is None else str(table)), Path(f"{name}.toml"))
     return text("" if table is None else Path(relpath(table, folder)).as_posix())
-
-
-def _sample(places: tuple[tuple[float, float], ...], field: tuple[float, float]) -> Points:
-    """Points of an example, made smaller and moved to the middle where the field is smaller than the example's."""
-    share = min(1.0, *(size / full for size, full in zip(field, _EXAMPLE_FIELD, strict=True)))
-    if share < 1:
-        corner = [(size - share * full) / 2 for size, full in zip(field, _EXAMPLE_FIELD, strict=True)]
-        places = tuple((round(corner[0] + share * x, 1), round(corner[1] + share * y, 1)) for x, y in places)
-    return Points(places, (1.0,) * len(places))
 
 
 def points_of(file: str | PathLike[str] | None, layer: str | None, *, closed: bool) -> Points | None:

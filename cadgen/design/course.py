@@ -482,13 +482,18 @@ def body_of(given: OutlineSection | None, car: "Car") -> "CarBody":
     from cadgen.car.course.body import CarBody, CarWheel, PartName  # only here: a design is read without numpy
 
     rear_radius, rear_width, front_radius, front_width, clearance = 0.0, 0.0, 0.0, 0.0, 0.0
+    drive, idle = (-car.wheelbase, car.drive_wheel_offset), (-car.wheelbase, -car.idle_wheel_offset)
+    corners: tuple[Point, ...] = ()
     if given:
         rear_radius, rear_width = (given.wheel_diameter_mm or 0.0) / 2, given.wheel_width_mm
         front_radius, front_width = (given.front_wheel_diameter_mm or 0.0) / 2, given.front_wheel_width_mm
         clearance = given.ground_clearance_mm
-    drive, idle = (-car.wheelbase, car.drive_wheel_offset), (-car.wheelbase, -car.idle_wheel_offset)
+        length, width, front = given.length_mm or 0.0, given.width_mm or 0.0, given.front_overhang_mm or 0.0
+        left = (drive[1] + idle[1]) / 2 + width / 2 if given.left_overhang_mm is None else given.left_overhang_mm
+        rectangle = (front, left), (front - length, left), (front - length, left - width), (front, left - width)
+        corners = rectangle if given.corners_mm is None else given.corners_mm
     return CarBody(
-        corners=_corners(given, (drive[1] + idle[1]) / 2) if given else (),
+        corners=corners,
         clearance=clearance,
         wheels=(
             CarWheel(
@@ -498,14 +503,6 @@ def body_of(given: OutlineSection | None, car: "Car") -> "CarBody":
             CarWheel(name=PartName.IDLE_WHEEL, centre=idle, radius=rear_radius, width=rear_width),
         ),
     )
-
-
-def _corners(given: OutlineSection, middle: float) -> tuple[Point, ...]:
-    if given.corners_mm is not None:
-        return given.corners_mm
-    length, width, front = given.length_mm or 0.0, given.width_mm or 0.0, given.front_overhang_mm or 0.0
-    left = middle + width / 2 if given.left_overhang_mm is None else given.left_overhang_mm
-    return ((front, left), (front - length, left), (front - length, left - width), (front, left - width))
 
 
 def _area(given: FieldSection | ZoneSection) -> Shape:

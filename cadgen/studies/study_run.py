@@ -123,16 +123,21 @@ class StudyRun:
             keys = [key for key in dict.fromkeys(every) if key is not None and key not in self.journal.paths]
             self.progress(Message("planning {count} paths", count=len(keys)))
             work(self.engine, planner, keys, len(keys), self._take_paths, planner.given_up)
-        tasks: Iterator[Task] = (self._task(number, values(number)) for number in left)
-        self._say()
-        work(self.engine, DesignJob.of(self.study), tasks, len(left), self._take_rows, self._given_up)
 
-    def _task(self, number: int, values: Values) -> Task:
-        key = path_key(self.study, values)
-        if key is None:
-            return Task(number, values)
-        planned = self.journal.path(key)
-        return Task(number, values, planned.text, planned.fault)
+        def tasks() -> Iterator[Task]:
+            for number in left:
+                varied = values(number)
+                key = path_key(self.study, varied)
+                planned = None if key is None else self.journal.path(key)
+                yield Task(number, varied) if planned is None else Task(number, varied, planned.text, planned.fault)
+
+        nothing = (None,) * len(self.study.figures)
+
+        def given_up(task: Task) -> Row:
+            return Row(task.number, task.values, DesignState.CRASHED, nothing, sentence=_GIVEN_UP)
+
+        self._say()
+        work(self.engine, DesignJob.of(self.study), tasks(), len(left), self._take_rows, given_up)
 
     def _take_paths(self, results: Sequence[tuple[PlannedText, float]]) -> None:
         for planned, _ in results:
@@ -144,10 +149,6 @@ class StudyRun:
         self._done += len(results)
         self._without += sum(row.state in (DesignState.REFUSED, DesignState.CRASHED) for row, _ in results)
         self._say()
-
-    def _given_up(self, task: Task) -> Row:
-        nothing = (None,) * len(self.study.figures)
-        return Row(task.number, task.values, DesignState.CRASHED, nothing, sentence=_GIVEN_UP)
 
     def _say(self) -> None:
         words = Message("{count} of {total} designs", count=self.journal.count, total=self._total)

@@ -147,8 +147,11 @@ def centre_of(points: Array) -> Array | None:
         points: points counter-clockwise, mm, shape (n, 2).
     """
     n = len(points)
-    normals = normals_of(points)
-    noise = _noise_of_outline(points, normals)
+    beside = np.roll(points, 1, axis=0) + np.roll(points, -1, axis=0)
+    bend = 6 * points - 4 * beside + np.roll(points, 2, axis=0) + np.roll(points, -2, axis=0)
+    # Noise of the points along their normals, mm, by fourth differences.
+    across = np.sum(bend * normals_of(points), axis=1)
+    noise = max(float(np.median(np.abs(across)) / 0.6745 / np.sqrt(70.0)), 1e-5)
     best: tuple[float, Array] | None = None
     width = max(7, n // 24)
     for first in range(0, n, max(1, width // 6)):
@@ -171,15 +174,6 @@ def centre_of(points: Array) -> Array | None:
             if reach >= _ARC and (best is None or reach > best[0]):
                 best = (reach, centre)
     return None if best is None else best[1]
-
-
-def _noise_of_outline(points: Array, normals: Array) -> float:
-    """Noise of points along their normals, mm."""
-    shift = np.roll(points, 1, axis=0), np.roll(points, -1, axis=0)
-    far = np.roll(points, 2, axis=0), np.roll(points, -2, axis=0)
-    bend = 6 * points - 4 * (shift[0] + shift[1]) + far[0] + far[1]
-    across = np.sum(bend * normals, axis=1)
-    return max(float(np.median(np.abs(across)) / 0.6745 / np.sqrt(70.0)), 1e-5)
 
 
 def _circle(points: Array) -> tuple[Array, float]:

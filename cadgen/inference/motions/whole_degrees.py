@@ -11,7 +11,7 @@ from math import degrees, radians
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.inference.motions.found_motion import DECIDED, FoundFlank, FoundMotion
+from cadgen.inference.motions.found_motion import DECIDED, FoundMotion
 
 _GRIDS_DEG = (1.0, 0.5)
 _SIGMAS, _ALWAYS_DEG = 3.0, 0.005  # within which an end is on the grid
@@ -61,7 +61,13 @@ def on_grid(found: FoundMotion) -> GridMotion | None:
             chance = _chance(found, shifts, within, step)
             if chance is None or chance * len(ends) > _MOST_CHANCE:
                 continue
-            flanks = tuple(_moved(flank, *shift) for flank, shift in zip(found.flanks, shifts, strict=True))
+            placed = []
+            for flank, (start, stop) in zip(found.flanks, shifts, strict=True):
+                a, b = flank.start - radians(start), flank.stop - radians(stop)
+                values = np.array([a, b, *flank.best.values[2:]])
+                fits = (flank.best.pinned(values), *flank.fits[1:])
+                placed.append(replace(flank, start=a, stop=b, fits=fits))
+            flanks = tuple(placed)
             # Flanks whose ends lie on the grid as measured. Ends that were moved are those of flanks that show wear,
             # and the wear that is left explains them.
             stay = np.all(np.abs(shifts) <= within, axis=1).tolist()
@@ -104,10 +110,3 @@ def _chance(found: FoundMotion, shifts: Array, within: Array, step: float) -> fl
     # One end sets the phase.
     widest = float(np.minimum(2 * within / step, 1.0).min())
     return chance / max(widest, 1e-9)
-
-
-def _moved(flank: FoundFlank, start: float, stop: float) -> FoundFlank:
-    """Flank with its ends moved back, degrees."""
-    a, b = flank.start - radians(start), flank.stop - radians(stop)
-    values = np.array([a, b, *flank.best.values[2:]])
-    return replace(flank, start=a, stop=b, fits=(flank.best.pinned(values), *flank.fits[1:]))

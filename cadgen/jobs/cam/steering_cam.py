@@ -613,26 +613,23 @@ def _plan(design: Design, profile: ProfileKind, progress: Progress, *, judged: b
     of_cam = check_cam(
         lift, profile.rolling(rod), wanted.curve, wanted.trims, blank, limits, cut=cut, application=blend_checks
     )
+    on_cut: tuple[Check, ...] = ()
+    if profile.gives_lift and not profile.by_axis:
+        # What lost lift costs the car on the cam that is cut for the lift wanted, and its path.
+        rolled = rolled_on(cam_model.as_built(design).roll_new, cut, rod, lift, lift.blend_start)
+        car, travel, start = cam_model.car(design), cam_model.travel(design, track), start_pose(track)
+        given, got = (drive(each, car, travel, start=start, stop=lift.blend_start) for each in (lift, rolled))
+        on_cut = (lost_lift_check(design, given, got), *cut_checks(design, track, lift, rolled, of_cam))
     checks = (
         *of_cam,
         *path_checks(design, track, lift),
-        *(_on_cut(design, track, lift, rod, cut, of_cam) if profile.gives_lift and not profile.by_axis else ()),
+        *on_cut,
         *mechanics_checks(design, rod, lift, variation.mechanics(design, rod, lift)),
         *course_checks(course),
         *(laps.checks(None) if laps else ()),
         *outlook_checks(design),
     )
     return _car_plan(CarUse(design, track, lift, None, course, laps), profile, rod, cut, wanted.trims, checks)
-
-
-def _on_cut(
-    design: Design, track: Track, lift: PathMotion, rod: Follower, cut: ClosedCurve, of_cam: tuple[Check, ...]
-) -> tuple[Check, ...]:
-    """Checks of the car on the cam that is cut for the lift wanted: what lost lift costs it, and its path."""
-    rolled = rolled_on(cam_model.as_built(design).roll_new, cut, rod, lift, lift.blend_start)
-    car, travel, start = cam_model.car(design), cam_model.travel(design, track), start_pose(track)
-    wanted, got = (drive(each, car, travel, start=start, stop=lift.blend_start) for each in (lift, rolled))
-    return (lost_lift_check(design, wanted, got), *cut_checks(design, track, lift, rolled, of_cam))
 
 
 def _plan_against_play(

@@ -480,7 +480,15 @@ def _parts(plan: CamPlan, train: TurningTrain | None, notes: list[str]) -> list[
         if len(raised) == len(made):
             parts.append(Part("second-cam", Message("second cam"), raised[0], raised[1], 0, Colour.PINION))
     for number, part in enumerate(turning, 1):
-        parts.append(_gear(part.part.name, _label(part), number, part.stand, chord))
+        train_part = part.part
+        teeth = " + ".join(str(wheel.teeth) for wheel in train_part.gears if hasattr(wheel, "teeth"))
+        label = Message("shaft {number}", number=train_part.shaft)
+        if train_part.beside:
+            name = train_part.name.partition("_")[2]
+            label = Message("stage {number}: {name}", number=train_part.stages[0], name=name)
+        elif teeth:
+            label = Message("shaft {number} ({teeth})", number=train_part.shaft, teeth=teeth)
+        parts.append(_gear(train_part.name, label, number, part.stand, chord))
     return parts
 
 
@@ -518,16 +526,6 @@ def _turned_over(plan: CamPlan) -> bool:
     """Whether the disc sits turned over on its shaft."""
     use = plan.application
     return isinstance(use, CarUse) and use.in_car is not None and use.in_car.turned_over
-
-
-def _label(turning: TurningPart) -> Message:
-    part = turning.part
-    if part.beside:
-        return Message("stage {number}: {name}", number=part.stages[0], name=part.name.partition("_")[2])
-    teeth = " + ".join(str(wheel.teeth) for wheel in part.gears if hasattr(wheel, "teeth"))
-    if not teeth:
-        return Message("shaft {number}", number=part.shaft)
-    return Message("shaft {number} ({teeth})", number=part.shaft, teeth=teeth)
 
 
 def _camshaft(plan: CamPlan, train: TurningTrain | None) -> Shaft:

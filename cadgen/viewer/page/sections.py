@@ -104,11 +104,22 @@ def play_section(
     )
     tables = [_methods(comparison), _runs(simulation)]
     if simulation.events:
-        tables.append(_events(simulation))
+        digits = {"cam_angle": 2, "deflection": 4}
+        rows = tuple(
+            (Cell(event.kind), *(figure.cell(digits=digits.get(code)) for code, figure in event.figures.items()))
+            for event in simulation.events
+        )
+        heads = (Message("event"), *_names(simulation.events[0].figures))
+        tables.append(Sheet("events", Message("Jumps and waits of the plain profile"), heads, rows))
     if simulation.on_course is not None:
         tables.append(_course(simulation))
     if remedies:
-        tables.append(_remedies(remedies))
+        rows = tuple(
+            (Cell(remedy.name), Cell(remedy.build), *(part.cell() for part in remedy.figures.values()))
+            for remedy in remedies
+        )
+        heads = (Message("remedy"), Message("what to build"), *_names(remedies[0].figures))
+        tables.append(Sheet("remedies", Message("Remedies"), heads, rows, words=2))
     notes = (*comparison.reasons, *filter(None, [comparison.rubbing]))
     return Section(
         "play",
@@ -173,16 +184,6 @@ def _runs(simulation: Simulation[CamPlan]) -> Sheet:
     return Sheet("runs", Message("End of the run"), heads, rows)
 
 
-def _events(simulation: Simulation[CamPlan]) -> Sheet:
-    digits = {"cam_angle": 2, "deflection": 4}
-    rows = tuple(
-        (Cell(event.kind), *(figure.cell(digits=digits.get(code)) for code, figure in event.figures.items()))
-        for event in simulation.events
-    )
-    heads = (Message("event"), *_names(simulation.events[0].figures))
-    return Sheet("events", Message("Jumps and waits of the plain profile"), heads, rows)
-
-
 def _course(simulation: Simulation[CamPlan]) -> Sheet:
     assert simulation.on_course is not None
     planned, played = (run.figures() for run in simulation.on_course)
@@ -197,14 +198,6 @@ def _course(simulation: Simulation[CamPlan]) -> Sheet:
     ]
     heads = (Message("on the course"), Message("with play, by"), Message("planned"), Message("with play"))
     return Sheet("course", Message("Room on the course"), heads, tuple(rows), words=2)
-
-
-def _remedies(sheet: tuple[Remedy, ...]) -> Sheet:
-    rows = tuple(
-        (Cell(remedy.name), Cell(remedy.build), *(part.cell() for part in remedy.figures.values())) for remedy in sheet
-    )
-    heads = (Message("remedy"), Message("what to build"), *_names(sheet[0].figures))
-    return Sheet("remedies", Message("Remedies"), heads, rows, words=2)
 
 
 def tolerance_section(run: ToleranceRun[CamPlan] | None, reason: str) -> Section:
