@@ -304,9 +304,9 @@ class FollowerDimension:
 
     Attributes:
         code: code of the dimension; `base_circle` stands for a disc that is larger all round.
-        outwards: function of the motion and its first derivative by the cam angle, shape (n,) each, that returns the
-            displacement of the follower's curve along the outward normal at the contact by a unit more of the
-            dimension, mm by mm or by rad, while the follower does not move.
+        outwards: function of the motion and its first derivative by the cam angle, shape (n,) each. It returns the
+            displacement of the follower's curve along the outward normal at the contact, while the follower does not
+            move, by a unit more of the dimension: mm by mm or by rad.
     """
 
     code: str

@@ -127,8 +127,8 @@ def chamfered_off(curve: ClosedCurve, leg: float) -> float:
     """Volume that a chamfer of leg `leg` mm takes off one edge of a prism, mm^3, by Steiner's formula.
 
     Of the area A, the parallel curve at depth d leaves A - L d + k d^2, integrated over d from 0 to the leg. L is the
-    length, and k = (2 pi - sum of the corners' turns) / 2 + sum of tan(turn / 2) at convex corners, of turn / 2 at
-    hollow ones. Exact where the curve is straight beside its corners, and elsewhere within
+    length, and k = (2 pi - sum of the corners' turns) / 2 + sum of c. At a convex corner c = tan(turn / 2), at a hollow
+    one turn / 2. Exact where the curve is straight beside its corners, and elsewhere within
     leg^4 times the curvature times tan(turn / 2)^2.
 
     Args:

@@ -7,8 +7,8 @@ Laplace's approximation of the evidence:
 
     ln p = -(|r|^2 / sigma^2 + |m|^2) / 2 - ln det(1 + J^T J / sigma^2) / 2
 
-Here r are the residuals, m the deviations in units of their prior standard deviations, and J the derivatives by m
-(MacKay, Information Theory, Inference, and Learning Algorithms, 2003, chapters 27 and 28).
+Here r are the residuals, m the deviations in units of their prior standard deviations, and J the derivatives by m.
+Source: MacKay, Information Theory, Inference, and Learning Algorithms, 2003, chapters 27 and 28.
 
 The settings are those with the least expected error over the cars that explain the trial runs.
 """

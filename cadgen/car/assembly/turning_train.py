@@ -4,9 +4,9 @@ The frame is that of the cam's files: the camshaft is the z axis, which points t
 fork, and y down. Forwards the cam turns by -θ about z, or by θ if it sits turned over.
 
 Every driver pushes on the same flanks as long as the gears push the cam. If the cam runs ahead by a share u of the
-play, each stage's driven wheel goes through the same share of its play. With σ = ±1 the sense of a shaft and e its lead
-over the middle of the play, measured in that sense,
-    e(driven) = e(driver) / i + (u - 1/2) j,  j the play of the stage as cut.
+play, each stage's driven wheel goes through the same share of its play. Let σ = ±1 be the sense of a shaft, e its lead
+over the middle of the play, measured in that sense, and j the play of the stage as cut. Then
+    e(driven) = e(driver) / i + (u - 1/2) j.
 The drive stands ahead by as much as makes the lead of the output 0 at u = 0.
 """
 

@@ -3,11 +3,13 @@
 Each programme finds the step of the control points that lowers cost and violations most:
 
     minimise    z + sum calm p_j + sum weight_i e_i
-    subject to  z >= error along each direction:  sum_j f lever_j p_j + (derivative by the levers) dx
-                p_j >= rise_j + rises'_j dx,  p_j >= 0          the lift falls, or it does not
-                e_i >= value_i + value'_i dx, e_i >= 0          a limit is kept, or violated by e_i
-                |dx| <= step,  what is fixed stays fixed
+    subject to  z >= sum_j f lever_j p_j + (derivative by the levers) dx
+                p_j >= rise_j + rises'_j dx,  p_j >= 0
+                e_i >= value_i + value'_i dx, e_i >= 0
+                |dx| <= step.
 
+The first row is the error along each direction. In the second the lift falls, or it does not; in the third a limit is
+kept, or violated by e_i. What is fixed stays fixed.
 Where the lever of a fall points against the error a fall would lower it, and a programme would make one of nothing; the
 change of such a fall counts as it is.
 """

@@ -8,8 +8,8 @@ weights, and within each from its normal distribution about the values found:
 where F is the planned end of the run, P the end by the model of a track, p one draw, and q the same without what goes
 with the old disc. Play and friction act with
 their whole effect; what effects on disc and rod do to the lift is rolled for the values found, and to first order about
-them. To each error comes what the records show beside all effects, and to the new one what the form error of the new
-disc makes of it, another one than the old disc's.
+them. To each error comes what the records show beside all effects. To the new one comes what the form error of the new
+disc makes of it, which is another one than the old disc's.
 """
 
 from collections.abc import Sequence

@@ -59,7 +59,7 @@ class CamExport:
         motion: motion of the follower, for its derivatives; None where files do not have them, as those of cars.
         forces: forces on the follower and its camshaft; None where nothing is said of them.
         in_use: function of an outline read back, of the contact of the follower on it, and of the greatest error
-            allowed to the lift, µm, that gives further figures by what the cam is for.
+            allowed to the lift, µm. It gives further figures by what the cam is for.
     """
 
     stem: str

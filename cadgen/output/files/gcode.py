@@ -149,9 +149,9 @@ def write_gcode(
     """Write the program that mills a disc's outline from outside, in equal passes, by climb milling.
 
     With a spindle that turns clockwise, the path runs clockwise round the part and so keeps it on its right:
-    the teeth enter at full chip and leave at the finished wall. With tabs the program stops once all else is cut; what
-    follows takes them off one after the other, each in passes along the same path from a lead before it to a lead after
-    it, so that nothing of them is left on the rim.
+    the teeth enter at full chip and leave at the finished wall. With tabs the program stops once all else is cut.
+    What follows takes them off one after the other, so that nothing of them is left on the rim. Each is cut in passes
+    along the same path, from a lead before it to a lead after it.
 
     Args:
         path: file to write.
