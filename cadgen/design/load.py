@@ -15,7 +15,7 @@ from cadgen.design.file_names import usable_name
 from cadgen.design.kinds import NamedKinds, Place
 from cadgen.design.lift_rows import read_rows
 from cadgen.design.override import override, quoted
-from cadgen.design.parse import DeepError, parse
+from cadgen.design.parse import DeepError, TomlValues, parse
 from cadgen.design.path import OF_ANY_PATH
 from cadgen.design.schema import OF_A_CAR, Design, DesignFile, MotionDesign, MotionFile, TrainDesign, TrainFile
 from cadgen.design.section import listed
@@ -130,7 +130,7 @@ def course_of(text: str, file: Path, overrides: Sequence[str] = ()) -> tuple[Des
     return Design(**_checked(DesignFile, values, file, ()), overrides=tuple(overrides)), drawn
 
 
-def _draw(values: dict[str, Any]) -> bool:
+def _draw(values: TomlValues) -> bool:
     """Give raw values whose path has no points a straight one; whether it had none."""
     path, car = values.get("path"), values.get("car")
     if not isinstance(path, dict) or any(key not in OF_ANY_PATH for key in path):
@@ -160,7 +160,7 @@ def with_overrides(design: D, overrides: Sequence[str]) -> D:
     return type(design)(**checked, overrides=(*design.overrides, *overrides))
 
 
-def _checked(schema: type[TrainFile], values: dict[str, Any], file: Path, overrides: Sequence[str]) -> dict[str, Any]:
+def _checked(schema: type[TrainFile], values: TomlValues, file: Path, overrides: Sequence[str]) -> dict[str, Any]:
     """The values after the overrides, checked, with their source."""
     source = file.name
     applied = [(override(values, text), text) for text in overrides]
@@ -288,7 +288,7 @@ def read_design(source: str | Path | None = None) -> tuple[str, Path]:
         ) from None
 
 
-def _parsed(text: str, file: Path) -> dict[str, Any]:
+def _parsed(text: str, file: Path) -> TomlValues:
     """The values in a file's text."""
     name = brief(str(file))
     try:

@@ -6,7 +6,7 @@ from typing import Any
 from cadgen.design.explain import depth_in_key, section, spoken, unknown_key
 from cadgen.design.keys import Key, keys, shown, tables
 from cadgen.design.kinds import NamedKinds, Place
-from cadgen.design.parse import parse
+from cadgen.design.parse import TomlValues, parse
 from cadgen.errors import DesignError, brief, escaped
 from cadgen.messages import Message
 
@@ -20,7 +20,7 @@ class KeyChange(str):
     __slots__ = ()
 
 
-def override(values: dict[str, Any], text: str) -> Place:
+def override(values: TomlValues, text: str) -> Place:
     """Apply one override to a design's raw values, in place, and return where it went.
 
     `cam.thickness_mm=3.2` sets a key to a TOML value; a bare word is text. `cam.mid_plane_mm=` removes a key
@@ -99,7 +99,7 @@ def _place(name: str, named: NamedKinds) -> Place:
     return place
 
 
-def _apply(values: dict[str, Any], place: Place, written: str) -> None:
+def _apply(values: TomlValues, place: Place, written: str) -> None:
     holder: Any = values
     for step, below in pairwise(place):
         if isinstance(step, str) and isinstance(holder, dict) and step not in holder:

@@ -4,6 +4,8 @@ import re
 import tomllib
 from typing import Any
 
+TomlValues = dict[str, Any]  # of a TOML document, before they are checked
+
 MOST_PARTS = 32  # of one dotted key, and of brackets within brackets; the schema's deepest value lies seven deep
 _PART = r"""(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+"""
 _LONG_KEY = re.compile(rf"""(?<![\w-]){_PART}(?:\.[ \t]*+{_PART}){{{MOST_PARTS}}}""")
@@ -13,7 +15,7 @@ class DeepError(ValueError):
     """Keys or brackets are nested more deeply than those of any design."""
 
 
-def parse(text: str) -> dict[str, Any]:
+def parse(text: str) -> TomlValues:
     """Return the values of a TOML document.
 
     Raises:
@@ -31,7 +33,7 @@ def parse(text: str) -> dict[str, Any]:
     return values
 
 
-def _refuse_deep(values: dict[str, Any]) -> None:
+def _refuse_deep(values: TomlValues) -> None:
     """Level by level, since a walk down could itself go too deep."""
     level: list[Any] = [values]
     for _ in range(MOST_PARTS):

@@ -13,7 +13,7 @@ from pydantic import BaseModel, ValidationError
 from cadgen.design.file_names import usable_name
 from cadgen.design.load import complete_of, packaged_designs, packaged_studies, read_design, with_rows
 from cadgen.design.override import key_at, override
-from cadgen.design.parse import DeepError, parse
+from cadgen.design.parse import DeepError, TomlValues, parse
 from cadgen.design.schema import Design, MotionDesign
 from cadgen.design.section import listed
 from cadgen.errors import DesignError, brief
@@ -236,7 +236,7 @@ def _refuse_other_figures(content: StudyFile, base: Design | MotionDesign) -> No
                 )
 
 
-def _variation(given: Vary, values: dict[str, Any]) -> Variation:
+def _variation(given: Vary, values: TomlValues) -> Variation:
     whole = given.key == f"{REPLAN}seeds"
     if not given.key.startswith(REPLAN):
         key = key_at(values, given.key)
@@ -250,7 +250,7 @@ def _variation(given: Vary, values: dict[str, Any]) -> Variation:
     return made
 
 
-def _refuse_unusable(each: Variation, study: Study, values: dict[str, Any]) -> None:
+def _refuse_unusable(each: Variation, study: Study, values: TomlValues) -> None:
     """Refuse a value that its key cannot have in the base design, where it varies alone.
 
     Args:

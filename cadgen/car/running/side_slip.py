@@ -1,9 +1,9 @@
 """Side slip of a car with one driven wheel: the rolling resistance of the others turns it, and slip angles hold it.
 
 The driven wheel pushes at one side. The front wheel stands A1 from it across, the idle wheel A1 + A2. Their rolling
-resistance c N makes the yaw moment M = c N (2 A1 + A2), some 15 N mm on a car of 1.5 kg. Side forces M / L on
-the front wheel and on the rear axle hold it. Let C be the cornering stiffness for a unit of load. Then a wheel takes
-its force at the slip angle M / (L C N), and the two rear wheels together at half of that. The car then runs as if its front wheel
+resistance c N makes the yaw moment M = c N (2 A1 + A2), some 15 N mm on a car of 1.5 kg. Side forces M / L on the front
+wheel and on the rear axle hold it. Let C be the cornering stiffness for a unit of load. Then a wheel takes its force at
+the slip angle M / (L C N), and the two rear wheels together at half of that. The car then runs as if its front wheel
 were turned by the sum of both, 1.5 c (2 A1 + A2) / (L C), whatever it weighs.
 
 It is a constant, which a trim takes out, until the resistance changes from run to run. No measured stiffness of such

@@ -13,7 +13,7 @@ from typing import Any
 
 from cadgen.design.load import complete_of
 from cadgen.design.override import override
-from cadgen.design.parse import parse
+from cadgen.design.parse import TomlValues, parse
 from cadgen.design.schema import Design, MotionDesign
 from cadgen.errors import DesignError, brief
 from cadgen.messages import Message
@@ -82,7 +82,7 @@ def applied(text: str, file: Path, overrides: list[str]) -> tuple[str, Design | 
     return checked(_rewritten(text, overrides), file, values)
 
 
-def checked(results: Iterable[str], file: Path, values: dict[str, Any]) -> tuple[str, Design | MotionDesign]:
+def checked(results: Iterable[str], file: Path, values: TomlValues) -> tuple[str, Design | MotionDesign]:
     """A changed text and its design, once the text has been read back.
 
     Args:
@@ -105,7 +105,7 @@ def checked(results: Iterable[str], file: Path, values: dict[str, Any]) -> tuple
     )
 
 
-def _without_empty(values: dict[str, Any]) -> dict[str, Any]:
+def _without_empty(values: TomlValues) -> TomlValues:
     """Values without empty lists on the course, and without an empty course."""
     course = values.get("course")
     if not isinstance(course, dict):
@@ -129,7 +129,7 @@ def _rewritten(text: str, overrides: list[str]) -> Iterator[str]:
         return  # the same overrides have been applied to plain values: these are the library's own limits
 
 
-def values_of(text: str) -> dict[str, Any] | None:
+def values_of(text: str) -> TomlValues | None:
     """Raw values of a text; None if it is not TOML."""
     try:
         return parse(text)
