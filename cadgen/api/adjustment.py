@@ -12,8 +12,7 @@ from cadgen.deviations.deviation import SETTINGS, ByHand
 from cadgen.errors import DesignError, brief
 from cadgen.figures import Facts, JobResult
 from cadgen.inference.records.columns import Reading
-from cadgen.jobs.adjustment.files import adjustment_facts, write_adjustment
-from cadgen.jobs.adjustment.plan import AdjustmentPlan, Point, Wanted, adjust
+from cadgen.jobs.adjustment.plan import AdjustmentPlan, Point, Wanted, adjust, adjustment_facts, write_adjustment
 from cadgen.messages import joined
 from cadgen.output.files.publisher import Written, folder_of
 from cadgen.progress import Progress, silent

@@ -13,11 +13,19 @@ from math import radians
 import numpy as np
 
 from cadgen.arrays import TURN, Array
+from cadgen.cam.follower import Follower
 from cadgen.errors import FileError
 from cadgen.inference.motions.candidates import candidates
 from cadgen.inference.motions.flank_fit import FlankData, FlankFit, ranked, residual_of, unknown_law
-from cadgen.inference.motions.lift_samples import LiftSamples
-from cadgen.inference.motions.rests import SeenFlank, seen_flanks
+from cadgen.inference.motions.lift_samples import (
+    LiftSamples,
+    SeenFlank,
+    centre_of,
+    normals_of,
+    ordered,
+    samples_of_points,
+    seen_flanks,
+)
 
 # Two laws are told apart where one is exp(-DECIDED / 2) times as likely as the other at most; so is a law that no
 # table has from the best one of the table.
@@ -38,6 +46,9 @@ _OVERLAP = radians(2.0)  # by which the ends of flanks without a dwell may be of
 _MOST_LEFT = 2.0  # of the readings, that the misfit may be
 _MOST_WEAR = 0.02  # of the rise; what is off by more is no wear of a law
 _SOUND = 1.0  # of the noise; less wear than that is none
+_CENTRE_ROUNDS = 4
+_CENTRE_SETTLED = 2e-3  # mm; a centre that moves by less leaves the samples as they are
+_LEAST_POINTS = 90
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -395,3 +406,52 @@ def _misfit(
     parts.append(whole / samples.noise)
     every = np.concatenate(parts)
     return float(every[:, 0] @ every[:, 0]), every[:, 0], every[:, 1:]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class OutlineMotion:
+    """Motion of an outline.
+
+    Attributes:
+        found: motion.
+        centre: place of the camshaft in the frame of the points, mm, shape (2,).
+        centred: whether the centre was found, and not taken to be the origin.
+        base: radius of the base circle, mm.
+    """
+
+    found: FoundMotion
+    centre: Array
+    centred: bool
+    base: float
+
+
+def outline_motion(points: Array, follower: Follower) -> OutlineMotion:
+    """Motion that points of an outline show.
+
+    Args:
+        points: points on the face on which the disc turns clockwise, in any order and about any origin, mm, (n, 2).
+        follower: follower, whose base circle may be any.
+
+    Raises:
+        FileError: the points do not show a cam that the follower can run on.
+    """
+    points = ordered(points)
+    if len(points) < _LEAST_POINTS:
+        raise FileError(
+            "{count} points are too few to find a motion: measure at least {least} of the outline",
+            count=len(points),
+            least=_LEAST_POINTS,
+        )
+    normals, centre = normals_of(points), centre_of(points)
+    placed = centre is not None
+    at = np.zeros(2) if centre is None else centre
+    found = None
+    for _ in range(_CENTRE_ROUNDS):
+        found = found_motion(samples_of_points(points - at, normals, follower))
+        if found.centre is None:
+            break
+        at, placed = at + found.centre, True
+        if float(np.hypot(*found.centre)) < _CENTRE_SETTLED:
+            break
+    assert found is not None
+    return OutlineMotion(found=found, centre=at, centred=placed, base=follower.dwelling(found.base))

@@ -2,6 +2,5 @@
 
 | module   | what it holds                                                          |
 |----------|------------------------------------------------------------------------|
-| `plan`   | cars that explain them, the best settings, what to expect; sentences   |
-| `files`  | the settings, trial runs and expectations as a verified JSON file      |
+| `plan`   | cars that explain them, the best settings, what to expect; its files   |
 """

@@ -1,6 +1,7 @@
 """Adjustment by trial runs: cars that explain them, the best settings by hand, and what to expect then."""
 
-from collections.abc import Sequence
+import json
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
 from math import ceil, degrees, radians, sqrt
@@ -48,6 +49,7 @@ from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.steering_cam import CarUse, comparison_of, plan_cam
 from cadgen.jobs.nominal_car import fleet_of
 from cadgen.messages import Message
+from cadgen.output.files.publisher import Artifact, Written, publish, text_file
 from cadgen.progress import Progress, silent
 from cadgen.version import __version__
 
@@ -413,3 +415,63 @@ def _spreads(plan: CamPlan) -> dict[Deviation, float]:
 def _grid(low: float, high: float, count: int) -> Array:
     """Even steps from end to end; the middle if there is one only."""
     return np.linspace(low, high, count) if count > 1 else np.array([(low + high) / 2])
+
+
+def adjustment_facts(adjustment: AdjustmentPlan) -> Facts:
+    """Result in the units of the keys' names."""
+    a = adjustment
+    return a.described | Facts(
+        trial_runs=len(a.trials),
+        points=[len(trial.points) for trial in a.trials],
+        measured_point=a.wanted.point.value,
+        noise_mm=a.wanted.noise,
+        division_um=a.wanted.division * 1e3,
+        residual_in_noise=a.posterior.residual,
+        explained=a.explained,
+        settings=_settings(a.settings),
+        settings_of_last_trial_run=_settings(a.trials[-1].settings),
+        divisions=a.divisions,
+        end_position_mm=Facts(as_designed=_expected(a.designed), before=_expected(a.before), after=_expected(a.after)),
+        chance_to_be_worse=a.worse,
+        understood=a.understood,
+        said=a.sentences,
+        steps=a.steps,
+        line=a.line,
+    )
+
+
+def _settings(settings: Settings) -> Facts:
+    return Facts(
+        head_mm=settings.head,
+        key_deg=degrees(settings.key),
+        start_x_mm=settings.start_x,
+        start_y_mm=settings.start_y,
+        start_heading_deg=degrees(settings.start_heading),
+    )
+
+
+def _expected(errors: Forecast) -> dict[str, float]:
+    return {
+        "mean": float(errors.end.mean()),
+        "5 %": errors.end_quantile(0.05),
+        "95 %": errors.end_quantile(0.95),
+        "on the way": float(errors.way.mean()),
+    }
+
+
+def write_adjustment(adjustment: AdjustmentPlan, out: Path, progress: Progress = silent) -> Written:
+    """Publish the result as JSON, and the table of the next trial run with its settings and no rows yet.
+
+    Raises:
+        FileError: a file cannot be written, or read back is not what was written.
+    """
+    stem = adjustment.stem
+    facts = adjustment_facts(adjustment)
+    progress("writing")
+
+    def files(folder: Path) -> Iterator[Artifact]:
+        document = json.dumps(facts.json(), indent=2, ensure_ascii=False, allow_nan=False)
+        yield text_file(folder / f"{stem}.json", f"{document}\n")
+        yield text_file(folder / f"{stem}_next_run.csv", f"{adjustment.line}\nrun,x_mm,y_mm\n")
+
+    return publish(stem, out, files, facts)

@@ -12,7 +12,6 @@
 | `cam_files`  | a checked cam -> every file, read back, rolled, published                    |
 | `comparison` | a car's profiles against play: compared, checked, chosen, with the reasons   |
 | `mechanics`  | effect of friction and drag on a car's cam, in checks and words              |
-| `energy_check` | whether the drive has the energy for the run                               |
 | `remedies`   | other remedies against play, on one sheet                                    |
 | `lever`      | a longer lever as a remedy, and the whole sheet                              |
 | `built_car`  | deviations of the car as built, in words                                     |

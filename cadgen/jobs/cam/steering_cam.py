@@ -44,8 +44,7 @@ from cadgen.jobs.cam.cam_plan import Application, CamPlan, Making, steepest
 from cadgen.jobs.cam.car_facts import as_built_facts, comparison_facts
 from cadgen.jobs.cam.comparison import MeasuredCam, PlayComparison, ProfileChecks, against_play, known_trains, task_of
 from cadgen.jobs.cam.course import OnCourse, course_checks, floor_with, on_course
-from cadgen.jobs.cam.energy_check import energy_checks
-from cadgen.jobs.cam.mechanics import joint_sentences, mechanics_checks, start_sentence
+from cadgen.jobs.cam.mechanics import energy_checks, joint_sentences, mechanics_checks, start_sentence
 from cadgen.jobs.cam.path_check import cut_checks, lost_lift_check, lost_lift_reservation, path_checks
 from cadgen.jobs.cam.readiness import (
     CourseYield,

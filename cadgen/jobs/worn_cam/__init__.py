@@ -3,7 +3,6 @@
 | module          | what it holds                                                                      |
 |-----------------|------------------------------------------------------------------------------------|
 | `found_cam`     | measured cam of unknown motion -> its motion, the new design, the new cam          |
-| `found_design`  | the design file with the motion that was found                                     |
 | `compared_cam`  | measured cam of known motion -> what differs from its design                       |
 | `compared_report` | what differs in sentences and a table                                            |
 | `files`         | report, JSON and the new design, published together                                |

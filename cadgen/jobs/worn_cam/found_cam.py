@@ -1,10 +1,12 @@
 """A measured cam of unknown motion: the motion that was meant, the design that states it, and the new cam."""
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import degrees
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -12,20 +14,19 @@ from cadgen.arrays import TURN
 from cadgen.cam.follower import Follower
 from cadgen.cam.followers.kind import FollowerSeat
 from cadgen.design.load import complete_of
+from cadgen.design.override import override
 from cadgen.design.schema import MotionDesign
 from cadgen.design.sources.source import DiscSense
 from cadgen.errors import DesignError, FileError
 from cadgen.figures import Facts
 from cadgen.inference.measurement.record import Record
-from cadgen.inference.motions.found_motion import FoundFlank, FoundMotion, found_motion
+from cadgen.inference.motions.found_motion import FoundFlank, FoundMotion, OutlineMotion, found_motion, outline_motion
 from cadgen.inference.motions.lift_samples import samples_of_lifts
-from cadgen.inference.motions.outline_motion import OutlineMotion, outline_motion
 from cadgen.inference.motions.record_kinds import lifts_of, points_of, refuse_several
-from cadgen.inference.motions.stated_motion import StatedMotion, stated_motion
+from cadgen.inference.motions.stated_motion import StatedMotion, StatedSegment, stated_motion
 from cadgen.jobs.calibration.sources import Source
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.motion_cam import plan_motion_cam
-from cadgen.jobs.worn_cam.found_design import found_text
 from cadgen.laws.unit import MM, TAN
 from cadgen.output.files.manifest import Origin
 from cadgen.progress import Progress, silent
@@ -273,3 +274,60 @@ def mirrored(design: MotionDesign, record: Record) -> bool:
     """
     inner = any(_INNER.match(remark) for remark in record.remarks)
     return (design.motion.turns == DiscSense.COUNTERCLOCKWISE) != inner
+
+
+def found_text(
+    text: str, overrides: Sequence[str], name: str, stated: StatedMotion, unit: str, base: float | None
+) -> str:
+    """Text of a design with the motion that was found in the place of `measured`.
+
+    Args:
+        text: text of the design that the cam was measured against.
+        overrides: its overrides.
+        name: name of the new design.
+        stated: motion.
+        unit: unit of its heights, `mm` or `deg`.
+        base: radius of the base circle that was found, mm; None to leave the design's.
+    """
+    import tomlkit
+
+    values: Any = tomlkit.parse(text)
+    for change in overrides:
+        override(values, change)
+    if "name" in values:
+        values["name"] = name
+    motion = values["motion"]
+    motion.pop("measured", None)
+    if stated.segments:
+        made = tomlkit.array()
+        for segment in stated.segments:
+            made.append(_segment_table(segment, unit))
+        motion["segments"] = made.multiline(multiline=True)
+    else:
+        points = tomlkit.array()
+        for angle, height in stated.points:
+            points.append([angle, height])
+        motion["points"] = points.multiline(multiline=True)
+    if base is not None:
+        values["cam"]["base_circle_radius_mm"] = base
+    made_text = values.as_string()
+    if "name" not in values:
+        named = tomlkit.document()
+        named.add("name", name)
+        made_text = f"{named.as_string()}{made_text}"
+    return f"# Written by cadgen calibrate: the motion was found from the measured cam.\n{made_text}"
+
+
+def _segment_table(segment: StatedSegment, unit: str) -> Any:
+    import tomlkit
+
+    table = tomlkit.inline_table()
+    if not segment.law:
+        table["dwell_deg"] = segment.width
+        return table
+    table[f"to_{unit}"] = segment.after
+    table["in_deg"] = segment.width
+    table["law"] = segment.law
+    if segment.ratio is not None:
+        table["acceleration_ratio"] = segment.ratio
+    return table

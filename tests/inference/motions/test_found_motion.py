@@ -10,9 +10,8 @@ from cadgen.cam.followers.roller import Roller
 from cadgen.cam.followers.swinging_flat import SwingingFace
 from cadgen.cam.followers.swinging_roller import SwingingRoller
 from cadgen.errors import DesignError, FileError
-from cadgen.inference.motions.found_motion import found_motion
+from cadgen.inference.motions.found_motion import found_motion, outline_motion
 from cadgen.inference.motions.lift_samples import centre_of, normals_of, ordered, samples_of_lifts
-from cadgen.inference.motions.outline_motion import outline_motion
 from cadgen.inference.motions.stated_motion import stated_motion
 from cadgen.inference.motions.whole_degrees import on_grid
 from tests.studies import worn_cams_truth as truth
