@@ -5,49 +5,29 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from cadgen.figures import Facts
-from cadgen.jobs.worn_cam.compared_cam import ComparedCamPlan
-from cadgen.jobs.worn_cam.compared_report import compared_report
-from cadgen.jobs.worn_cam.found_cam import FoundCamPlan
-from cadgen.jobs.worn_cam.found_report import found_report
 from cadgen.output.files.publisher import Artifact, Written, publish, text_file
 from cadgen.output.report.terminal import Block, plain
-from cadgen.progress import Progress, silent
+from cadgen.progress import Progress
 
 REPORT_WIDTH = 110
 
 
-def write_found(cam: FoundCamPlan, folder: Path, progress: Progress = silent) -> Written:
-    """Write report, JSON and the new design.
-
-    Args:
-        cam: measured cam.
-        folder: where to.
-        progress: function that is called with a few words on each step.
-
-    Raises:
-        FileError: a file cannot be written, or read back is not what was written.
-    """
-    return _written(f"{cam.design.name}_motion", folder, cam.entry(), found_report(cam), progress, {cam.name: cam.toml})
-
-
-def write_compared(cam: ComparedCamPlan, folder: Path, progress: Progress = silent) -> Written:
-    """Write report and JSON.
-
-    Args:
-        cam: measured cam.
-        folder: where to.
-        progress: function that is called with a few words on each step.
-
-    Raises:
-        FileError: a file cannot be written, or read back is not what was written.
-    """
-    return _written(f"{cam.design.name}_compared", folder, cam.entry(), compared_report(cam), progress, {})
-
-
-def _written(
+def write_measured(
     stem: str, folder: Path, facts: Facts, report: Sequence[Block], progress: Progress, designs: Mapping[str, str]
 ) -> Written:
-    """Files of a stem: JSON, report, and designs by their names."""
+    """Write report and JSON of a measured cam, with the new design where there is one.
+
+    Args:
+        stem: begin of the files' names.
+        folder: where to.
+        facts: result as facts.
+        report: result in words.
+        progress: function that is called with a few words on each step.
+        designs: texts of new designs by their names.
+
+    Raises:
+        FileError: a file cannot be written, or read back is not what was written.
+    """
     progress("writing")
 
     def files(staging: Path) -> Iterator[Artifact]:
