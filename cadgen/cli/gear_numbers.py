@@ -29,6 +29,26 @@ Command = Callable[..., Any]
 Named = dict[str, Any]  # arguments or figures by their names
 
 
+class WholeNumber(click.ParamType[int]):
+    """Whole number of a flag, whose refusal names one that is."""
+
+    name = "integer"
+
+    def __init__(self, example: int) -> None:
+        self.example = example
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> int:
+        """Number of a text."""
+        try:
+            return int(value)
+        except ValueError:
+            self.fail(
+                Message("{value} is no whole number; give one, such as {example}", value=value, example=self.example),
+                param,
+                ctx,
+            )
+
+
 def _numbers(each: Callable[[str], Any], name: str, given: str | None) -> list[Any]:
     """Values of a flag, one for each gear, separated by commas."""
     if given is None:
@@ -37,7 +57,12 @@ def _numbers(each: Callable[[str], Any], name: str, given: str | None) -> list[A
         return [each(part.strip()) for part in given.split(",")]
     except ValueError:
         raise click.UsageError(
-            Message("--{name} is {given}; give a number, or one for each gear with commas", name=name, given=given)
+            Message(
+                "--{name} is {given}; give {number}, or one for each gear with commas",
+                name=name,
+                given=given,
+                number=Message("a whole number, such as 20") if each is int else Message("a number, such as 0.5"),
+            )
         ) from None
 
 
@@ -199,7 +224,7 @@ _FORCE = help.option("--force", is_flag=True, help="Export even if a check fails
 
 @help.command()
 @_FILE
-@help.option("--teeth", type=int, required=True, help="Number of teeth.")
+@help.option("--teeth", type=WholeNumber(20), required=True, help="Number of teeth.")
 @help.option("--internal", is_flag=True, help="A ring with teeth inside.")
 @_gear_flags
 @_HAND
@@ -373,10 +398,12 @@ def pair(
 
 @help.command()
 @_FILE
-@help.option("--sun", type=int, required=True, help="Teeth of the sun.")
-@help.option("--planet", type=int, required=True, help="Teeth of a planet.")
-@help.option("--ring", type=int, default=None, help="Teeth of the ring; sun and two planets together if left out.")
-@help.option("--planets", type=int, default=3, show_default=True, help="Number of planets.")
+@help.option("--sun", type=WholeNumber(18), required=True, help="Teeth of the sun.")
+@help.option("--planet", type=WholeNumber(27), required=True, help="Teeth of a planet.")
+@help.option(
+    "--ring", type=WholeNumber(72), default=None, help="Teeth of the ring; sun and two planets together if left out."
+)
+@help.option("--planets", type=WholeNumber(3), default=3, show_default=True, help="Number of planets.")
 @help.option(
     "--held",
     type=click.Choice(["ring", "carrier", "sun"]),
@@ -506,7 +533,7 @@ def _make(
         else:
             failing = show.failed(made.checks)
             result = failing if force else Message("{failing}, so nothing was exported", failing=failing)
-            show.verdict(False, result, Message("give more --backlash-um, or change the teeth as it is said above"))
+            show.verdict(False, result, Message("change the numbers as it is said above"))
     sys.exit(0 if made.passed or force else 1)
 
 

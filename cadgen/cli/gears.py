@@ -82,13 +82,21 @@ def gears(
                 Message("make them; {draw} draws them", draw=draw),
             )
         elif written is not None:
-            verdict(False, failed(train.checks), Message("do not cut these files; change [train] as it is said above"))
+            cure = Message("do not cut these files; change {sections} as it is said above", sections=_sections(train))
+            verdict(False, failed(train.checks), cure)
         else:
             result = Message(
                 "{failing}, so nothing was exported (--force exports all the same)", failing=failed(train.checks)
             )
-            verdict(False, result, Message("change [train] as it is said above"))
+            verdict(False, result, Message("change {sections} as it is said above", sections=_sections(train)))
     sys.exit(0 if train.passed or force else 1)
+
+
+def _sections(train: "GearTrain") -> Message:
+    """Sections whose keys the failing checks are about: the train, its place in the car, or both."""
+    of_layout = set() if train.car is None else {check.code for check in train.car.checks}
+    wrong = {"[layout]" if check.code in of_layout else "[train]" for check in train.checks if not check.passed}
+    return joined(sorted(wrong, reverse=True), Message(" and "))
 
 
 def _return_errors(plan: "GearTrain") -> None:

@@ -319,7 +319,7 @@ def figures(title: str, checks: "Sequence[Check]", *, gap: bool = False) -> None
         name, place = shown(check.name), shown(check.place)
         made.add_row(
             Text.assemble(name, (f"\n{place}", "dim")) if narrow else Text(name),
-            with_unit(_number(check.value), shown(check.unit_shown)),
+            with_unit(_number(check.value), shown(check.unit_shown)) if isfinite(check.value) else _number(check.value),
             f"{bound} {_number(check.limit)}",
             verdict,
             *([] if narrow else [Text(place)]),

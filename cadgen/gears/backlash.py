@@ -43,7 +43,7 @@ from cadgen.gears.tolerances import (
     gear_tolerance,
     gear_tolerances,
 )
-from cadgen.gears.tooth import ToothError, tooth_of
+from cadgen.gears.tooth import GearForm, ToothError
 from cadgen.messages import Message, joined
 
 # The paper's "end face angle" of eq. 3 and 12, and the base helix angle of spur gears (see above).
@@ -288,33 +288,55 @@ def cut_to_middle(pair: P, play: StagePlay[float]) -> P:
 
 def _deviation(gear: GradedGear, limits: GearPlay[float], pair: Pair, play: StagePlay[float]) -> float:
     """E_sn of one gear in mm, after its tooth has been tried at full thickness, as cut and at both limits."""
-    tooth_of(gear.form.cut_to(0.0))
     prescribed = None if isinstance(gear.thinning, str) else gear.thinning
     asked = limits.E_sns - 0.5 * limits.T_sn if prescribed is None else prescribed
+    every = (0.0, asked, limits.E_sns, limits.E_sni)
+    try:
+        gear.form.cut_to(0.0).tooth  # noqa: B018
+    except ToothError as error:
+        raise ToothError(error.fault, error.tried(gear.form.cut_to(0.0), every)) from error
     for deviation, what in (
         (asked, Message("cut")),
         (limits.E_sns, Message("at the upper limit of its thickness")),
         (limits.E_sni, Message("at the lower limit of its thickness")),
     ):
         try:
-            tooth_of(gear.form.cut_to(deviation))
+            gear.form.cut_to(deviation).tooth  # noqa: B018
         except ToothError as error:
+            cures: list[str] = [error.tried(gear.form.cut_to(deviation), every)]
+            source = Message("for E_sn = {given:.5g} µm, which is given", given=asked * 1e3)
             if prescribed is None:
-                source = _source(gear, limits, pair, play)
-            elif deviation != asked:
-                source = Message(
-                    "for E_sn = {given:.5g} µm, which is given; give one nearer to 0", given=prescribed * 1e3
-                )
-            else:
-                source = Message("which is given; give one nearer to 0")
+                cures.insert(0, _source(gear, limits, pair, play))
+            elif (nearer := _nearer_to_nominal(gear.form, prescribed, limits.T_sn)) is not None:
+                thinned = Message("thin it to no more than E_sn = {value:g} µm", value=nearer * 1e3)
+                cures = [thinned] if cures == [error.cure] else [*cures, thinned]
             raise DesignError(
-                "{fault}, {what} with E_sn = {deviation:.5g} µm, {source}",
+                "{fault}, {what} with E_sn = {deviation:.5g} µm, {cure}",
                 fault=error.fault,
                 what=what,
                 deviation=deviation * 1e3,
-                source=joined([source, error.cure], ", or ") if gear.form.profile_shift else source,
+                cure=joined(cures, ", or ") if prescribed is None else joined([source, joined(cures, ", or ")], "; "),
             ) from error
     return asked
+
+
+def _nearer_to_nominal(form: GearForm, given: float, width: float) -> float | None:
+    """Thickness deviation in mm nearer to 0 with which a tooth can be cut, also at both limits; None without any.
+
+    Args:
+        form: gear whose tooth cannot be cut.
+        given: deviation that the design gives, mm.
+        width: width of the zone about it, mm.
+    """
+    for share in (*range(9, 0, -1), 0.5, 0.2, 0.1, 0):  # tenths of the given one, to whole µm
+        value: float = round(given * share * 100) / 1e3
+        try:
+            for deviation in (value - width / 2, value, value + width / 2):
+                form.cut_to(deviation).tooth  # noqa: B018
+        except DesignError:
+            continue
+        return value
+    return None
 
 
 def _source(gear: GradedGear, limits: GearPlay[float], pair: Pair, play: StagePlay[float]) -> Message:

@@ -27,7 +27,7 @@ from cadgen.gears.choices import HeldMember, Law
 from cadgen.gears.distribution import ZoneSum
 from cadgen.gears.planetary import PlanetarySet, spaced
 from cadgen.gears.sliding import loss_factor
-from cadgen.gears.spur import pair_facts
+from cadgen.gears.spur import pair_checks, pair_facts
 from cadgen.gears.stage import Engage, Mating, Stage, Standing, Wheel
 from cadgen.messages import Message, clauses
 from cadgen.parts.blank import Blank
@@ -391,7 +391,7 @@ class PlanetaryStage(Stage):
         """Checks of both meshes, of each code the one that is nearer to its limit."""
         worst: dict[str, Check] = {}
         for mesh, name in zip(self.cut.meshes, (Message("sun and planet"), Message("planet and ring")), strict=True):
-            for check in mesh.checks(engage):
+            for check in pair_checks(mesh, engage, True):
                 placed = replace(check, place=clauses(name, check.place) if check.place else name)
                 known = worst.setdefault(check.code, placed)
                 nearer = check.value > known.value if check.bound == Bound.MAX else check.value < known.value

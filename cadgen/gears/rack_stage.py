@@ -283,7 +283,7 @@ class RackStage(Stage):
             play=play.B_min * arc,
         )
         checks = [
-            *room_checks(min(built.clearances()) / form.normal_module, self.mesh.contact_ratio, overlap),
+            *room_checks(min(built.clearances()) / form.normal_module, self.mesh.contact_ratio, overlap, None),
             *freedom_checks((jam, "", tighter), (hold, "", Message("lower distance_mm"))),
         ]
         if self.meshes(engage):

@@ -233,6 +233,7 @@ def ring_tooth(form: RingForm) -> RingTooth:
             Message("give an addendum_factor of at most {most:.3f}", most=most)
             if most > 0
             else Message("lower its profile_shift ({profile_shift:g})", profile_shift=form.profile_shift),
+            valued=most > 0,
         )
     if form.rim_width is not None and form.rim_width < _needed_rim(form):
         raise ToothError(
@@ -252,6 +253,7 @@ def ring_tooth(form: RingForm) -> RingTooth:
                 tip_diameter=form.tip_diameter,
             ),
             Message("raise addendum_factor or the teeth"),
+            valued=False,
         )
     half_pitch = pi / form.teeth
     land = (half_pitch - form.half_angle(form.tip_diameter)) * form.tip_diameter
@@ -263,6 +265,7 @@ def ring_tooth(form: RingForm) -> RingTooth:
                 profile_shift=form.profile_shift,
                 deviation=form.tooth_thickness_deviation * 1e3,
             ),
+            valued=False,
         )
     largest = min((land - least) / 2, (form_diameter - form.tip_diameter) / 2 - least)
     if form.tip_chamfer > largest:
@@ -356,6 +359,7 @@ def _rounding(form: RingForm, largest: float, usual: float) -> float:
         raise ToothError(
             Message("{gear} has spaces that come to a point before the root circle", gear=str(form)),
             Message("lower dedendum_factor ({dedendum:g})", dedendum=form.dedendum_factor),
+            valued=False,
         )
     if form.root_rounding is None:
         return min(usual * module, largest)

@@ -144,6 +144,8 @@ def _candidate(
             for gear, shift in zip((pair.driver, pair.driven), shifts, strict=True)
         ]
         nominal = [gear.form.cut_to(0.0) for gear in gears]
+        for form in (*nominal, *(gear.form for gear in gears)):
+            form.tooth  # noqa: B018 - it raises where there is none
         apart = closest(*nominal) if centre_distance is None else centre_distance
         shifted = replace(pair, driver=gears[0], driven=gears[1], centre_distance=apart)
         free = getattr(shifted, "with_free_tips", lambda: shifted)()

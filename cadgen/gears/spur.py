@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict, dataclass, replace
 from enum import StrEnum
 from functools import cache, lru_cache, partial
-from math import ceil, degrees, pi, tan
+from math import ceil, degrees, pi, sin, sqrt, tan
 from typing import Any, NamedTuple, Self
 
 from cadgen.check import Bound, Check, CheckCode
@@ -27,7 +27,7 @@ from cadgen.gears.contact import (
 from cadgen.gears.distribution import quantiles
 from cadgen.gears.inspection import Inspection, SizeLimits, inspection_of
 from cadgen.gears.internal import require_free, reserves, shortened_ring
-from cadgen.gears.pair import GradedGear, Pair
+from cadgen.gears.pair import GradedGear, Pair, closest
 from cadgen.gears.ring import RingForm, cutter_of
 from cadgen.gears.sliding import loss_factor, specific_sliding
 from cadgen.gears.stage import CONTRADICTION, LEAST_OVERLAP, PLAY_LIMIT_UM, Departure, Engage, Stage, cycle
@@ -35,7 +35,7 @@ from cadgen.gears.tolerances import (
     flank_tolerance,
     span_pitch_deviation,
 )
-from cadgen.gears.tooth import GearForm, tooth_of
+from cadgen.gears.tooth import MOST_TEETH_MORE, GearForm, tooth_of
 from cadgen.gears.train import Train
 from cadgen.messages import Message
 from cadgen.parts.run import lead
@@ -108,21 +108,102 @@ def _engages(state: PairState, engage: Engage) -> bool:
 WIDER = Message("lower addendum_factor or the profile shifts")
 
 
-def room_checks(clearance: float, ratio: float, overlap: float) -> tuple[Check, Check]:
+def room_checks(clearance: float, ratio: float, overlap: float, roomier: Message | None) -> tuple[Check, Check]:
     """Clearance of the roots, and contact ratio.
 
     Args:
         clearance: least clearance between tips and roots, modules (mm over m_n).
         ratio: transverse contact ratio.
         overlap: overlap ratio, 0 of spur gears.
+        roomier: numbers with which both hold, in words; None where none are known.
     """
     name = Message("total contact ratio") if overlap else Message("contact ratio")
-    teeth = Message("give more teeth")
-    roots = Message("root clearance")
+    roots, teeth = roomier or WIDER, roomier or Message("give more teeth")
+    word = Message("root clearance")
     return (
-        Check(CheckCode.ROOT_CLEARANCE, roots, clearance, "modules", LEAST_ROOT_CLEARANCE, Bound.MIN, advice=WIDER),
+        Check(CheckCode.ROOT_CLEARANCE, word, clearance, "modules", LEAST_ROOT_CLEARANCE, Bound.MIN, advice=roots),
         Check(CheckCode.CONTACT_RATIO, name, ratio + overlap, "", LEAST_CONTACT_RATIO, Bound.MIN, advice=teeth),
     )
+
+
+def has_room(pair: Pair) -> bool:
+    """Whether the teeth of a pair pass roots and fillets of each other, and hand over from one to the next.
+
+    The tips must not reach past the form circle of the other gear, as they do where they dig into its fillets.
+    """
+    small, large = (gear.form for gear in pair.by_size)
+    line, apart = pair.centre_distance * sin(pair.working_pressure_angle), pair.centre_distance
+
+    def along(diameter: float, form: GearForm) -> float:
+        return sqrt(max(diameter**2 - form.base_diameter**2, 0.0)) / 2
+
+    tips = [along(form.tip_form_diameter, form) for form in (small, large)]
+    roots = [along(tooth_of(form).root_form_diameter, form) for form in (small, large)]
+    if pair.internal:
+        gaps = (
+            large.root_diameter / 2 - apart - small.tip_diameter / 2,
+            large.tip_diameter / 2 - apart - small.root_diameter / 2,
+        )
+        clear = roots[1] - line >= tips[0] and tips[1] - line >= roots[0]
+    else:
+        gaps = (
+            apart - (small.tip_diameter + large.root_diameter) / 2,
+            apart - (large.tip_diameter + small.root_diameter) / 2,
+        )
+        clear = line - roots[1] >= tips[0] and line - tips[1] >= roots[0]
+    wide = min(gaps) >= LEAST_ROOT_CLEARANCE * small.normal_module
+    return clear and wide and contact_ratio(pair) + pair.overlap_ratio >= LEAST_CONTACT_RATIO
+
+
+@lru_cache(maxsize=64)
+def roomier(pair: Pair, in_set: bool) -> Message | None:
+    """Numbers near those of a pair whose teeth have room and hand over, in words; None where none were found.
+
+    Tried are the addendum of both, then profile shifts nearer to 0, then more teeth, at a distance that suits them.
+
+    Args:
+        pair: pair of gears, as cut.
+        in_set: whether it is one of a planetary set, of which only the addendum is tried.
+    """
+
+    def suits(at_distance: bool, driver: Mapping[str, float], driven: Mapping[str, float]) -> bool:
+        try:
+            forms = [
+                replace(gear.form, **values)  # type: ignore[arg-type]
+                for gear, values in ((pair.driver, driver), (pair.driven, driven))
+            ]
+            given = (pair.driver, pair.driven)
+            one, other = (replace(gear, form=form) for gear, form in zip(given, forms, strict=True))
+            apart = closest(*(form.cut_to(0.0) for form in forms)) if at_distance else pair.centre_distance
+            return has_room(replace(pair, driver=one, driven=other, centre_distance=apart))
+        except DesignError:
+            return False
+
+    forms = (pair.driver.form, pair.driven.form)
+    given = min(form.addendum_factor for form in forms)
+    steps = (round(0.05 * step, 2) for step in range(6, 31))
+    for factor in sorted(steps, key=lambda factor: abs(factor - given)):
+        if suits(False, {"addendum_factor": factor}, {"addendum_factor": factor}):
+            return Message("give both gears addendum_factor = {factor:g}", factor=factor)
+    if in_set:
+        return None
+    for share in (0.75, 0.5, 0.25, 0.0):
+        shifts = [round(share * form.profile_shift, 2) for form in forms]
+        if any(form.profile_shift for form in forms) and suits(True, *({"profile_shift": shift} for shift in shifts)):
+            return Message("give the profile shifts {one:g} and {other:g}", one=shifts[0], other=shifts[1])
+    for share in (0.75, 0.5, 0.25, 0.0):
+        shifts = [round(share * form.profile_shift, 2) for form in forms]
+        if suits(True, *({"profile_shift": shift, "addendum_factor": 1.0} for shift in shifts)):
+            return Message(
+                "give the profile shifts {one:g} and {other:g} and both gears addendum_factor = 1",
+                one=shifts[0],
+                other=shifts[1],
+            )
+    for more in range(1, MOST_TEETH_MORE):
+        teeth = [form.teeth + more for form in forms]
+        if suits(True, *({"teeth": each} for each in teeth)):
+            return Message("give {one} and {other} teeth", one=teeth[0], other=teeth[1])
+    return None
 
 
 def freedom_checks(jam: tuple[float, str, str], hold: tuple[float, str, str]) -> tuple[Check, Check]:
@@ -139,15 +220,16 @@ def freedom_checks(jam: tuple[float, str, str], hold: tuple[float, str, str]) ->
     )
 
 
-def cycle_checks(within: float, past: float) -> tuple[Check, Check]:
+def cycle_checks(within: float, past: float, roomier: Message | None = None) -> tuple[Check, Check]:
     """Teeth over a whole pitch.
 
     Args:
         within: greatest overlap just within the play, mm².
         past: least overlap just past it, mm².
+        roomier: numbers with which tips pass roots, in words; None where none are known.
     """
     inside, outside = Message("overlap within the play"), Message("overlap past the play")
-    cure = Message("tips meet roots: {cure}", cure=WIDER)
+    cure = Message("tips meet roots: {cure}", cure=roomier or WIDER)
     return (
         Check(CheckCode.OVERLAP_WITHIN_PLAY, inside, within, "mm2", LEAST_OVERLAP, Bound.MAX, advice=cure),
         Check(CheckCode.OVERLAP_PAST_PLAY, outside, past, "mm2", LEAST_OVERLAP, Bound.MIN, advice=CONTRADICTION),
@@ -166,8 +248,14 @@ def measured_check(state: PlayState, off: float) -> Check:
 
 
 @cache  # equal stages of a train have equal figures
-def pair_checks(pair: Pair, engage: Engage) -> tuple[Check, ...]:
-    """The teeth of one stage in mesh: as cut over a whole pitch, and at the limits of the tolerances."""
+def pair_checks(pair: Pair, engage: Engage, in_set: bool = False) -> tuple[Check, ...]:
+    """The teeth of one stage in mesh: as cut over a whole pitch, and at the limits of the tolerances.
+
+    Args:
+        pair: pair of gears, as cut.
+        engage: sections of a pair at a distance of its axes, set against each other.
+        in_set: whether it is one of a planetary set, whose other gears depend on its teeth and distance.
+    """
     built = engage(pair, pair.centre_distance)
     module = pair.driver.form.normal_module
     ratio = found_contact_ratio(pair)
@@ -180,22 +268,26 @@ def pair_checks(pair: Pair, engage: Engage) -> tuple[Check, ...]:
     }
     jam, jammed = max((engage(*state).overlap_midway(0.0), name) for name, state in states.items())
     hold, loose = min((engage(*state).overlap_tooth_on_tooth(0.0), name) for name, state in states.items())
-    closest = least.play() * pair.driven_pitch_radius * 1e3
+    closest_play = least.play() * pair.driven_pitch_radius * 1e3
+    cure = None if has_room(pair) else roomier(pair, in_set)
     thinner = Message("thin the teeth, or set the axes apart")
     if pair.internal:
         thinner = Message("thin the teeth, or set the axes closer")
-    if closest <= 0:
+    if closest_play > 0 and cure:
+        thinner = Message("tips meet roots: {cure}", cure=cure)
+    elif closest_play <= 0:
         # To whole tens of µm, with as much left as a stage is left that gives no backlash.
-        enough = ceil((pair.backlash().pitch * 1e3 - closest) / 10 + 1) * 10
+        enough = ceil((pair.backlash().pitch * 1e3 - closest_play) / 10 + 1) * 10
         thinner = Message(
             "{cure} (the least play by the tolerances is {play:.1f} µm; backlash_um = {enough} leaves some)",
             cure=thinner,
-            play=closest,
+            play=closest_play,
             enough=enough,
         )
-    closer = Message("they pass each other freely; set the axes closer, or thin the teeth less")
-    if pair.internal:
-        closer = Message("they pass each other freely; set the axes apart, or thin the teeth less")
+    closer = Message(
+        "they pass each other freely; give centre_distance_mm = {apart:.4f}, or thin the teeth less",
+        apart=closest(pair.driver.form.cut_to(0.0), pair.driven.form.cut_to(0.0)),
+    )
     if loose == PlayState.GREATEST:
         closer = Message(
             "they pass each other freely where the tolerances open the axes most; lower F_i_radial, f_a or b_r"
@@ -203,13 +295,13 @@ def pair_checks(pair: Pair, engage: Engage) -> tuple[Check, ...]:
     formula = abs(ratio - contact_ratio(pair))
     code, name = CheckCode.CONTACT_RATIO_FORMULA, Message("contact ratio - formula")
     checks = [
-        *room_checks(min(built.clearances()) / module, ratio, overlap),
+        *room_checks(min(built.clearances()) / module, ratio, overlap, cure),
         Check(code, name, formula, "", CONTACT_RATIO_ERROR, Bound.MAX),
         *freedom_checks((jam, _WORDS[jammed], thinner), (hold, _WORDS[loose], closer)),
     ]
     if _engages(states[PlayState.AS_CUT], engage):
         over = cycle(built, pair.exact_play(), pair.driver.form.teeth, pair.driven_pitch_radius)
-        checks += cycle_checks(*over)[: 2 if ratio >= 1 else 1]
+        checks += cycle_checks(*over, cure)[: 2 if ratio >= 1 else 1]
     for each, state in states.items():
         # With a contact ratio below 1 there are places where no tooth is in mesh, and the play is greater.
         if _engages(state, engage) and contact_ratio(state.pair, state.apart) >= 1:

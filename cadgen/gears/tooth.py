@@ -14,7 +14,9 @@ before cutting.
 from __future__ import annotations
 
 from cmath import phase
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from math import acos, asin, asinh, atan, cos, degrees, isfinite, pi, radians, sin, sqrt, tan
 from numbers import Integral
 from typing import Self
@@ -53,6 +55,8 @@ LEAST_CHAMFER = 1e-3
 TANGENT_ROLL = 3e-4
 # Points at which a root curve is searched for its narrowest place.
 NECK_SAMPLES = 65
+# Shifts and addenda that are tried for a tooth that cannot be cut, in modules: greatest, and step; and teeth.
+MOST_SHIFT, TRIED_STEP, MOST_TEETH_MORE = 2.0, 0.05, 60
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -159,7 +163,7 @@ class GearForm:
         Raises:
             ToothError: the tooth cannot be cut (`tooth_of`).
         """
-        return self.tooth.outline
+        return tooth_of(self).outline
 
     @property
     def tooth(self) -> Tooth:
@@ -330,14 +334,24 @@ class ToothError(DesignError):
     Args:
         fault: what is wrong.
         cure: what to change.
+        valued: whether the cure says to what.
     """
 
-    def __init__(self, fault: Message, cure: Message) -> None:
+    def __init__(self, fault: Message, cure: Message, valued: bool = True) -> None:
         super().__init__("{fault}; {cure}", fault=fault, cure=cure)
-        self.fault, self.cure = fault, cure
+        self.fault, self.cure, self.valued = fault, cure, valued
 
-    def __reduce__(self) -> tuple[type[ToothError], tuple[Message, Message]]:
-        return type(self), (self.fault, self.cure)
+    def __reduce__(self) -> tuple[type[ToothError], tuple[Message, Message, bool]]:
+        return type(self), (self.fault, self.cure, self.valued)
+
+    def tried(self, form: GearForm, deviations: tuple[float, ...]) -> Message:
+        """Cure with a value that was tried, where one was found.
+
+        Args:
+            form: gear whose tooth cannot be cut.
+            deviations: deviations of the tooth thickness with which it must be possible, mm.
+        """
+        return self.cure if self.valued else what_works(form, deviations) or self.cure
 
 
 def tooth_of(form: GearForm) -> Tooth:
@@ -346,7 +360,46 @@ def tooth_of(form: GearForm) -> Tooth:
     Raises:
         ToothError: the tooth cannot be cut.
     """
-    return form.tooth
+    try:
+        return form.tooth
+    except ToothError as error:
+        raise ToothError(error.fault, error.tried(form, (form.tooth_thickness_deviation,))) from error
+
+
+@lru_cache(maxsize=256)  # a search meets a gear in many trains
+def what_works(form: GearForm, deviations: tuple[float, ...]) -> Message | None:
+    """Nearest profile shift and addendum, or else number of teeth, with which a tooth can be cut; None without any.
+
+    Args:
+        form: gear whose tooth cannot be cut.
+        deviations: deviations of the tooth thickness with which it must be possible, mm.
+    """
+
+    def nearest(key: str, values: Iterable[float]) -> float | None:
+        given = getattr(form, key)
+        for value in sorted(values, key=lambda value: abs(value - given)):
+            try:
+                for deviation in deviations:
+                    tried: GearForm = replace(form.cut_to(deviation), **{key: value})  # type: ignore[arg-type]
+                    tried.tooth  # noqa: B018
+            except DesignError:
+                continue
+            return value
+        return None
+
+    steps = np.arange(-MOST_SHIFT, MOST_SHIFT + TRIED_STEP / 2, TRIED_STEP).round(2).tolist()
+    shift = nearest("profile_shift", steps)
+    addendum = nearest("addendum_factor", [step for step in steps if step > 0])
+    if shift is not None and addendum is not None:
+        return Message(
+            "give profile_shift = {shift:g} or addendum_factor = {addendum:g}", shift=shift, addendum=addendum
+        )
+    if shift is not None:
+        return Message("give profile_shift = {shift:g}", shift=shift)
+    if addendum is not None:
+        return Message("give addendum_factor = {addendum:g}", addendum=addendum)
+    teeth = nearest("teeth", range(form.teeth + 1, form.teeth + MOST_TEETH_MORE))
+    return None if teeth is None else Message("give teeth = {teeth}", teeth=teeth)
 
 
 def rack_tooth(form: GearForm) -> Tooth:
@@ -372,6 +425,7 @@ def rack_tooth(form: GearForm) -> Tooth:
                 "{gear} has a root diameter of {root_diameter:.4g} mm", gear=str(form), root_diameter=form.root_diameter
             ),
             Message("raise profile_shift or the teeth"),
+            valued=False,
         )
     root = Trochoid(
         reference_radius=radius,
@@ -403,6 +457,7 @@ def rack_tooth(form: GearForm) -> Tooth:
         raise ToothError(
             Message("{gear} is undercut to a neck of {neck:.4g} mm", gear=str(form), neck=neck),
             Message("raise profile_shift above {profile_shift:g}", profile_shift=form.profile_shift),
+            valued=False,
         )
     return Tooth(
         form=form,
@@ -497,6 +552,7 @@ def _tip_half_angle(form: GearForm, root_form_diameter: float) -> float:
                 tip_diameter=form.tip_diameter,
             ),
             Message("raise profile_shift from {profile_shift:g} or addendum_factor", profile_shift=form.profile_shift),
+            valued=False,
         )
     land = form.half_angle(form.tip_diameter) * form.tip_diameter
     if land < least:
@@ -509,6 +565,7 @@ def _tip_half_angle(form: GearForm, root_form_diameter: float) -> float:
                 addendum_factor=form.addendum_factor,
                 deviation=form.tooth_thickness_deviation * 1e3,
             ),
+            valued=False,
         )
     largest = min((land - least) / 2, flank - least)
     if form.tip_chamfer > largest:

@@ -1,5 +1,6 @@
 """Contact ratio found on the tooth curves, against the line of action, overlaps of sections, and a handbook."""
 
+import re
 from dataclasses import replace
 from math import pi, radians
 
@@ -8,8 +9,8 @@ import numpy as np
 import pytest
 
 from cadgen.gears.contact import contact_ratio, found_contact_ratio
-from cadgen.gears.pair import GradedGear
-from cadgen.gears.spur import SpurPair
+from cadgen.gears.pair import GradedGear, closest
+from cadgen.gears.spur import SpurPair, has_room, roomier
 from cadgen.gears.tooth import GearForm, tooth_of
 from cadgen.geometry.meshes.teeth import LEAST_OVERLAP, measured_pair
 
@@ -117,3 +118,50 @@ def test_tips_that_stand_apart_have_no_contact():
     apart = replace(pair(30, 60), centre_distance=23.49)
     assert contact_ratio(apart) < 0.05
     assert found_contact_ratio(apart) == pytest.approx(contact_ratio(apart), abs=FOUND_WITHIN)
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "form"),
+    [
+        (9, 9, {}),
+        (20, 20, {"addendum_factor": 0.3}),
+        (14, 40, {"addendum_factor": 1.3}),
+        (20, 20, {"profile_shift": 1.5, "addendum_factor": 0.5}),
+        (30, 30, {"addendum_factor": 1.2, "dedendum_factor": 1.25}),
+    ],
+)
+def test_numbers_named_for_teeth_without_room_have_it(one, other, form):
+    """Put in, the contact found on the curves suffices, roots are clear and no sections overlap midway."""
+    made = pair(one, other, thinning=-0.05)
+    gears = [replace(gear, form=replace(gear.form, **form)) for gear in (made.driver, made.driven)]
+    apart = closest(*(gear.form.cut_to(0.0) for gear in gears))
+    made = replace(made, driver=gears[0], driven=gears[1], centre_distance=apart)
+    assert not has_room(made)
+    named = str(roomier(made, False))
+    values = [float(value) for value in re.findall(r"-?\d+\.?\d*", named)][:2]
+    if "shifts" in named and "addendum" in named:
+        made = replace(
+            made,
+            **{
+                role: replace(gear, form=replace(gear.form, addendum_factor=1.0))
+                for role, gear in (("driver", made.driver), ("driven", made.driven))
+            },
+        )
+    key = "teeth" if "teeth" in named else "profile_shift" if "shifts" in named else "addendum_factor"
+    both = values if len(values) == 2 else values * 2
+    forms = [
+        replace(gear.form, **{key: int(value) if key == "teeth" else value})
+        for gear, value in zip((made.driver, made.driven), both, strict=True)
+    ]
+    apart = made.centre_distance if key == "addendum_factor" else closest(*(form.cut_to(0.0) for form in forms))
+    cured = replace(
+        made,
+        driver=replace(made.driver, form=forms[0]),
+        driven=replace(made.driven, form=forms[1]),
+        centre_distance=apart,
+    )
+    assert found_contact_ratio(cured) >= 1.1
+    built = measured_pair(cured)
+    assert min(built.clearances()) >= 0.12 * 0.5 - 1e-9
+    step = 2 * pi / cured.driver.form.teeth / 16
+    assert max(built.overlap_midway(step * number) for number in range(16)) < LEAST_OVERLAP

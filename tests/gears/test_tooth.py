@@ -1,6 +1,7 @@
 """The tooth form against a rack that is rolled over it, against the literature, and at its limits."""
 
-from dataclasses import dataclass
+import re
+from dataclasses import dataclass, replace
 from math import cos, pi, radians, sin, tan
 
 import numpy as np
@@ -9,7 +10,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from cadgen.errors import DesignError
-from cadgen.gears.tooth import GearForm, involute, tooth_of
+from cadgen.gears.tooth import GearForm, ToothError, involute, tooth_of
 from cadgen.parts.loop import bernstein, bezier_poles, chord_parameters
 
 # Rounding of the rolled rack's distance on a gear of 100 mm, with a margin.
@@ -298,3 +299,30 @@ def test_a_full_radius_typed_with_six_digits_is_a_full_radius() -> None:
     assert len(tooth.outline.curves) == 5
     root = tooth.upper_root.point(np.linspace(0.0, 1.0, 21))
     assert np.abs(RollingRack(typed).deepest_cut(root)).max() < 2e-6
+
+
+@pytest.mark.parametrize(
+    ("teeth", "given", "deviation"),
+    [
+        (12, {"profile_shift": 1.5}, 0.0),
+        (6, {"profile_shift": -0.8}, 0.0),
+        (4, {"profile_shift": -1.6}, 0.0),
+        (20, {"addendum_factor": 2.2}, 0.0),
+        (12, {"addendum_factor": 1.0}, -0.75),
+        (20, {"profile_shift": -2.0}, 0.0),
+    ],
+)
+def test_a_tooth_that_cannot_be_cut_names_values_that_make_one(teeth, given, deviation):
+    """Each value that the refusal gives, put in, makes a tooth whose flank, land and root are there."""
+    form = GearForm(
+        teeth=teeth, normal_module=1.0, width=5.0, tooth_thickness_deviation=deviation, **{"profile_shift": 0.0} | given
+    )
+    with pytest.raises(ToothError) as refusal:
+        tooth_of(form)
+    named = re.findall(r"(profile_shift|addendum_factor|teeth) = (-?[\d.]+)", str(refusal.value.cure))
+    assert named
+    for key, value in named:
+        tooth = tooth_of(replace(form, **{key: float(value)}))
+        assert tooth.tip_land >= 0.05
+        assert tooth.root_form_diameter < tooth.form.tip_diameter - 0.1
+        assert tooth.form.root_diameter > 0

@@ -255,13 +255,32 @@ def cured(made: Case, said: str) -> Case | None:
                     each["backlash_um"] = max(each["backlash_um"], int(got[0]))
             return replace(made, given=given)
         return put("backlash-um", int(got[0]))
+    if got := found(r"--([a-z-]+).* such as ([\d.]+)"):
+        return put(got[0], int(got[1]) if got[1].isdigit() else float(got[1]))
+    if got := found(r"give the gear of (\d+) teeth profile_shift = (-?[\d.]+)"):
+        return _for_gears(made, given, stage, "profile_shift", {int(got[0]): float(got[1])})
+    if got := found(r"give both gears addendum_factor = ([\d.]+)"):
+        return put("addendum_factor" if train else "addendum-factor", float(got[0]), given)
+    if got := found(r"give the profile shifts (-?[\d.]+) and (-?[\d.]+)"):
+        return _for_gears(made, given, stage, "profile_shift", dict(enumerate(map(float, got))), by_place=True)
+    if got := found(r"give (\d+) and (\d+) teeth"):
+        return _for_gears(made, given, stage, "teeth", dict(enumerate(map(int, got))), by_place=True)
+    if got := found(r"(?:gear|ring) with (\d+) teeth .*give (profile_shift|addendum_factor|teeth) = (-?[\d.]+)"):
+        value = int(got[2]) if got[1] == "teeth" else float(got[2])
+        return _for_gears(made, given, stage, got[1], {int(got[0]): value})
+    if got := found(r"centre_distance_mm = ([\d.]+)"):
+        return put("centre_distance_mm" if train else "centre-distance-mm", float(got[0]))
+    if got := found(r"has cutter_teeth = .* give (\d+)"):
+        return put("cutter_teeth" if train else "cutter-teeth", int(got[0]))
     if found(r"face width"):
         return put("width", 8.0, given if train else None)
     if got := found(r"bearing span of .* give at least ([\d.]+) mm"):
         return put("bearing_span_mm", float(got[0]) + 1, given)
     if got := found(r"(?:bore|hub|hole).*(?:keep it within|give) ([\d.]+)"):
         return put("bore", str(float(got[0]) * 0.9))
-    if got := found(r"([\w.-]+) is [^;]*; it must be (?:a whole number )?(?:from|at least|greater than) ([-\d.e]+)"):
+    if got := found(
+        r"([\w.-]+) is [^;]*; it must be (?:a (?:whole )?number,? |0, or )?(?:from|at least|greater than) ([-\d.e]+)"
+    ):
         return _placed(made, given, got[0], float(got[1]), said)
     if train and found(r"held = \"ring\""):
         for each in given["stages"]:
@@ -272,6 +291,47 @@ def cured(made: Case, said: str) -> Case | None:
             if table.pop(got[0], None) is not None:
                 return replace(made, given=given)
     return None
+
+
+def _for_gears(
+    made: Case,
+    given: dict[str, Any],
+    stage: dict[str, Any],
+    key: str,
+    values: dict[int, Any],
+    *,
+    by_place: bool = False,
+) -> Case | None:
+    """Case with a key of its gears at other values, by their numbers of teeth or by their places."""
+    if made.command != "gears":
+        flag, names = key.replace("_", "-"), ("sun", "planet", "ring")
+        if made.command == "planetary" and key == "teeth":
+            return None
+        if made.command == "planetary":
+            teeth = [given.get(name, 0) for name in names]
+        else:
+            teeth = [int(part) for part in str(given["teeth"]).split(",")]
+        usual = "1" if key == "addendum_factor" else "0"
+        parts = str(given.get(flag, usual)).split(",")
+        parts = parts * len(teeth) if len(parts) == 1 else parts
+        if key == "teeth":
+            parts = [str(each) for each in teeth]
+        for place, number in enumerate(teeth):
+            if (place if by_place else number) in values:
+                parts[place] = str(values[place if by_place else number])
+        given[flag] = ",".join(parts)
+        return replace(made, given=given)
+    stages = [stage] if by_place else given["stages"]
+    changed = False
+    for each in stages:
+        for place, role in enumerate(
+            ("sun", "planet", "ring") if each.get("kind") == "planetary" else ("driver", "driven")
+        ):
+            gear = each.get(role)
+            if gear and (place if by_place else gear.get("teeth")) in values:
+                gear[key] = values[place if by_place else gear["teeth"]]
+                changed = True
+    return replace(made, given=given) if changed else None
 
 
 def _placed(made: Case, given: dict[str, Any], key: str, least: float, said: str) -> Case | None:
