@@ -8,33 +8,39 @@ side, it is very dear.
 """
 
 import itertools
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.car.course.layout import Course, Side
-from cadgen.car.planner.barriers import barriers_of
-from cadgen.car.planner.path_task import PathTask
+from cadgen.car.planner.barriers import Barrier, barriers_of
+from cadgen.car.planner.path_task import PathTask, Vehicle
 from cadgen.car.planner.route import BLOCKED, CostMap, car_widths, course_map, planned_stops
 
 _HEADINGS = 24
 _BETWEEN = 60  # poses drawn at random for each leg
 _SAMPLES = 40  # of a way
 _BESIDE = 400.0  # mm from a post within which its side counts; on another part of the way it may be passed otherwise
+_ROOM = 20.0  # mm between the car and a post that a way is led beside
 _AGREE = 1e-6  # of a radius: a way that does not end where it should is none
 # Directions of the three parts of a way: left, straight, right.
 _WORDS = ((1, 0, 1), (-1, 0, -1), (1, 0, -1), (-1, 0, 1), (-1, 1, -1), (1, -1, 1))
 _SPACING = 60.0  # mm between the places of the result
 
 
-def arcs_along(task: PathTask, seed: int, room: float) -> Array:
+def arcs_along(
+    task: PathTask, seed: int, room: float, closed: Sequence[Array] = (), beside: Sequence[Barrier] = ()
+) -> Array:
     """Places of the planned point on a way of arcs and straights along a course, shape (k, 2), mm.
 
     Args:
         task: what is planned; its gates are passed in their order.
         seed: seed of the poses between the stops.
         room: radius of the arcs, as a factor on the least one; above 1, for the curvature of a path does not jump.
+        closed: places that the way keeps away from by half the width of the car, mm.
+        beside: posts that the way comes beside, on the side that is asked for.
 
     Raises:
         DesignError: the course has nothing to drive to.
@@ -44,7 +50,19 @@ def arcs_along(task: PathTask, seed: int, room: float) -> Array:
     stops, _ = planned_stops(task.course, vehicle)
     random = np.random.default_rng(seed)
     ways = _Ways.of(task, stops, radius, seed)
+    if ways.chart is not None and len(closed):
+        ways = replace(ways, chart=ways.chart.closed_at(closed))
     layers = _layers(task.course, stops)
+    for post in beside:
+        poses = _poses_beside(post, vehicle)
+        more = [
+            float(
+                (ways.best(a, poses)[0].min(axis=0) + ways.best(poses, b)[0].min(axis=1)).min()
+                - ways.best(a, b)[0].min()
+            )
+            for a, b in itertools.pairwise(layers)
+        ]
+        layers.insert(int(np.argmin(more)) + 1, poses)
     low, high = stops.min(axis=0) - 2 * radius, stops.max(axis=0) + 2 * radius
     cost: Array | None = None
     steps = []
@@ -108,6 +126,18 @@ def _layers(course: Course, stops: Array) -> list[Array]:
     if course.start is not None and course.start is course.finish:
         layers[-1] = layers[0]
     return layers
+
+
+def _poses_beside(post: Barrier, vehicle: Vehicle) -> Array:
+    """Poses from which a post stands just beside the car, on the side that is asked for, shape (k, 3)."""
+    headings = np.arange(_HEADINGS) * TURN / _HEADINGS
+    left, right = car_widths(vehicle)[0]
+    # To the left of the post the car has it on its right.
+    aside = (right if post.side == Side.LEFT else -left) + (1 if post.side == Side.LEFT else -1) * (
+        post.reach + post.margin + _ROOM
+    )
+    normal = np.stack([-np.sin(headings), np.cos(headings)], axis=1)
+    return np.column_stack([post.points.mean(axis=0) + aside * normal, headings])
 
 
 @dataclass(frozen=True, eq=False)

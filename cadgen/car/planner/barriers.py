@@ -190,6 +190,11 @@ class Clearances:
             _signed(motion.jets[0], barrier.line)[0] if barrier.filled else _from_line(motion.jets[0], barrier.line)[0]
         )
         near = away > -far if barrier.inside else away < far
+        car = self.vehicle.car
+        middle = self.vehicle.path_offset - (car.drive_wheel_offset + car.idle_wheel_offset) / 2
+        if barrier.side is not None:  # it counts where the middle of the axle is nearest, however far that is
+            passing = motion.jets[0] + middle * motion.left - barrier.points.mean(axis=0)
+            near[np.linalg.norm(passing, axis=1).argmin()] = True
         if not near.any():
             return None
         close = Kinematics(motion.places[np.flatnonzero(near)], motion.points, motion.offset)
@@ -197,7 +202,7 @@ class Clearances:
         parts = [corners * barrier.grown for corners in parts]
         distance, by = _nearest(barrier, close, parts)
         if barrier.side is not None:
-            distance, by = _on_side(barrier, close, parts, distance, by)
+            distance, by = _on_side(barrier, close, parts, middle, distance, by)
         value = barrier.margin + barrier.reach + _INSIDE - distance
         kind = LimitKind.FIELD if barrier.inside else LimitKind.CLEARANCE
         return Constraint(PathLimit(kind, barrier.key), value, _PER_MM, close.places.both, -by, close.places.u)
@@ -258,11 +263,20 @@ def _corner_distance(barrier: Barrier, motion: Kinematics, corners: Array) -> tu
 
 
 def _on_side(
-    barrier: Barrier, motion: Kinematics, parts: list[Array], distance: Array, by: Array
+    barrier: Barrier, motion: Kinematics, parts: list[Array], middle: float, distance: Array, by: Array
 ) -> tuple[Array, Array]:
     """Distance to the side on which a barrier must be passed, where the car passes it on the other one.
 
     The side is that where the car is nearest to the barrier; farther off a winding path may have it on the other side.
+    A path that never comes beside the barrier has it on the side where it begins or ends.
+
+    Args:
+        barrier: what is passed.
+        motion: places of the path, the nearest one among them.
+        parts: parts of the car, in the frame of the planned point.
+        middle: y of the middle of the axle in that frame, mm.
+        distance: distance at each place, mm.
+        by: its derivative.
     """
     frame = np.stack([motion.ahead, motion.left], axis=1)
     seen = np.einsum("mab,mb->ma", frame, barrier.points.mean(axis=0) - motion.jets[0])
@@ -276,6 +290,8 @@ def _on_side(
     # The places in a row on the wrong side, that where the car is nearest among them.
     row = np.cumsum(np.append(0, (np.diff(wrong.astype(int)) != 0) | (np.diff(motion.places.u) > 1.5 / _EACH)))
     wrong &= row == row[nearest]
+    nearest = int(np.hypot(seen[:, 0], seen[:, 1] - middle).argmin())
+    wrong[nearest] |= not beside[nearest] and sign * (seen[nearest, 1] - middle) > 0
     if wrong.any():
         # The barrier's place in the car's frame moves against the car.
         out = motion.moved(sign * motion.left, seen[:, 0], seen[:, 1])

@@ -4,7 +4,7 @@ For a reason, each limit that the best path violates is made loose in turn: viol
 others stay dear. If all others can be kept then, the violation that is left says how far this limit must give way.
 """
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -14,7 +14,7 @@ from cadgen.arrays import Array
 from cadgen.car.path.spline import DEGREE
 from cadgen.car.planner import SEEDS
 from cadgen.car.planner.arcs import arcs_along
-from cadgen.car.planner.barriers import Clearances, barriers_of
+from cadgen.car.planner.barriers import Barrier, Clearances, barriers_of
 from cadgen.car.planner.constraints import Constraint, Corridor, LimitKind, PathLimit
 from cadgen.car.planner.gates import Passing
 from cadgen.car.planner.kinematics import Basis
@@ -32,6 +32,7 @@ _CALMNESS = (1.0, 10.0, 40.0)
 # Of a path that is begun from arcs: their radius as a factor on the least one, in the order in which they are tried.
 ROOMS = (1.2, 1.05)
 _WAYS = 2  # draws of the poses between the stops that arcs go over, after the first
+_SIDES = 3  # ways that keep from where those before came too near, or beside posts that they passed on the wrong side
 _SIZES = (0.3, 0.65, 1.0)  # of a car that grows, in turn
 # Limits whose violation is not by such a turn.
 _STANDING = (LimitKind.CLEARANCE, LimitKind.FIELD)
@@ -135,33 +136,68 @@ def _searched(task: PathTask, begin: Array | None, report: Callable[[str], None]
         if all(limit.kind in _STANDING for limit in plans[-1].missed):
             break
     if begin is None and task.corridor is None and plans[-1].missed:
-        for found in _further(task, seed, (start, finish)):
+        for found in _further(task, seed, (start, finish), plans):
             if not found.missed:  # where it fails, the path along the route says better what is in the way
                 plans.append(found)
                 break
     return min(plans, key=_merit)
 
 
-def _further(task: PathTask, seed: int, ends: tuple[End, End]) -> Iterator[PathPlan]:
-    """Paths where none was found along the route: from arcs, and with a car that grows.
+def _further(task: PathTask, seed: int, ends: tuple[End, End], failed: Sequence[PathPlan]) -> Iterator[PathPlan]:
+    """Paths where none was found along the route: from arcs, on another side of what is in the way, of a growing car.
 
     Args:
         task: what is planned.
         seed: number of the search.
         ends: start and finish.
+        failed: paths along the route.
     """
-    for room in ROOMS:
-        arcs, points = _of_arcs(task, seed, room, ends)
-        yield PathPlan(_search(task, arcs, *ends).best(points), task, points)
+    yield (first := _from_arcs(task, seed, ROOMS[0], ends))
+    # Where the car would best have driven, but for what stands there.
+    last = min(
+        (first, *failed),
+        key=lambda each: sum(most for limit, most in each.missed.items() if limit.kind != LimitKind.CLEARANCE),
+    )
+    barriers = {each.key: each for each in barriers_of(task.course, task.vehicle.body, task.draw)}
+    closed: list[Array] = []
+    beside: dict[str, Barrier] = {}
+    for _ in range(_SIDES):
+        wrong = [limit for limit in last.missed if limit.kind == LimitKind.CLEARANCE]
+        beside |= {limit.key: barriers[limit.key] for limit in wrong if barriers[limit.key].side is not None}
+        closed += [np.array(_place(last.path, limit)) for limit in wrong if limit.key not in beside]
+        if not wrong:
+            break
+        yield (last := _from_arcs(task, seed, ROOMS[0], ends, closed, tuple(beside.values())))
+    for room in ROOMS[1:]:
+        yield _from_arcs(task, seed, room, ends)
     yield _grown(task, seed, ends)
     for way in range(1, _WAYS + 1):
-        arcs, points = _of_arcs(task, seed + SEEDS[1] * way, ROOMS[0], ends)
-        yield PathPlan(_search(task, arcs, *ends).best(points), task, points)
+        yield _from_arcs(task, seed + SEEDS[1] * way, ROOMS[0], ends)
 
 
-def _of_arcs(task: PathTask, seed: int, room: float, ends: tuple[End, End]) -> tuple[Basis, Array]:
+def _from_arcs(
+    task: PathTask,
+    seed: int,
+    room: float,
+    ends: tuple[End, End],
+    closed: Sequence[Array] = (),
+    beside: Sequence[Barrier] = (),
+) -> PathPlan:
+    """Path begun from arcs and straights; arguments as of `arcs_along`."""
+    basis, points = _of_arcs(task, seed, room, ends, closed, beside)
+    return PathPlan(_search(task, basis, *ends).best(points), task, points)
+
+
+def _of_arcs(
+    task: PathTask,
+    seed: int,
+    room: float,
+    ends: tuple[End, End],
+    closed: Sequence[Array] = (),
+    beside: Sequence[Barrier] = (),
+) -> tuple[Basis, Array]:
     """B-splines and control points of a smooth path along a way of arcs and straights."""
-    places = arcs_along(task, seed, room)
+    places = arcs_along(task, seed, room, closed, beside)
     length = float(np.linalg.norm(np.diff(places, axis=0), axis=1).sum())
     basis = _basis(length / _ARC_SPAN, task.vehicle)
     return basis, smooth_path(basis, places, np.ones(len(places), dtype=bool), *ends)

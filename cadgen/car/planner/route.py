@@ -196,6 +196,12 @@ class CostMap:
         i, j = np.divmod(numbers, self.cost.shape[1])
         return self.corner + (np.stack([i, j], axis=1) + 0.5) * self.cell
 
+    def closed_at(self, places: Sequence[Array]) -> "CostMap":
+        """Map on which the car does not fit within half its width of some places, each x and y, mm."""
+        middles = self.place(np.arange(self.cost.size, dtype=float))
+        off = np.min([np.linalg.norm(middles - place, axis=1) for place in places], axis=0)
+        return replace(self, cost=np.where(off.reshape(self.cost.shape) < self.half_width, BLOCKED, self.cost))
+
 
 @dataclass(frozen=True, eq=False)
 class Route:

@@ -147,6 +147,19 @@ def test_a_post_is_passed_on_the_side_that_is_asked_for(paper_points, vehicle):
         assert rows[0].slopes[beside] @ towards[rows[0].columns[beside]] < -0.5
 
 
+def test_a_post_that_the_path_never_comes_beside_has_the_side_on_which_the_path_begins(paper_points, vehicle):
+    """As the judge of a run has it: the post is behind the start, far away, and to the right of the car or its left."""
+    basis = Basis(len(paper_points))
+    motion = Kinematics(basis.even(20), paper_points, vehicle.path_offset)
+    for hand, sign in (("left", -1.0), ("right", 1.0)):
+        post = motion.jets[0][0] - 900 * motion.ahead[0] + sign * 700 * motion.left[0]
+        for side in ("left", "right"):
+            obstacle = Obstacle(kind="post", key="post", shape=Shape.disc(tuple(post), 10.0), side=side)
+            clearances = Clearances(basis, vehicle, barriers_of(Course(obstacles=(obstacle,)), vehicle.body))
+            (row,) = clearances.constraints(paper_points)
+            assert (row.worst > 400) == (side != hand)
+
+
 def test_gates_are_passed_in_their_order_where_the_path_is_nearest(vehicle):
     """On a path that crosses itself: against all rows of places on a coarse grid."""
     angle = np.linspace(0, 2 * pi, 24)
