@@ -27,8 +27,8 @@ class CheckCode(StrEnum):
     LOST_LIFT_CROSSING = "lost-lift-crossing"
     LOST_LIFT_FACE_CHANGE = "lost-lift-face-change"
     LOST_LIFT_EFFECT = "lost-lift-effect"
-    ROD_PUSHED_OUT = "rod-pushed-out"
-    ROD_FALLS_SHORT = "rod-falls-short"
+    PUSHED_OUT = "rod-pushed-out"  # of every follower: the code is older than the other kinds
+    FALLS_SHORT = "rod-falls-short"  # likewise
     WRONG_FACE = "wrong-face-carries"
     BLEND_LIFT = "blend-lift-not-given"
     BLEND_PRESSURE_ANGLE_RISE = "blend-pressure-angle-rise"

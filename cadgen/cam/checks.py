@@ -360,9 +360,9 @@ def _undercut(motion: Motion, follower: Follower, losses: list[Loss], limits: Ch
 def _contact(follower: Follower, contact: Contact, error: Array, trimmed: NDArray[np.bool_]) -> list[Check]:
     checks = []
     for code, name, beyond in (
-        (CheckCode.ROD_PUSHED_OUT, Message("{follower} pushed out", follower=Message(follower.noun)), error),
+        (CheckCode.PUSHED_OUT, Message("{follower} pushed out", follower=Message(follower.noun)), error),
         (
-            CheckCode.ROD_FALLS_SHORT,
+            CheckCode.FALLS_SHORT,
             Message("{follower} falls short", follower=Message(follower.noun)),
             np.where(trimmed, 0.0, -error),
         ),

@@ -122,7 +122,7 @@ def test_what_is_left_out_is_said_with_its_reason(capsys, monkeypatch):
 @pytest.mark.parametrize("columns", [40, 80, 200])
 def test_numbers_are_never_folded(capsys, monkeypatch, columns):
     monkeypatch.setenv("COLUMNS", str(columns))
-    check = Check(CheckCode.ROD_PUSHED_OUT, "rod pushed out", 0.000456, "µm", 0.2, Bound.MAX, "cam angle 126.40°", "")
+    check = Check(CheckCode.PUSHED_OUT, "rod pushed out", 0.000456, "µm", 0.2, Bound.MAX, "cam angle 126.40°", "")
     plan = SimpleNamespace(
         wheel="",
         origin=SimpleNamespace(name="car"),
@@ -143,7 +143,7 @@ def test_numbers_are_never_folded(capsys, monkeypatch, columns):
 def test_brackets_and_colons_are_printed_as_they_are(capsys, monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
     check = Check(
-        CheckCode.ROD_PUSHED_OUT,
+        CheckCode.PUSHED_OUT,
         "wall [red]",
         1.0,
         "mm",

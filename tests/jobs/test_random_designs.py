@@ -13,8 +13,8 @@ from cadgen.jobs.cam.steering_cam import plan_cam
 
 BASE = load_design("carbon_free_car")
 OURS = {
-    CheckCode.ROD_PUSHED_OUT,
-    CheckCode.ROD_FALLS_SHORT,
+    CheckCode.PUSHED_OUT,
+    CheckCode.FALLS_SHORT,
     CheckCode.WRONG_FACE,
     CheckCode.CLOSURE,
     CheckCode.BLEND_START,

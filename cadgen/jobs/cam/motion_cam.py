@@ -39,7 +39,7 @@ SECOND = "second"  # in the names of the files of the second disc
 SecondDisc = StrEnum("SecondDisc", {code.name: f"second-{code}" for code in CheckCode})  # type: ignore[misc]
 OUTER = "outer"  # in the names of the files of a groove's outer flank
 OuterFlank = StrEnum("OuterFlank", {code.name: f"outer-{code}" for code in CheckCode})  # type: ignore[misc]
-_OF_OUTER_FLANK = (*LOST_LIFT, CheckCode.ROD_PUSHED_OUT, CheckCode.ROD_FALLS_SHORT)
+_OF_OUTER_FLANK = (*LOST_LIFT, CheckCode.PUSHED_OUT, CheckCode.FALLS_SHORT)
 _BEYOND_GROOVE = 5.0  # mm that are left beyond a groove besides the least wall, where the design does not say
 # Checks that a size of the follower may cure.
 _SIZED = (CheckCode.PRESSURE_ANGLE_RISE, CheckCode.PRESSURE_ANGLE_RETURN, CheckCode.CONVEX_RADIUS_PROFILE)
