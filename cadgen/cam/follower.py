@@ -624,7 +624,7 @@ class FirstOrder:
     """Derivatives of T = tan(beta) at n cam angles.
 
     Attributes:
-        height: h, half the rod's height at the contact, shape (n,), mm.
+        height: h, half the follower's height at the contact, shape (n,), mm.
         root: sqrt(1 + T^2), shape (n,).
         lean: sqrt(1 + T^2) y / h, shape (n,).
         divisor: D, shape (n,), mm.

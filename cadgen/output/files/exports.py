@@ -80,7 +80,7 @@ class CamExport:
 
     @property
     def land(self) -> tuple[float, float] | None:
-        """Heights of the edges of the land above the inner face, where the rod rides, mm; None with sharp edges."""
+        """Heights above the inner face of the edges of the land that the follower rides on, mm; None with sharp edges."""
         return self.blank.carrying(0.0, self.thickness) if self.blank.edge_break else None
 
     @cached_property
@@ -149,7 +149,7 @@ class CamExport:
         return volume(self.part.solid)
 
     def judged(self, name: str, outline: Outline, limit: float, facts: Facts, off: float = 0.0) -> Artifact:
-        """File whose outline was read back: the rod is rolled on it, and the error of the lift kept within its limit.
+        """File whose outline was read back: the follower is rolled on it, and the lift must keep its limit.
 
         Only lifts rolled in equal steps are compared, for the error of rolling is then nearly the same in both.
 

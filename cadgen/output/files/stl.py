@@ -84,7 +84,7 @@ def judged_mesh(cam: CamExport, name: str, again: Mesh) -> Artifact:
         again: mesh read back from it.
 
     Raises:
-        FileError: it is something else, or moves the rod by more than the chords.
+        FileError: it is something else, or moves the follower by more than the chords.
     """
     from cadgen.geometry.meshes.content import inspect
 

@@ -36,7 +36,7 @@ _AIM_UM = 0.03
 _STRAIGHT = 1e-6  # mm^-1; a curvature below this (a radius of a kilometre) is written as a straight line
 _ALONG = np.linspace(0.0, 1.0, 5)  # shares of the polar angle between two rows at which their chord is tried
 _CONTACT = tuple(field.name for field in fields(Contact))
-_JUMP = 1e-9  # rad; where the contact moves within less cam angle than this it jumps along the rod's section
+_JUMP = 1e-9  # rad; where the contact moves within less cam angle than this it jumps along the follower's section
 _ROUNDS = 40  # halvings of a row's step of 6 degrees (60 rows) until it is a jump
 _WHEELS = ("drive", "front", "idle")
 _DECIMALS = 4  # of tracks: 0.1 µm of place and 1e-4 degrees
@@ -115,7 +115,7 @@ def train_table(train: TrainExport, folder: Path) -> Iterator[Artifact]:
 def contact_rows(curve: ClosedCurve, follower: Follower, count: int, tolerance: float) -> Contact:
     """Contacts of the follower at even cam angles, and more where straight lines between would leave the profile.
 
-    Where the rod's own section rounds a hollow corner, the contact runs along it at one cam angle.
+    Where the follower's own section rounds a hollow corner, the contact runs along it at one cam angle.
 
     Args:
         curve: profile, mm.
@@ -166,7 +166,7 @@ def _stray(curve: ClosedCurve, start: Array, stop: Array) -> Array:
 
 
 def _on_section(curve: ClosedCurve, follower: Follower, before: Contact, place: Array) -> Contact:
-    """Contacts at polar angles that the rod touches together with those of `before`, its section on the curve."""
+    """Contacts at polar angles that the follower touches together with those of `before`, its section on the curve."""
     points = curve.at_angle(place)[0].point
     line = before.cam_angle + follower.azimuth
     across = points[:, 1] * np.cos(line) - points[:, 0] * np.sin(line)
@@ -205,7 +205,7 @@ def write_csv(
     """Write one row per contact of the follower with the profile.
 
     The normal points out of the disc; the radius of curvature is positive where the profile is convex and
-    empty where it is straight. Where the rod rests on a corner, both are those of one of its sides.
+    empty where it is straight. Where the follower rests on a corner, both are those of one of its sides.
 
     Args:
         path: file to write.
