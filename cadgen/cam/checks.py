@@ -295,7 +295,11 @@ def _pitch_radius(
     radius, point = _least_convex_radius(pitch)
     place = polar_place(point)
     if motion.kinks.size:
-        corners = [c for c in pitch.corners(1e-4) if c.turn > 0 and _near(c.point, motion.kinks)]
+        corners = []
+        for corner in pitch.corners(1e-4):
+            off = (np.arctan2(corner.point[1], corner.point[0]) - motion.kinks + np.pi) % TURN - np.pi
+            if corner.turn > 0 and np.any(np.abs(off) < 1e-6):
+                corners.append(corner)
         if corners:
             sharpest = max(corners, key=lambda c: c.turn)
             radius, point = 0.0, sharpest.point
@@ -435,8 +439,3 @@ def _least_convex_radius(curve: ClosedCurve) -> tuple[float, Array]:
                 break  # another piece is sharper
             t = np.linspace(t[max(worst - 1, 0)], t[min(worst + 1, len(t) - 1)], _ZOOM)
     return least, point
-
-
-def _near(point: Array, angles: Array) -> bool:
-    off = (np.arctan2(point[1], point[0]) - angles + np.pi) % TURN - np.pi
-    return bool(np.any(np.abs(off) < 1e-6))

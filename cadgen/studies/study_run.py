@@ -122,7 +122,13 @@ class StudyRun:
             every = (path_key(self.study, values(number)) for number in left)
             keys = [key for key in dict.fromkeys(every) if key is not None and key not in self.journal.paths]
             self.progress(Message("planning {count} paths", count=len(keys)))
-            work(self.engine, planner, keys, len(keys), self._take_paths, planner.given_up)
+
+            def take_paths(results: Sequence[tuple[PlannedText, float]]) -> None:
+                for planned, _ in results:
+                    self.journal.add_path(planned)
+                self.progress(Message("{count} paths planned", count=len(self.journal.paths)))
+
+            work(self.engine, planner, keys, len(keys), take_paths, planner.given_up)
 
         def tasks() -> Iterator[Task]:
             for number in left:
@@ -138,11 +144,6 @@ class StudyRun:
 
         self._say()
         work(self.engine, DesignJob.of(self.study), tasks(), len(left), self._take_rows, given_up)
-
-    def _take_paths(self, results: Sequence[tuple[PlannedText, float]]) -> None:
-        for planned, _ in results:
-            self.journal.add_path(planned)
-        self.progress(Message("{count} paths planned", count=len(self.journal.paths)))
 
     def _take_rows(self, results: Sequence[tuple[Row, float]]) -> None:
         self.journal.add_rows(results)

@@ -230,7 +230,11 @@ def _swept(
     for _ in range(_MOST_HALVINGS):
         apart = np.interp(stop, numbers, reach) - np.interp(start, numbers, reach)
         close = _CLOSE if best[0] > 0 else max(_CLOSE_INSIDE[0], _CLOSE_INSIDE[1] * -best[0])
-        open_ = _least_between(d0, d1, apart) < best[0] - close
+        # Lower bound of the distance between poses, from the distances at both.
+        straight = (d0 + d1 - apart) / 2
+        bend = 1 / np.maximum(straight, 1e-9) + _BEND
+        least = np.minimum(d0, d1) - apart**2 / 8 * bend
+        open_ = np.maximum(straight, np.where(straight > 0, least, -np.inf)) < best[0] - close
         if not open_.any():
             break
         start, stop, d0, d1 = start[open_], stop[open_], d0[open_], d1[open_]
@@ -243,13 +247,6 @@ def _swept(
     clearance, place, part = best
     travel = float(np.interp(place, numbers, poses.travel))
     return Approach(clearance=clearance, place=place, travel=travel, part=list(parts)[part])
-
-
-def _least_between(d0: Array, d1: Array, apart: Array) -> Array:
-    """Lower bound of the distance between poses `apart` mm apart, from the distances at both."""
-    straight = (d0 + d1 - apart) / 2
-    bend = 1 / np.maximum(straight, 1e-9) + _BEND
-    return np.maximum(straight, np.where(straight > 0, np.minimum(d0, d1) - apart**2 / 8 * bend, -np.inf))
 
 
 def _least(places: Array, values: Array) -> tuple[float, float, int]:

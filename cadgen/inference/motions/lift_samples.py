@@ -89,7 +89,12 @@ def _made(angle: Array, q: Array, push: Array, normal: Array | None) -> LiftSamp
     apart = np.append(np.diff(angle) > 1e-9, True)
     angle, q, push = angle[apart], q[apart], push[apart]
     normal = None if normal is None else normal[apart]
-    noise = _noise_of(angle, q) * float(np.median(push))
+    # By differences of neighbours, in the unit of the motion, and no less than the digits have.
+    steps = np.diff(np.unique(q))
+    digits = float(np.median(steps)) / sqrt(12.0) if len(steps) and len(steps) < len(q) / 2 else 0.0
+    fourth = np.abs(np.convolve(q, [1.0, -4.0, 6.0, -4.0, 1.0], "valid"))
+    noise = max(noise_of(angle, q), digits, float(np.median(fourth)) / (0.6745 * sqrt(70.0)) / 2)
+    noise *= float(np.median(push))
     count = -(-len(angle) // _MOST)
     if count > 1:
         many = len(angle) // count * count
@@ -99,14 +104,6 @@ def _made(angle: Array, q: Array, push: Array, normal: Array | None) -> LiftSamp
             normal = np.angle(turned)
         noise /= np.sqrt(count)
     return LiftSamples(cam_angle=angle, q=q, push=push, normal=normal, noise=noise)
-
-
-def _noise_of(angle: Array, q: Array) -> float:
-    """Noise of samples by their differences, in the unit of the motion; no less than their digits have."""
-    steps = np.diff(np.unique(q))
-    digits = float(np.median(steps)) / sqrt(12.0) if len(steps) and len(steps) < len(q) / 2 else 0.0
-    fourth = np.abs(np.convolve(q, [1.0, -4.0, 6.0, -4.0, 1.0], "valid"))
-    return max(noise_of(angle, q), digits, float(np.median(fourth)) / (0.6745 * sqrt(70.0)) / 2)
 
 
 def ordered(points: Array) -> Array:

@@ -45,7 +45,6 @@ from cadgen.output.drawing.sheet import (
     Dimension,
     DrawingSheet,
     Hatch,
-    LinearDimension,
     LineKind,
     SheetTable,
     Stroke,
@@ -223,11 +222,19 @@ class _Place:
         else:
             upright = 90.0 - (90.0 - dimension.angle) % 180.0  # so that no number stands on its head
             ends = sorted((dimension.start, dimension.end), key=Vec2.from_deg_angle(upright).dot)
+            place = None
+            if dimension.beside:
+                # The number stands beside the middle of its dimension line, above that line.
+                along = Vec2.from_deg_angle(dimension.angle)
+                base, *marks = (Vec2(self._on_paper(at)) for at in (dimension.at, dimension.start, dimension.end))
+                middle = sum(((mark - base).dot(along) for mark in marks), 0.0) / 2
+                above = Vec2.from_deg_angle(180.0 - (90.0 - dimension.angle) % 180.0) * (_DIMGAP + TEXT / 2)
+                place = base + along * (middle + dimension.beside) + above
             made = self.space.add_linear_dim(
                 base=self._on_paper(dimension.at),
                 p1=self._on_paper(ends[0]),
                 p2=self._on_paper(ends[1]),
-                location=self._number_place(dimension) if dimension.beside else None,
+                location=place,
                 angle=upright,
                 text=text,
                 dimstyle=_STYLE,
@@ -239,14 +246,6 @@ class _Place:
         for drawn in made.dimension.get_geometry_block().query("MTEXT"):
             drawn.text = drawn.text.replace(DIAMETER, _SIGN)
         made.dimension.set_xdata(APP, [(1000, dimension.name)])
-
-    def _number_place(self, dimension: LinearDimension) -> Vec2:
-        """Place of a number beside the middle of its dimension line, above that line."""
-        along = Vec2.from_deg_angle(dimension.angle)
-        base, *ends = (Vec2(self._on_paper(point)) for point in (dimension.at, dimension.start, dimension.end))
-        middle = sum(((end - base).dot(along) for end in ends), 0.0) / 2
-        upright = Vec2.from_deg_angle(180.0 - (90.0 - dimension.angle) % 180.0)
-        return base + along * (middle + dimension.beside) + upright * (_DIMGAP + TEXT / 2)
 
 
 def _text(

@@ -80,7 +80,7 @@ class CamExport:
 
     @property
     def land(self) -> tuple[float, float] | None:
-        """Heights above the inner face of the edges of the land that the follower rides on, mm; None with sharp edges."""
+        """Heights above the inner face of the edges of the land that the follower rides on; None with sharp edges."""
         return self.blank.carrying(0.0, self.thickness) if self.blank.edge_break else None
 
     @cached_property

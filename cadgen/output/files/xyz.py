@@ -52,7 +52,12 @@ def write_xyz(path: Path, curve: ClosedCurve, count: int) -> None:
         curve: profile, mm.
         count: approximate number of points.
     """
-    tables = [_arc_length(curve, number) for number in range(len(curve.pieces))]
+    # Parameters of each piece, and the arc length up to each, mm.
+    tables = []
+    for piece in curve.pieces:
+        t = np.linspace(piece.start, piece.stop, _TABLE)
+        chords = np.linalg.norm(np.diff(piece.jet(t).point, axis=0), axis=1)
+        tables.append((t, np.concatenate([[0.0], np.cumsum(chords)])))
     even = sum(float(arc[-1]) for _, arc in tables) / count
     # Whether direction or curvature jumps at the start of each piece.
     corners = {corner.after for corner in curve.corners()}
@@ -101,14 +106,6 @@ def read_xyz(path: Path, step: float = 0.05) -> Outline:
     within = max(5, ceil(chords.max() / step) + 1)
     dense = spline(s[:-1, None] + chords[:, None] * np.linspace(0.0, 1.0, within))
     return Outline(dense.reshape(-1, 2), np.repeat(np.arange(len(chords)), within))
-
-
-def _arc_length(curve: ClosedCurve, number: int) -> tuple[Array, Array]:
-    """Parameters of a piece, and the arc length up to each, mm."""
-    piece = curve.pieces[number]
-    t = np.linspace(piece.start, piece.stop, _TABLE)
-    chords = np.linalg.norm(np.diff(piece.jet(t).point, axis=0), axis=1)
-    return t, np.concatenate([[0.0], np.cumsum(chords)])
 
 
 def _without_close_points(pieces: list[Array]) -> Array:

@@ -160,23 +160,22 @@ def _templates() -> Environment:
         # Without line ends and the indentation behind them.
         return re.sub(r"\n *", "", _FOLDER.joinpath("templates", name).read_text(encoding="utf-8"))
 
+    def said(text: str) -> Markup:
+        # The page's script shows the other language.
+        return Markup("<span{}>{}</span>").format(chinese, text) if (chinese := _zh(text)) else escape(text)
+
     def labels(text: str) -> Markup:
         # Attributes of an element's label in both languages.
         return Markup(' aria-label="{}" data-label-zh="{}"').format(text, shown(text, CHINESE))
 
     made = Environment(loader=FunctionLoader(source), autoescape=True, undefined=StrictUndefined)
-    made.globals.update(_=Message, said=_said, zh=_zh, labels=labels, n=coordinate, points=_points, plotted=_plotted)
+    made.globals.update(_=Message, said=said, zh=_zh, labels=labels, n=coordinate, points=_points, plotted=_plotted)
     return made
 
 
 def _piece(name: str, content: object) -> Markup:
     """Content laid out by a macro of `templates/pieces.html`."""
     return Markup(getattr(_templates().get_template("pieces.html").module, name)(content))
-
-
-def _said(text: str) -> Markup:
-    """A text; the page's script shows the other language."""
-    return Markup("<span{}>{}</span>").format(chinese, text) if (chinese := _zh(text)) else escape(text)
 
 
 def _zh(text: str) -> Markup:
