@@ -99,8 +99,12 @@ def train_table(train: TrainExport, folder: Path) -> Iterator[Artifact]:
     name = f"{train.stem}_parts.csv"
     text = io.StringIO(newline="")
     writer = csv.DictWriter(text, list(dict.fromkeys(key for row in train.table for key in row)), lineterminator="\n")
+    # As text, for what is read back is text.
     rows = [
-        {key: f"{value:.4f}" if isinstance(value, float) else value for key, value in row.items()}
+        {
+            key: "" if value is None else f"{value:.4f}" if isinstance(value, float) else str(value)
+            for key, value in row.items()
+        }
         for row in train.table
     ]
     writer.writeheader()
