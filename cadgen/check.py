@@ -101,6 +101,7 @@ class CheckCode(StrEnum):
     DRIVE_WHEEL_LEAST = "drive-wheel-least"
     DRIVE_WHEEL_OUTLINE = "drive-wheel-outline"
     ENERGY_LEFT = "energy-left"
+    TIPPING_SPEED = "tipping-speed"
     AXLE_REACHED = "axle-reached"
     CAR_CLEARANCE = "car-clearance"
     FLOOR_CLEARANCE = "floor-clearance"

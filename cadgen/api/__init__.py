@@ -6,6 +6,7 @@
 | `cam`      | a cam that has been computed: figures, picture, solid, files               |
 | `motion_cam` | a motion, a follower, and the cam of both without a design file          |
 | `runs`     | the methods against play, compared                                         |
+| `assembly` | a car put together: masses, checks, files                                 |
 | `drawing`  | drawings of cams and trains                                                |
 | `measured` | measured data, as files or as arrays                                       |
 | `gears`    | gears, pairs and trains by their numbers                                   |

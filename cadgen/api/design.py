@@ -16,6 +16,7 @@ from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
     from cadgen.api.adjustment import Adjustment
+    from cadgen.api.assembly import AssembledCar
     from cadgen.api.calibration import Advice, Calibration, Calibrations
     from cadgen.api.cam import Cam
     from cadgen.api.found_cam import ComparedCam, FoundCam
@@ -84,6 +85,23 @@ class Design(LoadedDesign):
         from cadgen.jobs.gears.gear_train import plan_gears
 
         return plan_gears(self.values, Order(word("order", order, [each.value for each in Order])), progress)
+
+    def assembly(self, profile: str | None = None, *, progress: Progress = silent) -> "AssembledCar":
+        """Put the car together: disc, train, shafts, wheels, fork and rod at their places; nothing is written.
+
+        Args:
+            profile: profile of the cam, as of `cam`.
+            progress: function that is called with a few words on each step.
+
+        Raises:
+            DesignError: as `cam` and `gears`, or the design has no [layout], or no room for its parts.
+        """
+        from cadgen.api.assembly import AssembledCar
+        from cadgen.jobs.cam.steering_cam import plan_cam
+        from cadgen.jobs.car_assembly import put_together
+
+        train = self.gears(progress=progress)
+        return AssembledCar(put_together(plan_cam(self.complete(), profile, progress), train))
 
     def simulate(
         self, profile: str = "optimized", play_deg: float | None = None, *, progress: Progress = silent

@@ -5,6 +5,7 @@
 | `design_commands` | `cadgen new`, `plan`, `card`: what makes a design           |
 | `cam_commands` | `cadgen check`, `cam`, `optimize`                               |
 | `gears`     | `cadgen gears`: a gear train as verified files                     |
+| `assembly`  | `cadgen assembly`: the car put together, as verified files         |
 | `gear_numbers` | `cadgen gear`, `pair`, `planetary`: gears by flags              |
 | `car_commands` | `cadgen simulate`, `tolerance`, `calibrate`, `adjust`           |
 | `study_commands` | `cadgen explore`, `merge`: studies of many designs            |
@@ -36,6 +37,7 @@ for _threads in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"):
     os.environ[_threads] = "1"
 
 from cadgen.cli import help, interrupt, output
+from cadgen.cli.assembly import assembly
 from cadgen.cli.cam_commands import cam, check, optimize
 from cadgen.cli.car_commands import adjust, calibrate, simulate, tolerance
 from cadgen.cli.design_commands import card, new, plan
@@ -102,7 +104,7 @@ cli.params.append(language_option)
 cli.sections = {
     Message("Begin"): (new, plan, card),
     Message("Judge"): (check, optimize, simulate, tolerance),
-    Message("Make"): (cam, gears, gear, pair, planetary, draw),
+    Message("Make"): (cam, gears, gear, pair, planetary, draw, assembly),
     Message("Show and edit"): (report, edit),
     Message("Measure and correct"): (calibrate, adjust),
     Message("Explore thousands of designs"): (explore, merge),

@@ -12,6 +12,8 @@
 | `lift_tolerance` | errors of the lift of many cams by their motion       |
 | `car_layout`  | the train in its car, and its checks                     |
 | `car_assembly` | a car put together: all parts at their places            |
+| `assembly_checks` | whether a car put together stands, and has the energy  |
+| `assembly_files` | a car put together -> STEP, list of parts, sheets        |
 | `train_proposal` | wheel, path and sizes of a car -> a train that fits it |
 | `nominal_car` | the car that these are varied from                       |
 | `error_budget`| what costs most at the finish                            |

@@ -284,6 +284,25 @@ class CarPart:
         """Mass of each, g."""
         return self.content.volume * self.density if self.mass is None else self.mass
 
+    def heights(self, place: Array) -> tuple[float, float]:
+        """Heights between which it stands along the shafts, mm, for a part whose own z axis runs along them.
+
+        Args:
+            place: one of its places.
+        """
+        match self.shape:
+            case BodyShape(body=body):
+                ends = [body.slabs[0].start, body.slabs[-1].end]
+            case DiscShape(thickness=thickness, blank=blank):
+                boss = blank.boss(thickness)
+                ends = [0.0, thickness, *(() if boss is None else (boss.low, boss.high))]
+            case Block(prisms=prisms):
+                ends = [z for each in prisms for z in (each.low, each.high)]
+            case _:
+                ends = [0.0]
+        along_z = [float(place[2, 3] + place[2, 2] * end) for end in ends]
+        return min(along_z), max(along_z)
+
     def placed(self, cam_angle: float = 0.0, fork_angle: float = 0.0) -> list[Array]:
         """Places at a cam angle, shape (3, 4) each.
 

@@ -6,6 +6,7 @@
 | `friction`  | bands of sliding friction, by pairs of materials                                          |
 | `mechanics` | forces that turn the cam ahead of its gears or hold it: rod force, friction, drag         |
 | `energy`    | what rolling, rod, brake and gears take of the drive's energy in a run                    |
+| `tipping`   | speed at which a three-wheeled car tips over on its path                                  |
 | `drive`     | cam angle -> steering -> heading and the tracks of the three wheels (eq. 20-24), by one   |
 |             | integration for simulation, profiles and measured tracks alike; the run as poses          |
 | `run_errors`| deflection errors of the events (eq. 28, 30); heading and position errors along the run   |

@@ -1,26 +1,31 @@
 """Parts of a car as solids, and the car as one assembly: a product for each part, a use of it for each place."""
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
 
+import numpy as np
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut, BRepAlgoAPI_Fuse
 from OCP.BRepPrimAPI import BRepPrimAPI_MakeCylinder
+from OCP.collections import Sequence_TDF_Label
 from OCP.gp import gp_Ax2, gp_Dir, gp_Pnt, gp_Trsf
-from OCP.TCollection import TCollection_ExtendedString
+from OCP.TCollection import TCollection_AsciiString, TCollection_ExtendedString
 from OCP.TDataStd import TDataStd_Name
-from OCP.TDF import TDF_Label
+from OCP.TDF import TDF_Label, TDF_Tool
 from OCP.TopLoc import TopLoc_Location
 from OCP.TopoDS import TopoDS_Shape, TopoDS_Solid
-from OCP.XCAFDoc import XCAFDoc_DocumentTool
+from OCP.XCAFDoc import XCAFDoc_DocumentTool, XCAFDoc_ShapeTool
 
 from cadgen.arrays import Array
 from cadgen.car.assembly.car_parts import Block, BodyShape, CarPart, DiscShape, Drilled, Prism, Shape
 from cadgen.errors import FileError
 from cadgen.geometry.solids.disc_solid import cam_part
 from cadgen.geometry.solids.gear_solids import body_solid
-from cadgen.geometry.solids.kernel import SolidPart, boolean, contour_edges, is_valid, prism, solids
-from cadgen.geometry.solids.step import add_part, document_bytes, new_document
+from cadgen.geometry.solids.kernel import SolidPart, boolean, contour_edges, faces, is_valid, prism, solids, volume
+from cadgen.geometry.solids.step import add_part, completed, document_bytes, new_document, read_document
 from cadgen.messages import Message
 
+_FEW_FACES = 100  # of parts whose volume is measured again: that of a gear takes a second
 _UNJOINED = Message("the CAD kernel cannot put the prisms of a part together: report this design")
 
 
@@ -120,3 +125,59 @@ def car_bytes(
 
 def _name(label: TDF_Label, name: str) -> None:
     TDataStd_Name.Set_s(label, TCollection_ExtendedString(name))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class UsedPart:
+    """Use of a part in an assembly that was read.
+
+    Attributes:
+        name: name of the use.
+        transform: turning and shift from the part's frame to the car's, shape (3, 4), mm.
+        bodies: number of its solids.
+        faces: number of its faces.
+        volume: volume, mm³; None of parts of many faces, as gears are, whose own files are measured.
+    """
+
+    name: str
+    transform: Array
+    bodies: int
+    faces: int
+    volume: float | None
+
+
+def read_car(path: Path) -> tuple[UsedPart, ...]:
+    """Read the uses of an assembly, in the order written, through the kernel's reader.
+
+    Raises:
+        FileError: the file cannot be read or is not one assembly.
+    """
+    document, _ = read_document(path)
+    tool = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
+    roots, uses = Sequence_TDF_Label(), Sequence_TDF_Label()
+    tool.GetFreeShapes(roots)
+    if roots.Length() != 1 or not XCAFDoc_ShapeTool.GetComponents_s(roots.First(), uses):
+        raise FileError("{name} is not one assembly: export it again", name=path.name)
+    found: list[UsedPart] = []
+    measured: dict[str, tuple[int, int, float | None]] = {}
+    for use in (uses.Value(number) for number in range(1, uses.Length() + 1)):
+        label, name, entry = TDF_Label(), TDataStd_Name(), TCollection_AsciiString()
+        XCAFDoc_ShapeTool.GetReferredShape_s(use, label)
+        TDF_Tool.Entry_s(label, entry)
+        key = entry.ToCString()
+        if key not in measured:
+            shape = tool.GetShape_s(label)
+            count = len(faces(shape))
+            measured[key] = len(solids(shape)), count, volume(completed(shape)) if count <= _FEW_FACES else None
+        bodies, count, size = measured[key]
+        move = XCAFDoc_ShapeTool.GetLocation_s(use).Transformation()
+        found.append(
+            UsedPart(
+                name=name.Get().ToExtString() if use.FindAttribute(TDataStd_Name.GetID_s(), name) else "",
+                transform=np.array([[move.Value(row, column) for column in range(1, 5)] for row in range(1, 4)]),
+                bodies=bodies,
+                faces=count,
+                volume=size,
+            )
+        )
+    return tuple(found)

@@ -295,9 +295,15 @@ def border_sentences(design: Design, task: PlayTask, chosen: Evaluation, band: P
 
 
 def energy_checks(
-    design: Design, track: Track, lift: PathMotion, follower: Follower, car: Car, wheel: DriveWheel
+    design: Design,
+    track: Track,
+    lift: PathMotion,
+    follower: Follower,
+    car: Car,
+    wheel: DriveWheel,
+    mass: float | None = None,
 ) -> tuple[Check, ...]:
-    """Energy left at the end of the path, at the greatest friction and drag; empty where the design says no mass.
+    """Energy left at the end of the path, at the greatest friction and drag; empty where no mass is known.
 
     Args:
         design: loaded design.
@@ -306,9 +312,11 @@ def energy_checks(
         follower: follower of the design.
         car: dimensions of the car.
         wheel: drive wheel that the cam is for.
+        mass: mass of the car by its parts, kg, which counts where the design states none.
     """
     keys = design.mechanics
-    if keys is None or keys.drive_energy_J is None or keys.car_mass_kg is None:
+    mass = mass if keys is None or keys.car_mass_kg is None else keys.car_mass_kg
+    if keys is None or keys.drive_energy_J is None or mass is None:
         return ()
     band = variation.mechanics(design, follower, lift)
     assert band is not None  # the design has [mechanics]
@@ -319,7 +327,7 @@ def energy_checks(
         lift,
         band.at(band.friction[1], band.drag[1]),
         run,
-        mass=keys.car_mass_kg,
+        mass=mass,
         rolling=ROLLING_RESISTANCE if keys.rolling_resistance is None else keys.rolling_resistance,
         efficiency=efficiency,
     )

@@ -9,5 +9,6 @@
 | `timing`      | timing diagram of a cam by its motion                                     |
 | `cam_sheet`   | sheet of a cam                                                            |
 | `gear_sheets` | sheets of the parts of a train, and of the plate that holds the axes      |
+| `assembly_sheet` | sheets of a car put together: views with balloons, steps of mounting     |
 | `sheet_files` | a sheet as DXF and as a page, and the DXF's dimensions read again         |
 """

@@ -1,0 +1,108 @@
+"""A car put together: its parts, mass and checks, and its files."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from math import radians
+from os import PathLike
+
+from cadgen.api.values import real
+from cadgen.car.assembly.car_parts import CarPart, Content
+from cadgen.check import Check, failing
+from cadgen.errors import CheckError
+from cadgen.figures import Facts, JobResult
+from cadgen.jobs.assembly_checks import assembly_checks
+from cadgen.jobs.car_assembly import CarAssembly
+from cadgen.output.files.publisher import Written, folder_of, refusal
+from cadgen.progress import Progress, silent
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class AssembledCar(JobResult):
+    """A car put together: what `Design.assembly` gives. Lengths are mm, masses g.
+
+    Attributes:
+        computed: parts at their places.
+    """
+
+    computed: CarAssembly
+
+    def __repr__(self) -> str:
+        return f"<AssembledCar of {self.computed.origin.name}, {self.count} parts>"
+
+    @property
+    def parts(self) -> tuple[CarPart, ...]:
+        """Parts, once for each kind."""
+        return self.computed.parts
+
+    @property
+    def count(self) -> int:
+        """Number of parts in all."""
+        return sum(part.quantity for part in self.parts)
+
+    @cached_property
+    def own_checks(self) -> tuple[Check, ...]:
+        """Checks of the car: its parts at their places, tipping, energy."""
+        return (*self.computed.layout.checks, *assembly_checks(self.computed))
+
+    @property
+    def checks(self) -> tuple[Check, ...]:
+        """Checks of the cam itself, of the gears and of the car."""
+        own = self.own_checks
+        others = (*self.computed.cam.checks, *self.computed.train.checks)
+        return (*(check for check in others if check not in own), *own)
+
+    @property
+    def failed(self) -> tuple[Check, ...]:
+        """Checks that do not keep their limit."""
+        return failing(self.checks)
+
+    @property
+    def passed(self) -> bool:
+        """Whether every check keeps its limit."""
+        return not self.failed
+
+    def balance(self, cam_angle_deg: float = 0.0) -> Content:
+        """Mass of the car, and its centre in the frame of the camshaft: x ahead, y down, z to the left.
+
+        Args:
+            cam_angle_deg: cam angle, degrees.
+        """
+        return self.computed.balance(_angle(cam_angle_deg))
+
+    def entry(self) -> Facts:
+        """Parts, masses and places, as in the manifest."""
+        from cadgen.jobs.assembly_files import assembly_facts
+
+        return assembly_facts(self.computed, 0.0)
+
+    def write(
+        self,
+        folder: str | PathLike[str],
+        cam_angle_deg: float = 0.0,
+        *,
+        force: bool = False,
+        progress: Progress = silent,
+    ) -> Written:
+        """Write STEP, list of parts, sheet and steps of mounting, and publish all together or none.
+
+        Args:
+            folder: folder for the files; it is made if need be.
+            cam_angle_deg: cam angle at which moving parts stand, degrees.
+            force: whether files are written even if a check fails.
+            progress: function that is called with a few words on each step.
+
+        Raises:
+            CheckError: a check fails.
+            FileError: a file cannot be written, or holds something else when it is read back.
+        """
+        from cadgen.jobs.assembly_files import write_assembly
+
+        place, angle = folder_of(folder), _angle(cam_angle_deg)
+        if not (self.passed or force):
+            raise CheckError(refusal(self.failed))
+        return write_assembly(self.computed, place, angle, progress)
+
+
+def _angle(cam_angle_deg: float) -> float:
+    """Cam angle in rad."""
+    return radians(real("cam_angle_deg", cam_angle_deg, 0, 360, "degrees"))

@@ -1,0 +1,398 @@
+"""Files of a car put together: its assembly as STEP, the list of parts, its sheet, and the steps of its mounting."""
+
+import csv
+from collections.abc import Iterator
+from dataclasses import asdict, replace
+from functools import partial
+from io import StringIO
+from math import degrees
+from pathlib import Path
+
+import numpy as np
+
+from cadgen.car.assembly.car_parts import CarPart, Content, GroupKind, Supply
+from cadgen.figures import Facts
+from cadgen.geometry.meshes.car_meshes import seen
+from cadgen.jobs.assembly_checks import assembly_checks, centre_of_gravity
+from cadgen.jobs.car_assembly import CarAssembly
+from cadgen.jobs.drawings import Folder, title_of, write_sheet
+from cadgen.messages import Message, joined
+from cadgen.output.drawing.assembly_sheet import (
+    CarView,
+    ListedPart,
+    MountingStep,
+    ShaftMounting,
+    assembly_drawing,
+    mounting_sheet,
+)
+from cadgen.output.drawing.sheet import LinearDimension, LineKind, Stroke, rounded
+from cadgen.output.files.publisher import Artifact, Written, publish, require, text_file
+from cadgen.parts.features import Keyway
+from cadgen.processes import in_second_process
+from cadgen.progress import Progress, silent
+
+# Directions to the right, up and towards the viewer, in the frame of the car: x ahead, y down, z to the left.
+_FROM_LEFT = np.array([[-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]])
+_FROM_ABOVE = np.array([[-1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, -1.0, 0.0]])
+_CHORD = 0.05  # mm, of the lines on the sheet
+_PLACE_MM = 1e-9  # of a part read back, off its place
+_OF_PARTS = Message("see the parts")
+_VOLUME = 1e-6  # share by which a volume read back may be off
+_COLUMNS = (
+    "number", "code", "name", "quantity", "material", "assumed", "supply", "standard_or_files", "mass_each_g", "mass_g"
+)  # fmt: skip
+
+
+def listed(assembly: CarAssembly) -> tuple[ListedPart, ...]:
+    """List of parts, numbered."""
+    return tuple(
+        ListedPart(
+            number=number,
+            code=part.code,
+            title=part.title,
+            quantity=part.quantity,
+            material=part.material,
+            source=part.standard,
+            mass=part.each * part.quantity,
+            drawn=bool(part.places),
+        )
+        for number, part in enumerate(assembly.parts, 1)
+    )
+
+
+def parts_csv(assembly: CarAssembly) -> str:
+    """List of parts as CSV, with the mass of each, and of all of a row, g."""
+    text = StringIO()
+    rows = csv.writer(text, lineterminator="\n")
+    rows.writerow(_COLUMNS)
+    for number, part in enumerate(assembly.parts, 1):
+        rows.writerow(
+            (
+                number,
+                part.code,
+                part.title,
+                part.quantity,
+                part.material,
+                "yes" if part.assumed else "no",
+                part.supply,
+                part.standard,
+                f"{part.each:.3f}",
+                f"{part.each * part.quantity:.3f}",
+            )
+        )
+    return text.getvalue()
+
+
+def views_of(assembly: CarAssembly, cam_angle: float) -> tuple[CarView, CarView]:
+    """Views from the left and from above, with the dimensions between axes.
+
+    Args:
+        assembly: car put together.
+        cam_angle: cam angle, rad.
+    """
+    site, found = assembly.layout.site, assembly.layout.arrangement
+    assert found is not None  # `put_together` refuses a car without an arrangement
+    fork = assembly.fork_angle(cam_angle)
+    looks = (_FROM_LEFT, _FROM_ABOVE)
+    side, top = (seen(assembly.parts, look, cam_angle, fork, _CHORD) for look in looks)
+    plain = CarView(name=Message("from the left"), seen=side), CarView(name=Message("from above"), seen=top)
+    left, _, right, _ = plain[0].bounds
+    a, behind, floor, drop = -site.base_radius, site.behind, -found.height, -found.axes[0].imag
+    deviation = assembly.layout.design.tolerances.base_radius_mm
+    limits = f" ±{deviation:g}" if deviation else ""
+    beside = 0.06 * (right - left)
+    heights = tuple(
+        LinearDimension(name=name, start=(at, floor), end=(x, y), at=(at, floor), angle=90.0)
+        for name, at, x, y in (
+            ("height of the camshaft", left - beside, a, 0.0),
+            ("height of the rear axle", right + beside, behind, drop),
+        )
+    )
+    axes = (
+        LinearDimension(
+            name="fork axis to camshaft", start=(a, floor), end=(0.0, floor), at=(a, floor - beside), suffix=limits
+        ),
+        LinearDimension(
+            name="camshaft to rear axle", start=(0.0, floor), end=(behind, floor), at=(0.0, floor - beside)
+        ),
+    )
+    ground = Stroke(np.array([[left, floor], [right, floor]]), LineKind.THIN)
+    centres = tuple(_cross(x, y, beside) for x, y in ((0.0, 0.0), (behind, drop), (a, 0.0)))
+    first = replace(
+        plain[0], dimensions=(*heights, *axes), lines=(ground, *(each for pair in centres for each in pair))
+    )
+    left, _, right, _ = plain[1].bounds
+    across = tuple(
+        LinearDimension(name=name, start=(a, -site.fork), end=(x, -z), at=(at, -z), angle=90.0)
+        for name, x, z, at in (
+            ("drive wheel from the fork axis", behind, site.drive_wheel, right + beside),
+            ("idle wheel from the fork axis", behind, site.idle_wheel, right + 0.5 * beside),
+            ("disc's lower face from the fork axis", 0.0, 0.0, left - beside),
+        )
+    )
+    lines = tuple(Stroke(np.array([[x - beside, -z], [x + beside, -z]]), LineKind.CENTRE) for x, z in ((a, site.fork),))
+    return first, replace(plain[1], dimensions=across, lines=lines)
+
+
+def _cross(x: float, y: float, reach: float) -> tuple[Stroke, Stroke]:
+    ends = np.array([[-reach, 0.0], [reach, 0.0]])
+    here = np.array([x, y])
+    return Stroke(ends + here, LineKind.CENTRE), Stroke(ends[:, ::-1] + here, LineKind.CENTRE)
+
+
+def mountings(assembly: CarAssembly) -> tuple[ShaftMounting, ...]:
+    """Steps of mounting of every shaft, from the camshaft to the rear axle."""
+    layout, shafts = assembly.layout, len(assembly.train.layout.on_shafts)
+    place = None if layout.arrangement is None else layout.arrangement.place
+    assert place is not None  # `put_together` refuses a car without an arrangement
+    left, right = Message("from the left"), Message("from the right")
+    near_side, far_side = (left, right) if place.towards < 0 else (right, left)
+    tables = []
+    for number in range(shafts, 0, -1):
+        on = [part for part in assembly.parts if part.shaft == number and part.places]
+        shaft = [part for part in on if part.order < 0]
+        others = [(part, part.heights(part.places[0])) for part in on if part.order >= 0]
+
+        def away(entry: tuple[CarPart, tuple[float, float]]) -> tuple[float, int]:
+            """Order from the far plate to the disc's end, keys before what they hold."""
+            part, (low, high) = entry
+            return (low + high) / 2 * -place.towards, int(part.supply == Supply.MADE)
+
+        inside = sorted((each for each in others if _between(each[1], (place.near, place.far))), key=away)
+        outside = [each for each in others if each not in inside]
+        beyond = sorted((each for each in outside if away(each)[0] > -place.near * place.towards), key=away)
+        behind = sorted((each for each in outside if each not in beyond), key=away, reverse=True)
+        steps = [MountingStep(part.title, "", "", _seats(assembly, part)) for part in shaft]
+        for group, way in ((inside, near_side), (beyond, near_side), (behind, far_side)):
+            steps += [
+                MountingStep(
+                    part.title,
+                    way,
+                    f"{rounded(low - layout.site.fork, 2)} … {rounded(high - layout.site.fork, 2)} mm",
+                    _remark(assembly, part),
+                )
+                for part, (low, high) in group
+            ]
+        name = shaft[0].title if shaft else Message("shaft {shaft}", shaft=number)
+        tables.append(ShaftMounting(name, tuple(steps)))
+    return tuple(tables)
+
+
+def _between(heights: tuple[float, float], plates: tuple[float, float]) -> bool:
+    return min(plates) < sum(heights) / 2 < max(plates)
+
+
+def _seats(assembly: CarAssembly, shaft: CarPart) -> str:
+    """Remark on a shaft: its diameter, and seats of keys."""
+    diameter = assembly.train.layout.on_shafts[shaft.shaft - 1].blank.shaft_diameter
+    (low, high) = shaft.heights(shaft.places[0])
+    return Message("Ø{diameter:g} x {length}", diameter=diameter, length=rounded(high - low, 2))
+
+
+def _remark(assembly: CarAssembly, part: CarPart) -> str:
+    """Remark on a part: key, face, and what holds it."""
+    left, right = Message("left"), Message("right")
+    if part.code == "cam-disc":
+        plan = assembly.cam
+        # The files show the disc from +z, which points to the face seen; turned over it looks to the other side.
+        side = right if assembly.layout.turned_over else left
+        said: list[str] = [Message("face shown on its sheet to the {side}", side=side)]
+        if isinstance(plan.made_blank.key, Keyway):
+            said.append(Message("on its key"))
+        joint = plan.making.fit.joint
+    elif part.code.startswith("gear-"):
+        gear = assembly.train.layout.on_shafts[part.shaft - 1]
+        said = []
+        if gear.blank.hub is not None and gear.blank.hub.length and len(gear.gears) == 1:
+            said.append(Message("hub to the {side}", side=right if gear.flipped else left))
+        elif len(gear.gears) == 2:
+            low, high = (getattr(each, "teeth", 0) for each in gear.gears)
+            said.append(Message("{teeth} teeth to the {side}", teeth=high if high else low, side=left))
+        if isinstance(gear.blank.key, Keyway):
+            said.append(Message("on its key"))
+        joint = assembly.train.making.shaft(part.shaft, len(assembly.train.layout.on_shafts)).fit.joint
+        if gear.blank.hub is not None and gear.blank.hub.set_screw is not None:
+            said.append(Message("set screw"))
+    elif part.code.startswith("key-"):
+        return Message("into its seat")
+    elif part.code == "drive-wheel":
+        return Message("hub outwards, set screw")
+    elif part.code == "idle-wheel":
+        return Message("hub outwards, runs free")
+    else:
+        return ""
+    if joint is not None:
+        said.append(Message(str(joint)))
+    return joined(said)
+
+
+def mounting_notes(assembly: CarAssembly) -> Iterator[Message]:
+    """Steps of the whole car, after the shafts."""
+    site, layout, design = assembly.layout.site, assembly.layout, assembly.layout.design
+    found, mechanics = layout.arrangement, design.mechanics
+    assert found is not None  # `put_together` refuses a car without an arrangement
+    yield Message("Left and right are those of the car as it drives. Places are mm to the left of the fork axis.")
+    yield Message(
+        "Put the gears of each shaft on in the order of its table, then all shafts into the {side} plate, the camshaft "
+        "first, and the other plate over them. What stands outside the plates comes after that.",
+        side=Message("right") if found.place.towards < 0 else Message("left"),
+    )
+    yield Message(
+        "Fork: press the spindle into its bridge, screw a cheek to either end, and press the pin through cheeks and "
+        "front wheel, which must run free. Glue the rod into the head of the spindle, parallel to the pin, its end "
+        "{length} mm from the fork axis.",
+        length=rounded(site.rod_length, 2),
+    )
+    yield Message(
+        "Set the fork axis {distance} mm ahead of the camshaft with the micrometer head; hold it within {within}.",
+        distance=rounded(site.base_radius, 3),
+        within=_within(design.tolerances.base_radius_mm),
+    )
+    if mechanics is not None:
+        yield Message(
+            "Hook in the spring: it presses the rod on the disc with {force:g} N.", force=mechanics.rod_force_N
+        )
+        if mechanics.drag_least_Nmm:
+            yield Message(
+                "Set the brake so that the camshaft takes {least:g} to {most:g} N·mm to turn, without the rod.",
+                least=mechanics.drag_least_Nmm,
+                most=mechanics.drag_greatest_Nmm or mechanics.drag_least_Nmm,
+            )
+    yield Message(
+        "Take up the slack: turn the drive wheel forward until the cam moves. The teeth leave the cam {play:.2f}° of "
+        "play, which must be used up before the start.",
+        play=degrees(assembly.train.return_error.as_cut),
+    )
+    start = degrees(assembly.fork_angle(0.0)) * site.rod_side
+    yield Message(
+        "Start: turn the drive forward until the ray of cam angle 0, the x axis of the disc's sheet, points to the "
+        "rod. The front wheel then stands {angle:.2f}° to the {side}.",
+        angle=abs(start),
+        side=Message("right") if start > 0 else Message("left"),
+    )
+    yield Message(
+        "Trim: after a trial run give cadgen adjust what it ended off; set the micrometer head and the rod's angle as "
+        "it says, and run again."
+    )
+
+
+def _within(deviation: float | None) -> str:
+    return f"± {deviation:g} mm" if deviation else Message("what the design's tolerances say")
+
+
+def sheet_notes(assembly: CarAssembly, mass: Content) -> Iterator[Message]:
+    """Notes of the sheet: masses, and what is not drawn."""
+    yield centre_of_gravity(assembly, mass)
+    if assumed := [part for part in assembly.parts if part.assumed]:
+        yield Message(
+            "Materials that the design does not state are usual ones: {parts}.",
+            parts=joined(str(number) for number, part in enumerate(assembly.parts, 1) if part in assumed),
+        )
+    yield Message("Parts without a balloon are not drawn: screws and pins are listed with their standard.")
+
+
+def write_assembly(assembly: CarAssembly, out: Path, cam_angle: float = 0.0, progress: Progress = silent) -> Written:
+    """Write the STEP file, list, sheet and mounting plan of a car; read all back, and publish all together or none.
+
+    Args:
+        assembly: car put together.
+        out: folder for the files; it is made if need be.
+        cam_angle: cam angle at which moving parts stand, rad.
+        progress: function that is called with a few words on each step.
+
+    Raises:
+        FileError: a file cannot be written, or holds something else when it is read back.
+    """
+    folder, stem = Folder.at(out), f"{assembly.origin.name}_assembly"
+    omitted: dict[str, str] = {}
+    mass = assembly.balance(cam_angle)
+
+    def files(staging: Path) -> Iterator[Artifact]:
+        progress(Message("writing and reading back the assembly"))
+        # 1.4 times as fast as one after the other: the kernel loads and writes while the sheets are drawn.
+        with in_second_process(partial(_step_file, assembly, staging / f"{stem}.step", cam_angle)) as step:
+            yield text_file(staging / f"{stem}_parts.csv", parts_csv(assembly))
+            title = title_of(assembly.origin, assembly.train.title, Message("car, assembly"), _OF_PARTS, stem, folder)
+            title = replace(title, finish=_OF_PARTS)
+            side, top = views_of(assembly, cam_angle)
+            sheet = assembly_drawing(side, top, listed(assembly), tuple(sheet_notes(assembly, mass)), title)
+            yield from write_sheet(staging, stem, sheet, omitted)
+            mounting = f"{assembly.origin.name}_mounting"
+            title = replace(title, part=Message("car, steps of mounting"), number=mounting)
+            steps = mounting_sheet(mountings(assembly), tuple(mounting_notes(assembly)), title)
+            yield from write_sheet(staging, mounting, steps, omitted)
+            yield step()
+
+    return publish(
+        stem,
+        out,
+        files,
+        assembly.origin.entry() | assembly_facts(assembly, cam_angle),
+        lambda _: Facts(**({"omitted": omitted} if omitted else {})),
+    )
+
+
+def assembly_facts(assembly: CarAssembly, cam_angle: float) -> Facts:
+    """Parts, masses and places for JSON and manifests.
+
+    Args:
+        assembly: car put together.
+        cam_angle: cam angle, rad.
+    """
+    mass, fork = assembly.balance(cam_angle), assembly.fork_angle(cam_angle)
+    return Facts(
+        cam_angle_deg=degrees(cam_angle),
+        fork_angle_deg=degrees(fork),
+        mass_g=mass.volume,
+        centre_of_gravity_mm=mass.centre,
+        checks=[Facts(**asdict(check), passed=check.passed) for check in assembly_checks(assembly)],
+        parts=[
+            Facts(
+                number=number,
+                code=part.code,
+                quantity=part.quantity,
+                material=part.material,
+                assumed=part.assumed,
+                supply=part.supply,
+                source=part.standard,
+                mass_each_g=part.each,
+                moves_with=part.group.kind if part.group.kind != GroupKind.SHAFT else f"shaft-{part.group.number}",
+                places=[np.round(place, 9).tolist() for place in part.placed(cam_angle, fork)],
+            )
+            for number, part in enumerate(assembly.parts, 1)
+        ],
+    )
+
+
+def _step_file(assembly: CarAssembly, path: Path, cam_angle: float) -> Artifact:
+    """STEP file of the car, read back by the kernel: names, places, one solid each, volumes."""
+    from cadgen.geometry.solids.car_solids import car_bytes, car_solids, read_car
+    from cadgen.geometry.solids.kernel import faces, volume
+
+    fork = assembly.fork_angle(cam_angle)
+    description = f"car, design {assembly.origin.content_hash[:12]}"
+    solids = car_solids(assembly.parts, description)
+    places = {part.code: part.placed(cam_angle, fork) for part in assembly.parts if part.code in solids}
+    path.write_bytes(car_bytes(solids, places, path.stem, description))
+    uses = read_car(path)
+    whole = [
+        (part, number, place) for part in assembly.parts for number, place in enumerate(places.get(part.code, ()), 1)
+    ]
+    names = [part.code if part.quantity == 1 else f"{part.code}-{number}" for part, number, _ in whole]
+    require([use.name for use in uses] == names, path.name, Message("has other parts"))
+    same = all(np.abs(use.transform - place).max() < _PLACE_MM for use, (*_, place) in zip(uses, whole, strict=True))
+    require(same, path.name, Message("has parts at other places"))
+    sound = all(
+        use.bodies == 1 and use.faces == len(faces(solids[part.code].solid))
+        for use, (part, *_) in zip(uses, whole, strict=True)
+    )
+    require(sound, path.name, Message("has parts with other faces"))
+    off = max(
+        abs(use.volume / volume(solids[part.code].solid) - 1)
+        for use, (part, *_) in zip(uses, whole, strict=True)
+        if use.volume is not None
+    )
+    require(off < _VOLUME, path.name, Message("has parts of other volumes"))
+    return Artifact(
+        path.name, Facts(parts=len(uses), volume_error=off), ("", "", Message("{count} parts", count=len(uses)))
+    )
