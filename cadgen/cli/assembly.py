@@ -15,6 +15,7 @@ from cadgen.messages import Message, joined
 @profile_option
 @help.option(
     "--cam-angle",
+    "cam_angle_deg",
     type=click.FloatRange(0, 360),
     default=0.0,
     show_default=True,
@@ -27,7 +28,7 @@ def assembly(
     overrides: tuple[str, ...],
     profile: str | None,
     as_json: bool,
-    cam_angle: float,
+    cam_angle_deg: float,
     out: Path,
     force: bool,
 ) -> None:
@@ -37,8 +38,6 @@ def assembly(
     materials and masses. The design needs [layout]. Unless --force is given, nothing is written and the exit code is 1
     if a check of the cam itself, of the gears or of the car fails.
     """
-    from math import radians
-
     from cadgen.api.design import Design
     from cadgen.cli import show
     from cadgen.cli.show import command, failed, verdict
@@ -46,7 +45,7 @@ def assembly(
     loaded = Design.load(design, overrides)
     with show.progress(not as_json) as progress:
         car = loaded.assembly(profile, progress=progress)
-        written = car.write(out, radians(cam_angle), force=force, progress=progress) if car.passed or force else None
+        written = car.write(out, cam_angle_deg, force=force, progress=progress) if car.passed or force else None
     if as_json:
         show.document(car.facts() if written is None else written.entry)
         sys.exit(0 if car.passed or force else 1)

@@ -213,14 +213,8 @@ def _remark(assembly: CarAssembly, part: CarPart) -> str:
         joint = assembly.train.making.shaft(part.shaft, len(assembly.train.layout.on_shafts)).fit.joint
         if gear.blank.hub is not None and gear.blank.hub.set_screw is not None:
             said.append(Message("set screw"))
-    elif part.code.startswith("key-"):
-        return Message("into its seat")
-    elif part.code == "drive-wheel":
-        return Message("hub outwards, set screw")
-    elif part.code == "idle-wheel":
-        return Message("hub outwards, runs free")
     else:
-        return ""
+        return part.how
     if joint is not None:
         said.append(Message(str(joint)))
     return joined(said)

@@ -254,6 +254,7 @@ class _Parts:
                 supply=Supply.BOUGHT,
                 standard=f"DIN 6885-1 (ISO 773) B {key.width:g} x {height:g} x {high - low:g}",
                 shaft=shaft,
+                how=Message("into its seat"),
             )
 
     def _keyed(self) -> Iterator[tuple[str, Message, Keyway, float, float, tuple[float, float], int]]:
@@ -395,6 +396,7 @@ class _Parts:
                 assumed=True,
                 colour=_DARK if fixed else (0.25, 0.24, 0.28),
                 shaft=1,
+                how=Message("hub outwards, set screw") if fixed else Message("hub outwards, runs free"),
             )
 
     def fork(self) -> Iterator[CarPart]:

@@ -250,7 +250,8 @@ class CarPart:
         mass: mass of each, g, where it is known otherwise; None for volume by density.
         further: number of those that have no place.
         shaft: number of the shaft that it is mounted on, from 1 at the drive; 0 for none.
-        order: number that orders parts that are mounted at the same height.
+        order: -1 for a shaft itself, 0 for what is put on one.
+        how: how it is mounted: which way it faces, what holds it.
     """
 
     code: str
@@ -268,6 +269,7 @@ class CarPart:
     further: int = 0
     shaft: int = 0
     order: int = 0
+    how: str = ""
 
     @property
     def quantity(self) -> int:
@@ -288,7 +290,7 @@ class CarPart:
         """Heights between which it stands along the shafts, mm, for a part whose own z axis runs along them.
 
         Args:
-            place: one of its places.
+            place: one of its places, shape (3, 4), mm.
         """
         match self.shape:
             case BodyShape(body=body):

@@ -84,7 +84,7 @@ def seen(parts: Iterable[CarPart], view: Array, cam_angle: float, fork_angle: fl
 
     Args:
         parts: parts of a car.
-        view: directions in the car that are to the right, up, and towards the viewer, shape (3, 3).
+        view: directions in the car that are to the right, up, and towards the viewer, unit vectors, shape (3, 3).
         cam_angle: cam angle, rad.
         fork_angle: angle of the fork about y, rad.
         chord: greatest distance of a chord from a curve, mm.

@@ -7,7 +7,6 @@ from pathlib import Path
 import numpy as np
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut, BRepAlgoAPI_Fuse
 from OCP.BRepPrimAPI import BRepPrimAPI_MakeCylinder
-from OCP.collections import Sequence_TDF_Label
 from OCP.gp import gp_Ax2, gp_Dir, gp_Pnt, gp_Trsf
 from OCP.TCollection import TCollection_AsciiString, TCollection_ExtendedString
 from OCP.TDataStd import TDataStd_Name
@@ -22,7 +21,7 @@ from cadgen.errors import FileError
 from cadgen.geometry.solids.disc_solid import cam_part
 from cadgen.geometry.solids.gear_solids import body_solid
 from cadgen.geometry.solids.kernel import SolidPart, boolean, contour_edges, faces, is_valid, prism, solids, volume
-from cadgen.geometry.solids.step import add_part, completed, document_bytes, new_document, read_document
+from cadgen.geometry.solids.step import add_part, completed, document_bytes, new_document, read_uses
 from cadgen.messages import Message
 
 _FEW_FACES = 100  # of parts whose volume is measured again: that of a gear takes a second
@@ -152,15 +151,11 @@ def read_car(path: Path) -> tuple[UsedPart, ...]:
     Raises:
         FileError: the file cannot be read or is not one assembly.
     """
-    document, _ = read_document(path)
+    document, uses = read_uses(path)
     tool = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
-    roots, uses = Sequence_TDF_Label(), Sequence_TDF_Label()
-    tool.GetFreeShapes(roots)
-    if roots.Length() != 1 or not XCAFDoc_ShapeTool.GetComponents_s(roots.First(), uses):
-        raise FileError("{name} is not one assembly: export it again", name=path.name)
     found: list[UsedPart] = []
     measured: dict[str, tuple[int, int, float | None]] = {}
-    for use in (uses.Value(number) for number in range(1, uses.Length() + 1)):
+    for use in uses:
         label, name, entry = TDF_Label(), TDataStd_Name(), TCollection_AsciiString()
         XCAFDoc_ShapeTool.GetReferredShape_s(use, label)
         TDF_Tool.Entry_s(label, entry)

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from OCP.BRep import BRep_Builder
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut
 from OCP.BRepPrimAPI import BRepPrimAPI_MakePrism
-from OCP.collections import Array1_gp_Pnt, Sequence_TDF_Label
+from OCP.collections import Array1_gp_Pnt
 from OCP.Geom import Geom_BezierCurve, Geom_Circle, Geom_Line, Geom_Plane
 from OCP.gp import gp_Ax2, gp_Ax3, gp_Dir, gp_Pnt, gp_Trsf, gp_Vec
 from OCP.TCollection import TCollection_ExtendedString
@@ -55,7 +55,7 @@ from cadgen.geometry.solids.step import (
     document_bytes,
     encoded,
     new_document,
-    read_document,
+    read_uses,
 )
 from cadgen.parts.body import Body, Cap, RadialHole, SweptWall, caps_of, walls_of
 from cadgen.parts.loop import Arc, Curve, Involute, Loop, Points, Segment, bezier_poles
@@ -275,14 +275,10 @@ def read_assembly(path: Path) -> tuple[AssembledPart, ...]:
 
     Raises `FileError` if the file cannot be read or is not one assembly of parts.
     """
-    document, _ = read_document(path)
+    document, uses = read_uses(path)
     tool = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
-    roots, uses = Sequence_TDF_Label(), Sequence_TDF_Label()
-    tool.GetFreeShapes(roots)
-    if roots.Length() != 1 or not XCAFDoc_ShapeTool.GetComponents_s(roots.First(), uses):
-        raise FileError("{name} is not one assembly: export it again", name=path.name)
     placed = []
-    for use in (uses.Value(number) for number in range(1, uses.Length() + 1)):
+    for use in uses:
         label = TDF_Label()
         XCAFDoc_ShapeTool.GetReferredShape_s(use, label)
         placed.append((label, XCAFDoc_ShapeTool.GetLocation_s(use).Transformation()))

@@ -33,7 +33,7 @@ from OCP.TDataStd import TDataStd_Name
 from OCP.TDF import TDF_Label
 from OCP.TDocStd import TDocStd_Document
 from OCP.TopoDS import TopoDS_Shape
-from OCP.XCAFDoc import XCAFDoc_ColorGen, XCAFDoc_ColorSurf, XCAFDoc_DocumentTool
+from OCP.XCAFDoc import XCAFDoc_ColorGen, XCAFDoc_ColorSurf, XCAFDoc_DocumentTool, XCAFDoc_ShapeTool
 from OCP.XSControl import XSControl_WorkSession
 
 from cadgen.curves.closed import Outline
@@ -161,6 +161,20 @@ def read_document(path: Path) -> tuple[TDocStd_Document, list[StepBasic_Product]
     if not read or not reader.Transfer(document):
         raise FileError("the CAD kernel cannot read {name}: the file is damaged, export it again", name=path.name)
     return document, _of_type(reader.Reader().WS(), StepBasic_Product)
+
+
+def read_uses(path: Path) -> tuple[TDocStd_Document, list[TDF_Label]]:
+    """Read an assembly: the document, and the label of every use of a part, in the order written.
+
+    Raises:
+        FileError: the file cannot be read or is not one assembly of parts.
+    """
+    document, _ = read_document(path)
+    roots, uses = Sequence_TDF_Label(), Sequence_TDF_Label()
+    XCAFDoc_DocumentTool.ShapeTool_s(document.Main()).GetFreeShapes(roots)
+    if roots.Length() != 1 or not XCAFDoc_ShapeTool.GetComponents_s(roots.First(), uses):
+        raise FileError("{name} is not one assembly: export it again", name=path.name)
+    return document, [uses.Value(number) for number in range(1, uses.Length() + 1)]
 
 
 def completed(shape: TopoDS_Shape) -> TopoDS_Shape:
