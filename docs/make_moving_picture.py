@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from cadgen import Design, Gear, GearPair
+from cadgen.output.report.gear_pictures import outlines
 
 TARGET = Path(__file__).parent / "pictures" / "moving.svg"
 STEPS = 72  # places of the follower in a turn
@@ -52,8 +53,8 @@ def gears() -> str:
     pair = GearPair(pinion, wheel, backlash=0.2)
     drawn = []
     for part, colour, turn in zip(pair.computed.layout.parts, (GOLD, DISC), (-720, 360), strict=True):
-        section = part.body.slabs[0].rings[0].polygon(0.05) * np.exp(1j * part.angle)
-        section = section.conjugate() if part.flipped else section
+        ((_, (section, *_)),) = outlines(part, 0.05)
+        section = section - part.axis
         bore = f'<circle r="{part.blank.bore_diameter / 2}" fill="white"/>'
         drawn.append(
             f'<g transform="translate({part.axis.real:.2f} 0)"><g><path d="{path_of(section)}" fill="{colour}"/>{bore}'

@@ -5,16 +5,21 @@ from dataclasses import dataclass, fields
 from functools import cached_property
 from os import PathLike
 
+import numpy as np
+
 from cadgen.api.cam import Cam
 from cadgen.api.values import paths, real, word
 from cadgen.design.schema import Design as DesignValues
 from cadgen.deviations.deviation import SETTINGS, ByHand
 from cadgen.errors import DesignError, brief
-from cadgen.figures import Facts, JobResult
+from cadgen.figures import Facts
 from cadgen.inference.records.columns import Reading
 from cadgen.jobs.adjustment.plan import AdjustmentPlan, Point, Wanted, adjust, adjustment_facts, write_adjustment
 from cadgen.messages import joined
 from cadgen.output.files.publisher import Written, folder_of
+from cadgen.output.report.notebook import Pictured
+from cadgen.output.report.style import Drawing
+from cadgen.output.report.tracks import lines_picture
 from cadgen.progress import Progress, silent
 
 POINTS = tuple(point.value for point in Point)
@@ -22,7 +27,7 @@ NOISE_MM, DIVISION_UM = (0.1, 1000.0), (0.1, 1000.0)
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class Adjustment(AdjustmentPlan, JobResult):
+class Adjustment(AdjustmentPlan, Pictured):
     """Settings after trial runs, and the errors to expect in the next run; lengths in mm and angles in rad."""
 
     def __repr__(self) -> str:
@@ -37,6 +42,17 @@ class Adjustment(AdjustmentPlan, JobResult):
     def cam(self) -> Cam:
         """The cam on the car."""
         return Cam.of(self.plan)
+
+    @property
+    def picture(self) -> Drawing:
+        """Share of the cars that end within a distance, with the settings of the last trial run and with the new."""
+        share = np.linspace(0.0, 100.0, 101)
+        ends = {
+            "as set now": np.percentile(self.before.end, share),
+            "with the new settings": np.percentile(self.after.end, share),
+        }
+        title = f"{self.plan.origin.name}: the end of the next run"
+        return lines_picture(title, "cars that stay within it (%)", "off the planned end (mm)", share, ends)
 
     def entry(self) -> Facts:
         """Settings and the errors to expect, as in the manifest."""

@@ -17,6 +17,9 @@ from cadgen.jobs.calibration.calibration_report import report, summary
 from cadgen.jobs.calibration.files import calibration_facts, summary_facts, write_calibration, write_each
 from cadgen.jobs.calibration.new_cam import Built
 from cadgen.output.files.publisher import Written, folder_of
+from cadgen.output.report.notebook import Pictured
+from cadgen.output.report.record_pictures import record_picture
+from cadgen.output.report.style import Drawing
 from cadgen.output.report.terminal import Block, plain
 from cadgen.progress import Progress, silent
 from cadgen.verdict import Readiness
@@ -28,7 +31,7 @@ D = TypeVar("D", bound=LoadedDesign)
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class Calibration(CalibrationPlan, JobResult, Generic[D]):
+class Calibration(CalibrationPlan, Pictured, Generic[D]):
     """Result of `Design.calibrate`: the effects found in measured data of one car, and the design built from them.
 
     Attributes:
@@ -110,6 +113,11 @@ class Calibration(CalibrationPlan, JobResult, Generic[D]):
 
     def __str__(self) -> str:
         return plain(self.report, _REPORT_WIDTH)
+
+    @property
+    def picture(self) -> Drawing:
+        """Residuals of the first file before and after, and the candidates."""
+        return record_picture(self.diagnoses[0], self.track_length)
 
     def entry(self) -> Facts:
         """Everything, as in the JSON file; docs/measurement.md explains the keys."""

@@ -25,7 +25,7 @@ from cadgen.design.override import KeyChange
 from cadgen.design.schema import Design as DesignValues
 from cadgen.design.schema import MotionDesign
 from cadgen.errors import CheckError, DesignError
-from cadgen.figures import Facts, JobResult
+from cadgen.figures import Facts
 from cadgen.jobs.cam.cam_facts import cam_facts
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.comparison import PAPER_PERCENT as PAPER_PERCENT
@@ -36,11 +36,12 @@ from cadgen.jobs.cam.motion_cam import plan_motion_cam
 from cadgen.jobs.cam.steering_cam import CarUse
 from cadgen.laws.unit import MM
 from cadgen.output.files.publisher import Written, folder_of, refusal
+from cadgen.output.report.notebook import Pictured
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
     from cadgen.geometry.solids.kernel import Solid
-    from cadgen.output.report.style import Figure
+    from cadgen.output.report.style import Drawing, Figure
 
 _POINTS = 3600
 _CHORD = 0.01  # mm, of bore and holes on a picture
@@ -211,13 +212,26 @@ class FollowerForces:
         """Least preload that holds the follower with the spring's rate, N or N mm; None if it is not proved."""
         return self.computed.least_preload()
 
+    def plot(self) -> "Figure":
+        """Draw force on the disc and torque of the camshaft over the turn.
+
+        Returns:
+            A matplotlib figure, to be shown in a notebook or saved with `savefig`.
+        """
+        from cadgen.output.report.cam_pictures import forces_picture
+
+        angle = np.linspace(0.0, TURN, _POINTS + 1)
+        jets = self.computed.motion.jets(angle)
+        with forces_picture(angle, self.computed.normal(jets, angle), self.computed.torque(jets, angle)) as made:
+            return made
+
     def _extremes(self, figure: "Callable[[Array, Array], Array]") -> Extremes:
         most, least = self.computed.motion.extremes_of(figure)
         return Extremes(most.value, least.value)
 
 
 @dataclass(frozen=True, eq=False, repr=False, init=False)
-class Cam(CamPlan, JobResult):
+class Cam(CamPlan, Pictured):
     """A cam that has been computed and checked, but not yet made: what `Design.cam` gives, or a motion and a follower.
 
     It is the numeric plan itself, with all its figures in mm and rad.
@@ -414,17 +428,14 @@ class Cam(CamPlan, JobResult):
         """All facts on the cam, as in the manifest."""
         return cam_facts(self, self.cures)
 
-    def plot(self) -> "Figure":
-        """Draw outline and lift.
-
-        Returns:
-            A matplotlib figure, to be shown in a notebook or saved with `savefig`.
-        """
-        from cadgen.output.report.cam_pictures import CamPicture, cam_figure
+    @property
+    def picture(self) -> "Drawing":
+        """Outline and lift."""
+        from cadgen.output.report.cam_pictures import CamPicture, cam_picture
 
         angle = np.linspace(0.0, TURN, _POINTS + 1)
         extrema = np.concatenate([self.lift.peaks, self.lift.valleys])
-        return cam_figure(
+        return cam_picture(
             CamPicture(
                 title=f"{self.origin.name}, {self.profile} profile",
                 outline=self.profile.points(),

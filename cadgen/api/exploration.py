@@ -11,8 +11,10 @@ from typing import Any
 
 from cadgen.api.values import name_or_path, whole
 from cadgen.errors import DesignError, FileError, brief
-from cadgen.figures import Facts, JobResult
+from cadgen.figures import Facts
 from cadgen.output.files.publisher import Frozen, Written, folder_of, frozen
+from cadgen.output.report.notebook import Pictured
+from cadgen.output.report.style import Drawing
 from cadgen.progress import Progress, silent
 from cadgen.studies.engines import Cluster, Processes, engine_of
 from cadgen.studies.results import Results, merged
@@ -20,7 +22,7 @@ from cadgen.studies.study_figures import StudyFigure as Figure
 from cadgen.studies.study_figures import register as register_figure
 from cadgen.studies.study_figures import remove as remove_figure
 from cadgen.studies.study_file import read_study
-from cadgen.studies.study_files import Summary, write_summary
+from cadgen.studies.study_files import Summary, pictures, write_summary
 from cadgen.studies.study_run import StudyRun, open_journal
 
 __all__ = ["Exploration", "Figure", "explore", "merge", "register_figure", "remove_figure"]
@@ -30,7 +32,7 @@ _SHARD = re.compile(r"([0-9]{1,5})/([0-9]{1,5})")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Exploration(JobResult):
+class Exploration(Pictured):
     """A study that has been computed, or a shard of one.
 
     Attributes:
@@ -78,6 +80,12 @@ class Exploration(JobResult):
     def rows(self) -> Iterator[Mapping[str, Any]]:
         """All designs as plain values, in order, read one at a time."""
         return (Frozen(self.summary.row_facts(row).json()) for row in self.computed.rows())
+
+    @property
+    def picture(self) -> Drawing:
+        """The front, or where there is none every design over its keys and figures."""
+        drawn = pictures(self.summary)
+        return next(drawn[name] for name in ("front", "parallel", "effects") if name in drawn)
 
     def entry(self) -> Facts:
         """The summary, as in the manifest; of a shard its number and size."""

@@ -22,7 +22,7 @@ from cadgen.design.file_names import name_fault
 from cadgen.design.gear_model import usual_chord
 from cadgen.design.train import MOST_STAGES
 from cadgen.errors import DesignError, brief
-from cadgen.figures import Facts, JobResult
+from cadgen.figures import Facts
 from cadgen.gears import pair as numbers
 from cadgen.gears import spur
 from cadgen.gears import train as numeric
@@ -53,6 +53,9 @@ from cadgen.jobs.gears.gear_train import NotMadeError as NotMadeError
 from cadgen.messages import Message
 from cadgen.output.files.exports import GearExport
 from cadgen.output.files.publisher import Frozen, Written, folder_of
+from cadgen.output.report.gear_pictures import gears_picture
+from cadgen.output.report.notebook import Pictured
+from cadgen.output.report.style import Drawing
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import DFlat, Flats, Hub, Keyway, Lightening, Web
 from cadgen.parts.print_compensation import PrintCompensation
@@ -109,7 +112,7 @@ class _ByNumbers(Assembly):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Gear(JobResult):
+class Gear(Pictured):
     """A spur or helical gear, its axis on z and a tooth on x, midway along the width of a helical one.
 
     Attributes:
@@ -256,6 +259,11 @@ class Gear(JobResult):
     def part(self) -> TrainPart:
         """The gear as a part by itself, with its exact body."""
         return _part(self.form, self.blank)
+
+    @property
+    def picture(self) -> Drawing:
+        """Section of the teeth."""
+        return gears_picture(f"{self.name}, {self.teeth} teeth", [self.part])
 
     @cached_property
     def overrides(self) -> ToleranceOverrides:

@@ -5,22 +5,24 @@ from os import PathLike
 
 from cadgen.api.cam import Cam
 from cadgen.car.against_play.evaluate import Evaluation
-from cadgen.figures import Facts, JobResult
+from cadgen.figures import Facts
 from cadgen.jobs.cam.car_facts import remedy_facts
 from cadgen.jobs.cam.remedies import Remedy as Remedy
 from cadgen.jobs.error_budget import BudgetSheet as BudgetSheet
 from cadgen.jobs.error_budget import shown_half_width as shown_half_width
 from cadgen.jobs.error_budget import shown_value as shown_value
 from cadgen.jobs.simulation import Simulation as Simulation
-from cadgen.jobs.simulation import write_comparison
+from cadgen.jobs.simulation import methods_picture, write_comparison
 from cadgen.jobs.tolerance import Spread as Spread
 from cadgen.jobs.tolerance import ToleranceRun as ToleranceRun
 from cadgen.output.files.publisher import Written, folder_of
+from cadgen.output.report.notebook import Pictured
+from cadgen.output.report.style import Drawing
 from cadgen.progress import Progress, silent
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Comparison(JobResult):
+class Comparison(Pictured):
     """The methods against play, alone and combined: what `Design.optimize` gives.
 
     Attributes:
@@ -38,6 +40,11 @@ class Comparison(JobResult):
     def compared(self) -> tuple[Evaluation, ...]:
         """Every method on every train, with its errors, mm and rad."""
         return () if self.cam.comparison is None else self.cam.comparison.evaluations
+
+    @property
+    def picture(self) -> Drawing:
+        """Tracks of every method at its play, with the ends over the band of play."""
+        return methods_picture(self.cam)
 
     def entry(self) -> Facts:
         """The facts on the cam, and the further remedies."""

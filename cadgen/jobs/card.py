@@ -7,25 +7,30 @@ from os import PathLike
 from pathlib import Path
 from typing import Any, Generic, Self
 
+import numpy as np
+
 from cadgen.car.course.layout import Draw
 from cadgen.car.draws.drawn_spacing import DrawnSpacing
 from cadgen.check import failing
 from cadgen.design import cam_model, draw_model
 from cadgen.design.schema import Design
 from cadgen.errors import CheckError
-from cadgen.figures import Facts, JobResult, Sheet
+from cadgen.figures import Facts, Sheet
 from cadgen.jobs.cam.steering_cam import CarUse
 from cadgen.jobs.settings_maker import TRIES, Maker
 from cadgen.jobs.simulation import C
 from cadgen.messages import Message, joined
 from cadgen.output.files.publisher import Artifact, Written, folder_of, publish, text_file
 from cadgen.output.report import settings_card
+from cadgen.output.report.notebook import Pictured
+from cadgen.output.report.style import Drawing
+from cadgen.output.report.tracks import lines_picture
 from cadgen.progress import Progress, silent
 from cadgen.version import __version__
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class Card(JobResult, Generic[C]):
+class Card(Pictured, Generic[C]):
     """Result of `Design.card`: one cam, and what to set on the car for every spacing that can be drawn.
 
     Lengths are mm and angles rad.
@@ -61,6 +66,16 @@ class Card(JobResult, Generic[C]):
     def use(self) -> CarUse:
         """Car that the cam steers."""
         return CarUse.of(self.cam)
+
+    @property
+    def picture(self) -> Drawing:
+        """Distance of the car from the path at every spacing, as set by the card."""
+        spacing = np.array([each.spacing for each in self.drawn])
+        errors = {
+            "anywhere on the run": np.array([each.error for each in self.drawn]),
+            "at the end": np.array([each.end for each in self.drawn]),
+        }
+        return lines_picture(f"{self.cam.origin.name}: off the path", "spacing (mm)", "mm", spacing, errors)
 
     @property
     def passed(self) -> bool:

@@ -15,7 +15,7 @@ from cadgen.car.against_play.evaluate import Evaluation
 from cadgen.car.running.drive import Run
 from cadgen.car.running.run_errors import Event, EventKind, RunError, deflected, deflection_sum, deflections, run_error
 from cadgen.design.schema import Design
-from cadgen.figures import Facts, JobResult
+from cadgen.figures import Facts
 from cadgen.jobs.cam.cam_facts import cam_facts
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.car_facts import mechanics_facts
@@ -25,8 +25,10 @@ from cadgen.jobs.cam.cures import Cures
 from cadgen.jobs.cam.steering_cam import CarUse, comparison_of, plan_cam
 from cadgen.output.files.publisher import Artifact, Written, folder_of, publish
 from cadgen.output.files.tables import write_tracks
-from cadgen.output.report.cam_pictures import LiftPicture, draw_events, draw_lift
-from cadgen.output.report.tracks import ErrorLine, TrackPanel, draw_run_errors, draw_tracks
+from cadgen.output.report.cam_pictures import LiftPicture, events_picture, lift_of_cams
+from cadgen.output.report.notebook import Pictured
+from cadgen.output.report.style import Drawing, save
+from cadgen.output.report.tracks import ErrorLine, TrackPanel, run_errors_picture, tracks_picture
 from cadgen.progress import Progress, silent
 
 # Cam of a result: its plan, or the plan with its verbs.
@@ -34,7 +36,7 @@ C = TypeVar("C", bound=CamPlan)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class Simulation(JobResult, Generic[C]):
+class Simulation(Pictured, Generic[C]):
     """Runs of the car with play in its gears: what `Design.simulate` gives. Lengths are mm and angles rad.
 
     Attributes:
@@ -93,6 +95,24 @@ class Simulation(JobResult, Generic[C]):
         """Sentences on what was assumed of the car, and what was measured."""
         return self.use.run_notes(float(self.planned.motor[-1]))
 
+    @property
+    def _both(self) -> tuple[tuple[str, Evaluation, Run], ...]:
+        """Name, method and run of the cam before and of that after."""
+        return (
+            ("before", self.comparison.before, self.before),
+            ("after", self.comparison.chosen, self.after),
+        )
+
+    @property
+    def picture(self) -> Drawing:
+        """Tracks of the planned run, and of the runs with play."""
+        panels = [
+            TrackPanel(title=f"{when}: {method.title}, with play", run=run, ends=_ends(self.comparison, method))
+            for when, method, run in self._both
+        ]
+        planned = TrackPanel(title="planned", run=self.planned)
+        return tracks_picture([planned, *panels], self.planned, self.use.floor)
+
     def entry(self) -> Facts:
         """The runs, as in the manifest."""
         plan, use, comparison, laps = self.cam, self.use, self.comparison, self.use.laps
@@ -132,34 +152,26 @@ class Simulation(JobResult, Generic[C]):
         Raises:
             FileError: a file cannot be written, or holds something else when it is read back.
         """
-        comparison, name, use = self.comparison, self.cam.origin.name, self.use
-        stem = f"{name}_{self.cam.kind}_simulation"
-        runs = {"planned": self.planned, "before": self.before, "after": self.after}
-        named = name if use.record is None else f"{name}, as built"
-        title = f"{named}, return error {degrees(self.play):.3f}°"
-        both = (("before", comparison.before), ("after", comparison.chosen))
-        panels = [
-            TrackPanel(title="planned", run=self.planned),
-            *(
-                TrackPanel(
-                    title=f"{when}: {evaluation.title}, with play", run=runs[when], ends=_ends(comparison, evaluation)
-                )
-                for when, evaluation in both
-            ),
-        ]
+        comparison, use = self.comparison, self.use
+        name = self.cam.origin.name if use.record is None else f"{self.cam.origin.name}, as built"
+        stem = f"{self.cam.origin.name}_{self.cam.kind}_simulation"
+        title = f"{name}, return error {degrees(self.play):.3f}°"
 
         def files(staging: Path) -> Iterator[Artifact]:
             progress("writing and reading back the tracks")
+            runs = {"planned": self.planned, "before": self.before, "after": self.after}
             write_tracks(staging / f"{stem}_tracks.csv", runs)
             yield Artifact(f"{stem}_tracks.csv")
             progress("drawing")
-            yield from map(Artifact, draw_lift(lift_picture(self), staging, f"{stem}_lift"))
-            yield from map(Artifact, draw_tracks(panels, self.planned, use.floor, staging, f"{stem}_tracks"))
+            yield from map(Artifact, save(lift_of_cams(lift_picture(self)), staging, f"{stem}_lift"))
+            yield from map(Artifact, save(self.picture, staging, f"{stem}_tracks"))
             lines = []
-            for (when, evaluation), error in zip(both, (self.before_error, self.after_error), strict=True):
+            for (when, evaluation, _), error in zip(self._both, (self.before_error, self.after_error), strict=True):
                 low, high = (run_error(comparison.run(evaluation, play), self.planned) for play in comparison.band.ends)
                 lines.append(ErrorLine(label=f"{when}: {evaluation.title}", at_play=error, at_ends=(low, high)))
-            yield from map(Artifact, draw_run_errors(title, lines, comparison.task.length, staging, f"{stem}_errors"))
+            yield from map(
+                Artifact, save(run_errors_picture(title, lines, comparison.task.length), staging, f"{stem}_errors")
+            )
 
         return publish(stem, folder_of(folder), files, self.entry())
 
@@ -210,6 +222,22 @@ def simulated(plan: C, play_deg: float | None = None, progress: Progress = silen
     )
 
 
+def methods_picture(plan: CamPlan) -> Drawing:
+    """Tracks of every method at its play, with the ends over the band of play.
+
+    Args:
+        plan: plan of an optimized profile.
+    """
+    comparison = comparison_of(plan)
+    panels = [
+        TrackPanel(
+            title=f"{_name(evaluation)}, {evaluation.train}", run=evaluation.run, ends=_ends(comparison, evaluation)
+        )
+        for evaluation in comparison.evaluations
+    ]
+    return tracks_picture(panels, comparison.task.planned(), CarUse.of(plan).floor)
+
+
 def write_comparison(plan: CamPlan, out: Path, cures: Cures, progress: Progress = silent) -> Written:
     """Draw the events and tracks of the methods compared, and publish the pictures together.
 
@@ -229,22 +257,16 @@ def write_comparison(plan: CamPlan, out: Path, cures: Cures, progress: Progress 
         for evaluation in comparison.evaluations
         if not evaluation.profile.dilated and evaluation.events
     }
-    panels = [
-        TrackPanel(
-            title=f"{_name(evaluation)}, {evaluation.train}",
-            run=evaluation.run,
-            ends=_ends(comparison, evaluation),
-        )
-        for evaluation in comparison.evaluations
-    ]
 
     def files(folder: Path) -> Iterator[Artifact]:
         progress("drawing")
         title = f"{plan.origin.name}: deflection error by event"
-        yield from map(Artifact, draw_events(title, bars, folder, f"{stem}_events"))
+        yield from map(Artifact, save(events_picture(title, bars), folder, f"{stem}_events"))
         planned, field = comparison.task.planned(), CarUse.of(plan).floor
-        yield from map(Artifact, draw_tracks(panels, planned, field, folder, f"{stem}_tracks"))
-        yield from map(Artifact, draw_tracks(_alone(comparison), planned, field, folder, f"{stem}_tracks_by_event"))
+        yield from map(Artifact, save(methods_picture(plan), folder, f"{stem}_tracks"))
+        yield from map(
+            Artifact, save(tracks_picture(_alone(comparison), planned, field), folder, f"{stem}_tracks_by_event")
+        )
 
     return publish(stem, out, files, cam_facts(plan, cures))
 

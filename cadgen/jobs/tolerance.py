@@ -15,7 +15,7 @@ from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.deviations.deviation import RETURN_ERROR, Deviation
 from cadgen.errors import DesignError, FileError
-from cadgen.figures import Facts, JobResult
+from cadgen.figures import Facts
 from cadgen.gears.choices import Law
 from cadgen.inference.monte_carlo.random_cars import CarEnds, Map, Sensitivity, sensitivities, tolerance_run
 from cadgen.jobs.cam.cam_plan import CamPlan
@@ -25,7 +25,9 @@ from cadgen.jobs.nominal_car import gate_steps, watched_fleet
 from cadgen.jobs.simulation import C
 from cadgen.messages import Message
 from cadgen.output.files.publisher import Artifact, Written, folder_of, publish
-from cadgen.output.report.cars import FleetPicture, draw_budget, draw_fleet
+from cadgen.output.report.cars import FleetPicture, budget_picture, fleet_picture
+from cadgen.output.report.notebook import Pictured
+from cadgen.output.report.style import Drawing, save
 from cadgen.processes import in_processes
 from cadgen.progress import Progress, silent
 from cadgen.version import __version__
@@ -66,7 +68,7 @@ def spread(values: Array) -> Spread:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class ToleranceRun(JobResult, Generic[C]):
+class ToleranceRun(Pictured, Generic[C]):
     """Many cars within the tolerances of a design: what `Design.tolerance` gives. Lengths are mm and angles rad.
 
     Attributes:
@@ -100,6 +102,24 @@ class ToleranceRun(JobResult, Generic[C]):
     def computed(self) -> Self:
         """The whole result, for figures that are not named here: this object itself."""
         return self
+
+    @property
+    def _title(self) -> str:
+        return f"{self.cam.origin.name}, {self.cam.kind} profile"
+
+    @property
+    def picture(self) -> Drawing:
+        """Distribution of the ends, and what it comes from."""
+        return fleet_picture(
+            FleetPicture(
+                title=f"{self._title}, {self.samples} cars",
+                along=self.ends.along,
+                across=self.ends.across,
+                gate_width=self.gate_width,
+                passed=self.passed,
+                shares={sensitivity.name: sensitivity.share for sensitivity in self.sensitivities},
+            )
+        )
 
     @property
     def passed(self) -> float | None:
@@ -205,23 +225,14 @@ class ToleranceRun(JobResult, Generic[C]):
         Raises:
             FileError: a file cannot be written.
         """
-        name = f"{self.cam.origin.name}, {self.cam.kind} profile"
         stem = f"{self.cam.origin.name}_{self.cam.kind}_tolerance"
         progress("drawing")
-        picture = FleetPicture(
-            title=f"{name}, {self.samples} cars",
-            along=self.ends.along,
-            across=self.ends.across,
-            gate_width=self.gate_width,
-            passed=self.passed,
-            shares={sensitivity.name: sensitivity.share for sensitivity in self.sensitivities},
-        )
 
         def files(staging: Path) -> Iterator[Artifact]:
-            yield from map(Artifact, draw_fleet(picture, staging, stem))
+            yield from map(Artifact, save(self.picture, staging, stem))
             if self.budget is not None:
                 bars = {cost.name.replace("_", " "): (cost.before, cost.after) for cost in self.budget.budget.costs}
-                yield from map(Artifact, draw_budget(name, bars, staging, f"{stem}_budget"))
+                yield from map(Artifact, save(budget_picture(self._title, bars), staging, f"{stem}_budget"))
 
         return publish(stem, folder_of(folder), files, self.entry())
 

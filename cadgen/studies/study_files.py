@@ -17,7 +17,8 @@ from cadgen.design.planned import overridden_text
 from cadgen.errors import FileError
 from cadgen.figures import Facts
 from cadgen.output.files.publisher import Artifact, Written, publish
-from cadgen.output.report.study_pictures import ExplorationPicture, draw_exploration
+from cadgen.output.report.study_pictures import ExplorationPicture, exploration_pictures
+from cadgen.output.report.style import Drawing, save
 from cadgen.progress import Progress, silent
 from cadgen.studies.design_row import DesignJob, DesignState, Row, Task
 from cadgen.studies.front import effects, front, ranked
@@ -210,29 +211,37 @@ def write_summary(summary: Summary, out: Path, progress: Progress = silent) -> W
         write_csv(folder / front, study, summary.front)
         yield Artifact(front)
         progress("drawing")
-        yield from map(Artifact, draw_exploration(_picture(summary), folder, stem))
+        for name, picture in pictures(summary).items():
+            yield from map(Artifact, save(picture, folder, f"{stem}_{name}"))
         progress("writing the best designs")
         yield from map(Artifact, write_best(results, summary.front[: study.file.best], folder))
 
     return publish(stem, out, files, summary.entry(), lambda _: Facts(omitted=omitted))
 
 
-def _picture(summary: Summary) -> ExplorationPicture:
+def pictures(summary: Summary) -> dict[str, Drawing]:
+    """Pictures of a study by their names, as of `exploration_pictures`.
+
+    Args:
+        summary: summary of its results.
+    """
     results = summary.results
     study = results.study
     rows = [results.row(number) for number in sampled(results.count, _MOST_SHOWN)]
     shown = [row for row in rows if row.state in (DesignState.KEPT, DesignState.OUTSIDE)]
-    return ExplorationPicture(
-        title=f"{study.name}: {results.count} designs, {summary.states.get(DesignState.KEPT, 0)} within all limits",
-        keys=study.keys,
-        figures=tuple(figure.code for figure in study.objectives),
-        more=tuple(figure.more for figure in study.objectives),
-        resolutions=tuple(figure.resolution for figure in study.objectives),
-        values=tuple((*row.values, *row.figures[: len(study.objectives)]) for row in shown),
-        kept=tuple(row.state == DesignState.KEPT for row in shown),
-        front=tuple(
-            (*summary.front[at].values, *summary.front[at].figures[: len(study.objectives)])
-            for at in sampled(len(summary.front), _MOST_OF_FRONT)
-        ),
-        effects=summary.effects,
+    return exploration_pictures(
+        ExplorationPicture(
+            title=f"{study.name}: {results.count} designs, {summary.states.get(DesignState.KEPT, 0)} within all limits",
+            keys=study.keys,
+            figures=tuple(figure.code for figure in study.objectives),
+            more=tuple(figure.more for figure in study.objectives),
+            resolutions=tuple(figure.resolution for figure in study.objectives),
+            values=tuple((*row.values, *row.figures[: len(study.objectives)]) for row in shown),
+            kept=tuple(row.state == DesignState.KEPT for row in shown),
+            front=tuple(
+                (*summary.front[at].values, *summary.front[at].figures[: len(study.objectives)])
+                for at in sampled(len(summary.front), _MOST_OF_FRONT)
+            ),
+            effects=summary.effects,
+        )
     )

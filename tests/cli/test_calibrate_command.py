@@ -263,7 +263,7 @@ def test_an_interrupted_run_leaves_nothing(forks, tmp_path_factory, tmp_path):
         "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # jobs in a shell's background ignore it
         "from cadgen.cli import main\n"
         "from cadgen.jobs.calibration import files as calibrate_files\n"
-        f"calibrate_files.draw_record = lambda *args: os.kill(os.getpid(), {int(signal.SIGINT)}) or []\n"
+        f"calibrate_files.save = lambda *args: os.kill(os.getpid(), {int(signal.SIGINT)}) or []\n"
         "main()\n"
     )
     rows = (MEASURED / "track_c.csv").read_text().splitlines(keepends=True)

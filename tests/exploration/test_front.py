@@ -8,7 +8,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from cadgen.output.report.study_pictures import ExplorationPicture, draw_exploration
+from cadgen.output.report.study_pictures import ExplorationPicture, exploration_pictures
+from cadgen.output.report.style import save
 from cadgen.studies.design_row import Row
 from cadgen.studies.front import effects, front, ranked
 from cadgen.studies.study_figures import StudyFigure
@@ -87,8 +88,9 @@ def test_a_range_below_the_resolution_is_no_difference(tmp_path, apart, seen):
         values=tuple((*row.values, *row.figures, float(row.number)) for row in rows), kept=(True,) * len(rows),
         front=((0.0, 306.1, 0.0),), effects={},
     )  # fmt: skip
-    names = draw_exploration(picture, tmp_path, "s")
-    assert ("s_front.svg" in names) == seen
+    drawn = exploration_pictures(picture)
+    assert ("front" in drawn) == seen
+    save(drawn["parallel"], tmp_path, "s_parallel")
     assert ("no difference" in (tmp_path / "s_parallel.svg").read_text()) != seen
     # Designs of which none is within the limits have no front.
-    assert "s_front.svg" not in draw_exploration(replace(picture, front=()), tmp_path, "s")
+    assert "front" not in exploration_pictures(replace(picture, front=()))

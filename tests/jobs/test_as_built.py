@@ -266,8 +266,7 @@ def test_the_commands_say_what_is_built_and_where_to_stop(built, tmp_path):
 
 @pytest.mark.slow
 def test_a_play_that_was_not_measured_is_said_to_be_assumed(built, tmp_path, monkeypatch):
-    for drawing in ("draw_lift", "draw_tracks", "draw_run_errors"):  # they take long
-        monkeypatch.setattr(f"cadgen.jobs.simulation.{drawing}", lambda *content: [])
+    monkeypatch.setattr("cadgen.jobs.simulation.save", lambda *content: [])  # pictures take long
     built(TRACK[0])
     command = ["simulate", str(tmp_path / "mine.toml"), "--profile", "compensated", "--out", str(tmp_path / "out")]
     told = " ".join(CliRunner().invoke(cli, command).output.split())

@@ -19,7 +19,7 @@ def cadgen(*arguments: str) -> None:
 @pytest.fixture(autouse=True)
 def only_what_the_circle_reads(monkeypatch):
     """Pictures and the other formats, which take long, have tests of their own."""
-    monkeypatch.setattr(calibration_files, "draw_record", lambda *content: [])
+    monkeypatch.setattr(calibration_files, "save", lambda *content: [])
     monkeypatch.setattr(formats, "FORMATS", Registry("format", [formats.FORMATS.kind_of("dxf")]))
 
 

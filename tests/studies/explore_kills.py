@@ -118,7 +118,7 @@ def case(number: int, seed: int, study: Path, known: dict[str, str], seconds: fl
 
 def run(cases: int, seed: int) -> list[Outcome]:
     """All cases."""
-    no_pictures = patch.object(study_files, "draw_exploration", lambda *content: [])
+    no_pictures = patch.object(study_files, "save", lambda *content: [])
     with tempfile.TemporaryDirectory() as folder, cheap.registered(), no_pictures:
         study, out = Path(folder, "cheap.toml"), Path(folder, "known")
         study.write_text(cheap.study_text(DESIGNS, record=RECORD))

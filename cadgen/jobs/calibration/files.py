@@ -16,7 +16,8 @@ from cadgen.jobs.calibration.calibration import CalibrationPlan, ZoneMeans
 from cadgen.jobs.calibration.calibration_report import report, summary
 from cadgen.output.files.manifest import versions
 from cadgen.output.files.publisher import Artifact, Written, publish, text_file
-from cadgen.output.report.record_pictures import draw_record
+from cadgen.output.report.record_pictures import record_picture
+from cadgen.output.report.style import save
 from cadgen.output.report.terminal import plain
 from cadgen.progress import Progress, silent
 
@@ -107,7 +108,9 @@ def write_calibration(
         yield from _documents(folder, stem, facts, plain(report(c), _TEXT_WIDTH))
         progress("drawing")
         for diagnosis in c.diagnoses:
-            yield from map(Artifact, draw_record(diagnosis, c.track_length, folder, f"{stem}_{diagnosis.kind.stem}"))
+            yield from map(
+                Artifact, save(record_picture(diagnosis, c.track_length), folder, f"{stem}_{diagnosis.kind.stem}")
+            )
         if c.built:
             file = folder / f"{c.against.name}_as_built.toml"
             yield text_file(file, as_built_text(c, design_text))

@@ -17,13 +17,16 @@ from typing import TYPE_CHECKING, Protocol
 
 from cadgen.check import Check, failing
 from cadgen.errors import CheckError
-from cadgen.figures import Facts, Figures, JobResult
+from cadgen.figures import Facts, Figures
 from cadgen.gears.layout import TrainLayout
 from cadgen.gears.stage import Wheel
 from cadgen.gears.train import Train, TrainPlay, WholePlay
 from cadgen.messages import Message, joined
 from cadgen.output.files.exports import GearExport, RackExport, TrainExport
 from cadgen.output.files.publisher import Artifact, Written, folder_of, publish, refusal
+from cadgen.output.report.gear_pictures import gears_picture
+from cadgen.output.report.notebook import Pictured
+from cadgen.output.report.style import Drawing
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import DFlat, Flats
 from cadgen.parts.print_compensation import PrintCompensation
@@ -76,7 +79,7 @@ class LaidOutTrain(Protocol):
         """The teeth in mesh, measured on their sections, and the parts: every figure with its verdict."""
 
 
-class Assembly(JobResult, ABC):
+class Assembly(Pictured, ABC):
     """A planned pair or train of gears, from a design or from numbers."""
 
     @property
@@ -106,6 +109,11 @@ class Assembly(JobResult, ABC):
     def frame(self) -> str:
         """Frames of the files, in words."""
         return _TRAIN_FRAME
+
+    @property
+    def picture(self) -> Drawing:
+        """Sections of the gears in mesh."""
+        return gears_picture(self.description, self.computed.layout.parts)
 
     @property
     def passed(self) -> bool:

@@ -12,10 +12,12 @@ from cadgen.car.planner.constraints import LimitKind
 from cadgen.car.planner.gates import least_length
 from cadgen.car.planner.path_plan import PathPlan, Reason
 from cadgen.car.planner.path_task import Margins, PathTask
+from cadgen.car.running.drive import drive, start_pose
+from cadgen.design import cam_model
 from cadgen.design.load import design_of
 from cadgen.design.schema import Design
 from cadgen.errors import CheckError, FileError
-from cadgen.figures import Facts, JobResult
+from cadgen.figures import Facts
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.jobs.cam.steering_cam import CarUse
@@ -23,6 +25,9 @@ from cadgen.jobs.planning.cars import CarsOnPaths
 from cadgen.messages import Message, joined
 from cadgen.output.files.publisher import Artifact, Written, folder_of, publish, refusal, text_file
 from cadgen.output.report import settings_card as settings
+from cadgen.output.report.notebook import Pictured
+from cadgen.output.report.style import Drawing
+from cadgen.output.report.tracks import TrackPanel, tracks_picture
 from cadgen.progress import Progress, silent
 from cadgen.version import __version__
 
@@ -32,7 +37,7 @@ _OF_TURNS = (LimitKind.TURN, LimitKind.PRESSURE_ANGLE, LimitKind.CONVEX_RADIUS, 
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class PathPlanning(JobResult):
+class PathPlanning(Pictured):
     """A planned path, or the reasons why there is none.
 
     Attributes:
@@ -61,6 +66,23 @@ class PathPlanning(JobResult):
     cars: CarsOnPaths | None = None
     no_cars: str = ""
     wheel_radius: float | None = None
+
+    @property
+    def picture(self) -> Drawing:
+        """Tracks of the planned run over the course.
+
+        Raises:
+            CheckError: there is no path.
+        """
+        if self.cam is None:
+            raise CheckError(self.sentences[0])
+        use = CarUse.of(self.cam)
+        if use.comparison is None:
+            length = cam_model.travel(use.design, use.track)
+            run = drive(use.steering, cam_model.car(use.design), length, start=start_pose(use.track))
+        else:
+            run = use.comparison.task.planned()
+        return tracks_picture([TrackPanel(title=f"{self.asked.name}: the planned path", run=run)], run, use.floor)
 
     @property
     def passed(self) -> bool:

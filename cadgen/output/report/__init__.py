@@ -10,6 +10,8 @@
 | `record_pictures` | a verdict on one record: residual before and after, candidates               |
 | `cars`            | ends of the runs of many cars; sensitivities                                 |
 | `study_pictures`  | studies of many designs                                                      |
+| `gear_pictures`   | sections of gears in mesh                                                    |
+| `notebook`        | results in a notebook: a line, the figures, the picture                      |
 
 Pictures import matplotlib inside their functions, since that takes time.
 """

@@ -1,9 +1,9 @@
 """Pictures of a cam: its outline and lift, lift before and after with play, and deflection errors by event."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from math import degrees, radians
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -25,7 +25,6 @@ from cadgen.output.report.style import (
     VERMILLION,
     WANTED,
     figure,
-    save,
     zero_line,
 )
 from cadgen.parts.face import Face
@@ -59,8 +58,9 @@ class CamPicture:
     seen: Face = Face.OUTER
 
 
-def cam_figure(content: CamPicture) -> "Figure":
-    """Draw a cam; return the figure, to be shown or saved by the caller."""
+@contextmanager
+def cam_picture(content: CamPicture) -> Iterator["Figure"]:
+    """Draw a cam: outline and lift."""
     with figure(10.0, 4.6) as picture:
         picture.suptitle(content.title, x=0.02, ha="left")
         plan, lift = picture.subplots(1, 2, width_ratios=(1.0, 1.3))
@@ -78,7 +78,28 @@ def cam_figure(content: CamPicture) -> "Figure":
         lift.set(title="Lift", xlabel="cam angle (°)", ylabel="lift (mm)", xlim=(0, 360))
         lift.set_xticks(range(0, 361, 60))
         lift.legend(loc="best")
-    return picture
+        yield picture
+
+
+@contextmanager
+def forces_picture(cam_angle: Array, normal: Array, torque: Array) -> Iterator["Figure"]:
+    """Draw the force on the disc and the torque of the camshaft over the turn.
+
+    Args:
+        cam_angle: cam angles, rad, shape (n,).
+        normal: force along the normal of the outline, N, shape (n,).
+        torque: torque that turns the camshaft, N mm, shape (n,).
+    """
+    with figure(8.0, 4.6) as picture:
+        panels = picture.subplots(2, 1, sharex=True)
+        for axes, values, name in zip(panels, (normal, torque / 1000), ("force (N)", "torque (N·m)"), strict=True):
+            axes.plot(np.degrees(cam_angle), values, color=AFTER)
+            zero_line(axes)
+            axes.set_ylabel(name)
+        panels[0].set_title("Force on the disc, and torque of the camshaft")
+        panels[1].set(xlabel="cam angle (°)", xlim=(0, 360))
+        panels[1].set_xticks(range(0, 361, 60))
+        yield picture
 
 
 _POINTS = 7200
@@ -115,8 +136,9 @@ class LiftPicture:
     valley: float | None
 
 
-def draw_lift(content: LiftPicture, folder: Path, name: str) -> list[str]:
-    """Draw the lift over the turn, close by a peak and a valley, and its error; return the files' names."""
+@contextmanager
+def lift_of_cams(content: LiftPicture) -> Iterator["Figure"]:
+    """Draw the lift over the turn, close by a peak and a valley, and its error."""
     motor = np.linspace(0.0, min(content.wanted.blend_start, TURN), _POINTS)
     events = (("The cam jumps", content.peak), ("The cam waits", content.valley))
     close = [(title, angle) for title, angle in events if angle is not None]
@@ -171,7 +193,7 @@ def draw_lift(content: LiftPicture, folder: Path, name: str) -> list[str]:
         axes.set_xlim(0, 360)
         axes.set_xticks(range(0, 361, 30))
         axes.legend(loc="best")
-        return save(picture, folder, name)
+        yield picture
 
 
 def _lift(content: LiftPicture, tan_beta: Array) -> Array:
@@ -183,14 +205,13 @@ _HATCHES = ("", "///", "...", "\\\\\\", "xxx")
 _MOST_EVENTS = 12  # whose labels stand upright beside each other
 
 
-def draw_events(title: str, methods: Mapping[str, Sequence[Event]], folder: Path, name: str) -> list[str]:
-    """Draw each event's deflection error and their sum, one bar for each method; return the files' names.
+@contextmanager
+def events_picture(title: str, methods: Mapping[str, Sequence[Event]]) -> Iterator["Figure"]:
+    """Draw each event's deflection error and their sum, one bar for each method.
 
     Args:
         title: title of the picture.
         methods: events by the name of the method; all with the same events in the same order.
-        folder: folder for the files.
-        name: name of the files, without ending.
     """
     first = next(iter(methods.values()))
     many = len(first) > _MOST_EVENTS  # beside each other their labels would stand in one another
@@ -213,4 +234,4 @@ def draw_events(title: str, methods: Mapping[str, Sequence[Event]], folder: Path
         picture.legend(loc="outside lower center", ncols=len(methods), fontsize=8)  # no bar may lie under it
         total.set_xticks([0], ["sum"])
         total.margins(y=0.12)
-        return save(picture, folder, name)
+        yield picture

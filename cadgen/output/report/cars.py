@@ -3,14 +3,18 @@
 What draws here is loaded beside short commands: it needs nothing that takes long to load.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.output.report.style import AFTER, BEFORE, BLUE, GREY, SKY, figure, save, zero_line
+from cadgen.output.report.style import AFTER, BEFORE, BLUE, GREY, SKY, figure, zero_line
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 _SHARES = (0.5, 0.9, 0.99)
 _BINS = 60
@@ -38,8 +42,9 @@ class FleetPicture:
     shares: Mapping[str, float]
 
 
-def draw_fleet(content: FleetPicture, folder: Path, name: str) -> list[str]:
-    """Draw the distribution of end errors and its causes; return the files' names."""
+@contextmanager
+def fleet_picture(content: FleetPicture) -> Iterator["Figure"]:
+    """Draw the distribution of end errors and its causes."""
     distance = np.hypot(content.along, content.across)
     with figure(11.0, 3.9) as picture:
         kept = "" if content.passed is None else f"; {100 * content.passed:.1f} % keep the course"
@@ -73,18 +78,17 @@ def draw_fleet(content: FleetPicture, folder: Path, name: str) -> list[str]:
         right.grid(axis="y", visible=False)
         right.margins(x=0.15)
         right.set(title="Share of the variance", xlabel="%")
-        return save(picture, folder, name)
+        yield picture
 
 
-def draw_budget(title: str, costs: Mapping[str, tuple[float, float]], folder: Path, name: str) -> list[str]:
-    """Draw the cost of every deviation, before and after a trim; return the files' names.
+@contextmanager
+def budget_picture(title: str, costs: Mapping[str, tuple[float, float]]) -> Iterator["Figure"]:
+    """Draw the cost of every deviation, before and after a trim.
 
     Args:
         title: title of the picture.
         costs: distance by which each deviation moves the end of the run, before and after a trim, mm, by its name,
             greatest first.
-        folder: folder for the files.
-        name: name of the files, without ending.
     """
     names = list(costs)[::-1]
     place = np.arange(len(names))
@@ -99,4 +103,4 @@ def draw_budget(title: str, costs: Mapping[str, tuple[float, float]], folder: Pa
         axes.margins(x=0.12)
         axes.set(title=f"{title}: what may be off", xlabel="end of the run moved by (mm)")
         axes.legend(loc="lower right", fontsize=8)
-        return save(picture, folder, name)
+        yield picture

@@ -1,6 +1,7 @@
 """Pictures of one record's verdict: residual before and after, spectrum or plan view, candidates."""
 
-from pathlib import Path
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -22,12 +23,12 @@ from cadgen.output.report.style import (
     VERMILLION,
     WANTED,
     figure,
-    save,
     zero_line,
 )
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 SIGNS = {"um": "µm", "deg": "°", "mm": "mm"}
 _RUNS = (BLUE, VERMILLION, GREEN, ORANGE, SKY)
@@ -39,14 +40,13 @@ _NAME = 64  # characters of a candidate that fit its bar's line
 _MAGNIFIED = 10.0  # a scale this many times finer is noted in the title
 
 
-def draw_record(diagnosis: Diagnosis, length: float | None, folder: Path, name: str) -> list[str]:
-    """Draw the residuals and candidates of a verdict; return the files' names.
+@contextmanager
+def record_picture(diagnosis: Diagnosis, length: float | None) -> Iterator["Figure"]:
+    """Draw the residuals and candidates of a verdict.
 
     Args:
         diagnosis: verdict with residuals; for tracks, with the measured points.
         length: length of the track, mm, along which a track's residual is drawn; None for other data.
-        folder: folder for the files.
-        name: name of the files, without ending.
     """
     with figure(11.5, 7.0) as picture:
         claimed = ", ".join(diagnosis.judgement.claimed)
@@ -76,7 +76,7 @@ def draw_record(diagnosis: Diagnosis, length: float | None, folder: Path, name: 
         else:
             _spectrum(upper, diagnosis)
         _candidates(lower, diagnosis)
-        return save(picture, folder, name)
+        yield picture
 
 
 def _three(value: float) -> str:

@@ -1,18 +1,19 @@
 """Pictures of a study: parallel coordinates, the front, and which key explains which figure."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import combinations
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.output.report.style import BLUE, GREY, SKY, VERMILLION, figure, save
+from cadgen.output.report.style import BLUE, GREY, SKY, VERMILLION, Drawing, figure
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 _MOST_PAIRS = 3  # of objectives, a picture each
 _MOST_TICKS = 8  # of choices at an axis
@@ -45,25 +46,24 @@ class ExplorationPicture:
     effects: Mapping[str, Mapping[str, float]]
 
 
-def draw_exploration(content: ExplorationPicture, folder: Path, name: str) -> list[str]:
-    """Draw a study; return the files' names. A picture without content is left out.
+def exploration_pictures(content: ExplorationPicture) -> dict[str, Drawing]:
+    """Pictures of a study by their names: parallel, front, effects. One without content is left out.
 
     Args:
         content: content of the pictures.
-        folder: folder for the files.
-        name: name of the files, without ending.
     """
-    names = []
+    drawn: dict[str, Drawing] = {}
     if content.values:
-        names += _draw_parallel(content, folder, f"{name}_parallel")
+        drawn["parallel"] = _parallel_picture(content)
         if content.front and len(_differing(content)) > 1:
-            names += _draw_front(content, folder, f"{name}_front")
+            drawn["front"] = _front_picture(content)
     if content.effects:
-        names += _draw_effects(content, folder, f"{name}_effects")
-    return names
+        drawn["effects"] = _effects_picture(content)
+    return drawn
 
 
-def _draw_parallel(content: ExplorationPicture, folder: Path, name: str) -> list[str]:
+@contextmanager
+def _parallel_picture(content: ExplorationPicture) -> Iterator["Figure"]:
     """Every design is a line across one axis for each key and objective; those of the front are strong."""
     from matplotlib.collections import LineCollection
 
@@ -106,7 +106,7 @@ def _draw_parallel(content: ExplorationPicture, folder: Path, name: str) -> list
         axes.spines[["left", "bottom"]].set_visible(False)
         axes.set(title=content.title, ylim=(-0.06, 1.06), xlim=(-0.15, len(heads) - 0.5))
         picture.legend(loc="outside lower center", ncols=3, fontsize=8)
-        return save(picture, folder, name)
+        yield picture
 
 
 def _differing(content: ExplorationPicture) -> list[int]:
@@ -118,7 +118,8 @@ def _differing(content: ExplorationPicture) -> list[int]:
     return [at for at, column in enumerate(known) if column and max(column) - min(column) > content.resolutions[at]]
 
 
-def _draw_front(content: ExplorationPicture, folder: Path, name: str) -> list[str]:
+@contextmanager
+def _front_picture(content: ExplorationPicture) -> Iterator["Figure"]:
     """Every pair of objectives against each other, with the front's designs."""
     pairs = list(combinations(_differing(content), 2))[:_MOST_PAIRS]
     start = len(content.keys)
@@ -129,7 +130,7 @@ def _draw_front(content: ExplorationPicture, folder: Path, name: str) -> list[st
             for place, direction in ((first, "x"), (second, "y")):
                 better = "more" if content.more[place] else "less"
                 axes.set(**{f"{direction}label": f"{_axis_label(content.figures[place])}, {better} is better"})
-        return save(picture, folder, name)
+        yield picture
 
 
 def _draw_pair(axes: "Axes", content: ExplorationPicture, first: int, second: int) -> None:
@@ -145,7 +146,8 @@ def _draw_pair(axes: "Axes", content: ExplorationPicture, first: int, second: in
     axes.legend(loc="best", fontsize=8, frameon=True, framealpha=0.9, edgecolor="none")
 
 
-def _draw_effects(content: ExplorationPicture, folder: Path, name: str) -> list[str]:
+@contextmanager
+def _effects_picture(content: ExplorationPicture) -> Iterator["Figure"]:
     """Share of each figure's variance that each key explains alone, as bars."""
     codes = list(content.effects)
     with figure(min(3.4 * len(codes) + 1.6, 16.0), 1.2 + 0.32 * len(content.keys)) as picture:
@@ -159,7 +161,7 @@ def _draw_effects(content: ExplorationPicture, folder: Path, name: str) -> list[
             axes.set_title(_axis_label(code), fontsize=9)
             axes.set(xlabel="%", xlim=(0, 112))
             axes.grid(axis="y", visible=False)
-        return save(picture, folder, name)
+        yield picture
 
 
 def _places(values: Sequence[Any], resolution: float) -> tuple[Array, list[tuple[float, str]]]:

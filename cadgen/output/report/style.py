@@ -1,9 +1,9 @@
 """Colours, sizes, and files whose bytes depend on their content alone."""
 
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -50,23 +50,28 @@ def figure(width: float, height: float) -> Iterator["Figure"]:
         yield Figure(figsize=(width, height), layout="constrained")
 
 
-def save(picture: "Figure", folder: Path, name: str) -> list[str]:
-    """Write a figure as PNG and SVG, without dates, and return the files' names.
+# A picture that is drawn when it is entered, and in whose style it then can be saved.
+Drawing: TypeAlias = "AbstractContextManager[Figure]"
 
-    Must be called while the figure's style is in force. Its parts are placed once for both files.
+
+def save(drawing: Drawing, folder: Path, name: str) -> list[str]:
+    """Draw a picture, write it as PNG and SVG without dates, and return the files' names.
+
+    Its parts are placed once for both files.
 
     Args:
-        picture: figure of `figure`; its layout is fixed afterwards.
+        drawing: picture.
         folder: folder for the files.
         name: name of the files, without ending.
     """
-    layout = picture.get_layout_engine()
-    if layout is not None:
-        layout.execute(picture)
-        picture.set_layout_engine(None)
     points, lines = f"{name}.png", f"{name}.svg"
-    picture.savefig(folder / points, dpi=_DPI, metadata={"Software": None})
-    picture.savefig(folder / lines, metadata={"Date": None, "Creator": None})
+    with drawing as picture:
+        layout = picture.get_layout_engine()
+        if layout is not None:
+            layout.execute(picture)
+            picture.set_layout_engine(None)
+        picture.savefig(folder / points, dpi=_DPI, metadata={"Software": None})
+        picture.savefig(folder / lines, metadata={"Date": None, "Creator": None})
     return [points, lines]
 
 

@@ -1,8 +1,8 @@
 """The wheels on the field (the paper's figures 6, 10 and 18 to 20), and the errors along the run."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,10 +11,11 @@ from cadgen.arrays import Array
 from cadgen.car.course.layout import Shape
 from cadgen.car.running.drive import Run
 from cadgen.car.running.run_errors import RunError
-from cadgen.output.report.style import AFTER, BEFORE, BLUE, GREEN, GREY, ORANGE, SKY, WANTED, figure, save, zero_line
+from cadgen.output.report.style import AFTER, BEFORE, BLUE, GREEN, GREY, ORANGE, SKY, WANTED, figure, zero_line
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 _MARGIN = 300.0  # mm around what is shown
 _PANEL = 4.0  # inches
@@ -55,8 +56,9 @@ class TrackPanel:
     ends: Array | None = None
 
 
-def draw_tracks(panels: Sequence[TrackPanel], planned: Run, field: Field, folder: Path, name: str) -> list[str]:
-    """Draw the three wheels' tracks of several runs over the planned one; return the files' names."""
+@contextmanager
+def tracks_picture(panels: Sequence[TrackPanel], planned: Run, field: Field) -> Iterator["Figure"]:
+    """Draw the three wheels' tracks of several runs over the planned one."""
     shown = np.concatenate(
         [np.concatenate([getattr(panel.run, wheel) for wheel, *_ in _WHEELS]) for panel in panels]
         + [panel.ends for panel in panels if panel.ends is not None]
@@ -94,7 +96,7 @@ def draw_tracks(panels: Sequence[TrackPanel], planned: Run, field: Field, folder
         handles, labels = grid.ravel()[len(panels) - 1].get_legend_handles_labels()
         known = dict(zip(labels, handles, strict=True))  # of posts and of gates one stands for all
         picture.legend([*known.values()], [*known], loc="outside lower center", ncols=5)
-        return save(picture, folder, name)
+        yield picture
 
 
 def _car(axes: "Axes", field: Field, run: Run) -> None:
@@ -132,15 +134,34 @@ class ErrorLine:
     at_ends: tuple[RunError, RunError]
 
 
-def draw_run_errors(title: str, lines: Sequence[ErrorLine], length: float, folder: Path, name: str) -> list[str]:
-    """Draw heading and position error along the run, the band shaded; return the files' names.
+@contextmanager
+def lines_picture(title: str, across: str, up: str, places: Array, lines: Mapping[str, Array]) -> "Iterator[Figure]":
+    """Draw lines over common places.
+
+    Args:
+        title: title of the picture.
+        across: name of the horizontal axis, with its unit.
+        up: name of the vertical axis, with its unit.
+        places: places of the values, in the unit that `across` names, shape (n,).
+        lines: values by the name of the line, in the unit that `up` names, shape (n,) each.
+    """
+    with figure(7.0, 3.6) as picture:
+        axes = picture.subplots()
+        for (name, values), color, style in zip(lines.items(), (BEFORE, AFTER, GREEN), ("-", "--", ":"), strict=False):
+            axes.plot(places, values, color=color, linestyle=style, label=name)
+        axes.set(title=title, xlabel=across, ylabel=up, ylim=(0, None))
+        axes.legend(loc="best")
+        yield picture
+
+
+@contextmanager
+def run_errors_picture(title: str, lines: Sequence[ErrorLine], length: float) -> Iterator["Figure"]:
+    """Draw heading and position error along the run, the band shaded.
 
     Args:
         title: title of the picture.
         lines: errors of one profile or two: before and after.
         length: travel of the drive wheel in one turn of the cam, mm.
-        folder: folder for the files.
-        name: name of the files, without ending.
     """
     with figure(8.0, 6.0) as picture:
         picture.suptitle(title, x=0.02, ha="left")
@@ -166,7 +187,7 @@ def draw_run_errors(title: str, lines: Sequence[ErrorLine], length: float, folde
         lower.set(ylabel="position error (mm)", xlabel="travel of the drive wheel (m); shaded: the band of play")
         upper.set_xlim(0, travel[-1])
         upper.legend(loc="upper left")
-        return save(picture, folder, name)
+        yield picture
 
 
 def _field(axes: "Axes", field: Field) -> None:

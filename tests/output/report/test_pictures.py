@@ -13,9 +13,14 @@ from cadgen.car.running.run_errors import deflections
 from cadgen.design.load import load_design
 from cadgen.jobs.simulation import lift_picture, simulate
 from cadgen.output.report import style
-from cadgen.output.report.cam_pictures import draw_events, draw_lift
-from cadgen.output.report.cars import FleetPicture, draw_budget, draw_fleet
-from cadgen.output.report.tracks import ErrorLine, Field, TrackPanel, draw_run_errors, draw_tracks
+from cadgen.output.report.cam_pictures import events_picture, lift_of_cams
+from cadgen.output.report.cars import FleetPicture, budget_picture, fleet_picture
+from cadgen.output.report.style import save
+from cadgen.output.report.tracks import ErrorLine, Field, TrackPanel, run_errors_picture, tracks_picture
+
+
+def _panel(simulation):
+    return TrackPanel(title="run", run=simulation.before)
 
 
 @pytest.fixture(scope="module")
@@ -28,12 +33,12 @@ def figures(monkeypatch):
     """Figures as they stand when they are saved."""
     kept = []
 
-    def keep(picture, folder, name):
-        kept.append(picture)
+    def keep(drawing, folder, name):
+        with drawing as picture:
+            kept.append(picture)
         return []
 
-    for module in ("cars", "cam_pictures", "tracks"):
-        monkeypatch.setattr(f"cadgen.output.report.{module}.save", keep)
+    monkeypatch.setitem(globals(), "save", keep)
     return kept
 
 
@@ -54,12 +59,12 @@ def draw_all(simulation, folder):
         shares={"steering_zero": 0.7, "play": 0.3},
     )
     return [
-        *draw_lift(lift_picture(simulation), folder, "lift"),
-        *draw_tracks([TrackPanel(title="run", run=simulation.before)], simulation.planned, field, folder, "tracks"),
-        *draw_run_errors("errors", lines, simulation.cam.application.track.length, folder, "run"),
-        *draw_events("events", {"actual": simulation.events}, folder, "events"),
-        *draw_fleet(fleet, folder, "fleet"),
-        *draw_budget("costs", {"taper": (65.0, 3.0), "start heading": (23.0, 23.0)}, folder, "budget"),
+        *save(lift_of_cams(lift_picture(simulation)), folder, "lift"),
+        *save(tracks_picture([_panel(simulation)], simulation.planned, field), folder, "tracks"),
+        *save(run_errors_picture("errors", lines, simulation.cam.application.track.length), folder, "run"),
+        *save(events_picture("events", {"actual": simulation.events}), folder, "events"),
+        *save(fleet_picture(fleet), folder, "fleet"),
+        *save(budget_picture("costs", {"taper": (65.0, 3.0), "start heading": (23.0, 23.0)}), folder, "budget"),
     ]
 
 
@@ -82,7 +87,7 @@ def test_the_style_leaves_the_programs_own_settings_alone(simulation, tmp_path):
     import matplotlib as mpl
 
     with mpl.rc_context({"font.size": 31.0}):
-        draw_events("events", {"actual": simulation.events}, tmp_path, "events")
+        save(events_picture("events", {"actual": simulation.events}), tmp_path, "events")
         assert mpl.rcParams["font.size"] == 31.0
 
 
@@ -97,7 +102,7 @@ def test_axes_say_what_they_show_and_in_what_unit(simulation, figures, tmp_path)
 
 
 def test_the_bars_are_the_deflection_errors(simulation, carbon_free_car, figures, tmp_path):
-    draw_events("events", {"actual": simulation.events}, tmp_path, "events")
+    save(events_picture("events", {"actual": simulation.events}), tmp_path, "events")
     built = carbon_free_car
     wanted = deflections(built.lift, built.follower, built.car, built.track.length, simulation.play)
     axes, total = figures[0].axes
@@ -108,7 +113,7 @@ def test_the_bars_are_the_deflection_errors(simulation, carbon_free_car, figures
 
 def test_the_lines_are_the_tracks_of_the_wheels_in_metres(simulation, figures, tmp_path):
     panel = TrackPanel(title="run", run=simulation.before)
-    draw_tracks([panel, panel], simulation.planned, Field(), tmp_path, "tracks")
+    save(tracks_picture([panel, panel], simulation.planned, Field()), tmp_path, "tracks")
     lines = {line.get_label(): line for line in figures[0].axes[1].lines}
     for label, wheel in (("drive wheel", "drive_wheel"), ("front wheel", "front_wheel"), ("right wheel", "idle_wheel")):
         np.testing.assert_allclose(lines[label].get_xydata(), getattr(simulation.before, wheel) / 1000)
@@ -116,7 +121,7 @@ def test_the_lines_are_the_tracks_of_the_wheels_in_metres(simulation, figures, t
 
 def test_the_obstacles_stand_where_the_design_has_them(simulation, figures, tmp_path):
     field = Field(edge=EDGE, obstacles=[Shape.disc((700.0, 900.0), 50.0)])
-    draw_tracks([TrackPanel(title="run", run=simulation.before)], simulation.planned, field, tmp_path, "tracks")
+    save(tracks_picture([_panel(simulation)], simulation.planned, field), tmp_path, "tracks")
     circle = figures[0].axes[0].patches[-1]
     assert circle.center == pytest.approx((0.7, 0.9))
     assert circle.radius == pytest.approx(0.05)
@@ -124,7 +129,7 @@ def test_the_obstacles_stand_where_the_design_has_them(simulation, figures, tmp_
 
 def test_a_lift_without_valleys_has_no_picture_of_one(simulation, figures, tmp_path):
     bare = replace(lift_picture(simulation), valley=None)
-    draw_lift(bare, tmp_path, "lift")
+    save(lift_of_cams(bare), tmp_path, "lift")
     assert len(figures[0].axes) == 3
 
 
@@ -155,7 +160,7 @@ def test_matplotlib_is_loaded_only_to_draw(arguments):
 
 @pytest.mark.parametrize(("play_deg", "half_width"), [(0.0, 1.0), (0.1, 1.0), (0.738, 3.5 * 0.738)])
 def test_the_lift_close_by_an_event_has_a_width_without_play_too(simulation, figures, tmp_path, play_deg, half_width):
-    draw_lift(replace(lift_picture(simulation), play=np.radians(play_deg)), tmp_path, "lift")
+    save(lift_of_cams(replace(lift_picture(simulation), play=np.radians(play_deg))), tmp_path, "lift")
     for axes in figures[0].axes[1:3]:
         for line in axes.lines:
             assert np.ptp(line.get_xdata()) == pytest.approx(2 * half_width)
