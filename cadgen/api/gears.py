@@ -6,13 +6,12 @@ is compared with when it is read back.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import KW_ONLY, dataclass, fields, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
 from math import floor, pi, radians
-from os import PathLike
 from typing import TYPE_CHECKING
 
 from cadgen.api.values import feature, optional, real, stage_angles, whole, word
@@ -42,24 +41,22 @@ from cadgen.gears.wheel_body import gear_body
 from cadgen.geometry.meshes.made_train import MadeTrain, make_train
 from cadgen.jobs.gears.assembly import (
     Assembly,
+    OnePart,
     checks_facts,
     flats_of,
     parts_facts,
     return_error,
     stages_facts,
-    write_gear,
 )
 from cadgen.jobs.gears.gear_train import NotMadeError as NotMadeError
 from cadgen.messages import Message
 from cadgen.output.files.exports import GearExport
-from cadgen.output.files.publisher import Frozen, Written, folder_of
+from cadgen.output.files.publisher import Frozen
 from cadgen.output.report.gear_pictures import gears_picture
 from cadgen.output.report.notebook import Pictured
 from cadgen.output.report.style import Drawing
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import DFlat, Flats, Hub, Keyway, Lightening, Web
-from cadgen.parts.print_compensation import PrintCompensation
-from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
     from cadgen.geometry.solids.gear_solids import Compound
@@ -112,7 +109,7 @@ class _ByNumbers(Assembly):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Gear(Pictured):
+class Gear(OnePart, Pictured):
     """A spur or helical gear, its axis on z and a tooth on x, midway along the width of a helical one.
 
     Attributes:
@@ -336,30 +333,6 @@ class Gear(Pictured):
             FileError: the CAD kernel cannot drill the set screw.
         """
         return self._export().solid().build123d()
-
-    def write(
-        self,
-        folder: str | PathLike[str],
-        formats: str | Iterable[str] | None = None,
-        *,
-        printing: PrintCompensation | None = None,
-        progress: Progress = silent,
-    ) -> Written:
-        """Write files and compare every tooth read back with the exact one; all are published together or none.
-
-        Args:
-            folder: folder for the files; it is made if need be.
-            formats: some of step, stl, 3mf and dxf; all if left out.
-            printing: what STL and 3MF take back for a printer; None for nothing.
-            progress: function that is called with a few words on each step.
-
-        Raises:
-            DesignError: a format is unknown.
-            FileError: a file cannot be written, or holds something else when it is read back.
-        """
-        return write_gear(
-            replace(self._export(), printing=printing), self.entry(), folder_of(folder), progress, formats
-        )
 
     def _export(self) -> GearExport:
         return _export(self.name, self.form, self.part)

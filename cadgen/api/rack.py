@@ -2,33 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from math import cos, degrees, radians
-from os import PathLike
 from typing import TYPE_CHECKING
 
 from cadgen.api.gears import Gear, require_name
 from cadgen.api.values import optional, real, whole, word
 from cadgen.design.gear_model import COARSEST_CHORD
 from cadgen.errors import DesignError, brief
-from cadgen.figures import Facts, JobResult
+from cadgen.figures import Facts
 from cadgen.gears.choices import HelixHand
 from cadgen.gears.rack import RackForm, RackMesh
 from cadgen.gears.tooth import CHORD_PER_MODULE, STEEPEST_HELIX
-from cadgen.jobs.gears.assembly import write_rack
+from cadgen.jobs.gears.assembly import OnePart
 from cadgen.output.files.exports import RackExport
-from cadgen.output.files.publisher import Written, folder_of
-from cadgen.parts.print_compensation import PrintCompensation
-from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
     from cadgen.geometry.solids.kernel import Solid
 
 
 @dataclass(frozen=True, kw_only=True)
-class Rack(JobResult):
+class Rack(OnePart):
     """A rack, its reference line on x, its teeth towards y and its width along z.
 
     Attributes:
@@ -144,30 +139,6 @@ class Rack(JobResult):
     def build123d(self) -> Solid:
         """The rack as a build123d solid with label and colour, mm."""
         return self._export().solid().build123d()
-
-    def write(
-        self,
-        folder: str | PathLike[str],
-        formats: str | Iterable[str] | None = None,
-        *,
-        printing: PrintCompensation | None = None,
-        progress: Progress = silent,
-    ) -> Written:
-        """Write files and read them back; all are published together or none.
-
-        Args:
-            folder: folder for the files; it is made if need be.
-            formats: some of step, stl, 3mf and dxf; all if left out.
-            printing: what STL and 3MF take back for a printer; None for nothing.
-            progress: function that is called with a few words on each step.
-
-        Raises:
-            DesignError: a format is unknown.
-            FileError: a file cannot be written, or holds something else when it is read back.
-        """
-        return write_rack(
-            replace(self._export(), printing=printing), self.entry(), folder_of(folder), progress, formats
-        )
 
     def _export(self) -> RackExport:
         chord = min(CHORD_PER_MODULE * self.form.normal_module, COARSEST_CHORD)

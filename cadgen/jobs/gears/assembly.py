@@ -13,11 +13,11 @@ from functools import cached_property
 from math import degrees, prod
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 from cadgen.check import Check, failing
 from cadgen.errors import CheckError
-from cadgen.figures import Facts, Figures
+from cadgen.figures import Facts, Figures, JobResult
 from cadgen.gears.layout import TrainLayout
 from cadgen.gears.stage import Wheel
 from cadgen.gears.train import Train, TrainPlay, WholePlay
@@ -203,40 +203,40 @@ class Assembly(Pictured, ABC):
         return _published(f"{self.stem}_train", TRAIN, train, wanted, self.entry(), self.frame, place, progress)
 
 
-def write_gear(
-    gear: GearExport,
-    facts: Facts,
-    out: Path,
-    progress: Progress = silent,
-    formats: str | Iterable[str] | None = None,
-) -> Written:
-    """Write, read back, judge and publish the files of one gear.
+class OnePart(JobResult):
+    """Base of a gear or a rack that is written by itself."""
 
-    Args:
-        gear: gear that is to be written.
-        facts: facts on the gear.
-        out: folder for the files; it is made if need be. Nothing appears in it unless everything succeeded.
-        progress: function that is called with a few words on each step.
-        formats: endings of the formats, some of those of `GEAR`; all of them if left out.
+    @abstractmethod
+    def _export(self) -> GearExport | RackExport:
+        """The part as its files need it."""
 
-    Raises:
-        DesignError: a format is unknown.
-        FileError: a file cannot be written, or holds something else when it is read back.
-    """
-    from cadgen.output.files.formats import GEAR
+    def write(
+        self,
+        folder: str | PathLike[str],
+        formats: str | Iterable[str] | None = None,
+        *,
+        printing: PrintCompensation | None = None,
+        progress: Progress = silent,
+    ) -> Written:
+        """Write files and compare every tooth read back with the exact one; all are published together or none.
 
-    wanted = GEAR.chosen(formats)
-    return _published(f"{gear.name}_gear", GEAR, gear, wanted, facts, _GEAR_FRAME, out, progress)
+        Args:
+            folder: folder for the files; it is made if need be.
+            formats: some of step, stl, 3mf and dxf; all if left out.
+            printing: what STL and 3MF take back for a printer; None for nothing.
+            progress: function that is called with a few words on each step.
 
+        Raises:
+            DesignError: a format is unknown.
+            FileError: a file cannot be written, or holds something else when it is read back.
+        """
+        from cadgen.output.files.formats import GEAR, RACK
 
-def write_rack(
-    rack: RackExport, facts: Facts, out: Path, progress: Progress, formats: str | Iterable[str] | None
-) -> Written:
-    """Write, read back, judge and publish the files of one rack; as `write_gear`."""
-    from cadgen.output.files.formats import RACK
-
-    wanted = RACK.chosen(formats)
-    return _published(f"{rack.name}_rack", RACK, rack, wanted, facts, _RACK_FRAME, out, progress)
+        part = replace(self._export(), printing=printing)
+        offer: Offer[Any] = GEAR if isinstance(part, GearExport) else RACK
+        stem, wanted = f"{part.name}_{offer.part}", offer.chosen(formats)
+        frame = _GEAR_FRAME if isinstance(part, GearExport) else _RACK_FRAME
+        return _published(stem, offer, part, wanted, self.entry(), frame, folder_of(folder), progress)
 
 
 def _published(
