@@ -309,7 +309,7 @@ BAD = [
     (
         "swinging_roller",
         ["follower.arm_mm=40", "follower.centre_distance_mm=100"],
-        "between 50 and 150 mm: set follower.arm_mm to 86.6, or set follower.centre_distance_mm to 64.1",
+        "more than 50 and less than 150 mm: set follower.arm_mm to 86.6, or set follower.centre_distance_mm to 64.1",
         "follower.arm_mm=86.6",
     ),
     (
@@ -321,8 +321,8 @@ BAD = [
     (
         "swinging_roller",
         FAR,
-        "would be beyond 60 degrees even at rest: lead it by 0 to 110.19 degrees",
-        "motion.segments.1={rise_deg=110.19,in_deg=100,law='cycloidal'}",
+        "would be beyond 60 degrees even at rest: lead it by 0 to 58.37 degrees",
+        "motion.segments.1={rise_deg=58.37,in_deg=100,law='cycloidal'}",
     ),
     ("swinging_flat", ["follower.centre_distance_mm=51"], "set it to 104", "follower.centre_distance_mm=104"),
     (
@@ -338,6 +338,7 @@ BAD = [
         "motion.segments.1.to_deg=33.92",
     ),
     ("swinging_flat", FAST, "the face swings as fast as the cam turns", "motion.segments.1.to_deg=8"),
+    ("swinging_flat", FAST, "or lead it by 0 to ", "motion.segments.1.to_deg=8"),
     ("swinging_flat", ["follower.face_offset_mm=-50"], "set it to -21, or to 0", "follower.face_offset_mm=-21"),
     ("swinging_flat", ["follower.lifts=up"], 'it must be "against" or "with"', "follower.lifts=with"),
     ("swinging_flat", [IN_MM], "moves in degrees: give to_deg instead", IN_MM.replace("mm", "deg")),
@@ -350,7 +351,7 @@ def test_bad_followers_are_refused_with_cures_that_work(name, changes, words, cu
     with pytest.raises(DesignError, match=re.escape(words)):
         design.with_(changes).cam()
     if cure.startswith("motion.segments.1={rise_deg"):
-        back = "motion.segments.3={rise_deg=-110.19,in_deg=130,law='cycloidal'}"
+        back = "motion.segments.3={rise_deg=-58.37,in_deg=130,law='cycloidal'}"
         design.with_([*changes, cure, back]).cam()
         return
     design.with_([*changes, cure]).cam()

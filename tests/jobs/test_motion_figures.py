@@ -94,6 +94,15 @@ def test_the_continuity_report_has_every_seam():
     assert milder.passed
 
 
+def test_seams_inside_a_law_are_listed_where_the_acceleration_jumps():
+    """The modified sine has seams of its jerk at 1/8 and 7/8, the parabola one of its acceleration at 1/2."""
+    (sheet,) = seams_sheets(feeder().cam().motion)
+    assert len(sheet.cells) == 4
+    (sheet,) = seams_sheets(feeder(**{"motion.segments.1.law": "constant_acceleration"}).cam().motion)
+    inside = [row for row in sheet.cells if str(row[0].text).startswith("within")]
+    assert [(str(row[0].text), row[2].text) for row in inside] == [("within segment 1", "acceleration")]
+
+
 def test_an_acceleration_that_jumps_at_cam_angle_0_is_no_fault_of_the_program():
     cam = feeder(**{"motion.segments.1.law": "constant_acceleration"}).cam()
     assert cam.passed

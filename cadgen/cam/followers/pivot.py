@@ -3,6 +3,7 @@
 from abc import abstractmethod
 from dataclasses import replace
 from math import ceil, floor
+from typing import Self
 
 import numpy as np
 from scipy.interpolate import PPoly
@@ -11,12 +12,14 @@ from cadgen.arrays import Array
 from cadgen.cam.follower import Follower, RolledCam
 from cadgen.cam.followers.lifts import Lifts
 from cadgen.check import Bound, Check, CheckCode
+from cadgen.errors import DesignError
 from cadgen.laws.motion import Motion
 from cadgen.laws.unit import RAD
-from cadgen.messages import Message
+from cadgen.messages import Message, joined
 
 _HALVINGS = 12  # of the share of a swing that is sought: to 0.02 % of it
 _LEAST_SHARE = 1 / 64  # of a swing; a smaller one is no cure
+_SHARES = (1.1, 1.2, 1.35, 1.5, 2.0, 3.0)  # of the pivot's distance, tried in turn where the disc would cover it
 _HUNDREDTHS = 100.0  # of a degree, to which the ends of a swing are rounded, to the safe side
 
 
@@ -43,6 +46,22 @@ class ArmFollower(Follower):
     @abstractmethod
     def lever(self) -> float:
         """Lift by the swing, mm."""
+
+    @abstractmethod
+    def reach_of(self, motion: Motion) -> tuple[Array, Array]:
+        """Cam angles, rad, and distance of the contact from the camshaft there, mm.
+
+        Args:
+            motion: swing wanted.
+        """
+
+    @abstractmethod
+    def farther(self, share: float) -> tuple[Self, str]:
+        """Follower whose pivot stands farther from the camshaft, and the changes that make it.
+
+        Args:
+            share: distance of that pivot by the present one.
+        """
 
     @abstractmethod
     def keeps(self, motion: Motion) -> bool:
@@ -77,6 +96,33 @@ class ArmFollower(Follower):
             lift: lifts, mm, shape (n,).
         """
         return lift / self.lever, np.full_like(lift, self.planes[0]), np.full_like(lift, np.inf)
+
+    def refuse_cover(self, motion: Motion) -> None:
+        """Refuse a motion with which the disc reaches out to the pivot.
+
+        Args:
+            motion: swing wanted.
+
+        Raises:
+            DesignError: it is so.
+        """
+        theta, reach = self.reach_of(motion)
+        farthest = int(np.argmax(reach))
+        if reach[farthest] < self.centre_distance:
+            return
+        tried = () if self.opposite else (self.farther(share) for share in _SHARES)
+        fits = next((changes for other, changes in tried if other.keeps(motion)), "")
+        ways = (Message("set {changes}", changes=fits) if fits else None, self.smaller_swing(motion))
+        raise DesignError(
+            "at cam angle {angle:.1f} degrees the disc reaches out to {reach:.4g} mm, and would cover the pivot of "
+            "the {noun}, {c:g} mm from the camshaft: {cure}",
+            angle=np.degrees(theta[farthest]) % 360,
+            reach=float(reach[farthest]),
+            noun=Message(self.noun),
+            c=self.centre_distance,
+            cure=joined(filter(None, ways), Message(", or "))
+            or Message("lead it less far, or lower cam.base_circle_radius_mm"),
+        )
 
     def smaller_swing(self, motion: Motion) -> Message | None:
         """Advice to lead the arm less far, by the greatest share of a motion that is not refused; None if none is.

@@ -35,7 +35,6 @@ from cadgen.messages import Message, joined
 _ROLLED = 1e-5  # rad; what the pressure angle of a rolled contact may err by
 _SURE = 1e-4  # mm; what a radius of curvature may err by
 _FARTHER = np.radians(20.0)  # of the face at rest with a pivot that stands farther away
-_SHARES = (1.2, 1.5, 2.0, 3.0)  # of the pivot's distance, tried in turn where the disc would cover the pivot
 _PICTURED = (0.6, 1.4)  # ends of a face without a length in pictures, by the contact's distance at rest
 
 
@@ -128,13 +127,26 @@ class SwingingFace(ArmFollower, StraightFollower):
         swing = motion.stations[1]
         if self.rest + swing.max() >= np.pi / 2 or self._at_camshaft(float(swing.min())):
             return False
-        return bool(self._rate(motion)[1].min() > 0 and self._reach(motion)[1].max() < self.centre_distance)
+        return bool(self._rate(motion)[1].min() > 0 and self.reach_of(motion)[1].max() < self.centre_distance)
 
-    def _reach(self, motion: Motion) -> tuple[Array, Array]:
-        """Cam angles, rad, and distance of the contact from the camshaft there, mm."""
+    def reach_of(self, motion: Motion) -> tuple[Array, Array]:
+        """Cam angles, rad, and distance of the contact from the camshaft there, mm.
+
+        Args:
+            motion: swing wanted.
+        """
         theta, rate = self._rate(motion)
         support, slope, _ = self.face_jet(motion.q(theta), motion.q(theta, nu=1), np.zeros_like(theta)).support
         return theta, np.asarray(np.hypot(support, slope / rate))
+
+    def farther(self, share: float) -> tuple["SwingingFace", str]:
+        """Face whose pivot stands farther from the camshaft, and the change that makes it.
+
+        Args:
+            share: distance of that pivot by the present one.
+        """
+        made = replace(self, centre_distance=ceil(share * self.centre_distance))
+        return made, Message("{key} to {value:g}", key="follower.centre_distance_mm", value=made.centre_distance)
 
     def _rate(self, motion: Motion) -> tuple[Array, Array]:
         """Cam angles, rad, and how fast the cam turns past the face there, as a share of its speed."""
@@ -184,24 +196,11 @@ class SwingingFace(ArmFollower, StraightFollower):
                 "degree, so no contact travels along it: {softer}",
                 angle=np.degrees(theta[slowest]) % 360,
                 rate=abs(float(motion.q(theta[slowest], nu=1))),
-                softer=motion.softer(float(theta[slowest])),
+                softer=joined(
+                    filter(None, (motion.softer(float(theta[slowest])), self.smaller_swing(motion))), Message(", or ")
+                ),
             )
-        theta, reach = self._reach(motion)
-        farthest = int(np.argmax(reach))
-        if reach[farthest] >= self.centre_distance:
-            tried = (replace(self, centre_distance=ceil(share * self.centre_distance)) for share in _SHARES)
-            fits = next((other for other in tried if other.keeps(motion)), None)
-            raise DesignError(
-                "at cam angle {angle:.1f} degrees the disc reaches out to {reach:.4g} mm, and would cover the pivot of "
-                "the {noun}, {c:g} mm from the camshaft: {cure}",
-                angle=np.degrees(theta[farthest]) % 360,
-                reach=float(reach[farthest]),
-                noun=Message(self.noun),
-                c=self.centre_distance,
-                cure=Message("lead it less far, or lower cam.base_circle_radius_mm")
-                if fits is None
-                else Message("set follower.centre_distance_mm to {c:g}", c=fits.centre_distance),
-            )
+        self.refuse_cover(motion)
 
     def least(self, x: Array, y: Array) -> tuple[Array, ...]:
         """Swing from which on the face clears points, rad (see the module's equation).

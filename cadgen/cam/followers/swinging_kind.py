@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 
 
 _APART = 1.0  # mm; an arm that is proposed reaches past the roller by as much
+_ASIDE = 45.0  # degrees; a second arm that is proposed stands at least so far from the line to the camshaft
 _SMALLER = 0.5  # of the arm; a roller that is proposed leaves its pivot free
 _CONVEX = 0.5  # mm; least radius of curvature of the disc under a face whose base circle is found for an angle
 _ANY_SEAT = FollowerSeat(base_radius=1.0, faces=(0.0, 1.0), carrying=(0.0, 1.0))  # its base circle is yet to be found
@@ -101,8 +102,8 @@ def _refuse_roller(keys: SwingingRollerKeys, seat: FollowerSeat) -> None:
         raise ValueError(
             Message(
                 "follower.arm_mm is {arm:g}; with the pivot {c:g} mm from the camshaft it cannot bring the roller to "
-                "the prime radius of {prime:g} mm, where its centre stands at lift 0, for which it must be between "
-                "{least:g} and {most:g} mm: {cures}",
+                "the prime radius of {prime:g} mm, where its centre stands at lift 0, for which it must be more than "
+                "{least:g} and less than {most:g} mm: {cures}",
                 arm=keys.arm_mm,
                 c=c,
                 prime=prime,
@@ -133,14 +134,17 @@ def _refuse_second(keys: SwingingRollerKeys, prime: float) -> None:
         return
     rest = degrees(acos((c**2 + keys.arm_mm**2 - prime**2) / (2 * c * keys.arm_mm)))
     if not rest < second.angle_deg < rest + 180:
+        # Square to the line from the camshaft to its roller the arm has no pressure angle at rest.
+        square = degrees(acos(second.arm_mm / c)) if second.arm_mm < c else 0.0
         raise ValueError(
             Message(
                 "follower.second.angle_deg is {angle:g}; the first arm stands at {rest:.4g} degrees to the line from "
-                "the pivot to the camshaft, so the second stands on its other side with an angle between {rest:.4g} "
-                "and {most:.4g}",
+                "the pivot to the camshaft, so the second stands on its other side with an angle of more than "
+                "{rest:.4g} and less than {most:.4g}: set it to {fits:g}",
                 angle=second.angle_deg,
                 rest=rest,
                 most=rest + 180,
+                fits=ceil(10 * (rest + max(square, _ASIDE))) / 10,
             )
         )
     apart = sqrt(c**2 + second.arm_mm**2 - 2 * c * second.arm_mm * cos(radians(second.angle_deg - rest)))
@@ -148,9 +152,10 @@ def _refuse_second(keys: SwingingRollerKeys, prime: float) -> None:
         raise ValueError(
             Message(
                 "follower.second.radius_mm is {radius:g}; the second roller, {apart:.4g} mm from the camshaft at swing "
-                "0, would cover it, so nothing is left of its disc: lower it, or change follower.second.angle_deg or "
-                "follower.second.arm_mm",
+                "0, would cover it, so nothing is left of its disc: set it to {half:g} or less, or change "
+                "follower.second.angle_deg or follower.second.arm_mm",
                 radius=second.radius_mm,
+                half=floor(5 * apart) / 10,
                 apart=apart,
             )
         )

@@ -19,7 +19,7 @@ from typing import Self
 
 import numpy as np
 
-from cadgen.arrays import Array
+from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import FollowerDimension, LossRemedy, RolledCam, SizeThatFits
 from cadgen.cam.followers.lifts import Lifts
 from cadgen.cam.followers.pivot import ArmFollower, pivot_checks, seen_from_pivot
@@ -136,13 +136,36 @@ class SwingingRoller(ArmFollower, RoundFollower):
             super().refuse(motion)
         except DesignError:
             return False
-        return self._beyond(motion) is None
+        return self._beyond(motion) is None and bool(self.reach_of(motion)[1].max() < self.centre_distance)
+
+    def reach_of(self, motion: Motion) -> tuple[Array, Array]:
+        """Cam angles, rad, and distance of the contact from the camshaft there, mm.
+
+        Args:
+            motion: swing wanted.
+        """
+        theta = np.unique(np.concatenate([motion.stations[0], np.linspace(0.0, TURN, 3601)]))
+        q, q1 = motion.q(theta), motion.q(theta, nu=1)
+        return theta, np.abs(self.at(q) + self.rim * self.normal(q, q1))
+
+    def farther(self, share: float) -> tuple[Self, str]:
+        """Roller whose pivot stands farther from the camshaft on an arm that is longer by as much, with the changes.
+
+        Args:
+            share: distance of that pivot by the present one.
+        """
+        c = ceil(share * self.centre_distance)
+        made = replace(self, centre_distance=c, arm=round(self.arm + c - self.centre_distance, 6))
+        names = {"follower.centre_distance_mm": made.centre_distance, "follower.arm_mm": made.arm}
+        changes = (Message("{key} to {value:g}", key=key, value=value) for key, value in names.items())
+        return made, joined(changes, Message(" and "))
 
     def refuse(self, motion: Motion) -> None:
         """Refuse a swing beyond what an arm in this place can do, or as any round follower's."""
         worst = self._beyond(motion)
         if worst is None:
             super().refuse(motion)
+            self.refuse_cover(motion)
             return
         angles, swing = motion.stations
         smaller = self.smaller_swing(motion)
@@ -160,6 +183,7 @@ class SwingingRoller(ArmFollower, RoundFollower):
             swung=np.degrees(self.rest + swing[worst]),
             steepest=np.degrees(_STEEPEST),
             cures=joined(cures, Message(", or ")) or self.elsewhere,
+            base_key=self.base_key if self.opposite or not cures else None,
         )
 
     def point(self) -> "SwingingRoller":

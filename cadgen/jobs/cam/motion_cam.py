@@ -2,8 +2,9 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from enum import StrEnum
-from math import ceil, degrees, radians
+from enum import IntEnum, StrEnum
+from functools import reduce
+from math import ceil, degrees, floor, radians
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from cadgen.cam.derived_motions import OppositeMotion
 from cadgen.cam.follower import Follower
 from cadgen.cam.followers.groove import GrooveRollers, groove_checks
 from cadgen.cam.forces import CamForces
+from cadgen.cam.round_follower import RoundFollower
 from cadgen.car.against_play.profile_kinds import ACTUAL, ProfileKind, profile_of
 from cadgen.check import Check, CheckCode, failing
 from cadgen.design import cam_model
@@ -28,7 +30,7 @@ from cadgen.laws.lift_table import TableMotion
 from cadgen.laws.motion import Motion
 from cadgen.laws.segments import SegmentMotion, polynomials
 from cadgen.laws.unit import MM, TAN
-from cadgen.messages import Message, clauses
+from cadgen.messages import Message, clauses, joined
 from cadgen.output.files.manifest import Origin
 from cadgen.parts.blank import PROFILE_STEP
 from cadgen.parts.face import Face
@@ -45,6 +47,7 @@ _BEYOND_GROOVE = 5.0  # mm that are left beyond a groove besides the least wall,
 _SIZED = (CheckCode.PRESSURE_ANGLE_RISE, CheckCode.PRESSURE_ANGLE_RETURN, CheckCode.CONVEX_RADIUS_PROFILE)
 _EDGE = radians(0.1)  # of the outline's direction; a smaller turn is no edge that is felt
 SMOOTHED = "motion.smooth=true"
+_STEPS = (3, 6, 10, 15, 20, 27, 35, 45, 60, 80, 110, 200)  # in degrees or percent, by which a size is raised in turn
 _DENSE = 7201  # stations at which the travel is sought
 
 
@@ -252,7 +255,18 @@ def plan_motion_cam(design: MotionDesign, profile: str | None = None, progress: 
     except DesignError as error:
         motion = cam_model.source_of(design).motion(design)
         if not (isinstance(motion, TableMotion) and motion.rough):
-            raise
+            key = error.message.arguments.get("base_key")
+            tried = _size_that_fits(design, profile, key) if isinstance(key, str) else None
+            if tried is None:
+                raise
+            raise DesignError(
+                "{refusal} ({key} = {size:g} was tried, and every check passes)"
+                if tried[1]
+                else "{refusal} ({key} = {size:g} was tried, and leaves a disc)",
+                refusal=error.message,
+                key=key,
+                size=tried[0],
+            ) from None
         try:
             _planned(with_overrides(design, [SMOOTHED]), profile, progress)
         except CadgenError:
@@ -266,6 +280,65 @@ def plan_motion_cam(design: MotionDesign, profile: str | None = None, progress: 
         noise=noise,
         unit=unit,
     )
+
+
+def _size_that_fits(design: MotionDesign, profile: str | None, key: str) -> tuple[float, bool] | None:
+    """Larger value of a key with which a disc is left, to a tenth, and whether every check passes; None if none was.
+
+    Args:
+        design: design that is refused.
+        profile: code of the profile.
+        key: key of a length in mm, or of an angle in degrees.
+    """
+    section, *names = key.split(".")
+    now = reduce(getattr, names, design.follower.keys if section == "follower" else getattr(design, section))
+    if now is None:
+        return None
+    larger = [now + step for step in _STEPS] if key.endswith("_deg") else [now * (1 + step / 100) for step in _STEPS]
+    sizes = [ceil(10 * value) / 10 for value in larger]
+    fits = [(_fit(design, f"{key}={value:.10g}"), value) for value in sizes]
+    for wanted in (_Fit.WITHIN_LIMITS, _Fit.DISC):
+        for value in [value for fit, value in fits if fit >= wanted][:2]:
+            try:
+                made = _planned(with_overrides(design, [f"{key}={value:.10g}"]), profile, silent)
+            except CadgenError:
+                continue
+            if wanted == _Fit.DISC or not failing(made.checks):
+                return value, not failing(made.checks)
+    return None
+
+
+class _Fit(IntEnum):
+    """Grade of a changed design by its followers alone."""
+
+    NONE = 0
+    DISC = 1
+    WITHIN_LIMITS = 2  # of the pressure angle and of the least radius, of a round follower
+
+
+def _fit(design: MotionDesign, override: str) -> _Fit:
+    """Followers of a changed design against the motion, without a profile."""
+    try:
+        changed = with_overrides(design, [override])
+        registered, keys = changed.follower.registered, changed.follower.keys
+        motion, limits = cam_model.source_of(changed).motion(changed), cam_model.check_limits(changed)
+        rolled = [(registered.build(keys, changed.seat), motion)]
+        if (second := registered.second(keys, changed.seat)) is not None:
+            rolled.append((second, OppositeMotion.of(motion)))
+        for follower, moved in rolled:
+            follower.refuse(moved)
+    except CadgenError:
+        return _Fit.NONE
+    theta = np.linspace(0.0, TURN, _DENSE)
+    for follower, moved in rolled:
+        if isinstance(follower, RoundFollower):
+            q, v, a = (moved.q(theta % TURN, nu=order) for order in range(3))
+            way = np.abs(follower.centre(q, np.ones_like(q), np.zeros_like(q))[1])
+            least, radius = follower.push(q, v) / way, follower.profile_radius(q, v, a)
+            allowed = np.cos(np.where(v < 0, limits.pressure_angle.fall, limits.pressure_angle.rise))
+            if (least < allowed).any() or ((radius > -follower.radius) & (radius < limits.min_convex_radius)).any():
+                return _Fit.DISC
+    return _Fit.WITHIN_LIMITS
 
 
 def _planned(design: MotionDesign, profile: str | None, progress: Progress) -> CamPlan:
@@ -362,6 +435,37 @@ def _groove_words(cam: CamPlan, groove: Groove) -> Message:
     )
 
 
+def _cut_away(design: MotionDesign, wall: Check) -> DesignError:
+    """Refusal of a disc that a hole or a hub breaks out of, with sizes that were tried.
+
+    Args:
+        design: design of the disc.
+        wall: check of the thinnest wall, of which nothing is left.
+    """
+    short = ceil(10 * (wall.limit - wall.value)) / 10
+    blank, base = design.blank, design.cam.base_circle_radius_mm
+    ways = {"blank.bore_diameter_mm": floor(10 * (blank.bore_diameter_mm - 2 * short)) / 10}
+    if blank.hub is not None:
+        ways["blank.hub.diameter_mm"] = floor(10 * (blank.hub.diameter_mm - 2 * short)) / 10
+    if base is not None:
+        ways["cam.base_circle_radius_mm"] = base + short
+    cures: list[str] = []
+    for key, value in ways.items():
+        try:
+            made = _planned(with_overrides(design, [f"{key}={value:.10g}"]), None, silent)
+        except CadgenError:
+            continue
+        if not any(each.code == wall.code and not each.passed for each in made.checks):
+            cures.append(Message("{key} to {value:g}", key=key, value=value))
+    return DesignError(
+        "the {name} is {value:.4g} mm ({place}), so the disc breaks there: {cure}",
+        name=Message(wall.name),
+        value=wall.value,
+        place=wall.place,
+        cure=Message("set {changes}", changes=joined(cures, Message(", or "))) if cures else wall.advice,
+    )
+
+
 def _disc(design: MotionDesign, kind: ProfileKind, motion: Motion, follower: Follower, progress: Progress) -> CamPlan:
     """Profile of one disc, checked."""
     blank, limits = cam_model.blank(design), cam_model.check_limits(design)
@@ -370,6 +474,9 @@ def _disc(design: MotionDesign, kind: ProfileKind, motion: Motion, follower: Fol
     progress("checking the profile")
     rolling = kind.rolling(follower)
     checks = check_cam(motion, rolling, wanted.curve, wanted.trims, blank, limits, application=signed_pressure)
+    for check in checks:
+        if check.code == CheckCode.THINNEST_WALL and check.value <= 0:
+            raise _cut_away(design, check)
     use = MotionUse(design)
     return CamPlan(
         origin=Origin.of(design),

@@ -104,6 +104,8 @@ def _table_facts(motion: TableMotion) -> Facts:
 def seams_sheets(motion: Motion) -> tuple[Sheet, ...]:
     """Table of the seams: the state on either side, and which derivative jumps, from what to what; none without seams.
 
+    Of the seams inside a law it has those at which the acceleration jumps; a law's jerk jumps by the law's own design.
+
     Args:
         motion: motion of the follower.
     """
@@ -117,7 +119,7 @@ def seams_sheets(motion: Motion) -> tuple[Sheet, ...]:
         Message("value before"),
         Message("value behind"),
     )
-    rows = tuple(_seam_row(seam, motion) for seam in motion.joints)
+    rows = tuple(_seam_row(seam, motion) for seam in motion.joints if not seam.inside or seam in motion.seams)
     return (Sheet("seams", Message("Seams of the motion"), heads, rows, words=3),)
 
 
