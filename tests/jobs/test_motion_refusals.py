@@ -1,4 +1,4 @@
-"""Refusals of cams by their motion that name a size: put in, it is not refused, and passes where the sentence says so."""
+"""Refusals of cams by their motion that name a size: put in, it is not refused, and passes where it says so."""
 
 import re
 
@@ -121,7 +121,9 @@ def test_a_second_arm_on_the_wrong_side_is_told_an_angle(angle):
 def test_a_bore_through_the_disc_is_refused_with_sizes_that_were_tried(closure):
     design = Design.from_toml(DISC).with_({f"follower.{key}": value for key, value in closure.items()})
     said = refusal(design)
-    assert re.match(r"the thinnest wall is -1(\.025)? mm \(bore and profile, polar angle [\d.]+°\), so the disc breaks there", said)
+    assert re.match(
+        r"the thinnest wall is -1(\.025)? mm \(bore and profile, polar angle [\d.]+°\), so the disc breaks there", said
+    )
     sizes = re.findall(r"(blank\.bore_diameter_mm|cam\.base_circle_radius_mm) to ([\d.]+)", said)
     assert len(sizes) == 2
     for key, size in sizes:
