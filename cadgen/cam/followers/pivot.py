@@ -60,7 +60,7 @@ class ArmFollower(Follower):
         """Follower whose pivot stands farther from the camshaft, and the changes that make it.
 
         Args:
-            share: distance of that pivot by the present one.
+            share: distance of that pivot by the present one, dimensionless.
         """
 
     @abstractmethod

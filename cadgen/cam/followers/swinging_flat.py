@@ -143,7 +143,7 @@ class SwingingFace(ArmFollower, StraightFollower):
         """Face whose pivot stands farther from the camshaft, and the change that makes it.
 
         Args:
-            share: distance of that pivot by the present one.
+            share: distance of that pivot by the present one, dimensionless.
         """
         made = replace(self, centre_distance=ceil(share * self.centre_distance))
         return made, Message("{key} to {value:g}", key="follower.centre_distance_mm", value=made.centre_distance)

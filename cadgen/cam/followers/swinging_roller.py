@@ -152,7 +152,7 @@ class SwingingRoller(ArmFollower, RoundFollower):
         """Roller whose pivot stands farther from the camshaft on an arm that is longer by as much, with the changes.
 
         Args:
-            share: distance of that pivot by the present one.
+            share: distance of that pivot by the present one, dimensionless.
         """
         c = ceil(share * self.centre_distance)
         made = replace(self, centre_distance=c, arm=round(self.arm + c - self.centre_distance, 6))
