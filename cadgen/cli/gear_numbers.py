@@ -29,24 +29,18 @@ Command = Callable[..., Any]
 Named = dict[str, Any]  # arguments or figures by their names
 
 
-class WholeNumber(click.ParamType[int]):
-    """Whole number of a flag, whose refusal names one that is."""
+def _whole(example: int) -> Callable[[str], int]:
+    """Reader of a flag's whole number, whose refusal names one that is."""
 
-    name = "integer"
-
-    def __init__(self, example: int) -> None:
-        self.example = example
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> int:
-        """Number of a text."""
+    def integer(text: str) -> int:
         try:
-            return int(value)
+            return int(text)
         except ValueError:
-            self.fail(
-                Message("{value} is no whole number; give one, such as {example}", value=value, example=self.example),
-                param,
-                ctx,
-            )
+            raise click.BadParameter(
+                Message("{value} is no whole number; give one, such as {example}", value=text, example=example)
+            ) from None
+
+    return integer
 
 
 def _numbers(each: Callable[[str], Any], name: str, given: str | None) -> list[Any]:
@@ -224,7 +218,7 @@ _FORCE = help.option("--force", is_flag=True, help="Export even if a check fails
 
 @help.command()
 @_FILE
-@help.option("--teeth", type=WholeNumber(20), required=True, help="Number of teeth.")
+@help.option("--teeth", type=_whole(20), required=True, help="Number of teeth.")
 @help.option("--internal", is_flag=True, help="A ring with teeth inside.")
 @_gear_flags
 @_HAND
@@ -398,12 +392,12 @@ def pair(
 
 @help.command()
 @_FILE
-@help.option("--sun", type=WholeNumber(18), required=True, help="Teeth of the sun.")
-@help.option("--planet", type=WholeNumber(27), required=True, help="Teeth of a planet.")
+@help.option("--sun", type=_whole(18), required=True, help="Teeth of the sun.")
+@help.option("--planet", type=_whole(27), required=True, help="Teeth of a planet.")
 @help.option(
-    "--ring", type=WholeNumber(72), default=None, help="Teeth of the ring; sun and two planets together if left out."
+    "--ring", type=_whole(72), default=None, help="Teeth of the ring; sun and two planets together if left out."
 )
-@help.option("--planets", type=WholeNumber(3), default=3, show_default=True, help="Number of planets.")
+@help.option("--planets", type=_whole(3), default=3, show_default=True, help="Number of planets.")
 @help.option(
     "--held",
     type=click.Choice(["ring", "carrier", "sun"]),
