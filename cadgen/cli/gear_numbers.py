@@ -29,15 +29,20 @@ Command = Callable[..., Any]
 Named = dict[str, Any]  # arguments or figures by their names
 
 
-def _whole(example: int) -> Callable[[str], int]:
+def _whole(name: str, example: int) -> Callable[[str], int]:
     """Reader of a flag's whole number, whose refusal names one that is."""
 
     def integer(text: str) -> int:
         try:
             return int(text)
         except ValueError:
-            raise click.BadParameter(
-                Message("{value} is no whole number; give one, such as {example}", value=text, example=example)
+            raise click.UsageError(
+                Message(
+                    "--{name} is {given}; give a whole number, such as {example}",
+                    name=name,
+                    given=text,
+                    example=example,
+                )
             ) from None
 
     return integer
@@ -218,7 +223,7 @@ _FORCE = help.option("--force", is_flag=True, help="Export even if a check fails
 
 @help.command()
 @_FILE
-@help.option("--teeth", type=_whole(20), required=True, help="Number of teeth.")
+@help.option("--teeth", type=_whole("teeth", 20), required=True, help="Number of teeth.")
 @help.option("--internal", is_flag=True, help="A ring with teeth inside.")
 @_gear_flags
 @_HAND
@@ -392,12 +397,12 @@ def pair(
 
 @help.command()
 @_FILE
-@help.option("--sun", type=_whole(18), required=True, help="Teeth of the sun.")
-@help.option("--planet", type=_whole(27), required=True, help="Teeth of a planet.")
+@help.option("--sun", type=_whole("sun", 18), required=True, help="Teeth of the sun.")
+@help.option("--planet", type=_whole("planet", 27), required=True, help="Teeth of a planet.")
 @help.option(
-    "--ring", type=_whole(72), default=None, help="Teeth of the ring; sun and two planets together if left out."
+    "--ring", type=_whole("ring", 72), default=None, help="Teeth of the ring; sun and two planets together if left out."
 )
-@help.option("--planets", type=_whole(3), default=3, show_default=True, help="Number of planets.")
+@help.option("--planets", type=_whole("planets", 3), default=3, show_default=True, help="Number of planets.")
 @help.option(
     "--held",
     type=click.Choice(["ring", "carrier", "sun"]),
