@@ -7,17 +7,15 @@ from os import PathLike
 from typing import Any, ClassVar, Self
 
 from cadgen.figures import JobResult
-from cadgen.jobs.worn_cam.compared_cam import ComparedCamPlan
-from cadgen.jobs.worn_cam.compared_report import compared_report
-from cadgen.jobs.worn_cam.files import REPORT_WIDTH, write_measured
+from cadgen.jobs.worn_cam.compared_cam import ComparedCamPlan, compared_report
 from cadgen.jobs.worn_cam.found_cam import FoundCamPlan
-from cadgen.jobs.worn_cam.found_report import found_report
+from cadgen.jobs.worn_cam.found_report import REPORT_WIDTH, found_report, write_measured
 from cadgen.output.files.publisher import Written, folder_of
 from cadgen.output.report.terminal import Block, plain
 from cadgen.progress import Progress, silent
 
 
-class MeasuredCam(JobResult):
+class MeasuredResult(JobResult):
     """Base of the results of measuring a cam."""
 
     design: Any
@@ -60,7 +58,7 @@ class MeasuredCam(JobResult):
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class FoundCam(FoundCamPlan, MeasuredCam):
+class FoundCam(FoundCamPlan, MeasuredResult):
     """Motion found in a measured cam: laws and ends of segments, wear, the new design and the new cam."""
 
     _ending = "motion"
@@ -77,7 +75,7 @@ class FoundCam(FoundCamPlan, MeasuredCam):
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class ComparedCam(ComparedCamPlan, MeasuredCam):
+class ComparedCam(ComparedCamPlan, MeasuredResult):
     """Measured cam beside its design: deviations with their sizes, and what is left."""
 
     _ending = "compared"

@@ -313,7 +313,7 @@ def explain(nominal: Cars, lever: complex, prior: CarPrior, trials: Sequence[Tri
     unit = np.concatenate([prior.scales(), np.full(turns[-1] + 1, noise.head), *(starts for _ in trials)])
     shared, first = len(columns), len(columns) + turns[-1] + 1
     fits = [
-        _Fit(nominal, lever, prior, trial, [*range(shared), shared + turn, *range(at, at + len(starts))])
+        _CarFit(nominal, lever, prior, trial, [*range(shared), shared + turn, *range(at, at + len(starts))])
         for trial, turn, at in zip(trials, turns, range(first, len(unit), len(starts)), strict=True)
     ]
     value = np.zeros((len(cells), len(unit)))
@@ -345,7 +345,7 @@ def explain(nominal: Cars, lever: complex, prior: CarPrior, trials: Sequence[Tri
 
 
 @dataclass(frozen=True)
-class _Fit:
+class _CarFit:
     """Trial run against the nominal car; `columns` are the values of the car, its head and its start."""
 
     nominal: Cars
@@ -399,7 +399,7 @@ class _System:
     information: Array
 
     @classmethod
-    def of(cls, fits: Sequence[_Fit], cells: Array, value: Array, unit: Array) -> "_System":
+    def of(cls, fits: Sequence[_CarFit], cells: Array, value: Array, unit: Array) -> "_System":
         count, width = value.shape
         residuals, derivatives = [], []
         for fit in fits:

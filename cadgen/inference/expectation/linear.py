@@ -242,7 +242,7 @@ class Linear:
         noise: Noise,
         active: Active,
         idle: frozenset[Deviation] = frozenset(),
-    ) -> "Rows":
+    ) -> "WhitenedRows":
         """A record's rows, whitened.
 
         Args:
@@ -254,7 +254,7 @@ class Linear:
         # What repeats in a track is among the directions.
         first = repeating(model).shape[1] if kind is TRACK else 0
         turned = slopes(model, model.datum, [*self.own(kind, active), *((e, e.start) for e in model.datum)])
-        return Rows(
+        return WhitenedRows(
             evidence.whiten,
             evidence.whiten(self._columns(kind, model, active, idle)),
             np.hstack([evidence.basis[:, first:], evidence.whiten(turned)]),
@@ -262,12 +262,12 @@ class Linear:
             model.rows.place,
         )
 
-    def measured_rows(self, active: Active) -> list["Rows"]:
+    def measured_rows(self, active: Active) -> list["WhitenedRows"]:
         """The rows of every record so far, about some effects with their values."""
         table = zip(self.kinds, self.models, self.noises, strict=False)
         return [self.rows(kind, model, noise, active) for kind, model, noise in table]
 
-    def pull(self, rows: Sequence["Rows"], active: Active) -> Array:
+    def pull(self, rows: Sequence["WhitenedRows"], active: Active) -> Array:
         """Information times directions of what the records leave beside some effects, shape (size,).
 
         Args:
@@ -289,7 +289,7 @@ class Linear:
 
 
 @dataclass(frozen=True)
-class Rows:
+class WhitenedRows:
     """A record's rows, whitened.
 
     Attributes:

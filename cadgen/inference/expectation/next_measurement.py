@@ -23,7 +23,7 @@ from cadgen.arrays import TURN, Array
 from cadgen.deviations import deviation
 from cadgen.deviations.deviation import Deviation, Place
 from cadgen.deviations.effect import Active
-from cadgen.inference.expectation.linear import LEAST_WEIGHT, Knowledge, Linear, PriorKnowledge, Rows
+from cadgen.inference.expectation.linear import LEAST_WEIGHT, Knowledge, Linear, PriorKnowledge, WhitenedRows
 from cadgen.inference.expectation.outlook import RANGE, new_form
 from cadgen.inference.measurement.findings import EvidenceDiagnosis
 from cadgen.inference.measurement.kinds import LIFT, PROFILE, TRACK, TRANSMISSION
@@ -288,7 +288,7 @@ class _State:
         self._noise = rng.standard_normal((DRAWS, self._linear.size))
         self._disc = new_form(self._linear.track, DRAWS, rng)
 
-    def proposed(self, some: Sequence[Proposal]) -> list[tuple[Proposal, Rows | None]]:
+    def proposed(self, some: Sequence[Proposal]) -> list[tuple[Proposal, WhitenedRows | None]]:
         """Each proposal with the rows of its record."""
         linear, out = self._linear, []
         for proposal in some:
@@ -378,7 +378,7 @@ class _State:
                 error -= np.where(claimed, 0.0, (self._assumed / linear.scale[span]) @ way)
         return error
 
-    def with_part(self, best: Expected, rows: Rows, kinds: Sequence[Kind]) -> Expected:
+    def with_part(self, best: Expected, rows: WhitenedRows, kinds: Sequence[Kind]) -> Expected:
         """The best measurement with the part of the turn that says most."""
         parts = []
         for begin in np.arange(0.0, TURN, MOVED).tolist():

@@ -154,7 +154,7 @@ def new_form(model: TrackModel, count: int, rng: np.random.Generator) -> NDArray
 
 
 @dataclass(frozen=True)
-class _Drawn:
+class _DrawnEffect:
     """An effect of many cars: its values as found, shape (k,), and those of each car, shape (cars, k)."""
 
     name: Name
@@ -170,7 +170,7 @@ class _Drawn:
 
 def _drawn(
     model: TrackModel, likely: Likely, count: int, rng: np.random.Generator, unmeasured: Unmeasured | None
-) -> list[_Drawn]:
+) -> list[_DrawnEffect]:
     """Cars drawn from one subset, by their effects in a track.
 
     Where a track was measured, what does not act in it is not of the car's run: the play of a dial's stand is another
@@ -185,16 +185,16 @@ def _drawn(
         first, last = last, last + len(numbers)
         acting = _in_track(model, effect, name[0]) if unmeasured or KIND.code in kinds else None
         if acting is not None:
-            cars.append(_Drawn(name, acting, numbers, np.clip(values[:, first:last], *acting.bounds)))
+            cars.append(_DrawnEffect(name, acting, numbers, np.clip(values[:, first:last], *acting.bounds)))
     if unmeasured is not None:
         for effect, band in ((RETURN_ERROR, unmeasured.play), (SLIDING_FRICTION, unmeasured.friction)):
             if band[1] > 0 and all(car.effect.deviation != effect.deviation for car in cars):
                 name = KIND.code, effect.name
-                cars.append(_Drawn(name, effect, np.array([sum(band) / 2]), rng.uniform(*band, (count, 1))))
+                cars.append(_DrawnEffect(name, effect, np.array([sum(band) / 2]), rng.uniform(*band, (count, 1))))
     return cars
 
 
-def _ends(model: TrackModel, cars: Sequence[_Drawn], count: int) -> NDArray[np.complex128]:
+def _ends(model: TrackModel, cars: Sequence[_DrawnEffect], count: int) -> NDArray[np.complex128]:
     """Ends of the runs of many cars on one cam, x + iy, shape (count,), mm."""
     rolled = [car for car in cars if car.effect.stage in model.rolled.stages]
     others = [car for car in cars if car.effect.stage not in model.rolled.stages]

@@ -3,8 +3,6 @@
 | module          | what it holds                                                                      |
 |-----------------|------------------------------------------------------------------------------------|
 | `found_cam`     | measured cam of unknown motion -> its motion, the new design, the new cam          |
-| `compared_cam`  | measured cam of known motion -> what differs from its design                       |
-| `compared_report` | what differs in sentences and a table                                            |
-| `files`         | report, JSON and the new design, published together                                |
-| `found_report`  | the motion that was found in sentences and a table                                 |
+| `compared_cam`  | measured cam of known motion -> what differs from its design, and in sentences     |
+| `found_report`  | the motion that was found in sentences and a table; the files of either            |
 """

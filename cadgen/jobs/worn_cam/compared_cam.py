@@ -7,8 +7,10 @@ import numpy as np
 
 from cadgen.cam.lift_errors import ECCENTRICITY, LiftErrors
 from cadgen.design.schema import MotionDesign
-from cadgen.figures import Facts
+from cadgen.figures import Cell, Facts, Sheet, number
+from cadgen.inference.measurement.record import understood_of
 from cadgen.inference.motions.differences import (
+    BASE_CIRCLE,
     CamComparison,
     CamDifference,
     compared,
@@ -21,12 +23,15 @@ from cadgen.inference.motions.record_kinds import lifts_of, points_of, refuse_se
 from cadgen.jobs.calibration.sources import Source
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.motion_cam import plan_motion_cam
-from cadgen.jobs.lift_tolerance import ANGLES
+from cadgen.jobs.lift_tolerance import ANGLES, NAMES
 from cadgen.jobs.worn_cam.found_cam import mirrored
+from cadgen.messages import Message, joined
 from cadgen.output.files.manifest import Origin
+from cadgen.output.report.terminal import Block
 from cadgen.progress import Progress, silent
 from cadgen.verdict import Readiness
 
+_UM = 1e3
 _UM = 1e3
 
 
@@ -149,4 +154,70 @@ def compare_cam(design: MotionDesign, sources: tuple[Source, ...], progress: Pro
             comparison = either_side(comparison, lambda: outline_readings(other, plan.motion, follower))
     return ComparedCamPlan(
         design=design, source=sources[0], cam=plan, of_disc=points is not None, comparison=comparison
+    )
+
+
+def compared_report(cam: ComparedCamPlan) -> list[Block]:
+    """Report of a comparison.
+
+    Args:
+        cam: measured cam.
+    """
+    c = cam.comparison
+    blocks: list[Block] = [understood_of(cam.source.record)] if cam.source.record.notes else []
+    blocks.append(
+        Message(
+            "{file}: {rows} {what}; noise {noise:.2g} µm; off by {before:.1f} µm rms from the design, by {after:.1f} "
+            "µm from what is found.",
+            file=cam.source.path.name,
+            rows=len(cam.source.record.run),
+            what=Message("points") if cam.of_disc else Message("lifts"),
+            noise=_UM * c.noise,
+            before=_UM * c.before,
+            after=_UM * c.after,
+        )
+    )
+    if c.mirrored:
+        blocks.append(Message("The disc is wrong side up: its other face belongs outwards."))
+    if cam.found:
+        heads = (Message("Deviation"), Message("Size"), Message("Size ±"), Message("Lift off by"))
+        rows = tuple(_row(cam, each) for each in cam.found)
+        blocks.append(Sheet("cam-differences", Message("What differs from the design"), heads, rows))
+    blocks += [
+        Message(
+            "The disc stands off the bore towards {angle:.0f} degrees of the design's frame.", angle=direction(each)
+        )
+        for each in cam.found
+        if each.code == ECCENTRICITY
+    ]
+    if cam.of_disc and any(each.code not in (BASE_CIRCLE, ECCENTRICITY) for each in cam.found):
+        blocks.append(Message("Dimensions of the follower are those that the disc was cut for."))
+    if any(each.code == BASE_CIRCLE for each in cam.found) and not cam.of_disc:
+        blocks.append(Message("A larger roller lifts as a larger disc does: measure both."))
+    if c.rivals:
+        sets = [joined([NAMES[code] for code in codes], Message(" and ")) for codes in c.rivals if codes]
+        blocks.append(Message("As likely: {rivals}.", rivals=joined(sets, "; ")))
+    if not c.explained:
+        blocks.append(
+            Message(
+                "{left:.1f} µm are left at {angle:.0f} degrees of cam angle, {what}.",
+                left=abs(_UM * c.worst[0]),
+                angle=degrees(c.worst[1]),
+                what=Message("where material is missing: wear, or another motion")
+                if c.worst[0] < 0
+                else Message("where there is too much: another motion"),
+            )
+        )
+    return blocks
+
+
+def _row(cam: ComparedCamPlan, each: CamDifference) -> tuple[Cell | str, ...]:
+    angle = each.code in ANGLES
+    scale, unit = (degrees(1.0), "°") if angle else (_UM, "µm")
+    digits = 3 if angle else 1
+    return (
+        NAMES[each.code],
+        number(each.size * scale, unit, digits=digits),
+        number(max(each.sigmas) * scale, unit, digits=digits),
+        number(_UM * cam.at_lift(each), "µm", digits=1),
     )

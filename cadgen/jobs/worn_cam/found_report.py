@@ -1,18 +1,24 @@
 """The motion that was found in a measured cam, in sentences and a table."""
 
+import json
+from collections.abc import Iterator, Mapping, Sequence
 from math import degrees
+from pathlib import Path
 
 from cadgen.arrays import TURN
 from cadgen.check import failing
 from cadgen.errors import DesignError
-from cadgen.figures import Cell, Sheet, State, number
+from cadgen.figures import Cell, Facts, Sheet, State, number
 from cadgen.inference.measurement.record import understood_of
 from cadgen.jobs.worn_cam.found_cam import FoundCamPlan
 from cadgen.laws.unit import MM
 from cadgen.messages import Message, joined
-from cadgen.output.report.terminal import Block
+from cadgen.output.files.publisher import Artifact, Written, publish, text_file
+from cadgen.output.report.terminal import Block, plain
+from cadgen.progress import Progress
 
 _UM = 1e3
+REPORT_WIDTH = 110
 
 
 def found_report(cam: FoundCamPlan) -> list[Block]:
@@ -202,3 +208,31 @@ def _new_cam(cam: FoundCamPlan) -> Message:
         return Message("The new cam was rolled under its follower: every check holds.")
     names = joined([Message(each.name) for each in dict.fromkeys(failed)], "; ")
     return Message("The new cam was rolled under its follower, and does not keep: {names}.", names=names)
+
+
+def write_measured(
+    stem: str, folder: Path, facts: Facts, report: Sequence[Block], progress: Progress, designs: Mapping[str, str]
+) -> Written:
+    """Write report and JSON of a measured cam, with the new design where there is one.
+
+    Args:
+        stem: begin of the files' names.
+        folder: where to.
+        facts: result as facts.
+        report: result in words.
+        progress: function that is called with a few words on each step.
+        designs: texts of new designs by their names.
+
+    Raises:
+        FileError: a file cannot be written, or read back is not what was written.
+    """
+    progress("writing")
+
+    def files(staging: Path) -> Iterator[Artifact]:
+        content = json.dumps(facts.json(), indent=2, allow_nan=False, ensure_ascii=False)
+        yield text_file(staging / f"{stem}.json", f"{content}\n")
+        yield text_file(staging / f"{stem}.txt", plain(report, REPORT_WIDTH))
+        for name, text in designs.items():
+            yield text_file(staging / f"{name}.toml", text)
+
+    return publish(stem, folder, files, facts)

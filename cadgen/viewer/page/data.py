@@ -8,7 +8,7 @@ from cadgen.figures import Facts
 from cadgen.messages import CHINESE, shown
 from cadgen.verdict import Readiness
 from cadgen.viewer.page.document import Arm, Chart, Going, Page, Scene, Slide, Travel
-from cadgen.viewer.page.mesh_block import Block
+from cadgen.viewer.page.mesh_block import ArrayBlock
 
 FORMAT, VERSION = "cadgen-report", 1
 
@@ -20,7 +20,7 @@ def data_of(page: Page, level: int = 9) -> tuple[str, str]:
         page: content of the page.
         level: of the compression, 1 to 9: how long it may look for repetitions.
     """
-    block = Block()
+    block = ArrayBlock()
     document = Facts(
         format=FORMAT,
         version=VERSION,
@@ -40,7 +40,7 @@ def both(text: str) -> list[str]:
     return [str(text), shown(text, CHINESE)]
 
 
-def _scene(scene: Scene, block: Block) -> Facts:
+def _scene(scene: Scene, block: ArrayBlock) -> Facts:
     rod, car, travel = scene.follower, scene.car, scene.travel
     return Facts(
         base=scene.base,
@@ -90,7 +90,7 @@ def _scene(scene: Scene, block: Block) -> Facts:
     )
 
 
-def _travel(travel: Travel, block: Block) -> Facts:
+def _travel(travel: Travel, block: ArrayBlock) -> Facts:
     return Facts(
         centre=travel.centre,
         ahead=block.add(travel.ahead),
@@ -99,7 +99,7 @@ def _travel(travel: Travel, block: Block) -> Facts:
     )
 
 
-def _going(going: Going, block: Block) -> Facts:
+def _going(going: Going, block: ArrayBlock) -> Facts:
     """A run; angles and places in arrays of their own, the cam's angle as its lead over the motor."""
     return Facts(
         code=going.code,
@@ -113,7 +113,7 @@ def _going(going: Going, block: Block) -> Facts:
     )
 
 
-def _chart(chart: Chart, block: Block) -> Facts:
+def _chart(chart: Chart, block: ArrayBlock) -> Facts:
     return Facts(
         code=chart.code,
         title=both(chart.title),

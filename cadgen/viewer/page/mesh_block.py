@@ -108,7 +108,7 @@ class ArrayPlace:
     kind: Kind
 
 
-class Block:
+class ArrayBlock:
     """Arrays in the order in which they were added."""
 
     def __init__(self) -> None:
