@@ -32,7 +32,7 @@ from itertools import pairwise
 from pathlib import Path
 from pkgutil import walk_packages
 
-import cadgen
+import cadgen.cli  # as the command does, it sets one thread for linear algebra before numpy is loaded
 from cadgen.car.against_play.profile_kinds import codes
 from cadgen.design.load import packaged_designs
 from cadgen.inference.measurement import kinds
@@ -303,7 +303,6 @@ def main() -> None:
     parser.add_argument("--record", action="store_true", help="write studies/fuzz_COMMAND.md, or fuzz_COMMAND_deep.md")
     parser.add_argument("--show", type=int, metavar="NUMBER", help="only write this case and print its command")
     given = parser.parse_args()
-    os.environ["OPENBLAS_NUM_THREADS"] = "1"
     if given.show is not None:
         folder = Path("fuzz_case")
         folder.mkdir(exist_ok=True)
