@@ -9,6 +9,7 @@ import pytest
 
 from cadgen import Design, glossary
 from cadgen.check import CheckCode
+from cadgen.design.load import packaged_designs
 from cadgen.jobs.cam.cures import find_cures
 from cadgen.jobs.cam.readiness import GOOD_YIELD, SAMPLE, SEED, wheel_checks
 from cadgen.jobs.cam.steering_cam import comparison_of
@@ -43,14 +44,14 @@ def test_every_term_of_the_lines_on_a_packaged_design_is_explained_in_the_first_
     """A term is a heading of the glossary."""
     from cadgen.cli import show
 
-    for name in CODES:
+    for name in packaged_designs():
         print(*show.summary(Design.load(name).cam()))
     said = " ".join(capsys.readouterr().out.split())
     used = {term for term in glossary.terms() if re.search(rf"\b{re.escape(term)}s?\b", said, re.IGNORECASE)}
     rows = re.findall(r"^\| ([^|]+) \| [^|]+ \|$", (ROOT / "docs/first-steps.md").read_text("utf-8"), re.MULTILINE)
     explained = {re.sub(r"\[(.*?)\].*", r"\1", word) for row in rows for word in re.split(r"[,;] ", row)}
-    # The lines lead a path with more room: the verb, and not the lead of a cam.
-    assert used - {"cam", "ready", "follower", "stage", "tolerance", "lead"} <= explained | {"blend"}
+    # The lines lead a path with more room, and an acceleration jumps: verbs, and not the lead and the jump of a cam.
+    assert used - {"cam", "ready", "follower", "stage", "tolerance", "lead", "jump"} <= explained | {"blend"}
     assert "closing blend" in explained
     assert "cadgen explain" in (ROOT / "README.md").read_text("utf-8")
 

@@ -191,7 +191,7 @@ def _jump_reservations(motion: SegmentMotion, design: MotionDesign) -> list[Rese
         ),
         2: (
             "acceleration-jumps",
-            Message("the acceleration jumps {places} {unit}/rad²"),
+            Message("the acceleration, in {unit}/rad², jumps {places}"),
             Message("go slowly, or take laws that meet their neighbours"),
         ),
     }
@@ -210,7 +210,7 @@ def _jump_reservations(motion: SegmentMotion, design: MotionDesign) -> list[Rese
             for seam in jumps[:_MOST_PLACES]
         ]
         if len(jumps) > _MOST_PLACES:
-            places.append(Message("at {count} more places", count=len(jumps) - _MOST_PLACES))
+            places.append(Message("and at {count} more", count=len(jumps) - _MOST_PLACES))
         tried = Message("set {changes}, which ends it, or go slowly", changes=milder) if milder else cure
         held.append(Reservation(code, Message(text.template, places=joined(places), unit=motion.unit.symbol), tried))
     return held
