@@ -8,7 +8,7 @@ import pytest
 from cadgen.design import variation
 from cadgen.design.load import load_design
 from cadgen.deviations import catalogue
-from cadgen.inference.expectation.linear import Rows
+from cadgen.inference.expectation.linear import WhitenedRows
 from cadgen.inference.measurement.kinds import LIFT, PROFILE, TRACK, TRANSMISSION
 from cadgen.jobs.calibration import advice
 from cadgen.jobs.calibration.advice import Advice
@@ -31,7 +31,7 @@ def test_information_is_that_of_the_rows_with_datum_and_noise_in_their_covarianc
     columns, nuisance = rng.normal(size=(40, 5)), rng.normal(size=(40, 4))
     precision = np.array([0.3, 2.0, 50.0, 1e4])
     left, some = rng.normal(size=40), rng.random(40) < 0.5
-    rows = Rows(lambda read: read, columns, nuisance, precision, np.linspace(0, 6, 40))
+    rows = WhitenedRows(lambda read: read, columns, nuisance, precision, np.linspace(0, 6, 40))
     whole = np.eye(40) + nuisance @ np.diag(1 / precision) @ nuisance.T
     np.testing.assert_allclose(rows.information(), columns.T @ np.linalg.inv(whole) @ columns, rtol=1e-4)
     np.testing.assert_allclose(rows.pull(left), columns.T @ np.linalg.inv(whole) @ left, rtol=1e-3, atol=1e-3)
