@@ -12,6 +12,7 @@
 | `lift_tolerance` | errors of the lift of many cams by their motion       |
 | `car_layout`  | the train in its car, and its checks                     |
 | `car_assembly` | a car put together: all parts at their places            |
+| `car_gaps`    | gaps of each part of a car to the nearest others         |
 | `assembly_checks` | whether a car put together stands, and has the energy  |
 | `assembly_files` | a car put together -> STEP, list of parts, sheets        |
 | `train_proposal` | wheel, path and sizes of a car -> a train that fits it |

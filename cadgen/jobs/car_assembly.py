@@ -34,6 +34,7 @@ from cadgen.car.running.friction import DiscMaterial
 from cadgen.curves.chamfer import chamfered_off
 from cadgen.curves.contour import Contour, circle
 from cadgen.errors import DesignError
+from cadgen.gears.layout import TrainPart
 from cadgen.jobs.cam.cam_plan import DENSITY, CamPlan
 from cadgen.jobs.cam.steering_cam import CarUse
 from cadgen.jobs.car_layout import CarLayout
@@ -214,7 +215,7 @@ class _Parts:
             material, density, assumed = _material(self.train.making.shaft(part.shaft, shafts).material)
             yield CarPart(
                 code=f"gear-{part.name}".replace("_", "-"),
-                title=Message("gear {name} on shaft {shaft}", name=part.name, shaft=part.shaft)
+                title=Message("gear of {teeth} teeth, shaft {shaft}", teeth=_teeth(part), shaft=part.shaft)
                 if number <= shafts
                 else Message("{name} of stage {stage}", name=part.name.partition("_")[2], stage=part.stages[0]),
                 shape=BodyShape(part.body, part.volume),
@@ -575,6 +576,11 @@ def _gear_place(turning: TurningPart) -> Array:
     """Place of a gear with the gears pushing the cam at cam angle 0, shape (3, 4)."""
     part = turning.part
     return replace(part, axis=turning.axis, angle=turning.angle, height=part.height + turning.lift).transform
+
+
+def _teeth(part: TrainPart) -> str:
+    """Numbers of teeth of a part, from below."""
+    return " + ".join(str(each.teeth) for each in part.gears if hasattr(each, "teeth"))
 
 
 def _hue(number: int) -> tuple[float, float, float]:

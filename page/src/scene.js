@@ -8,6 +8,7 @@ import {
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
 const css = (name) => new Color(getComputedStyle(document.documentElement).getPropertyValue(name).trim());
+const FORK = -1; // in the place of a part's shaft; what stands has -2
 const SLOW = 34; // ms from frame to frame beyond which the picture is drawn coarser while it moves
 // Shares of the full resolution, from fine to coarse; edges of parts are drawn in the first ones alone.
 const LEVELS = [1, 0.8, 0.66, 0.5];
@@ -79,6 +80,7 @@ export class Assembly {
     for (const code of this.hidden) this.visible(code, false);
     this.colour();
     this.frame();
+    if (this.drawnApart) this.explode(this.drawnApart);
     if (this.cutting) this.section(...this.cutting);
     if (this.sized) this.resolve(this.level);
   }
@@ -92,20 +94,27 @@ export class Assembly {
       if (shaft.diameter > 0) this.add("shafts", group, rodGeometry(shaft.diameter / 2, shaft.low, shaft.high), "shaft");
       return group;
     });
+    const ofFork = parts.some((part) => part.shaft === FORK);
+    if (ofFork) {
+      this.fork = new Group();
+      this.fork.position.set(this.motion.scene.base, 0, rod.height);
+      this.root.add(this.fork);
+    }
     for (const part of parts) {
       const geometry = partGeometry(part.mesh);
-      this.add(part.code, this.shafts[part.shaft], geometry, part.colour);
-      const { userData } = this.groups.get(part.code)[0];
-      [userData.fine, userData.coarse] = [geometry, partGeometry(part.coarse)];
+      this.add(part.code, part.shaft === FORK ? this.fork : (this.shafts[part.shaft] ?? this.root), geometry, part.colour);
+      const drawnPart = this.groups.get(part.code).at(-1);
+      const { userData } = drawnPart;
+      [userData.fine, userData.coarse, userData.part] = [geometry, partGeometry(part.coarse), part];
       const lines = new BufferGeometry();
       lines.setAttribute("position", geometry.getAttribute("position"));
       lines.setIndex(new BufferAttribute(part.mesh.edges, 1));
       this.edges ??= new LineBasicMaterial();
       const drawn = new LineSegments(lines, this.edges);
       drawn.raycast = () => {};
-      this.groups.get(part.code)[0].add(drawn);
+      drawnPart.add(drawn);
     }
-    if (rod) {
+    if (rod && !ofFork) {
       this.fork = new Group();
       this.fork.position.set(this.motion.scene.base, 0, rod.height);
       const ends = rod.side > 0 ? [0, rod.length] : [-rod.length, 0];
@@ -227,7 +236,7 @@ export class Assembly {
     this.renderer.setSize(this.sized.x, this.sized.y, false);
     const fine = level < WITH_EDGES;
     if (this.edges) this.edges.visible = fine;
-    for (const [mesh] of this.groups.values()) {
+    for (const mesh of [...this.groups.values()].flat()) {
       if (mesh.userData.coarse) mesh.geometry = fine ? mesh.userData.fine : mesh.userData.coarse;
     }
     this.ask();
@@ -253,6 +262,17 @@ export class Assembly {
     if (on) this.hidden.delete(code);
     else this.hidden.add(code);
     for (const mesh of this.groups.get(code) ?? []) mesh.visible = on;
+    this.ask();
+  }
+
+  /** Draws the parts apart by a share of their ways: those on shafts along these, those of the fork upwards. */
+  explode(share) {
+    this.drawnApart = share;
+    for (const mesh of [...this.groups.values()].flat()) {
+      const [down, along] = mesh.userData.part?.apart ?? [0, 0];
+      if (mesh.userData.part) mesh.position.set(0, share * down, share * along);
+    }
+    this.frame();
     this.ask();
   }
 

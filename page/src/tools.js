@@ -23,12 +23,52 @@ export function tools(assembly) {
     bar.append(button);
   }
   const [list, picks] = [parts(assembly), measure(assembly)];
-  bar.append(section(assembly), list.menu, picks.button);
+  const apart = explode(assembly);
+  bar.append(section(assembly), apart.group, list.menu, picks.button);
   box.after(bar);
+  hover(assembly, picks);
   return () => {
     list.fill();
+    apart.fit();
     picks.clear();
   };
+}
+
+/** Slider that draws the parts of a car apart; hidden for a model whose parts have no ways. */
+function explode(assembly) {
+  const slider = element("input", { type: "range", min: 0, max: 1, step: 0.01, value: 0, label: both("Draw the parts apart") });
+  const group = element("label", { class: "group" }, element("span", { text: both("Apart") }), slider);
+  slider.addEventListener("input", () => assembly.explode(Number(slider.value)));
+  const fit = () => {
+    group.hidden = !assembly.motion.scene.parts.some((part) => part.branch);
+  };
+  fit();
+  return { group, fit };
+}
+
+/** Says of the part under the pointer what it is, and what lies nearest to it. */
+function hover(assembly, picks) {
+  const { canvas, box } = assembly;
+  const said = element("output", { class: "hovered", "aria-live": "off" });
+  box.append(said);
+  let waiting = null;
+  const show = (event) => {
+    waiting = null;
+    const part = picks.on() ? null : struck(assembly, event)?.mesh.userData.part;
+    said.hidden = !part;
+    if (part) said.replaceChildren(element("b", { text: part.label }), ...(part.near ? [element("span", { text: part.near })] : []));
+  };
+  said.hidden = true;
+  const ask = (event) => {
+    if (event.buttons) return;
+    if (!waiting) requestAnimationFrame(() => show(waiting));
+    waiting = event;
+  };
+  canvas.addEventListener("pointermove", ask);
+  canvas.addEventListener("pointerup", (event) => event.pointerType === "touch" && show(event));
+  canvas.addEventListener("pointerleave", (event) => {
+    if (event.pointerType !== "touch") said.hidden = true;
+  });
 }
 
 function key(event, assembly) {
@@ -70,15 +110,39 @@ function section(assembly) {
 function parts(assembly) {
   const menu = element("div", { class: "menu" });
   const fill = () => {
-    const list = assembly.motion.scene.parts.map(({ code, label }) => [code, label]);
+    const list = new Map(assembly.motion.scene.parts.map((part) => [part.code, part]));
     for (const [code, label] of [["shafts", both("shafts")], ["follower", assembly.motion.scene.rod ? both("rod and fork") : both("follower")], ["wheel", both("drive wheel")]]) {
-      if (assembly.groups.has(code)) list.push([code, label]);
+      if (assembly.groups.has(code)) list.set(code, { code, label });
     }
-    const boxes = list.map(([code, label]) => {
+    const branches = new Map(); // by the label of the branch; parts without one stand by themselves
+    const boxes = [];
+    for (const { code, label, branch } of list.values()) {
       const box = element("input", { type: "checkbox", checked: !assembly.hidden.has(code) });
       box.addEventListener("change", () => assembly.visible(code, box.checked));
-      return element("label", {}, box, element("span", { text: label }));
-    });
+      const line = element("label", {}, box, element("span", { text: label }));
+      if (!branch) {
+        boxes.push(line);
+        continue;
+      }
+      const name = [branch].flat()[0];
+      if (!branches.has(name)) {
+        const whole = element("input", { type: "checkbox", checked: true });
+        const own = [];
+        whole.addEventListener("change", () => {
+          for (const one of own) {
+            one.checked = whole.checked;
+            one.dispatchEvent(new Event("change"));
+          }
+        });
+        const node = element("fieldset", {}, element("legend", {}, element("label", {}, whole, element("b", { text: branch }))));
+        branches.set(name, { node, own, whole });
+        boxes.push(node);
+      }
+      const { node, own, whole } = branches.get(name);
+      own.push(box);
+      node.append(line);
+      whole.checked = own.some((one) => one.checked);
+    }
     menu.replaceChildren(...boxes);
   };
   fill();
@@ -164,7 +228,7 @@ function measure(assembly) {
     say();
     assembly.ask();
   });
-  return { button, clear };
+  return { button, clear, on: () => on };
 }
 
 /** The nearest corner of the mesh under the pointer, or the place on its face. */

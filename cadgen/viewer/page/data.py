@@ -74,6 +74,9 @@ def _scene(scene: Scene, block: ArrayBlock) -> Facts:
                 label=both(part.label),
                 shaft=part.shaft,
                 colour=part.colour,
+                branch=part.branch and both(part.branch),
+                apart=part.apart,
+                near=part.near and both(part.near),
                 mesh=block.mesh(part.shades[0]),
                 coarse=block.mesh(part.shades[1]),
             )

@@ -45,6 +45,9 @@ class Colour(StrEnum):
     GEAR = "gear"
     PINION = "pinion"
     FRAME = "frame"
+    SHAFT = "shaft"
+    ROD = "rod"
+    WHEEL = "wheel"
 
 
 @dataclass(frozen=True)
@@ -118,6 +121,9 @@ class Mark:
     angle: float
 
 
+FORK, STILL = -1, -2  # in the place of a part's shaft
+
+
 @dataclass(frozen=True)
 class Part:
     """A part in 3D.
@@ -127,8 +133,11 @@ class Part:
         label: name for people.
         mesh: its mesh in the frame of its shaft, mm; z is the height above the cam's face.
         coarse: the same with few triangles, drawn while it moves on a slow machine.
-        shaft: index of the shaft that it turns with.
+        shaft: index of the shaft that it turns with; `FORK` for the fork, `STILL` for what stands.
         colour: what it is painted as.
+        branch: group of parts in whose branch of the tree it stands; empty for none.
+        apart: ways by which it is drawn apart downwards and along the shafts, mm.
+        near: what lies nearest to it, in words; empty where nothing is known.
     """
 
     code: str
@@ -137,6 +146,9 @@ class Part:
     coarse: Mesh
     shaft: int
     colour: Colour = Colour.GEAR
+    branch: str = ""
+    apart: tuple[float, float] = (0.0, 0.0)
+    near: str = ""
 
     @cached_property
     def shades(self) -> tuple[Shaded, Shaded]:

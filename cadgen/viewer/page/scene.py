@@ -1,6 +1,6 @@
 """Everything that moves on the page: runs over the cam angle, course, car, shafts, and parts in 3D."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from math import hypot
@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll_curve
 from cadgen.cam.follower import EdgeFollower
+from cadgen.car.assembly.car_parts import Block, BodyShape, CarPart, DiscShape, Group, GroupKind
 from cadgen.car.assembly.turning_train import (
     Stand,
     TurningPart,
@@ -27,16 +28,20 @@ from cadgen.curves.contour import circle
 from cadgen.design.course import layout_of
 from cadgen.design.schema import Design
 from cadgen.errors import CadgenError
-from cadgen.geometry.meshes.car_meshes import stood
+from cadgen.geometry.meshes.car_meshes import shape_mesh, stood
 from cadgen.geometry.meshes.mesh import Mesh, cam_mesh, grooved_mesh
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.steering_cam import CarUse
+from cadgen.jobs.car_assembly import CarAssembly, put_together
+from cadgen.jobs.car_gaps import part_gaps
 from cadgen.jobs.gears.gear_train import GearTrain
 from cadgen.laws.unit import MM
-from cadgen.messages import Message
+from cadgen.messages import Message, joined
 from cadgen.parts.face import Face
 from cadgen.viewer.page.charts import name_before
 from cadgen.viewer.page.document import (
+    FORK,
+    STILL,
     Arm,
     CarShape,
     Colour,
@@ -432,6 +437,12 @@ def bodies_of(plan: CamPlan, gears: GearTrain | None, cam_radius: float) -> Bodi
     notes: list[str] = []
     parts = _parts(plan, train, notes)
     shafts, wheel = [_camshaft(plan, train)], None
+    laid_out = gears is not None and gears.car is not None and gears.car.directions is not None
+    if train is not None and gears is not None and laid_out:
+        shafts += [_shaft(turning, None, drawn=False) for turning in reversed(train.parts)]
+        shafts += _planets(train)
+        shafts[0] = replace(shafts[0], diameter=0.0)
+        return Bodies(tuple(shafts), tuple(car_bodies(put_together(plan, gears), parts, shafts)), None, fork, side, ())
     if train is not None:
         reach = fork + use.car.drive_wheel_offset
         for number, turning in enumerate(reversed(train.parts)):
@@ -444,6 +455,76 @@ def bodies_of(plan: CamPlan, gears: GearTrain | None, cam_radius: float) -> Bodi
         if gears is not None and (gears.car is None or gears.car.directions is None):
             notes += _notes(plan, train, cam_radius)
     return Bodies(tuple(shafts), tuple(parts), wheel, fork, side, tuple(notes))
+
+
+_PAINTS = {"shaft": Colour.SHAFT, "key": Colour.SHAFT, "rod": Colour.ROD, "wheel": Colour.WHEEL, "fork": Colour.PINION}
+# Chords of parts other than disc and gears, fine and coarse, mm.
+_PLAIN_CHORDS = (0.02, 0.12)
+# Parts of the fork are drawn apart upwards by this multiple of their distance from the middle of the car, all others
+# along the shafts by so many mm from one to the next; a key comes out of its seat by so many mm more.
+_APART, _NEXT, _KEY_OUT = 1.4, 14.0, 18.0
+
+
+def car_bodies(assembly: CarAssembly, drawn: Sequence[Part], shafts: Sequence[Shaft]) -> Iterator[Part]:
+    """All parts of a car: those of disc and train that are drawn already, and the others, each with its neighbours.
+
+    Args:
+        assembly: car put together.
+        drawn: disc and gears.
+        shafts: shafts of the page, the first that of the disc, then those of the train from the camshaft on.
+    """
+    gaps, titles = part_gaps(assembly), {part.code: part.title for part in assembly.parts}
+    known = {part.code.replace("_", "-"): part for part in drawn}
+    last = len(assembly.train.layout.on_shafts)
+    whole = [(part, place, _middle(part, place)) for part in assembly.parts for place in part.places]
+    middle = float(np.mean([at[1] for *_, at in whole]))
+    heights = sorted({round(float(at[2]), 3) for *_, at in whole})
+    for part, place, at in whole:
+        index, branch = STILL, Message("frame")
+        if part.group.kind == GroupKind.FORK:
+            index, branch = FORK, Message("fork")
+        elif part.group.kind != GroupKind.FRAME:
+            index, branch = (last + 1 - part.group.number, Message("shaft {shaft}", shaft=part.group.number))
+            if part.group.number == last and not part.code.startswith("gear"):
+                index = 0
+        apart = (_APART * (float(at[1]) - middle), 0.0)
+        if index != FORK:
+            steps = heights.index(round(float(at[2]), 3)) - (len(heights) - 1) / 2
+            apart = (0.0, _NEXT * steps + _KEY_OUT * part.code.startswith("key"))
+        near = joined(
+            [
+                Message("{gap:.4g} mm to {part}", gap=each.size, part=titles.get(each.other, each.other))
+                for each in gaps.get(part.code, ())
+            ],
+            "; ",
+        )
+        code = "cam" if part.code == "cam-disc" else part.code.removeprefix("gear-")
+        if code in known:
+            yield replace(known[code], label=part.title, branch=branch, apart=apart, near=near)
+        elif part.shape is not None:
+            fine, coarse = (_placed(part.shape, place, index, part.group, shafts, chord) for chord in _PLAIN_CHORDS)
+            paint = next((paint for word, paint in _PAINTS.items() if word in part.code), Colour.FRAME)
+            yield Part(part.code, part.title, fine, coarse, index, paint, branch, apart, near)
+
+
+def _middle(part: CarPart, place: Array) -> Array:
+    here: Array = place @ np.array([*part.content.centre, 1.0])
+    return here
+
+
+def _placed(
+    shape: BodyShape | DiscShape | Block, place: Array, index: int, group: Group, shafts: Sequence[Shaft], chord: float
+) -> Mesh:
+    """Mesh of a part in the frame that it moves with: of its shaft, or about the axis of the fork."""
+    mesh = shape_mesh(shape, chord)
+    vertices = mesh.vertices @ place[:, :3].T + place[:, 3]
+    if index == FORK:
+        vertices = vertices - [group.axis.real, 0.0, group.axis.imag]
+    elif index != STILL:
+        vertices = vertices - [*shafts[index].axis, 0.0]
+        c, s = np.cos(shafts[index].angle), np.sin(shafts[index].angle)
+        vertices = vertices @ np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+    return Mesh(vertices, mesh.triangles)
 
 
 def _train(plan: CamPlan, gears: GearTrain, side: int, behind: float) -> TurningTrain:

@@ -1,0 +1,145 @@
+"""The STEP file of a car read by the kernel alone: no two solids overlap, and gaps are those of the layout's check.
+
+Names, places and solids are read here by plain OCP. For further cam angles the solids are moved by formulas of this
+file: the cam by -θ, every shaft by the ratio of its teeth, the fork by the angle of the rod that touches the disc.
+"""
+
+from collections.abc import Iterator
+from itertools import combinations
+from pathlib import Path
+
+import numpy as np
+import pytest
+from OCP.Bnd import Bnd_Box
+from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
+from OCP.BRepBndLib import BRepBndLib
+from OCP.BRepBuilderAPI import BRepBuilderAPI_Transform
+from OCP.BRepExtrema import BRepExtrema_DistShapeShape
+from OCP.BRepGProp import BRepGProp
+from OCP.collections import Sequence_TDF_Label
+from OCP.gp import gp_Ax1, gp_Dir, gp_Pnt, gp_Trsf
+from OCP.GProp import GProp_GProps
+from OCP.STEPCAFControl import STEPCAFControl_Reader
+from OCP.TCollection import TCollection_ExtendedString
+from OCP.TDataStd import TDataStd_Name
+from OCP.TDocStd import TDocStd_Document
+from OCP.TopoDS import TopoDS_Shape
+from OCP.XCAFDoc import XCAFDoc_DocumentTool, XCAFDoc_ShapeTool
+
+from cadgen import Design
+from cadgen.api.assembly import AssembledCar
+
+pytestmark = [pytest.mark.slow, pytest.mark.long]
+
+ANGLES = np.arange(24) * 15.0
+OVERLAP = 1e-6  # mm³
+AGREES = 0.01  # mm
+# Bodies that are no part of the train, of which the layout judges every gap; and pairs that touch by design.
+JUDGED = ("cam-disc", "drive-wheel", "idle-wheel", "rod", "front-wheel")
+
+
+def read(path: Path) -> dict[str, TopoDS_Shape]:
+    document, reader = TDocStd_Document(TCollection_ExtendedString("XCAF")), STEPCAFControl_Reader()
+    reader.SetNameMode(True)
+    reader.ReadFile(str(path))
+    assert reader.Transfer(document)
+    tool = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
+    roots, uses = Sequence_TDF_Label(), Sequence_TDF_Label()
+    tool.GetFreeShapes(roots)
+    assert roots.Length() == 1
+    XCAFDoc_ShapeTool.GetComponents_s(roots.First(), uses)
+    shapes = {}
+    for number in range(1, uses.Length() + 1):
+        name = TDataStd_Name()
+        assert uses.Value(number).FindAttribute(TDataStd_Name.GetID_s(), name)
+        shapes[name.Get().ToExtString()] = tool.GetShape_s(uses.Value(number))
+    return shapes
+
+
+def near(shapes: dict[str, TopoDS_Shape]) -> Iterator[tuple[str, str]]:
+    """Pairs whose boxes meet."""
+    boxes = {}
+    for name, shape in shapes.items():
+        boxes[name] = Bnd_Box()
+        BRepBndLib.AddOptimal_s(shape, boxes[name], False, False)
+    return (pair for pair in combinations(shapes, 2) if not boxes[pair[0]].IsOut(boxes[pair[1]]))
+
+
+def common(one: TopoDS_Shape, other: TopoDS_Shape) -> float:
+    found = GProp_GProps()
+    BRepGProp.VolumeProperties_s(BRepAlgoAPI_Common(one, other).Shape(), found)
+    return float(found.Mass())
+
+
+def turned(
+    shape: TopoDS_Shape, point: tuple[float, float, float], axis: tuple[int, int, int], angle: float
+) -> TopoDS_Shape:
+    move = gp_Trsf()
+    move.SetRotation(gp_Ax1(gp_Pnt(*point), gp_Dir(*axis)), angle)
+    return BRepBuilderAPI_Transform(shape, move, False).Shape()
+
+
+@pytest.fixture(scope="module")
+def car() -> AssembledCar:
+    return Design.load("workshop_car").assembly("actual")
+
+
+@pytest.fixture(scope="module")
+def shapes(car: AssembledCar, tmp_path_factory: pytest.TempPathFactory) -> dict[str, TopoDS_Shape]:
+    written = car.write(tmp_path_factory.mktemp("car"))
+    return read(written.folder / "workshop_car_assembly.step")
+
+
+def test_names_are_those_of_the_parts(car: AssembledCar, shapes: dict[str, TopoDS_Shape]) -> None:
+    assert len(shapes) == sum(len(part.places) for part in car.parts)
+    assert {"cam-disc", "rod", "fork-cheek-1", "fork-cheek-2", "shaft-4"} <= shapes.keys()
+
+
+@pytest.mark.parametrize("angle", [0.0, 97.5])
+def test_no_two_solids_overlap(car: AssembledCar, angle: float, tmp_path: Path) -> None:
+    written = car.write(tmp_path, angle)
+    at_angle = read(written.folder / "workshop_car_assembly.step")
+    pairs = list(near(at_angle))
+    volumes = {pair: common(at_angle[pair[0]], at_angle[pair[1]]) for pair in pairs}
+    worst = max(volumes, key=lambda pair: volumes[pair])
+    print(f"{angle} degrees: {len(pairs)} pairs, greatest common volume {volumes[worst]:.2e} mm³ of {worst}")
+    assert volumes[worst] < OVERLAP
+
+
+def test_gaps_are_those_of_the_layout_at_24_cam_angles(car: AssembledCar, shapes: dict[str, TopoDS_Shape]) -> None:
+    found = car.computed.layout.arrangement
+    assert found is not None
+    a, fork_z, side = 70.0, -23.5, 1
+    motion = car.computed.use.rolled(car.computed.cam)
+    least = (np.inf, "", "", 0.0)
+    deepest = 0.0
+    for angle in np.radians(ANGLES):
+        disc = turned(shapes["cam-disc"], (0.0, 0.0, 0.0), (0, 0, 1), -angle)
+        start, now = (float(np.arctan(motion.q(np.array([each])))[0]) for each in (0.0, angle))
+        moved = {
+            name: turned(shapes[name], (a, 0.0, fork_z), (0, 1, 0), side * (now - start))
+            for name in ("rod", "front-wheel")
+        }
+        at_angle = shapes | moved | {"cam-disc": disc}
+        deepest = max(deepest, common(at_angle["rod"], disc))
+        for one, other in combinations(at_angle, 2):
+            if not {one, other} & set(JUDGED) or touching(one, other):
+                continue
+            gap = BRepExtrema_DistShapeShape(at_angle[one], at_angle[other]).Value()
+            least = min(least, (gap, one, other, float(np.degrees(angle))))
+    print(f"least gap {least[0]:.4f} mm between {least[1]} and {least[2]}, {found.least.size:.4f} in the layout")
+    print(f"greatest common volume of rod and disc {deepest:.2e} mm³")
+    assert least[0] == pytest.approx(found.least.size, abs=AGREES)
+    assert deepest < OVERLAP
+
+
+def touching(one: str, other: str) -> bool:
+    """Whether two parts are on one shaft, or both of the fork, or rod and disc; gears turn about their shafts."""
+    groups = {"rod": "fork", "front-wheel": "fork", "front-pin": "fork", "cam-disc": "4", "key-cam-disc": "4"}
+    groups |= {"shaft-1": "1", "gear-1-pinion": "1", "drive-wheel": "1", "idle-wheel": "1"}
+    groups |= {"shaft-4": "4", "gear-4-wheel": "4", "key-shaft-4": "4"}
+
+    def group(name: str) -> str:
+        return "fork" if name.startswith("fork") else groups.get(name, name)
+
+    return group(one) == group(other) or {one, other} == {"rod", "cam-disc"}
