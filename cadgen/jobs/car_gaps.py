@@ -29,12 +29,13 @@ class PartGap(NamedTuple):
 
 
 class _Round(NamedTuple):
-    """Round body of a part; `group` is the shaft that it is on, 0 for the fork."""
+    """Round body of a part; `group` is the shaft that it is on, 0 for the fork; `touches` a part that it rides on."""
 
     code: str
     group: int
     stage: int | None
     body: SolidCylinder
+    touches: str = ""
 
 
 def part_gaps(assembly: CarAssembly) -> Mapping[str, tuple[PartGap, ...]]:
@@ -56,7 +57,7 @@ def part_gaps(assembly: CarAssembly) -> Mapping[str, tuple[PartGap, ...]]:
             note(one.code, other.code, gap(one.body, other.body))
     for moved in _of_fork(assembly):
         for fixed in on_shafts:
-            if {moved.code, fixed.code} != {"rod", "cam-disc"}:  # which touch
+            if fixed.code != moved.touches:
                 note(moved.code, fixed.code, gap(moved.body, fixed.body))
     return {
         code: tuple(sorted(PartGap(size, other) for other, size in beside.items())[:MOST])
@@ -94,5 +95,6 @@ def _of_fork(assembly: CarAssembly) -> Iterator[_Round]:
     site, found = assembly.layout.site, assembly.layout.arrangement
     assert found is not None  # `put_together` refuses a car without an arrangement
     for share in np.linspace(0.0, 1.0, STEERING_STEPS + 1).tolist():
-        for code, body in zip(("rod", "front-wheel"), site.fork_bodies(share, found.height), strict=False):
-            yield _Round(code, 0, None, body)
+        named = (("rod", "cam-disc"), ("front-wheel", ""))
+        for (code, touches), body in zip(named, site.fork_bodies(share, found.height), strict=False):
+            yield _Round(code, 0, None, body, touches)
