@@ -10,6 +10,7 @@ from cadgen import Design, Gear, GearPair, Planetary
 from cadgen.errors import DesignError
 from cadgen.gears import sliding
 from cadgen.gears.contact import path_of_contact
+from tests.gears.test_helical import form_of, pair_of, trial
 
 
 def fzg_c():
@@ -125,3 +126,12 @@ def test_a_train_says_its_losses_with_method_and_source(tmp_path):
     file.write_text(text.format(source=""))
     with pytest.raises(DesignError, match=r'go together: give both, such as 0\.1 and "estimated"'):
         Design.load(file, train_only=True)
+
+
+@pytest.mark.parametrize("name", ["01_helical_shifted", "03_undercut_helical", "05_z5_shift"])
+def test_loss_factors_of_another_program(name):
+    """Trials of helical pairs, the last with a contact ratio below 1 that the overlap carries."""
+    numbers = trial(name)
+    forms = [form_of(numbers["design"][key]) for key in ("gear1", "gear2")]
+    said = numbers["expected"]["pair"]["H_v"]
+    assert sliding.loss_factor(pair_of(*forms, numbers["design"]["a"])) == pytest.approx(said, abs=1e-6)
