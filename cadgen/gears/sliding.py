@@ -8,9 +8,9 @@ pit and wear.
 **Losses** of the teeth by Niemann and Ohlendorf: of the power P they take P μ H_v, with a constant friction coefficient
 μ and the load shared equally by the teeth in contact. For 1 ≤ ε_α ≤ 2
 H_v = π (1/z_1 ± 1/z_2) / cos β_b · (1 − ε_α + ε_1² + ε_2²), minus for a ring; ε_1 and ε_2 are the parts of ε_α after
-and before the pitch point. after and before the pitch point. Below 1, where the overlap of a helix carries on, the formula is kept: it lies above
-the mean of the sliding there, by 1.4 % at ε_α = 0.99. Beyond 2, and where contact keeps to one side of the pitch point,
-the mean of the sliding over a pitch is taken itself.
+and before the pitch point. Below 1, where the overlap of a helix carries on, the formula is kept: it is above the mean
+of the sliding there, by 1.4 % at ε_α = 0.99. Beyond 2, and where contact keeps to one side of the pitch point, the mean
+of the sliding over a pitch is taken itself.
 """
 
 from __future__ import annotations
