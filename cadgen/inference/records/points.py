@@ -1,5 +1,6 @@
 """Points of a path from a file: rows of numbers in CSV or TXT, or the corners of a polyline in DXF."""
 
+import logging
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -19,6 +20,9 @@ _FARTHEST = 1e7  # mm from the origin: ten kilometres
 _SAG = 1.0  # mm, by which a chord may leave an arc of a polyline
 # Millimetres of a unit by $INSUNITS of a DXF; a drawing without a unit is taken to be in mm.
 _UNITS = {0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 14: 100.0}
+
+# Of each damaged entity the library logs a line, which would stand before the sentence of `read_points`.
+logging.getLogger("ezdxf").addHandler(logging.NullHandler())
 
 
 @dataclass(frozen=True)

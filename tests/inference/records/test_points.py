@@ -84,6 +84,15 @@ def test_a_damaged_drawing_is_one_sentence(name):
         read_points(DRAWINGS / f"{name}.dxf")
 
 
+def test_a_command_on_a_damaged_drawing_says_nothing_but_the_sentence(forks, tmp_path):
+    """The library logs 34 lines on its entities."""
+    drawing = str(DRAWINGS / "bad_dxf_28.dxf")
+    run = forks.run("from cadgen.cli import main; main()", "new", "a", "--points", drawing, cwd=tmp_path)
+    assert (run.returncode, run.stdout) == (3, "")
+    assert run.stderr.startswith("cadgen: bad_dxf_28.dxf is no DXF that can be read (")
+    assert run.stderr.count("\n") == 1
+
+
 def test_a_bulge_without_bound_is_refused_before_its_arc_is_followed():
     """A bulge of 1e12 is an arc of 1e16 mm: to a millimetre, it has a hundred million points."""
     with pytest.raises(FileError, match=r"^bulge\.dxf: its polyline reaches [\d.]+e\+16 mm .* correct its corners"):
