@@ -137,7 +137,14 @@ def chamfered_off(curve: ClosedCurve, leg: float) -> float:
     """
     turns = [corner.turn for corner in curve.corners()]
     square = np.pi - sum(turns) / 2 + sum(tan(turn / 2) if turn > 0 else turn / 2 for turn in turns)
-    length = sum(_length(piece) for piece in curve.pieces)
+    length = 0.0
+    nodes, weights = gauss_nodes(_GAUSS_POINTS)
+    for piece in curve.pieces:
+        edges = np.linspace(piece.start, piece.stop, max(9, int((piece.stop - piece.start) * _GAUSS_STEPS) + 1))
+        half = np.diff(edges) / 2
+        t = (edges[:-1] + half)[:, None] + half[:, None] * nodes
+        speed = np.linalg.norm(piece.jet(t.ravel()).velocity, axis=1).reshape(t.shape)
+        length += float(np.sum((speed @ weights) * half))
     return float(length * leg**2 / 2 - square * leg**3 / 3)
 
 
@@ -195,12 +202,3 @@ def _extended(piece: Piece, t: float) -> tuple[Array, Array]:
     inside = min(max(t, piece.start), piece.stop)
     jet = piece.jet(np.array([inside]))
     return jet.point[0] + (t - inside) * jet.velocity[0], jet.velocity[0]
-
-
-def _length(piece: Piece) -> float:
-    nodes, weights = gauss_nodes(_GAUSS_POINTS)
-    edges = np.linspace(piece.start, piece.stop, max(9, int((piece.stop - piece.start) * _GAUSS_STEPS) + 1))
-    half = np.diff(edges) / 2
-    t = (edges[:-1] + half)[:, None] + half[:, None] * nodes
-    speed = np.linalg.norm(piece.jet(t.ravel()).velocity, axis=1).reshape(t.shape)
-    return float(np.sum((speed @ weights) * half))

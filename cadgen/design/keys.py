@@ -235,7 +235,9 @@ def _walk(
         if not name and kinds.motion and part in OF_A_CAR:
             continue
         annotation = _without_none(info.annotation)
-        inner = _section_in(annotation)
+        arms = (annotation, *get_args(annotation))
+        arms += tuple(below for arm in arms if get_origin(arm) is Annotated for below in get_args(arm))
+        inner = next((arm for arm in arms if isinstance(arm, type) and issubclass(arm, DesignSection)), None)
         if inner is FollowerSection:
             inner = section_of(kinds.follower)
         elif inner is PathSection:
@@ -259,12 +261,6 @@ def _without_none(annotation: Any) -> Any:
     if len(arms) == 1 and type(None) in get_args(annotation) and get_origin(arms[0]) is Annotated:
         return get_args(arms[0])[0]
     return annotation
-
-
-def _section_in(annotation: Any) -> type[DesignSection] | None:
-    candidates = (annotation, *get_args(annotation))
-    candidates += tuple(inner for arm in candidates if get_origin(arm) is Annotated for inner in get_args(arm))
-    return next((c for c in candidates if isinstance(c, type) and issubclass(c, DesignSection)), None)
 
 
 def _bound(limits: Sequence[Any], names: tuple[str, str]) -> float | None:

@@ -158,7 +158,8 @@ def mountings(assembly: CarAssembly) -> tuple[ShaftMounting, ...]:
             part, (low, high) = entry
             return (low + high) / 2 * -place.towards, int(part.supply == Supply.MADE)
 
-        inside = sorted((each for each in others if _between(each[1], (place.near, place.far))), key=away)
+        least, most = sorted((place.near, place.far))
+        inside = sorted((each for each in others if least < sum(each[1]) / 2 < most), key=away)
         outside = [each for each in others if each not in inside]
         beyond = sorted((each for each in outside if away(each)[0] > -place.near * place.towards), key=away)
         behind = sorted((each for each in outside if each not in beyond), key=away, reverse=True)
@@ -176,10 +177,6 @@ def mountings(assembly: CarAssembly) -> tuple[ShaftMounting, ...]:
         name = shaft[0].title if shaft else Message("shaft {shaft}", shaft=number)
         tables.append(ShaftMounting(name, tuple(steps)))
     return tuple(tables)
-
-
-def _between(heights: tuple[float, float], plates: tuple[float, float]) -> bool:
-    return min(plates) < sum(heights) / 2 < max(plates)
 
 
 def _seats(assembly: CarAssembly, shaft: CarPart) -> str:
@@ -237,10 +234,12 @@ def mounting_notes(assembly: CarAssembly) -> Iterator[Message]:
         "{length} mm from the fork axis.",
         length=rounded(site.rod_length, 2),
     )
+    deviation = design.tolerances.base_radius_mm
+    within = f"± {deviation:g} mm" if deviation else Message("what the design's tolerances say")
     yield Message(
         "Set the fork axis {distance} mm ahead of the camshaft with the micrometer head; hold it within {within}.",
         distance=rounded(site.base_radius, 3),
-        within=_within(design.tolerances.base_radius_mm),
+        within=within,
     )
     if mechanics is not None:
         yield Message(
@@ -268,10 +267,6 @@ def mounting_notes(assembly: CarAssembly) -> Iterator[Message]:
         "Trim: after a trial run give cadgen adjust what it ended off; set the micrometer head and the rod's angle as "
         "it says, and run again."
     )
-
-
-def _within(deviation: float | None) -> str:
-    return f"± {deviation:g} mm" if deviation else Message("what the design's tolerances say")
 
 
 def sheet_notes(assembly: CarAssembly, mass: Content) -> Iterator[Message]:

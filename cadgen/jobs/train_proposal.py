@@ -18,7 +18,6 @@ import numpy as np
 
 from cadgen.arrays import TURN
 from cadgen.car.against_play.remedies import holding
-from cadgen.car.path.wheel_track import Track
 from cadgen.check import Check, CheckCode, failing
 from cadgen.design import cam_model, variation
 from cadgen.design.begin import BASE_RADIUS, ProposedTrain, WithTrain
@@ -69,9 +68,16 @@ def proposed(text: WithTrain, name: str) -> str:
         )
     track = cam_model.track(design)
     cam_model.lift(design, track)  # refuses a path that no wheel makes drivable
+    around = pi * wheel
+    if track.closed:
+        lap = track.turn_laps * track.length / around
+        ratio = _Ratio(lap * (1 - _SAME_WHEEL), lap * (1 + _SAME_WHEEL))
+    else:
+        least = track.length / (1 - design.cam.blend_deg / 360) / around
+        ratio = _Ratio(least, least * _MOST_OVER)
     nearest: tuple[int, tuple[Check, ...]] | None = None
     for count in _STAGES:
-        for teeth in islice(_trains(_ratio(design, track, wheel), count), _MOST_LAID_OUT):
+        for teeth in islice(_trains(ratio, count), _MOST_LAID_OUT):
             train = ProposedTrain(teeth, None if track.closed else wheel / 2)
             try:
                 train = train._replace(base_radius=_base_radius(design_of(text(train), file)))
@@ -131,15 +137,6 @@ def _holding_drag(design: Design) -> float:
     lift = cam_model.lift(design)
     band = variation.mechanics(design, cam_model.follower(design), lift)
     return 0.0 if band is None else float(ceil(holding(lift, band).drag))
-
-
-def _ratio(design: Design, track: Track, wheel: float) -> _Ratio:
-    around = pi * wheel
-    if track.closed:
-        lap = track.turn_laps * track.length / around
-        return _Ratio(lap * (1 - _SAME_WHEEL), lap * (1 + _SAME_WHEEL))
-    least = track.length / (1 - design.cam.blend_deg / 360) / around
-    return _Ratio(least, least * _MOST_OVER)
 
 
 def _trains(ratio: _Ratio, count: int) -> Iterator[tuple[tuple[int, int], ...]]:

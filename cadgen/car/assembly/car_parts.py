@@ -86,7 +86,8 @@ class DiscShape:
 
     def content(self) -> Content:
         """Volume and centre: the chamfers are taken off evenly, and the hub's centre is taken on the axis."""
-        parts = [(_polygon_area(rim), _centroid(rim)) for rim in (polygon(self.curve, _CHORD),)]
+        rim = polygon(self.curve, _CHORD)
+        parts = [(float(np.sum(cross(rim, np.roll(rim, -1, axis=0)))) / 2, _centroid(rim))]
         for contour in self.blank.inner_contours():
             parts.append((-contour.area(), _centroid(contour.polygon(_CHORD))))
         area = sum(size for size, _ in parts)
@@ -313,7 +314,8 @@ class CarPart:
             fork_angle: angle of the fork about y, rad.
         """
         motion = self.group.motion(cam_angle, fork_angle)
-        return [_composed(motion, place) for place in self.places]
+        turn, way = motion[:, :3], motion[:, 3]
+        return [np.column_stack([turn @ place[:, :3], turn @ place[:, 3] + way]) for place in self.places]
 
     def balance(self, cam_angle: float = 0.0, fork_angle: float = 0.0) -> Content:
         """Mass of all that have a place, g, and its centre in the car, mm.
@@ -382,14 +384,6 @@ def turned_round(body: Iterable[tuple[float, float, float, float]]) -> Iterator[
 
     for low, high, outside, bore in body:
         yield Prism(circle((0.0, 0.0), outside / 2), low, high, (circle((0.0, 0.0), bore / 2),) if bore else ())
-
-
-def _composed(motion: Array, place: Array) -> Array:
-    return np.column_stack([motion[:, :3] @ place[:, :3], motion[:, :3] @ place[:, 3] + motion[:, 3]])
-
-
-def _polygon_area(points: Array) -> float:
-    return float(np.sum(cross(points, np.roll(points, -1, axis=0)))) / 2
 
 
 def _centroid(points: Array) -> Array:

@@ -44,7 +44,15 @@ def passing_places(motion: Kinematics, gates: tuple[Gate, ...], vehicle: Vehicle
     u = motion.places.u
     if not gates:
         return np.zeros(0)
-    off = np.stack([_off(motion, gate, vehicle) ** 2 for gate in gates])
+    # Squares of the distances of each gate's point of the car from the gate's middle line or centre, mm².
+    rows = []
+    for gate in gates:
+        track = motion.point(*planned_place(gate, vehicle))
+        a, b = np.array(gate.place.points[0]), np.array(gate.place.points[-1])
+        along = b - a
+        share = np.clip((track - a) @ along / max(float(along @ along), 1e-12), 0.0, 1.0)
+        rows.append(np.linalg.norm(track - a - share[:, None] * along, axis=1) ** 2)
+    off = np.stack(rows)
     best, chosen = np.zeros(len(u)), []
     for row in off:
         least = row + best
@@ -80,15 +88,6 @@ def _crossing(motion: Kinematics, gate: Gate, vehicle: Vehicle, place: int) -> f
     k = int(changes[0])
     share = height[k] / (height[k] - height[k + 1])
     return float(u[first + k] + share * (u[first + k + 1] - u[first + k]))
-
-
-def _off(motion: Kinematics, gate: Gate, vehicle: Vehicle) -> Array:
-    """Distance of the gate's point of the car from the gate's middle line or centre, shape (m,), mm."""
-    track = motion.point(*planned_place(gate, vehicle))
-    a, b = np.array(gate.place.points[0]), np.array(gate.place.points[-1])
-    along = b - a
-    share = np.clip((track - a) @ along / max(float(along @ along), 1e-12), 0.0, 1.0)
-    return np.asarray(np.linalg.norm(track - a - share[:, None] * along, axis=1))
 
 
 @dataclass(frozen=True, eq=False)

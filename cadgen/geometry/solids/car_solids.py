@@ -16,7 +16,7 @@ from OCP.TopoDS import TopoDS_Shape, TopoDS_Solid
 from OCP.XCAFDoc import XCAFDoc_DocumentTool, XCAFDoc_ShapeTool
 
 from cadgen.arrays import Array
-from cadgen.car.assembly.car_parts import Block, BodyShape, CarPart, DiscShape, Drilled, Prism, Shape
+from cadgen.car.assembly.car_parts import Block, BodyShape, CarPart, DiscShape, Prism, Shape
 from cadgen.errors import FileError
 from cadgen.geometry.solids.disc_solid import cam_part
 from cadgen.geometry.solids.gear_solids import body_solid
@@ -50,7 +50,10 @@ def shape_solid(shape: Shape, name: str) -> TopoDS_Solid:
 def _block(block: Block, name: str) -> TopoDS_Solid:
     first, *others = (_prism(each) for each in block.prisms)
     made = boolean(BRepAlgoAPI_Fuse(), first, others, _UNJOINED) if others else first
-    away = [*(_prism(each) for each in block.cuts), *(_drilled(hole) for hole in block.drilled)]
+    away = [_prism(each) for each in block.cuts]
+    for hole in block.drilled:
+        axis = gp_Ax2(gp_Pnt(*hole.start), gp_Dir(*hole.direction))
+        away.append(BRepPrimAPI_MakeCylinder(axis, hole.diameter / 2, hole.depth).Shape())
     if away:
         made = boolean(BRepAlgoAPI_Cut(), made, away, _UNJOINED)
     bodies = solids(made)
@@ -66,11 +69,6 @@ def _block(block: Block, name: str) -> TopoDS_Solid:
 def _prism(each: Prism) -> TopoDS_Shape:
     holes = [contour_edges(hole, each.low) for hole in each.holes]
     return prism(contour_edges(each.outline, each.low), holes, each.high - each.low)
-
-
-def _drilled(hole: Drilled) -> TopoDS_Shape:
-    axis = gp_Ax2(gp_Pnt(*hole.start), gp_Dir(*hole.direction))
-    return BRepPrimAPI_MakeCylinder(axis, hole.diameter / 2, hole.depth).Shape()
 
 
 def car_solids(parts: Iterable[CarPart], description: str) -> dict[str, SolidPart]:

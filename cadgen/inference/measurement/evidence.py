@@ -95,7 +95,13 @@ def estimate_noise(model: Model, residual: Array) -> Noise:
         return Noise(np.zeros(len(residual)), 0.0, 0.0, rows.runs, freedom)
     sigma: Array = np.full(len(residual), variance**0.5)
     if model.slip.size:
-        sigma = _scattered_abscissa(deviation, model.slip, variance)
+        # Each setting of the divider errs: variance a + b slope^2, by weighted non-negative least squares.
+        design = np.stack([np.ones_like(model.slip), model.slip**2], axis=1)
+        expected = np.full(len(model.slip), variance)
+        for _ in range(3):
+            share, _ = nnls(design / expected[:, None], deviation**2 / expected)
+            expected = np.maximum(design @ share, 0.05 * variance)
+        sigma = np.asarray(np.sqrt(expected * variance / np.mean(expected)))
     slip = 0.0
     if slipping:
         # Spread of the runs' own abscissa errors beyond what noise makes of nothing.
@@ -108,16 +114,6 @@ def estimate_noise(model: Model, residual: Array) -> Noise:
     lag = float(np.sum((standard[1:] * standard[:-1])[follows]) / np.sum(standard**2))
     correlation = lag if abs(lag) > CORRELATION_SIGMAS / np.sqrt(len(residual)) else 0.0
     return Noise(sigma, correlation, slip, rows.runs, freedom)
-
-
-def _scattered_abscissa(deviation: Array, slope: Array, variance: float) -> Array:
-    """Each setting of the divider errs: variance a + b slope^2, by weighted non-negative least squares."""
-    design = np.stack([np.ones_like(slope), slope**2], axis=1)
-    expected = np.full(len(slope), variance)
-    for _ in range(3):
-        share, _ = nnls(design / expected[:, None], deviation**2 / expected)
-        expected = np.maximum(design @ share, 0.05 * variance)
-    return np.asarray(np.sqrt(expected * variance / np.mean(expected)))
 
 
 KNEES = (3.0, 6.0, 12.0, 25.0)

@@ -1,6 +1,6 @@
 """Runs of a car held against the course of its design: the planned run, and those over the band of play."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import ceil, degrees, inf
@@ -10,7 +10,7 @@ import numpy as np
 from cadgen.arrays import TURN
 from cadgen.car.course.approach import Approach
 from cadgen.car.course.body import CarBody, PartName, RunPoses
-from cadgen.car.course.judge import CourseVerdict, EndDeviation, Passage, judge, judge_laps, passages
+from cadgen.car.course.judge import CourseVerdict, EndDeviation, judge, judge_laps, passages
 from cadgen.car.course.layout import CarPoint, Course, Judged, ObstacleKind, Shape
 from cadgen.car.course.refuse import refuse_course
 from cadgen.car.path.wheel_track import Track
@@ -107,7 +107,13 @@ class OnCourse:
         if self.all_driven:
             return CourseRun(self, run, poses, judge(poses, self.car, self.body, self.course))
         end = max(int(np.searchsorted(run.motor, self.lift.blend_start)) + 1, 2)
-        late = _late(passages(poses, self.car, self.course.gates), end - 1)
+        # Whether each gate lies behind the end: of those that have an order only the last can.
+        late, last = [], True
+        for passage in reversed(passages(poses, self.car, self.course.gates)):
+            gone = passage.place > end - 1 and (passage.gate.free or last)
+            last = last and (gone or passage.gate.free)
+            late.append(gone)
+        late.reverse()
         before, behind = (
             replace(
                 self.course,
@@ -348,16 +354,6 @@ class CourseRun:
             x=at.fork[0].real,
             y=at.fork[0].imag,
         )
-
-
-def _late(passed: Sequence[Passage], end: float) -> list[bool]:
-    """Whether each gate lies behind a place of the run: of those that have an order only the last can."""
-    late, last = [], True
-    for passage in reversed(passed):
-        behind = passage.place > end and (passage.gate.free or last)
-        last = last and (behind or passage.gate.free)
-        late.append(behind)
-    return late[::-1]
 
 
 def on_course(design: Design, track: Track, lift: PathMotion) -> OnCourse | None:
