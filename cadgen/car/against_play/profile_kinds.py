@@ -71,6 +71,10 @@ class ProfileKind:
     def __str__(self) -> str:
         return self.code
 
+    def __reduce__(self) -> tuple[object, ...]:
+        # By its code: its functions may have no names, and code that asks whether a kind is this one goes on to work.
+        return profile_of, (self.code,)
+
     def rolling(self, follower: Follower) -> Follower:
         """Follower that rolls on a profile of this kind: the cam's own, or its reference point."""
         return follower.point() if self.by_axis else follower

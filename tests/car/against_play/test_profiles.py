@@ -1,6 +1,7 @@
 """Profiles are objects in one table: a new one needs nothing else, also if it comes from outside."""
 
 import json
+import pickle
 from dataclasses import replace
 
 import click
@@ -17,6 +18,14 @@ from cadgen.errors import DesignError
 from cadgen.jobs.cam.cam_facts import cam_facts
 from cadgen.jobs.cam.cures import find_cures
 from cadgen.jobs.cam.steering_cam import plan_cam
+
+
+@pytest.mark.parametrize("code", profile_kinds.codes())
+def test_a_kind_comes_back_from_pickle_as_itself(code):
+    """A cam that is sent to another process, or kept, has one; a function without a name cannot be pickled."""
+    kind = profile_kinds.profile_of(code)
+    assert pickle.loads(pickle.dumps(kind)) is kind
+
 
 GROUND = 0.01  # mm by which the made-up rod is thicker: the cam is as much smaller all round
 
