@@ -8,7 +8,7 @@
 | `POST /change`                  | `{"changes": {key: number or [x, y]}, "gesture": text}` -> state    |
 | `POST /insert`                  | `{"key": key, "at": [x, y]}` -> state                               |
 | `POST /remove`                  | `{"key": key}` -> state                                             |
-| `POST /exchange`                | `{"key": key}` of a gate, with the next one -> state                |
+| `POST /exchange`                | `{"key": key}` of a gate or segment, with the next one -> state     |
 | `POST /undo`, `POST /redo`      | state                                                               |
 | `POST /save`                    | `{}` or `{"name": text}` -> state                                   |
 | `GET /result?stage=&revision=`  | HTML and data of `preview` or `whole`; 409 once a newer one is there |

@@ -24,7 +24,7 @@ from cadgen.viewer.editor.course_items import (
 )
 from cadgen.viewer.editor.saving import EditedFile, refuse_name
 from cadgen.viewer.editor.text_changes import Value, applied, changed, exchanged, inserted, removed
-from cadgen.viewer.editor.timing import timing_of
+from cadgen.viewer.editor.timing import added, taken_out, timing_of
 from cadgen.viewer.page.data import both
 
 MOST_STEPS = 200  # that can be undone
@@ -130,17 +130,24 @@ class Session:
             self._gesture = gesture
 
     def insert(self, key: str, at: tuple[float, float]) -> None:
-        """Put a point into a list of points, or a post, gate or the like onto the course, as a step of its own.
+        """Put a point into a list, a post, gate or the like onto the course, or a segment into a motion, as a step.
 
         Args:
             key: dotted key of its place: that of the item that it is put before, or one more than the last item's.
-            at: x and y, mm; of what has several points, of its middle.
+            at: x and y, mm; of what has several points, of its middle; of a segment, the angle that it takes from the
+                one before it, degrees, and the height at its end.
 
         Raises:
             DesignError: there is no such list here, or the result is no design; nothing has changed then.
         """
         with self._lock:
             text, design = self._now.text, self._now.design
+            if isinstance(design, MotionDesign):
+                number = self._segment(key, more=1)
+                item, changes = added(design, number - 1, *at)
+                self._step(Version(*inserted(text, self._file, key, item, changes)))
+                self._gesture = None
+                return
             lists = [point.listed for point in points_of(design) if point.listed]
             if key in {f"{name}.{number}" for name in set(lists) for number in range(1, lists.count(name) + 2)}:
                 self._step(Version(*inserted(text, self._file, key, list(at))))
@@ -153,12 +160,18 @@ class Session:
             self._gesture = None
 
     def remove(self, key: str) -> None:
-        """Take a point out of a list of points, or a post, gate or the like off the course, as a step of its own.
+        """Take a point out of a list, a post, gate or the like off the course, or a segment out, as a step of its own.
 
         Raises:
             DesignError: there is no such thing here, or the result is no design; nothing has changed then.
         """
         with self._lock:
+            design = self._now.design
+            if isinstance(design, MotionDesign):
+                changes = taken_out(design, self._segment(key))
+                self._step(Version(*removed(self._now.text, self._file, key, changes)))
+                self._gesture = None
+                return
             points = {point.key for point in points_of(self._now.design) if point.listed}
             if key not in points | items_of(self._now.design):
                 raise DesignError("{key} cannot be removed here: remove it in a text editor", key=brief(key, 60))
@@ -166,12 +179,17 @@ class Session:
             self._gesture = None
 
     def exchange(self, key: str) -> None:
-        """Exchange a gate with the next one, as a step of its own: gates count in their order.
+        """Exchange a gate, or a segment of a motion, with the next one, as a step: they count in their order.
 
         Raises:
-            DesignError: there is no such gate, or none after it; nothing has changed then.
+            DesignError: there is no such thing, none after it, or the result is no design; nothing has changed then.
         """
         with self._lock:
+            if not self._now.car:
+                self._segment(key, more=-1)
+                self._step(Version(*exchanged(self._now.text, self._file, key)))
+                self._gesture = None
+                return
             gates = sum(item.startswith("course.gates.") for item in items_of(self._now.design))
             if key not in {f"course.gates.{number}" for number in range(1, gates)}:
                 raise DesignError(
@@ -179,6 +197,23 @@ class Session:
                 )
             self._step(Version(*exchanged(self._now.text, self._file, key)))
             self._gesture = None
+
+    def _segment(self, key: str, more: int = 0) -> int:
+        """Number of a segment by its key, from 1, or of a place for one.
+
+        Args:
+            key: dotted key.
+            more: places behind the last segment.
+
+        Raises:
+            DesignError: the motion has no such segment.
+        """
+        design = self._now.design
+        count = len(design.motion.segments) if isinstance(design, MotionDesign) else 0
+        places = {f"motion.segments.{number}": number for number in range(1 + max(more, 0), count + more + 1)}
+        if key not in places:
+            raise DesignError("{key} is no segment of the motion that this can be done with", key=brief(key, 60))
+        return places[key]
 
     def undo(self) -> None:
         """Take the last change back; nothing without one."""

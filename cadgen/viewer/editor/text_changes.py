@@ -138,11 +138,13 @@ def values_of(text: str) -> TomlValues | None:
 
 
 # Values of a new item by key, as TOML has them.
-NewItem = dict[str, float | list[float] | list[list[float]] | None]
+NewItem = dict[str, float | str | list[float] | list[list[float]] | None]
 Item = list[float] | NewItem
 
 
-def inserted(text: str, file: Path, key: str, item: Item) -> tuple[str, Design | MotionDesign]:
+def inserted(
+    text: str, file: Path, key: str, item: Item, overrides: Sequence[str] = ()
+) -> tuple[str, Design | MotionDesign]:
     """Text of a design with one item more, and the design that it is.
 
     Args:
@@ -150,6 +152,7 @@ def inserted(text: str, file: Path, key: str, item: Item) -> tuple[str, Design |
         file: path of the file, for messages.
         key: dotted key that it gets: a number in a list, at most one more than the list has items, or a section's name.
         item: x and y of a point, mm; or values of a table by key.
+        overrides: changes that come with it, by the keys as they are with the item.
 
     Raises:
         DesignError: the result is no design; or the text cannot be changed and read back.
@@ -171,10 +174,20 @@ def inserted(text: str, file: Path, key: str, item: Item) -> tuple[str, Design |
         results = with_item(text, name, index, item)
     if isinstance(item, dict):
         results = chain(results, with_table(text, name, index, item, several=True))
-    return checked(results, file, values)
+    return _checked_with(results, file, values, overrides)
 
 
-def removed(text: str, file: Path, key: str) -> tuple[str, Design | MotionDesign]:
+def _checked_with(
+    results: Iterable[str], file: Path, values: dict[str, Any], overrides: Sequence[str]
+) -> tuple[str, Design | MotionDesign]:
+    """Changed text with overrides besides, and its design, as `checked`."""
+    for change in overrides:
+        override(values, change)
+    written = chain.from_iterable(_rewritten(text, list(overrides)) for text in results) if overrides else results
+    return checked(written, file, values)
+
+
+def removed(text: str, file: Path, key: str, overrides: Sequence[str] = ()) -> tuple[str, Design | MotionDesign]:
     """Text of a design without an item, and the design that it is; as `inserted`."""
     values = parse(text)
     name, index = _split(key)
@@ -186,7 +199,7 @@ def removed(text: str, file: Path, key: str) -> tuple[str, Design | MotionDesign
         return checked(without_table(text, name, 0), file, values)
     del item_at(values, name)[index]
     of_text = without_table if tables_of(text, name) else without_item
-    return checked(of_text(text, name, index), file, values)
+    return _checked_with(of_text(text, name, index), file, values, overrides)
 
 
 def exchanged(text: str, file: Path, key: str) -> tuple[str, Design | MotionDesign]:

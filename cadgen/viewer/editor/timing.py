@@ -12,7 +12,9 @@ from cadgen.design.schema import Design, MotionDesign
 from cadgen.design.sources.segments import MotionSegment
 from cadgen.laws.table import POLYNOMIAL, codes
 from cadgen.laws.unit import MM
+from cadgen.viewer.editor.text_changes import NewItem
 
+_NEW_LAW = "polynomial_3_4_5"  # of a rise that is put in: it fits between rests
 _ROUND = 9  # digits after the point of an angle: sums of decimals show no rounding
 
 
@@ -126,6 +128,67 @@ def _segments(motion: MotionSection) -> Iterator[EditedSegment]:
             up=tuple(heights or ()),
         )
         at = stop
+
+
+def added(design: MotionDesign, number: int, width: float, height: float) -> tuple[NewItem, list[str]]:
+    """New segment behind another one, and what changes with it: the other gives it some of its angle.
+
+    It is a dwell where it ends at the height at which it begins; else a rise or return, of which a later rise takes up
+    the height.
+
+    Args:
+        design: design as it is now.
+        number: number of the segment that it follows, from 1.
+        width: angle that it takes, degrees.
+        height: height at its end, mm or degrees.
+    """
+    segments, before = design.motion.segments, [*_segments(design.motion)][number - 1].after
+    angle = _angle(segments[number - 1])
+    changes = [f"motion.segments.{number}.{angle.key}={round(angle.value - width, _ROUND)}"]
+    if height == before:
+        return {"dwell_deg": width}, changes
+    later = next((place for place, each in enumerate(segments[number:], number + 2) if each.dwell_deg is None), None)
+    if later is not None:
+        changes += _led_by(segments[later - 2], later, before - height)
+    unit = "mm" if design.follower.registered.unit == MM else "deg"
+    return {f"to_{unit}": height, "in_deg": width, "law": _NEW_LAW}, changes
+
+
+def taken_out(design: MotionDesign, number: int) -> list[str]:
+    """Changes that come with a segment's removal: a neighbour takes its angle, another rise its height.
+
+    Args:
+        design: design as it is now.
+        number: number of the segment, from 1.
+    """
+    segments, shown = design.motion.segments, [*_segments(design.motion)]
+    width, changes = _angle(segments[number - 1]).value, []
+    taker = number - 1 if number > 1 else 2
+    if taker <= len(segments):
+        angle, place = _angle(segments[taker - 1]), min(taker, number)
+        changes.append(f"motion.segments.{place}.{angle.key}={round(angle.value + width, _ROUND)}")
+    if segments[number - 1].dwell_deg is not None:
+        return changes
+    led = shown[number - 1].after - (shown[number - 2].after if number > 1 else shown[-1].after)
+    movers = [place for place, each in enumerate(segments, 1) if each.dwell_deg is None and place != number]
+    later = [place for place in movers if place > number]
+    if later:
+        return changes + _led_by(segments[later[0] - 1], later[0] - 1, led)
+    if movers:  # the one before closes the motion then
+        last = segments[movers[-1] - 1]
+        key, _ = last.height or ("", 0.0)
+        changes += (
+            [f"motion.segments.{movers[-1]}.{key}={shown[number - 1].after}"]
+            if key.startswith("to_")
+            else _led_by(last, movers[-1], led)
+        )
+    return changes
+
+
+def _led_by(segment: MotionSegment, place: int, more: float) -> list[str]:
+    """Change of a segment that states how far it leads, so that it leads farther; none of one that states where to."""
+    key, value = segment.height or ("", 0.0)
+    return [f"motion.segments.{place}.{key}={round(value + more, _ROUND)}"] if key.startswith("rise_") else []
 
 
 def _angle(segment: MotionSegment) -> EditedNumber:

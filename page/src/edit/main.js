@@ -36,7 +36,7 @@ const panel = controls(document.getElementById("edit"), change);
 // A car has its course, and a cam by its motion the timing diagram.
 const course = document.getElementById("course-figure");
 const floor = course && handles(course, change, step);
-const diagram = course ? null : timing(document.getElementById("timing-figure"), change);
+const diagram = course ? null : timing(document.getElementById("timing-figure"), change, step);
 const general = element("p", { id: "general-fault", class: "fault", role: "alert" });
 document.getElementById("edit").prepend(general);
 let status = "computing";

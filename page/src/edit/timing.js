@@ -1,8 +1,10 @@
-// The timing diagram of a cam by its motion: ends of segments and heights are dragged, laws chosen from a list.
+// The timing diagram of a cam by its motion: ends of segments and heights are dragged, laws chosen from a list, segments
+// put in, taken out and moved in their order.
 const { both, element, pick, say, translated } = globalThis.cadgenPage;
 
 const [ANGLE, FINE_ANGLE] = [1, 0.1]; // degrees, of an arrow key
 const [HEIGHT, FINE_HEIGHT] = [1, 0.1]; // mm or degrees
+const RISE = 0.1; // of the greatest height: so far a rise leads that is put in
 const LEAST = 0.5; // degrees that a segment keeps
 const REST = 350; // ms after the last key until the whole is computed
 const ROOM = 0.18; // of the range, above the greatest height: so far it can be dragged at once
@@ -11,7 +13,7 @@ const DIGITS = 9; // of what is sent: sums of decimals show no rounding
 const round = (value, step) => Number((Math.round(value / step) * step).toFixed(DIGITS));
 const clamp = (value, low, high) => Math.max(low, Math.min(high, value));
 
-export function timing(figure, change) {
+export function timing(figure, change, step) {
   const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
   svg.setAttribute("viewBox", "0 0 360 100");
   svg.setAttribute("preserveAspectRatio", "none");
@@ -116,6 +118,35 @@ export function timing(figure, change) {
     return button;
   }
 
+  /** Buttons of a segment: a dwell or a rise behind it, which takes half of its angle, its place in the order, its end. */
+  function deeds(number) {
+    const key = (n) => `motion.segments.${n}`;
+    const button = (act, text, label, run) => {
+      const made = element("button", { type: "button", [`data-${act}`]: number, text, label });
+      made.addEventListener("click", async () => {
+        if (await run()) table.querySelector(`[data-width="${Math.min(number, now.segments.length)}"]`)?.focus();
+      });
+      return made;
+    };
+    const put = (share) => {
+      const { start, stop, after } = now.segments[number - 1];
+      const size = Math.max(...now.segments.map((each) => each.after)) - Math.min(0, ...now.segments.map((each) => each.after));
+      return step("insert", { key: key(number + 1), at: [round((stop - start) / 2, FINE_ANGLE), round(after + share * size, 10 ** -DIGITS)] }, where);
+    };
+    const rise = button("rise", both("+ rise"), both("segment {number}: put a rise behind it", { number }), () => put(RISE));
+    rise.disabled = !now.segments.slice(number).some(({ law }) => law); // the motion closes before
+    const later = button("later", both("later"), both("segment {number}: exchange it with the next one", { number }), () => step("exchange", { key: key(number) }, where));
+    later.disabled = number === now.segments.length;
+    return element(
+      "span",
+      { class: "deeds" },
+      button("dwell", both("+ dwell"), both("segment {number}: put a dwell behind it", { number }), () => put(0)),
+      rise,
+      later,
+      button("remove", both("remove"), both("segment {number}: take it out", { number }), () => step("remove", { key: key(number) }, where)),
+    );
+  }
+
   /** A row for each segment: its law, the angle that it takes, and the height at its end. */
   function build() {
     buttons.clear();
@@ -151,11 +182,11 @@ export function timing(figure, change) {
             change({ changes: { [key]: choice.value }, gesture: `law ${(gestures += 1)}`, settled: true, where }),
           );
         }
-        return element("div", { class: "row" }, element("b", { text: named }), choice, element("label", {}, width, "°"), element("label", {}, height, now.unit));
+        return element("div", { class: "row" }, element("b", { text: named }), choice, element("label", {}, width, "°"), element("label", {}, height, now.unit), deeds(number));
       }),
     );
     say(help, now.segments.length
-      ? both("Drag the end of a segment, or move it by the arrow keys (1° or 1 {unit}, with Shift 0.1): the next segment takes up the angle. A height that closes the motion stays.", { unit: now.unit })
+      ? both("Drag the end of a segment, or move it by the arrow keys (1° or 1 {unit}, with Shift 0.1): the next segment takes up the angle. A height that closes the motion stays. A new segment takes half of the angle of the one before it.", { unit: now.unit })
       : both("This motion is given by points, harmonics or a table: change them in a text editor, and open the design again."));
   }
 

@@ -150,6 +150,96 @@ def test_words_of_a_request_need_no_marks(value):
     assert read_changes({"motion.segments.1.law": "polynomial_3_4_5"}) == {"motion.segments.1.law": "polynomial_3_4_5"}
 
 
+def angles(session):
+    return [each.in_deg or each.dwell_deg for each in session.now.design.motion.segments]
+
+
+def heights(session):
+    return [round(each.after, 9) for each in timing_of(session.now.design).segments]
+
+
+@pytest.mark.parametrize("place", range(2, 7))
+def test_a_dwell_is_put_in_and_taken_out_again(session, place):
+    before = session.now.text
+    height = heights(session)[place - 2]
+    session.insert(f"motion.segments.{place}", (10.0, height))
+    assert sum(angles(session)) == pytest.approx(360.0)
+    assert session.now.design.motion.segments[place - 1].dwell_deg == 10.0
+    assert "# Its comments stay" not in before or "# out" in session.now.text
+    session.remove(f"motion.segments.{place}")
+    assert session.now.design == complete_of(before, session._file)
+    session.undo()
+    session.undo()
+    assert session.now.text == before
+
+
+def test_a_rise_is_put_in_and_later_heights_stay(session):
+    session.insert("motion.segments.3", (15.0, 9.5))  # out of the dwell at 8 mm
+    (_, dwell, new, third, *_) = session.now.design.motion.segments
+    assert (dwell.dwell_deg, new.to_mm, new.in_deg, new.law) == (25.0, 9.5, 15.0, "polynomial_3_4_5")
+    assert third.rise_mm == pytest.approx(2.5)  # to 12 mm as before
+    assert heights(session) == [8.0, 8.0, 9.5, 12.0, 0.0, 0.0]
+    assert all(words in session.now.text for words in ("# out", "# the rest", "# as seen"))
+    session.remove("motion.segments.3")
+    assert heights(session) == [8.0, 8.0, 12.0, 0.0, 0.0]
+    assert angles(session) == [80.0, 40.0, 60.0, 120.0, 60.0]
+
+
+@pytest.mark.parametrize(
+    ("place", "left"),
+    [(1, [8.0, 12.0, 0.0, 0.0]), (2, [8.0, 12.0, 0.0, 0.0]), (3, [8.0, 8.0, 0.0, 0.0]), (5, [8.0, 8.0, 12.0, 0.0])],
+)
+def test_a_segment_that_is_taken_out_leaves_a_motion_that_closes(session, place, left):
+    if place == 1:  # its rise goes into the next one
+        left = [0.0, 12.0, 0.0, 0.0]
+    session.remove(f"motion.segments.{place}")
+    assert sum(angles(session)) == pytest.approx(360.0)
+    assert heights(session) == left
+
+
+def test_segments_change_places_with_their_comments(session):
+    session.exchange("motion.segments.1")
+    assert angles(session) == [40.0, 80.0, 60.0, 120.0, 60.0]
+    assert heights(session) == [0.0, 8.0, 12.0, 0.0, 0.0]
+    (line,) = [line for line in session.now.text.splitlines() if "# out" in line]
+    assert "rise_mm = 8.0" in line
+
+
+@pytest.mark.parametrize("key", ["motion.segments.9", "motion.segments.0", "motion.points.1", "course.gates.1"])
+def test_what_is_no_segment_is_refused(session, key):
+    before = session.now.text
+    for act in (lambda: session.remove(key), lambda: session.exchange(key), lambda: session.insert(key, (5.0, 1.0))):
+        with pytest.raises(DesignError, match="is no segment of the motion"):
+            act()
+    with pytest.raises(DesignError):
+        session.insert("motion.segments.2", (80.0, 8.0))  # nothing is left of the one before
+    assert session.now.text == before
+
+
+def test_tables_of_segments_are_changed_as_well(tmp_path):
+    """Segments under headings of their own."""
+    rows = TEXT[TEXT.index("segments = [") : TEXT.index("]\n\n[follower]") + 2]
+    tables = """
+[[motion.segments]]  # out
+rise_mm = 8.0
+in_deg = 80.0
+law = "cycloidal"
+
+[[motion.segments]]
+to_mm = 0.0
+in_deg = 280.0
+law = "cycloidal"
+"""
+    file = tmp_path / "tables.toml"
+    file.write_text(TEXT.replace(rows, "").replace("[follower]", tables + "\n[follower]", 1), encoding="utf-8")
+    session = Session(file)
+    session.insert("motion.segments.2", (20.0, 8.0))
+    session.exchange("motion.segments.2")
+    assert angles(session) == [60.0, 280.0, 20.0]
+    session.remove("motion.segments.3")
+    assert (angles(session), heights(session)) == ([60.0, 300.0], [8.0, 0.0])
+
+
 def test_preview_and_whole_have_model_curves_and_checks(session):
     state, first = answer(session, Stage.PREVIEW)
     assert state == State.DONE
@@ -254,6 +344,17 @@ def test_ends_are_dragged_and_a_law_is_chosen_in_the_browser(session, file):
             shown = page.evaluate("() => document.querySelector('#timing-plot .lift').getAttribute('points')")
             curve = np.array([[float(value) for value in pair.split(",")] for pair in shown.split()])
             assert curve[-1, 0] == 360.0
+            page.locator('[data-dwell="2"]').click()
+            expect(page.locator("#timing-rows .row")).to_have_count(6)
+            assert session.now.design.motion.segments[2].dwell_deg == pytest.approx(15.0, abs=0.1)
+            page.locator('[data-remove="3"]').click()
+            expect(page.locator("#timing-rows .row")).to_have_count(5)
+            page.locator('[data-later="4"]').click()
+            expect(page.locator('[data-law="4"]')).to_have_count(0)
+            page.locator('[data-later="4"]').click()
+            expect(page.locator('[data-law="4"]')).to_have_count(1)
+            assert page.locator('[data-rise="5"]').is_disabled()
+            current()
             assert serious_faults(page, "#timing-figure") == []
             page.keyboard.press("Control+s")
             page.wait_for_selector("#save[disabled]", state="attached")
