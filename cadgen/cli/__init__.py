@@ -5,9 +5,8 @@
 | `design_commands` | `cadgen new`, `plan`, `card`: what makes a design           |
 | `cam_commands` | `cadgen check`, `cam`, `optimize`                               |
 | `gears`     | `cadgen gears`: a gear train as verified files                     |
-| `assembly`  | `cadgen assembly`: the car put together, as verified files         |
 | `gear_numbers` | `cadgen gear`, `pair`, `planetary`: gears by flags              |
-| `car_commands` | `cadgen simulate`, `tolerance`, `calibrate`, `adjust`           |
+| `car_commands` | `cadgen assembly`, `simulate`, `tolerance`, `calibrate`, `adjust` |
 | `study_commands` | `cadgen explore`, `merge`: studies of many designs            |
 | `page_commands` | `cadgen report`, `edit`, `draw`: what shows a design           |
 | `verify`    | `cadgen verify`: a folder against its manifest                     |
@@ -37,9 +36,8 @@ for _threads in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"):
     os.environ[_threads] = "1"
 
 from cadgen.cli import help, interrupt, output
-from cadgen.cli.assembly import assembly
 from cadgen.cli.cam_commands import cam, check, optimize
-from cadgen.cli.car_commands import adjust, calibrate, simulate, tolerance
+from cadgen.cli.car_commands import adjust, assembly, calibrate, simulate, tolerance
 from cadgen.cli.design_commands import card, new, plan
 from cadgen.cli.explain import explain
 from cadgen.cli.gear_numbers import gear, pair, planetary
