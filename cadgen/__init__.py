@@ -1,4 +1,4 @@
-"""Steering cams and the gear trains that drive them: from a planned path to verified files.
+"""Cams and gears: from a motion, a course or numbers of teeth to files that are read back and proven.
 
     >>> from cadgen import Design
     >>> cam = Design.load("carbon_free_car").cam(profile="actual")

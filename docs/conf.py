@@ -8,7 +8,7 @@ sys.path[:0] = [str(Path(__file__).parent / "_ext"), str(Path(__file__).parents[
 import cadgen
 
 project = "cadgen"
-author = "the cadgen authors"
+author = "the cadgen developers"
 release = version = cadgen.__version__
 copyright = author
 
