@@ -412,3 +412,10 @@ def test_slices_of_studies_stay_apart_from_the_suite() -> None:
     """They are run by `pytest -m study`, and by `.ci/run` among the long tests."""
     assert '("study", "long", "slow")' in (ROOT / "tests/studies/conftest.py").read_text(encoding="utf-8")
     assert '"$bin/pytest" -m long' in (ROOT / ".ci/run").read_text(encoding="utf-8")
+
+
+def test_each_dependency_has_its_reason() -> None:
+    stated = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["dependencies"]
+    table = (DOCS / "dependencies.md").read_text(encoding="utf-8").split("\n\n")[2]
+    rows = re.findall(r"^\| ([\w-]+) \| \d+ \| .{8,} \|$", table, re.M)
+    assert rows == [re.split("[><=]", each)[0] for each in stated]
