@@ -65,12 +65,36 @@ def _numbers(each: Callable[[str], Any], name: str, given: str | None) -> list[A
         ) from None
 
 
+def _degrees(flag: str, low: float, high: float) -> Callable[[str], float]:
+    """Reader of an angle in degrees within a range, as rad."""
+
+    def angle(text: str) -> float:
+        value = float(text)
+        if not low <= value <= high:
+            raise click.UsageError(
+                Message("{flag} is {value:g}; give {low:g} to {high:g}", flag=flag, value=value, low=low, high=high)
+            )
+        return radians(value)
+
+    return angle
+
+
 # Flags of every gear: name, argument of `Gear`, how it is read, what it says.
 _FLAGS: tuple[tuple[tuple[str, ...], str, Callable[[str], Any], str], ...] = (
     (("--module-mm", "--module"), "module", float, "Normal module, mm."),
     (("--width-mm", "--width"), "width", float, "Width of the face, mm."),
-    (("--helix-angle-deg", "--helix-deg"), "helix_angle", lambda text: radians(float(text)), "Helix angle, degrees."),
-    (("--pressure-angle-deg",), "pressure_angle", lambda text: radians(float(text)), "Normal pressure angle, degrees."),
+    (
+        ("--helix-angle-deg", "--helix-deg"),
+        "helix_angle",
+        _degrees("--helix-angle-deg", 0, 45),
+        "Helix angle, degrees.",
+    ),
+    (
+        ("--pressure-angle-deg",),
+        "pressure_angle",
+        _degrees("--pressure-angle-deg", 10, 35),
+        "Normal pressure angle, degrees.",
+    ),
     (("--profile-shift",), "profile_shift", float, "Profile shift x, in modules, by ISO 21771 for a ring, too."),
     (("--addendum-factor",), "addendum", float, "Addendum h_aP*, in modules."),
     (("--bore-diameter-mm", "--bore"), "bore", float, "Diameter of the bore, mm; 0 for none."),

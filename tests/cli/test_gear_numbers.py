@@ -75,6 +75,8 @@ def test_a_pair_that_jams_is_not_exported(tmp_path):
         (("gear", "--teeth", 20), "--module-mm is missing"),
         (("pair", "--teeth", "20", *SIZES), "give 2 numbers"),
         (("pair", "--teeth", "20,x", *SIZES), "give a whole number, such as 20"),
+        (("gear", "--teeth", "20.5", *SIZES), "--teeth is 20.5; give a whole number, such as 20"),
+        (("gear", "--teeth", 20, *SIZES, "--helix-deg", "50"), "--helix-angle-deg is 50; give 0 to 45"),
         (("pair", "--teeth", "20,60", *SIZES, "--bore", "1,2,3"), "--bore-diameter-mm has 3 values; give one, or 2"),
         (("pair", "--teeth", "20,60", *SIZES, "--backlash-um", 1, "--backlash-deg", 1), "give one of them"),
     ],
