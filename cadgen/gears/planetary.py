@@ -66,7 +66,8 @@ class PlanetarySet:
         if self.equal and not self.spaced_equally(self.planets):
             raise DesignError(
                 "{planets} planets do not fit at equal angles between a sun of {sun} and a ring of {ring} teeth; give "
-                'planets (planet.count) = {counts}, or spacing = "nearest" (--unequal) for the nearest angles, {angles}',
+                'planets (planet.count) = {counts}, or spacing = "nearest" (--unequal) for the nearest angles, '
+                "{angles}",
                 planets=self.planets,
                 sun=self.sun.form.teeth,
                 ring=self.ring.form.teeth,
