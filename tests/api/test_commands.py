@@ -9,6 +9,7 @@ import pytest
 
 import cadgen
 from cadgen import Cam, Design, Editor, Gear, GearPair, GearTrain, Planetary, Report, draw, explore, merge, verify
+from cadgen.api.assembly import AssembledCar
 from cadgen.api.calibration import Calibration
 from cadgen.cli import cli
 
@@ -16,6 +17,7 @@ Functions = tuple[Callable[..., Any], ...]
 # Functions of the face that a command calls.
 FACE: dict[str, Functions] = {
     "adjust": (Design.load, Design.adjust),
+    "assembly": (Design.load, Design.assembly, AssembledCar.write),
     "calibrate": (Design.load, Design.calibrate, Design.calibrate_each, Design.next_measurement, Calibration.predict),
     "cam": (Design.load, Design.cam, Cam.write),
     "card": (Design.load, Design.card),
@@ -72,7 +74,8 @@ OTHER_DEFAULTS = {"processes", "no_browser", "jobs", "grade", "pressure_angle", 
 
 
 def commands() -> dict[str, click.Command]:
-    return dict(cli.commands)
+    # A word is explained to a person alone: a program has the docstrings.
+    return {name: command for name, command in cli.commands.items() if name != "explain"}
 
 
 def arguments(functions: Functions) -> dict[str, inspect.Parameter]:
