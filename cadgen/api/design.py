@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from cadgen.api.runs import Comparison
     from cadgen.api.values import Pool
     from cadgen.inference.monte_carlo.random_cars import Map
+    from cadgen.jobs.car_frame import CarFrame
     from cadgen.jobs.card import Card
     from cadgen.jobs.gears.gear_train import GearTrain
     from cadgen.jobs.lift_tolerance import LiftToleranceRun
@@ -102,6 +103,16 @@ class Design(LoadedDesign):
 
         train = self.gears(progress=progress)
         return AssembledCar(put_together(plan_cam(self.complete(), profile, progress), train))
+
+    def frame(self) -> "CarFrame":
+        """Compute the frame that holds the parts where [layout] puts them; nothing is written.
+
+        Raises:
+            DesignError: the design has no [frame], or its train finds no place in the car.
+        """
+        from cadgen.jobs.car_frame import car_frame
+
+        return car_frame(self.values)
 
     def simulate(
         self, profile: str = "optimized", play_deg: float | None = None, *, progress: Progress = silent

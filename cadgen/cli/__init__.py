@@ -6,7 +6,7 @@
 | `cam_commands` | `cadgen check`, `cam`, `optimize`                               |
 | `gears`     | `cadgen gears`: a gear train as verified files                     |
 | `gear_numbers` | `cadgen gear`, `pair`, `planetary`: gears by flags              |
-| `car_commands` | `cadgen assembly`, `simulate`, `tolerance`, `calibrate`, `adjust` |
+| `car_commands` | `cadgen frame`, `assembly`, `simulate`, `tolerance`, `calibrate`, `adjust` |
 | `study_commands` | `cadgen explore`, `merge`: studies of many designs            |
 | `page_commands` | `cadgen report`, `edit`, `draw`: what shows a design           |
 | `verify`    | `cadgen verify`: a folder against its manifest                     |
@@ -37,7 +37,7 @@ for _threads in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"):
 
 from cadgen.cli import help, interrupt, output
 from cadgen.cli.cam_commands import cam, check, optimize
-from cadgen.cli.car_commands import adjust, assembly, calibrate, simulate, tolerance
+from cadgen.cli.car_commands import adjust, assembly, calibrate, frame, simulate, tolerance
 from cadgen.cli.design_commands import card, new, plan
 from cadgen.cli.explain import explain
 from cadgen.cli.gear_numbers import gear, pair, planetary
@@ -102,7 +102,7 @@ cli.params.append(language_option)
 cli.sections = {
     Message("Begin"): (new, plan, card),
     Message("Judge"): (check, optimize, simulate, tolerance),
-    Message("Make"): (cam, gears, gear, pair, planetary, draw, assembly),
+    Message("Make"): (cam, gears, gear, pair, planetary, frame, draw, assembly),
     Message("Show and edit"): (report, edit),
     Message("Measure and correct"): (calibrate, adjust),
     Message("Explore thousands of designs"): (explore, merge),

@@ -1,4 +1,4 @@
-"""Commands on a car that is put together, runs or was measured: `cadgen assembly`, `simulate`, `tolerance` and more."""
+"""Commands on a car that is put together, runs or was measured: `cadgen frame`, `assembly`, `simulate`, `tolerance` and more."""
 
 import os
 import sys
@@ -20,6 +20,7 @@ from cadgen.cli.options import (
     play_profile_option,
     profile_option,
 )
+from cadgen.figures import Sheet
 from cadgen.messages import Message, joined
 from cadgen.verdict import Readiness
 
@@ -476,3 +477,48 @@ def assembly(
         else:
             verdict(False, failed(car.failed), Message("do not build this car; change the design"))
     sys.exit(0 if car.passed or force else 1)
+
+
+@help.command()
+@design_options
+@out_option(default=Path("exports"), show_default=True, help="Folder for the files; it is made if need be.")
+@help.option("--force", is_flag=True, help="Export even if a check fails, and say so in the manifest.")
+def frame(design: str | None, overrides: tuple[str, ...], as_json: bool, out: Path, force: bool) -> None:
+    """Make the frame of a car: bearing plates, base, fork block, brackets and shafts, as STEP, DXF, G-code and sheets.
+
+    The design needs [layout], which says where the parts stand, and [frame], which may be empty. Nothing is exported
+    and the exit code is 1 if a check fails, unless --force is given.
+    """
+    from cadgen.api.design import Design
+    from cadgen.cli import show
+    from cadgen.cli.show import failed, verdict
+
+    made = Design.load(design, overrides).frame()
+    with show.progress(not as_json) as progress:
+        written = made.write(out, force=force, progress=progress) if made.passed or force else None
+    if as_json:
+        show.document(made.facts() if written is None else written.entry)
+        sys.exit(0 if made.passed or force else 1)
+    placed = len(made.layout.checks)
+    show.figures(Message("the parts in the car"), made.checks[:placed])
+    show.figures(Message("the frame"), made.checks[placed:], gap=True)
+    show.sentences([made.sentence])
+    rows = [(code, Message(name), str(number)) for code, name, number in made.bought]
+    heads = (Message("to order"), Message("part"), Message("number"))
+    show.sheet(Sheet("bought", Message("bought parts"), heads, tuple(rows)))
+    if written is not None:
+        show.files(written, out)
+    if made.passed:
+        verdict(
+            True,
+            Message("every check holds, and each file in {out} was read back", out=out),
+            Message("cut the sheets, and mount them with the base first"),
+        )
+    elif written is not None:
+        verdict(False, failed(made.checks), Message("do not cut these files; change the design as it is said above"))
+    else:
+        result = Message(
+            "{failing}, so nothing was exported (--force exports all the same)", failing=failed(made.checks)
+        )
+        verdict(False, result, Message("change the design as it is said above"))
+    sys.exit(0 if made.passed or force else 1)

@@ -21,6 +21,7 @@ Sections of the file, each with what belongs to it alone:
 | `as_built`    | the car as it was built                                                               |
 | `train`       | gear train, its stages with the keys of their kinds                                   |
 | `layout`      | how the train stands in the car                                                       |
+| `frame`       | how plates, base and fork hold the parts                                              |
 | `schema`      | all other sections; ranges, defaults, how keys must fit each other                    |
 
 The file:

@@ -30,6 +30,7 @@ from cadgen.design.disc import MotionCam, base_circle_radius, follower_motion
 from cadgen.design.dynamics import DynamicsSection
 from cadgen.design.file_names import name_fault
 from cadgen.design.follower import FOLLOWER, FollowerSection, fitting_kinds
+from cadgen.design.frame import FrameSection
 from cadgen.design.layout import LayoutSection
 from cadgen.design.lift_tolerances import LiftTolerances
 from cadgen.design.machining import DrawingText, Machining
@@ -305,6 +306,7 @@ class TrainFile(DesignSection):
     export: Export = Export()
     train: SerializeAsAny[TrainSection] | None = None
     layout: LayoutSection | None = None
+    frame: FrameSection | None = None
     play: PlaySection | None = None
     mechanics: MechanicsSection | None = None
     tolerances: TolerancesSection = TolerancesSection()
@@ -518,6 +520,13 @@ class DesignFile(DiscFile):
                     "remove [layout] (on the command line with --set layout=)"
                 )
             )
+        if self.frame is not None and self.layout is None:
+            raise ValueError(
+                Message(
+                    "[frame] holds the parts where [layout] puts them, and the design has no [layout]: add it, or "
+                    "remove [frame] (on the command line with --set frame=)"
+                )
+            )
         if self.layout is None or self.train is None:
             return self
         shafts = self.train.on_shafts(len(self.train.stages) + 1)
@@ -587,6 +596,7 @@ OF_A_CAR = (
         "course",
         "car",
         "layout",
+        "frame",
         "play",
         "mechanics",
         "tolerances",

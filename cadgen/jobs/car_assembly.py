@@ -28,7 +28,25 @@ from cadgen.car.assembly.car_parts import (
     still,
     together,
 )
-from cadgen.car.assembly.site import CarSite, bearing_width
+from cadgen.car.assembly.fork_sizes import (
+    BRIDGE_HEIGHT,
+    BRIDGE_LENGTH,
+    CHEEK,
+    CLAMP,
+    FRONT_HUB_DIAMETER,
+    FRONT_WIDTH,
+    GAP,
+    HEAD,
+    HEAD_HALF,
+    JOURNAL,
+    PIN,
+    SPINDLE,
+    WHEEL_HUB,
+    front_radius,
+    hub_width,
+)
+from cadgen.car.assembly.site import CarSite
+from cadgen.car.assembly.standard_parts import bearing_of
 from cadgen.car.assembly.turning_train import TurningPart, TurningTrain, turning_train
 from cadgen.car.running.friction import DiscMaterial
 from cadgen.curves.chamfer import chamfered_off
@@ -37,7 +55,9 @@ from cadgen.errors import DesignError
 from cadgen.gears.layout import TrainPart
 from cadgen.jobs.cam.cam_plan import DENSITY, CamPlan
 from cadgen.jobs.cam.steering_cam import CarUse
+from cadgen.jobs.car_frame import frame_in
 from cadgen.jobs.car_layout import CarLayout
+from cadgen.jobs.frame_parts import frame_parts
 from cadgen.jobs.gears.gear_train import GearTrain
 from cadgen.messages import Message
 from cadgen.output.files.manifest import Origin
@@ -48,15 +68,8 @@ from cadgen.parts.loop import circle as circle_loop
 # Height of a parallel key and depth of its seat in the shaft by its width, mm (DIN 6885-1, ISO 773).
 _KEYS = {2.0: (2.0, 1.2), 3.0: (3.0, 1.8), 4.0: (4.0, 2.5), 5.0: (5.0, 3.0), 6.0: (6.0, 3.5), 8.0: (7.0, 4.0)}
 _SEAT_SHARE = 0.6  # of the height of a key in its shaft, where the table has none of its width
-WHEEL_HUB = 6.0  # mm by which the hub of a rear wheel stands out, away from the disc
 _HUB_WALL = 4.0  # mm between a wheel's bore and the outside of its hub
 _SCREW_HOLE = 2.5  # mm, to be tapped M3
-_CLAMP = 8.0  # mm of camshaft beyond the disc for its clamp
-_FRONT_RADIUS, _FRONT_WIDTH = 20.0, 4.0  # mm, where [car.outline] does not say
-# Fork, mm: its spindle and the head that holds the rod, its bridge, cheeks, and the pin of the wheel.
-_SPINDLE, _HEAD, _HEAD_HALF, _JOURNAL = 6.0, 14.0, 7.0, 12.0
-_BRIDGE_LENGTH, _BRIDGE_HEIGHT, _CHEEK, _PIN, _GAP = 18.0, 8.0, 3.0, 4.0, 2.0
-_FRONT_HUB_DIAMETER, _FRONT_HUB = 10.0, 12.0
 _SCREWS_APART, _THROUGH = 12.0, 3.2
 _METAL, _DARK, _BRASS = (0.66, 0.68, 0.70), (0.22, 0.24, 0.27), (0.78, 0.65, 0.30)
 _DISC_COLOUR, _FORK_COLOUR = (0.86, 0.47, 0.21), (0.27, 0.47, 0.70)
@@ -114,13 +127,14 @@ class CarAssembly:
         return Content(placed.volume + sum(part.each * part.further for part in self.parts), placed.centre)
 
 
-def put_together(cam: CamPlan, train: GearTrain, frame: tuple[CarPart, ...] = ()) -> CarAssembly:
+def put_together(cam: CamPlan, train: GearTrain, frame: tuple[CarPart, ...] | None = None) -> CarAssembly:
     """Put a car together.
 
     Args:
         cam: plan of its cam.
         train: plan of its train, with its layout.
-        frame: plates, shafts and bought parts; of parts with one code these are taken.
+        frame: plates and bought parts, of which those with the code of another part stand in its place; None for those
+            of the design's [frame], if it has one.
 
     Raises:
         DesignError: the design has no layout, or its train has no place in the car.
@@ -138,6 +152,8 @@ def put_together(cam: CamPlan, train: GearTrain, frame: tuple[CarPart, ...] = ()
     turning = turning_train(train.layout, 0.0, car.arrangement.place.raised, 1 if car.turned_over else -1)
     made = _Parts(cam, train, car, turning)
     own = {part.code: part for part in made.every()}
+    if frame is None:
+        frame = frame_parts(frame_in(car)) if car.design.frame is not None else ()
     given = {part.code: part for part in frame}
     # A colour to each part: readers of STEP tell parts apart by them, and two alike share one entity of the file.
     shades: dict[tuple[float, float, float], int] = {}
@@ -301,7 +317,7 @@ class _Parts:
         if number == len(self.groups):
             below = place.towards > 0
             disc = (min(each.low for each in site.disc), max(each.high for each in site.disc))
-            low, high = min(low, disc[0] - below * _CLAMP), max(high, disc[1] + (not below) * _CLAMP)
+            low, high = min(low, disc[0] - below * CLAMP), max(high, disc[1] + (not below) * CLAMP)
         return low, high
 
     def _rear_wheels(self) -> tuple[tuple[float, int], tuple[float, int]]:
@@ -349,7 +365,8 @@ class _Parts:
                 axis, size = turning.axis, (turning.part.blank.shaft_diameter, outside)
                 sizes.setdefault(size, []).extend(at(axis.real, axis.imag, z) for z in (place.near, place.far))
         for (bore, outside), places in sizes.items():
-            width = bearing_width(bore, outside) or site.plate
+            known = bearing_of(bore, outside)
+            width = site.plate if known is None else known.width
             ring = Prism(circle((0.0, 0.0), outside / 2), -width / 2, width / 2, (circle((0.0, 0.0), bore / 2),))
             yield CarPart(
                 code=f"bearing-{bore:g}-{outside:g}".replace(".", "p"),
@@ -404,29 +421,29 @@ class _Parts:
         """Fork with its wheel and the rod, straight ahead."""
         site, group = self.site, self.fork_group
         height = self.car.arrangement.height if self.car.arrangement else 0.0
-        radius = site.front_radius or min(_FRONT_RADIUS, (height - 2 * _HEAD - _BRIDGE_HEIGHT - 2 * _GAP) / 2)
-        width = site.front_width or _FRONT_WIDTH
-        if radius < _FRONT_HUB_DIAMETER:
+        radius = front_radius(site, height)
+        width = site.front_width or FRONT_WIDTH
+        if radius < FRONT_HUB_DIAMETER:
             raise DesignError(
                 "the camshaft stands {height:.4g} mm over the floor, which leaves no room for a front wheel under the "
                 "rod: set layout.camshaft_height_mm to {least:g} or more, or cam.base_radius_mm",
                 height=height,
-                least=np.ceil(2 * _HEAD + _BRIDGE_HEIGHT + 2 * _GAP + 2 * _FRONT_HUB_DIAMETER),
+                least=np.ceil(2 * HEAD + BRIDGE_HEIGHT + 2 * GAP + 2 * FRONT_HUB_DIAMETER),
             )
-        hub = max(_FRONT_HUB, width + 2 * _GAP)
+        hub = hub_width(site)
         steel, aluminium = (DENSITY[each] * 1e-3 for each in (DiscMaterial.STEEL, DiscMaterial.ALUMINIUM))
         # Heights over the floor, turned into y: the wheel's axle, the bridge over the wheel.
-        axle, bridge = height - radius, height - 2 * radius - _GAP
+        axle, bridge = height - radius, height - 2 * radius - GAP
         x, z = site.base_radius, site.fork
         upwards = along((0.0, -1.0, 0.0), (0.0, 0.0, site.rod_side), (x, 0.0, z))
-        socket = RadialHole(2 * site.rod_radius, 0.0, _HEAD / 2 + 1.0)
+        socket = RadialHole(2 * site.rod_radius, 0.0, HEAD / 2 + 1.0)
         spindle = Body(
             tuple(
                 Slab(low, high, (circle_loop(across),))
                 for low, high, across in (
-                    (-bridge, -_HEAD_HALF, _SPINDLE),
-                    (-_HEAD_HALF, _HEAD_HALF, max(_HEAD, 2 * site.rod_radius + _HUB_WALL)),
-                    (_HEAD_HALF, _HEAD_HALF + _JOURNAL, _SPINDLE),
+                    (-bridge, -HEAD_HALF, SPINDLE),
+                    (-HEAD_HALF, HEAD_HALF, max(HEAD, 2 * site.rod_radius + _HUB_WALL)),
+                    (HEAD_HALF, HEAD_HALF + JOURNAL, SPINDLE),
                 )
             ),
             socket,
@@ -455,53 +472,53 @@ class _Parts:
             assumed=stated is None,
             colour=(0.80, 0.81, 0.83),
         )
-        half = _BRIDGE_LENGTH / 2
+        half = BRIDGE_LENGTH / 2
         holes = tuple(
             Drilled((side * _SCREWS_APART / 2, hub / 2, 0.0), (0.0, -1.0, 0.0), _SCREW_HOLE, hub) for side in (-1, 1)
         )
         # Its own z points up, and its own y along the shafts.
         block = Prism(
             _box(-half, half, -hub / 2, hub / 2),
-            -_BRIDGE_HEIGHT / 2,
-            _BRIDGE_HEIGHT / 2,
-            (circle((0.0, 0.0), _SPINDLE / 2),),
+            -BRIDGE_HEIGHT / 2,
+            BRIDGE_HEIGHT / 2,
+            (circle((0.0, 0.0), SPINDLE / 2),),
         )
         yield CarPart(
             code="fork-bridge",
             title=Message("bridge of the fork"),
             shape=Block((block,), drilled=holes),
-            places=(along((0.0, -1.0, 0.0), (1.0, 0.0, 0.0), (x, bridge - _BRIDGE_HEIGHT / 2, z)),),
+            places=(along((0.0, -1.0, 0.0), (1.0, 0.0, 0.0), (x, bridge - BRIDGE_HEIGHT / 2, z)),),
             group=group,
             material=Message("aluminium"),
             density=aluminium,
             assumed=True,
             colour=_FORK_COLOUR,
         )
-        top = bridge - _BRIDGE_HEIGHT - axle
+        top = bridge - BRIDGE_HEIGHT - axle
         cheek = Prism(
             Contour(
                 np.array([[-half, top], [half, top], [half, 0.0], [-half, 0.0]]),
                 np.array([0.0, 0.0, 1.0, 0.0]),
             ),
             0.0,
-            _CHEEK,
+            CHEEK,
             (
-                circle((0.0, 0.0), _PIN / 2),
-                *(circle((side * _SCREWS_APART / 2, top + _BRIDGE_HEIGHT / 2), _THROUGH / 2) for side in (-1, 1)),
+                circle((0.0, 0.0), PIN / 2),
+                *(circle((side * _SCREWS_APART / 2, top + BRIDGE_HEIGHT / 2), _THROUGH / 2) for side in (-1, 1)),
             ),
         )
         yield CarPart(
             code="fork-cheek",
             title=Message("cheek of the fork"),
             shape=Block((cheek,)),
-            places=(at(x, axle, z + hub / 2), at(x, axle, z - hub / 2 - _CHEEK)),
+            places=(at(x, axle, z + hub / 2), at(x, axle, z - hub / 2 - CHEEK)),
             group=group,
             material=Message("aluminium"),
             density=aluminium,
             assumed=True,
             colour=(0.30, 0.50, 0.72),
         )
-        pin = Prism(circle((0.0, 0.0), _PIN / 2), -hub / 2 - _CHEEK, hub / 2 + _CHEEK)
+        pin = Prism(circle((0.0, 0.0), PIN / 2), -hub / 2 - CHEEK, hub / 2 + CHEEK)
         yield CarPart(
             code="front-pin",
             title=Message("axle of the front wheel"),
@@ -511,16 +528,16 @@ class _Parts:
             material=_STEEL,
             density=steel,
             supply=Supply.BOUGHT,
-            standard=f"ISO 2338, {_PIN:g} m6 x {hub + 2 * _CHEEK:g}",
+            standard=f"ISO 2338, {PIN:g} m6 x {hub + 2 * CHEEK:g}",
             colour=(0.60, 0.61, 0.64),
         )
         wheel = Body(
             tuple(
-                Slab(low, high, (circle_loop(across), circle_loop(_PIN)))
+                Slab(low, high, (circle_loop(across), circle_loop(PIN)))
                 for low, high, across in (
-                    (-hub / 2, -width / 2, _FRONT_HUB_DIAMETER),
+                    (-hub / 2, -width / 2, FRONT_HUB_DIAMETER),
                     (-width / 2, width / 2, 2 * radius),
-                    (width / 2, hub / 2, _FRONT_HUB_DIAMETER),
+                    (width / 2, hub / 2, FRONT_HUB_DIAMETER),
                 )
             )
         )

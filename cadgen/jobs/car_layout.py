@@ -14,7 +14,8 @@ import numpy as np
 
 from cadgen.arrays import TURN
 from cadgen.car.assembly.arrangement import Arrangement, arrange, arranged_as, shortfall
-from cadgen.car.assembly.site import CarSite, OnCamshaft, bearing_width
+from cadgen.car.assembly.site import CarSite, OnCamshaft, OnShaft, shaft_bodies
+from cadgen.car.assembly.standard_parts import BEARINGS, bearing_of, smallest_bearing
 from cadgen.car.course.body import PartName
 from cadgen.car.course.layout import Side
 from cadgen.car.steering import wheel_tangent
@@ -27,7 +28,7 @@ from cadgen.design.schema import Design, TrainDesign, whole_design
 from cadgen.design.train import PlateSection
 from cadgen.errors import DesignError
 from cadgen.figures import Facts
-from cadgen.gears.layout import gears_and_hubs
+from cadgen.gears.layout import Disc, gears_and_hubs
 from cadgen.gears.stage import is_bar
 from cadgen.gears.train import Train, thinned
 from cadgen.messages import Message
@@ -59,6 +60,8 @@ class CarLayout:
         short: length by which it does not reach, mm.
         widest_bearing: width of the widest bearing in the plates, mm; 0 where none is known.
         sense: -1 where the camshaft turns against the drive wheel, else +1.
+        gears: gears and hubs of every shaft, in the train's own frame.
+        bores: diameter of every shaft, mm.
     """
 
     design: Design
@@ -67,6 +70,15 @@ class CarLayout:
     short: float
     widest_bearing: float
     sense: int
+    gears: tuple[tuple[Disc, ...], ...]
+    bores: tuple[float, ...]
+
+    @cached_property
+    def shafts(self) -> list[list[OnShaft]]:
+        """Round bodies on every shaft, from the drive to the camshaft; none without an arrangement."""
+        if self.arrangement is None:
+            return []
+        return shaft_bodies(self.site, self.gears, self.bores, self.arrangement.place)
 
     @cached_property
     def checks(self) -> tuple[Check, ...]:
@@ -360,8 +372,10 @@ def _layout(hashed: _Hashed, train: Train) -> CarLayout:
     else:
         found = arrange(site, bodies, distances, bores, towards=towards, height=height)
         short = shortfall(site, distances)
-    widths = [bearing_width(bore, outside) or 0.0 for bore, outside in zip(bores, site.bearings, strict=True)]
-    return CarLayout(design, site, found, short, max(widths), train.sense)
+    borne = [bearing_of(bore, outside) for bore, outside in zip(bores, site.bearings, strict=True)]
+    widest = max((bearing.width for bearing in borne if bearing), default=0.0)
+    of_shafts = tuple(tuple(on) for on in bodies)
+    return CarLayout(design, site, found, short, widest, train.sense, of_shafts, tuple(bores))
 
 
 def _keys(design: Design) -> LayoutSection:
@@ -378,7 +392,6 @@ def _site(design: Design, train: Train, keys: LayoutSection, bores: Sequence[flo
     track, car = cam_model.track(design), cam_model.car(design)
     motion, follower = cam_model.lift(design, track), cam_model.leaning(design, "the layout of the car")
     plates = gear_model.train_keys(design).plate or PlateSection()
-    given = plates.bearing_bores_mm
     inner, outer = design.cam.faces_mm
     tangents = np.asarray(motion.q(np.linspace(0.0, TURN, _SAMPLES)))
     greatest = float(np.max(follower.lift(tangents)))
@@ -408,10 +421,29 @@ def _site(design: Design, train: Train, keys: LayoutSection, bores: Sequence[flo
         gear_clearance=gear_model.train_keys(design).clearance_mm,
         floor_clearance=keys.floor_clearance_mm,
         plate=plates.thickness_mm or _PLATE,
-        bearings=tuple([0.0] * len(bores) if given is None else bearing_bores(given, bores)),
+        bearings=_bearings(design, plates, bores),
         ending=(),
         span=min(stage.bearing_span for stage in train.stages),
     )
+
+
+def _bearings(design: Design, plates: PlateSection, bores: Sequence[float]) -> tuple[float, ...]:
+    """Outer diameter of each shaft's bearings, mm; 0 for none, as without [frame] and sizes of its own."""
+    if plates.bearing_bores_mm is not None:
+        return tuple(bearing_bores(plates.bearing_bores_mm, bores))
+    if design.frame is None:
+        return tuple([0.0] * len(bores))
+    chosen = [smallest_bearing(bore, plates.thickness_mm or _PLATE) for bore in bores]
+    if None in chosen:
+        number = chosen.index(None)
+        raise DesignError(
+            "train.plate.bearing_bores_mm is not given, and no bearing of the table suits shaft {shaft} of {bore:g} "
+            "mm: give the outer diameters, or shafts of {known} mm",
+            shaft=number + 1,
+            bore=bores[number],
+            known=", ".join(f"{each:g}" for each in sorted({bearing.bore for bearing in BEARINGS})),
+        )
+    return tuple(bearing.diameter for bearing in chosen if bearing)
 
 
 def _disc(design: Design, radius: float, thickness: float, side: int) -> Iterator[OnCamshaft]:

@@ -23,6 +23,7 @@ from cadgen.figures import Facts, Figures, with_unit
 from cadgen.gears.layout import TrainLayout, TrainPart
 from cadgen.gears.stage import Mating, Stage, is_bar, rim_diameter
 from cadgen.gears.tooth import GearForm
+from cadgen.gears.train import Train
 from cadgen.inference.measurement.record import Direction
 from cadgen.jobs.cam.cam_plan import CamPlan, Groove
 from cadgen.jobs.gears.assembly import gear_figures
@@ -379,16 +380,24 @@ def _plate_notes(plan: GearTrain) -> Iterator[str]:
             height=car.arrangement.height,
         )
     yield Message("Places of the axes: hold the distances below, not the general tolerance.")
-    for number, stage in enumerate(plan.layout.train.stages, 1):
-        deviation = stage.distance_deviation
-        if deviation is not None:
+    yield from distance_notes(plan.layout.train)
+
+
+def distance_notes(train: Train) -> Iterator[Message]:
+    """Distances of the axes of a train with their tolerances, in words.
+
+    Args:
+        train: train.
+    """
+    for number, stage in enumerate(train.stages, 1):
+        if stage.distance_deviation is not None:
             yield Message(
                 "Axes {first} and {second}: {apart:g} ± {deviation:.4g} mm, bearings {span:g} mm apart, as the play is"
                 " reckoned.",
                 first=number,
                 second=number + 1,
                 apart=stage.centre_distance,
-                deviation=deviation,
+                deviation=stage.distance_deviation,
                 span=stage.bearing_span,
             )
 

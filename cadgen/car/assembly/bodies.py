@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from math import hypot
+from typing import Protocol
 
 import numpy as np
 
@@ -10,6 +11,17 @@ from cadgen.arrays import Array
 _STEPS = 400  # of the projections at most
 _STILL = 1e-7  # mm; a step shorter than this ends them
 _PARALLEL = 1e-9
+
+
+class Convex(Protocol):
+    """Convex body, by the point of it that is nearest to another."""
+
+    @property
+    def centre(self) -> tuple[float, float, float]:
+        """A point in it, mm."""
+
+    def nearest(self, point: Array) -> Array:
+        """Point of the body that is nearest to a point, mm, shape (3,)."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -49,9 +61,7 @@ class SolidCylinder:
 def gap(one: SolidCylinder, other: SolidCylinder) -> float:
     """Distance between two bodies, mm: exact for parallel axes, and there negative by the depth of an overlap.
 
-    For other directions it is the least of ½ |x - P(x)|² over the points x of the first body, with P the nearest point
-    of the second: a convex problem, solved by projected gradient steps with momentum (Nesterov). Bodies that overlap
-    have a gap of 0 there.
+    Bodies of other directions that overlap have a gap of 0.
 
     Args:
         one: body.
@@ -59,6 +69,19 @@ def gap(one: SolidCylinder, other: SolidCylinder) -> float:
     """
     if abs(abs(float(np.dot(one.axis, other.axis))) - 1) < _PARALLEL:
         return _parallel_gap(one, other)
+    return convex_gap(one, other)
+
+
+def convex_gap(one: Convex, other: Convex) -> float:
+    """Distance between two convex bodies, mm; 0 for bodies that overlap.
+
+    It is the least of ½ |x - P(x)|² over the points x of the first body, with P the nearest point of the second: a
+    convex problem, solved by projected gradient steps with momentum (Nesterov).
+
+    Args:
+        one: body.
+        other: body.
+    """
     point = one.nearest(np.asarray(other.centre, dtype=float))
     ahead, weight = point, 1.0
     for _ in range(_STEPS):

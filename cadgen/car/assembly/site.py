@@ -13,32 +13,8 @@ from cadgen.car.assembly.bodies import SolidCylinder
 from cadgen.gears.layout import Disc
 from cadgen.messages import Message
 
-# Width of open deep-groove ball bearings by bore and outer diameter, mm: usual catalogue sizes.
-_BEARINGS: dict[int, dict[int, float]] = {
-    3: {7: 2, 8: 3, 9: 3, 10: 4},
-    4: {9: 2.5, 11: 4, 12: 4, 13: 5, 16: 5},
-    5: {11: 3, 13: 4, 14: 5, 16: 5, 19: 6},
-    6: {13: 3.5, 15: 5, 17: 6, 19: 6},
-    7: {14: 3.5, 17: 5, 19: 6, 22: 7},
-    8: {16: 4, 19: 6, 22: 7, 24: 8},
-    9: {17: 4, 20: 6, 24: 7, 26: 8},
-    10: {19: 5, 22: 6, 26: 8, 30: 9},
-    12: {21: 5, 24: 6, 28: 8, 32: 10},
-    15: {24: 5, 28: 7, 32: 9, 35: 11},
-}
 _STANDOFF = 2.0  # clearances between the disc and the plate beside it
 STEERING_STEPS = 24  # places of the fork, from stop to stop of its motion, at which gaps are taken
-
-
-def bearing_width(bore: float, diameter: float) -> float | None:
-    """Width of a ball bearing, mm; None where the table has none of these sizes.
-
-    Args:
-        bore: diameter of its shaft, mm.
-        diameter: outer diameter, mm.
-    """
-    sizes = {float(inside): each for inside, each in _BEARINGS.items()}.get(bore, {})
-    return {float(outside): width for outside, width in sizes.items()}.get(diameter)
 
 
 class OnCamshaft(NamedTuple):

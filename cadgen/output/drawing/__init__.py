@@ -10,5 +10,6 @@
 | `cam_sheet`   | sheet of a cam                                                            |
 | `gear_sheets` | sheets of the parts of a train, and of the plate that holds the axes      |
 | `assembly_sheet` | sheets of a car put together: views with balloons, steps of mounting     |
+| `frame_sheets` | sheets of a frame's parts and of shafts                                  |
 | `sheet_files` | a sheet as DXF and as a page, and the DXF's dimensions read again         |
 """

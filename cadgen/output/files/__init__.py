@@ -10,6 +10,8 @@
 | `dxf`          | outlines as arcs or as splines, for laser, wire EDM and CAD                  |
 | `nc`           | programs for a mill, and the time that they take                             |
 | `plate`        | the plate for the axes of a train, as DXF and STEP                           |
+| `frame_files`  | parts of a frame, as DXF, STEP and programs                                  |
+| `sheet_nc`     | the program that mills a sheet part                                          |
 | `groove`       | files of a cam with a groove                                                 |
 | `groove_nc`    | the program that mills a groove                                              |
 | `gcode`        | the program that mills an outline, over its tabs                             |

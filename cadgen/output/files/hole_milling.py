@@ -140,11 +140,19 @@ def write_hole_milling(
     ]
     for size in holes:
         for hole in size.holes:
-            lines += _hole_lines(hole, turns_of(hole, size.diameter, machining, material), machining, height)
+            lines += hole_lines(hole, turns_of(hole, size.diameter, machining, material), machining, height)
     path.write_text("\n".join([*lines, "M5", "M30"]) + "\n", encoding="ascii", newline="\n")
 
 
-def _hole_lines(hole: Hole, turns: Sequence[Turn], machining: Machining, height: float) -> Iterator[str]:
+def hole_lines(hole: Hole, turns: Sequence[Turn], machining: Machining, height: float) -> Iterator[str]:
+    """Lines of a program that mill a hole.
+
+    Args:
+        hole: place and heights of the hole.
+        turns: turns of the cutter in it, in their order.
+        machining: feeds and heights.
+        height: height to which the cutter is lifted, mm.
+    """
     x, y = hole.place
     radius = turns[0].radius
     yield f"G0 {words(X=x + radius, Y=y)}"

@@ -1,0 +1,55 @@
+"""Section of the frame: plates that bear the shafts of a car, its base, and the block of its fork."""
+
+from enum import StrEnum
+from typing import Annotated, Literal
+
+from pydantic import Field, Strict
+
+from cadgen.design.section import WORD, CellText, DesignSection, Feature, FeatureOrNone
+
+
+class Cutting(StrEnum):
+    """How the sheets of a frame are cut."""
+
+    MILL = "mill"
+    LASER = "laser"
+
+
+class FrameSection(DesignSection):
+    """The frame that holds the parts of a car: two bearing plates, a base, the fork's platform and block, and brackets.
+
+    All of them follow from the layout. Thickness, material, bearings and the fit of their seats are those of
+    [train.plate]; bearings that it leaves out are the smallest of the table.
+    """
+
+    cutting: Annotated[Cutting, WORD] = Field(
+        default=Cutting.MILL,
+        description="`mill` opens inner corners for a cutter, taps edges for the screws, and writes programs; `laser` "
+        "keeps corners sharp, and nuts in slots take the screws",
+    )
+    cutter_diameter_mm: Feature = Field(default=2.0, le=20, description="of the end mill for the sheets")
+    wall_mm: Feature = Field(
+        default=2.0, le=50, description="least material between two holes, and between a hole and an edge"
+    )
+    screws: Literal["M2", "M2.5", "M3", "M4", "M5"] = Field(
+        default="M3", description="threads of the screws between plates, base and block, ISO 4762"
+    )
+    base_thickness_mm: Feature = Field(default=6.0, le=50, description="of base plate and platform")
+    base_height_mm: float | None = Field(
+        default=None,
+        gt=0,
+        le=2000,
+        description="of the base plate's lower face over the floor; left out, the highest that the bearings allow",
+    )
+    slot_mm: FeatureOrNone = Field(
+        default=4.0, le=100, description="way along the car by which the micrometer can shift the fork's platform"
+    )
+    micrometer_mm: FeatureOrNone = Field(
+        default=9.5, le=50, description="diameter of the micrometer head's stem; 0 for a car without one"
+    )
+    drive_holes_mm: Annotated[tuple[Feature, Feature], Strict(False)] = Field(
+        default=(30.0, 20.0), description="distances of the four holes for motor or weight along and across the car"
+    )
+    material: CellText | None = Field(
+        default=None, description="of base, platform, block and brackets; left out, the plates'"
+    )

@@ -1,0 +1,142 @@
+"""Parts of a frame among the parts of its car."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from cadgen.arrays import Array
+from cadgen.car.assembly.car_parts import Block, CarPart, Drilled, Group, GroupKind, Prism, Supply, turned_round
+from cadgen.car.assembly.frame import Bought, BoughtKind
+from cadgen.car.assembly.panels import Panel, Place, rectangle
+from cadgen.car.running.friction import DiscMaterial
+from cadgen.curves.contour import Contour, circle
+from cadgen.design import gear_model
+from cadgen.design.train import PlateSection
+from cadgen.jobs.cam.cam_plan import DENSITY
+from cadgen.jobs.car_frame import CarFrame
+from cadgen.messages import Message
+from cadgen.output.files.frame_files import BASE_COLOUR, PLATE_COLOUR
+
+_STANDS = Group(GroupKind.FRAME)
+_STEEL = DENSITY[DiscMaterial.STEEL] * 1e-3  # g/mm³
+_HOLLOW = 0.6  # of a bearing's ring: the room between its rings is empty
+_DARK, _BRASS = (0.22, 0.24, 0.27), (0.78, 0.65, 0.30)
+
+
+def frame_parts(frame: CarFrame) -> tuple[CarPart, ...]:
+    """Sheets, block and bought parts of a frame; screws and nuts are listed and not drawn.
+
+    Args:
+        frame: frame of the car.
+    """
+    return (*_made(frame), *_bought(frame))
+
+
+def _made(frame: CarFrame) -> Iterator[CarPart]:
+    plates = gear_model.train_keys(frame.design).plate or PlateSection()
+    keys = frame.design.frame
+    others = (keys.material if keys else None) or plates.material
+    for panel in frame.frame.panels:
+        stated = plates.material if panel in frame.frame.plates else others
+        colour = BASE_COLOUR if panel.code in ("base", "platform") else PLATE_COLOUR
+        yield _sheet(panel, stated, colour, f"{frame.stem}_{panel.code}")
+    block = frame.frame.block
+    half, across, seat = block.length / 2, block.width / 2, block.bearing
+    outline = Contour(rectangle(-half, -across, half, across), np.zeros(4))
+    levels = (0.0, seat.width, block.height - seat.width, block.height)
+    prisms = tuple(
+        Prism(outline, low, high, (circle((0.0, 0.0), diameter / 2),))
+        for low, high, diameter in zip(levels, levels[1:], (seat.diameter, block.bore, seat.diameter), strict=False)
+    )
+    threads = tuple(Drilled((at, 0.0, 0.0), (0.0, 0.0, 1.0), block.tap, block.depth) for at in block.threads)
+    name, density, assumed = _material(others)
+    yield CarPart(
+        code="fork-block",
+        title=Message("block of the fork"),
+        shape=Block(prisms, drilled=threads),
+        places=(_matrix(block.place),),
+        group=_STANDS,
+        material=name,
+        density=density,
+        assumed=assumed,
+        colour=PLATE_COLOUR,
+        standard=f"{frame.stem}_block",
+    )
+
+
+def _sheet(panel: Panel, stated: str | None, colour: tuple[float, float, float], files: str) -> CarPart:
+    drilled = tuple(
+        Drilled((each.u, each.v, panel.thickness / 2), (0.0, 1.0, 0.0), each.diameter, each.depth)
+        for each in panel.edge_holes
+    )
+    name, density, assumed = _material(stated)
+    return CarPart(
+        code=panel.code.replace("_", "-"),
+        title=Message(panel.name),
+        shape=Block((Prism(panel.outline, 0.0, panel.thickness, panel.openings),), drilled=drilled),
+        places=(_matrix(panel.place),),
+        group=_STANDS,
+        material=name,
+        density=density,
+        assumed=assumed,
+        colour=colour,
+        standard=files,
+    )
+
+
+def _bought(frame: CarFrame) -> Iterator[CarPart]:
+    kinds: dict[str, list[Bought]] = {}
+    for part in frame.frame.bought:
+        kinds.setdefault(part.code, []).append(part)
+    for code, parts in kinds.items():
+        first, number = parts[0], len(parts)
+        drawn = first.kind in (BoughtKind.BEARING, BoughtKind.SPACER)
+        shape = None
+        if drawn:
+            shape = Block(tuple(turned_round((low, high, outer, bore) for outer, bore, low, high in first.rounds)))
+        yield CarPart(
+            code=_code(first),
+            title=Message("ball bearing") if first.kind == BoughtKind.BEARING else Message(first.name),
+            shape=shape,
+            places=tuple(_along(each) for each in parts) if drawn else (),
+            group=_STANDS,
+            material=Message("steel"),
+            density=_STEEL * (_HOLLOW if first.kind == BoughtKind.BEARING else 1.0),
+            assumed=False,
+            colour=_DARK if first.kind == BoughtKind.BEARING else _BRASS,
+            supply=Supply.BOUGHT,
+            standard=code,
+            mass=None if drawn else _STEEL * _volume(first),
+            further=0 if drawn else number,
+        )
+
+
+def _code(part: Bought) -> str:
+    """Code of a bought part; bearings have that which the car gives those in its plates."""
+    if part.kind == BoughtKind.BEARING:
+        outside, bore, _, _ = part.rounds[0]
+        return f"bearing-{bore:g}-{outside:g}".replace(".", "p")
+    return f"{part.kind}-{part.code}".lower().replace(" ", "-").replace(".", "p")
+
+
+def _volume(part: Bought) -> float:
+    """Volume of its round bodies, mm³."""
+    return sum(np.pi / 4 * (outer**2 - bore**2) * (high - low) for outer, bore, low, high in part.rounds)
+
+
+def _material(stated: str | None) -> tuple[str, float, bool]:
+    """Material in words, its density, g/mm³, and whether either is assumed: aluminium where nothing is known."""
+    known = next((each for each in DENSITY if stated and each.lower() in stated.lower()), None)
+    density = DENSITY[known or DiscMaterial.ALUMINIUM] * 1e-3
+    return stated or Message("aluminium"), density, known is None
+
+
+def _matrix(place: Place) -> Array:
+    return np.column_stack([place.turn, place.shift])
+
+
+def _along(part: Bought) -> Array:
+    """Place whose z axis is that of a bought part."""
+    way = np.asarray(part.way)
+    beside = np.array([1.0, 0.0, 0.0])
+    return np.column_stack([beside, np.cross(way, beside), way, np.asarray(part.start)])

@@ -1,0 +1,291 @@
+"""Sheets of a frame: its sheet parts with every hole from one datum, the fork's block, and shafts."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from cadgen.car.assembly.frame import ForkBlock, Shaft
+from cadgen.car.assembly.panels import Panel, rectangle
+from cadgen.curves.contour import Contour
+from cadgen.messages import Message
+from cadgen.output.drawing.placement import Room, placed_dimensions
+from cadgen.output.drawing.sheet import (
+    DIAMETER,
+    EDGE,
+    LEFT,
+    SIZES,
+    TITLE_SIZE,
+    Closed,
+    Dimension,
+    DrawingSheet,
+    Label,
+    LinearDimension,
+    LineKind,
+    NoteColumn,
+    SheetTable,
+    Stroke,
+    Title,
+    View,
+    beside_title,
+    centre_cross,
+    chosen_sheet,
+    have_room,
+    over_title,
+    ring,
+    rounded,
+    upright,
+)
+
+_GAP = 9.0  # mm on paper from the part to a dimension line, and from line to line
+_WIDTHS = (9.0, 20.0, 20.0, 27.0, 54.0)  # of the columns of a sheet part's table, mm
+_NUMBER = 3.0  # mm on paper from a hole to its number
+_CARRIED = (70.0, 24.0, 24.0)  # of the columns of a shaft's table, mm
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class PanelText:
+    """Words on the sheet of a sheet part, besides its geometry.
+
+    Attributes:
+        datum: what the datum is, for people.
+        notes: sentences for the shop.
+        between: further dimensions: name, first and second point on the part, mm, and text after the number.
+    """
+
+    datum: str
+    notes: tuple[str, ...]
+    between: tuple[tuple[str, tuple[float, float], tuple[float, float], str], ...] = ()
+
+
+def panel_drawing(panel: Panel, text: PanelText, title: Title) -> DrawingSheet:
+    """Sheet of a sheet part, A4 or A3: one view, and a table of all holes, slots and tabs from the datum.
+
+    Args:
+        panel: sheet part.
+        text: what it says besides.
+        title: title block.
+    """
+    points = panel.outline.polygon(0.01)
+    (left, low), (right, high) = points.min(axis=0).tolist(), points.max(axis=0).tolist()
+    rows = tuple(_rows(panel))
+    table_width = sum(_WIDTHS)
+
+    def table_of(size: str) -> SheetTable:
+        at = (SIZES[size][0] - EDGE - table_width, SIZES[size][1] - EDGE - 2.0)
+        return SheetTable(title=Message("from the datum: {datum}", datum=text.datum), at=at, widths=_WIDTHS, rows=rows)
+
+    def columns_of(size: str) -> tuple[NoteColumn, ...]:
+        return over_title([table_of(size)], table_width, title), beside_title(size)
+
+    extent = (max(right, 0.0) - min(left, 0.0), max(high, 0.0) - min(low, 0.0))
+    beside = (table_width + 42.0, TITLE_SIZE[1] + 34.0)
+    size, scale = chosen_sheet(extent, beside, 1.0, 2.0, lambda size: have_room(text.notes, columns_of(size)))
+    gap = _GAP / scale
+    room_high = SIZES[size][1] - 2 * EDGE - TITLE_SIZE[1]
+    place = (
+        LEFT + 26.0 - scale * min(left, 0.0),
+        EDGE + TITLE_SIZE[1] + 4.0 + (room_high - scale * extent[1]) / 2 - scale * min(low, 0.0),
+    )
+    curves: list[Closed | Stroke] = [Closed(panel.outline), *(Closed(cut) for cut in panel.cuts)]
+    for hole in panel.holes:
+        at = (hole.u, hole.v)
+        curves += [ring(hole.diameter, centre=at), *centre_cross(hole.diameter / 2 + 2.0 / scale, at)]
+    for edge in panel.edge_holes:
+        half = edge.diameter / 2
+        corners = rectangle(edge.u - half, edge.v, edge.u + half, edge.v + edge.depth)
+        curves.append(Stroke(np.vstack([corners, corners[:1]]), LineKind.HIDDEN))
+    curves += centre_cross(5.0 / scale)
+    room = Room(curves, scale)
+    dimensions: list[Dimension] = [
+        LinearDimension(name="length", start=(left, low), end=(right, low), at=(left, low - 2 * gap)),
+        LinearDimension(
+            name="height", start=(left, low), end=(left, high), at=(min(left, 0.0) - 1.6 * gap, low), angle=90.0
+        ),
+        LinearDimension(name="datum along", start=(left, low), end=(0.0, 0.0), at=(left, low - gap)),
+        LinearDimension(
+            name="datum across", start=(left, low), end=(0.0, 0.0), at=(min(left, 0.0) - 0.8 * gap, low), angle=90.0
+        ),
+    ]
+    for number, (name, start, end, suffix) in enumerate(text.between):
+        over = max(high, 0.0) + (0.9 + 0.9 * number) * gap
+        dimensions.append(LinearDimension(name=name, start=start, end=end, at=(start[0], over), suffix=suffix))
+    for dimension in dimensions:
+        room.take(dimension)
+    labels = [Label(text="0", at=(-3.0 / scale, -3.0 / scale), height=3.5)]
+    labels += [
+        room.label(str(number), (hole.u, hole.v), scale * hole.diameter / 2 + _NUMBER, 2.5)
+        for number, hole in enumerate(panel.holes, 1)
+    ]
+    labels += [
+        room.label(str(number), (feature.u, feature.v), _NUMBER, 2.5)
+        for number, feature in enumerate(panel.features, len(panel.holes) + 1)
+    ]
+    view = View(place=place, curves=tuple(curves), dimensions=tuple(dimensions), labels=tuple(labels))
+    table, columns = table_of(size), columns_of(size)
+    return DrawingSheet(
+        size=size, scale=scale, title=title, views=(view,), tables=(table,), notes=text.notes, columns=columns
+    )
+
+
+def _rows(panel: Panel) -> Iterator[tuple[str, ...]]:
+    yield ("", "x, mm", "y, mm", Message("size, mm"), Message("what"))
+    number = 0
+    for hole in panel.holes:
+        number += 1
+        yield str(number), _at(hole.u), _at(hole.v), f"{DIAMETER}{rounded(hole.diameter)} {hole.fit}".strip(), hole.name
+    for feature in panel.features:
+        number += 1
+        size = f"{rounded(feature.along, 2)} × {rounded(feature.across, 2)}" if feature.along else Message("see DXF")
+        yield str(number), _at(feature.u), _at(feature.v), size, feature.name
+    for edge in panel.edge_holes:
+        size = f"{DIAMETER}{rounded(edge.diameter, 2)} × {rounded(edge.depth, 2)}"
+        yield "", _at(edge.u), _at(edge.v), size, Message("thread in the foot")
+
+
+def _at(place: float) -> str:
+    return f"{round(place, 3) + 0.0:.3f}"  # no -0
+
+
+def block_drawing(block: ForkBlock, notes: tuple[str, ...], title: Title) -> DrawingSheet:
+    """Sheet of the fork's block: from above, and the section along the car.
+
+    Args:
+        block: block.
+        notes: sentences for the shop.
+        title: title block.
+    """
+    half, across, tall, seat = block.length / 2, block.width / 2, block.height, block.bearing
+    scale = 2.0 if max(block.length, block.height) <= 48.0 else 1.0
+    gap = _GAP / scale
+    size = "A4"
+    height = SIZES[size][1]
+    middle = EDGE + TITLE_SIZE[1] + (height - 2 * EDGE - TITLE_SIZE[1]) / 2
+    above = (LEFT + 45.0 + scale * half, middle)
+    section = (above[0] + 2 * scale * half + 48.0, middle - scale * tall / 2)
+    top: list[Closed | Stroke] = [
+        Closed(_box(-half, -across, half, across)),
+        ring(seat.diameter),
+        ring(block.bore),
+        *(ring(block.tap, LineKind.HIDDEN, (at, 0.0)) for at in block.threads),
+        *(line for at in (0.0, *block.threads) for line in centre_cross(3.0 + seat.diameter / 4, (at, 0.0))),
+    ]
+    cut: list[Closed | Stroke] = [Closed(_box(-half, 0.0, half, tall))]
+    for low, high, radius in (
+        (0.0, seat.width, seat.diameter / 2),
+        (seat.width, tall - seat.width, block.bore / 2),
+        (tall - seat.width, tall, seat.diameter / 2),
+    ):
+        cut.append(Closed(_box(-radius, low, radius, high)))
+    for at in block.threads:
+        cut.append(Closed(_box(at - block.tap / 2, 0.0, at + block.tap / 2, block.depth)))
+        cut.append(Stroke(np.array([[at, -2.0], [at, block.depth + 2.0]]), LineKind.CENTRE))
+    cut.append(Stroke(np.array([[0.0, -3.0], [0.0, tall + 3.0]]), LineKind.CENTRE))
+    fit = f" {block.fit}" if block.fit else ""
+    seat_width = LinearDimension(
+        name="seat",
+        start=(-seat.diameter / 2, tall),
+        end=(seat.diameter / 2, tall),
+        at=(0.0, tall + gap),
+        prefix=DIAMETER,
+        suffix=fit,
+        beside=scale * seat.diameter / 2 + 14.0,
+    )
+    views = (
+        View(
+            place=above,
+            curves=tuple(top),
+            dimensions=(
+                LinearDimension(name="length", start=(-half, across), end=(half, across), at=(0.0, across + 2 * gap)),
+                LinearDimension(
+                    name="threads apart",
+                    start=(block.threads[0], 0.0),
+                    end=(block.threads[-1], 0.0),
+                    at=(0.0, across + gap),
+                ),
+                upright("width", -half, (-across, across), -half - gap, scale),
+            ),
+            labels=(Label(text=Message("from above"), at=(0.0, -across - 1.2 * gap), height=3.5),),
+        ),
+        View(
+            place=section,
+            curves=tuple(cut),
+            dimensions=(
+                seat_width,
+                upright("height", half, (0.0, tall), half + 2 * gap, scale),
+                upright("depth of the upper seat", half, (tall - seat.width, tall), half + gap, scale),
+                upright("depth of the lower seat", half, (0.0, seat.width), half + gap, scale),
+                upright("depth of the threads' holes", -half, (0.0, block.depth), -half - gap, scale),
+            ),
+            labels=(Label(text=Message("section along the car"), at=(0.0, -1.2 * gap), height=3.5),),
+        ),
+    )
+    return DrawingSheet(
+        size=size,
+        scale=scale,
+        title=title,
+        views=views,
+        tables=(),
+        notes=notes,
+        columns=(beside_title(size),),
+    )
+
+
+def _box(left: float, low: float, right: float, high: float) -> Contour:
+    return Contour(rectangle(left, low, right, high), np.zeros(4))
+
+
+def shaft_drawing(shaft: Shaft, diameter: str, notes: tuple[str, ...], title: Title) -> DrawingSheet:
+    """Sheet of a plain shaft: from the side, with a table of what sits on it.
+
+    Args:
+        shaft: shaft.
+        diameter: text after its diameter, such as the class of its fit.
+        notes: sentences for the shop.
+        title: title block.
+    """
+    radius, size = shaft.diameter / 2, "A4"
+    scale = next((each for each in (2.0, 1.0, 0.5, 0.2) if each * shaft.length <= SIZES[size][0] - 110.0), 0.1)
+    gap = _GAP / scale
+    left = LEFT + 45.0
+    curves: list[Closed | Stroke] = [
+        Closed(_box(0.0, -radius, shaft.length, radius)),
+        Stroke(np.array([[-4.0 / scale, 0.0], [shaft.length + 4.0 / scale, 0.0]]), LineKind.CENTRE),
+    ]
+    across = LinearDimension(
+        name="diameter",
+        start=(0.0, -radius),
+        end=(0.0, radius),
+        at=(-gap, 0.0),
+        angle=90.0,
+        prefix=DIAMETER,
+        suffix=diameter,
+        beside=scale * radius + 14.0,
+    )
+    dimensions = placed_dimensions(
+        (
+            LinearDimension(
+                name="length", start=(0.0, -radius), end=(shaft.length, -radius), at=(0.0, -radius - 1.5 * gap)
+            ),
+            across,
+        ),
+        curves,
+        (),
+        scale,
+    )
+    heads = (Message("sits on it"), Message("from, mm"), Message("to, mm"))
+    rows = (heads, *((name, f"{low:.2f}", f"{high:.2f}") for name, low, high in shaft.carried))
+    at = (LEFT + 6.0, SIZES[size][1] - EDGE - 4.0)
+    table = SheetTable(title=Message("from the left end"), at=at, widths=_CARRIED, rows=rows)
+    tables: Sequence[SheetTable] = (table,) if shaft.carried else ()
+    low = at[1] - (table.height if shaft.carried else 0.0)
+    place = (left, EDGE + TITLE_SIZE[1] + (low - EDGE - TITLE_SIZE[1]) / 2)
+    return DrawingSheet(
+        size=size,
+        scale=scale,
+        title=title,
+        views=(View(place=place, curves=tuple(curves), dimensions=tuple(dimensions)),),
+        tables=tuple(tables),
+        notes=notes,
+        columns=(beside_title(size),),
+    )
