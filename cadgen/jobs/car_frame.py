@@ -314,7 +314,7 @@ def frame_in(layout: CarLayout) -> CarFrame:
 
 
 def _rounding(value: float, limit: float) -> float:
-    """What a figure lacks to its limit by rounding alone."""
+    """Difference of a figure from its limit that is rounding alone."""
     return limit - value if 0 < limit - value < 1e-6 else 0.0
 
 
