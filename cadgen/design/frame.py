@@ -1,7 +1,7 @@
 """Section of the frame: plates that bear the shafts of a car, its base, and the block of its fork."""
 
 from enum import StrEnum
-from typing import Annotated, Literal
+from typing import Annotated
 
 from pydantic import Field, Strict
 
@@ -13,6 +13,16 @@ class Cutting(StrEnum):
 
     MILL = "mill"
     LASER = "laser"
+
+
+class ScrewThread(StrEnum):
+    """Threads of the screws of a frame."""
+
+    M2 = "M2"
+    M2_5 = "M2.5"
+    M3 = "M3"
+    M4 = "M4"
+    M5 = "M5"
 
 
 class FrameSection(DesignSection):
@@ -31,8 +41,8 @@ class FrameSection(DesignSection):
     wall_mm: Feature = Field(
         default=2.0, le=50, description="least material between two holes, and between a hole and an edge"
     )
-    screws: Literal["M2", "M2.5", "M3", "M4", "M5"] = Field(
-        default="M3", description="threads of the screws between plates, base and block, ISO 4762"
+    screws: Annotated[ScrewThread, WORD] = Field(
+        default=ScrewThread.M3, description="threads of the screws between plates, base and block, ISO 4762"
     )
     base_thickness_mm: Feature = Field(default=6.0, le=50, description="of base plate and platform")
     base_height_mm: float | None = Field(

@@ -21,7 +21,11 @@ class Convex(Protocol):
         """A point in it, mm."""
 
     def nearest(self, point: Array) -> Array:
-        """Point of the body that is nearest to a point, mm, shape (3,)."""
+        """Point of the body that is nearest to a point, mm, shape (3,).
+
+        Args:
+            point: point, mm, shape (3,).
+        """
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -33,12 +33,20 @@ class Place:
     shift: Array
 
     def out(self, points: Array) -> Array:
-        """Points of the part in the car, shape (n, 3)."""
+        """Points of the part in the car, mm, shape (n, 3).
+
+        Args:
+            points: points in the part's own frame, mm, shape (n, 3).
+        """
         placed: Array = points @ self.turn.T + self.shift
         return placed
 
     def within(self, points: Array) -> Array:
-        """Points of the car in the part's own frame, shape (n, 3)."""
+        """Points of the car in the part's own frame, mm, shape (n, 3).
+
+        Args:
+            points: points in the car, mm, shape (n, 3).
+        """
         found: Array = (points - self.shift) @ self.turn
         return found
 
@@ -285,7 +293,14 @@ def rounded_corners(corners: Array, radius: float, *, inside: bool) -> Contour:
 
 
 def rectangle(left: float, low: float, right: float, high: float) -> Array:
-    """Corners of a rectangle, counterclockwise, shape (4, 2), mm."""
+    """Corners of a rectangle, counterclockwise, shape (4, 2), mm.
+
+    Args:
+        left: least u, mm.
+        low: least v, mm.
+        right: greatest u, mm.
+        high: greatest v, mm.
+    """
     return np.array([[left, low], [right, low], [right, high], [left, high]])
 
 

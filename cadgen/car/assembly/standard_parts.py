@@ -70,7 +70,12 @@ BEARINGS = (
 
 
 def bearing_of(bore: float, diameter: float) -> Bearing | None:
-    """Ball bearing with a bore and an outer diameter, mm; None where the table has none of these sizes."""
+    """Ball bearing of some sizes; None where the table has none.
+
+    Args:
+        bore: diameter of its shaft, mm.
+        diameter: outer diameter, mm.
+    """
     return next((each for each in BEARINGS if (each.bore, each.diameter) == (bore, diameter)), None)
 
 
@@ -150,5 +155,9 @@ LENGTHS = (4, 5, 6, 8, 10, 12, 16, 20, 25, 30, 35, 40, 45, 50)
 
 
 def screw_length(least: float) -> float:
-    """Least length of a screw that is sold, mm, of those that are no shorter than a length, mm."""
+    """Least length of a screw that is sold, mm.
+
+    Args:
+        least: length that it must have, mm.
+    """
     return float(next((each for each in LENGTHS if each >= least - 1e-9), LENGTHS[-1]))
