@@ -1,4 +1,4 @@
-"""Commands on a car that is put together, runs or was measured: `cadgen frame`, `assembly`, `simulate`, `tolerance` and more."""
+"""Commands on a car that is framed, put together, run or measured: `cadgen frame`, `assembly`, `simulate` and more."""
 
 import os
 import sys
