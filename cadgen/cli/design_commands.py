@@ -214,7 +214,7 @@ def card(design: str | None, profile: str | None, overrides: tuple[str, ...], as
     or the ratio, the micrometer head, the start. Every setting is driven by the exact chain and held against the
     course.
 
-    The exit code is 1 if the course is not kept at some spacing, which the card says, or if the cam fails a check.
+    The exit code is 1 if the course is not kept at some spacing, which the card says, or if the cam is not ready.
     """
     from cadgen.api.design import Design
     from cadgen.cli import show
@@ -235,16 +235,13 @@ def card(design: str | None, profile: str | None, overrides: tuple[str, ...], as
             step = command("card", design, "--out exports", overrides=overrides)
             if written:
                 step = Message("print the card")
-            verdict(True, Message("the course is kept at all {count} spacings", count=len(result.settings)), step)
-        elif not result.cam.sound:
-            verdict(
-                result.cam.verdict.readiness,
-                failed(result.cam.failed),
-                Message("change the design as it is said above"),
-            )
+            kept = Message("the course is kept at all {count} spacings", count=len(result.settings))
+            verdict(result.readiness, kept, step)
+        elif result.cam.failed:
+            verdict(result.readiness, failed(result.cam.failed), Message("change the design as it is said above"))
         else:
             result_of = Message(
                 "the course is not kept at {lost} of {count} spacings", lost=lost, count=len(result.settings)
             )
-            verdict(False, result_of, Message("widen [settings], or plan again with cadgen plan"))
+            verdict(result.readiness, result_of, Message("widen [settings], or plan again with cadgen plan"))
     raise SystemExit(0 if result.passed else 1)

@@ -11,7 +11,6 @@ import numpy as np
 
 from cadgen.car.course.layout import Draw
 from cadgen.car.draws.drawn_spacing import DrawnSpacing
-from cadgen.check import failing
 from cadgen.design import cam_model, draw_model
 from cadgen.design.schema import Design
 from cadgen.errors import CheckError
@@ -26,6 +25,7 @@ from cadgen.output.report.notebook import Pictured
 from cadgen.output.report.style import Drawing
 from cadgen.output.report.tracks import lines_picture
 from cadgen.progress import Progress, silent
+from cadgen.verdict import Readiness
 from cadgen.version import __version__
 
 
@@ -78,9 +78,15 @@ class Card(Pictured, Generic[C]):
         return lines_picture(f"{self.cam.origin.name}: off the path", "spacing (mm)", "mm", spacing, errors)
 
     @property
+    def readiness(self) -> Readiness:
+        """Readiness of the cam; a spacing at which the course is not kept is not ready."""
+        lost = any(each.failed for each in self.drawn)
+        return Readiness.NOT_READY if lost else self.cam.verdict.readiness
+
+    @property
     def passed(self) -> bool:
-        """Whether the cam passes its checks, and the settings keep the course at every spacing."""
-        return self.cam.sound and not any(each.failed for each in self.drawn)
+        """Whether the cam may be cut, and the settings keep the course at every spacing."""
+        return self.readiness != Readiness.NOT_READY
 
     @property
     def worst(self) -> DrawnSpacing:
@@ -97,10 +103,10 @@ class Card(Pictured, Generic[C]):
             None if laps is None else laps.in_run,
         )
         lines += self.use.before_each_run
-        if self.cam.sound:
+        if self.cam.passed:
             return tuple(lines)
-        names = joined(Message(check.name) for check in failing(self.cam.checks))
-        return (Message("the cam itself fails its checks ({names}): see cadgen check", names=names), *lines)
+        names = joined(Message(check.name) for check in self.cam.failed)
+        return (Message("the cam itself is not ready, for it fails {names}: see cadgen check", names=names), *lines)
 
     @property
     def settings(self) -> list[dict[str, Any]]:
@@ -122,7 +128,7 @@ class Card(Pictured, Generic[C]):
             profile=self.cam.kind.code,
             drive_wheel=self.use.drive_wheel.entry(),
             passed=self.passed,
-            failed=[check.code for check in failing(self.cam.checks)],
+            failed=[check.code for check in self.cam.failed],
             verdict=self.cam.verdict.entry(),
             stated_spacing_mm=self.draw.stated,
             start_of=self.start_of,
