@@ -130,6 +130,13 @@ def test_a_bore_through_the_disc_is_refused_with_sizes_that_were_tried(closure):
         assert "thinnest-wall" not in {str(check.code) for check in design.with_({key: float(size)}).cam().failed}
 
 
+def test_a_bore_through_the_second_disc_is_refused_once():
+    """A larger base circle leaves less of the second disc, so that trials of refused trials would never end."""
+    changes = {"follower.second.arm_mm": 100.0, "follower.second.angle_deg": 48.0, "blank.bore_diameter_mm": 10.0}
+    said = refusal(Design.from_toml(LEVER).with_(changes))
+    assert said.startswith("the second disc: thinnest wall is -2.946 mm")
+
+
 def test_a_hub_wider_than_the_disc_is_refused():
     hub = {"blank.hub": {"diameter_mm": 40.0, "length_mm": 6.0, "side": "outer"}, "blank.bore_diameter_mm": 8.0}
     said = refusal(Design.from_toml(DISC).with_(hub))

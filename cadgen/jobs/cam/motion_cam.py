@@ -46,6 +46,7 @@ _BEYOND_GROOVE = 5.0  # mm that are left beyond a groove besides the least wall,
 # Checks that a size of the follower may cure.
 _SIZED = (CheckCode.PRESSURE_ANGLE_RISE, CheckCode.PRESSURE_ANGLE_RETURN, CheckCode.CONVEX_RADIUS_PROFILE)
 _EDGE = radians(0.1)  # of the outline's direction; a smaller turn is no edge that is felt
+_WALLS = (CheckCode.THINNEST_WALL, SecondDisc.THINNEST_WALL)
 SMOOTHED = "motion.smooth=true"
 _STEPS = (3, 6, 10, 15, 20, 27, 35, 45, 60, 80, 110, 200)  # in degrees or percent, by which a size is raised in turn
 _DENSE = 7201  # stations at which the travel is sought
@@ -251,7 +252,7 @@ def plan_motion_cam(design: MotionDesign, profile: str | None = None, progress: 
         DesignError: the follower leaves no disc, or there is no such profile for a cam without a car.
     """
     try:
-        return _planned(design, profile, progress)
+        made = _planned(design, profile, progress)
     except DesignError as error:
         motion = cam_model.source_of(design).motion(design)
         if not (isinstance(motion, TableMotion) and motion.rough):
@@ -271,6 +272,11 @@ def plan_motion_cam(design: MotionDesign, profile: str | None = None, progress: 
             _planned(with_overrides(design, [SMOOTHED]), profile, progress)
         except CadgenError:
             raise error from None
+    else:
+        broken = _broken_wall(made)
+        if broken is None:
+            return made
+        raise _cut_away(design, broken)
     noise, unit = small_height(motion.noise, motion.unit)
     raise DesignError(
         "no disc leads a {follower} through the rows of {key} as they are, for they have {noise:.2g} {unit} of noise "
@@ -303,7 +309,7 @@ def _size_that_fits(design: MotionDesign, profile: str | None, key: str) -> tupl
                 made = _planned(with_overrides(design, [f"{key}={value:.10g}"]), profile, silent)
             except CadgenError:
                 continue
-            if wanted == _Fit.DISC or not failing(made.checks):
+            if not failing(made.checks) or (wanted == _Fit.DISC and _broken_wall(made) is None):
                 return value, not failing(made.checks)
     return None
 
@@ -435,6 +441,11 @@ def _groove_words(cam: CamPlan, groove: Groove) -> Message:
     )
 
 
+def _broken_wall(made: CamPlan) -> Check | None:
+    """Check of a wall of which nothing is left, on either disc; None if there is none."""
+    return next((check for check in made.checks if check.code in _WALLS and check.value <= 0), None)
+
+
 def _cut_away(design: MotionDesign, wall: Check) -> DesignError:
     """Refusal of a disc that a hole or a hub breaks out of, with sizes that were tried.
 
@@ -474,9 +485,6 @@ def _disc(design: MotionDesign, kind: ProfileKind, motion: Motion, follower: Fol
     progress("checking the profile")
     rolling = kind.rolling(follower)
     checks = check_cam(motion, rolling, wanted.curve, wanted.trims, blank, limits, application=signed_pressure)
-    for check in checks:
-        if check.code == CheckCode.THINNEST_WALL and check.value <= 0:
-            raise _cut_away(design, check)
     use = MotionUse(design)
     return CamPlan(
         origin=Origin.of(design),
