@@ -46,7 +46,7 @@ _BEYOND_GROOVE = 5.0  # mm that are left beyond a groove besides the least wall,
 # Checks that a size of the follower may cure.
 _SIZED = (CheckCode.PRESSURE_ANGLE_RISE, CheckCode.PRESSURE_ANGLE_RETURN, CheckCode.CONVEX_RADIUS_PROFILE)
 _EDGE = radians(0.1)  # of the outline's direction; a smaller turn is no edge that is felt
-_WALLS = (CheckCode.THINNEST_WALL, SecondDisc.THINNEST_WALL)
+_WALLS = (CheckCode.THINNEST_WALL, SecondDisc(f"second-{CheckCode.THINNEST_WALL}"))
 SMOOTHED = "motion.smooth=true"
 _STEPS = (3, 6, 10, 15, 20, 27, 35, 45, 60, 80, 110, 200)  # in degrees or percent, by which a size is raised in turn
 _DENSE = 7201  # stations at which the travel is sought
