@@ -209,6 +209,7 @@ def _front(train: "GearTrain") -> None:
                 _each([f"{module:g}" for module in each["modules_mm"]]),
                 f"{each['size_mm']:g}",
                 f"{each['greatest']:.3f}°",
+                f"{each['loss_factors']:.4f}",
                 "-" if efficiency is None else f"{100 * efficiency:.2f} %",
             )
         )
@@ -217,10 +218,14 @@ def _front(train: "GearTrain") -> None:
         Message("module"),
         Message("size, mm"),
         Message("greatest"),
+        Message("losses"),
         Message("efficiency"),
     )
-    sheet(Sheet("front", Message("trains that no other beats in return error and size"), heads, tuple(rows)))
-    Output().print(Message("Size is the sum of the centre distances."))
+    title = Message("trains that no other beats in return error and size")
+    if train.front_with_losses:
+        title = Message("trains that no other beats in return error, size and losses")
+    sheet(Sheet("front", title, heads, tuple(rows)))
+    Output().print(Message("Size is the sum of the centre distances, losses that of the loss factors H_v."))
     if not train.front_whole:
         Output().print(Message("The front was not searched to its end: narrow [train.search]."))
 

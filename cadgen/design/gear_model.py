@@ -226,7 +226,7 @@ def search_limits(design: TrainDesign, given: Train) -> SearchLimits:
 def limits_left_out(design: TrainDesign) -> str:
     """The limits of [train.search] that are not in the design, listed."""
     keys = train_keys(design).search
-    chosen = ("objective", "front")  # which are no limits
+    chosen = ("objective", "front", "losses")  # which are no limits
     return listed([name for name, value in keys.model_dump(exclude=set(chosen)).items() if value is None], "and")
 
 

@@ -440,13 +440,17 @@ class SearchSection(DesignSection):
     keep: int = Field(default=10, ge=1, le=1000, description="how many trains are reported")
     objective: Annotated[SearchObjective | None, WORD] = Field(
         default=None,
-        description="what the best train has least of: `return_error`, or `size`, the sum of the centre distances, of "
-        "those on the front; left out, `return_error`",
+        description="what the best train has least of: `return_error`, or of those on the front `size`, the sum of the "
+        "centre distances, or `losses`, the sum of the loss factors of the teeth; left out, `return_error`",
     )
     front: bool | None = Field(
         default=None,
         description="whether the Pareto front of return error and size is told: the trains that no other beats in "
-        "both; left out, only for `size`",
+        "both; left out, only for `size` and `losses`",
+    )
+    losses: bool | None = Field(
+        default=None,
+        description="whether the losses of the teeth count in the front, too; left out, only for `losses`",
     )
 
 

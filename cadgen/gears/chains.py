@@ -57,6 +57,8 @@ class Fit:
         before: what the pinion behind a pair may have at most, shape (length − 1, n).
         height: of a pair along the axes, shape (n,).
         most_height: of all pairs together.
+        loss: loss of a pair, shape (n,); None where it does not matter.
+        most_loss: of all pairs together.
     """
 
     allowed: BoolArray
@@ -66,6 +68,8 @@ class Fit:
     before: Array
     height: Array
     most_height: float
+    loss: Array | None = None
+    most_loss: float = inf
 
     @classmethod
     def anywhere(cls, length: int, pairs: int, allowed: BoolArray | None = None) -> Fit:
@@ -153,6 +157,7 @@ class _Search:
         self.driver, self.driven, self.cost, self.may = driver[first], driven[first], cost[first], fit.allowed[:, first]
         self.classes, self.pair_cost, self.fit = classes, cost, fit
         self.lowest = float(fit.height.min())
+        self.least_loss = 0.0 if fit.loss is None else float(fit.loss.min())
         self.ratio = self.driven / self.driver
         self.tolerance, self.keep = tolerance, keep
         self.best: list[tuple[float, tuple[int, ...]]] = []
@@ -255,6 +260,9 @@ class _Search:
         cost = spent + weights[place] * self.pair_cost[rows]
         room = self.fit.most_height - self.fit.height[list(chain)].sum() - place * self.lowest + HEIGHT_SLACK
         fits = (cost + before[place] < self.worst) & (self.fit.height[rows] <= room)
+        if self.fit.loss is not None:
+            spared = place * self.least_loss + self.fit.loss[list(chain)].sum()
+            fits &= self.fit.loss[rows] <= self.fit.most_loss - spared + HEIGHT_SLACK
         if chain:
             fits &= self.fit.join(place, rows, chain[0])
         self._count(rows.size)

@@ -55,10 +55,11 @@ class StageOrder(StrEnum):
 
 
 class SearchObjective(StrEnum):
-    """Objective of a search for trains: least return error, or least size, the sum of the centre distances."""
+    """Objective of a search for trains: least return error, size (sum of the centre distances) or losses."""
 
     RETURN_ERROR = "return_error"
     SIZE = "size"
+    LOSSES = "losses"
 
 
 class Order(StrEnum):

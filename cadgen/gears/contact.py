@@ -49,7 +49,15 @@ def missing_shifts(rack: GearForm, teeth: ArrayLike, x_E: ArrayLike) -> Array:
 
 
 def contact_ratios(rack: GearForm, teeth: tuple[Array, Array], x_E: tuple[Array, Array], chamfer: Array) -> Array:
-    """ε_α of unshifted pairs at the centre distance m Σz / 2.
+    """ε_α of unshifted pairs at the centre distance m Σz / 2; arguments are those of `paths_of_contact`."""
+    start, end = paths_of_contact(rack, teeth, x_E, chamfer)
+    return np.asarray(np.maximum(end - start, 0.0) / (pi * cos(rack.transverse_pressure_angle)))
+
+
+def paths_of_contact(
+    rack: GearForm, teeth: tuple[Array, Array], x_E: tuple[Array, Array], chamfer: Array
+) -> tuple[Array, Array]:
+    """Start and end of contact of unshifted pairs at m Σz / 2, along the line of action, as factors of the module.
 
     `teeth`, `x_E` (driver, driven) and `chamfer` (of the tips, in modules) are arrays of one shape; `rack` as above.
 
@@ -71,8 +79,7 @@ def contact_ratios(rack: GearForm, teeth: tuple[Array, Array], x_E: tuple[Array,
         roll = np.abs(roll)
         roll[under] = _crossing_roll(rack, z[under], x[under])
         roots.append(base * roll)
-    start, end = np.maximum(line - tips[1], roots[0]), np.minimum(tips[0], line - roots[1])
-    return np.asarray(np.maximum(end - start, 0.0) / (pi * cos(angle)))
+    return np.maximum(line - tips[1], roots[0]), np.minimum(tips[0], line - roots[1])
 
 
 def _tip_of(rack: GearForm) -> tuple[float, float]:

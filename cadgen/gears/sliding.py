@@ -15,12 +15,14 @@ of the sliding over a pitch is taken itself.
 
 from __future__ import annotations
 
-from math import cos, inf, pi, tan
+from math import cos, inf, pi, sin, tan
 
 import numpy as np
 
-from cadgen.gears.contact import path_of_contact
+from cadgen.arrays import Array
+from cadgen.gears.contact import path_of_contact, paths_of_contact
 from cadgen.gears.pair import Pair
+from cadgen.gears.tooth import GearForm
 
 # Positions within a pitch at which the sliding is averaged where the formula does not hold.
 POSITIONS = 20000
@@ -51,13 +53,26 @@ def loss_factor(pair: Pair) -> float:
     first, second = (gear.form for gear in pair.by_size)
     pitch = pi * first.transverse_module * cos(first.transverse_pressure_angle)
     middle = first.base_diameter / 2 * tan(pair.working_pressure_angle)
-    after, before = (end - middle) / pitch, (middle - start) / pitch
-    both = after + before
-    if both <= 2 and min(after, before) >= 0:
-        mean = 1 - both + after**2 + before**2
-    else:
-        places = (np.arange(POSITIONS) + 0.5) / POSITIONS + np.arange(-1, int(both) + 2)[:, None] - before
-        inside = (places >= -before) & (places <= after)
-        mean = 2 * float(np.mean(np.sum(np.abs(places) * inside, axis=0) / np.maximum(inside.sum(axis=0), 1)))
+    mean = _mean_sliding((end - middle) / pitch, (middle - start) / pitch)
     sliding = 1 / first.teeth + second.side / second.teeth
     return pi * sliding / cos(first.base_helix_angle) * mean
+
+
+def loss_factors(rack: GearForm, teeth: tuple[Array, Array], x_E: tuple[Array, Array], chamfer: Array) -> Array:
+    """H_v of unshifted spur pairs at m Σz / 2, as cut; arguments are those of `contact.paths_of_contact`."""
+    start, end = paths_of_contact(rack, teeth, x_E, chamfer)
+    angle = rack.transverse_pressure_angle
+    pitch, middle = pi * cos(angle), teeth[0] / 2 * sin(angle)
+    after, before = (end - middle) / pitch, (middle - start) / pitch
+    mean = np.array([_mean_sliding(*ends) for ends in zip(after.tolist(), before.tolist(), strict=True)])
+    return np.asarray(pi * (1 / teeth[0] + 1 / teeth[1]) * mean)
+
+
+def _mean_sliding(after: float, before: float) -> float:
+    """Mean of the sliding over a pitch, the load shared equally, by the parts of ε_α beside the pitch point."""
+    both = after + before
+    if both <= 2 and min(after, before) >= 0:
+        return 1 - both + after**2 + before**2
+    places = (np.arange(POSITIONS) + 0.5) / POSITIONS + np.arange(-1, int(both) + 2)[:, None] - before
+    inside = (places >= -before) & (places <= after)
+    return 2 * float(np.mean(np.sum(np.abs(places) * inside, axis=0) / np.maximum(inside.sum(axis=0), 1)))

@@ -34,6 +34,7 @@ from cadgen.gears.contact import (
 )
 from cadgen.gears.layout import Blanks, collar_length
 from cadgen.gears.pair import CENTRE_DISTANCE_ROUNDING, GradedGear
+from cadgen.gears.sliding import loss_factor, loss_factors
 from cadgen.gears.spur import SpurPair, spur_pairs
 from cadgen.gears.stage import Stage
 from cadgen.gears.tolerances import COVERED_DIAMETERS, ToleranceOverrides, centre_distance_deviation, gear_tolerances
@@ -234,6 +235,15 @@ class Pairs:
     def axes(self) -> Array:
         """Centre distances in mm."""
         return np.asarray(self.module * (self.driver + self.driven) / 2)
+
+    def losses(self, limits: SearchLimits) -> Array:
+        """Loss factors H_v, as cut.
+
+        Args:
+            limits: limits of the search, with the pattern of its gears.
+        """
+        teeth, form = (self.driver.astype(np.float64), self.driven.astype(np.float64)), limits.pattern.form
+        return loss_factors(form, teeth, self.shifts, form.tip_chamfer / self.module)
 
 
 def pairs_within(limits: SearchLimits) -> Pairs:
@@ -477,10 +487,10 @@ def search_of(
     return TrainSearch(limits, blanks, clearance)
 
 
-# By which the next train of a front must be smaller than the one before, mm.
-SMALLER = 1e-6
-# Trains of a front that are looked for.
-MOST_OF_FRONT = 40
+# By which the next train of a front must be smaller than the one before, mm, and lose less.
+SMALLER, LESS_LOSS = 1e-6, 1e-8
+# Trains that are looked for, of a front of return error and size, and of one with losses.
+MOST_OF_FRONT, MOST_WITH_LOSSES = 40, 400
 
 
 def size_of(train: Train) -> float:
@@ -488,15 +498,24 @@ def size_of(train: Train) -> float:
     return sum(stage.centre_distance for stage in train.stages)
 
 
-def front_of(limits: SearchLimits) -> tuple[tuple[TrainPlay, ...], bool]:
+def losses_of(train: Train) -> float:
+    """Sum of the loss factors H_v of a train of spur gears, as cut; times μ the share of the power that teeth lose."""
+    return sum(loss_factor(stage.as_cut()) for stage in spur_pairs(train, Message("losses are")))
+
+
+def front_of(limits: SearchLimits, losses: bool = False) -> tuple[tuple[TrainPlay, ...], bool]:
     """Pareto front of return error and size: the trains that no other beats in both, least return error first.
 
     For every number of stages the train of the least return error is found, then that among the smaller ones, and so
-    on. The second value is whether the front is whole: wide limits end it early.
+    on. With losses all of that is done again among the trains that lose less than the worst of the last ones found. The
+    second value is whether the front is whole: wide limits end it early.
 
     Args:
         limits: limits of the search.
+        losses: whether no other may beat them in the losses of the teeth, either.
     """
+    if losses:
+        return _front_with_losses(limits)
     counts = range(1, limits.stages + 1) if limits.fewer else (limits.stages,)
     pairs, found, whole = pairs_within(limits), list[TrainPlay](), True
     for count in counts:
@@ -521,6 +540,42 @@ def front_of(limits: SearchLimits) -> tuple[tuple[TrainPlay, ...], bool]:
         if not front or size_of(play.train) < size_of(front[-1].train) - SMALLER / 2:
             front.append(play)
     return tuple(front), whole
+
+
+def _front_with_losses(limits: SearchLimits) -> tuple[tuple[TrainPlay, ...], bool]:
+    """Pareto front of return error, size and losses, least return error first, and whether it is whole."""
+    counts = range(1, limits.stages + 1) if limits.fewer else (limits.stages,)
+    pairs, found, left = pairs_within(limits), dict[TrainPlay, tuple[float, float, float]](), MOST_WITH_LOSSES
+    for count in counts:
+        search = TrainSearch(replace(limits, stages=count, fewer=False), pairs=pairs)
+        if found:
+            search.without_even_pairs()
+        most, last = inf, [0.0]
+        while last:
+            size, last = inf, []
+            while left:
+                left -= 1
+                try:
+                    (play,) = search.smaller(size, most).best(1)
+                except EndlessSearchError:
+                    left = 0
+                    break
+                except DesignError:
+                    break
+                found[play] = play.return_error_max, size_of(play.train), losses_of(play.train)
+                last.append(found[play][2])
+                size = found[play][1] - SMALLER
+            most = max(last, default=0.0) - LESS_LOSS
+
+    def beaten(one: tuple[float, float, float]) -> bool:
+        slack = (1e-12, SMALLER / 2, LESS_LOSS / 2)
+        return any(
+            other != one and all(theirs <= own + room for theirs, own, room in zip(other, one, slack, strict=True))
+            for other in found.values()
+        )
+
+    front = [play for play, figures in found.items() if not beaten(figures)]
+    return tuple(sorted(front, key=lambda play: found[play])), left > 0
 
 
 class TrainSearch:
@@ -578,13 +633,17 @@ class TrainSearch:
             )
         return tuple(train_play(Train(tuple(_stage(pairs, row, limits) for row in rows))) for rows in chains)
 
-    def smaller(self, size: float) -> Self:
+    def smaller(self, size: float, most_loss: float | None = None) -> Self:
         """The search, without blanks, among trains whose centre distances add up to no more than a size, mm.
 
         Args:
             size: greatest sum of the centre distances, mm.
+            most_loss: greatest sum of the loss factors; None where they do not matter.
         """
         self._fit = replace(self._fit, height=self._pairs.axes, most_height=size)
+        if most_loss is not None:
+            loss = self._pairs.losses(self._limits) if self._fit.loss is None else self._fit.loss
+            self._fit = replace(self._fit, loss=loss, most_loss=most_loss)
         return self
 
     def exclude(self, stage: Stage) -> None:

@@ -18,8 +18,20 @@ from cadgen.gears.backlash import stage_play
 from cadgen.gears.contact import contact_ratio, missing_shift
 from cadgen.gears.layout import Blanks, lay_out
 from cadgen.gears.pair import GradedGear
+from cadgen.gears.sliding import loss_factor
 from cadgen.gears.spur import SpurPair
-from cadgen.gears.synthesis import SearchLimits, TrainSearch, all_orders, arrange, front_of, search_trains, size_of
+from cadgen.gears.synthesis import (
+    SearchLimits,
+    TrainSearch,
+    _stage,
+    all_orders,
+    arrange,
+    front_of,
+    losses_of,
+    pairs_within,
+    search_trains,
+    size_of,
+)
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train, thinned
@@ -393,6 +405,43 @@ def test_the_front_is_that_of_brute_force(case):
     assert whole
     assert [play.return_error_max for play in found] == pytest.approx([lag for lag, _ in expected])
     assert [size_of(play.train) for play in found] == pytest.approx([size for _, size in expected])
+
+
+@pytest.mark.parametrize("case", range(12))
+def test_the_front_with_losses_is_that_of_brute_force(case):
+    """Trains that no other beats in return error, size and sum of loss factors, of one and two stages."""
+    generator = np.random.default_rng(200 + case)
+    low = int(generator.integers(10, 16))
+    teeth = low, low + int(generator.integers(4, 9))
+    gears = [Fraction(*generator.integers(teeth[0], teeth[1] + 1, 2).tolist()) for _ in range(2)]
+    limits = within(stages=2, teeth=teeth, ratio=prod(gears, start=Fraction(1)), modules=(0.5, 0.6), fewer=True)
+    every: list[tuple[float, tuple[SpurPair, ...]]] = []
+    for count in (1, 2):
+        longer = brute_force(replace(limits, stages=count, fewer=False))
+        every += [each for each in longer if not every or all(stage.ratio != 1 for stage in each[1])]
+    points = {
+        (
+            round(lag, 11),
+            round(sum(stage.centre_distance for stage in made), 8),
+            round(sum(loss_factor(stage.as_cut()) for stage in made), 8),
+        )
+        for lag, made in every
+    }
+    kept = [one for one in points if not any(o != one and all(np.less_equal(o, one)) for o in points)]
+    found, whole = front_of(limits, losses=True)
+    assert whole
+    figures = [(play.return_error_max, size_of(play.train), losses_of(play.train)) for play in found]
+    assert np.sort(figures, axis=0) == pytest.approx(np.sort(kept, axis=0), abs=2e-8)
+
+
+def test_loss_factors_of_pairs_at_once_are_those_of_each():
+    limits = within(teeth=(12, 40), stages=1)
+    pairs = pairs_within(limits)
+    rows = np.random.default_rng(3).integers(0, pairs.driver.size, 12)
+    search = TrainSearch(replace(limits, stages=1, fewer=False), pairs=pairs)
+    for row in rows.tolist():
+        made = _stage(pairs, row, search._limits)
+        assert pairs.losses(limits)[row] == pytest.approx(loss_factor(made.as_cut()), abs=1e-9)
 
 
 def test_a_design_asks_for_the_smallest_train_and_the_front(tmp_path):

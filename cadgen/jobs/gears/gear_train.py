@@ -18,7 +18,7 @@ from cadgen.gears.distribution import quantiles
 from cadgen.gears.layout import TrainLayout
 from cadgen.gears.spur import SpurPair, spur_pairs
 from cadgen.gears.stage import Departure, Stage, Wheel
-from cadgen.gears.synthesis import SearchLimits, arrange, front_of, search_of, size_of
+from cadgen.gears.synthesis import SearchLimits, arrange, front_of, losses_of, search_of, size_of
 from cadgen.gears.train import Loose, Train, TrainPlay, WholePlay, teeth_of, train_play
 from cadgen.geometry.meshes.made_train import MadeTrain, failing_stages, make_train
 from cadgen.jobs.car_layout import CarLayout, laid_out, turned_to
@@ -179,6 +179,7 @@ class GearTrain(Assembly):
         friction: friction coefficient of the flanks and its source; None where the design has none.
         front: trains of a search that no other beats in return error and size; none where they are not asked for.
         front_whole: whether the front was searched to its end.
+        front_with_losses: whether losses count in it.
         order: order of the stages: `as-given`, `reordered` or `search`.
         designed: play of the train as the design has it.
         designed_standard: play of that train without the design's overrides; None if the standards do not cover it.
@@ -202,6 +203,7 @@ class GearTrain(Assembly):
     friction: tuple[float, str] | None
     front: tuple[TrainPlay, ...]
     front_whole: bool
+    front_with_losses: bool
     order: Order
     designed: TrainPlay
     designed_standard: TrainPlay | None
@@ -290,6 +292,7 @@ class GearTrain(Assembly):
                         teeth=teeth_of(play),
                         modules_mm=[stage.module for stage in play.train.stages],
                         size_mm=size_of(play.train),
+                        loss_factors=losses_of(play.train),
                         efficiency=self.efficiency_of(play.train),
                         **return_error(play),
                     )
@@ -369,13 +372,18 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
     designed_play, designed_standard = train_play(designed), _by_the_standard(designed)
     limits = gear_model.search_limits(design, designed) if order == Order.SEARCH else None
     asked = gear_model.train_keys(design).search
-    by_size = asked.objective == SearchObjective.SIZE
+    by_losses = asked.objective == SearchObjective.LOSSES
+    with_losses = by_losses or bool(asked.losses)
+    on_front = by_losses or asked.objective == SearchObjective.SIZE
     front: tuple[TrainPlay, ...] = ()
     front_whole = True
-    if limits and (by_size or asked.front):
+    if limits and (on_front or with_losses or asked.front):
         progress(Message("searching the front of return error and size"))
-        front, front_whole = front_of(limits)
-    ranked = front[::-1] if by_size and front else arrange(designed, order, limits)
+        front, front_whole = front_of(limits, with_losses)
+    ranked = arrange(designed, order, limits) if not (on_front and front) else ()
+    if on_front and front:
+        measure = losses_of if by_losses else size_of
+        ranked = tuple(sorted(front, key=lambda play: measure(play.train)))
     trains = _Candidates(ranked, limits, design)
     made, skipped = _first_made(design, trains, _baseline(order, designed_play, designed_standard), progress)
     chord, keys = design.export.mesh_chord_um, gear_model.train_keys(design)
@@ -394,6 +402,7 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
         friction=friction,
         front=front,
         front_whole=front_whole,
+        front_with_losses=with_losses,
         order=order,
         designed=designed_play,
         designed_standard=designed_standard,
