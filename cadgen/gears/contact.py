@@ -49,7 +49,14 @@ def missing_shifts(rack: GearForm, teeth: ArrayLike, x_E: ArrayLike) -> Array:
 
 
 def contact_ratios(rack: GearForm, teeth: tuple[Array, Array], x_E: tuple[Array, Array], chamfer: Array) -> Array:
-    """ε_α of unshifted pairs at the centre distance m Σz / 2; arguments are those of `paths_of_contact`."""
+    """ε_α of unshifted pairs at the centre distance m Σz / 2.
+
+    Args:
+        rack: gear with the pressure angle and the basic rack of all.
+        teeth: numbers of teeth of drivers and driven gears, shape (n,) each.
+        x_E: their generating profile shifts, as factors of the module, shape (n,) each.
+        chamfer: chamfers of the tips, as factors of the module, shape (n,).
+    """
     start, end = paths_of_contact(rack, teeth, x_E, chamfer)
     return np.asarray(np.maximum(end - start, 0.0) / (pi * cos(rack.transverse_pressure_angle)))
 

@@ -59,7 +59,14 @@ def loss_factor(pair: Pair) -> float:
 
 
 def loss_factors(rack: GearForm, teeth: tuple[Array, Array], x_E: tuple[Array, Array], chamfer: Array) -> Array:
-    """H_v of unshifted spur pairs at m Σz / 2, as cut; arguments are those of `contact.paths_of_contact`."""
+    """H_v of unshifted spur pairs at m Σz / 2, as cut.
+
+    Args:
+        rack: gear with the pressure angle and the basic rack of all.
+        teeth: numbers of teeth of drivers and driven gears, shape (n,) each.
+        x_E: their generating profile shifts, as factors of the module, shape (n,) each.
+        chamfer: chamfers of the tips, as factors of the module, shape (n,).
+    """
     start, end = paths_of_contact(rack, teeth, x_E, chamfer)
     angle = rack.transverse_pressure_angle
     pitch, middle = pi * cos(angle), teeth[0] / 2 * sin(angle)
