@@ -17,6 +17,7 @@
 | `car_gaps`    | gaps of each part of a car to the nearest others         |
 | `assembly_checks` | whether a car put together stands, and has the energy  |
 | `assembly_files` | a car put together -> STEP, list of parts, sheets        |
+| `part_drawings` | sheets of wheels, shafts, rod and fork                  |
 | `train_proposal` | wheel, path and sizes of a car -> a train that fits it |
 | `nominal_car` | the car that these are varied from                       |
 | `error_budget`| what costs most at the finish                            |

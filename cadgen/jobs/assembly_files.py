@@ -16,6 +16,7 @@ from cadgen.geometry.meshes.car_meshes import seen
 from cadgen.jobs.assembly_checks import assembly_checks, centre_of_gravity
 from cadgen.jobs.car_assembly import CarAssembly
 from cadgen.jobs.drawings import Folder, title_of, write_sheet
+from cadgen.jobs.part_drawings import drawn_here, part_sheets, part_stem
 from cadgen.messages import Message, joined
 from cadgen.output.drawing.assembly_sheet import (
     CarView,
@@ -52,7 +53,7 @@ def listed(assembly: CarAssembly) -> tuple[ListedPart, ...]:
             title=part.title,
             quantity=part.quantity,
             material=part.material,
-            source=part.standard,
+            source=part_stem(assembly, part) if drawn_here(part) else part.standard,
             mass=part.each * part.quantity,
             drawn=bool(part.places),
         )
@@ -75,7 +76,7 @@ def parts_csv(assembly: CarAssembly) -> str:
                 part.material,
                 "yes" if part.assumed else "no",
                 part.supply,
-                part.standard,
+                part_stem(assembly, part) if drawn_here(part) else part.standard,
                 f"{part.each:.3f}",
                 f"{part.each * part.quantity:.3f}",
             )
@@ -229,7 +230,7 @@ def mounting_notes(assembly: CarAssembly) -> Iterator[Message]:
         side=Message("right") if found.place.towards < 0 else Message("left"),
     )
     yield Message(
-        "Fork: press the spindle into its bridge, screw a cheek to either end, and press the pin through cheeks and "
+        "Fork: bond the spindle into its bridge, screw a cheek to either end, and press the pin through cheeks and "
         "front wheel, which must run free. Glue the rod into the head of the spindle, parallel to the pin, its end "
         "{length} mm from the fork axis.",
         length=rounded(site.rod_length, 2),
@@ -299,7 +300,7 @@ def write_assembly(assembly: CarAssembly, out: Path, cam_angle: float = 0.0, pro
     def files(staging: Path) -> Iterator[Artifact]:
         progress(Message("writing and reading back the assembly"))
         # 1.4 times as fast as one after the other: the kernel loads and writes while the sheets are drawn.
-        with in_second_process(partial(_step_file, assembly, staging / f"{stem}.step", cam_angle)) as step:
+        with in_second_process(partial(_step_files, assembly, staging / f"{stem}.step", cam_angle)) as step:
             yield text_file(staging / f"{stem}_parts.csv", parts_csv(assembly))
             title = title_of(assembly.origin, assembly.train.title, Message("car, assembly"), _OF_PARTS, stem, folder)
             title = replace(title, finish=_OF_PARTS)
@@ -310,7 +311,9 @@ def write_assembly(assembly: CarAssembly, out: Path, cam_angle: float = 0.0, pro
             title = replace(title, part=Message("car, steps of mounting"), number=mounting)
             steps = mounting_sheet(mountings(assembly), tuple(mounting_notes(assembly)), title)
             yield from write_sheet(staging, mounting, steps, omitted)
-            yield step()
+            for number, drawn in part_sheets(assembly, folder):
+                yield from write_sheet(staging, number, drawn, omitted)
+            yield from step()
 
     return publish(
         stem,
@@ -343,7 +346,7 @@ def assembly_facts(assembly: CarAssembly, cam_angle: float) -> Facts:
                 material=part.material,
                 assumed=part.assumed,
                 supply=part.supply,
-                source=part.standard,
+                source=part_stem(assembly, part) if drawn_here(part) else part.standard,
                 mass_each_g=part.each,
                 moves_with=part.group.kind if part.group.kind != GroupKind.SHAFT else f"shaft-{part.group.number}",
                 places=[np.round(place, 9).tolist() for place in part.placed(cam_angle, fork)],
@@ -353,10 +356,11 @@ def assembly_facts(assembly: CarAssembly, cam_angle: float) -> Facts:
     )
 
 
-def _step_file(assembly: CarAssembly, path: Path, cam_angle: float) -> Artifact:
-    """STEP file of the car, read back by the kernel: names, places, one solid each, volumes."""
+def _step_files(assembly: CarAssembly, path: Path, cam_angle: float) -> list[Artifact]:
+    """STEP files of the car and of its plain parts, read back by the kernel: names, places, faces, volumes."""
     from cadgen.geometry.solids.car_solids import car_bytes, car_solids, read_car
     from cadgen.geometry.solids.kernel import faces, volume
+    from cadgen.geometry.solids.step import read_part, step_bytes
 
     fork = assembly.fork_angle(cam_angle)
     description = f"car, design {assembly.origin.content_hash[:12]}"
@@ -382,6 +386,14 @@ def _step_file(assembly: CarAssembly, path: Path, cam_angle: float) -> Artifact:
         if use.volume is not None
     )
     require(off < _VOLUME, path.name, Message("has parts of other volumes"))
-    return Artifact(
-        path.name, Facts(parts=len(uses), volume_error=off), ("", "", Message("{count} parts", count=len(uses)))
-    )
+    readings = "", "", Message("{count} parts", count=len(uses))
+    made = [Artifact(path.name, Facts(parts=len(uses), volume_error=off), readings)]
+    for part in filter(drawn_here, assembly.parts):
+        stem = part_stem(assembly, part)
+        own = path.parent / f"{stem}.step"
+        own.write_bytes(step_bytes(replace(solids[part.code], name=stem)))
+        read, size = read_part(own), volume(solids[part.code].solid)
+        alike = read.valid and read.bodies == 1 and abs(read.volume / size - 1) < _VOLUME
+        require(alike, own.name, Message("is another solid"))
+        made.append(Artifact(own.name, Facts(volume_mm3=read.volume)))
+    return made

@@ -11,5 +11,6 @@
 | `gear_sheets` | sheets of the parts of a train, and of the plate that holds the axes      |
 | `assembly_sheet` | sheets of a car put together: views with balloons, steps of mounting     |
 | `frame_sheets` | sheets of a frame's parts and of shafts                                  |
+| `part_sheets` | sheets of plain turned parts, plates and blocks                           |
 | `sheet_files` | a sheet as DXF and as a page, and the DXF's dimensions read again         |
 """
