@@ -25,6 +25,11 @@ _FITS: dict[str, tuple[str, str]] = {
     "fork-cheek": ("H7", ""),
     "rod": ("", "h6"),
 }
+# Further notes by the code of the part.
+_NOTES = {
+    "rod": Message("Rides on the disc: ground and polished along its length, Ra 0.4."),
+    "fork-spindle": Message("The lower end is bonded into the bridge; the upper end runs in the bearings."),
+}
 _FREE = 3.1  # mm; holes of a plate from this size on that are no fits are clearance holes of screws
 
 
@@ -89,11 +94,10 @@ def _texts(part: CarPart, steps: list[TurnedStep], hole: tuple[float, float] | N
             )
         )
         notes.append(_zone(hole[0], inside))
-        notes.append(Message("The lower end is bonded into the bridge; the upper end runs in the bearings."))
     elif hole is not None:
         notes.append(Message("Radial hole Ø{size:g} in the hub: to be tapped M3 through to the bore.", size=hole[0]))
-    if part.code == "rod":
-        notes.append(Message("Rides on the disc: ground and polished along its length, Ra 0.4."))
+    if part.code in _NOTES:
+        notes.append(_NOTES[part.code])
     shape = part.shape
     for seat in shape.cuts if isinstance(shape, Block) else ():
         notes.append(_seat(seat, shape.cuts[0] if isinstance(shape, Block) else seat, steps))

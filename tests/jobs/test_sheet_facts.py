@@ -1,4 +1,4 @@
-"""What sheets and mounting plan must say: the list of docs/reference/sheets.md, part by part of the workshop's car."""
+"""Facts that sheets and mounting plan must state: the list of docs/reference/sheets.md, part by part of a car."""
 
 import re
 from collections.abc import Iterator
@@ -60,7 +60,7 @@ def texts(sheet: DrawingSheet) -> Iterator[str]:
 
 
 def of_part(part: CarPart, sheet: DrawingSheet) -> dict[str, bool]:
-    """Whether a sheet says each fact that the part has."""
+    """Facts that the part has, and whether its sheet states each."""
     said, title, sizes = list(texts(sheet)), sheet.title, sheet.dimensions
     whole = " | ".join(said)
     gear, disc = part.code.startswith("gear"), part.code == "cam-disc"
