@@ -33,11 +33,11 @@ from cadgen.output.drawing.sheet import (
 
 _SIZE = "A3"
 _BALLOON, _APART = 7.0, 9.0  # mm on paper: diameter of a balloon, and distance of two in a column
-_ASIDE = 26.0  # mm on paper between a view and its balloons, which dimensions need
-_BETWEEN = 22.0  # mm on paper between the views
+_ASIDE = 21.0  # mm on paper between a view and its balloons, which dimensions need
+_BETWEEN = 20.0  # mm on paper between the views
 _WITHIN = 1e-3  # mm by which a covered area is made smaller, so that common edges are drawn
 _SHORT = 0.05  # mm; what is left of edges and shorter is not drawn
-_LIST_WIDTHS = (8.0, 8.0, 50.0, 24.0, 82.0, 14.0)
+_LIST_WIDTHS = (8.0, 8.0, 66.0, 22.0, 68.0, 14.0)
 
 
 class ListedPart(NamedTuple):

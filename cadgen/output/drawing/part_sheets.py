@@ -264,12 +264,7 @@ def _placed(
 
 
 def _sheet(size: str, scale: float, views: tuple[View, ...], texts: PartTexts, title: Title) -> DrawingSheet:
+    column = beside_title(size)
     return DrawingSheet(
-        size=size,
-        scale=scale,
-        title=title,
-        views=views,
-        tables=(),
-        notes=texts.notes,
-        columns=(beside_title(size),),
+        title=title, views=views, tables=(), notes=texts.notes, columns=(column,), size=size, scale=scale
     )
