@@ -60,7 +60,6 @@ from cadgen.parts.features import DFlat, Flats, Hub, Keyway, Lightening, Web
 
 if TYPE_CHECKING:
     from cadgen.geometry.solids.gear_solids import Compound
-    from cadgen.geometry.solids.kernel import Solid
 
 # mm; of shafts whose bearings nobody has placed. Where the backlash is given no figure depends on it.
 _ANY_SPAN = 1000.0
@@ -325,14 +324,6 @@ class Gear(OnePart, Pictured):
                 volume_mm3=self.part.volume,
             )
         )
-
-    def build123d(self) -> Solid:
-        """The gear as a build123d solid with label and colour, mm; its lower face lies at z = 0.
-
-        Raises:
-            FileError: the CAD kernel cannot drill the set screw.
-        """
-        return self._export().solid().build123d()
 
     def _export(self) -> GearExport:
         return _export(self.name, self.form, self.part)

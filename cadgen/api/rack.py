@@ -19,7 +19,7 @@ from cadgen.jobs.gears.assembly import OnePart
 from cadgen.output.files.exports import RackExport
 
 if TYPE_CHECKING:
-    from cadgen.geometry.solids.kernel import Solid
+    pass
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -135,10 +135,6 @@ class Rack(OnePart):
             E_sn_um=form.tooth_thickness_deviation * 1e3,
             volume_mm3=self.volume,
         )
-
-    def build123d(self) -> Solid:
-        """The rack as a build123d solid with label and colour, mm."""
-        return self._export().solid().build123d()
 
     def _export(self) -> RackExport:
         chord = min(CHORD_PER_MODULE * self.form.normal_module, COARSEST_CHORD)

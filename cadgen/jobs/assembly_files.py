@@ -164,7 +164,12 @@ def mountings(assembly: CarAssembly) -> tuple[ShaftMounting, ...]:
         outside = [each for each in others if each not in inside]
         beyond = sorted((each for each in outside if away(each)[0] > -place.near * place.towards), key=away)
         behind = sorted((each for each in outside if each not in beyond), key=away, reverse=True)
-        steps = [MountingStep(part.title, "", "", _seats(assembly, part)) for part in shaft]
+        steps = []
+        for part in shaft:
+            diameter = assembly.train.layout.on_shafts[part.shaft - 1].blank.shaft_diameter
+            (bottom, top) = part.heights(part.places[0])
+            size = Message("Ø{diameter:g} x {length}", diameter=diameter, length=rounded(top - bottom, 2))
+            steps.append(MountingStep(part.title, "", "", size))
         for group, way in ((inside, near_side), (beyond, near_side), (behind, far_side)):
             steps += [
                 MountingStep(
@@ -178,13 +183,6 @@ def mountings(assembly: CarAssembly) -> tuple[ShaftMounting, ...]:
         name = shaft[0].title if shaft else Message("shaft {shaft}", shaft=number)
         tables.append(ShaftMounting(name, tuple(steps)))
     return tuple(tables)
-
-
-def _seats(assembly: CarAssembly, shaft: CarPart) -> str:
-    """Remark on a shaft: its diameter, and seats of keys."""
-    diameter = assembly.train.layout.on_shafts[shaft.shaft - 1].blank.shaft_diameter
-    (low, high) = shaft.heights(shaft.places[0])
-    return Message("Ø{diameter:g} x {length}", diameter=diameter, length=rounded(high - low, 2))
 
 
 def _remark(assembly: CarAssembly, part: CarPart) -> str:

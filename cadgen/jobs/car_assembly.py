@@ -47,12 +47,11 @@ from cadgen.car.assembly.fork_sizes import (
 )
 from cadgen.car.assembly.site import CarSite
 from cadgen.car.assembly.standard_parts import bearing_of
-from cadgen.car.assembly.turning_train import TurningPart, TurningTrain, turning_train
+from cadgen.car.assembly.turning_train import TurningTrain, turning_train
 from cadgen.car.running.friction import DiscMaterial
 from cadgen.curves.chamfer import chamfered_off
 from cadgen.curves.contour import Contour, circle
 from cadgen.errors import DesignError
-from cadgen.gears.layout import TrainPart
 from cadgen.jobs.cam.cam_plan import DENSITY, CamPlan
 from cadgen.jobs.cam.steering_cam import CarUse
 from cadgen.jobs.car_frame import frame_in
@@ -229,25 +228,29 @@ class _Parts:
         for number, turning in enumerate((*self.turning.parts, *self.turning.beside), 1):
             part = turning.part
             material, density, assumed = _material(self.train.making.shaft(part.shaft, shafts).material)
+            # With the gears pushing the cam at cam angle 0.
+            standing = replace(part, axis=turning.axis, angle=turning.angle, height=part.height + turning.lift)
+            if number <= shafts:
+                teeth = " + ".join(str(each.teeth) for each in part.gears if hasattr(each, "teeth"))
+                title = Message("gear of {teeth} teeth, shaft {shaft}", teeth=teeth, shaft=part.shaft)
+                group = self.groups[number - 1]
+            else:
+                title = Message("{name} of stage {stage}", name=part.name.partition("_")[2], stage=part.stages[0])
+                carrier = None if turning.carrier is None else self.groups[turning.carrier]
+                group = Group(GroupKind.BESIDE, number, turning.axis, turning.rate, carrier)
             yield CarPart(
                 code=f"gear-{part.name}".replace("_", "-"),
-                title=Message("gear of {teeth} teeth, shaft {shaft}", teeth=_teeth(part), shaft=part.shaft)
-                if number <= shafts
-                else Message("{name} of stage {stage}", name=part.name.partition("_")[2], stage=part.stages[0]),
+                title=title,
                 shape=BodyShape(part.body, part.volume),
-                places=(_gear_place(turning),),
-                group=self.groups[number - 1] if number <= shafts else self._beside(turning, number),
+                places=(standing.transform,),
+                group=group,
                 material=material,
                 density=density,
                 assumed=assumed,
-                colour=_hue(number),
+                colour=hsv_to_rgb((0.58 + number * (sqrt(5) - 1) / 2) % 1.0, 0.35, 0.75),
                 standard=f"{self.train.stem}_{part.name}",
                 shaft=part.shaft if number <= shafts else 0,
             )
-
-    def _beside(self, turning: TurningPart, number: int) -> Group:
-        carrier = None if turning.carrier is None else self.groups[turning.carrier]
-        return Group(GroupKind.BESIDE, number, turning.axis, turning.rate, carrier)
 
     def keys(self) -> Iterator[CarPart]:
         """Parallel keys of disc and gears."""
@@ -587,22 +590,6 @@ class _Parts:
             standard="ISO 4029, M3 x 4",
             further=count,
         )
-
-
-def _gear_place(turning: TurningPart) -> Array:
-    """Place of a gear with the gears pushing the cam at cam angle 0, shape (3, 4)."""
-    part = turning.part
-    return replace(part, axis=turning.axis, angle=turning.angle, height=part.height + turning.lift).transform
-
-
-def _teeth(part: TrainPart) -> str:
-    """Numbers of teeth of a part, from below."""
-    return " + ".join(str(each.teeth) for each in part.gears if hasattr(each, "teeth"))
-
-
-def _hue(number: int) -> tuple[float, float, float]:
-    """Colour of a gear by its number."""
-    return hsv_to_rgb((0.58 + number * (sqrt(5) - 1) / 2) % 1.0, 0.35, 0.75)
 
 
 def _material(stated: str | None) -> tuple[str, float, bool]:

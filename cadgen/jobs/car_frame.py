@@ -2,7 +2,7 @@
 
 import csv
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from io import StringIO
@@ -378,7 +378,11 @@ class _Files:
             title = self._title(shaft.name, Message("steel"), stem)
             sheet = shaft_drawing(shaft, " h6", tuple(self._shaft_notes(shaft)), title)
             yield from write_sheet(self.staging, stem, sheet, self.omitted)
-        yield text_file(self.staging / f"{job.stem}_bought.csv", _bought_csv(job.bought))
+        table = StringIO()
+        writer = csv.writer(table, lineterminator="\n")
+        writer.writerow(["code", "name", "quantity"])
+        writer.writerows((code, str(name), number) for code, name, number in job.bought)
+        yield text_file(self.staging / f"{job.stem}_bought.csv", table.getvalue())
 
     def _title(self, part: str, material: str, stem: str) -> Title:
         design = self.job.design
@@ -483,11 +487,3 @@ class _Files:
         if shaft.code.startswith("shaft_") and shaft.carried:
             yield Message("Left end: that farthest to the right of the car.")
             yield Message("Flats, keyways and pins as the drawings of the parts on it need them.")
-
-
-def _bought_csv(rows: Sequence[tuple[str, str, int]]) -> str:
-    text = StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(["code", "name", "quantity"])
-    writer.writerows((code, str(name), number) for code, name, number in rows)
-    return text.getvalue()

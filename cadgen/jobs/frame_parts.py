@@ -94,8 +94,13 @@ def _bought(frame: CarFrame) -> Iterator[CarPart]:
         shape = None
         if drawn:
             shape = Block(tuple(turned_round((low, high, outer, bore) for outer, bore, low, high in first.rounds)))
+        own = f"{first.kind}-{first.code}".lower().replace(" ", "-")
+        if first.kind == BoughtKind.BEARING:  # as the car calls those in its plates
+            outside, bore, _, _ = first.rounds[0]
+            own = f"bearing-{bore:g}-{outside:g}"
+        volume = sum(np.pi / 4 * (outer**2 - bore**2) * (high - low) for outer, bore, low, high in first.rounds)
         yield CarPart(
-            code=_code(first),
+            code=own.replace(".", "p"),
             title=Message("ball bearing") if first.kind == BoughtKind.BEARING else Message(first.name),
             shape=shape,
             places=tuple(_along(each) for each in parts) if drawn else (),
@@ -106,22 +111,9 @@ def _bought(frame: CarFrame) -> Iterator[CarPart]:
             colour=_DARK if first.kind == BoughtKind.BEARING else _BRASS,
             supply=Supply.BOUGHT,
             standard=code,
-            mass=None if drawn else _STEEL * _volume(first),
+            mass=None if drawn else _STEEL * volume,
             further=0 if drawn else number,
         )
-
-
-def _code(part: Bought) -> str:
-    """Code of a bought part; bearings have that which the car gives those in its plates."""
-    if part.kind == BoughtKind.BEARING:
-        outside, bore, _, _ = part.rounds[0]
-        return f"bearing-{bore:g}-{outside:g}".replace(".", "p")
-    return f"{part.kind}-{part.code}".lower().replace(" ", "-").replace(".", "p")
-
-
-def _volume(part: Bought) -> float:
-    """Volume of its round bodies, mm³."""
-    return sum(np.pi / 4 * (outer**2 - bore**2) * (high - low) for outer, bore, low, high in part.rounds)
 
 
 def _material(stated: str | None) -> tuple[str, float, bool]:

@@ -62,13 +62,16 @@ def frame_gap(frame: Frame, shafts: Sequence[Sequence[OnShaft]], bores: Sequence
                 size = parallel_gap(panels[which], solid)
                 if size < least.size:
                     least = Gap(size, panels[which].name, solid.name)
-    still, names = _still(frame), _names(frame)
+    still = _still(frame)
+    names = [*(panel.name for panel in panels), Message("the fork's block"), Message("a screw or spacer")]
     shut = {(which, number) for which in standing for number, _ in bodies}
     boxed = [(number, solid, cylinder_box(solid)) for number, solid in bodies]
     nearest = least_gap(still, boxed, skipped | shut)
     if nearest is not None and nearest.size < least.size:
         least = Gap(nearest.size, names[nearest.one], bodies[nearest.other][1].name)
-    turning, of_fork = list(_turning(frame)), _fork_names()
+    turning = list(_turning(frame))
+    of_fork = [Message("the rod"), Message("the front wheel"), Message("the head of the fork"), Message("the spindle")]
+    of_fork.append(Message("the cheeks of the fork"))
     # The spindle passes platform and block.
     passed = {(panels.index(frame.platform), _SPINDLE), (len(panels), _SPINDLE)}
     nearest = least_gap(still, turning, passed)
@@ -78,16 +81,6 @@ def frame_gap(frame: Frame, shafts: Sequence[Sequence[OnShaft]], bores: Sequence
 
 
 _ROD, _WHEEL, _HEAD, _SPINDLE, _CHEEKS = range(5)  # bodies of the fork
-
-
-def _fork_names() -> tuple[str, ...]:
-    names = Message("the rod"), Message("the front wheel"), Message("the head of the fork"), Message("the spindle")
-    return *names, Message("the cheeks of the fork")
-
-
-def _names(frame: Frame) -> list[str]:
-    names = [panel.name for panel in frame.panels]
-    return [*names, Message("the fork's block"), Message("a screw or spacer")]
 
 
 def _still(frame: Frame) -> list[tuple[int, Convex, Array]]:

@@ -34,6 +34,7 @@ from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
     from cadgen.geometry.solids.gear_solids import Compound
+    from cadgen.geometry.solids.kernel import Solid
     from cadgen.output.files.formats import Format, Offer, P
 
 # Steel, g/mm³: the mass is for orientation, and the volume stands beside it.
@@ -209,6 +210,14 @@ class OnePart(JobResult):
     @abstractmethod
     def _export(self) -> GearExport | RackExport:
         """The part as its files need it."""
+
+    def build123d(self) -> Solid:
+        """The part as a build123d solid with label and colour, mm; its lower face lies at z = 0.
+
+        Raises:
+            FileError: the CAD kernel cannot drill the set screw.
+        """
+        return self._export().solid().build123d()
 
     def write(
         self,

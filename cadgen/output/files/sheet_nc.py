@@ -116,7 +116,11 @@ def _lines(panel: Panel, machining: Machining, name: str, seat: str) -> Iterator
             "zero: datum of the drawing, upper face of the sheet",
             "fix the sheet on its bed over its whole area: cores of openings come loose",
             f"{tabs_note(tabs)} hold the part at the end; cut and file them off",
-            *([f"seats {seat}: measure, and bore or ream the last hundredths"] if seat and _seats(panel) else []),
+            *(
+                [f"seats {seat}: measure, and bore or ream the last hundredths"]
+                if seat and any(hole.fit for hole in panel.holes)
+                else []
+            ),
             *([f"{len(panel.edge_holes)} holes in the foot are not in this program"] if panel.edge_holes else []),
             f"the cutter goes {machining.break_through_mm:g} mm below the sheet",
             *height_notes(machining, height),
@@ -138,10 +142,6 @@ def _lines(panel: Panel, machining: Machining, name: str, seat: str) -> Iterator
     yield from _rounds(slotted.centre, slotted.lifted.tolist(), levels, top, machining)
     yield "M5"
     yield "M30"
-
-
-def _seats(panel: Panel) -> bool:
-    return any(hole.fit for hole in panel.holes)
 
 
 def _hole_lines(hole: Hole, diameter: float, machining: Machining, height: float) -> Iterator[str]:

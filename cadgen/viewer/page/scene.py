@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll_curve
 from cadgen.cam.follower import EdgeFollower
-from cadgen.car.assembly.car_parts import Block, BodyShape, CarPart, DiscShape, Group, GroupKind
+from cadgen.car.assembly.car_parts import Block, BodyShape, DiscShape, Group, GroupKind
 from cadgen.car.assembly.turning_train import (
     Stand,
     TurningPart,
@@ -476,7 +476,9 @@ def car_bodies(assembly: CarAssembly, drawn: Sequence[Part], shafts: Sequence[Sh
     gaps, titles = part_gaps(assembly), {part.code: part.title for part in assembly.parts}
     known = {part.code.replace("_", "-"): part for part in drawn}
     last = len(assembly.train.layout.on_shafts)
-    whole = [(part, place, _middle(part, place)) for part in assembly.parts for place in part.places]
+    whole = [
+        (part, place, place @ np.array([*part.content.centre, 1.0])) for part in assembly.parts for place in part.places
+    ]
     middle = float(np.mean([at[1] for *_, at in whole]))
     heights = sorted({round(float(at[2]), 3) for *_, at in whole})
     for part, place, at in whole:
@@ -505,11 +507,6 @@ def car_bodies(assembly: CarAssembly, drawn: Sequence[Part], shafts: Sequence[Sh
             fine, coarse = (_placed(part.shape, place, index, part.group, shafts, chord) for chord in _PLAIN_CHORDS)
             paint = next((paint for word, paint in _PAINTS.items() if word in part.code), Colour.FRAME)
             yield Part(part.code, part.title, fine, coarse, index, paint, branch, apart, near)
-
-
-def _middle(part: CarPart, place: Array) -> Array:
-    here: Array = place @ np.array([*part.content.centre, 1.0])
-    return here
 
 
 def _placed(
