@@ -221,7 +221,7 @@ class Linear:
         """Variance of each amplitude of what repeats in a track, by each spectrum, shape (spectra, repeats)."""
         track = self.track
         form = np.array([s.variance(track.order, track.floor) for s in self.grid])
-        beside = np.array([(s.beside * track.discrepancy.sigma) ** 2 for s in self.grid])
+        beside = np.array([track.discrepancy.variance(s.beside) for s in self.grid])
         return np.hstack([form, beside])
 
     def _columns(self, kind: Kind, model: Model, active: Active, idle: frozenset[Deviation]) -> Array:

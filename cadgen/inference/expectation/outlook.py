@@ -9,7 +9,8 @@ where F is the planned end of the run, P the end by the model of a track, p one 
 with the old disc. Play and friction act with
 their whole effect; what effects on disc and rod do to the lift is rolled for the values found, and to first order about
 them. To each error comes what the records show beside all effects. To the new one comes what the form error of the new
-disc makes of it, which is another one than the old disc's.
+disc makes of it, which is another one than the old disc's. Where the names are not sure, an effect without a name may
+stand behind some of them, which acts on the new cam in another way: its error goes by how far that cam moves the end.
 """
 
 from collections.abc import Sequence
@@ -21,10 +22,10 @@ from numpy.typing import NDArray
 from cadgen.arrays import Array
 from cadgen.deviations.effect import Active, Effect
 from cadgen.deviations.track import RETURN_ERROR, SLIDING_FRICTION
+from cadgen.inference.measurement.evidence import GRID
 from cadgen.inference.measurement.findings import EvidenceDiagnosis, Likely
 from cadgen.inference.measurement.kinds.track import KIND, TrackModel, run_of
 from cadgen.inference.measurement.nominal import Nominal
-from cadgen.inference.measurement.reservations import TYPICAL
 from cadgen.inference.measurement.verdict import Verdict
 
 DRAWS = 200
@@ -34,6 +35,10 @@ RANGE = (5.0, 95.0)  # percent
 EXPLAINED = 1.3
 # A new cam that is worse than the old one with more than this chance is not cut without being told to.
 WORSE = 0.05
+# What is not sure by name may do to another cam what it does not do to this one: the chance of that, and the error of
+# each coordinate of the end then, as a share of the change. Two of seven such cars of the study of circles, of its
+# seed 28, ended 8 and 12 % of it off; the others, 2 % in the mean.
+NOT_SURE = (2 / 7, 0.07)
 # A gain smaller than this is none: two cams that end as near as a car can be set again, mm.
 SAME = 1.0
 
@@ -106,22 +111,25 @@ def outlook(
         unmeasured: play and friction, of a car without a track.
     """
     track = next((d for d in diagnoses if d.kind is KIND), None)
-    beside, spread = (0j, 0.0) if track is None else track.beside
     # All records have one judgement, but where they contradict each other: then the track knows best how the car runs.
     likeliest = (track or diagnoses[0]).likely
     rng = np.random.default_rng(0)
     counts = rng.multinomial(DRAWS, [likely.weight for likely in likeliest])
     models = run_of(nominal), run_of(new.nominal)
     ends: tuple[list[NDArray[np.complex128]], ...] = ([], [])
-    for likely, count in zip(likeliest, counts.tolist(), strict=True):
+    rest = np.full(DRAWS, -planned)
+    for likely, first, count in zip(likeliest, np.cumsum(counts) - counts, counts.tolist(), strict=True):
         if count:
+            rest[first : first + count] += _rest(likely, count, rng)
             cars = _drawn(models[0], likely, count, rng, None if track else unmeasured)
             ends[0].append(_ends(models[0], cars, count))
             left = [car for car in cars if car.name not in new.gone and not car.of_disc]
             ends[1].append(_ends(models[1], left, count))
-    rest = beside + spread * (rng.standard_normal(DRAWS) + 1j * rng.standard_normal(DRAWS)) - planned
-    old = np.abs(np.concatenate(ends[0]) + rest)
-    on_new = np.abs(np.concatenate(ends[1]) + rest + new_form(models[1], DRAWS, rng))
+    before, after = (np.concatenate(each) + rest for each in ends)
+    if track is not None and track.verdict in (Verdict.AMBIGUOUS, Verdict.PARTIAL):
+        either = rng.standard_normal(DRAWS) + 1j * rng.standard_normal(DRAWS)
+        after = after + (rng.random(DRAWS) < NOT_SURE[0]) * NOT_SURE[1] * np.abs(after - before) * either
+    old, on_new = np.abs(before), np.abs(after + new_form(models[1], DRAWS, rng))
     least, most = np.percentile(on_new, RANGE)
     explained = False if diagnoses[0].contradicted else None
     if track is not None:
@@ -140,6 +148,15 @@ def outlook(
     )
 
 
+def _rest(likely: Likely, count: int, rng: np.random.Generator) -> NDArray[np.complex128]:
+    """Repeating errors beside the effects at the end of a track, drawn from what they may be, shape (count,), mm."""
+    if not likely.unnamed:
+        return np.zeros(count, dtype=np.complex128)
+    which = rng.choice(len(likely.unnamed), count, p=[one.weight for one in likely.unnamed])
+    at, spread = np.array([(one.at, one.spread) for one in likely.unnamed]).T[:, which]
+    return np.asarray(at + spread.real * (rng.standard_normal(count) + 1j * rng.standard_normal(count)))
+
+
 def new_form(model: TrackModel, count: int, rng: np.random.Generator) -> NDArray[np.complex128]:
     """By how much the form errors of discs to be cut, as stated, move the end, x + iy, shape (count,), mm.
 
@@ -149,8 +166,10 @@ def new_form(model: TrackModel, count: int, rng: np.random.Generator) -> NDArray
         rng: source of random numbers.
     """
     x, y = model.form[[len(model.form) // 2 - 1, -1]]  # the last point of the run: its rows are first all x, then all y
-    sizes = np.sqrt(TYPICAL.variance(model.order, model.floor)) * rng.standard_normal((count, len(model.order)))
-    return np.asarray(sizes @ (x + 1j * y))
+    # How it is spread over the orders is not known: a wave of the whole turn moves the end most.
+    variances = np.array([s.variance(model.order, model.floor) for s in GRID if s.within])
+    sizes = np.sqrt(variances[rng.integers(len(variances), size=count)])
+    return np.asarray(sizes * rng.standard_normal(sizes.shape) @ (x + 1j * y))
 
 
 @dataclass(frozen=True)

@@ -23,10 +23,12 @@ from cadgen.inference.measurement.findings import (
     PathDiagnosis,
     PerRun,
     Residual,
+    Unnamed,
     Value,
 )
 from cadgen.inference.measurement.hypothesis import Hypothesis, Search, fit, sized
 from cadgen.inference.measurement.joint import Build, Joint, Part
+from cadgen.inference.measurement.kinds.track import TrackModel
 from cadgen.inference.measurement.model import Model, repeating, rms_by_run, slopes
 from cadgen.inference.measurement.nominal import LoggedCar, Nominal
 from cadgen.inference.measurement.record import Datum, Record, join, refuse_many_together, refuse_wrong_units
@@ -191,7 +193,6 @@ def _diagnosis(result: Weighed, part: Part, progress: Progress) -> EvidenceDiagn
         play_known=result.play_known,
         score=best.score,
         likely=_likely(result),
-        beside=_beside(part, result),
     )
 
 
@@ -211,21 +212,47 @@ def _likely(result: Weighed) -> tuple[Likely, ...]:
         shown = tuple(
             frozenset(part.record.kind.code for part in joint.parts if e.key in part.names) for e, _, _ in h.values()
         )
-        out.append(Likely(float(share), effects, h.covariance[first:, first:], shown))
+        out.append(Likely(float(share), effects, h.covariance[first:, first:], shown, _at_end(joint, h)))
     total = sum(likely.weight for likely in out)
     return tuple(replace(likely, weight=likely.weight / total) for likely in out)
 
 
-def _beside(part: Part, result: Weighed) -> tuple[complex, float]:
-    """Repeating error beside the effects at the end of a track, x + iy, and the standard deviation of each, mm."""
-    if part.model.measured is None:
-        return 0j, 0.0
-    ends = np.flatnonzero(part.model.rows.run == 0)
-    last = ends[[len(ends) // 2 - 1, -1]]
-    columns, spectrum = repeating(part.model)[last], result.joint.grid.index(result.best.spectrum)
-    x, y = columns @ part.evidence.repeating(part.evidence.whiten(part.residual(result.best.active)), spectrum)
-    spread = np.trace(columns @ part.evidence.unsure(spectrum) @ columns.T) / 2
-    return complex(x, y), float(np.sqrt(spread))
+# A spectrum that explains a residual with less than this chance is left out.
+LEAST_CHANCE = 0.02
+# Chance that a car goes crabwise by as much as may be; and of that, that the camera's frame is turned instead.
+CRABWISE, FRAME = 0.2, 0.25
+
+
+def _at_end(joint: Joint, subset: Hypothesis) -> tuple[Unnamed, ...]:
+    """Repeating error beside the effects of a subset at the end of a track, by all that it may be.
+
+    Few runs whose starts are all turned to one side are a car that goes crabwise, or started so by chance.
+    """
+    part = next((part for part in joint.parts if isinstance(part.model, TrackModel)), None)
+    if part is None or not isinstance(part.model, TrackModel):
+        return ()
+    model, misfit = part.model, joint.misfit(subset.active)
+    misfit = np.where(joint.within == subset.spectrum.within, misfit, np.inf)
+    near = misfit < misfit.min() - 2 * np.log(LEAST_CHANCE)
+    grid = tuple(replace(joint.grid[n], whole_frame=whole) for n in np.flatnonzero(near) for whole in (False, True))
+    white = part.evidence.whiten(part.residual(subset.active))
+    poses = part.evidence.datum(white, int(misfit.argmin())).reshape(-1, 3)
+    evidence = Evidence(model, part.noise, grid, model.shown_spread(poses))
+    # Records beside the track have the same evidence with and without.
+    misfit = np.repeat((misfit - part.misfit(subset.active))[near], 2) + evidence.misfit(white)
+    chance = np.exp((misfit.min() - misfit) / 2) * np.tile([1 - CRABWISE, CRABWISE], int(near.sum()))
+    ends = np.flatnonzero(model.rows.run == 0)
+    columns, found = repeating(model)[ends[[len(ends) // 2 - 1, -1]]], []
+    for spectrum in range(len(grid)):
+        values, own = evidence.repeating(white, spectrum), model.discrepancy.of_frame
+        spread = float(np.sqrt(np.trace(columns @ evidence.unsure(spectrum) @ columns.T) / 2))
+        at, weight = complex(*(columns @ values)), float(chance[spectrum] / chance.sum())
+        if own is not None and grid[spectrum].whole_frame:
+            turned = complex(*(columns[:, own + model.form.shape[1]] * values[own + model.form.shape[1]]))
+            found.append(Unnamed(FRAME * weight, at - turned, spread))
+            weight *= 1 - FRAME
+        found.append(Unnamed(weight, at, spread))
+    return tuple(found)
 
 
 def _unnamed(part: Part, result: Weighed) -> dict[Deviation, Finding]:

@@ -127,13 +127,15 @@ BEYOND_FLOOR = (2.5, 6.0, 15.0, 40.0)
 class Spectrum:
     """Spectrum of the form error: size as a multiple of the floor, knee and steepness.
 
-    `beside` is the discrepancy's size as a multiple of what it may be, where the record's kind has one.
+    `beside` is the discrepancy's size as a multiple of what it may be, where the record's kind has one; `whole_frame`
+    says whether its part that may be the instrument's frame is as large as it may be, whatever the rest.
     """
 
     size: float
     knee: float
     steepness: float
     beside: float = 1.0
+    whole_frame: bool = False
 
     @property
     def within(self) -> bool:
@@ -170,7 +172,17 @@ def grid_of(models: Sequence[Model]) -> tuple[Spectrum, ...]:
 class Evidence:
     """The noise and form error of one model, factored once."""
 
-    def __init__(self, model: Model, noise: Noise, grid: tuple[Spectrum, ...] = GRID) -> None:
+    def __init__(
+        self, model: Model, noise: Noise, grid: tuple[Spectrum, ...] = GRID, spread: Array | None = None
+    ) -> None:
+        """Factor a model's columns.
+
+        Args:
+            model: model of the record.
+            noise: its noise.
+            grid: spectra of form error and discrepancy.
+            spread: standard deviations of the datum freedoms, shape (d,); those of the model if left out.
+        """
         self.grid, self._noise, self._run = grid, noise, model.rows.run
         self.within = np.array([s.within for s in grid])
         parts, flat = [repeating(model)], model.form.shape[1] + model.discrepancy.columns.shape[1]
@@ -181,20 +193,21 @@ class Evidence:
             parts.append(own)
             known = np.append(known, np.full(own.shape[1], noise.slip**2))
         parts.append(model.offsets)
-        free = 1 / model.spread**2
+        free = 1 / (model.spread if spread is None else spread) ** 2
         self.basis = self.whiten(np.hstack(parts))
         gram = self.basis.T @ self.basis
         self.prior, inverse, constants = [], [], []
         for spectrum in grid:
             variance = np.maximum(spectrum.variance(model.order, model.floor), 1e-300)
-            beside = (spectrum.beside * model.discrepancy.sigma) ** 2
+            beside = model.discrepancy.variance(spectrum.beside, whole_frame=spectrum.whole_frame)
             precision = np.concatenate([1 / variance, 1 / beside, 1 / known, free])
             factor = np.linalg.cholesky(gram + np.diag(precision))
             constants.append(2 * np.sum(np.log(np.diag(factor))) + np.sum(np.log(variance)) + np.sum(np.log(beside)))
             # Every residual is weighed by every spectrum: the factors are inverted once.
             inverse.append(solve_triangular(factor, np.eye(len(factor)), lower=True, check_finite=False))
             self.prior.append(precision)
-        self._inverse, self.constant, self._flat = np.array(inverse), np.array(constants), flat
+        self._inverse, self.constant = np.array(inverse), np.array(constants)
+        self._flat, self._free = flat, len(free)
 
     def whiten(self, columns: Array) -> Array:
         """Divide by the noise and take out its correlation between neighbours of a run (first-order).
@@ -257,8 +270,15 @@ class Evidence:
             residual: whitened residual, shape (n,).
             spectrum: number of the spectrum.
         """
+        return self._likely(residual, spectrum)[: self._flat]
+
+    def datum(self, residual: Array, spectrum: int) -> Array:
+        """Most likely datum freedoms given a whitened residual, shape (d,); arguments as of `repeating`."""
+        return self._likely(residual, spectrum)[-self._free :]
+
+    def _likely(self, residual: Array, spectrum: int) -> Array:
         inverse = self._inverse[spectrum]
-        return np.asarray(inverse[:, : self._flat].T @ (inverse @ (self.basis.T @ residual)))
+        return np.asarray(inverse.T @ (inverse @ (self.basis.T @ residual)))
 
 
 def registered(model: Model, noise: Noise, residual: Array, more: Array | None = None) -> Array:

@@ -201,6 +201,21 @@ class Diagnosis:
         return int(self.run.max()) + 1
 
 
+@dataclass(frozen=True)
+class Unnamed:
+    """Repeating error without a name at the end of a track.
+
+    Attributes:
+        weight: its chance among those that may be.
+        at: error, x + iy, mm.
+        spread: standard deviation of each coordinate, mm.
+    """
+
+    weight: float
+    at: complex
+    spread: float
+
+
 @dataclass(frozen=True, slots=True)
 class Likely:
     """A subset that may be true, by all records together.
@@ -210,12 +225,14 @@ class Likely:
         effects: kind of data that each stands in and its name there, the effect, and its values in internal units.
         covariance: of all values in order.
         shown: for each effect, the kinds of data given in which it acts, by their codes.
+        unnamed: what may repeat beside the effects at the end of a track; empty without a track.
     """
 
     weight: float
     effects: tuple[tuple[tuple[str, str], Effect, Array], ...]
     covariance: Array
     shown: tuple[frozenset[str], ...]
+    unnamed: tuple[Unnamed, ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -235,8 +252,6 @@ class EvidenceDiagnosis(Diagnosis):
         score: of the subset reported, by the criterion; of all records judged together.
         contradicted: whether the record was judged apart from others of the car that it contradicts.
         likely: subsets that may be true by all records together, the same for each of them.
-        beside: of a track, what repeats beside the effects at the end of the run, x + iy, and its standard deviation,
-            mm.
         play_known: whether the play found has in it what was measured of it apart.
     """
 
@@ -252,7 +267,6 @@ class EvidenceDiagnosis(Diagnosis):
     score: float = 0.0
     contradicted: bool = False
     likely: tuple[Likely, ...] = ()
-    beside: tuple[complex, float] = (0j, 0.0)
 
 
 @dataclass(frozen=True, kw_only=True)

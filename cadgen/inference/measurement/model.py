@@ -259,17 +259,32 @@ class Discrepancy:
         columns: response to one unit of each amplitude, shape (n, k).
         sigma: standard deviation of each amplitude beforehand, internal units, shape (k,).
         numbers: name and unit of each amplitude that is reported; empty where none is.
+        of_frame: number of an amplitude that may be the instrument's frame instead of the car, and may be there
+            whatever the size of the others; None without.
     """
 
     words: str = ""
     columns: Array = field(default_factory=lambda: np.empty((0, 0)))
     sigma: Array = field(default_factory=lambda: np.empty(0))
     numbers: tuple[tuple[str, str], ...] = ()
+    of_frame: int | None = None
 
     @classmethod
     def none(cls, rows: int) -> "Discrepancy":
         """Nothing beside effects and form error, of so many rows."""
         return cls(columns=np.empty((rows, 0)))
+
+    def variance(self, size: float, *, whole_frame: bool = False) -> Array:
+        """Variance of each amplitude beforehand, shape (k,).
+
+        Args:
+            size: size of the discrepancy as a multiple of what it may be, dimensionless.
+            whole_frame: whether the amplitude that may be the instrument's frame is as large as it may be.
+        """
+        sizes = np.full(len(self.sigma), size)
+        if whole_frame and self.of_frame is not None:
+            sizes[self.of_frame] = 1.0
+        return np.asarray((sizes * self.sigma) ** 2)
 
 
 class Model(ABC):

@@ -1,12 +1,16 @@
 """Expectation of the run on a new cam: which records speak for the car's run."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from cadgen.design.as_built import AsBuiltSection
 from cadgen.design.load import load_design
-from cadgen.inference.expectation.outlook import NextCam, Outlook, Unmeasured, outlook
+from cadgen.inference.expectation.outlook import NextCam, Outlook, Unmeasured, new_form, outlook
 from cadgen.inference.measurement.diagnosis import calibrate
+from cadgen.inference.measurement.evidence import GRID
+from cadgen.inference.measurement.kinds.track import run_of
 from cadgen.jobs.calibration.cam_on_car import nominal_of, planned_end
 from tests.inference.measurement import synthetic as syn
 from tests.inference.measurement import synthetic_drive as drive
@@ -51,6 +55,37 @@ def test_the_play_of_a_dial_s_stand_is_not_the_train_s(synthetic_car, nominal):
     assert expected.new < 30.0
     assert expected.worse == 0.0
     assert expected.sound
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_runs_that_all_start_turned_are_a_car_that_goes_crabwise(synthetic_car, nominal):
+    """By 0.5 degrees, where the starts scatter by 0.05: the end moves along, but where it is the camera's frame."""
+    rng = np.random.default_rng(8)
+    record = drive.track_record(synthetic_car, drive.Wheels(zero=0.2 * syn.DEG), rng, noise_mm=1.0, start_deg=0.05)
+    place = record["x_mm"] + 1j * record["y_mm"]
+    first = place[0]
+    moved = first + (place - first) * np.exp(0.5j * syn.DEG)
+    turned = replace(record, columns={**record.columns, "x_mm": moved.real, "y_mm": moved.imag})
+    stop = nominal.track.length * nominal.lift.blend_start / (2 * np.pi)
+    by = 0.5 * syn.DEG * abs(complex(*nominal.track.position(stop)) - complex(*nominal.track.position(0.0)))
+    shares = []
+    for one in (record, turned):
+        likely = calibrate([one], nominal)[0].likely[0]
+        shares.append(sum(each.weight for each in likely.unnamed if abs(each.at) > by / 2))
+        print(f"{by:.0f} mm; " + ", ".join(f"{each.weight:.2f} {abs(each.at):.1f}" for each in likely.unnamed))
+    assert shares[0] < 0.05
+    assert 0.6 < shares[1] < 0.8
+
+
+def test_a_new_disc_may_have_any_spectrum(nominal):
+    """A form error of a wave a turn moves the end more than one of many waves; both keep what was stated."""
+    model = run_of(nominal)
+    ends = np.abs(new_form(model, 4000, np.random.default_rng(1)))
+    x, y = model.form[[len(model.form) // 2 - 1, -1]]
+    known = [np.sqrt(s.variance(model.order, model.floor) @ (x**2 + y**2)) for s in GRID if s.within]
+    assert min(known) < np.sqrt(np.mean(ends**2)) / 1.5
+    assert np.sqrt(np.mean(ends**2)) == pytest.approx(np.sqrt(np.mean(np.square(known))), rel=0.05)
 
 
 @pytest.mark.slow

@@ -7,6 +7,7 @@ import pytest
 
 from cadgen.inference.measurement.kinds.track import (
     BY_HAND_MM,
+    CREEPS,
     StartSpread,
     floor,
     held,
@@ -130,6 +131,15 @@ def test_the_heading_walks_at_random():
     """The waves have the covariance of a random walk, min(s, t), and turn what follows."""
     place = np.linspace(0, 2000.0, 801) + 0j
     found = floor(place, np.arange(801), np.ones(801, dtype=int))
-    sideways = (found.columns[:, 4:] * found.sigma[4:]) / found.sigma[-1]
+    sideways = (found.columns[:, len(CREEPS) :] * found.sigma[len(CREEPS) :]) / found.sigma[-1]
     # On a straight line y is the integral of the heading: its variance at s is s^3 / 3.
     assert np.sum(sideways**2, axis=1)[[200, 400, 800]] == pytest.approx(place.real[[200, 400, 800]] ** 3 / 3, rel=0.03)
+
+
+def test_starts_by_hand_are_known_as_well_as_they_scatter(track, nominal):
+    """Where no file says how they were set; what is usual counts as one run."""
+    poses = np.column_stack([np.zeros((4, 2)), [0.5 * DEG, 0.6 * DEG, 0.4 * DEG, 0.5 * DEG]])
+    shown = nominal.model(track).shown_spread(poses).reshape(4, 3)
+    assert shown[:, 2] == pytest.approx(np.sqrt((0.5**2 + 0.02) / 4) * DEG)
+    stated = nominal.model(replace(track, remarks=("start set to 3 mm and 0.15 deg",)))
+    assert stated.shown_spread(poses) == pytest.approx(stated.spread)

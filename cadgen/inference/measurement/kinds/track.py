@@ -8,7 +8,8 @@ pose is found in closed form (Kabsch 1976, in the plane). About it a pose is lin
 plus that pose's share of the columns is what linear freedoms, with their spread about zero, explain.
 
 **Floor.** On a slope g a car that goes in direction t creeps by a share of its travel: along t by (g . t), and across,
-along n, by (g . n), each with a ratio of its own, since wheels roll along and slide across. The heading is disturbed as
+along n, by (g . n), each with a ratio of its own, since wheels roll along and slide across. A car whose axle is not
+square to the edge by which it is set down goes crabwise, in all runs alike. The heading is disturbed as
 a random walk by arc length; its Karhunen-Loeve expansion (Loeve 1978, sec. 37.5) has the waves
 sin((k - 1/2) pi s / l).
 """
@@ -224,11 +225,13 @@ def start_reservations(used: StartSpreads, stated: StartSpreads, values: Array, 
 CREEP = 2e-3
 WALK = radians(0.005) / 1000**0.5  # rad per root of mm
 WAVES = 12
+CRAB = 5e-3  # rad; the axle against the edge by which the car is set down
 CREEPS = (
     ("creep_along_x_percent", "%"),
     ("creep_along_y_percent", "%"),
     ("creep_across_x_percent", "%"),
     ("creep_across_y_percent", "%"),
+    ("crabwise_deg", "deg"),
 )
 
 
@@ -245,14 +248,15 @@ def floor(place: NDArray[np.complex128], at: NDArray[np.intp], axis: NDArray[np.
     along = ahead / np.where(step > 0, step, 1.0)
     across = 1j * along
     moves = [part * way * step for way in (along, across) for part in (way.real, way.imag)]
+    moves.append(across * step)
     travel, length = np.cumsum(step) - step / 2, float(step.sum())
     order = (np.arange(1, WAVES + 1) - 0.5) * pi
     waves = np.sqrt(2 * length) / order * np.sin(order * travel[:, None] / max(length, 1e-9))
     moves += list((waves * (1j * ahead)[:, None]).T)
     drift = np.vstack([np.zeros(len(moves)), np.cumsum(np.array(moves).T, axis=0)])[at]
     columns: Array = np.where((axis == 0)[:, None], drift.real, drift.imag)
-    sigma = np.concatenate([np.full(len(CREEPS), CREEP), np.full(WAVES, WALK)])
-    return Discrepancy("the creep of the car on the floor", columns, sigma, CREEPS)
+    sigma = np.concatenate([np.full(len(CREEPS) - 1, CREEP), [CRAB], np.full(WAVES, WALK)])
+    return Discrepancy("the creep of the car on the floor", columns, sigma, CREEPS, of_frame=len(CREEPS) - 1)
 
 
 # Even steps of the turn. The midpoint rule errs by under 0.05 mm at the end of the paper's path.
@@ -315,6 +319,20 @@ class TrackModel(Model):
     def residual(self, active: Active) -> Array:
         """Measured less expected coordinates, linear in the start poses (see `start`), mm."""
         return self._starts.residual(self.place(active))
+
+    def shown_spread(self, poses: Array) -> Array:
+        """Standard deviations of start poses, shape (3 runs,), mm and rad: as runs scatter where no file says them.
+
+        What is usual of a car set by hand counts as much as one run does.
+
+        Args:
+            poses: of each run as found, shape (runs, 3), mm and rad.
+        """
+        spread, by_hand = self.spread.reshape(-1, 3).copy(), [not one.stated for one in self.used]
+        if sum(by_hand) > 1:
+            scatter = np.sum((poses[by_hand] - poses[by_hand].mean(axis=0)) ** 2, axis=0)
+            spread[by_hand] = np.sqrt((spread[by_hand] ** 2 + scatter) / sum(by_hand))
+        return spread.ravel()
 
     def as_logged(self, active: Active) -> Array:
         """Measured less expected coordinates of a car started as by design, mm."""
