@@ -18,6 +18,7 @@ from cadgen.cli.options import (
     profile_option,
 )
 from cadgen.messages import Message
+from cadgen.verdict import Readiness
 
 
 @help.command()
@@ -190,16 +191,22 @@ def plan(
         show.plan(planned, every=every)
         if written is not None and out is not None:
             show.files(written, out)
-        if planned.passed:
-            path = command("plan", course, "--out exports", overrides=overrides)
-            step = path if written is None or out is None else f"cadgen cam {out / written.files[0].name}"
-            readiness = True if planned.cam is None else planned.cam.verdict.readiness
-            verdict(readiness, Message("the path keeps the course, and every check of its cam holds"), step)
-        elif planned.cam is None:
+        lost = sum(bool(each.failed) for each in planned.drawn)
+        if planned.cam is None:
             fault = Message("the course cannot be driven") if planned.proven else Message("no path was found")
             verdict(False, fault, Message("change it as it is said above"))
-        else:
+        elif planned.cam.failed:
             verdict(planned.cam.verdict.readiness, failed(planned.cam.failed), Message("change the design"))
+        elif lost:
+            result = Message(
+                "the course is not kept at {lost} of {count} spacings", lost=lost, count=len(planned.drawn)
+            )
+            verdict(Readiness.NOT_READY, result, Message("widen [settings], or narrow [course.spacing]"))
+        else:
+            path = command("plan", course, "--out exports", overrides=overrides)
+            step = path if written is None or out is None else f"cadgen cam {out / written.files[0].name}"
+            said = Message("the path keeps the course, and every check of its cam holds")
+            verdict(planned.cam.verdict.readiness, said, step)
     raise SystemExit(0 if planned.passed and (planned.cam is None or planned.cam.passed) else 1)
 
 
@@ -236,12 +243,14 @@ def card(design: str | None, profile: str | None, overrides: tuple[str, ...], as
             if written:
                 step = Message("print the card")
             kept = Message("the course is kept at all {count} spacings", count=len(result.settings))
-            verdict(result.readiness, kept, step)
+            verdict(result.verdict.readiness, kept, step)
         elif result.cam.failed:
-            verdict(result.readiness, failed(result.cam.failed), Message("change the design as it is said above"))
+            verdict(
+                result.verdict.readiness, failed(result.cam.failed), Message("change the design as it is said above")
+            )
         else:
             result_of = Message(
                 "the course is not kept at {lost} of {count} spacings", lost=lost, count=len(result.settings)
             )
-            verdict(result.readiness, result_of, Message("widen [settings], or plan again with cadgen plan"))
+            verdict(result.verdict.readiness, result_of, Message("widen [settings], or plan again with cadgen plan"))
     raise SystemExit(0 if result.passed else 1)

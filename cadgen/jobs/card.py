@@ -1,7 +1,8 @@
 """Card of settings: one cam, and what to set on the car for every spacing that can be drawn."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from math import degrees
 from os import PathLike
 from pathlib import Path
@@ -15,6 +16,7 @@ from cadgen.design import cam_model, draw_model
 from cadgen.design.schema import Design
 from cadgen.errors import CheckError
 from cadgen.figures import Facts, Sheet
+from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.steering_cam import CarUse
 from cadgen.jobs.settings_maker import TRIES, Maker
 from cadgen.jobs.simulation import C
@@ -25,8 +27,20 @@ from cadgen.output.report.notebook import Pictured
 from cadgen.output.report.style import Drawing
 from cadgen.output.report.tracks import lines_picture
 from cadgen.progress import Progress, silent
-from cadgen.verdict import Readiness
+from cadgen.verdict import PartVerdict
 from cadgen.version import __version__
+
+
+def drawn_verdict(cam: CamPlan, drawn: Sequence[DrawnSpacing]) -> PartVerdict:
+    """Verdict on a cam, with the checks that fail at spacings of a draw.
+
+    Args:
+        cam: cam that was computed.
+        drawn: settings of the spacings, with their checks.
+    """
+    of_cam = cam.verdict
+    lost = (check for each in drawn for check in each.failed)
+    return PartVerdict((*of_cam.checks, *lost), of_cam.reservations)
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
@@ -77,16 +91,15 @@ class Card(Pictured, Generic[C]):
         }
         return lines_picture(f"{self.cam.origin.name}: off the path", "spacing (mm)", "mm", spacing, errors)
 
-    @property
-    def readiness(self) -> Readiness:
-        """Readiness of the cam; a spacing at which the course is not kept is not ready."""
-        lost = any(each.failed for each in self.drawn)
-        return Readiness.NOT_READY if lost else self.cam.verdict.readiness
+    @cached_property
+    def verdict(self) -> PartVerdict:
+        """Verdict on the cam, with what fails at the spacings."""
+        return drawn_verdict(self.cam, self.drawn)
 
     @property
     def passed(self) -> bool:
         """Whether the cam may be cut, and the settings keep the course at every spacing."""
-        return self.readiness != Readiness.NOT_READY
+        return self.verdict.passed
 
     @property
     def worst(self) -> DrawnSpacing:
@@ -129,7 +142,7 @@ class Card(Pictured, Generic[C]):
             drive_wheel=self.use.drive_wheel.entry(),
             passed=self.passed,
             failed=[check.code for check in self.cam.failed],
-            verdict=self.cam.verdict.entry(),
+            verdict=self.verdict.entry(),
             stated_spacing_mm=self.draw.stated,
             start_of=self.start_of,
             worst_error_mm=self.worst.error,

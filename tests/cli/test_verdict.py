@@ -3,12 +3,16 @@
 import inspect
 import json
 import re
+from types import SimpleNamespace
 
 import pytest
+from click.testing import CliRunner
 
 from cadgen import Design
-from cadgen.cli import cli
+from cadgen.check import Bound, Check, CheckCode
+from cadgen.cli import cli, show
 from cadgen.cli.show import command, verdict
+from cadgen.verdict import PartVerdict
 
 
 # The editor goes on until it is stopped, and has no result; an explanation judges nothing.
@@ -68,3 +72,31 @@ def test_its_cures_work():
     assert 'set optimize.hardware = ["drag"]' in refused.advice
     for cure in ({"optimize.max_lift_error_um": raised}, {"optimize.hardware": ["drag"]}):
         assert "lift-error-with-play" not in [check.code for check in plain.with_(cure).cam().failed]
+
+
+LOST = Check(CheckCode.CARS_KEEP_COURSE, "cars that keep the course", 11.8, "%", 25.0, Bound.MIN)
+
+
+@pytest.mark.parametrize(
+    ("checks", "lost", "code", "line"),
+    [
+        (
+            (),
+            0,
+            0,
+            "READY: the path keeps the course, and every check of its cam holds; next: cadgen plan figure_eight",
+        ),
+        ((LOST,), 0, 1, "NOT READY: cars that keep the course fails; next: change the design"),
+        ((), 2, 1, "NOT READY: the course is not kept at 2 of 3 spacings; next: widen [settings], or narrow"),
+    ],
+)
+def test_the_last_line_of_a_plan_follows_what_failed(monkeypatch, checks, lost, code, line):
+    ruling = PartVerdict(checks)
+    cam = SimpleNamespace(verdict=ruling, failed=ruling.failed, passed=ruling.passed)
+    drawn = tuple(SimpleNamespace(failed=(LOST,) * (number < lost)) for number in range(3))
+    plan = SimpleNamespace(cam=cam, drawn=drawn, passed=not lost, proven=False)
+    monkeypatch.setattr(Design, "plan", lambda *_, **__: plan)
+    monkeypatch.setattr(show, "plan", lambda *_, **__: None)
+    run = CliRunner().invoke(cli, ["plan", "figure_eight"])
+    assert run.exit_code == code
+    assert " ".join(run.output.split()).startswith(line)

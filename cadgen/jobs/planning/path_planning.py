@@ -21,6 +21,7 @@ from cadgen.figures import Facts
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.jobs.cam.steering_cam import CarUse
+from cadgen.jobs.card import drawn_verdict
 from cadgen.jobs.planning.cars import CarsOnPaths
 from cadgen.messages import Message, joined
 from cadgen.output.files.publisher import Artifact, Written, folder_of, publish, refusal, text_file
@@ -205,7 +206,7 @@ class PathPlanning(Pictured):
             return_error_deg=None if comparison is None else [degrees(end) for end in comparison.band.ends],
             **{"yield": self.cars and _cars_facts(self.cars)},
             failed=[] if cam is None else [check.code for check in cam.failed],
-            verdict=None if cam is None else cam.verdict.entry(),
+            verdict=None if cam is None else drawn_verdict(cam, self.drawn).entry(),
             settings=settings.rows(design, self.drawn),
             said=self.sentences,
             proven=self.proven,

@@ -40,7 +40,7 @@ def test_settings_keep_the_course_and_have_the_errors_of_the_card(judged):
     card, rows = judged
     assert not any(each.failed for each in card.computed.drawn), card.sentences
     # The plain cams lose their cars to the play, and the wheel of the eight reaches past its axle: no card mends that.
-    assert card.computed.readiness == Readiness.NOT_READY
+    assert card.computed.verdict.readiness == Readiness.NOT_READY
     assert card.sentences[0].startswith("the cam itself is not ready, for it fails ")
     for judge in rows:
         error, room = judge.checked()
