@@ -3,9 +3,12 @@
 from enum import StrEnum
 from typing import Annotated
 
+from annotated_types import Le
 from pydantic import Field, Strict
 
 from cadgen.design.section import WORD, CellText, DesignSection, Feature, FeatureOrNone
+
+_Apart = Annotated[Feature, Le(500)]
 
 
 class Cutting(StrEnum):
@@ -57,7 +60,7 @@ class FrameSection(DesignSection):
     micrometer_mm: FeatureOrNone = Field(
         default=9.5, le=50, description="diameter of the micrometer head's stem; 0 for a car without one"
     )
-    drive_holes_mm: Annotated[tuple[Feature, Feature], Strict(False)] = Field(
+    drive_holes_mm: Annotated[tuple[_Apart, _Apart], Strict(False)] = Field(
         default=(30.0, 20.0), description="distances of the four holes for motor or weight along and across the car"
     )
     material: CellText | None = Field(

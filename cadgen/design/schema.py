@@ -520,13 +520,6 @@ class DesignFile(DiscFile):
                     "remove [layout] (on the command line with --set layout=)"
                 )
             )
-        if self.frame is not None and self.layout is None:
-            raise ValueError(
-                Message(
-                    "[frame] holds the parts where [layout] puts them, and the design has no [layout]: add it, or "
-                    "remove [frame] (on the command line with --set frame=)"
-                )
-            )
         if self.layout is None or self.train is None:
             return self
         shafts = self.train.on_shafts(len(self.train.stages) + 1)

@@ -267,7 +267,7 @@ def car_frame(design: TrainDesign) -> CarFrame:
         design: loaded design.
 
     Raises:
-        DesignError: there is no [frame], or the train does not join the camshaft with the rear axle.
+        DesignError: there is no [frame] or no [layout], or the train does not join camshaft and rear axle.
     """
     if design.frame is None:
         raise DesignError(
@@ -275,6 +275,12 @@ def car_frame(design: TrainDesign) -> CarFrame:
             "give --set frame={empty}",
             source=design.source,
             empty="{}",
+        )
+    if design.layout is None:
+        raise DesignError(
+            "[frame] holds the parts where [layout] puts them, and {source} has no [layout]: add it, which may be "
+            "empty",
+            source=design.source,
         )
     return frame_in(layout_of(whole_design(design)))
 

@@ -15,7 +15,7 @@ CARS = ("workshop_car", "s_course", "posts_and_walls", "figure_eight")
 
 
 def frame_of(name: str = "workshop_car", *overrides: str) -> CarFrame:
-    return car_frame(Design.load(name, ["frame={}", *overrides]).values)
+    return car_frame(Design.load(name, overrides).values)
 
 
 @pytest.fixture(scope="module")
@@ -24,7 +24,7 @@ def workshop() -> CarFrame:
 
 
 @pytest.mark.parametrize("name", CARS)
-def test_an_empty_section_gives_every_packaged_car_a_frame(name: str) -> None:
+def test_the_empty_section_of_every_packaged_car_gives_a_frame(name: str) -> None:
     made = frame_of(name)
     assert made.passed, [check.name for check in failing(made.checks)]
 
@@ -117,9 +117,9 @@ def test_plates_thinner_than_their_bearings_are_refused() -> None:
 
 def test_designs_without_frame_or_layout_say_what_to_add() -> None:
     with pytest.raises(DesignError, match=r"has no \[frame\].*--set frame=\{\}"):
-        car_frame(Design.load("workshop_car").values)
+        car_frame(Design.load("workshop_car", ["frame="]).values)
     with pytest.raises(DesignError, match=r"\[frame\] holds the parts where \[layout\] puts them"):
-        Design.load("workshop_car", ["frame={}", "layout="])
+        frame_of("workshop_car", "layout=")
     with pytest.raises(DesignError, match=r"no bearing of the table suits shaft 2 of 3\.3 mm"):
         frame_of("workshop_car", "train.intermediate.bore_diameter_mm=3.3")
 
@@ -190,7 +190,7 @@ def test_no_part_of_the_frame_overlaps_another_part_of_the_car(name: str, tmp_pa
     from cadgen.jobs.car_assembly import put_together
     from cadgen.jobs.gears.gear_train import plan_gears
 
-    design = Design.load(name, ["frame={}"]).values
+    design = Design.load(name).values
     car = put_together(plan_cam(design, "actual"), plan_gears(design))
     solids = {}
     for code, part in car_solids(car.parts, "").items():

@@ -62,6 +62,8 @@ _SPACERS_APART = 16.0  # mm across the car
 _NUT_PLAY = 0.2  # mm of a nut in its slot
 _ROUNDING = 1e-6  # mm
 _LEAST_OPENING = 8.0  # mm, of an opening of the base along the car: cutters pass
+# mm by which the base is set lower, one after the other, until all that stands on it has room.
+_LOWER = (0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.5, 8.0, 10.0, 12.0, 15.0, 18.0, 22.0, 27.0, 33.0, 40.0)
 _HALF_FOOT = 18.0  # mm, half of the foot of a bracket
 _BEYOND = 12.0  # mm of a bearing plate's foot beyond the outermost axes
 # Places of parts: directions of u, v and w in the car, as columns. Plates are seen from the left of the car, the base
@@ -311,7 +313,8 @@ def frame_of(
         return made
     best = made
     # Lower down the base has smaller openings, and more room for what stands on it.
-    for lower in np.arange(made.top + _STEP, made.top + best.under - site.floor_clearance, _STEP).tolist():
+    highest, room = made.top, made.under - site.floor_clearance
+    for lower in (highest + way for way in _LOWER if way < room):
         if best.whole:
             break
         made = _Maker(sizes, site, found, shafts, bores, lower).frame()
