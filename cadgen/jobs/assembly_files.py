@@ -227,10 +227,27 @@ def mounting_notes(assembly: CarAssembly) -> Iterator[Message]:
         "first, and the other plate over them. What stands outside the plates comes after that.",
         side=Message("right") if found.place.towards < 0 else Message("left"),
     )
+    framed = any(part.group.kind == GroupKind.FRAME and part.places for part in assembly.parts)
+    if framed:
+        yield Message(
+            "Bond the bearings into their seats in plates, bracket and block before the shafts, flush with the face "
+            "that looks to the train. Set the tabs of plates and brackets into the slots of the base, and screw all "
+            "from below: {screws}.",
+            screws=joined(
+                Message("{count} of {standard}", count=part.quantity, standard=part.standard)
+                for part in assembly.parts
+                if part.group.kind == GroupKind.FRAME and part.supply == Supply.BOUGHT and not part.places
+            ),
+        )
+        yield Message(
+            "Fork: screw the block on its platform, the platform on its spacers, and push the spindle through the "
+            "bearings of the block from above. Then bond the bridge on its lower end, parallel to the rod."
+        )
+    else:
+        yield Message("Fork: bond the spindle into its bridge, after its bearings.")
     yield Message(
-        "Fork: bond the spindle into its bridge, screw a cheek to either end, and press the pin through cheeks and "
-        "front wheel, which must run free. Glue the rod into the head of the spindle, parallel to the pin, its end "
-        "{length} mm from the fork axis.",
+        "Screw a cheek to either end of the bridge, and press the pin through cheeks and front wheel, which must run "
+        "free. Glue the rod into the head of the spindle, parallel to the pin, its end {length} mm from the fork axis.",
         length=rounded(site.rod_length, 2),
     )
     deviation = design.tolerances.base_radius_mm

@@ -37,7 +37,7 @@ _ASIDE = 21.0  # mm on paper between a view and its balloons, which dimensions n
 _BETWEEN = 20.0  # mm on paper between the views
 _WITHIN = 1e-3  # mm by which a covered area is made smaller, so that common edges are drawn
 _SHORT = 0.05  # mm; what is left of edges and shorter is not drawn
-_LIST_WIDTHS = (8.0, 8.0, 66.0, 22.0, 68.0, 14.0)
+_LIST_WIDTHS = (8.0, 8.0, 74.0, 20.0, 62.0, 14.0)
 
 
 class ListedPart(NamedTuple):
