@@ -5,7 +5,7 @@ Gauss-Newton steps through the exact chain (turned lift, leads, run) on the end 
 first ramps may move besides, so that there are unknowns enough on a cam that leads once or twice.
 
 For cars that differ little about a known one, the same steps make the sum of squares of all their ends least. The end
-answers to the friction by how far a lead begins and ends elsewhere, and a ramp that makes the fall steeper at once lets
+answers to the friction by how far a lead begins and ends elsewhere. A ramp that makes the fall steeper at once lets
 every friction begin the lead at one place. To the play the end answers by the leads themselves, whatever the profile.
 
 For the cars of a wide band the worst end is made least, before or after the trim of a trial run: linear programs on

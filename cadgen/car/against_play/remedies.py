@@ -162,7 +162,7 @@ def touched_width(lift: PathMotion, follower: EdgeFollower) -> float:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Bearing:
+class RodBearing:
     """A shielded ball bearing of the ISO 15 dimension series: bore, outside diameter and width, mm."""
 
     bore: float
@@ -171,7 +171,7 @@ class Bearing:
 
 
 BEARINGS = tuple(
-    Bearing(bore=bore, outside=outside, width=width)
+    RodBearing(bore=bore, outside=outside, width=width)
     for bore, outside, width in (
         *((2, 5, 2.3), (2, 6, 3), (3, 7, 3), (3, 8, 4), (3, 10, 4), (4, 9, 4), (4, 11, 4), (4, 13, 5), (5, 11, 5)),
         *((5, 13, 4), (5, 16, 5), (6, 13, 5), (6, 15, 5), (6, 19, 6), (7, 14, 5), (7, 19, 6), (8, 16, 5), (8, 19, 6)),
@@ -180,7 +180,7 @@ BEARINGS = tuple(
 )
 
 
-def bearing_for(lift: PathMotion, follower: EdgeFollower) -> tuple[Bearing, int] | None:
+def bearing_for(lift: PathMotion, follower: EdgeFollower) -> tuple[RodBearing, int] | None:
     """The smallest bearing that fits on the rod, and the number needed side by side; None if no bearing fits."""
     for bearing in sorted(BEARINGS, key=lambda b: b.outside):
         needed = touched_width(lift, replace(follower, radius=bearing.outside / 2))

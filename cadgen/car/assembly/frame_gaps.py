@@ -106,7 +106,7 @@ def _still(frame: Frame) -> list[tuple[int, Convex, Array]]:
 
 
 def _shifted(frame: Frame, place: Place) -> tuple[Place, ...]:
-    """Both ends of the way of what the micrometer shifts."""
+    """Ends of the way of what the micrometer shifts, either one."""
     way = np.array([frame.sizes.travel / 2, 0.0, 0.0])
     return (Place(place.turn, place.shift - way), Place(place.turn, place.shift + way))
 

@@ -1,7 +1,7 @@
 """Bought parts by standard sizes: ball bearings, socket head screws, nuts and the holes that they need.
 
 Sizes of bearings up to a bore of 10 mm, of screws (ISO 4762), nuts (ISO 4032), clearance holes (ISO 273) and keys are
-those of the tables of bd_warehouse 0.4.0 (Apache-2.0), whose bearings are of a maker's catalogue (SKF). 683 and 693 are
+those of the tables of bd_warehouse 0.4.0 (Apache-2.0). Its bearings are of a maker's catalogue (SKF). 683 and 693 are
 of the table at softsolder.com/2011/02/18/miniature-ball-bearing-sizes. Bearings of 12 and 15 mm are usual catalogue
 sizes, which no table at hand held.
 """

@@ -1,7 +1,7 @@
 """Speed at which a three-wheeled car tips over on its path.
 
-At the speed v of the drive wheel let κ be the curvature of its track, κ' its slope, and c = (a, l) the way from the
-drive wheel to the centre of gravity, ahead and to the left. Then the acceleration of that is v² A, with
+Let v be the speed of the drive wheel, κ the curvature of its track, and κ' its slope. Let c = (a, l) be the way from
+the drive wheel to the centre of gravity, ahead and to the left. Then the acceleration of that centre is v² A:
     A = (-κ² a - κ' l, κ + κ' a - κ² l).
 Gravity and inertia together meet the floor at c - (h v² / g) A, h being the height of the centre of gravity. The car
 stands as long as that place lies within the triangle of its wheels: for the edge with the unit normal n inwards and the

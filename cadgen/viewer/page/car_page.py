@@ -22,7 +22,7 @@ from cadgen.jobs.tolerance import CarSample, ToleranceRun, tolerance_of
 from cadgen.messages import Message
 from cadgen.progress import Progress, silent
 from cadgen.viewer.page.charts import drift_chart, torque_chart
-from cadgen.viewer.page.document import Chart, Mark, MarkKind, Scene, Section
+from cadgen.viewer.page.document import Chart, LiftMark, MarkKind, Scene, Section
 from cadgen.viewer.page.page_plan import MakeGears, PagePlan, Refusal, Scope, Topic, gears_of
 from cadgen.viewer.page.scene import scene_of
 from cadgen.viewer.page.sections import (
@@ -76,10 +76,10 @@ class CarPage(PagePlan):
             charts.append(torque_chart(comparison.task.mechanics, comparison.chosen.lift))
         return tuple(charts)
 
-    def marks(self) -> tuple[Mark, ...]:
+    def marks(self) -> tuple[LiftMark, ...]:
         """Marked places of the turn, the beginning of the closing blend among them."""
         steering = self.use.steering
-        blend = [Mark(MarkKind.BLEND, steering.blend_start)] if steering.blended else []
+        blend = [LiftMark(MarkKind.BLEND, steering.blend_start)] if steering.blended else []
         return tuple(sorted((*super().marks(), *blend), key=lambda mark: mark.angle))
 
     def sections(self) -> tuple[Section, ...]:

@@ -16,7 +16,7 @@ from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.simulation import Simulation
 from cadgen.laws.unit import TAN
 from cadgen.messages import Message
-from cadgen.viewer.page.document import Chart, Curve, Limit, Mark, MarkKind
+from cadgen.viewer.page.document import Chart, Curve, LiftMark, Limit, MarkKind
 
 _DERIVATIVES = (
     ("velocity", Message("Velocity")),
@@ -152,10 +152,10 @@ def torque_chart(band: MechanicsBand, lift: PathMotion) -> Chart:
     )
 
 
-def marks_of(plan: CamPlan) -> tuple[Mark, ...]:
+def marks_of(plan: CamPlan) -> tuple[LiftMark, ...]:
     """Peaks and valleys of the motion."""
     peaks, valleys = plan.motion.extrema()
-    marks = [Mark(MarkKind.PEAK, float(angle)) for angle in peaks] + [
-        Mark(MarkKind.VALLEY, float(angle)) for angle in valleys
+    marks = [LiftMark(MarkKind.PEAK, float(angle)) for angle in peaks] + [
+        LiftMark(MarkKind.VALLEY, float(angle)) for angle in valleys
     ]
     return tuple(sorted(marks, key=lambda mark: mark.angle))

@@ -114,7 +114,7 @@ class Chart:
 
 
 @dataclass(frozen=True)
-class Mark:
+class LiftMark:
     """A place on the turn that charts and slider mark."""
 
     kind: MarkKind
@@ -125,7 +125,7 @@ FORK, STILL = -1, -2  # in the place of a part's shaft
 
 
 @dataclass(frozen=True)
-class Part:
+class ScenePart:
     """A part in 3D.
 
     Attributes:
@@ -157,7 +157,7 @@ class Part:
 
 
 @dataclass(frozen=True)
-class Shaft:
+class SceneShaft:
     """A shaft and the law of its turning: angle + rate φ + lead u.
 
     φ is the motor's position in cam units and u, 0 to 1, the share of the play that the cam has run ahead.
@@ -207,7 +207,7 @@ class RodShape:
 
 
 @dataclass(frozen=True)
-class Lift:
+class SceneLift:
     """Motion that a cam gives its follower, at even cam angles from 0 to a full turn; all arrays have shape (n,).
 
     Attributes:
@@ -386,13 +386,13 @@ class Scene:
     hint: str
     clearance: float
     base: float
-    lift: Lift
+    lift: SceneLift
     stop: float
     goings: tuple[Going, ...]
     floor: tuple[FloorShape, ...]
     car: CarShape | None
-    shafts: tuple[Shaft, ...]
-    parts: tuple[Part, ...]
+    shafts: tuple[SceneShaft, ...]
+    parts: tuple[ScenePart, ...]
     wheel: tuple[int, float, float] | None = None
     second: CompanionDisc | None = None
 
@@ -432,7 +432,7 @@ class Page:
     summary: tuple[tuple[str, Cell], ...]
     scene: Scene
     charts: tuple[Chart, ...]
-    marks: tuple[Mark, ...]
+    marks: tuple[LiftMark, ...]
     sections: tuple[Section, ...]
     notes: tuple[str, ...] = ()
     origin: tuple[tuple[str, str], ...] = field(default=())

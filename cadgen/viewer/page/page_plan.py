@@ -22,7 +22,7 @@ from cadgen.messages import Message
 from cadgen.progress import Progress, silent
 from cadgen.verdict import Readiness
 from cadgen.viewer.page.charts import STATIONS, charts_of, marks_of
-from cadgen.viewer.page.document import Chart, Mark, Scene, Section
+from cadgen.viewer.page.document import Chart, LiftMark, Scene, Section
 from cadgen.viewer.page.scene import plain_scene
 from cadgen.viewer.page.sections import checks_section, parts_sections
 
@@ -104,7 +104,7 @@ class PagePlan:
         """Curves over the cam angle."""
         return charts_of(self.cam)
 
-    def marks(self) -> tuple[Mark, ...]:
+    def marks(self) -> tuple[LiftMark, ...]:
         """Marked places of the turn."""
         return marks_of(self.cam)
 

@@ -49,11 +49,11 @@ from cadgen.viewer.page.document import (
     FloorKind,
     FloorShape,
     Going,
-    Lift,
-    Part,
     RodShape,
     Scene,
-    Shaft,
+    SceneLift,
+    ScenePart,
+    SceneShaft,
     Slide,
     Travel,
 )
@@ -90,8 +90,8 @@ class Bodies:
         notes: remarks.
     """
 
-    shafts: tuple[Shaft, ...]
-    parts: tuple[Part, ...]
+    shafts: tuple[SceneShaft, ...]
+    parts: tuple[ScenePart, ...]
     wheel: tuple[int, float, float] | None
     fork: float
     side: int
@@ -122,7 +122,7 @@ def scene_of(plan: CamPlan, gears: GearTrain | None) -> tuple[Scene, tuple[str, 
         hint=Message("seen from the left of the car, the front to the left"),
         clearance=_clearance(plan),
         base=float(plan.follower_as_built.base_radius),
-        lift=Lift(lift=np.asarray(plan.follower_as_built.lift(tan_beta)), q=tan_beta),
+        lift=SceneLift(lift=np.asarray(plan.follower_as_built.lift(tan_beta)), q=tan_beta),
         stop=use.wanted.blend_start,
         goings=tuple(_goings(plan)),
         floor=figures_of(use.layout),
@@ -186,7 +186,7 @@ def plain_scene(plan: CamPlan, gears: GearTrain | None) -> tuple[Scene, tuple[st
         hint=Message("seen on its {seen} face, on which it turns clockwise", seen=Message(str(plan.seen))),
         clearance=_clearance(plan),
         base=float(plan.follower_as_built.base_radius),
-        lift=Lift(lift=np.asarray(plan.follower_as_built.lift(q)), q=q),
+        lift=SceneLift(lift=np.asarray(plan.follower_as_built.lift(q)), q=q),
         stop=TURN,
         goings=(),
         floor=(),
@@ -465,7 +465,7 @@ _PLAIN_CHORDS = (0.02, 0.12)
 _APART, _NEXT, _KEY_OUT = 1.4, 14.0, 18.0
 
 
-def car_bodies(assembly: CarAssembly, drawn: Sequence[Part], shafts: Sequence[Shaft]) -> Iterator[Part]:
+def car_bodies(assembly: CarAssembly, drawn: Sequence[ScenePart], shafts: Sequence[SceneShaft]) -> Iterator[ScenePart]:
     """All parts of a car: those of disc and train that are drawn already, and the others, each with its neighbours.
 
     Args:
@@ -506,11 +506,16 @@ def car_bodies(assembly: CarAssembly, drawn: Sequence[Part], shafts: Sequence[Sh
         elif part.shape is not None:
             fine, coarse = (_placed(part.shape, place, index, part.group, shafts, chord) for chord in _PLAIN_CHORDS)
             paint = next((paint for word, paint in _PAINTS.items() if word in part.code), Colour.FRAME)
-            yield Part(part.code, part.title, fine, coarse, index, paint, branch, apart, near)
+            yield ScenePart(part.code, part.title, fine, coarse, index, paint, branch, apart, near)
 
 
 def _placed(
-    shape: BodyShape | DiscShape | Block, place: Array, index: int, group: Group, shafts: Sequence[Shaft], chord: float
+    shape: BodyShape | DiscShape | Block,
+    place: Array,
+    index: int,
+    group: Group,
+    shafts: Sequence[SceneShaft],
+    chord: float,
 ) -> Mesh:
     """Mesh of a part in the frame that it moves with: of its shaft, or about the axis of the fork."""
     mesh = shape_mesh(shape, chord)
@@ -541,7 +546,7 @@ def _behind(plan: CamPlan) -> float:
     return max(CarUse.of(plan).car.wheelbase - plan.follower_as_built.base_radius, 0.0)
 
 
-def _parts(plan: CamPlan, train: TurningTrain | None, notes: list[str]) -> list[Part]:
+def _parts(plan: CamPlan, train: TurningTrain | None, notes: list[str]) -> list[ScenePart]:
     """Meshes of all parts, by the finest chord with which they are few enough triangles, and by a coarse one."""
     turning = () if train is None else (*reversed(train.parts), *train.beside)
     meshes: list[Mesh | None] = []
@@ -550,13 +555,13 @@ def _parts(plan: CamPlan, train: TurningTrain | None, notes: list[str]) -> list[
         if sum(len(mesh.triangles) for mesh in meshes if mesh is not None) <= MOST_TRIANGLES:
             break
     disc, coarse = meshes[0], _disc(plan, _COARSE, notes)
-    parts = [] if disc is None or coarse is None else [Part("cam", Message("cam"), disc, coarse, 0, Colour.CAM)]
+    parts = [] if disc is None or coarse is None else [ScenePart("cam", Message("cam"), disc, coarse, 0, Colour.CAM)]
     if plan.second is not None:
         up = np.array([0.0, 0.0, _height(plan.second)])
         made = [_disc(plan.second, finest, notes) for finest in (chord, _COARSE)]
         raised = [Mesh(mesh.vertices + up, mesh.triangles) for mesh in made if mesh is not None]
         if len(raised) == len(made):
-            parts.append(Part("second-cam", Message("second cam"), raised[0], raised[1], 0, Colour.PINION))
+            parts.append(ScenePart("second-cam", Message("second cam"), raised[0], raised[1], 0, Colour.PINION))
     for number, part in enumerate(turning, 1):
         train_part = part.part
         teeth = " + ".join(str(wheel.teeth) for wheel in train_part.gears if hasattr(wheel, "teeth"))
@@ -571,8 +576,8 @@ def _parts(plan: CamPlan, train: TurningTrain | None, notes: list[str]) -> list[
 
 
 @lru_cache(maxsize=64)  # the gears of a design whose path is edited stay as they are, normals and edges included
-def _gear(code: str, label: str, shaft: int, stand: Stand, chord: float) -> Part:
-    return Part(code, label, stood(stand, chord), stood(stand, _COARSE), shaft, Colour.GEAR)
+def _gear(code: str, label: str, shaft: int, stand: Stand, chord: float) -> ScenePart:
+    return ScenePart(code, label, stood(stand, chord), stood(stand, _COARSE), shaft, Colour.GEAR)
 
 
 def _disc(plan: CamPlan, chord: float, notes: list[str]) -> Mesh | None:
@@ -591,7 +596,7 @@ def _disc(plan: CamPlan, chord: float, notes: list[str]) -> Mesh | None:
         return None
 
 
-def _planets(train: TurningTrain) -> list[Shaft]:
+def _planets(train: TurningTrain) -> list[SceneShaft]:
     """Axes of the parts beside the shafts, after those of the camshaft and of the train from the output on."""
     last = len(train.parts)
     return [
@@ -606,20 +611,20 @@ def _turned_over(plan: CamPlan) -> bool:
     return isinstance(use, CarUse) and use.in_car is not None and use.in_car.turned_over
 
 
-def _camshaft(plan: CamPlan, train: TurningTrain | None) -> Shaft:
+def _camshaft(plan: CamPlan, train: TurningTrain | None) -> SceneShaft:
     inner, outer = plan.faces
     low, high = -_BEYOND, outer - inner + _BEYOND + (0.0 if plan.second is None else _height(plan.second))
     if train is not None:
         ends = train.parts[-1].range
         low, high = min(low, ends[0] - _BEYOND), max(high, ends[1] + _BEYOND)
     rate = 1.0 if _turned_over(plan) else -1.0
-    return Shaft(Message("camshaft"), (0.0, 0.0), plan.blank.bore_diameter, low, high, 0.0, rate, 0.0)
+    return SceneShaft(Message("camshaft"), (0.0, 0.0), plan.blank.bore_diameter, low, high, 0.0, rate, 0.0)
 
 
-def _shaft(turning: TurningPart, reach: float | None, *, drawn: bool) -> Shaft:
+def _shaft(turning: TurningPart, reach: float | None, *, drawn: bool) -> SceneShaft:
     low, high = turning.range
     ends = (low, high) if reach is None else (min(low, reach), max(high, reach))
-    return Shaft(
+    return SceneShaft(
         Message("shaft {number}", number=turning.part.shaft),
         (turning.axis.real, turning.axis.imag),
         turning.part.blank.bore_diameter if drawn else 0.0,
