@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
 from cadgen.arrays import Array
@@ -22,6 +23,7 @@ from cadgen.inference.measurement.findings import Finding, PathCandidate, PathDi
 from cadgen.inference.measurement.hypothesis import numbers_on_bound
 from cadgen.inference.measurement.model import Model, slopes
 from cadgen.inference.measurement.record import Record
+from cadgen.inference.measurement.repeats import LEAST_ALIKE, STATIONS, Complex, Repeats, one_path, repeats
 from cadgen.inference.measurement.verdict import (
     Judgement,
     Verdict,
@@ -240,6 +242,12 @@ def _trial(
     )
 
 
+# What repeats is said from this share of a run's extent on: models err by as much.
+LEAST_REPEATED = 0.01
+# A smaller one is said, too, where it is this share of the path error of the bare design.
+SHARE_REPEATED = 0.1
+# Places along a run at which what repeats may begin.
+KNOTS = 12
 # Effects must take away this share of the path error on runs left out to be named.
 LEAST_GAIN = 0.1
 
@@ -249,15 +257,30 @@ def diagnose_logged(record: Record, build: Callable[[Record], Model], progress: 
     progress(Message("{source}: leaving runs out", source=record.source))
     model = build(record)
     left_out = leave_runs_out(record, build)
-    chosen = left_out.chosen
-    findings = _findings(chosen)
-    active = activated(chosen.effects, chosen.values)
+    active = activated(left_out.chosen.effects, left_out.chosen.values)
     as_logged = model.residual([])
+    before, after = _registered(model, model.residual([])), _registered(model, model.residual(active))
+    assert model.measured is not None
+    paths = _along(model.measured, model.rows.run)
+    again = [
+        r
+        for r in repeats(paths, _along(after, model.rows.run))
+        if r.rms > min(LEAST_REPEATED * left_out.extent, SHARE_REPEATED * float(left_out.before.mean()))
+    ]
+    if again and active:
+        wider = np.hypot(left_out.chosen.sigma, _unsure(model, left_out.chosen, one_path(paths), again))
+        left_out = replace(left_out, chosen=replace(left_out.chosen, sigma=wider))
+    chosen, judgement = left_out.chosen, _judgement(left_out)
+    findings = _findings(chosen)
+    if judgement.verdict is Verdict.NONE:
+        again = repeats(paths, _along(before, model.rows.run))
+        again = [r for r in again if r.rms > LEAST_REPEATED * left_out.extent]
+    driven = len(one_path(paths)[0]) >= LEAST_ALIKE
     return PathDiagnosis(
         source=record.source,
         kind=record.kind,
         unit=model.unit,
-        judgement=_judgement(left_out),
+        judgement=_with_what_repeats(judgement, again, driven=driven),
         findings=findings,
         candidates=tuple(
             PathCandidate(tuple(e.name for e in t.effects), t.error, _findings(t), tuple(t.held_out.tolist()))
@@ -272,11 +295,96 @@ def diagnose_logged(record: Record, build: Callable[[Record], Model], progress: 
         ),
         place=model.rows.place,
         run=model.rows.run.astype(float),
-        before=_registered(model, []),
-        after=_registered(model, active),
+        before=before,
+        after=after,
         active=active,
         measured=model.measured,
     )
+
+
+def _along(coordinates: Array, run: NDArray[np.intp]) -> list[Complex]:
+    """Places of each run as x + iy, at `STATIONS` places along it, mm.
+
+    Args:
+        coordinates: first the x and then the y of each run, shape (n,), mm.
+        run: number of the run of each, shape (n,).
+    """
+    along, out = np.linspace(0.0, 1.0, STATIONS), []
+    for number in range(int(run.max()) + 1):
+        both = coordinates[run == number].reshape(2, -1)
+        x, y = (np.interp(along, np.linspace(0.0, 1.0, len(axis)), axis) for axis in both)
+        out.append(x + 1j * y)
+    return out
+
+
+def _unsure(model: Model, chosen: LeftOutFit, groups: list[list[int]], again: list[Repeats]) -> Array:
+    """Standard deviations of the numbers of a subset by what repeats without a name, internal units, shape (k,).
+
+    Runs of one path share it, so that leaving one of them out does not show what it does to the numbers. It is taken as
+    a disturbance of heading and travel that begins anew at each of `KNOTS` places: from place u on, the path z is off
+    by i (z - z(u)) and by z - z(u). With their columns D, registered, and the slopes J of the numbers,
+
+        cov = a^2 J+ D D' J+',   a^2 |(1 - J J+) D|^2 = square of what is seen to repeat.
+    """
+    run, coordinates = model.rows.run, model.measured
+    assert coordinates is not None
+    slope = _registered(model, slopes(model, chosen.effects, activated(chosen.effects, chosen.values)))
+    inverse = np.linalg.pinv(slope, rcond=1e-10)
+    covariance, seen, left = np.zeros((slope.shape[1], slope.shape[1])), 0.0, 0.0
+    size = {number: r.rms for r in again for number in r.runs}
+    for group in groups:
+        columns = np.zeros((len(run), 2 * KNOTS))
+        for number in group:
+            mine = np.flatnonzero(run == number)
+            x, y = coordinates[mine].reshape(2, -1)
+            z = x + 1j * y
+            starts = np.linspace(0, len(z), KNOTS, endpoint=False).astype(int)
+            off = np.where(np.arange(len(z))[:, None] > starts, z[:, None] - z[starts], 0.0)
+            columns[mine] = np.block([[-off.imag, off.real], [off.real, off.imag]])
+            seen += len(z) * size.get(number, 0.0) ** 2
+        # The start of each run has a direction of its own; what repeats is relative to that.
+        columns = _registered(model, columns)
+        answer = inverse @ columns
+        rest = columns - slope @ answer
+        left += float(np.sum(rest[np.isin(run, [n for n in group if n in size])] ** 2))
+        covariance += answer @ answer.T
+    return np.asarray(np.sqrt(seen / max(left, 1e-300) * np.diag(covariance)))
+
+
+def _with_what_repeats(judgement: Judgement, again: list[Repeats], *, driven: bool) -> Judgement:
+    """Judgement that says what is left without a name: nothing differs from the design only where noise explains it.
+
+    Args:
+        judgement: on the effects.
+        again: what repeats beside them.
+        driven: whether a path was driven often enough to tell noise from what repeats.
+    """
+    words = tuple(
+        Message(
+            "of the {left:.0f} mm that are left on runs {runs}, which are of one path, {rms:.0f} mm repeat, at most "
+            "{size:.0f} mm at {share:.0f} % of the run: something that no effect of the catalogue makes",
+            left=r.left,
+            runs=joined((str(run + 1) for run in r.runs), ", "),
+            rms=r.rms,
+            size=r.size,
+            share=100 * r.place,
+        )
+        for r in again
+    )
+    judgement = replace(judgement, limits=(*judgement.limits, *words))
+    if judgement.verdict is Verdict.NONE:
+        if words:
+            sentence = Message("No effect of the catalogue lowers the path error, but something repeats in it.")
+            return replace(judgement, verdict=Verdict.UNTRACED_SHAPE, sentence=sentence)
+        if driven:
+            return judgement
+        why = Message(
+            "no path was driven {least} times, so that what repeats cannot be told from noise", least=LEAST_ALIKE
+        )
+        return replace(judgement, verdict=Verdict.AMBIGUOUS, limits=(*judgement.limits, why))
+    if any(r.most for r in again) and judgement.verdict in (Verdict.TRACED, Verdict.COMBINATION):
+        return replace(judgement, verdict=Verdict.PARTIAL)
+    return judgement
 
 
 def _findings(trial: LeftOutFit) -> tuple[Finding, ...]:
@@ -287,9 +395,8 @@ def _findings(trial: LeftOutFit) -> tuple[Finding, ...]:
     )
 
 
-def _registered(model: Model, active: Active) -> Array:
+def _registered(model: Model, residual: Array) -> Array:
     """The residual less the start pose of each run."""
-    residual = model.residual(active)
     return np.asarray(residual - model.offsets @ np.linalg.lstsq(model.offsets, residual, rcond=None)[0])
 
 
