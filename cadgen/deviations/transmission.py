@@ -1,7 +1,7 @@
 """Effects of the train between motor and camshaft, and of the encoders at its ends.
 
-Stages: `RATIO` and `MESH` (angle that the gears ask of the camshaft), `PLAY` (what the camshaft makes of it). `at` are
-the `Turns`.
+Stages: `DELAY` (rows by which the camshaft is read later than the motor), `RATIO` and `MESH` (angle that the gears ask
+of the camshaft), `PLAY` (what the camshaft makes of it). `at` are the `Turns`.
 """
 
 from collections.abc import Callable
@@ -51,6 +51,7 @@ class Play:
 RATIO = Stage[Array]("ratio")
 MESH = Stage[Array]("mesh")
 PLAY = Stage[Play]("play")
+DELAY = Stage[float]("delay")
 
 
 def _deg(name: str, meaning: str, limit: float, usual: float) -> Parameter:
@@ -108,6 +109,27 @@ WIND_UP = Effect(
 )
 
 
+ENCODER_LAG = Effect(
+    name="lag of the encoder",
+    stage=DELAY,
+    parameters=(
+        Parameter(
+            name="lag_rows",
+            unit="",
+            lower=-20.0,
+            upper=20.0,
+            step=0.02,
+            usual=0.2,
+            meaning="+: rows by which the camshaft is read later than the motor",
+        ),
+    ),
+    act=lambda late, p, at: late + float(p[0]),
+    looks_like=RETURN_ERROR,
+    confused_with="return error, at one speed",
+    separated_by="measure at two speeds: a lag follows the speed",
+)
+
+
 def runout(shaft: str, order: float) -> Effect:
     """A gear (or encoder disc) off centre on a shaft that turns `order` times for one turn of the cam.
 
@@ -152,7 +174,7 @@ def tooth_mesh(stage: int, order: float) -> Effect:
     )
 
 
-TRAIN_EFFECTS = (RETURN_ERROR, SLIDING_FRICTION, RATE, WIND_UP)
+TRAIN_EFFECTS = (RETURN_ERROR, SLIDING_FRICTION, RATE, WIND_UP, ENCODER_LAG)
 
 
 def train_orders(ratios: tuple[float, ...], teeth: tuple[int, ...], highest: int) -> tuple[Effect, ...]:

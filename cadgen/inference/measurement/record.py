@@ -128,6 +128,8 @@ class Kind:
         least_rows: of each run.
         counts: most steps over the span of the readings with which an instrument that counts, such as an encoder, may
             read the same in every run; 0 where no two runs are ever alike.
+        wanders: whether its instrument may wander slowly during a run, as encoders do that are read at kHz, so that
+            the noise of neighbouring rows is alike.
         around: whether it is to show the whole turn of the cam, as few and far points cannot.
         absences: quantities of which a sound verdict that does not name them says that there is little.
         noise: standard deviation of a reading by a usual instrument, internal units, where no record shows better.
@@ -152,6 +154,7 @@ class Kind:
     most_rows: int = MOST_ROWS
     least_rows: int = LEAST_ROWS
     counts: int = 0
+    wanders: bool = False
     around: bool = False
     absences: tuple[Deviation, ...] = ()
     noise: float = 0.0

@@ -171,7 +171,9 @@ def with_reservations(
 def _no_noise(record: Record, model: Model, noise: Noise) -> Message | None:
     """Reason why what differs between runs is not the instrument's noise; None if it may be."""
     # With one run noise also holds what repeats, which neighbours share.
-    if noise.runs > 1 and abs(noise.correlation) > OUT_OF_ORDER:
+    # An encoder that wanders differs slowly from run to run; rows in another order never do.
+    alike = -noise.correlation if record.kind.wanders else abs(noise.correlation)
+    if noise.runs > 1 and alike > OUT_OF_ORDER:
         return Message(
             "The noise of neighbouring rows is correlated by {correlation:.2f}, which no instrument's is: write the "
             "rows in the order in which they were measured.",

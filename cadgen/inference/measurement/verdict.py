@@ -69,14 +69,17 @@ def runs_disagree(part: Part, best: Hypothesis) -> bool:
     own = [per_run(rows.run) * model.slip[:, None]] if model.slip.size else []
     base = np.hstack([model.offsets, repeating(model), *own])
     both = np.hstack([base, *contrasts])
-    squares, ranks = [], []
+    squares, ranks, fits = [], [], []
     for columns in (base, both):
         fit, _, rank, _ = np.linalg.lstsq(columns / noise.sigma[:, None], residual / noise.sigma, rcond=1e-9)
         squares.append(float(np.sum(((residual - columns @ fit) / noise.sigma) ** 2)))
         ranks.append(int(rank))
+        fits.append(columns @ fit)
     extra, left = ranks[1] - ranks[0], len(residual) - ranks[1]
     if extra < 1 or left < 1 or squares[1] == 0:
         return False  # so few rows do not tell
+    if np.sqrt(np.mean((fits[1] - fits[0]) ** 2)) < LEAST_OF_FLOOR * model.floor:
+        return False  # by less than the stated form error shows
     ratio = (squares[0] - squares[1]) / extra / (squares[1] / left)
     inflation = (1 + noise.correlation) / (1 - noise.correlation)
     return bool(f_distribution.sf(ratio / inflation, extra, left) < DISAGREE)

@@ -23,9 +23,9 @@ class Arm:
     """Joint, by the output's side: degrees, N m, kg m^2, s."""
 
     play: float = 0.4
-    stiffness: float = 20_000.0  # N m for each rad
+    stiffness: float = 60_000.0  # N m for each rad
     inertia: float = 1.0
-    damping: float = 40.0
+    damping: float = 100.0
     friction: float = 8.0
     weight: float = 0.0
     ratio: float = 45.0
@@ -33,23 +33,31 @@ class Arm:
     noise: float = 0.002  # of its readings, degrees
     swing: float = 300.0  # degrees forth and back
     period: float = 60.0  # s there and back
+    sines: bool = False  # three sines of random size and phase in each run in place of once there and back
+    wander: float = 0.0  # degrees rms by which the output's reading wanders slowly, other in each run
+    lag: float = 0.0  # s by which the output is read later than the motor
 
 
-STEP = 2e-4  # s; the spring's own period is some 0.04 s
+STEP = 2e-4  # s; the spring's own period is some 0.03 s
 
 
-def turned(arm: Arm, start: float) -> tuple[np.ndarray, np.ndarray]:
-    """Angles of motor (through the ratio) and output at 1 kHz, degrees: once forth and back, from a place in the gap."""
+def turned(arm: Arm, start: float, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+    """Angles of motor (through the ratio) and output at 1 kHz, degrees, from a place in the gap."""
     steps = int(arm.period / STEP)
     phase = np.arange(steps) / steps
     # Ramps with soft ends, as a drive makes them.
     way = np.interp(phase, [0, 0.02, 0.48, 0.52, 0.98, 1.0], [0, 0.01, 0.99, 0.99, 0.01, 0.0])
     width = int(0.01 * steps)
     way = np.convolve(np.pad(way, width, mode="edge"), np.ones(2 * width + 1) / (2 * width + 1), "valid")
+    if arm.sines:
+        turns, shift = rng.uniform(1, 8, 3), rng.uniform(0, 2 * np.pi, 3)
+        way = np.sin(2 * np.pi * turns * phase[:, None] + shift) @ rng.dirichlet(np.ones(3)) / 2
+        way = (way - way[0]) * np.sin(np.pi / 2 * np.minimum(1, 5 * phase)) ** 2
     motor = arm.swing * DEG * way
     rate = np.gradient(motor, STEP).tolist()
     half, angle, speed, out = arm.play * DEG / 2, start * DEG, 0.0, np.empty(steps)
     for k, ahead in enumerate(motor.tolist()):
+        out[k] = angle
         off = ahead - angle
         wound = off - half if off > half else off + half if off < -half else 0.0
         drive = arm.stiffness * wound + (arm.damping * (rate[k] - speed) if wound else 0.0)
@@ -58,7 +66,6 @@ def turned(arm: Arm, start: float) -> tuple[np.ndarray, np.ndarray]:
         brake = STEP * arm.friction / arm.inertia
         speed = 0.0 if abs(free) <= brake else free - brake if free > 0 else free + brake
         angle += STEP * speed
-        out[k] = angle
     every = int(1e-3 / STEP)
     return motor[::every] / DEG, out[::every] / DEG
 
@@ -68,8 +75,12 @@ def joint_record(arm: Arm, rng: np.random.Generator, *, rate: float, runs: int =
     motors, cams = [], []
     for _ in range(runs):
         start = rng.uniform(-arm.play, arm.play) / 2
-        motor, cam = turned(arm, start)
+        motor, cam = turned(arm, start, rng)
         step = 360.0 / arm.counts
+        late = np.arange(len(cam)) - 1000 * arm.lag
+        cam = np.interp(late, np.arange(len(cam)), cam)
+        slow = np.fft.irfft(rng.normal(size=(2, 6)).T @ [1, 1j] * len(cam) / 2 / 3.46, len(cam)) if arm.wander else 0.0
+        cam = cam + arm.wander * slow
         read = np.round((cam + rng.normal(0, arm.noise, len(cam)) + rng.uniform(0, 5)) / step) * step
         every = round(1000 / rate)
         motors.append(arm.ratio * motor[::every])

@@ -5,17 +5,19 @@ The model goes from the motor's angle through the gears and the play to the cams
 
 from bisect import bisect_right
 from collections.abc import Iterable
+from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline
 
 from cadgen.arrays import TURN, Array
 from cadgen.deviations import deviation
 from cadgen.deviations.catalogue import TRANSMISSION
 from cadgen.deviations.effect import READING, Active, Effect, key_of, through
-from cadgen.deviations.transmission import MESH, PLAY, RATIO, Play, Turns, train_orders
+from cadgen.deviations.transmission import DELAY, ENCODER_LAG, MESH, PLAY, RATIO, Play, Turned, Turns, train_orders
 from cadgen.errors import DesignError, FileError
 from cadgen.inference.measurement.model import (
     Cache,
@@ -60,7 +62,7 @@ class TransmissionModel(Model):
         turned = np.radians(record["motor_angle_deg"]) / float(np.prod(ratios))
         first = np.array([turned[record.run == k][0] for k in range(record.runs)])[record.run]
         self._all, self._forces, self._known = turned, nominal.forces, Cache[bytes, Array](_KEPT)
-        self._run_all = record.run
+        self._sampled, self._run_all = sampled(turned, record.run), record.run
         # A run that comes back passes its start again: what matters is whether it has been away.
         away = np.zeros(len(turned), dtype=bool)
         for number in range(record.runs):
@@ -72,17 +74,23 @@ class TransmissionModel(Model):
         run, turned = record.run[away], turned[away]
         back = np.concatenate([[False], (np.diff(turned) < 0) & (run[1:] == run[:-1])])
         key = np.round(np.degrees(turned), 4) + 1e4 * back
-        slope = np.asarray(nominal.lift.q(self._all % TURN, nu=1))
+        slope = nominal.lift.q
+        self._slope, self._steepest = slope, float(np.abs(slope(turned % TURN, nu=1)).max())
+        self._ways = Cache[float, tuple[_Between, Turned]](_KEPT)
+        at = self._way(0.0)[1]
         self.rows = Turns(
             run=run,
             place=turned,
             elapsed=elapsed(run),
             cell=np.unique(key, return_inverse=True)[1].astype(np.intp),
-            turned=self._all,
-            torque=slope / np.abs(slope).max(),
+            turned=at.turned,
+            torque=at.torque,
         )
         self.resolved = highest = record.resolved or highest_order(turned[~back], run[~back])
-        self.catalogue = (*TRANSMISSION.effects, *train_orders(ratios, nominal.teeth, highest))
+        # Rows that were read when somebody stopped have no time between them, and at one speed a lag is a play.
+        lags = self._sampled and speeds_differ(self._all, record.run)
+        effects = tuple(e for e in TRANSMISSION.effects if lags or e is not ENCODER_LAG)
+        self.catalogue = (*effects, *train_orders(ratios, nominal.teeth, highest))
         motor = np.arange(1.0, MOTOR_HARMONICS + 1.0) * float(np.prod(ratios))
         motor = np.asarray(motor[(motor > FORM_ORDERS) & (motor <= highest)], dtype=float)
         self._shape_orders = np.union1d(np.arange(1, min(SHAPE_ORDERS, highest) + 1), motor)
@@ -106,15 +114,97 @@ class TransmissionModel(Model):
         angle = self._known.of(key_of(before), lambda: self._camshaft(before)[self._used])
         return np.asarray(self._reading - through(READING, angle, active, self.rows))
 
+    def _way(self, late: float) -> tuple["_Between", Turned]:
+        """Way of the motor so many rows before each reading, and the state of the train along it."""
+
+        def made() -> tuple[_Between, Turned]:
+            way = _Between(self._all, self._run_all, np.arange(len(self._all)))
+            if self._sampled:
+                way = _extremes(self._all, self._run_all, late)
+            return way, Turned(turned=way.turned, torque=self._slope(way.turned % TURN, nu=1) / self._steepest)
+
+        return self._ways.of(late, made)
+
     def _camshaft(self, active: Active) -> Array:
         """Angle of the camshaft behind gears and play, rad."""
-        asked = through(RATIO, self._all, active, self.rows)
-        asked = through(MESH, asked, active, self.rows)
-        play = through(PLAY, Play(), active, self.rows)
-        if play.width <= 0:
-            return asked
-        drawn = None if play.friction is None else self._forces.drawn(play.friction)
-        return follow(asked, self._run_all, play.width, drawn)
+        way, at = self._way(through(DELAY, 0.0, active, self.rows))
+        asked = through(RATIO, way.turned, active, at)
+        asked = through(MESH, asked, active, at)
+        play = through(PLAY, Play(), active, at)
+        if play.width > 0:
+            drawn = None if play.friction is None else self._forces.drawn(play.friction)
+            asked = follow(asked, way.run, play.width, drawn)
+        return np.asarray(asked[way.rows])
+
+
+@dataclass(frozen=True)
+class _Between:
+    """Way of the motor with its turning points between the rows: angle and run of each, and which of them are rows."""
+
+    turned: Array
+    run: NDArray[np.intp]
+    rows: NDArray[np.intp]
+
+
+# Steps on either side of a turning point that change by less than this share of a run's largest one: a motion that a
+# clock has sampled. Of readings taken where somebody stopped the steps change from +1 to -1, by twice that.
+SMOOTH = 1.0
+
+
+def sampled(turned: Array, run: NDArray[np.intp]) -> bool:
+    """Whether rows are samples of a motion by a clock, and not readings at rest.
+
+    Args:
+        turned: angle of the motor, shape (n,), any unit.
+        run: of each.
+    """
+    changes: list[float] = []
+    for number in np.unique(run):
+        steps = np.diff(turned[run == number])
+        largest = float(np.abs(steps).max(initial=0.0))
+        at = np.flatnonzero(steps[1:] * steps[:-1] < 0)
+        changes += (np.abs(steps[at + 1] - steps[at]) / max(largest, 1e-300)).tolist()
+        # A drive that stands before it comes back slows down on the way.
+        still = np.flatnonzero((steps[1:] == 0) & (steps[:-1] != 0))
+        changes += (np.abs(steps[still]) / max(largest, 1e-300)).tolist()
+    return bool(changes) and float(np.median(changes)) < SMOOTH
+
+
+# Scatter of the speeds of a run over their mean, from which on a lag is told from play; that of a sine is 0.48.
+SPEEDS = 0.3
+
+
+def speeds_differ(turned: Array, run: NDArray[np.intp]) -> bool:
+    """Whether the motor turns at several speeds, standing still left out; arguments as of `sampled`."""
+    steps = np.abs(np.diff(turned))[run[1:] == run[:-1]]
+    moving = steps[steps > 0.05 * steps.max(initial=0.0)]
+    return len(moving) > 0 and float(moving.std() / moving.mean()) > SPEEDS
+
+
+def _extremes(turned: Array, run: NDArray[np.intp], late: float) -> _Between:
+    """Turning points between rows by a cubic spline over each run: the motor went further than any row shows.
+
+    Args:
+        turned, run: of each row, shape (n,).
+        late: rows before each row, at which the way is wanted.
+    """
+    angles, runs, rows, count = [], [], [], 0
+    for number in np.unique(run):
+        mine = turned[run == number]
+        spline = CubicSpline(np.arange(len(mine)), mine)
+        roots = spline.derivative().roots(extrapolate=False)
+        steps = np.diff(mine)
+        # Beside a stretch at rest a spline swings, and the rows themselves are the turning points.
+        turns = np.flatnonzero(steps[1:] * steps[:-1] < 0) + 1.0
+        roots = roots[np.isfinite(roots) & (np.abs(roots[:, None] - turns).min(axis=1, initial=np.inf) < 1)]
+        rows_at = np.clip(np.arange(len(mine)) - late, 0, len(mine) - 1)
+        place = np.concatenate([rows_at, roots])
+        order = np.argsort(place, kind="stable")
+        angles.append((np.concatenate([spline(rows_at) if late else mine, spline(roots)]))[order])
+        runs.append(np.full(len(place), number))
+        rows.append(count + np.flatnonzero(order < len(mine)))
+        count += len(place)
+    return _Between(np.concatenate(angles), np.concatenate(runs), np.concatenate(rows))
 
 
 def follow(asked: Array, run: NDArray[np.intp], width: float, drawn: tuple[Array, Array] | None = None) -> Array:
@@ -220,6 +310,7 @@ KIND = Kind(
     model=TransmissionModel,
     check=_check,
     counts=8192,  # an encoder of 13 bits
+    wanders=True,
     spans=_spans,
     absences=(deviation.RETURN_ERROR,),
     noise=float(np.radians(0.03)),
