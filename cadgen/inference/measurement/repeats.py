@@ -1,4 +1,4 @@
-"""What repeats over logged runs of one path beside the effects found: no noise, though it has no name.
+"""Errors that repeat over logged runs of one path beside the effects found: no noise, though they have no name.
 
 Errors add up along a run, so that what is left is smooth and large, and looks alike by chance in two runs. Runs of one
 path are laid on each other, and the mean of what is left in them is held against its scatter.
@@ -26,7 +26,7 @@ LEAST_SHARE = 0.2
 
 @dataclass(frozen=True, slots=True)
 class Repeats:
-    """What repeats over runs of one path.
+    """Error that repeats over runs of one path.
 
     Attributes:
         rms: root mean square along the run of what repeats, mm, less what chance makes of the mean.
@@ -65,7 +65,7 @@ def one_path(paths: Sequence[Complex]) -> list[list[int]]:
 
 
 def repeats(paths: Sequence[Complex], left: Sequence[Complex]) -> list[Repeats]:
-    """What repeats on each path that was driven often enough, largest first; empty where nothing does.
+    """Errors that repeat on each path driven often enough, largest first; empty where nothing does.
 
     The mean of n runs has the square |m|^2 = R^2 + s^2 / n, with what repeats R and the scatter s of the runs. By
     chance the runs' errors point anywhere: |sum of r_k exp(i phi_k)|^2 with phi at random is as large as observed in

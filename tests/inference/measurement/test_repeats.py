@@ -1,4 +1,4 @@
-"""What repeats over logged runs of one path without a name is said, with its size; what differs by chance is not."""
+"""Errors that repeat over logged runs of one path are said with their size; those that differ by chance are not."""
 
 import numpy as np
 import pytest
