@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from math import ceil, degrees, isfinite
+from math import ceil, degrees, isfinite, radians, tan
 
 import numpy as np
 
@@ -64,9 +64,10 @@ from cadgen.parts.face import Face
 from cadgen.progress import Progress, silent
 from cadgen.verdict import PartVerdict, Reservation
 
-# Lengthening the closing blend is tried by these factors, and a larger base circle by those.
+# Factors by which a longer closing blend is tried, and those on the base radius that the pressure angle asks for.
 _BLEND_FACTORS = (1.5, 2.0, 3.0, 5.0, 8.0)
-_BASE_FACTORS = (1.03, 1.07, 1.15, 1.3, 1.6, 2.0)
+_BASE_FACTORS = (1.0, 1.05, 1.15)
+_MOST_BASE = 3.0  # times the base radius; another path is needed then
 _STEEP = (CheckCode.PRESSURE_ANGLE_RISE, CheckCode.PRESSURE_ANGLE_RETURN)
 
 
@@ -363,9 +364,13 @@ class CarUse(Application):
         """A spline without kinks, a larger base circle, and a longer closing blend where lift is lost in it."""
         if self.design.path.spline == CUBIC.code:
             yield [('path.spline="quintic"', "cubic")]
-        if any(check.code in _STEEP for check in failing(cam.checks)):
+        # The slope of a flank stays, so the tangent of its pressure angle falls as the radius grows.
+        steep = (
+            tan(radians(check.value)) / tan(radians(check.limit)) for check in self.curable(cam) if check.code in _STEEP
+        )
+        if 1 < (needed := max(steep, default=1.0)) < _MOST_BASE:
             base = self.design.cam.base_radius_mm
-            yield [(f"cam.base_radius_mm={ceil(base * factor):g}", f"{base:g}") for factor in _BASE_FACTORS]
+            yield [(f"cam.base_radius_mm={ceil(base * needed * factor):g}", f"{base:g}") for factor in _BASE_FACTORS]
         now = self.design.cam.blend_deg
         if any(trim.after >= self.steering.blend_start for trim in cam.trims):
             yield [(f"cam.blend_deg={now * factor:g}", f"{now:g}") for factor in _BLEND_FACTORS]
