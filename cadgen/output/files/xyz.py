@@ -11,7 +11,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 from cadgen.arrays import Array
-from cadgen.curves.closed import ClosedCurve, Outline
+from cadgen.curves.closed import ClosedCurve, Outline, Piece, cross
 from cadgen.errors import FileError
 from cadgen.figures import Facts
 from cadgen.output.files.publisher import Artifact
@@ -30,17 +30,19 @@ _SAME_CURVATURE = 1e-6  # mm^-1; a smaller jump moves no spline
 # mm; closer points than this are one in a cloud: six decimals, half a nanometre of rounding, would tilt a spline
 # between them by more than a milliradian, and it would bulge by 0.02 um over the next distance.
 _LEAST_DISTANCE = 5e-4
+_SPLINE_ERROR = 2e-5  # mm; half-way between two points a spline may err by it, less than half of what a file may
+_HALVINGS = 6  # of the distance of points
 _TABLE = 2049  # samples of a piece from which its length is summed
 
 
 def cam_xyz(cam: CamExport, folder: Path) -> Iterator[Artifact]:
     """Cloud of points on the outline of a cam."""
     name, count = f"{cam.stem}.xyz", cam.export.point_count
-    write_xyz(folder / name, cam.curve, count)
+    write_xyz(folder / name, cam.curve, count, bends=cam.motion is not None)
     yield cam.judged(name, read_xyz(folder / name, cam.step), LIFT_LIMIT_UM, Facts(points=count))
 
 
-def write_xyz(path: Path, curve: ClosedCurve, count: int) -> None:
+def write_xyz(path: Path, curve: ClosedCurve, count: int, *, bends: bool = False) -> None:
     """Write a closed cloud: "x y z" in mm on each line, z = 0, no header, the first point again last.
 
     The points are evenly spaced along each smooth piece. Where direction or curvature jumps between two pieces,
@@ -51,6 +53,7 @@ def write_xyz(path: Path, curve: ClosedCurve, count: int) -> None:
         path: file to write.
         curve: profile, mm.
         count: approximate number of points.
+        bends: whether there are more where the curvature changes within their distance, as on a cam by its motion.
     """
     # Parameters of each piece, and the arc length up to each, mm.
     tables = []
@@ -69,6 +72,8 @@ def write_xyz(path: Path, curve: ClosedCurve, count: int) -> None:
     points = []
     for number, (piece, (t, arc)) in enumerate(zip(curve.pieces, tables, strict=True)):
         places, step = np.linspace(0.0, arc[-1], max(2, round(arc[-1] / even)) + 1, retstep=True)
+        if bends:
+            places = _closer_where_bent(piece, t, arc, places)
         if jumps[number]:
             places = np.append(places, step * _BESIDE_JOINTS)
         if jumps[(number + 1) % len(curve.pieces)]:
@@ -78,6 +83,30 @@ def write_xyz(path: Path, curve: ClosedCurve, count: int) -> None:
     closed = np.concatenate([apart, apart[:1]])
     lines = (f"{x:.6f} {y:.6f} 0.000000" for x, y in (closed + 0.0).tolist())
     path.write_text("\n".join(lines) + "\n", encoding="ascii", newline="\n")
+
+
+def _closer_where_bent(piece: Piece, t: Array, arc: Array, places: Array) -> Array:
+    """Arc lengths of points with more of them where the curvature changes within their distance.
+
+    A cubic spline through them then errs by `_SPLINE_ERROR` at most half-way between two.
+
+    Args:
+        piece: smooth piece of the profile.
+        t: parameters of the piece, shape (m,).
+        arc: arc lengths up to them, mm, shape (m,).
+        places: arc lengths of the points, mm, shape (n,).
+    """
+    for _ in range(_HALVINGS):
+        jet = piece.jet(np.interp(places, arc, t))
+        ends = jet.velocity[[0, -1]] / np.linalg.norm(jet.velocity[[0, -1]], axis=1)[:, None]
+        spline = CubicSpline(places, jet.point, bc_type=((1, ends[0]), (1, ends[1])))
+        middle = (places[:-1] + places[1:]) / 2
+        true = piece.jet(np.interp(middle, arc, t))
+        off = np.abs(cross(spline(middle) - true.point, true.velocity)) / np.linalg.norm(true.velocity, axis=1)
+        if not (off > _SPLINE_ERROR).any():
+            break
+        places = np.sort(np.concatenate([places, middle[off > _SPLINE_ERROR]]))
+    return places
 
 
 def read_xyz(path: Path, step: float = 0.05) -> Outline:

@@ -5,6 +5,7 @@ import csv
 import numpy as np
 import pytest
 
+from cadgen import Design
 from cadgen.cam.contact import roll
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.curves.closed import ClosedCurve, PieceSpan
@@ -209,3 +210,13 @@ def test_a_damaged_table_is_refused(edit, message, eccentric, tmp_path):
     path.write_text(edit(path.read_text()))
     with pytest.raises(FileError, match=message):
         read_csv(path)
+
+
+def test_points_are_closer_where_the_outline_bends_within_their_distance(tmp_path):
+    """A flat face: the radius falls from 150 to 7 mm and rises again within a millimetre of the outline."""
+    cam = Design.load("flat").cam()
+    angle = np.radians(np.arange(30.0, 60.0, 0.05))
+    for bends, low, high in ((False, 0.2, 0.4), (True, 0.0, 0.05)):
+        write_xyz(tmp_path / "cam.xyz", cam.curve, 3600, bends=bends)
+        lift = roll(read_xyz(tmp_path / "cam.xyz", 0.02), cam.follower, angle).lift
+        assert low <= np.abs(lift - cam.follower.lift(cam.motion.q(angle))).max() * 1e3 <= high
