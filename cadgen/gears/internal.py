@@ -27,6 +27,8 @@ DECIMALS = 3
 SPARED = 0.02
 # More teeth of a ring than of its pinion that are tried for a pair that does not foul.
 MOST_DIFFERENCE = 60
+# Lower profile shifts of a ring that are tried, their step, and the addendum that one must leave, in modules.
+SHIFTS_TRIED, SHIFT_STEP, LEFT_ADDENDUM = 60, 0.05, 0.3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -112,11 +114,9 @@ def shortened_ring(pair: Pair) -> RingForm:
     if ring.addendum_as_made > most:
         if most <= 0:
             raise DesignError(
-                "{pair} has a ring whose tips dig into the roots of the pinion however short they are; lower the "
-                "profile_shift of the ring ({shift:g}), or raise that of the pinion ({other:g})",
+                "{pair} has a ring whose tips dig into the roots of the pinion however short they are; {cure}",
                 pair=str(pair),
-                shift=ring.profile_shift,
-                other=pair.by_size[0].form.profile_shift,
+                cure=_other_shift(pair),
             )
         if ring.keeps_addendum:
             raise DesignError(
@@ -128,6 +128,29 @@ def shortened_ring(pair: Pair) -> RingForm:
             )
         return replace(ring, shortened=round(ring.addendum_factor - most, DECIMALS))
     return ring
+
+
+def _other_shift(pair: Pair) -> Message:
+    """Profile shift of a ring that leaves its tips some length, at the distance that suits it, in words."""
+    pinion, ring = pair.by_size
+    for step in range(1, SHIFTS_TRIED):
+        shift = round(ring.form.profile_shift - step * SHIFT_STEP, 2)
+        try:
+            other = replace(ring, form=replace(ring.form, profile_shift=shift))
+            apart = closest(pinion.form.cut_to(0.0), other.form.cut_to(0.0))
+            if greatest_addendum(replace(pair, driver=pinion, driven=other, centre_distance=apart)) > LEFT_ADDENDUM:
+                return Message(
+                    "give the ring profile_shift = {shift:g}, at a centre_distance_mm of {apart:.4f}",
+                    shift=shift,
+                    apart=floor(apart * 1e4) / 1e4,
+                )
+        except DesignError:
+            continue
+    return Message(
+        "lower the profile_shift of the ring ({shift:g}), or raise that of the pinion ({other:g})",
+        shift=ring.form.profile_shift,
+        other=pinion.form.profile_shift,
+    )
 
 
 def require_free(pair: Pair, limits: Sequence[tuple[Pair, float]] = ()) -> None:

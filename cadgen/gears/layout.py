@@ -17,7 +17,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain, pairwise, product, takewhile
-from math import asin, ceil, degrees, pi, radians
+from math import asin, ceil, degrees, floor, pi, radians
 from typing import TypeVar
 
 import numpy as np
@@ -207,6 +207,7 @@ class Disc:
         inner: radius inside which a ring has room for others, mm; 0 of a solid body.
         ended: heights between which a shaft runs that may end, mm; None of another body.
         place: place in the train of such a shaft.
+        bore: diameter of the bores on it, mm.
     """
 
     name: str
@@ -217,6 +218,7 @@ class Disc:
     inner: float = 0.0
     ended: tuple[float, float] | None = None
     place: str = ""
+    bore: float = 0.0
 
     def apart_from(self, other: Disc, apart: float) -> float:
         """Gap to a body on another axis, mm; negative where they overlap.
@@ -484,6 +486,7 @@ def _discs(
                 middle + half,
                 ended=(middle - half if first else own[0], middle + half if last else own[1]),
                 place=place,
+                bore=part.blank.bore_diameter,
             )
             on.append(shaft.ending() if ends else shaft)
     return on_shafts
@@ -600,6 +603,10 @@ def _between(first: Sequence[Disc], second: Sequence[Disc], apart: float, cleara
         if in_mesh or gap >= clearance:
             continue
         cure = Message("a longer collar") if body.stage and other.stage else Message("smaller bores or hubs")
+        for shaft in (body, other):
+            thinner = floor(shaft.bore * (1 - (clearance - gap) / shaft.radius) * 10) / 10 if shaft.place else 0.0
+            if thinner > 0:
+                cure = Message("train.{place}.bore_diameter_mm = {bore:g}", place=shaft.place, bore=thinner)
         for shaft, beside in ((body, other), (other, body)):
             if shaft.ended and shaft.ending().apart_from(beside, apart) >= clearance:
                 cure = Message("train.{place}.shaft_ends = true, smaller bores or hubs", place=shaft.place)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import asin, degrees, floor, hypot, inf, isfinite, pi, sin, tan
+from math import asin, ceil, degrees, floor, hypot, inf, isfinite, pi, sin, tan
 
 from cadgen.errors import DesignError
 from cadgen.gears.stage import Wheel, is_bar, is_ring, rim_diameter
@@ -115,12 +115,15 @@ def with_collar(blank: Blank, lower: Wheel, upper: Wheel, length: float, clearan
     smaller = min(lower, upper, key=lambda form: form.root_diameter)
     least, most = _least_hub(blank), smaller.root_diameter - 2 * LEAST_WALL
     if not least <= most:
+        room = floor((blank.bore_diameter - (least - most)) * STEPS) / STEPS
+        fitting = room > 0 and _least_hub(replace(blank, bore_diameter=room)) <= most
         raise DesignError(
             "{gear} has no room for a collar between {least:.4g} mm over its bore and {most:.4g} mm under its root;"
-            " give a smaller bore",
+            " {cure}",
             gear=str(smaller),
             least=least,
             most=most,
+            cure=Message("give bore_diameter_mm = {bore:g}", bore=room) if fitting else Message("give a smaller bore"),
         )
     room = smaller.root_diameter - 2 * max(LEAST_WALL, clearance)
     return replace(blank, hub=Hub(diameter=max(floor(room * STEPS) / STEPS, least), length=length))
@@ -146,7 +149,7 @@ def cluster_body(lower: Wheel, upper: Wheel, blank: Blank | None = None, turn: f
         if not upper.tip_diameter <= seat - 2 * LEAST_WALL:
             raise DesignError(
                 "{upper} does not fit on the {seat:.4g} mm that {lower} offers it; put a collar (a hub with a length)"
-                " between them",
+                " between them, with length_mm = 1",
                 upper=str(upper),
                 seat=seat,
                 lower=str(lower),
@@ -273,10 +276,12 @@ def _check_bore(blank: Blank, form: Wheel) -> None:
                 )
         if not key.width < bore:
             raise DesignError(
-                "{gear} has a keyway of {width:g} mm width in a bore of {bore:g} mm; give a narrower one",
+                "{gear} has a keyway of {width:g} mm width in a bore of {bore:g} mm; give a narrower one, such as "
+                "{usual:g}",
                 gear=str(form),
                 width=key.width,
                 bore=bore,
+                usual=round(bore / 3, 2),
             )
     if isinstance(key, DFlat) and not 0 < key.depth < bore / 2:
         raise DesignError(
@@ -318,7 +323,11 @@ def _check_web(blank: Blank, form: Wheel) -> None:
     if not blank.web:
         return
     if blank.hub is None:
-        raise DesignError("{gear} has a web but no hub; give the hub's diameter", gear=str(form))
+        raise DesignError(
+            "{gear} has a web but no hub; give the hub's diameter, {least:.4g} mm or more",
+            gear=str(form),
+            least=ceil(_least_hub(blank) * STEPS) / STEPS,
+        )
     web, thickest = blank.web, form.width - 2 * LEAST_WALL
     if not LEAST_WALL <= web.thickness <= thickest:
         raise DesignError(
