@@ -1,4 +1,4 @@
-"""A car put together: its parts, mass and checks, and its files."""
+"""A car put together, and its frame: parts, mass and checks, and their files."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -12,6 +12,7 @@ from cadgen.errors import CheckError
 from cadgen.figures import Facts, JobResult
 from cadgen.jobs.assembly_checks import assembly_checks
 from cadgen.jobs.car_assembly import CarAssembly
+from cadgen.jobs.car_frame import CarFrame, checks_in_car
 from cadgen.output.files.publisher import Written, folder_of, refusal
 from cadgen.progress import Progress, silent
 
@@ -42,7 +43,7 @@ class AssembledCar(JobResult):
     @cached_property
     def own_checks(self) -> tuple[Check, ...]:
         """Checks of the car: its parts at their places, tipping, energy."""
-        return (*self.computed.layout.checks, *assembly_checks(self.computed))
+        return (*checks_in_car(self.computed.layout), *assembly_checks(self.computed))
 
     @property
     def checks(self) -> tuple[Check, ...]:
@@ -101,6 +102,74 @@ class AssembledCar(JobResult):
         if not (self.passed or force):
             raise CheckError(refusal(self.failed))
         return write_assembly(self.computed, place, angle, progress)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class FramedCar(JobResult):
+    """The frame of a car: what `Design.frame` gives. Lengths are mm.
+
+    Attributes:
+        computed: plates, base, platform, brackets and block at their places.
+    """
+
+    computed: CarFrame
+
+    def __repr__(self) -> str:
+        return f"<FramedCar of {self.computed.design.name}>"
+
+    @property
+    def layout_checks(self) -> tuple[Check, ...]:
+        """Checks of the parts that the frame holds."""
+        return self.computed.layout.checks
+
+    @property
+    def own_checks(self) -> tuple[Check, ...]:
+        """Checks of the frame itself."""
+        return self.computed.own_checks
+
+    @property
+    def checks(self) -> tuple[Check, ...]:
+        """Checks of the parts in the car and of the frame."""
+        return self.computed.checks
+
+    @property
+    def passed(self) -> bool:
+        """Whether every check keeps its limit."""
+        return not failing(self.checks)
+
+    @property
+    def sentence(self) -> str:
+        """Size of the frame in words."""
+        return self.computed.sentence
+
+    @property
+    def bought(self) -> list[tuple[str, str, int]]:
+        """Bought parts: code, name and how many."""
+        return self.computed.bought
+
+    def entry(self) -> Facts:
+        """Frame, as in the manifest."""
+        return self.computed.entry()
+
+    def write(self, folder: str | PathLike[str], *, force: bool = False, progress: Progress = silent) -> Written:
+        """Write outlines, solids, programs and sheets, read them back, and publish all together or none.
+
+        Args:
+            folder: folder for the files; it is made if need be.
+            force: whether files are written even if a check fails.
+            progress: function that is called with a few words on each step.
+
+        Raises:
+            CheckError: a check fails.
+            DesignError: the cutter is too large for a sheet.
+            FileError: a file cannot be written, or holds something else when it is read back.
+        """
+        from cadgen.jobs.frame_writer import write_frame
+
+        place = folder_of(folder)
+        if not (self.passed or force):
+            raise CheckError(refusal(failing(self.checks)))
+        return write_frame(self.computed, place, progress)
 
 
 def _angle(cam_angle_deg: float) -> float:

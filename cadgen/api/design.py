@@ -16,7 +16,7 @@ from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
     from cadgen.api.adjustment import Adjustment
-    from cadgen.api.assembly import AssembledCar
+    from cadgen.api.assembly import AssembledCar, FramedCar
     from cadgen.api.calibration import Advice, Calibration, Calibrations
     from cadgen.api.cam import Cam
     from cadgen.api.found_cam import ComparedCam, FoundCam
@@ -24,7 +24,6 @@ if TYPE_CHECKING:
     from cadgen.api.runs import Comparison
     from cadgen.api.values import Pool
     from cadgen.inference.monte_carlo.random_cars import Map
-    from cadgen.jobs.car_frame import CarFrame
     from cadgen.jobs.card import Card
     from cadgen.jobs.gears.gear_train import GearTrain
     from cadgen.jobs.lift_tolerance import LiftToleranceRun
@@ -104,15 +103,16 @@ class Design(LoadedDesign):
         train = self.gears(progress=progress)
         return AssembledCar(put_together(plan_cam(self.complete(), profile, progress), train))
 
-    def frame(self) -> "CarFrame":
+    def frame(self) -> "FramedCar":
         """Compute the frame that holds the parts where [layout] puts them; nothing is written.
 
         Raises:
             DesignError: the design has no [frame], or its train finds no place in the car.
         """
+        from cadgen.api.assembly import FramedCar
         from cadgen.jobs.car_frame import car_frame
 
-        return car_frame(self.values)
+        return FramedCar(car_frame(self.values))
 
     def simulate(
         self, profile: str = "optimized", play_deg: float | None = None, *, progress: Progress = silent

@@ -484,7 +484,7 @@ def assembly(
 @out_option(default=Path("exports"), show_default=True, help="Folder for the files; it is made if need be.")
 @help.option("--force", is_flag=True, help="Export even if a check fails, and say so in the manifest.")
 def frame(design: str | None, overrides: tuple[str, ...], as_json: bool, out: Path, force: bool) -> None:
-    """Make the frame of a car: bearing plates, base, fork block, brackets and shafts, as STEP, DXF, G-code and sheets.
+    """Make the frame of a car: bearing plates, base, fork block and brackets, as STEP, DXF, G-code and sheets.
 
     The design needs [layout], which says where the parts stand, and [frame], which may be empty. Nothing is exported
     and the exit code is 1 if a check fails, unless --force is given.
@@ -499,9 +499,8 @@ def frame(design: str | None, overrides: tuple[str, ...], as_json: bool, out: Pa
     if as_json:
         show.document(made.facts() if written is None else written.entry)
         sys.exit(0 if made.passed or force else 1)
-    placed = len(made.layout.checks)
-    show.figures(Message("the parts in the car"), made.checks[:placed])
-    show.figures(Message("the frame"), made.checks[placed:], gap=True)
+    show.figures(Message("the parts in the car"), made.layout_checks)
+    show.figures(Message("the frame"), made.own_checks, gap=True)
     show.sentences([made.sentence])
     rows = [(code, Message(name), str(number)) for code, name, number in made.bought]
     heads = (Message("to order"), Message("part"), Message("number"))

@@ -12,6 +12,7 @@
 | `lift_tolerance` | errors of the lift of many cams by their motion       |
 | `car_layout`  | the train in its car, and its checks                     |
 | `car_frame`   | the frame of a car: checks, files and sheets             |
+| `frame_writer` | files and sheets of a frame                              |
 | `frame_parts` | parts of a frame among the parts of its car              |
 | `car_assembly` | a car put together: all parts at their places            |
 | `car_gaps`    | gaps of each part of a car to the nearest others         |

@@ -1,43 +1,29 @@
 """Frame of a car: its parts by the layout, their checks with cures that were tried, and their files and sheets."""
 
-import csv
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from functools import cached_property
-from io import StringIO
-from os import PathLike
-from pathlib import Path
+from functools import cached_property, lru_cache
 
 from cadgen.car.assembly.arrangement import Gap
 from cadgen.car.assembly.fork_sizes import front_radius
-from cadgen.car.assembly.frame import Frame, FrameSizes, Shaft, frame_of
+from cadgen.car.assembly.frame import Frame, FrameSizes, frame_of
 from cadgen.car.assembly.frame_gaps import frame_gap, standing_gap
-from cadgen.car.assembly.panels import Panel
 from cadgen.car.assembly.standard_parts import SCREWS
 from cadgen.check import Bound, Check, CheckCode, failing
 from cadgen.design import gear_model
 from cadgen.design.frame import Cutting, FrameSection
 from cadgen.design.load import with_overrides
-from cadgen.design.machining import Machining
 from cadgen.design.schema import Design, TrainDesign, whole_design
 from cadgen.design.train import PlateSection
-from cadgen.errors import CheckError, DesignError
+from cadgen.errors import DesignError
 from cadgen.figures import Facts, JobResult
-from cadgen.gears.fits import deviations
 from cadgen.jobs.car_layout import CarLayout, layout_of
-from cadgen.jobs.drawings import Folder, distance_notes, title_of, write_sheet
 from cadgen.messages import Message
-from cadgen.output.drawing.frame_sheets import PanelText, block_drawing, panel_drawing, shaft_drawing
-from cadgen.output.drawing.shaft_fit import hole_class, limits
-from cadgen.output.drawing.sheet import Title
-from cadgen.output.files.frame_files import FrameText, block_files, panel_files, shaft_files
-from cadgen.output.files.manifest import Origin
-from cadgen.output.files.publisher import Artifact, Written, folder_of, publish, refusal, text_file
-from cadgen.progress import Progress, silent
+from cadgen.output.drawing.shaft_fit import hole_class
 
 _SEAT = "H7"  # class of the seats of bearings where train.plate.hole_fit does not say
-_CLEAR = 0.05  # mm by which the half circles of inner corners are larger than the cutter
+CLEAR = 0.05  # mm by which the half circles of inner corners are larger than the cutter
 # Values of keys that are tried as a cure, the gentlest first.
 _CURES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("frame.base_height_mm", ("",)),
@@ -57,7 +43,7 @@ class CarFrame(JobResult):
     Attributes:
         design: design of the car.
         layout: layout of its parts.
-        frame: plates, base, brackets, block, shafts and bought parts at their places.
+        frame: plates, base, platform, brackets, block and bought parts at their places.
     """
 
     design: Design
@@ -82,16 +68,20 @@ class CarFrame(JobResult):
         """The frame's own checks, without cures, which take a search."""
         return tuple(self._checks())
 
-    @cached_property
+    @property
     def checks(self) -> tuple[Check, ...]:
-        """Checks of the layout and of the frame, with their limits and a cure that was tried."""
+        """Checks of the layout and of the frame."""
+        return (*self.layout.checks, *self.own_checks)
+
+    @cached_property
+    def own_checks(self) -> tuple[Check, ...]:
+        """The frame's own checks, with their limits and a cure that was tried."""
         wrong = {check.code for check in failing(self.plain_checks)}
         cure = _cure(self.design) if wrong else None
         advice = cure or Message(
             "none of the values that were tried gives a frame: change [frame], or the layout by layout.clearance_mm"
         )
-        own = [replace(each, advice=advice) if each.code in wrong else each for each in self.plain_checks]
-        return (*self.layout.checks, *own)
+        return tuple(replace(each, advice=advice) if each.code in wrong else each for each in self.plain_checks)
 
     @property
     def passed(self) -> bool:
@@ -228,35 +218,8 @@ class CarFrame(JobResult):
                     size_mm=[frame.block.length, frame.block.width, frame.block.height],
                     volume_mm3=frame.block.volume,
                 ),
-                *(Facts(code=shaft.code, diameter_mm=shaft.diameter, length_mm=shaft.length) for shaft in frame.shafts),
             ],
             bought=[Facts(code=code, quantity=number) for code, _, number in self.bought],
-        )
-
-    def write(self, folder: str | PathLike[str], *, force: bool = False, progress: Progress = silent) -> Written:
-        """Write outlines, solids, programs and sheets, read them back, and publish all together or none.
-
-        Args:
-            folder: folder for the files; it is made if need be.
-            force: whether files are written even if a check fails.
-            progress: function that is called with a few words on each step.
-
-        Raises:
-            CheckError: a check fails.
-            DesignError: the cutter is too large for a sheet.
-            FileError: a file cannot be written, or holds something else when it is read back.
-        """
-        out = folder_of(folder)
-        if not (self.passed or force):
-            raise CheckError(refusal(failing(self.checks)))
-        omitted: dict[str, str] = {}
-        state = Folder.at(out)
-        return publish(
-            self.stem,
-            out,
-            lambda staging: _Files(self, state, staging, omitted, progress).made(),
-            self.entry(),
-            lambda _: Facts(omitted=omitted) if omitted else Facts(),
         )
 
 
@@ -285,6 +248,18 @@ def car_frame(design: TrainDesign) -> CarFrame:
     return frame_in(layout_of(whole_design(design)))
 
 
+def checks_in_car(layout: CarLayout) -> tuple[Check, ...]:
+    """Checks of the parts in a car, and of their frame if the design has one.
+
+    Args:
+        layout: train in its car.
+    """
+    if layout.design.frame is None or layout.arrangement is None:
+        return layout.checks
+    return frame_in(layout).checks
+
+
+@lru_cache(maxsize=16)  # cam, gears, page and assembly of one design ask for it
 def frame_in(layout: CarLayout) -> CarFrame:
     """Frame of a car by its layout; that of an empty [frame] where the design has none.
 
@@ -308,7 +283,7 @@ def frame_in(layout: CarLayout) -> CarFrame:
         wall=keys.wall_mm,
         screw=SCREWS[keys.screws],
         tapped=mill,
-        corner=keys.cutter_diameter_mm / 2 + _CLEAR if mill else 0.0,
+        corner=keys.cutter_diameter_mm / 2 + CLEAR if mill else 0.0,
         base=keys.base_thickness_mm,
         base_height=keys.base_height_mm,
         travel=keys.slot_mm,
@@ -340,156 +315,3 @@ def _cure(design: Design) -> Message | None:
                     return Message("leave {key} out", key=key)
                 return Message("set {key} to {value}", key=key, value=value)
     return None
-
-
-@dataclass(frozen=True, slots=True)
-class _Files:
-    """Files of a frame while they are made."""
-
-    job: CarFrame
-    folder: Folder
-    staging: Path
-    omitted: dict[str, str]
-    progress: Progress
-
-    def made(self) -> Iterator[Artifact]:
-        """Write every file, and read it back."""
-        job = self.job
-        design, frame = job.design, job.frame
-        keys = design.frame or FrameSection()
-        origin = Origin.of(design)
-        text = FrameText(design.name, f"frame, design {origin.content_hash[:12]}")
-        machining: Machining | None = None
-        if keys.cutting == Cutting.MILL:
-            machining = design.machining.model_copy(update={"cutter_diameter_mm": keys.cutter_diameter_mm})
-        plates = gear_model.train_keys(design).plate or PlateSection()
-        of_plates = plates.material or ""
-        others = keys.material or of_plates
-        for panel in frame.panels:
-            stem = f"{job.stem}_{panel.code}"
-            self.progress(Message("writing {stem}", stem=stem))
-            yield from panel_files(panel, self.staging, stem, text, machining, frame.sizes.seat)
-            material = of_plates if panel in frame.plates else others
-            sheet = panel_drawing(panel, self._words(panel), self._title(panel.name, material, stem))
-            yield from write_sheet(self.staging, stem, sheet, self.omitted)
-        stem = f"{job.stem}_block"
-        yield from block_files(frame.block, self.staging, stem, text)
-        title = self._title(Message("block of the fork"), others, stem)
-        yield from write_sheet(
-            self.staging, stem, block_drawing(frame.block, tuple(self._block_notes()), title), self.omitted
-        )
-        for shaft in frame.shafts:
-            stem = f"{job.stem}_{shaft.code}"
-            yield from shaft_files(shaft, self.staging, stem, text)
-            title = self._title(shaft.name, Message("steel"), stem)
-            sheet = shaft_drawing(shaft, " h6", tuple(self._shaft_notes(shaft)), title)
-            yield from write_sheet(self.staging, stem, sheet, self.omitted)
-        table = StringIO()
-        writer = csv.writer(table, lineterminator="\n")
-        writer.writerow(["code", "name", "quantity"])
-        writer.writerows((code, str(name), number) for code, name, number in job.bought)
-        yield text_file(self.staging / f"{job.stem}_bought.csv", table.getvalue())
-
-    def _title(self, part: str, material: str, stem: str) -> Title:
-        design = self.job.design
-        return title_of(Origin.of(design), design.drawing, part, material, stem, self.folder)
-
-    def _words(self, panel: Panel) -> PanelText:
-        frame = self.job.frame
-        notes = [Message("Sheet {thickness:g} mm thick.", thickness=panel.thickness)]
-        datum = Message("axis of the camshaft")
-        between: list[tuple[str, tuple[float, float], tuple[float, float], str]] = []
-        if panel is frame.base:
-            notes += self._base_notes()
-            a = frame.site.base_radius
-            deviation = self.job.design.tolerances.base_radius_mm
-            datum = Message("axis of the camshaft, and inner face of the disc")
-            between.append(
-                ("camshaft to fork axis", (0.0, 0.0), (-a, -frame.site.fork), f" ±{deviation:g}" if deviation else "")
-            )
-        elif panel is frame.platform:
-            notes.append(Message("Seen from above, the front of the car to the left."))
-            datum = Message("axis of the camshaft, and inner face of the disc")
-        elif panel.code == "bracket_micrometer":
-            notes.append(Message("Seen from before the car."))
-            datum = Message("height of the camshaft, and inner face of the disc")
-        else:
-            notes.append(Message("Seen from the left of the car, its front to the left."))
-        seats = sorted({hole.diameter for hole in panel.holes if hole.fit})
-        fit = f"{frame.sizes.seat}/h6"
-        for size in seats:
-            low, high = deviations(fit, size)[0]
-            notes.append(
-                Message(
-                    "Hole Ø{size:g} {hole}: {limits} mm.", size=size, hole=frame.sizes.seat, limits=limits(low, high)
-                )
-            )
-        if panel in frame.plates:
-            notes += distance_notes(gear_model.train(self.job.design))
-            notes.append(Message("Bearings flush with the face that looks to the train, bonded."))
-        if panel.edge_holes:
-            notes.append(
-                Message(
-                    "{count} threads {thread} in the foot, midway along the thickness: drill Ø{drill:g}, {deep:g} mm "
-                    "deep.",
-                    count=len(panel.edge_holes),
-                    thread=frame.sizes.screw.thread,
-                    drill=frame.sizes.screw.tap_drill,
-                    deep=panel.edge_holes[0].depth,
-                )
-            )
-        if frame.sizes.corner:
-            notes.append(
-                Message("Inner corners are opened for a cutter of {size:g} mm.", size=2 * (frame.sizes.corner - _CLEAR))
-            )
-        return PanelText(datum=datum, notes=tuple(notes), between=tuple(between))
-
-    def _base_notes(self) -> Iterator[Message]:
-        frame = self.job.frame
-        site, way = frame.site, frame.sizes.travel / 2
-        yield Message(
-            "Seen from above, the front of the car to the left; upper face {low:.4g} mm below the camshaft.",
-            low=frame.top,
-        )
-        deviation = self.job.design.tolerances.base_radius_mm
-        if deviation:
-            yield Message(
-                "Camshaft to fork axis: {apart:g} ± {deviation:g} mm, set with the micrometer head; the slots allow "
-                "{way:g} mm to either side. Then tighten the screws of the platform.",
-                apart=site.base_radius,
-                deviation=deviation,
-                way=way,
-            )
-        else:
-            yield Message(
-                "Camshaft to fork axis: {apart:g} mm, set with the micrometer head; the slots allow {way:g} mm to "
-                "either side. Its tolerance is not stated (tolerances.base_radius_mm).",
-                apart=site.base_radius,
-                way=way,
-            )
-        yield Message("Slots are 0.1 mm longer and wider than the tabs in them: try one first.")
-
-    def _block_notes(self) -> Iterator[Message]:
-        block, screw = self.job.frame.block, self.job.frame.sizes.screw
-        low, high = deviations(f"{block.fit}/h6", block.bearing.diameter)[0]
-        yield Message(
-            "Seats for bearings {code}, one in each end: Ø{size:g} {hole}: {limits} mm; both in one setting.",
-            code=block.bearing.designation,
-            size=block.bearing.diameter,
-            hole=block.fit,
-            limits=limits(low, high),
-        )
-        yield Message("Hole between the seats: Ø{bore:g}.", bore=block.bore)
-        yield Message(
-            "Threads {thread}: drill Ø{drill:g}, {deep:g} mm deep, from below.",
-            thread=screw.thread,
-            drill=block.tap,
-            deep=block.depth,
-        )
-        yield Message("The bore stands square to the lower face.")
-
-    def _shaft_notes(self, shaft: Shaft) -> Iterator[Message]:
-        yield Message("Ground rod, ends faced square and broken by 0.3 mm.")
-        if shaft.code.startswith("shaft_") and shaft.carried:
-            yield Message("Left end: that farthest to the right of the car.")
-            yield Message("Flats, keyways and pins as the drawings of the parts on it need them.")

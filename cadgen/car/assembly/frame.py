@@ -1,4 +1,4 @@
-"""Frame of a car: two bearing plates, a base, the fork's platform and block, brackets, and shafts, by the layout.
+"""Frame of a car: two bearing plates, a base, the fork's platform and block, and brackets, by the layout.
 
 The base lies under the seats of all bearings, as high as these allow; gears that reach lower, and the front wheel, pass
 through openings in it. The sheets that stand on it have tabs in slots of the base, and screws from below. A platform on
@@ -7,7 +7,7 @@ the distance between fork axis and camshaft.
 """
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
 from itertools import combinations
@@ -23,12 +23,10 @@ from cadgen.car.assembly.fork_sizes import (
     BRIDGE_HEIGHT,
     BRIDGE_LENGTH,
     CHEEK,
-    CLAMP,
     FRONT_WIDTH,
     GAP,
     HEAD_HALF,
     SPINDLE,
-    WHEEL_HUB,
     front_radius,
     hub_width,
 )
@@ -46,7 +44,6 @@ from cadgen.car.assembly.panels import (
 from cadgen.car.assembly.site import STEERING_STEPS, CarSite, OnShaft
 from cadgen.car.assembly.standard_parts import LENGTHS, Bearing, Screw, bearing_of, screw_length, smallest_bearing
 from cadgen.curves.contour import Contour
-from cadgen.gears.layout import Disc
 from cadgen.messages import Message
 
 _RIM = 1.5  # walls of material round a seat, where nothing else decides
@@ -100,28 +97,6 @@ class FrameSizes:
     stem: float
     drive: tuple[float, float]
     seat: str
-
-
-class Shaft(NamedTuple):
-    """Plain shaft.
-
-    Attributes:
-        code: name of the part in names of files.
-        name: name for people.
-        diameter: diameter, mm.
-        length: length, mm.
-        start: middle of its first end in the car, mm.
-        way: direction from there to its other end, a unit vector.
-        carried: what sits on it: name, and distances of its ends from the first end, mm.
-    """
-
-    code: str
-    name: str
-    diameter: float
-    length: float
-    start: tuple[float, float, float]
-    way: tuple[float, float, float]
-    carried: tuple[tuple[str, float, float], ...] = ()
 
 
 class BoughtKind(StrEnum):
@@ -192,7 +167,7 @@ class ForkBlock:
     def piece(self) -> Piece:
         """Box that holds it."""
         half, across = self.length / 2, self.width / 2
-        return Piece(rectangle(-half, -across, half, across), self.height, self.place)
+        return Piece.of(rectangle(-half, -across, half, across), self.height, self.place)
 
 
 class Joint(NamedTuple):
@@ -221,7 +196,6 @@ class Frame:
         brackets: bracket beside the idle wheel, and that of the micrometer if there is one.
         block: block of the fork.
         spacers: places x and z of the spacers between base and platform, mm.
-        shafts: shafts of the train from the drive on.
         bought: bearings, screws, nuts and spacers.
         pieces: pieces into which openings cut the base.
         joints: joints that found room, and how many there should be.
@@ -237,7 +211,6 @@ class Frame:
     brackets: tuple[Panel, ...]
     block: ForkBlock
     spacers: tuple[tuple[float, float], ...]
-    shafts: tuple[Shaft, ...]
     bought: tuple[Bought, ...]
     pieces: int
     joints: tuple[int, int]
@@ -380,7 +353,6 @@ class _Maker:
             brackets=tuple(brackets),
             block=block,
             spacers=spacers,
-            shafts=tuple(self._shafts()),
             bought=tuple(self._bought(block, spacers)),
             pieces=count,
             joints=(self.joints, self.wanted),
@@ -814,44 +786,6 @@ class _Maker:
                     corners = rectangle(at - along / 2, middle - wide / 2, at + along / 2, middle + wide / 2)
                     return [Hole(name, u, v, sizes.screw.hole) for u, v in corners.tolist()]
         return []
-
-    def _shafts(self) -> Iterator[Shaft]:
-        for number, (axis, bodies, bore) in enumerate(zip(self.found.axes, self.shafts, self.bores, strict=True), 1):
-            own = [body for body, of_train in bodies if of_train and body.radius == bore / 2]
-            if not bore or not own:
-                continue
-            itself = max(own, key=lambda body: body.high - body.low)
-            itself = self._lengthened(number, itself)
-            carried = []
-            for body, of_train in bodies:
-                low, high = body.low, body.high
-                known = bearing_of(bore, self.site.bearings[number - 1])
-                if known is not None and not of_train and 2 * body.radius == known.diameter:
-                    low, high = self._borne((low + high) / 2, known.width)
-                if body.name != itself.name:
-                    carried.append((body.name, low - itself.low, high - itself.low))
-            yield Shaft(
-                f"shaft_{number}",
-                itself.name,
-                bore,
-                itself.high - itself.low,
-                (axis.real, axis.imag, itself.low),
-                (0.0, 0.0, 1.0),
-                tuple(sorted(carried, key=lambda each: each[1])),
-            )
-
-    def _lengthened(self, number: int, shaft: Disc) -> Disc:
-        """Shaft with its ends: the axle runs through the hubs of both rear wheels, the camshaft through its clamp."""
-        site, low, high = self.site, shaft.low, shaft.high
-        if number == 1:
-            wheels = sorted((site.drive_wheel, site.idle_wheel))
-            reach = site.wheel_width / 2 + WHEEL_HUB
-            low, high = min(low, wheels[0] - reach), max(high, wheels[1] + reach)
-        if number == len(self.bores):
-            disc = (min(part.low for part in site.disc), max(part.high for part in site.disc))
-            below = self.found.place.towards > 0
-            low, high = min(low, disc[0] - below * CLAMP), max(high, disc[1] + (not below) * CLAMP)
-        return replace(shaft, low=low, high=high)
 
     def _borne(self, plate: float, width: float) -> tuple[float, float]:
         """Ends of a bearing in the plate whose middle is at a height: flush with the face that looks to the train."""

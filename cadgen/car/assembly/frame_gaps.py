@@ -133,7 +133,7 @@ def _turning(frame: Frame) -> Iterator[tuple[int, Convex, Array]]:
         # Its own u lies along the wheel, v along its axle, w points up.
         turn = np.array([[across, ahead, 0.0], [0.0, 0.0, -1.0], [-ahead, across, 0.0]])
         half, low = BRIDGE_LENGTH / 2, height - wheel + BRIDGE_LENGTH / 2
-        cheeks = Piece(rectangle(-half, -hub, half, hub), low - bridge, Place(turn, np.array([x, low, z])))
+        cheeks = Piece.of(rectangle(-half, -hub, half, hub), low - bridge, Place(turn, np.array([x, low, z])))
         yield _CHEEKS, cheeks, cheeks.box
 
 

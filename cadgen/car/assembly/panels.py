@@ -164,11 +164,26 @@ class Piece:
         corners: corners of its face, counterclockwise, shape (n, 2), mm.
         thickness: thickness, mm.
         place: place of the sheet.
+        box: least and greatest coordinates in the car, shape (2, 3), mm.
     """
 
     corners: Array
     thickness: float
     place: Place
+    box: Array
+
+    @classmethod
+    def of(cls, corners: Array, thickness: float, place: Place) -> "Piece":
+        """Prism over a face.
+
+        Args:
+            corners: corners of the face, counterclockwise, shape (n, 2), mm.
+            thickness: thickness, mm.
+            place: place of its frame.
+        """
+        flat = [np.column_stack([corners, np.full(len(corners), w)]) for w in (0.0, thickness)]
+        placed = place.out(np.concatenate(flat))
+        return cls(corners, thickness, place, np.array([placed.min(axis=0), placed.max(axis=0)]))
 
     @property
     def centre(self) -> tuple[float, float, float]:
@@ -176,13 +191,6 @@ class Piece:
         u, v = self.corners.mean(axis=0).tolist()
         x, y, z = self.place.out(np.array([[u, v, self.thickness / 2]]))[0].tolist()
         return x, y, z
-
-    @property
-    def box(self) -> Array:
-        """Least and greatest coordinates in the car, shape (2, 3), mm."""
-        flat = [np.column_stack([self.corners, np.full(len(self.corners), w)]) for w in (0.0, self.thickness)]
-        placed = self.place.out(np.concatenate(flat))
-        return np.array([placed.min(axis=0), placed.max(axis=0)])
 
     def nearest(self, point: Array) -> Array:
         """Point of the piece that is nearest to a point, mm, shape (3,).
@@ -207,10 +215,16 @@ def pieces(panel: Panel) -> Iterator[Piece]:
     face = panel.face(seats=False)
     if not face.is_valid:  # as of a seat that is cut by the foot
         face = face.buffer(0.0)
-    for triangle in shapely.get_parts(shapely.constrained_delaunay_triangles(face)):
-        corners = np.asarray(triangle.exterior.coords)[:-1]
-        if triangle.area > _STRAIGHT:
-            yield Piece(corners if triangle.exterior.is_ccw else corners[::-1], panel.thickness, panel.place)
+    triangles = shapely.get_parts(shapely.constrained_delaunay_triangles(face))
+    corners = shapely.get_coordinates(triangles).reshape(-1, 4, 2)[:, :3]
+    along, across = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    area = along[:, 0] * across[:, 1] - along[:, 1] * across[:, 0]
+    corners = np.where(area[:, None, None] > 0, corners, corners[:, ::-1])[np.abs(area) > _STRAIGHT]
+    flat = np.concatenate([np.dstack([corners, np.full(corners.shape[:2], w)]) for w in (0.0, panel.thickness)], axis=1)
+    placed = panel.place.out(flat.reshape(-1, 3)).reshape(flat.shape)
+    boxes = np.stack([placed.min(axis=1), placed.max(axis=1)], axis=1)
+    for each, box in zip(corners, boxes, strict=True):
+        yield Piece(each, panel.thickness, panel.place, box)
 
 
 def cylinder_box(body: SolidCylinder) -> Array:

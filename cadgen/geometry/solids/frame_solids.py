@@ -1,4 +1,4 @@
-"""Parts of a frame as solids: sheets with their openings and edge holes, the fork's block, and round bodies."""
+"""Parts of a frame as solids: sheets with their openings and edge holes, and the fork's block."""
 
 from collections.abc import Iterable
 
@@ -54,20 +54,6 @@ def block_part(block: ForkBlock, name: str, description: str, colour: Colour) ->
     tools += [_cylinder((0.0, 0.0, z), up, seat.diameter, seat.width) for z in (0.0, block.height - seat.width)]
     tools += [_cylinder((at, 0.0, 0.0), up, block.tap, block.depth) for at in block.threads]
     return SolidPart(solid=_drilled(body, tools, name), name=name, description=description, colour=colour)
-
-
-def round_part(diameter: float, length: float, name: str, description: str, colour: Colour) -> SolidPart:
-    """Cylinder about z from the origin upwards.
-
-    Args:
-        diameter: diameter, mm.
-        length: length, mm.
-        name: name of the product.
-        description: description of the product.
-        colour: red, green, blue in sRGB, 0 to 1.
-    """
-    (found,) = solids(_cylinder((0.0, 0.0, 0.0), (0.0, 0.0, 1.0), diameter, length))
-    return SolidPart(solid=found, name=name, description=description, colour=colour)
 
 
 def _cylinder(start: Point, way: Point, diameter: float, length: float) -> TopoDS_Shape:

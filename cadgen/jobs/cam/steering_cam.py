@@ -55,6 +55,7 @@ from cadgen.jobs.cam.readiness import (
     yield_check,
 )
 from cadgen.jobs.cam.wheel import DriveWheel, drive_wheel, field_notice, sense_of_train
+from cadgen.jobs.car_frame import checks_in_car
 from cadgen.jobs.car_layout import CarLayout, laid_out, layout_reservation
 from cadgen.laws.motion import Motion
 from cadgen.messages import Message, clauses, sentence
@@ -294,7 +295,7 @@ class CarUse(Application):
         if found is not None:
             counted = (yield_check(self, found),)
         held_back = (*reservations(played, found), *lost_lift_reservation(cam.checks))
-        placed = () if self.in_car is None else self.in_car.checks
+        placed = () if self.in_car is None else checks_in_car(self.in_car)
         spent = energy_checks(self.design, self.track, self.wanted, cam.follower_as_built, self.car, self.drive_wheel)
         return PartVerdict((*cam.checks, *wheel_checks(self), *spent, *placed, *counted), held_back)
 
@@ -379,7 +380,7 @@ class CarUse(Application):
         """Checks of the cam's profile and of the layout for a changed design; a method against play is kept."""
         design = with_overrides(self.design, [override])
         layout = laid_out(design)
-        placed = () if layout is None else layout.checks
+        placed = () if layout is None else checks_in_car(layout)
         if self.comparison is None:
             return (*_plan(design, cam.kind, silent).checks, *placed)
         chosen, track = self.comparison.chosen, cam_model.track(design)

@@ -1,15 +1,15 @@
-"""Sheets of a frame: its sheet parts with every hole from one datum, the fork's block, and shafts."""
+"""Sheets of a frame: its sheet parts with every hole from one datum, and the fork's block."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
-from cadgen.car.assembly.frame import ForkBlock, Shaft
+from cadgen.car.assembly.frame import ForkBlock
 from cadgen.car.assembly.panels import Panel, rectangle
 from cadgen.curves.contour import Contour
 from cadgen.messages import Message
-from cadgen.output.drawing.placement import Room, placed_dimensions
+from cadgen.output.drawing.placement import Room
 from cadgen.output.drawing.sheet import (
     DIAMETER,
     EDGE,
@@ -40,7 +40,6 @@ from cadgen.output.drawing.sheet import (
 _GAP = 9.0  # mm on paper from the part to a dimension line, and from line to line
 _WIDTHS = (9.0, 20.0, 20.0, 27.0, 54.0)  # of the columns of a sheet part's table, mm
 _NUMBER = 3.0  # mm on paper from a hole to its number
-_CARRIED = (70.0, 24.0, 24.0)  # of the columns of a shaft's table, mm
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -233,59 +232,3 @@ def block_drawing(block: ForkBlock, notes: tuple[str, ...], title: Title) -> Dra
 
 def _box(left: float, low: float, right: float, high: float) -> Contour:
     return Contour(rectangle(left, low, right, high), np.zeros(4))
-
-
-def shaft_drawing(shaft: Shaft, diameter: str, notes: tuple[str, ...], title: Title) -> DrawingSheet:
-    """Sheet of a plain shaft: from the side, with a table of what sits on it.
-
-    Args:
-        shaft: shaft.
-        diameter: text after its diameter, such as the class of its fit.
-        notes: sentences for the shop.
-        title: title block.
-    """
-    radius, size = shaft.diameter / 2, "A4"
-    scale = next((each for each in (2.0, 1.0, 0.5, 0.2) if each * shaft.length <= SIZES[size][0] - 110.0), 0.1)
-    gap = _GAP / scale
-    left = LEFT + 45.0
-    curves: list[Closed | Stroke] = [
-        Closed(_box(0.0, -radius, shaft.length, radius)),
-        Stroke(np.array([[-4.0 / scale, 0.0], [shaft.length + 4.0 / scale, 0.0]]), LineKind.CENTRE),
-    ]
-    across = LinearDimension(
-        name="diameter",
-        start=(0.0, -radius),
-        end=(0.0, radius),
-        at=(-gap, 0.0),
-        angle=90.0,
-        prefix=DIAMETER,
-        suffix=diameter,
-        beside=scale * radius + 14.0,
-    )
-    dimensions = placed_dimensions(
-        (
-            LinearDimension(
-                name="length", start=(0.0, -radius), end=(shaft.length, -radius), at=(0.0, -radius - 1.5 * gap)
-            ),
-            across,
-        ),
-        curves,
-        (),
-        scale,
-    )
-    heads = (Message("sits on it"), Message("from, mm"), Message("to, mm"))
-    rows = (heads, *((name, f"{low:.2f}", f"{high:.2f}") for name, low, high in shaft.carried))
-    at = (LEFT + 6.0, SIZES[size][1] - EDGE - 4.0)
-    table = SheetTable(title=Message("from the left end"), at=at, widths=_CARRIED, rows=rows)
-    tables: Sequence[SheetTable] = (table,) if shaft.carried else ()
-    low = at[1] - (table.height if shaft.carried else 0.0)
-    place = (left, EDGE + TITLE_SIZE[1] + (low - EDGE - TITLE_SIZE[1]) / 2)
-    return DrawingSheet(
-        size=size,
-        scale=scale,
-        title=title,
-        views=(View(place=place, curves=tuple(curves), dimensions=tuple(dimensions)),),
-        tables=tuple(tables),
-        notes=notes,
-        columns=(beside_title(size),),
-    )

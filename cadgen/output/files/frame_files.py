@@ -2,13 +2,12 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from math import pi
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from cadgen.car.assembly.frame import ForkBlock, Shaft
+from cadgen.car.assembly.frame import ForkBlock
 from cadgen.car.assembly.panels import Panel
 from cadgen.design.machining import Machining
 from cadgen.figures import Facts
@@ -20,7 +19,7 @@ from cadgen.output.files.step import one_solid
 if TYPE_CHECKING:
     from cadgen.geometry.solids.kernel import SolidPart
 
-PLATE_COLOUR, BASE_COLOUR, SHAFT_COLOUR = (0.62, 0.66, 0.70), (0.50, 0.54, 0.58), (0.75, 0.75, 0.78)
+PLATE_COLOUR, BASE_COLOUR = (0.62, 0.66, 0.70), (0.50, 0.54, 0.58)
 _STEP = 0.05  # mm between the points of an outline that is read back
 _PLACE_MM = 1e-6
 
@@ -92,18 +91,6 @@ def block_files(block: ForkBlock, folder: Path, stem: str, text: FrameText) -> I
     from cadgen.geometry.solids.frame_solids import block_part
 
     yield _solid(folder, block_part(block, stem, text.described, PLATE_COLOUR), block.volume)
-
-
-def shaft_files(shaft: Shaft, folder: Path, stem: str, text: FrameText) -> Iterator[Artifact]:
-    """Solid of a shaft as STEP.
-
-    Raises:
-        FileError: the file cannot be written, or holds something else when it is read back.
-    """
-    from cadgen.geometry.solids.frame_solids import round_part
-
-    exact = pi * shaft.diameter**2 / 4 * shaft.length
-    yield _solid(folder, round_part(shaft.diameter, shaft.length, stem, text.described, SHAFT_COLOUR), exact)
 
 
 def _solid(folder: Path, part: "SolidPart", exact: float) -> Artifact:

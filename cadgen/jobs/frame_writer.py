@@ -1,0 +1,189 @@
+"""Files and sheets of a car's frame: outlines, solids, programs and drawings, read back and published."""
+
+import csv
+from collections.abc import Iterator
+from dataclasses import dataclass
+from io import StringIO
+from pathlib import Path
+
+from cadgen.car.assembly.panels import Panel
+from cadgen.design import gear_model
+from cadgen.design.frame import Cutting, FrameSection
+from cadgen.design.machining import Machining
+from cadgen.design.train import PlateSection
+from cadgen.figures import Facts
+from cadgen.gears.fits import deviations
+from cadgen.jobs.car_frame import CLEAR, CarFrame
+from cadgen.jobs.drawings import Folder, distance_notes, title_of, write_sheet
+from cadgen.messages import Message
+from cadgen.output.drawing.frame_sheets import PanelText, block_drawing, panel_drawing
+from cadgen.output.drawing.shaft_fit import limits
+from cadgen.output.drawing.sheet import Title
+from cadgen.output.files.frame_files import FrameText, block_files, panel_files
+from cadgen.output.files.manifest import Origin
+from cadgen.output.files.publisher import Artifact, Written, publish, text_file
+from cadgen.progress import Progress, silent
+
+
+def write_frame(frame: CarFrame, out: Path, progress: Progress = silent) -> Written:
+    """Write outlines, solids, programs and sheets of a frame, read them back, and publish all together or none.
+
+    Args:
+        frame: frame of a car.
+        out: folder for the files; it is made if need be.
+        progress: function that is called with a few words on each step.
+
+    Raises:
+        DesignError: the cutter is too large for a sheet.
+        FileError: a file cannot be written, or holds something else when it is read back.
+    """
+    omitted: dict[str, str] = {}
+    state = Folder.at(out)
+    return publish(
+        frame.stem,
+        out,
+        lambda staging: _Files(frame, state, staging, omitted, progress).made(),
+        frame.entry(),
+        lambda _: Facts(omitted=omitted) if omitted else Facts(),
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class _Files:
+    """Files of a frame while they are made."""
+
+    job: CarFrame
+    folder: Folder
+    staging: Path
+    omitted: dict[str, str]
+    progress: Progress
+
+    def made(self) -> Iterator[Artifact]:
+        """Write every file, and read it back."""
+        job = self.job
+        design, frame = job.design, job.frame
+        keys = design.frame or FrameSection()
+        origin = Origin.of(design)
+        text = FrameText(design.name, f"frame, design {origin.content_hash[:12]}")
+        machining: Machining | None = None
+        if keys.cutting == Cutting.MILL:
+            machining = design.machining.model_copy(update={"cutter_diameter_mm": keys.cutter_diameter_mm})
+        plates = gear_model.train_keys(design).plate or PlateSection()
+        of_plates = plates.material or ""
+        others = keys.material or of_plates
+        for panel in frame.panels:
+            stem = f"{job.stem}_{panel.code}"
+            self.progress(Message("writing {stem}", stem=stem))
+            yield from panel_files(panel, self.staging, stem, text, machining, frame.sizes.seat)
+            material = of_plates if panel in frame.plates else others
+            sheet = panel_drawing(panel, self._words(panel), self._title(panel.name, material, stem))
+            yield from write_sheet(self.staging, stem, sheet, self.omitted)
+        stem = f"{job.stem}_block"
+        yield from block_files(frame.block, self.staging, stem, text)
+        title = self._title(Message("block of the fork"), others, stem)
+        yield from write_sheet(
+            self.staging, stem, block_drawing(frame.block, tuple(self._block_notes()), title), self.omitted
+        )
+        table = StringIO()
+        writer = csv.writer(table, lineterminator="\n")
+        writer.writerow(["code", "name", "quantity"])
+        writer.writerows((code, str(name), number) for code, name, number in job.bought)
+        yield text_file(self.staging / f"{job.stem}_bought.csv", table.getvalue())
+
+    def _title(self, part: str, material: str, stem: str) -> Title:
+        design = self.job.design
+        return title_of(Origin.of(design), design.drawing, part, material, stem, self.folder)
+
+    def _words(self, panel: Panel) -> PanelText:
+        frame = self.job.frame
+        notes = [Message("Sheet {thickness:g} mm thick.", thickness=panel.thickness)]
+        datum = Message("axis of the camshaft")
+        between: list[tuple[str, tuple[float, float], tuple[float, float], str]] = []
+        if panel is frame.base:
+            notes += self._base_notes()
+            a = frame.site.base_radius
+            deviation = self.job.design.tolerances.base_radius_mm
+            datum = Message("axis of the camshaft, and inner face of the disc")
+            between.append(
+                ("camshaft to fork axis", (0.0, 0.0), (-a, -frame.site.fork), f" ±{deviation:g}" if deviation else "")
+            )
+        elif panel is frame.platform:
+            notes.append(Message("Seen from above, the front of the car to the left."))
+            datum = Message("axis of the camshaft, and inner face of the disc")
+        elif panel.code == "bracket_micrometer":
+            notes.append(Message("Seen from before the car."))
+            datum = Message("height of the camshaft, and inner face of the disc")
+        else:
+            notes.append(Message("Seen from the left of the car, its front to the left."))
+        seats = sorted({hole.diameter for hole in panel.holes if hole.fit})
+        fit = f"{frame.sizes.seat}/h6"
+        for size in seats:
+            low, high = deviations(fit, size)[0]
+            notes.append(
+                Message(
+                    "Hole Ø{size:g} {hole}: {limits} mm.", size=size, hole=frame.sizes.seat, limits=limits(low, high)
+                )
+            )
+        if panel in frame.plates:
+            notes += distance_notes(gear_model.train(self.job.design))
+            notes.append(Message("Bearings flush with the face that looks to the train, bonded."))
+        if panel.edge_holes:
+            notes.append(
+                Message(
+                    "{count} threads {thread} in the foot, midway along the thickness: drill Ø{drill:g}, {deep:g} mm "
+                    "deep.",
+                    count=len(panel.edge_holes),
+                    thread=frame.sizes.screw.thread,
+                    drill=frame.sizes.screw.tap_drill,
+                    deep=panel.edge_holes[0].depth,
+                )
+            )
+        if frame.sizes.corner:
+            notes.append(
+                Message("Inner corners are opened for a cutter of {size:g} mm.", size=2 * (frame.sizes.corner - CLEAR))
+            )
+        return PanelText(datum=datum, notes=tuple(notes), between=tuple(between))
+
+    def _base_notes(self) -> Iterator[Message]:
+        frame = self.job.frame
+        site, way = frame.site, frame.sizes.travel / 2
+        yield Message(
+            "Seen from above, the front of the car to the left; upper face {low:.4g} mm below the camshaft.",
+            low=frame.top,
+        )
+        deviation = self.job.design.tolerances.base_radius_mm
+        if deviation:
+            yield Message(
+                "Camshaft to fork axis: {apart:g} ± {deviation:g} mm, set with the micrometer head; the slots allow "
+                "{way:g} mm to either side. Then tighten the screws of the platform.",
+                apart=site.base_radius,
+                deviation=deviation,
+                way=way,
+            )
+        else:
+            yield Message(
+                "Camshaft to fork axis: {apart:g} mm, set with the micrometer head; the slots allow {way:g} mm to "
+                "either side. Its tolerance is not stated (tolerances.base_radius_mm).",
+                apart=site.base_radius,
+                way=way,
+            )
+        yield Message("Slots are 0.1 mm longer and wider than the tabs in them: try one first.")
+
+    def _block_notes(self) -> Iterator[Message]:
+        block, screw = self.job.frame.block, self.job.frame.sizes.screw
+        low, high = deviations(f"{block.fit}/h6", block.bearing.diameter)[0]
+        yield Message(
+            "Seats for bearings {code}, one in each end: Ø{size:g} {hole}: {limits} mm; both in one setting.",
+            code=block.bearing.designation,
+            size=block.bearing.diameter,
+            hole=block.fit,
+            limits=limits(low, high),
+        )
+        yield Message("Hole between the seats: Ø{bore:g}.", bore=block.bore)
+        yield Message(
+            "Threads {thread}: drill Ø{drill:g}, {deep:g} mm deep, from below.",
+            thread=screw.thread,
+            drill=block.tap,
+            deep=block.depth,
+        )
+        yield Message("The bore stands square to the lower face.")
