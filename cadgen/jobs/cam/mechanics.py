@@ -331,13 +331,16 @@ def energy_checks(
         rolling=ROLLING_RESISTANCE if keys.rolling_resistance is None else keys.rolling_resistance,
         efficiency=efficiency,
     )
-    return (_energy_check(spent, keys.drive_energy_J),)
+    name = Message("energy left at the end of the path")
+    if keys.car_mass_kg is None:
+        name = Message("energy left at the end of the path, motor or weight not counted in the mass")
+    return (_energy_check(spent, keys.drive_energy_J, name),)
 
 
-def _energy_check(spent: RunEnergy, has: float) -> Check:
+def _energy_check(spent: RunEnergy, has: float, name: Message) -> Check:
     return Check(
         CheckCode.ENERGY_LEFT,
-        Message("energy left at the end of the path"),
+        name,
         has - spent.needed,
         "J",
         0.0,

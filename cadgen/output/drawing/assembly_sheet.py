@@ -89,10 +89,21 @@ class CarView:
 
 
 class _Drawn(NamedTuple):
-    """Visible lines of a view, and of each part the largest area that is seen of it."""
+    """Visible lines of a view, and of each part the largest area that is seen of it, or that is hidden."""
 
     strokes: tuple[Stroke, ...]
     areas: dict[str, Polygon]
+    hidden: dict[str, Polygon]
+
+    def size(self, code: str) -> float:
+        """Area by which a view is chosen for a part, mm²; below 0 where all of it is hidden.
+
+        Args:
+            code: code of the part.
+        """
+        if code in self.areas:
+            return float(self.areas[code].area)
+        return -1.0 / float(self.hidden[code].area) if code in self.hidden else -np.inf
 
 
 def assembly_drawing(
@@ -126,15 +137,15 @@ def assembly_drawing(
     over = height - EDGE - 14.0
     drawn, drawings = {}, [_visible(view.seen) for view in views]
     for part in parts:
-        sizes = [scale**2 * found.areas[part.code].area if part.code in found.areas else 0.0 for found in drawings]
-        if part.drawn and max(sizes) > 0:
+        sizes = [found.size(part.code) for found in drawings]
+        if part.drawn:
             drawn[part.code] = sizes.index(max(sizes))
     made = []
     for number, (view, found) in enumerate(zip(views, drawings, strict=True)):
         y = over - scale * view.bounds[3]
         over = y + scale * view.bounds[1] - _BETWEEN
         numbers = {part.code: part.number for part in parts if drawn.get(part.code) == number}
-        balloons, labels = _balloons(view, found.areas, numbers, scale)
+        balloons, labels = _balloons(view, found, numbers, scale)
         heading = Label(
             text=view.name, at=((view.bounds[0] + view.bounds[2]) / 2, view.bounds[3] + 9.0 / scale), height=3.5
         )
@@ -172,6 +183,7 @@ def _visible(pieces: Sequence[Seen]) -> _Drawn:
     covered: BaseGeometry = Polygon()
     strokes: list[Stroke] = []
     areas: dict[str, Polygon] = {}
+    hidden: dict[str, Polygon] = {}
     for piece in sorted(pieces, key=lambda each: -each.near):
         region = _region(piece.rings)
         edges = region.boundary.difference(covered.buffer(-_WITHIN))
@@ -181,8 +193,11 @@ def _visible(pieces: Sequence[Seen]) -> _Drawn:
         for area in shapely.get_parts(region.difference(covered)):
             if area.geom_type == "Polygon" and area.area > (areas[piece.code].area if piece.code in areas else 0.0):
                 areas[piece.code] = area
+        for area in shapely.get_parts(region):
+            if area.area > (hidden[piece.code].area if piece.code in hidden else 0.0):
+                hidden[piece.code] = area
         covered = covered.union(region)
-    return _Drawn(tuple(strokes), areas)
+    return _Drawn(tuple(strokes), areas, hidden)
 
 
 def _region(rings: Sequence[Array]) -> BaseGeometry:
@@ -193,11 +208,11 @@ def _region(rings: Sequence[Array]) -> BaseGeometry:
 
 
 def _balloons(
-    view: CarView, areas: Mapping[str, Polygon], numbers: Mapping[str, int], scale: float
+    view: CarView, found: _Drawn, numbers: Mapping[str, int], scale: float
 ) -> tuple[list[Closed | Stroke], list[Label]]:
-    """Balloons in a column on either side of a view, with leaders that end on their parts."""
+    """Balloons in a column on either side of a view, with leaders that end on their parts, broken to hidden ones."""
     left, low, right, high = view.bounds
-    places = {code: areas[code].representative_point() for code in numbers}
+    places = {code: (found.hidden | found.areas)[code].representative_point() for code in numbers}
     middle = float(np.median([place.x for place in places.values()])) if places else 0.0
     curves: list[Closed | Stroke] = []
     labels: list[Label] = []
@@ -209,7 +224,8 @@ def _balloons(
         for code, y in zip(own, heights.tolist(), strict=True):
             start, end = np.array([places[code].x, places[code].y]), np.array([column, y])
             way = (end - start) / max(float(np.hypot(*(end - start))), 1e-9)
-            curves.append(Stroke(np.array([start, end - _BALLOON / 2 / scale * way]), LineKind.THIN))
+            line = LineKind.THIN if code in found.areas else LineKind.HIDDEN
+            curves.append(Stroke(np.array([start, end - _BALLOON / 2 / scale * way]), line))
             curves.append(ring(0.8 / scale, LineKind.THIN, (float(start[0]), float(start[1]))))
             curves.append(ring(_BALLOON / scale, LineKind.THIN, (column, y)))
             labels.append(Label(text=str(numbers[code]), at=(column, y), height=3.0))
