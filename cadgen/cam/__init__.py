@@ -7,13 +7,13 @@
 | `round_follower` | followers with a circle: their envelope in closed form                          |
 | `straight_follower` | followers with a straight face: their envelope in closed form                |
 | `envelope`       | the actual profile: exact envelope of a follower over its planes, trimmed       |
-| `lowest`         | which branch of the envelope is the lowest, with rounding kept out              |
+| `lower_hull`     | which branch of the envelope is the lowest, with rounding kept out              |
 | `derived_motions`| opposite of a motion, of a second follower; tangent of a steering angle         |
 | `contact`        | a follower rolled on any outline: the lift it gives (shares no code with those) |
 | `difference`     | how far two outlines lift the follower apart                                    |
 | `limits`         | what the checks allow; textbook limits of the pressure angle, by name           |
 | `cutter`         | which cutter reaches every concave part                                         |
-| `loss`           | lift that is missing where the envelope is trimmed, and the change that cures it |
+| `lost_lift`      | lift that is missing where the envelope is trimmed, and the change that cures it |
 | `sizing`         | least base circles and the best offset for a pressure angle                     |
 | `lift_errors`    | errors of the lift by what is off, to first order; a disc put on wrong          |
 | `forces`         | force on the disc, torque of the camshaft, speed of lift-off, contact pressure  |

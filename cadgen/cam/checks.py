@@ -14,7 +14,7 @@ from cadgen.cam.contact import roll, roll_curve
 from cadgen.cam.cutter import largest_cutter
 from cadgen.cam.follower import Contact, Follower, Loss, RolledCam, Trim, TrimKind
 from cadgen.cam.limits import CheckLimits
-from cadgen.cam.loss import lost_lift
+from cadgen.cam.lost_lift import lost_lift
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.curves.closed import ClosedCurve, Outline
 from cadgen.errors import DesignError

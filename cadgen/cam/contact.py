@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import Contact, Follower
-from cadgen.cam.lowest import SAME
+from cadgen.cam.lower_hull import SAME
 from cadgen.curves.closed import ClosedCurve, Outline
 from cadgen.errors import DesignError
 

@@ -3,7 +3,7 @@
 A follower gives its envelope between the kinks of the lift in closed form (`Follower.piece`). At a kink of the lift
 that is hollow, its own section joins two of these pieces; at one that is convex the two cross and the part beyond the
 crossing is lost. The disc that the follower nowhere cuts is the smallest of all branches at each polar angle
-(`cadgen.cam.lowest`). Where the envelopes of two planes coincide, as those of the leaning rod do where beta is zero
+(`cadgen.cam.lower_hull`). Where the envelopes of two planes coincide, as those of the leaning rod do where beta is zero
 over a stretch, neither is left for the other by rounding alone.
 """
 
@@ -14,7 +14,7 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import Branch, Follower, Swept, Trim, TrimKind
-from cadgen.cam.lowest import SAME, LowestRun, Radii, Reach, lowest_branches
+from cadgen.cam.lower_hull import SAME, LowestRun, Radii, Reach, lowest_branches
 from cadgen.curves.closed import ByAngle, ClosedCurve, polar_angle
 from cadgen.errors import DesignError
 from cadgen.laws.motion import Motion

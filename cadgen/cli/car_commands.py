@@ -138,7 +138,7 @@ def tolerance(
     if as_json:
         show.document(run.facts() if written is None else written.entry)
         raise SystemExit(0 if run.cam.passed else 1)
-    show_play.fleet(run)
+    show_play.many_cars(run)
     if run.budget is not None:
         show_play.budget(run.budget)
     show.failures(run.cam)

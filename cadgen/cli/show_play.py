@@ -278,7 +278,7 @@ def course(simulation: "Simulation[Cam]") -> None:
     sheet(Sheet("course", title, heads, rows, tail=1))
 
 
-def fleet(run: "ToleranceRun[Cam]") -> None:
+def many_cars(run: "ToleranceRun[Cam]") -> None:
     """Print the ends of the cars, how many pass, and the sensitivities."""
     from cadgen.api.runs import shown_value
 

@@ -148,7 +148,7 @@ def _costs(budget: Budget) -> Facts:
 
 def budget_sheet(
     play_zones: Mapping[str, float],
-    fleet: Cars,
+    nominal: Cars,
     tolerances: Tolerances,
     of_the_parts: Mapping[Deviation, float],
     shafts: tuple[OnceATurn, ...] = (),
@@ -157,15 +157,15 @@ def budget_sheet(
 
     Args:
         play_zones: half of the zone of each part of the play, rad.
-        fleet: nominal car of the design.
+        nominal: nominal car of the design.
         tolerances: tolerances of its cars.
         of_the_parts: half widths that follow from gears and rod where the tolerances say nothing.
         shafts: error of the gears of each shaft, from the camshaft on.
     """
     halves = {**of_the_parts, **tolerances.half_widths}
     return BudgetSheet(
-        budget=error_budget(fleet, halves, play_zones),
-        processes=by_process(fleet),
+        budget=error_budget(nominal, halves, play_zones),
+        processes=by_process(nominal),
         shafts=shafts,
         slip_assumed=SIDE_SLIP in halves and SIDE_SLIP not in tolerances.half_widths,
     )

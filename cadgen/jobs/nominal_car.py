@@ -62,7 +62,7 @@ class VariedCar(Protocol):
         """Cam angles at which the car passes the waypoints after the first, rad, shape (n,)."""
 
 
-def fleet_of(
+def cars_of(
     use: VariedCar,
     cut: ClosedCurve,
     stations: Sequence[int],
@@ -99,7 +99,7 @@ def fleet_of(
     )
 
 
-def watched_fleet(use: VariedCar, cut: ClosedCurve) -> Cars:
+def watched_cars(use: VariedCar, cut: ClosedCurve) -> Cars:
     """The nominal car of a design, with what it must keep of its course, and the gates at waypoints that it states.
 
     Args:
@@ -109,8 +109,8 @@ def watched_fleet(use: VariedCar, cut: ClosedCurve) -> Cars:
     assert use.comparison is not None
     task = use.comparison.task
     mechanics = None if task.mechanics is None else task.mechanics.nominal
-    fleet = fleet_of(use, cut, gate_steps(use), mechanics, use.comparison.chosen.play)
-    return fleet if use.course is None else watching(fleet, use.course.planned)
+    cars = cars_of(use, cut, gate_steps(use), mechanics, use.comparison.chosen.play)
+    return cars if use.course is None else watching(cars, use.course.planned)
 
 
 def gate_steps(use: VariedCar) -> list[int]:
@@ -130,11 +130,11 @@ def gate_steps(use: VariedCar) -> list[int]:
     return [*steps[(steps > 0) & (steps < last)].tolist(), last]
 
 
-def watching(fleet: Cars, planned: CourseRun) -> Cars:
-    """The fleet with stations at the gates, the nearest obstacles and the edge, besides its own.
+def watching(cars: Cars, planned: CourseRun) -> Cars:
+    """Nominal car with stations at the gates, the nearest obstacles and the edge, besides its own.
 
     Args:
-        fleet: nominal car; its last station is the end of the run.
+        cars: nominal car; its last station is the end of the run.
         planned: planned run of its design, held against the course.
     """
     wheel = planned.run.drive_wheel[:, 0] + 1j * planned.run.drive_wheel[:, 1]
@@ -158,15 +158,15 @@ def watching(fleet: Cars, planned: CourseRun) -> Cars:
         watched.append((round(there.place), watch))
 
     motor = planned.run.motor[[number for number, _ in watched]]
-    stations = np.union1d(fleet.stations, motor)
+    stations = np.union1d(cars.stations, motor)
     heading, position = np.empty((1, len(stations))), np.empty((1, len(stations)), dtype=complex)
     for (number, _), at in zip(watched, np.searchsorted(stations, motor), strict=True):
         heading[0, at] = planned.run.heading[number] - planned.run.heading[0]
         position[0, at] = (wheel[number] - wheel[0]) * turned
-    own = np.searchsorted(stations, fleet.stations)
-    heading[0, own], position[0, own] = fleet.planned.heading[0], fleet.planned.position[0]
+    own = np.searchsorted(stations, cars.stations)
+    heading[0, own], position[0, own] = cars.planned.heading[0], cars.planned.position[0]
     return replace(
-        fleet,
+        cars,
         stations=stations,
         planned=Poses(heading, position),
         end=int(own[-1]),

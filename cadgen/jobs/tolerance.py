@@ -21,7 +21,7 @@ from cadgen.inference.monte_carlo.random_cars import CarEnds, Map, Sensitivity, 
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.steering_cam import CarUse, comparison_of, plan_cam
 from cadgen.jobs.error_budget import BudgetSheet, budget_sheet, unit_of
-from cadgen.jobs.nominal_car import gate_steps, watched_fleet
+from cadgen.jobs.nominal_car import gate_steps, watched_cars
 from cadgen.jobs.simulation import C
 from cadgen.messages import Message
 from cadgen.output.files.publisher import Artifact, Written, folder_of, publish
@@ -293,9 +293,9 @@ def tolerance_of(plan: C, sample: CarSample, progress: Progress = silent) -> Tol
     """
     use, (low, high) = CarUse.of(plan), comparison_of(plan).band.ends
     tolerances = use.tolerances()
-    fleet = watched_fleet(use, plan.curve)
+    nominal = watched_cars(use, plan.curve)
     progress("finding sensitivities")
-    ranked = sensitivities(fleet, tolerances)
+    ranked = sensitivities(nominal, tolerances)
     if not ranked:
         raise DesignError("no dimension of the design varies: give [tolerances] half widths above 0, or a band of play")
 
@@ -304,7 +304,7 @@ def tolerance_of(plan: C, sample: CarSample, progress: Progress = silent) -> Tol
 
     try:
         ends = tolerance_run(
-            fleet,
+            nominal,
             tolerances,
             sample.samples,
             seed=sample.seed,
@@ -321,7 +321,7 @@ def tolerance_of(plan: C, sample: CarSample, progress: Progress = silent) -> Tol
     sheet = None
     if sample.with_budget:
         progress("ranking what may be off")
-        sheet = budget_sheet(use.play_zones(), fleet, tolerances, use.of_the_parts(), use.shafts)
+        sheet = budget_sheet(use.play_zones(), nominal, tolerances, use.of_the_parts(), use.shafts)
     passages = () if use.course is None else use.course.planned.driven.passages
     return ToleranceRun(
         cam=plan,

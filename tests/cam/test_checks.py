@@ -10,7 +10,7 @@ from cadgen.cam.checks import check_cam
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.followers.rod import published_profile, theoretical_profile
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
-from cadgen.cam.loss import lost_lift, undercut_cures, worst_loss
+from cadgen.cam.lost_lift import lost_lift, undercut_cures, worst_loss
 from cadgen.car import path_motion as law
 from cadgen.car.against_play.compensation import compensated_lift
 from cadgen.car.against_play.smoothing import smoothed_lift

@@ -130,7 +130,7 @@ def test_the_actual_profile_gives_its_lift_back(name, request):
 
 def test_undercut_corners_lose_the_closed_form(appendix_car):
     """r (1/cos(delta/2) - 1) along the normal at each convex corner of angle delta, / cos(pressure angle) as lift."""
-    from cadgen.cam.loss import lost_lift
+    from cadgen.cam.lost_lift import lost_lift
 
     lift, follower = appendix_car.lift, appendix_car.follower
     losses = [

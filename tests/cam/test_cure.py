@@ -2,7 +2,7 @@
 
 import pytest
 
-from cadgen.cam import loss as cure
+from cadgen.cam import lost_lift as cure
 
 
 @pytest.mark.parametrize("limit", [5e-324, 1e-30])

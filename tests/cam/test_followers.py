@@ -19,7 +19,7 @@ from cadgen.cam.contact import roll, roll_curve
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.followers import table
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
-from cadgen.cam.loss import lost_lift, undercut_cures, worst_loss
+from cadgen.cam.lost_lift import lost_lift, undercut_cures, worst_loss
 from cadgen.cam.round_follower import CircleArc
 from cadgen.car.path_motion import PathMotion
 from cadgen.design.load import load_design

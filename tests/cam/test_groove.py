@@ -15,7 +15,7 @@ from cadgen.cam.followers.groove import GrooveRollers
 from cadgen.cam.followers.lifts import Lifts
 from cadgen.cam.followers.roller import Roller
 from cadgen.cam.followers.swinging_roller import SwingingRoller
-from cadgen.cam.loss import lost_lift
+from cadgen.cam.lost_lift import lost_lift
 from cadgen.curves.biarc import arcs
 from cadgen.curves.derived import parallel
 from cadgen.errors import CheckError, DesignError

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from cadgen.cam.contact import roll_curve
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.cam.loss import lost_lift
+from cadgen.cam.lost_lift import lost_lift
 from cadgen.car.path_motion import PathMotion
 from cadgen.curves.piecewise import quintic_hermite
 

@@ -11,7 +11,7 @@ from cadgen.cam.contact import roll, roll_curve
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.followers.flat import FlatFace
 from cadgen.cam.followers.roller import Roller
-from cadgen.cam.loss import lost_lift
+from cadgen.cam.lost_lift import lost_lift
 from cadgen.cam.sizing import SlideSizes, least_base_of_face
 from cadgen.errors import DesignError
 from tests.cam.test_kinds import DESIGNS

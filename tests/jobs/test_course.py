@@ -15,7 +15,7 @@ from cadgen.deviations.deviation import COLUMNS
 from cadgen.inference.monte_carlo.cars import run_cars
 from cadgen.inference.monte_carlo.course_margins import margins_at
 from cadgen.jobs.cam.steering_cam import plan_cam
-from cadgen.jobs.nominal_car import fleet_of, watching
+from cadgen.jobs.nominal_car import cars_of, watching
 
 pytestmark = pytest.mark.slow
 
@@ -74,7 +74,7 @@ def test_with_play_the_course_is_judged_where_that_is_asked(plan):
 def test_many_cars_are_held_against_the_course_as_one_car_is(plan):
     """Cars that differ in play and start alone, each driven exactly and judged by the sweep."""
     comparison, planned = plan.application.comparison, plan.application.course.planned
-    fleet = watching(fleet_of(plan.application, plan.curve, [STEPS], None, comparison.chosen.play), planned)
+    fleet = watching(cars_of(plan.application, plan.curve, [STEPS], None, comparison.chosen.play), planned)
     rng, column = np.random.default_rng(1), {name: k for k, name in enumerate(COLUMNS)}
     deviations = np.zeros((12, len(COLUMNS)))
     low, high = comparison.band.ends

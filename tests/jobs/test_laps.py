@@ -25,7 +25,7 @@ from cadgen.jobs.adjustment.plan import Wanted, adjust
 from cadgen.jobs.calibration.calibration import calibrate
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.steering_cam import plan_cam
-from cadgen.jobs.nominal_car import fleet_of
+from cadgen.jobs.nominal_car import cars_of
 from cadgen.jobs.planning.task import task_of
 from tests.car.running.laps_truth import laps_with_play
 from tests.conftest import DESIGNS
@@ -215,7 +215,7 @@ def test_a_course_is_checked_on_every_lap(plan):
 def test_many_cars_drive_all_laps(plan):
     """The nominal car of a fleet and one with more play, against runs of their own."""
     more = radians(0.1)
-    fleet = fleet_of(plan.application, plan.curve, [36_000], None, plan.application.comparison.chosen.play)
+    fleet = cars_of(plan.application, plan.curve, [36_000], None, plan.application.comparison.chosen.play)
     deviations = np.zeros((2, len(COLUMNS)))
     deviations[1, list(COLUMNS).index("play")] = more
     ends = run_cars(fleet, deviations)

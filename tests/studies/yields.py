@@ -12,7 +12,7 @@ import numpy as np
 
 from cadgen import Design, __version__
 from cadgen.inference.monte_carlo.random_cars import margins_of_cars
-from cadgen.jobs.nominal_car import watched_fleet
+from cadgen.jobs.nominal_car import watched_cars
 from cadgen.jobs.tolerance import ToleranceRun, comparison_of
 from tests.studies.command import PAGES, options, tell
 from tests.studies.planner import gates
@@ -26,7 +26,7 @@ FEW = 1000  # cars that are held against each gate alone
 def each_alone(run: ToleranceRun, seed: int) -> dict[str, float]:
     """Share of the cars that keep each gate alone, and the edge."""
     plan = run.cam
-    fleet = watched_fleet(plan.application, plan.curve)
+    fleet = watched_cars(plan.application, plan.curve)
     tolerances = plan.application.tolerances()
     margins = margins_of_cars(fleet, tolerances, FEW, seed=seed).margins
     return {

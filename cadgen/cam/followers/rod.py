@@ -51,7 +51,7 @@ from cadgen.cam.follower import (
     span_jets,
     turned,
 )
-from cadgen.cam.lowest import SAME
+from cadgen.cam.lower_hull import SAME
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.curves.closed import ClosedCurve, Jet, Piece
 from cadgen.curves.piecewise import zeros

@@ -47,7 +47,7 @@ from cadgen.inference.records.columns import AS_NAMED, Reading
 from cadgen.inference.records.load import read_trials, settings_line, trials_of
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.steering_cam import CarUse, comparison_of, plan_cam
-from cadgen.jobs.nominal_car import fleet_of
+from cadgen.jobs.nominal_car import cars_of
 from cadgen.messages import Message
 from cadgen.output.files.publisher import Artifact, Written, publish, text_file
 from cadgen.progress import Progress, silent
@@ -337,7 +337,7 @@ class Bench:
         ordered = {each: sigma[each] for each in VARIED if each in sigma}
         use, origin = CarUse.of(plan), plan.origin
         fine, coarse = (
-            fleet_of(use, plan.curve, list(range(0, STEPS + 1, apart)), mechanics, play, grid=_GRID)
+            cars_of(use, plan.curve, list(range(0, STEPS + 1, apart)), mechanics, play, grid=_GRID)
             for apart in (FINE, COARSE)
         )
         course, width = use.course, use.gate_width

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from math import ceil, floor, isfinite, log10
 
 from cadgen.cam.checks import LOST_LIFT
-from cadgen.cam.loss import undercut_cures
+from cadgen.cam.lost_lift import undercut_cures
 from cadgen.check import Check, CheckCode, failing
 from cadgen.design.section import listed
 from cadgen.errors import CadgenError

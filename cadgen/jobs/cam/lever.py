@@ -30,7 +30,7 @@ from cadgen.jobs.cam.readiness import GOOD_YIELD, SAMPLE, SEED, JudgedCar
 from cadgen.jobs.cam.remedies import Remedy, remedies
 from cadgen.jobs.cam.steering_cam import CarUse, comparison_of
 from cadgen.jobs.car_layout import laid_out
-from cadgen.jobs.nominal_car import watched_fleet
+from cadgen.jobs.nominal_car import watched_cars
 from cadgen.messages import Message, joined
 from cadgen.progress import Progress, silent
 
@@ -71,15 +71,15 @@ def longer_lever(design: Design, use: JudgedCar, cut: ClosedCurve, now: Remedy) 
         return ()
     try:
         layout = laid_out(with_overrides(design, overrides))
-        fleet, tolerances = watched_fleet(use, cut), use.tolerances()
-        if not fleet.items:
+        cars, tolerances = watched_cars(use, cut), use.tolerances()
+        if not cars.items:
             return ()
         shares = []
         for factor in (1.0, LONGER):
             widths = {
                 each: half / factor if each in _OF_THE_LIFT else half for each, half in tolerances.half_widths.items()
             }
-            met = margins_of_cars(fleet, replace(tolerances, half_widths=widths), SAMPLE, seed=SEED)
+            met = margins_of_cars(cars, replace(tolerances, half_widths=widths), SAMPLE, seed=SEED)
             shares.append(100 * float((met.margins >= 0).all(axis=0).mean()))
     except DesignError:
         return ()

@@ -20,7 +20,7 @@ from cadgen.figures import Figure
 from cadgen.inference.monte_carlo.random_cars import Tolerances, margins_of_cars
 from cadgen.jobs.cam.comparison import NEARER, Refused
 from cadgen.jobs.cam.wheel import DriveWheel
-from cadgen.jobs.nominal_car import VariedCar, watched_fleet
+from cadgen.jobs.nominal_car import VariedCar, watched_cars
 from cadgen.messages import Message, joined
 from cadgen.verdict import Reservation
 
@@ -101,10 +101,10 @@ def course_yield(use: JudgedCar, cut: ClosedCurve) -> CourseYield | None:
     """
     if use.course is None or use.comparison is None:
         return None
-    fleet = watched_fleet(use, cut)
-    if not fleet.items:
+    cars = watched_cars(use, cut)
+    if not cars.items:
         return None
-    met = margins_of_cars(fleet, use.tolerances(), SAMPLE, seed=SEED)
+    met = margins_of_cars(cars, use.tolerances(), SAMPLE, seed=SEED)
     kept = met.margins >= 0
     each = kept.mean(axis=1)
     least = int(np.argmin(each))

@@ -14,7 +14,7 @@ from cadgen.errors import CadgenError
 from cadgen.inference.monte_carlo.random_cars import margins_of_cars
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.steering_cam import CarUse, plan_cam
-from cadgen.jobs.nominal_car import watched_fleet
+from cadgen.jobs.nominal_car import watched_cars
 from cadgen.jobs.tolerance import CarSample, ToleranceRun, tolerance_of
 from cadgen.progress import Progress
 
@@ -107,14 +107,14 @@ def tried(cam: CamPlan, factor: float) -> Tried | None:
     use = CarUse.of(cam)
     if use.comparison is None or use.course is None:
         return None
-    fleet = watched_fleet(use, cam.curve)
-    if not fleet.items:
+    cars = watched_cars(use, cam.curve)
+    if not cars.items:
         return None
-    seen = margins_of_cars(fleet, use.tolerances(), _FEW, seed=_SEED)
+    seen = margins_of_cars(cars, use.tolerances(), _FEW, seed=_SEED)
     alone: dict[str, float] = {}
     scatter: dict[str, float] = {}
     margins = seen.margins
-    for watch, margin, aside in zip(fleet.items, margins, seen.distance, strict=True):
+    for watch, margin, aside in zip(cars.items, margins, seen.distance, strict=True):
         key = watch.key.partition(",")[0]  # of a gate of each lap
         alone[key] = min(float(np.mean(margin >= 0)), alone.get(key, 1.0))
         scatter[key] = max(float(np.sqrt(np.mean(aside**2))), scatter.get(key, 0.0))

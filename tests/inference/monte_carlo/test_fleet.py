@@ -52,7 +52,7 @@ def outline(carbon_free_car):
     return carbon_free_car.actual.curve.outline(0.06)
 
 
-def fleet_of(built, outline, planned, lift=None, count=3600, stations=STATIONS):
+def cars_of(built, outline, planned, lift=None, count=3600, stations=STATIONS):
     contact = roll(outline, built.follower, grid(count))
     return nominal_cars(
         contact,
@@ -108,7 +108,7 @@ def test_agrees_with_cars_driven_one_by_one(carbon_free_car, profile, as_built):
     planned = drive(built.lift, built.car, built.track.length)
     lift = built.lift if profile == "actual" else compensated_lift(built.lift, built.follower, PLAY)
     outline = actual_profile(lift, built.follower).curve.outline(0.06)
-    fleet = fleet_of(built, outline, planned, lift)
+    fleet = cars_of(built, outline, planned, lift)
     tolerances = Tolerances(half_widths=HALF_WIDTHS, law="uniform", play=(np.radians(0.5), np.radians(1.0)))
     deviations = tolerances.draw(np.random.default_rng(7), 8, PLAY)
     errors = errors_of_cars(fleet, deviations)
@@ -124,7 +124,7 @@ def test_agrees_with_cars_driven_one_by_one(carbon_free_car, profile, as_built):
 @pytest.mark.parametrize("name", ["cam_phase", "play", "wheel_radius", "start_heading", "wheelbase", "base_radius"])
 @pytest.mark.parametrize("sign", [-1, 1])
 def test_one_parameter_at_a_time(carbon_free_car, outline, planned, name, sign):
-    fleet = fleet_of(carbon_free_car, outline, planned)
+    fleet = cars_of(carbon_free_car, outline, planned)
     deviation = np.zeros(len(NAMES))
     deviation[NAMES.index(name)] = sign * {"mm": 0.05, "rad": np.radians(0.4)}[COLUMNS[name]]
     mine = errors_of_cars(fleet, deviation[None])
@@ -190,7 +190,7 @@ def test_a_disc_cut_too_large_is_a_thicker_rod(carbon_free_car, outline):
 
 
 def test_cars_do_not_depend_on_their_neighbours(carbon_free_car, outline, planned):
-    fleet = fleet_of(carbon_free_car, outline, planned, count=900, stations=(-1,))
+    fleet = cars_of(carbon_free_car, outline, planned, count=900, stations=(-1,))
     tolerances = Tolerances(half_widths=HALF_WIDTHS)
     deviations = tolerances.draw(np.random.default_rng(3), 5, PLAY)
     together = run_cars(fleet, deviations)
@@ -202,7 +202,7 @@ def test_cars_do_not_depend_on_their_neighbours(carbon_free_car, outline, planne
 def test_a_wheel_that_runs_out(carbon_free_car, outline, planned):
     """Without play, against the run at 57 600 steps, each by the wheel's radius there: right within 0.5 %."""
     built, size = carbon_free_car, np.array([0.5, -0.3])
-    fleet = fleet_of(built, outline, planned)
+    fleet = cars_of(built, outline, planned)
     deviations = np.zeros((2, len(NAMES)))
     deviations[0, [NAMES.index("wheel_runout_0"), NAMES.index("wheel_runout_90")]] = size
     deviations[:, NAMES.index("play")] = -PLAY
@@ -232,6 +232,6 @@ def test_refuses_an_uneven_grid_and_stations_out_of_order(carbon_free_car, outli
     with pytest.raises(DesignError, match="even grid"):
         nominal_cars(contact, built.follower, built.car, built.track.length, built.lift, planned, **settings)
     with pytest.raises(DesignError, match="at least one station"):
-        fleet_of(built, outline, planned, count=90, stations=(1800, 900))
+        cars_of(built, outline, planned, count=90, stations=(1800, 900))
     with pytest.raises(DesignError, match="at least one station"):
-        fleet_of(built, outline, planned, count=90, stations=())
+        cars_of(built, outline, planned, count=90, stations=())

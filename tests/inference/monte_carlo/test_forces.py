@@ -20,7 +20,7 @@ PLAY = np.radians(0.8)
 BANDS = {"friction": 0.2, "drag": 3.0, "rod_force": 0.3}
 
 
-def fleet_of(built, lift, mechanics, count=3600):
+def cars_of(built, lift, mechanics, count=3600):
     """A fleet on the lift itself, so that nothing but forces and play differs from `drive`."""
     grid = np.linspace(0.0, TURN, count, endpoint=False)
     base = roll(built.actual.curve.outline(0.2), built.follower, grid[:8])
@@ -51,7 +51,7 @@ def test_agrees_with_cars_driven_one_by_one(carbon_free_car, profile, behind):
     built = carbon_free_car
     lift = built.lift if profile == "actual" else compensated_lift(built.lift, built.follower, PLAY)
     mechanics = nominal(built, behind=behind)
-    fleet = fleet_of(built, lift, mechanics)
+    fleet = cars_of(built, lift, mechanics)
     tolerances = Tolerances(half_widths=BANDS, law="uniform", play=(np.radians(0.4), np.radians(1.0)))
     cars = tolerances.draw(np.random.default_rng(4), 12, PLAY)
     # Some at the ends of the bands: without friction and drag, and held all the way by drag.
@@ -82,14 +82,14 @@ def test_agrees_with_cars_driven_one_by_one(carbon_free_car, profile, behind):
 def test_without_friction_and_drag_it_is_the_fleet_without_forces(carbon_free_car):
     built = carbon_free_car
     cars = Tolerances(half_widths={"base_radius": 0.005}, play=(0.008, 0.016)).draw(np.random.default_rng(2), 5, PLAY)
-    free = errors_of_cars(fleet_of(built, built.lift, None, 900), cars)
-    smooth = errors_of_cars(fleet_of(built, built.lift, Mechanics(follower=built.follower), 900), cars)
+    free = errors_of_cars(cars_of(built, built.lift, None, 900), cars)
+    smooth = errors_of_cars(cars_of(built, built.lift, Mechanics(follower=built.follower), 900), cars)
     np.testing.assert_allclose(smooth.across, free.across, atol=1e-6)
 
 
 def test_cars_do_not_depend_on_their_neighbours(carbon_free_car):
     """The number of stretches is that of the car that has most."""
-    fleet = fleet_of(carbon_free_car, carbon_free_car.lift, nominal(carbon_free_car), 900)
+    fleet = cars_of(carbon_free_car, carbon_free_car.lift, nominal(carbon_free_car), 900)
     cars = Tolerances(half_widths=BANDS, law="uniform").draw(np.random.default_rng(3), 9, PLAY)
     together = errors_of_cars(fleet, cars)
     for number in range(9):
@@ -100,7 +100,7 @@ def test_cars_do_not_depend_on_their_neighbours(carbon_free_car):
 def test_sensitivity_to_friction_is_that_of_two_runs(carbon_free_car):
     built = carbon_free_car
     mechanics = nominal(built)
-    fleet = fleet_of(built, built.lift, mechanics)
+    fleet = cars_of(built, built.lift, mechanics)
     found = {one.name: one for one in sensitivities(fleet, Tolerances(half_widths=BANDS))}
     places = []
     for friction in (0.195, 0.205):

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from cadgen.cam import lowest
-from cadgen.cam.lowest import SAME, LowestRun, Radii, Reach
+from cadgen.cam import lower_hull
+from cadgen.cam.lower_hull import SAME, LowestRun, Radii, Reach
 
 NOISE = np.random.default_rng(5).normal(size=(2, 600)) * 1e-14
 
@@ -12,7 +12,7 @@ NOISE = np.random.default_rng(5).normal(size=(2, 600)) * 1e-14
 def lowest_branches(table, continuation):
     """The same for a table of radii, one row for each branch, infinite where it does not reach."""
     rows = [Reach.of(np.flatnonzero(np.isfinite(row)), row[np.isfinite(row)]) for row in table]
-    return lowest.lowest_branches(Radii(rows, table.shape[1]), continuation)
+    return lower_hull.lowest_branches(Radii(rows, table.shape[1]), continuation)
 
 
 def test_real_crossings_stay_where_the_least_changes():
