@@ -16,6 +16,7 @@
 | `findings`     | effects with their numbers; a diagnosis by evidence, and one by runs left out                  |
 | `claims`       | what is claimed, each deviation at work once, where data that are judged apart show it too     |
 | `runs_left_out` | diagnosis of logged runs by their path error on runs left out, where errors accumulate        |
+| `odd_runs`     | runs of another car, state or unit, which are left out and named                               |
 | `repeats`      | what repeats over logged runs of one path without a name                                       |
 | `diagnosis`    | the entry: records of one car, judged together, with the test on runs left out                 |
 | `reference`    | the catalogues as a page of documentation                                                      |

@@ -23,7 +23,8 @@ from cadgen.inference.measurement.diagnosis import calibrate as judge
 from cadgen.inference.measurement.findings import Diagnosis, EvidenceDiagnosis, Finding
 from cadgen.inference.measurement.kinds.zones import Shortfall, Zones, judged, return_error, shortfall
 from cadgen.inference.measurement.nominal import Nominal
-from cadgen.inference.measurement.record import Kind, Method, Record, join, said
+from cadgen.inference.measurement.odd_runs import odd_runs
+from cadgen.inference.measurement.record import Kind, Method, Record, join, refuse_wrong_units, said
 from cadgen.inference.measurement.verdict import LEFT_OVER, Judgement, Verdict
 from cadgen.jobs.calibration.cam_on_car import nominal_of, ratios_and_teeth, refuse_laps
 from cadgen.jobs.calibration.new_cam import Built, agreed_places, expected_of, placed, with_joint_effect
@@ -203,6 +204,7 @@ def calibrate(
     floor, stated = stated_form_error(sources, form_error_um)
     diagnoses: dict[Kind, Diagnosis] = {}
     track_length, holds, known = None, None, None
+    left_out: list[Message] = []
     records = {method: [s.record for s in sources if s.kind.method is method] for method in Method}
     zones = (
         zone_means(design, join(records[Method.ZONE_MEANS]), ratios_and_teeth(design)[0])
@@ -213,6 +215,8 @@ def calibrate(
         known = replace(nominal or nominal_of(design, profile, progress), form_error=floor * 1e-3)
         if zones is not None and zones.judgement.claimed:
             known = replace(known, play=(radians(zones.zones.return_error_deg), radians(zones.zones.sigma_deg)))
+        sources, left_out = _without_odd_runs(sources, known)
+        records[Method.EVIDENCE] = [s.record for s in sources if s.kind.method is Method.EVIDENCE]
         track_length = known.track.length
         diagnoses |= {diagnosis.kind: diagnosis for diagnosis in judge(records[Method.EVIDENCE], known, progress)}
         holds = holding_friction(known.cut or known.lift, known.follower)
@@ -235,7 +239,7 @@ def calibrate(
         diagnoses=tuple(diagnoses[kind] for kind in dict.fromkeys(s.kind for s in sources) if kind in diagnoses),
         zones=zones,
         claims=tuple(found),
-        warnings=tuple(_warnings(design, profile, sources)),
+        warnings=(*left_out, *_warnings(design, profile, sources)),
         holds=holds,
         nominal=known,
     )
@@ -323,6 +327,29 @@ def _refuse_known(design: Design, sources: Sequence[Source]) -> None:
                 name=design.name,
                 known=known[source.sha256],
             )
+
+
+def _without_odd_runs(sources: Sequence[Source], known: Nominal) -> tuple[list[Source], list[Message]]:
+    """Files less the runs that are not of the others' car, and a sentence on each of these."""
+    kept, words = [], []
+    odd: dict[Kind, dict[int, Message]] = {}
+    before: dict[Kind, int] = {}
+    for source in sources:
+        kind, runs = source.kind, source.record.runs
+        if kind.method is Method.EVIDENCE and kind not in odd:
+            whole = join([other.record for other in sources if other.kind is kind])
+            refuse_wrong_units(whole, known)
+            odd[kind] = odd_runs(whole, known.model)
+        first = before.get(kind, 0)
+        before[kind] = first + runs
+        mine = {number - first: why for number, why in odd.get(kind, {}).items() if first <= number < first + runs}
+        words += [
+            Message("run {run} of {file} is left out: {why}", run=number + 1, file=source.path.name, why=why)
+            for number, why in mine.items()
+        ]
+        if rest := [number for number in range(runs) if number not in mine]:
+            kept.append(replace(source, record=source.record.only(np.array(rest))) if mine else source)
+    return kept, words
 
 
 def _warnings(design: Design, profile: str, sources: Sequence[Source]) -> list[str]:
