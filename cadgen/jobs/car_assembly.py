@@ -582,7 +582,7 @@ class _Parts:
             title=Message("set screws of the hubs"),
             shape=None,
             places=(),
-            group=Group(GroupKind.FRAME),
+            group=self.groups[0],
             material=_STEEL,
             density=0.0,
             mass=0.15,
