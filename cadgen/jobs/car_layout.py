@@ -32,7 +32,6 @@ from cadgen.gears.layout import Disc, gears_and_hubs
 from cadgen.gears.stage import is_bar
 from cadgen.gears.train import Train, thinned
 from cadgen.messages import Message
-from cadgen.output.files.plate import bearing_bores
 from cadgen.parts.face import Face
 from cadgen.verdict import Reservation
 
@@ -430,6 +429,8 @@ def _site(design: Design, train: Train, keys: LayoutSection, bores: Sequence[flo
 def _bearings(design: Design, plates: PlateSection, bores: Sequence[float]) -> tuple[float, ...]:
     """Outer diameter of each shaft's bearings, mm; 0 for none, as without [frame] and sizes of its own."""
     if plates.bearing_bores_mm is not None:
+        from cadgen.output.files.plate import bearing_bores  # only here: a check of any cam need not read CAD formats
+
         return tuple(bearing_bores(plates.bearing_bores_mm, bores))
     if design.frame is None:
         return tuple([0.0] * len(bores))

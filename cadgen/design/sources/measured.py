@@ -18,11 +18,20 @@ class MeasuredKeys(MotionKeys):
     """Keys of a motion that is to be found."""
 
     code: ClassVar[str] = "measured"
+    alone: ClassVar[tuple[str, ...]] = ("ends_at_deg",)
 
     measured: bool | None = Field(
         default=None,
         description="whether the motion is not known, and `cadgen calibrate` is to find it from the measured cam; the "
         "base circle is then found, too, where an outline is measured",
+    )
+
+    ends_at_deg: float | None = Field(
+        default=None,
+        gt=0,
+        le=30,
+        description="of a measured motion, step at whose multiples the drawing has the ends of all segments, counted "
+        "from the first: 1 for whole degrees; left out, that is concluded where sound segments show it",
     )
 
     def motion(self, kind: FollowerKind, *, corners: bool) -> Motion:

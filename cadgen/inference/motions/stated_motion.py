@@ -55,15 +55,18 @@ class StatedMotion:
     rounded: float | None
 
 
-def stated_motion(found: FoundMotion, scale: float, steps: tuple[float, ...]) -> StatedMotion:
+def stated_motion(
+    found: FoundMotion, scale: float, steps: tuple[float, ...], ends_at: float | None = None
+) -> StatedMotion:
     """Motion with its numbers as a design states them.
 
     Args:
         found: motion.
         scale: unit of the design file by that of the motion: 1 for mm, degrees by rad of a swing.
         steps: round steps of heights, in the unit of the file, the widest first.
+        ends_at: step of the grid at which the drawing has its ends, degrees; None where that is not known.
     """
-    grid = on_grid(found)
+    grid = on_grid(found, ends_at)
     # Where it is not sure which flank is turned, ends stay as they were measured.
     motion = grid.motion if grid is not None and grid.sure else found
     first = _first(motion)

@@ -40,18 +40,19 @@ class GridMotion:
     sure: bool
 
 
-def on_grid(found: FoundMotion) -> GridMotion | None:
+def on_grid(found: FoundMotion, known: float | None = None) -> GridMotion | None:
     """Motion with its ends on a grid; None where the flanks show none.
 
     Args:
         found: motion whose flanks are all of the table.
+        known: step of the grid where the drawing is known to have one, degrees; then no flank need show it.
     """
     if not all(flank.in_table for flank in found.flanks):
         return None
     ends = np.degrees([[flank.start, flank.stop] for flank in found.flanks])
     sigma = np.degrees([[flank.start_sigma, flank.stop_sigma] for flank in found.flanks])
     within = _SIGMAS * sigma + _ALWAYS_DEG
-    for step in _GRIDS_DEG:
+    for step in _GRIDS_DEG if known is None else (known,):
         tried: list[tuple[tuple[int, int, float], GridMotion]] = []
         for anchor in range(len(ends)):
             weight = 1 / within[anchor] ** 2
@@ -59,7 +60,7 @@ def on_grid(found: FoundMotion) -> GridMotion | None:
             phase = ends[anchor, 0] + float(weight @ off / weight.sum())
             shifts = np.mod(ends - phase + step / 2, step) - step / 2
             chance = _chance(found, shifts, within, step)
-            if chance is None or chance * len(ends) > _MOST_CHANCE:
+            if chance is None or (known is None and chance * len(ends) > _MOST_CHANCE):
                 continue
             placed = []
             for flank, (start, stop) in zip(found.flanks, shifts, strict=True):
@@ -74,14 +75,16 @@ def on_grid(found: FoundMotion) -> GridMotion | None:
             stayed = [flank for flank, on in zip(found.flanks, stay, strict=True) if on]
             sound = sum(not flank.best.process.size for flank in stayed)
             moved = [flank for flank in found.flanks if flank not in stayed]
-            if sound < len(stayed) and any(not flank.best.process.size for flank in moved):
+            if known is None and sound < len(stayed) and any(not flank.best.process.size for flank in moved):
                 continue
             misfit = sum(flank.best.score for flank in flanks)
             # Lifts are read from a mark of the dividing head on, which the drawing has, too.
             marked = found.samples.normal is None and abs((phase + step / 2) % step - step / 2) <= within[anchor].max()
             rank = (-int(marked), -sound, misfit)
             # One flank alone shows no grid against another that looks as sound.
-            backed = bool(marked) or len(stayed) > 1 or all(flank.best.process.size for flank in moved)
+            backed = (
+                known is not None or bool(marked) or len(stayed) > 1 or all(flank.best.process.size for flank in moved)
+            )
             tried.append((rank, GridMotion(replace(found, flanks=flanks), step, shifts, sure=backed)))
         if tried:
             (rank, best), *others = sorted(tried, key=lambda each: each[0])

@@ -248,7 +248,10 @@ def find_cam(design: MotionDesign, text: str, sources: tuple[Source, ...], progr
         push = np.ones_like(q) if kind.unit == MM else np.full_like(q, float(follower.lift(np.array([1.0]))[0]))
         found = found_motion(samples_of_lifts(angle, q, push))
     stated = stated_motion(
-        found, 1.0 if kind.unit == MM else degrees(1.0), _STEPS_MM if kind.unit == MM else _STEPS_DEG
+        found,
+        1.0 if kind.unit == MM else degrees(1.0),
+        _STEPS_MM if kind.unit == MM else _STEPS_DEG,
+        design.motion.ends_at_deg,
     )
     return FoundCamPlan(design=design, text=text, source=sources[0], stated=stated, outline=outline, follower=follower)
 
@@ -298,6 +301,7 @@ def found_text(
         values["name"] = name
     motion = values["motion"]
     motion.pop("measured", None)
+    motion.pop("ends_at_deg", None)
     if stated.segments:
         made = tomlkit.array()
         for segment in stated.segments:

@@ -2,14 +2,17 @@
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
-from math import degrees
+from math import degrees, radians
 from pathlib import Path
+
+import numpy as np
 
 from cadgen.arrays import TURN
 from cadgen.check import failing
 from cadgen.errors import DesignError
 from cadgen.figures import Cell, Facts, Sheet, State, number
 from cadgen.inference.measurement.record import understood_of
+from cadgen.inference.motions.found_motion import FoundFlank
 from cadgen.jobs.worn_cam.found_cam import FoundCamPlan
 from cadgen.laws.unit import MM
 from cadgen.messages import Message, joined
@@ -18,6 +21,7 @@ from cadgen.output.report.terminal import Block, plain
 from cadgen.progress import Progress
 
 _UM = 1e3
+_TURNED_DEG = 0.1  # turn of a segment that is told in wear
 REPORT_WIDTH = 110
 
 
@@ -42,7 +46,30 @@ def found_report(cam: FoundCamPlan) -> list[Block]:
     )
     blocks += [sentence for place in range(len(cam.flanks)) if (sentence := _doubt(cam, place))]
     blocks += [sentence for place in range(len(cam.flanks)) if (sentence := _worn(cam, place))]
-    if (grid := cam.stated.grid) is not None and grid.sure:
+    asked = cam.design.motion.ends_at_deg
+    if asked is None and (cam.stated.grid is None or not cam.stated.grid.sure):
+        blocks += [sentence for flank in cam.flanks if (sentence := _alike(flank))]
+    if (grid := cam.stated.grid) is not None and grid.sure and asked is not None:
+        blocks.append(
+            Message(
+                "All ends of segments are put at multiples of {step:g} degrees from the first, as motion.ends_at_deg "
+                "says; as measured alone they lie up to {most:.2f} degrees beside, which is wear.{whole}",
+                step=grid.step,
+                most=float(abs(grid.shifts).max()),
+                whole=Message(" Every segment is worn: cam angle 0 may be off by as much.")
+                if all(flank.best.process.size for flank in cam.flanks)
+                else "",
+            )
+        )
+    elif grid is None and asked is not None:
+        blocks.append(
+            Message(
+                "Ends of segments at multiples of {step:g} degrees, as motion.ends_at_deg says, do not fit what was "
+                "measured: ends stay as they were measured. Remove the key, or give the step of the drawing.",
+                step=asked,
+            )
+        )
+    elif grid is not None and grid.sure:
         blocks.append(
             Message(
                 "All ends of segments lie at multiples of {step:g} degrees from the first, by far too well for chance, "
@@ -180,6 +207,22 @@ def _worn(cam: FoundCamPlan, place: int) -> Message | None:
         at=_angle(cam, at),
         first=_angle(cam, first),
         last=_angle(cam, last),
+    )
+
+
+def _alike(flank: FoundFlank) -> Message | None:
+    """Sentence on a worn flank of which wear and a turn look alike: what a turn is in wear; None on a sound one."""
+    if not flank.wear[0]:
+        return None
+    theta = np.linspace(flank.start, flank.stop, 721)
+    steepest = float(np.abs(np.gradient(flank.share(theta), theta)).max()) * abs(flank.after - flank.before)
+    turn = _UM * steepest * float(np.median(flank.best.data.push)) * radians(_TURNED_DEG)
+    return Message(
+        "Wear spread as the velocity of that segment looks like a segment that is turned: {turned:g} degrees of turn "
+        "are {turn:.0f} µm of wear where it is steepest, and as much of the new lift. If the drawing has all ends at "
+        "whole degrees, motion.ends_at_deg = 1 settles it.",
+        turned=_TURNED_DEG,
+        turn=turn,
     )
 
 

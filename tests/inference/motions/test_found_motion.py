@@ -1,5 +1,8 @@
 """The motion of measured cams, by samples of a generator that shares no code with it."""
 
+from dataclasses import replace
+from math import radians
+
 import numpy as np
 import pytest
 
@@ -124,6 +127,29 @@ def test_ends_that_wear_has_turned_are_put_back_on_whole_degrees() -> None:
         (110.0, 0.0, "modified_sine"),
         (100.0, 0.0, ""),
     ]
+
+
+def test_a_grid_that_the_drawing_is_known_to_have_settles_wear_on_every_flank() -> None:
+    """Both flanks are worn as their velocities; widths are then right, and the whole is turned as its first flank."""
+    rng = np.random.default_rng(4)
+    one = cam_of(14.0, laws=("cycloidal", "modified_sine"), wear=soft)
+    cam = truth.Worn(tuple(replace(flank, wear=one.flanks[0].wear) for flank in one.flanks))
+    each = truth.lifts(cam, SLIDING, 720, NOISE, rng)
+    found = found_motion(samples_of_lifts(each[:, 0], each[:, 1]))
+    grid = on_grid(found, 1.0)
+    assert grid is not None
+    assert grid.sure
+    assert [(s.width, s.after, s.law) for s in stated_motion(found, 1.0, (0.5,), 1.0).segments] == [
+        (80.0, 14.0, "cycloidal"),
+        (70.0, 14.0, ""),
+        (110.0, 0.0, "modified_sine"),
+        (100.0, 0.0, ""),
+    ]
+    # Where the whole stands is known no better than that: the flank from which the degrees are counted is worn.
+    turned = float(np.abs(grid.shifts).max())
+    theta = np.linspace(0, TURN, 721)
+    off = [np.abs(grid.motion.lift(theta + radians(by)) - cam.lift(theta)).max() for by in np.arange(0, turned, 0.005)]
+    assert min(off) < 5e-3
 
 
 def test_ends_that_are_no_whole_degrees_stay_where_they_are() -> None:
