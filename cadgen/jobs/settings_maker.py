@@ -23,7 +23,6 @@ from cadgen.design import cam_model, draw_model
 from cadgen.design.course import layout_of
 from cadgen.design.schema import Design
 from cadgen.jobs.cam.cam_plan import CamPlan
-from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.jobs.cam.course import CourseRun, play_checks
 from cadgen.jobs.cam.steering_cam import CarUse
 from cadgen.messages import Message
@@ -155,7 +154,13 @@ class Maker:
                 task=replace(self._use.comparison.task, start=start, length=length),
                 chosen=replace(self._use.comparison.chosen, rolled=lift),
             )
-            with_play = self._end_with_play(comparison, spacing)
+            # Greatest distance from the path, at the end of the run or on its last lap, over the band of play.
+            measured, band = comparison.band.measured, comparison.chosen.band.plays
+            plays = band if measured is None else np.array([measured])
+            track, stop = self._use.track, self._wanted.blend_start
+            last = stop - (TURN / track.turn_laps if track.closed else 0.0)
+            runs = (comparison.run(comparison.chosen, play) for play in plays.tolist())
+            with_play = max(float(self._off(run, spacing)[run.motor[run.motor <= stop] >= last].max()) for run in runs)
             if self._course.judged == Judged.PLAY:
                 checks += play_checks(on, comparison)
         checks += riding_checks(lift, rod, contact, self.cam.blank, cam_model.check_limits(self.design))
@@ -180,15 +185,6 @@ class Maker:
         place = planned_point(wheel, run.heading, self.design.path.offset_mm)
         wanted = draw_model.places(self.design, self._use.track, self.draw, run.motor, spacing)
         return np.asarray(np.abs(place - wanted)[:judged])
-
-    def _end_with_play(self, comparison: PlayComparison, spacing: float) -> float:
-        """Greatest distance from the path, at the end of the run or on its last lap, over the band of play, mm."""
-        measured, band = comparison.band.measured, comparison.chosen.band.plays
-        plays = band if measured is None else np.array([measured])
-        track, stop = self._use.track, self._wanted.blend_start
-        last = stop - (TURN / track.turn_laps if track.closed else 0.0)
-        runs = (comparison.run(comparison.chosen, play) for play in plays.tolist())
-        return max(float(self._off(run, spacing)[run.motor[run.motor <= stop] >= last].max()) for run in runs)
 
 
 def _wrong_places(run: CourseRun) -> list[float]:

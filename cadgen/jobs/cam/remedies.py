@@ -138,7 +138,11 @@ def remedies(design: Design, comparison: PlayComparison, progress: Progress = si
         this,
         sheet.row(Message("plain cam"), plain.lift, plain.rolled, cases),
     ]
-    rows += _reordered(sheet)
+    bands = known_trains(design)
+    if StageOrder.REORDERED in bands and design.optimize.order != StageOrder.REORDERED:
+        lift, plays = sheet.task.lift, list(bands[StageOrder.REORDERED].ends)
+        build = Message("the train with its stages reordered: --set optimize.order=reordered")
+        rows.append(sheet.row(Message("plain cam, reordered"), lift, lift, cases, plays=plays, build=build))
     rows += _compensated(sheet)
     rows += _tight_joint(sheet)
     rows += _split_wheel(sheet)
@@ -147,16 +151,6 @@ def remedies(design: Design, comparison: PlayComparison, progress: Progress = si
         rows += [_trim(sheet, plain), _compensated_trim(sheet)]
         rows += _drag(sheet, plain)
     return tuple(rows)
-
-
-def _reordered(sheet: _Sheet) -> list[Remedy]:
-    """The plain cam on the train with its stages in the other order."""
-    bands = known_trains(sheet.design)
-    if StageOrder.REORDERED not in bands or sheet.design.optimize.order == StageOrder.REORDERED:
-        return []
-    lift, plays = sheet.task.lift, list(bands[StageOrder.REORDERED].ends)
-    build = Message("the train with its stages reordered: --set optimize.order=reordered")
-    return [sheet.row(Message("plain cam, reordered"), lift, lift, sheet.known.cases, plays=plays, build=build)]
 
 
 def _compensated(sheet: _Sheet) -> list[Remedy]:
