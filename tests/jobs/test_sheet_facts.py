@@ -8,10 +8,11 @@ import pytest
 
 from cadgen.car.assembly.car_parts import CarPart, Supply
 from cadgen.design.load import load_design
-from cadgen.jobs import car_frame as car_frame_job
+from cadgen.jobs import frame_writer
 from cadgen.jobs.assembly_files import listed, mounting_notes, mountings, sheet_notes, views_of
 from cadgen.jobs.cam.steering_cam import plan_cam
 from cadgen.jobs.car_assembly import CarAssembly, put_together
+from cadgen.jobs.car_frame import frame_in
 from cadgen.jobs.drawings import Folder, sheet_of, sheets_of, title_of
 from cadgen.jobs.gears.gear_train import plan_gears
 from cadgen.jobs.part_drawings import part_sheets
@@ -63,11 +64,12 @@ def of_frame(car: CarAssembly) -> dict[str, DrawingSheet]:
         return ()
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(car_frame_job, "write_sheet", collect)
-        for name in ("panel_files", "block_files", "shaft_files", "text_file"):
-            patch.setattr(car_frame_job, name, lambda *_, **__: (), raising=False)
-        patch.setattr(car_frame_job, "publish", lambda _stem, out, files, *_, **__: list(files(out)))
-        car_frame_job.frame_in(car.layout).write("nowhere", force=True)
+        patch.setattr(frame_writer, "write_sheet", collect)
+        for name in ("panel_files", "block_files"):
+            patch.setattr(frame_writer, name, lambda *_, **__: ())
+        patch.setattr(frame_writer, "text_file", lambda *_: None)
+        patch.setattr(frame_writer, "publish", lambda _stem, out, files, *_, **__: list(files(out)))
+        frame_writer.write_frame(frame_in(car.layout), Path("nowhere"))
     return found
 
 
