@@ -5,11 +5,10 @@ from collections.abc import Iterator
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.car.assembly.car_parts import Block, CarPart, Drilled, Group, GroupKind, Prism, Supply, turned_round
+from cadgen.car.assembly.car_parts import Block, CarPart, Group, GroupKind, Supply, turned_round
 from cadgen.car.assembly.frame import Bought, BoughtKind
-from cadgen.car.assembly.panels import Panel, Place, rectangle
+from cadgen.car.assembly.panels import Panel, PartPlace
 from cadgen.car.running.friction import DiscMaterial
-from cadgen.curves.contour import Contour, circle
 from cadgen.design import gear_model
 from cadgen.design.train import PlateSection
 from cadgen.jobs.cam.cam_plan import DENSITY
@@ -41,19 +40,11 @@ def _made(frame: CarFrame) -> Iterator[CarPart]:
         colour = BASE_COLOUR if panel.code in ("base", "platform") else PLATE_COLOUR
         yield _sheet(panel, stated, colour, f"{frame.stem}_{panel.code}")
     block = frame.frame.block
-    half, across, seat = block.length / 2, block.width / 2, block.bearing
-    outline = Contour(rectangle(-half, -across, half, across), np.zeros(4))
-    levels = (0.0, seat.width, block.height - seat.width, block.height)
-    prisms = tuple(
-        Prism(outline, low, high, (circle((0.0, 0.0), diameter / 2),))
-        for low, high, diameter in zip(levels, levels[1:], (seat.diameter, block.bore, seat.diameter), strict=False)
-    )
-    threads = tuple(Drilled((at, 0.0, 0.0), (0.0, 0.0, 1.0), block.tap, block.depth) for at in block.threads)
     name, density, assumed = _material(others)
     yield CarPart(
         code="fork-block",
         title=Message("block of the fork"),
-        shape=Block(prisms, drilled=threads),
+        shape=block.shape,
         places=(_matrix(block.place),),
         group=_STANDS,
         material=name,
@@ -65,15 +56,11 @@ def _made(frame: CarFrame) -> Iterator[CarPart]:
 
 
 def _sheet(panel: Panel, stated: str | None, colour: tuple[float, float, float], files: str) -> CarPart:
-    drilled = tuple(
-        Drilled((each.u, each.v, panel.thickness / 2), (0.0, 1.0, 0.0), each.diameter, each.depth)
-        for each in panel.edge_holes
-    )
     name, density, assumed = _material(stated)
     return CarPart(
         code=panel.code.replace("_", "-"),
         title=Message(panel.name),
-        shape=Block((Prism(panel.outline, 0.0, panel.thickness, panel.openings),), drilled=drilled),
+        shape=panel.shape,
         places=(_matrix(panel.place),),
         group=_STANDS,
         material=name,
@@ -123,7 +110,7 @@ def _material(stated: str | None) -> tuple[str, float, bool]:
     return stated or Message("aluminium"), density, known is None
 
 
-def _matrix(place: Place) -> Array:
+def _matrix(place: PartPlace) -> Array:
     return np.column_stack([place.turn, place.shift])
 
 

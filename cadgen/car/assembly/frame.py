@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
-from itertools import combinations
+from itertools import combinations, pairwise
 from math import ceil, inf, sqrt
 from typing import NamedTuple
 
@@ -19,6 +19,7 @@ import shapely
 
 from cadgen.arrays import Array
 from cadgen.car.assembly.arrangement import Arrangement
+from cadgen.car.assembly.car_parts import Block, Drilled, Prism
 from cadgen.car.assembly.fork_sizes import (
     BRIDGE_HEIGHT,
     BRIDGE_LENGTH,
@@ -31,19 +32,19 @@ from cadgen.car.assembly.fork_sizes import (
     hub_width,
 )
 from cadgen.car.assembly.panels import (
+    ConvexPrism,
     EdgeHole,
     Feature,
-    Hole,
     Panel,
-    Piece,
-    Place,
+    PartPlace,
+    SheetHole,
     rectangle,
     rounded_corners,
     slot,
 )
 from cadgen.car.assembly.site import STEERING_STEPS, CarSite, OnShaft
 from cadgen.car.assembly.standard_parts import LENGTHS, Bearing, Screw, bearing_of, screw_length, smallest_bearing
-from cadgen.curves.contour import Contour
+from cadgen.curves.contour import Contour, circle
 from cadgen.messages import Message
 
 _RIM = 1.5  # walls of material round a seat, where nothing else decides
@@ -154,7 +155,7 @@ class ForkBlock:
     threads: tuple[float, ...]
     tap: float
     depth: float
-    place: Place
+    place: PartPlace
 
     @property
     def volume(self) -> float:
@@ -164,13 +165,26 @@ class ForkBlock:
         return self.length * self.width * self.height - float(np.pi) / 4 * drilled
 
     @property
-    def piece(self) -> Piece:
+    def shape(self) -> Block:
+        """Block as prisms one over the other, with the holes of its threads."""
+        half, across, seat = self.length / 2, self.width / 2, self.bearing
+        outline = Contour(rectangle(-half, -across, half, across), np.zeros(4))
+        levels = (0.0, seat.width, self.height - seat.width, self.height)
+        prisms = tuple(
+            Prism(outline, low, high, (circle((0.0, 0.0), diameter / 2),))
+            for (low, high), diameter in zip(pairwise(levels), (seat.diameter, self.bore, seat.diameter), strict=True)
+        )
+        threads = tuple(Drilled((at, 0.0, 0.0), (0.0, 0.0, 1.0), self.tap, self.depth) for at in self.threads)
+        return Block(prisms, drilled=threads)
+
+    @property
+    def piece(self) -> ConvexPrism:
         """Box that holds it."""
         half, across = self.length / 2, self.width / 2
-        return Piece.of(rectangle(-half, -across, half, across), self.height, self.place)
+        return ConvexPrism.of(rectangle(-half, -across, half, across), self.height, self.place)
 
 
-class Joint(NamedTuple):
+class FootJoint(NamedTuple):
     """Joint of a standing sheet with the base.
 
     Attributes:
@@ -323,7 +337,7 @@ class _Maker:
         self.swept = self._swept()
         self.openings: list[shapely.Polygon] = []
         self.slots: list[shapely.Polygon] = []
-        self.holes: list[Hole] = []
+        self.holes: list[SheetHole] = []
         self.screws: list[tuple[float, float]] = []  # x and z of those from below
         self.joints, self.wanted = 0, 0
 
@@ -425,7 +439,7 @@ class _Maker:
             threads=(-apart, apart),
             tap=sizes.screw.tap_drill,
             depth=sizes.screw.least_length + 2.0,
-            place=Place(_LYING, np.array([self.site.base_radius, upper, self.site.fork])),
+            place=PartPlace(_LYING, np.array([self.site.base_radius, upper, self.site.fork])),
         )
 
     def _platform(self, block: ForkBlock) -> tuple[Panel, tuple[tuple[float, float], ...]]:
@@ -435,8 +449,8 @@ class _Maker:
         margin = max(sizes.screw.head_diameter / 2, sizes.travel / 2 + sizes.screw.hole / 2) + sizes.wall
         left, right = -along - margin, along + margin
         u, v = -site.base_radius, -site.fork
-        holes = [Hole(Message("spindle of the fork"), u, v, SPINDLE + _ROUND)]
-        holes += [Hole(Message("screw of the block"), u + at, v, sizes.screw.hole) for at in block.threads]
+        holes = [SheetHole(Message("spindle of the fork"), u, v, SPINDLE + _ROUND)]
+        holes += [SheetHole(Message("screw of the block"), u + at, v, sizes.screw.hole) for at in block.threads]
         corners = [(s * along, t * across) for s in (-1, 1) for t in (-1, 1)]
         cuts, features = [], []
         for du, dv in corners:
@@ -452,7 +466,7 @@ class _Maker:
                     )
                 )
             else:
-                holes.append(Hole(Message("screw of a spacer"), u + du, v + dv, sizes.screw.hole))
+                holes.append(SheetHole(Message("screw of a spacer"), u + du, v + dv, sizes.screw.hole))
         side = across + margin
         outline = Contour(rectangle(u + left, v - side, u + right, v + side), np.zeros(4))
         panel = Panel(
@@ -464,14 +478,14 @@ class _Maker:
             edge_holes=(),
             features=tuple(features),
             thickness=sizes.base,
-            place=Place(_LYING, np.array([0.0, self.top - self.spacer, 0.0])),
+            place=PartPlace(_LYING, np.array([0.0, self.top - self.spacer, 0.0])),
         )
         return panel, tuple((-u - du, -v - dv) for du, dv in corners)
 
     def _bearing_plate(self, code: str, name: str, low: float, platform: Panel) -> Panel:
         site, thick = self.site, self.site.plate
         holes = [
-            Hole(
+            SheetHole(
                 Message("seat of shaft {shaft}", shaft=number),
                 -axis.real,
                 -axis.imag,
@@ -490,14 +504,14 @@ class _Maker:
         ahead = float(platform.outline.vertices[:, 0].max()) + self.sizes.travel / 2 + site.clearance
         outer = max(self.low) == low if self.found.place.towards < 0 else min(self.low) == low
         flush = (low + thick if self.found.place.towards < 0 else low) if outer else None
-        joints: list[Joint] = []
+        joints: list[FootJoint] = []
         while True:
             joints = self._joints(span, holes, self._strip_along(low, flush))
             if len(joints) == 4 or (span[0] <= ahead and span[1] >= max(ends) + 40):
                 break
             span = (max(span[0] - 5.0, min(ahead, span[0])), span[1] if span[0] > ahead else span[1] + 5.0)
         self._join(joints, 4, lambda at: (-at, low + thick / 2), self._slots_along(low))
-        return self._standing(code, name, holes, span, joints, Place(STANDING, np.array([0.0, 0.0, low])))
+        return self._standing(code, name, holes, span, joints, PartPlace(STANDING, np.array([0.0, 0.0, low])))
 
     def _idle_bracket(self) -> Panel:
         site, thick = self.site, self.site.plate
@@ -507,18 +521,18 @@ class _Maker:
         middle = -self.axle.real
         seat = self.site.bearings[0] if not self.site.ending[0] else 0.0
         name, size = Message("seat of shaft {shaft}", shaft=1), seat or self.bores[0]
-        holes = [Hole(name, middle, -self.axle.imag, size, self.sizes.seat, 1)]
+        holes = [SheetHole(name, middle, -self.axle.imag, size, self.sizes.seat, 1)]
         span = (middle - _HALF_FOOT, middle + _HALF_FOOT)
         joints = self._joints(span, holes, self._strip_along(low, face))
         self._join(joints, 3, lambda at: (-at, low + thick / 2), self._slots_along(low))
         name = Message("bracket beside the idle wheel")
-        return self._standing("bracket_idle", name, holes, span, joints, Place(STANDING, np.array([0.0, 0.0, low])))
+        return self._standing("bracket_idle", name, holes, span, joints, PartPlace(STANDING, np.array([0.0, 0.0, low])))
 
     def _micrometer_bracket(self, platform: Panel) -> Panel:
         site, sizes, thick = self.site, self.sizes, self.site.plate
         low = -float(platform.outline.vertices[:, 0].min()) + sizes.travel / 2 + _BEFORE
         height = -(self.top - self.spacer - sizes.base / 2)
-        holes = [Hole(Message("hole for the micrometer head"), site.fork, height, sizes.stem, sizes.seat)]
+        holes = [SheetHole(Message("hole for the micrometer head"), site.fork, height, sizes.stem, sizes.seat)]
         span = (site.fork - _HALF_FOOT, site.fork + _HALF_FOOT)
 
         def strip(start: float, end: float, along: float) -> shapely.Polygon:
@@ -527,7 +541,7 @@ class _Maker:
         joints = self._joints(span, holes, strip)
         half = _FIT / 2
 
-        def cut(joint: Joint) -> shapely.Polygon:
+        def cut(joint: FootJoint) -> shapely.Polygon:
             reach = joint.width / 2 + half
             return shapely.box(-low - thick - half, -joint.at - reach, -low + half, -joint.at + reach)
 
@@ -538,7 +552,7 @@ class _Maker:
             holes,
             span,
             joints,
-            Place(_ACROSS, np.array([low, 0.0, 0.0])),
+            PartPlace(_ACROSS, np.array([low, 0.0, 0.0])),
         )
 
     def _strip_along(self, low: float, flush: float | None) -> Callable[[float, float, float], shapely.Polygon]:
@@ -554,10 +568,10 @@ class _Maker:
 
         return strip
 
-    def _slots_along(self, low: float) -> Callable[[Joint], shapely.Polygon]:
+    def _slots_along(self, low: float) -> Callable[[FootJoint], shapely.Polygon]:
         half = _FIT / 2
 
-        def cut(joint: Joint) -> shapely.Polygon:
+        def cut(joint: FootJoint) -> shapely.Polygon:
             reach = joint.width / 2 + half
             return shapely.box(joint.at - reach, -low - self.site.plate - half, joint.at + reach, -low + half)
 
@@ -566,9 +580,9 @@ class _Maker:
     def _joints(
         self,
         span: tuple[float, float],
-        holes: Sequence[Hole],
+        holes: Sequence[SheetHole],
         strip: Callable[[float, float, float], shapely.Polygon],
-    ) -> list[Joint]:
+    ) -> list[FootJoint]:
         """Joints along a foot, as far apart as may be: two tabs between screws, on a short foot one screw between tabs.
 
         Args:
@@ -597,20 +611,25 @@ class _Maker:
         places = np.arange(span[0], span[1] + 1e-9, _STEP).tolist()
         screws, tabs = ([at for at in places if takes(at, width)] for width in (0.0, tab))
         between = tab / 2 + max(wide, reach) + 0.5 * wall
-        made: list[Joint] = []
+        made: list[FootJoint] = []
         if not screws or not tabs:
             return made
         if long:
             first, last = screws[0], screws[-1]
             inside = [at for at in tabs if first + between <= at <= last - between]
             if inside and inside[-1] - inside[0] >= tab + wall:
-                made = [Joint(first, 0.0), Joint(inside[0], tab), Joint(inside[-1], tab), Joint(last, 0.0)]
+                made = [
+                    FootJoint(first, 0.0),
+                    FootJoint(inside[0], tab),
+                    FootJoint(inside[-1], tab),
+                    FootJoint(last, 0.0),
+                ]
             return made
         first, last = tabs[0], tabs[-1]
         inside = [at for at in screws if first + between <= at <= last - between]
         if inside:
             middle = min(inside, key=lambda at: abs(at - (first + last) / 2))
-            made = [Joint(first, tab), Joint(middle, 0.0), Joint(last, tab)]
+            made = [FootJoint(first, tab), FootJoint(middle, 0.0), FootJoint(last, tab)]
         return made
 
     @property
@@ -633,10 +652,10 @@ class _Maker:
 
     def _join(
         self,
-        joints: Sequence[Joint],
+        joints: Sequence[FootJoint],
         wanted: int,
         below: Callable[[float], tuple[float, float]],
-        cut: Callable[[Joint], shapely.Polygon],
+        cut: Callable[[FootJoint], shapely.Polygon],
     ) -> None:
         """Cut the base for the joints of a sheet."""
         self.joints, self.wanted = self.joints + len(joints), self.wanted + wanted
@@ -650,10 +669,10 @@ class _Maker:
         self,
         code: str,
         name: str,
-        holes: Sequence[Hole],
+        holes: Sequence[SheetHole],
         span: tuple[float, float],
-        joints: Sequence[Joint],
-        place: Place,
+        joints: Sequence[FootJoint],
+        place: PartPlace,
     ) -> Panel:
         """Sheet that stands on the base: the hull of its seats' rims and its foot."""
         sizes, foot = self.sizes, -self.top
@@ -702,7 +721,7 @@ class _Maker:
             place=place,
         )
 
-    def _tab(self, joint: Joint) -> list[tuple[float, float]]:
+    def _tab(self, joint: FootJoint) -> list[tuple[float, float]]:
         half, foot, low = joint.width / 2, -self.top, -self.top - self.sizes.base
         left, right = joint.at - half, joint.at + half
         return [(left, foot), (left, low), (right, low), (right, foot)]
@@ -739,8 +758,8 @@ class _Maker:
         left = whole.difference(shapely.union_all([*self.openings, *self.slots]))
         parts = sorted(shapely.get_parts(left), key=lambda part: -part.area)
         outer = parts[0].simplify(0.0)
-        holes = [Hole(Message("screw from below"), -x, -z, sizes.screw.hole) for x, z in self.screws]
-        holes += [Hole(Message("screw of a spacer"), -x, -z, sizes.screw.hole) for x, z in spacers]
+        holes = [SheetHole(Message("screw from below"), -x, -z, sizes.screw.hole) for x, z in self.screws]
+        holes += [SheetHole(Message("screw of a spacer"), -x, -z, sizes.screw.hole) for x, z in spacers]
         holes += self._drive_holes(outer)
         cuts = [rounded_corners(_corners(ring), sizes.corner, inside=True) for ring in outer.interiors]
         outline = rounded_corners(_corners(outer.exterior), sizes.corner, inside=False)
@@ -753,7 +772,7 @@ class _Maker:
             edge_holes=(),
             features=tuple(self._features(whole)),
             thickness=sizes.base,
-            place=Place(_LYING, np.array([0.0, self.top + sizes.base, 0.0])),
+            place=PartPlace(_LYING, np.array([0.0, self.top + sizes.base, 0.0])),
         )
         return base, len(parts)
 
@@ -765,7 +784,7 @@ class _Maker:
             left, low, right, high = area.intersection(whole).bounds
             yield Feature(name, (left + right) / 2, (low + high) / 2, right - left, high - low)
 
-    def _drive_holes(self, base: shapely.Polygon) -> list[Hole]:
+    def _drive_holes(self, base: shapely.Polygon) -> list[SheetHole]:
         """Four holes for motor or weight between the train and the idle wheel, as near to the axle as there is room."""
         site, sizes = self.site, self.sizes
         beside = sorted((self.found.place.far, site.idle_wheel))
@@ -784,7 +803,7 @@ class _Maker:
                 if base.covers(area) and not area.intersects(taken):
                     name = Message("motor or weight")
                     corners = rectangle(at - along / 2, middle - wide / 2, at + along / 2, middle + wide / 2)
-                    return [Hole(name, u, v, sizes.screw.hole) for u, v in corners.tolist()]
+                    return [SheetHole(name, u, v, sizes.screw.hole) for u, v in corners.tolist()]
         return []
 
     def _borne(self, plate: float, width: float) -> tuple[float, float]:

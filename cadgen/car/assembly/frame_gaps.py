@@ -22,7 +22,7 @@ from cadgen.car.assembly.fork_sizes import (
     hub_width,
 )
 from cadgen.car.assembly.frame import STANDING, BoughtKind, Frame
-from cadgen.car.assembly.panels import Piece, Place, cylinder_box, least_gap, parallel_gap, pieces, rectangle
+from cadgen.car.assembly.panels import ConvexPrism, PartPlace, cylinder_box, least_gap, parallel_gap, pieces, rectangle
 from cadgen.car.assembly.site import STEERING_STEPS, OnShaft
 from cadgen.messages import Message
 
@@ -105,10 +105,10 @@ def _still(frame: Frame) -> list[tuple[int, Convex, Array]]:
     return made
 
 
-def _shifted(frame: Frame, place: Place) -> tuple[Place, ...]:
+def _shifted(frame: Frame, place: PartPlace) -> tuple[PartPlace, ...]:
     """Ends of the way of what the micrometer shifts, either one."""
     way = np.array([frame.sizes.travel / 2, 0.0, 0.0])
-    return (Place(place.turn, place.shift - way), Place(place.turn, place.shift + way))
+    return (PartPlace(place.turn, place.shift - way), PartPlace(place.turn, place.shift + way))
 
 
 def _turning(frame: Frame) -> Iterator[tuple[int, Convex, Array]]:
@@ -133,7 +133,7 @@ def _turning(frame: Frame) -> Iterator[tuple[int, Convex, Array]]:
         # Its own u lies along the wheel, v along its axle, w points up.
         turn = np.array([[across, ahead, 0.0], [0.0, 0.0, -1.0], [-ahead, across, 0.0]])
         half, low = BRIDGE_LENGTH / 2, height - wheel + BRIDGE_LENGTH / 2
-        cheeks = Piece.of(rectangle(-half, -hub, half, hub), low - bridge, Place(turn, np.array([x, low, z])))
+        cheeks = ConvexPrism.of(rectangle(-half, -hub, half, hub), low - bridge, PartPlace(turn, np.array([x, low, z])))
         yield _CHEEKS, cheeks, cheeks.box
 
 

@@ -14,6 +14,7 @@ import shapely
 
 from cadgen.arrays import Array
 from cadgen.car.assembly.bodies import Convex, SolidCylinder, convex_gap
+from cadgen.car.assembly.car_parts import Block, Drilled, Prism
 from cadgen.curves.contour import Contour, circle
 
 _CHORD = 0.005  # mm, of arcs in the pieces against which gaps are measured
@@ -21,7 +22,7 @@ _STRAIGHT = 1e-12
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Place:
+class PartPlace:
     """Place of a part's frame in the car: x = turn u + shift, mm.
 
     Attributes:
@@ -51,7 +52,7 @@ class Place:
         return found
 
 
-class Hole(NamedTuple):
+class SheetHole(NamedTuple):
     """Round hole through a sheet.
 
     Attributes:
@@ -125,16 +126,25 @@ class Panel:
     name: str
     outline: Contour
     cuts: tuple[Contour, ...]
-    holes: tuple[Hole, ...]
+    holes: tuple[SheetHole, ...]
     edge_holes: tuple[EdgeHole, ...]
     features: tuple[Feature, ...]
     thickness: float
-    place: Place
+    place: PartPlace
 
     @property
     def openings(self) -> tuple[Contour, ...]:
         """Cut-outs and holes."""
         return (*self.cuts, *(circle((hole.u, hole.v), hole.diameter / 2) for hole in self.holes))
+
+    @property
+    def shape(self) -> Block:
+        """Sheet as a prism with holes."""
+        drilled = tuple(
+            Drilled((each.u, each.v, self.thickness / 2), (0.0, 1.0, 0.0), each.diameter, each.depth)
+            for each in self.edge_holes
+        )
+        return Block((Prism(self.outline, 0.0, self.thickness, self.openings),), drilled=drilled)
 
     @property
     def volume(self) -> float:
@@ -157,7 +167,7 @@ class Panel:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Piece:
+class ConvexPrism:
     """Convex prism: a piece of a sheet.
 
     Attributes:
@@ -169,11 +179,11 @@ class Piece:
 
     corners: Array
     thickness: float
-    place: Place
+    place: PartPlace
     box: Array
 
     @classmethod
-    def of(cls, corners: Array, thickness: float, place: Place) -> "Piece":
+    def of(cls, corners: Array, thickness: float, place: PartPlace) -> "ConvexPrism":
         """Prism over a face.
 
         Args:
@@ -210,7 +220,7 @@ class Piece:
         return found
 
 
-def pieces(panel: Panel) -> Iterator[Piece]:
+def pieces(panel: Panel) -> Iterator[ConvexPrism]:
     """Convex pieces that make up a sheet, its seats filled by the bearings in them."""
     face = panel.face(seats=False)
     if not face.is_valid:  # as of a seat that is cut by the foot
@@ -224,7 +234,7 @@ def pieces(panel: Panel) -> Iterator[Piece]:
     placed = panel.place.out(flat.reshape(-1, 3)).reshape(flat.shape)
     boxes = np.stack([placed.min(axis=1), placed.max(axis=1)], axis=1)
     for each, box in zip(corners, boxes, strict=True):
-        yield Piece(each, panel.thickness, panel.place, box)
+        yield ConvexPrism(each, panel.thickness, panel.place, box)
 
 
 def cylinder_box(body: SolidCylinder) -> Array:

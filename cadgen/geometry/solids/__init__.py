@@ -8,7 +8,6 @@
 | `helical_wall` | walls of helical teeth as Bézier patches and exact cylinders           |
 | `gear_solids` | gears, the parts of a gear train, and their assembly                       |
 | `car_solids`  | parts of a car as solids, and the car as one assembly                      |
-| `frame_solids` | sheets, block and shafts of a frame                                       |
 | `step`        | STEP: reproducible bytes, and what the kernel reads from them              |
 | `step_text`   | rim or tooth curves read from a STEP file's text, without the kernel       |
 

@@ -3,10 +3,10 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from cadgen.car.assembly.car_parts import Block
 from cadgen.car.assembly.frame import ForkBlock
 from cadgen.car.assembly.panels import Panel
 from cadgen.design.machining import Machining
@@ -15,9 +15,6 @@ from cadgen.messages import Message
 from cadgen.output.files.dxf import alike, read_dxf, write_dxf
 from cadgen.output.files.publisher import Artifact, require
 from cadgen.output.files.step import one_solid
-
-if TYPE_CHECKING:
-    from cadgen.geometry.solids.kernel import SolidPart
 
 PLATE_COLOUR, BASE_COLOUR = (0.62, 0.66, 0.70), (0.50, 0.54, 0.58)
 _STEP = 0.05  # mm between the points of an outline that is read back
@@ -72,10 +69,8 @@ def panel_files(
         ),
         (Message("outline and {count} openings", count=len(openings)),),
     )
-    from cadgen.geometry.solids.frame_solids import panel_part
-
     colour = BASE_COLOUR if panel.code in ("base", "platform") else PLATE_COLOUR
-    yield _solid(folder, panel_part(panel, stem, text.described, colour), panel.volume)
+    yield _solid(panel.shape, panel.volume, folder / f"{stem}.step", text, colour)
     if machining is not None:
         from cadgen.output.files.sheet_nc import sheet_program
 
@@ -88,11 +83,14 @@ def block_files(block: ForkBlock, folder: Path, stem: str, text: FrameText) -> I
     Raises:
         FileError: the file cannot be written, or holds something else when it is read back.
     """
-    from cadgen.geometry.solids.frame_solids import block_part
-
-    yield _solid(folder, block_part(block, stem, text.described, PLATE_COLOUR), block.volume)
+    yield _solid(block.shape, block.volume, folder / f"{stem}.step", text, PLATE_COLOUR)
 
 
-def _solid(folder: Path, part: "SolidPart", exact: float) -> Artifact:
-    file = folder / f"{part.name}.step"
+def _solid(shape: Block, exact: float, file: Path, text: FrameText, colour: tuple[float, float, float]) -> Artifact:
+    """Solid of a part as STEP; its exact volume is reckoned without the shape's own."""
+    from cadgen.geometry.solids.car_solids import shape_solid
+    from cadgen.geometry.solids.kernel import SolidPart
+
+    solid = shape_solid(shape, file.stem)
+    part = SolidPart(solid=solid, name=file.stem, description=text.described, colour=colour)
     return Artifact(file.name, one_solid(file, part, exact), (Message("one valid solid of the exact volume"),))

@@ -13,9 +13,9 @@ from OCP.TopoDS import TopoDS_Shape
 from cadgen.car.assembly.bodies import SolidCylinder
 from cadgen.car.assembly.panels import (
     EdgeHole,
-    Hole,
     Panel,
-    Place,
+    PartPlace,
+    SheetHole,
     cylinder_box,
     least_gap,
     parallel_gap,
@@ -24,10 +24,10 @@ from cadgen.car.assembly.panels import (
     rounded_corners,
     slot,
 )
-from cadgen.geometry.solids.frame_solids import panel_part
+from cadgen.geometry.solids.car_solids import shape_solid
 
 
-def panel_at(place: Place, corner: float = 1.05) -> Panel:
+def panel_at(place: PartPlace, corner: float = 1.05) -> Panel:
     """A sheet with a notch, a slot, an opening and holes."""
     corners = np.array([[0, 0], [20, 0], [20, 6], [30, 6], [30, 0], [60, 0], [60, 40], [0, 40]], dtype=float)
     return Panel(
@@ -35,7 +35,7 @@ def panel_at(place: Place, corner: float = 1.05) -> Panel:
         name="sheet",
         outline=rounded_corners(corners, corner, inside=False),
         cuts=(slot((45.0, 12.0), 6.0, 4.0), rounded_corners(rectangle(5, 20, 25, 32), corner, inside=True)),
-        holes=(Hole("hole", 40.0, 26.0, 8.0, "", 0),),
+        holes=(SheetHole("hole", 40.0, 26.0, 8.0, "", 0),),
         edge_holes=(EdgeHole(10.0, 0.0, 2.5, 8.0),),
         features=(),
         thickness=5.0,
@@ -47,7 +47,7 @@ def placed(panel: Panel) -> TopoDS_Shape:
     turn, shift = panel.place.turn, panel.place.shift
     trsf = gp_Trsf()
     trsf.SetValues(*(float(v) for row in range(3) for v in (*turn[row], shift[row])))
-    return BRepBuilderAPI_Transform(panel_part(panel, "sheet", "", (0.5, 0.5, 0.5)).solid, trsf, True).Shape()
+    return BRepBuilderAPI_Transform(shape_solid(panel.shape, "sheet"), trsf, True).Shape()
 
 
 def cylinder(body: SolidCylinder) -> TopoDS_Shape:
@@ -69,10 +69,10 @@ def test_an_opened_corner_takes_half_a_disc_less_a_triangle() -> None:
 def test_a_panel_has_the_volume_of_its_solid() -> None:
     from cadgen.geometry.solids.kernel import is_valid, volume
 
-    panel = panel_at(Place(np.eye(3), np.zeros(3)))
-    part = panel_part(panel, "sheet", "", (0.5, 0.5, 0.5))
-    assert is_valid(part.solid)
-    assert volume(part.solid) == pytest.approx(panel.volume, rel=1e-9)
+    panel = panel_at(PartPlace(np.eye(3), np.zeros(3)))
+    solid = shape_solid(panel.shape, "sheet")
+    assert is_valid(solid)
+    assert volume(solid) == pytest.approx(panel.volume, rel=1e-9)
 
 
 @pytest.mark.parametrize("seed", range(6))
@@ -80,7 +80,7 @@ def test_gaps_are_the_distances_of_the_cad_kernel(seed: int) -> None:
     random = np.random.default_rng(seed)
     turn, _ = np.linalg.qr(random.normal(size=(3, 3)))
     turn *= np.linalg.det(turn)
-    panel = panel_at(Place(turn, random.normal(size=3) * 10))
+    panel = panel_at(PartPlace(turn, random.normal(size=3) * 10))
     axis = random.normal(size=3)
     axis /= np.linalg.norm(axis)
     middle = panel.place.out(np.array([[30.0, 20.0, 2.5]]))[0] + random.normal(size=3) * 30
@@ -94,7 +94,7 @@ def test_gaps_are_the_distances_of_the_cad_kernel(seed: int) -> None:
 
 
 def test_a_gap_along_the_normal_is_exact_and_negative_in_the_material() -> None:
-    panel = panel_at(Place(np.eye(3), np.array([0.0, 0.0, 10.0])))
+    panel = panel_at(PartPlace(np.eye(3), np.array([0.0, 0.0, 10.0])))
     above = SolidCylinder(name="", centre=(50.0, 30.0, 20.0), radius=3.0, half=2.0)
     assert parallel_gap(panel, above) == pytest.approx(3.0)
     beside = SolidCylinder(name="", centre=(70.0, 20.0, 12.0), radius=3.0, half=2.0)
