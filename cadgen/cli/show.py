@@ -523,6 +523,7 @@ def files(written: "Written", out: Path) -> None:
     heading(out, stem)
     sheet(Sheet("files", "", tuple(heads), tuple(rows)), gap=False)
     _omitted(written)
+    _not_stated(written)
     for warning in written.warnings:
         Output().print(Text.assemble((shown(Message("Warning")), "yellow"), f"{shown(': ')}{shown(warning)}."))
 
@@ -543,6 +544,20 @@ def _omitted(written: "Written") -> None:
         Output().print(Text.assemble((left_out, "yellow"), f"{shown(': ')}{shown(reason)}."))
 
 
+def _not_stated(written: "Written") -> None:
+    """Print what the sheets leave open, with the keys that state it."""
+    if written.not_stated:
+        named = joined(
+            Message("{name} ({key})", name=Message(name), key=key) for name, key in written.not_stated.items()
+        )
+        Output().print(
+            Message(
+                "The sheets say that these are not stated: {named}. State them in the design, or on the paper.",
+                named=named,
+            )
+        )
+
+
 def stem_of(names: Collection[str]) -> str:
     """The words that all names of files begin with; it stands above their table, which then fits a narrow terminal."""
     first, last = min(names), max(names)
@@ -558,13 +573,4 @@ def drawings(written: "Written", out: Path) -> None:
     heads = (Message("file"), Message("sheet"), Message("scale"), Message("dimensions"))
     sheet(Sheet("drawings", "", heads, tuple(rows)), gap=False)
     _omitted(written)
-    if written.not_stated:
-        named = joined(
-            Message("{name} ({key})", name=Message(name), key=key) for name, key in written.not_stated.items()
-        )
-        Output().print(
-            Message(
-                "The sheets say that these are not stated: {named}. State them in the design, or on the paper.",
-                named=named,
-            )
-        )
+    _not_stated(written)

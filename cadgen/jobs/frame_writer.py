@@ -44,8 +44,25 @@ def write_frame(frame: CarFrame, out: Path, progress: Progress = silent) -> Writ
         out,
         lambda staging: _Files(frame, state, staging, omitted, progress).made(),
         frame.entry(),
-        lambda _: Facts(omitted=omitted) if omitted else Facts(),
+        lambda _: Facts(
+            **{key: each for key, each in (("omitted", omitted), ("not_stated", _not_stated(frame))) if each}
+        ),
     )
+
+
+def _not_stated(frame: CarFrame) -> dict[str, str]:
+    """Facts that the sheets leave open, each with the key of the design that states it."""
+    plates, keys = gear_model.train_keys(frame.design).plate or PlateSection(), frame.design.frame or FrameSection()
+    stated = {
+        Message("material of the plates"): ("train.plate.material", plates.material),
+        Message("material of the base"): ("frame.material", keys.material or plates.material),
+        Message("surface finish"): ("drawing.finish", frame.design.drawing and frame.design.drawing.finish),
+        Message("tolerance of the base radius"): (
+            "tolerances.base_radius_mm",
+            frame.design.tolerances.base_radius_mm,
+        ),
+    }
+    return {name: key for name, (key, value) in stated.items() if not value}
 
 
 @dataclass(frozen=True, slots=True)
