@@ -79,6 +79,10 @@ outwards; on the return the spring drives it back.
 """
 
 
+# Head of a table of keys.
+_TABLE = "| key | unit | must be | default | meaning |\n|---|---|---|---|---|\n"
+
+
 def named_keys(name: str) -> list[Key]:
     """Keys of every kind of design that have a name.
 
@@ -101,7 +105,12 @@ def named_keys(name: str) -> list[Key]:
 def page() -> str:
     """The reference page in Markdown, written from the schema."""
     names = listed([f"`{name}`" for name in packaged_designs()], "and")
-    sections = "".join(_section(table) + _other_paths(table) for table in tables().values())
+    sections = ""
+    for table in tables().values():
+        title = f"### {table.heading}\n\n{table.meaning}" if table.name else "### Before the first section"
+        optional = "" if table.required else " May be left out."
+        rows = "".join(_row(key) for key in table.keys)
+        sections += f"\n{title}{optional}\n\n{_TABLE}{rows}{_other_paths(table)}"
     limits = "".join(
         f"| `{name}` | {degrees(limit.rise):.0f}° | {degrees(limit.fall):.0f}° | {limit.source} |\n"
         for name, limit in PRESSURE_ANGLE_LIMITS.items()
@@ -109,19 +118,11 @@ def page() -> str:
     return _HEAD.format(names=names, default=DEFAULT_DESIGN) + sections + _LIMITS + limits
 
 
-def _section(table: SectionKeys) -> str:
-    head = "| key | unit | must be | default | meaning |\n|---|---|---|---|---|\n"
-    title = f"### {table.heading}\n\n{table.meaning}" if table.name else "### Before the first section"
-    optional = "" if table.required else " May be left out."
-    return f"\n{title}{optional}\n\n{head}{''.join(_row(key) for key in table.keys)}"
-
-
 def _other_paths(table: SectionKeys) -> str:
     """After the sections [path], [cam] and [follower], the keys that take the place of the usual ones."""
     if table.name in _BY_MOTION:
-        head = "| key | unit | must be | default | meaning |\n|---|---|---|---|---|\n"
         keys = tables(Kinds(motion=True))[table.name].keys
-        return f"\nWith `[motion]`, instead of all these:\n\n{head}{''.join(map(_row, keys))}"
+        return f"\nWith `[motion]`, instead of all these:\n\n{_TABLE}{''.join(map(_row, keys))}"
     if table.name == "train.stages":
         return "".join(_stage_kind(stage_kinds.kind_of(code)) for code in stage_kinds.codes())
     if table.name == "follower":
@@ -134,24 +135,22 @@ def _other_paths(table: SectionKeys) -> str:
 def _follower_kind(kind: FollowerKind) -> str:
     every = tables(Kinds(follower=kind, motion=True)).values()
     table, *below = [table for table in every if table.name.partition(".")[0] == "follower"]
-    head = "| key | unit | must be | default | meaning |\n|---|---|---|---|---|\n"
     rows = "".join(_row(key) for key in table.keys if last(key.name) != "kind")
     inner = "".join(
-        f"\n`{part.heading}` of it. {part.meaning}\n\n{head}{''.join(map(_row, part.keys))}" for part in below
+        f"\n`{part.heading}` of it. {part.meaning}\n\n{_TABLE}{''.join(map(_row, part.keys))}" for part in below
     )
-    return f'\nWith `kind = "{kind.code}"`, instead of the keys of the rod. {kind.meaning}\n\n{head}{rows}{inner}'
+    return f'\nWith `kind = "{kind.code}"`, instead of the keys of the rod. {kind.meaning}\n\n{_TABLE}{rows}{inner}'
 
 
 def _stage_kind(kind: StageKind) -> str:
     every = tables(Kinds(stage=kind)).values()
     table, *below = [part for part in every if part.name == "train.stages" or part.name.startswith("train.stages.")]
-    head = "| key | unit | must be | default | meaning |\n|---|---|---|---|---|\n"
     own = [key for key in table.keys if last(key.name) in kind.keys.__annotations__]
     inner = "".join(
-        f"\n`{last(part.name)}` of it. {part.meaning}\n\n{head}{''.join(map(_row, part.keys))}" for part in below
+        f"\n`{last(part.name)}` of it. {part.meaning}\n\n{_TABLE}{''.join(map(_row, part.keys))}" for part in below
     )
     rows = "".join(map(_row, own))
-    return f'\nWith `kind = "{kind.code}"`, instead of driver and driven. {kind.meaning}\n\n{head}{rows}{inner}'
+    return f'\nWith `kind = "{kind.code}"`, instead of driver and driven. {kind.meaning}\n\n{_TABLE}{rows}{inner}'
 
 
 def _path_kind(kind: PathKind, usual: set[str]) -> str:
@@ -159,8 +158,7 @@ def _path_kind(kind: PathKind, usual: set[str]) -> str:
     if not (rows := "".join(_row(key) for name, key in keys.items() if name not in usual)):
         return ""
     replaced = listed([f"`{last(name)}`" for name in sorted(usual - set(keys))], "and")
-    head = "| key | unit | must be | default | meaning |\n|---|---|---|---|---|\n"
-    return f'\nWith `spline = "{kind.code}"`, instead of {replaced}:\n\n{head}{rows}'
+    return f'\nWith `spline = "{kind.code}"`, instead of {replaced}:\n\n{_TABLE}{rows}'
 
 
 def _row(key: Key) -> str:

@@ -33,7 +33,18 @@ def read_changes(raw: object) -> dict[str, Value]:
     """
     if not isinstance(raw, dict) or not 0 < len(raw) <= MOST_CHANGES:
         raise DesignError("changes must be 1 to {most} numbers or pairs [x, y] by their keys", most=MOST_CHANGES)
-    return {key: _value(key, value) for key, value in raw.items()}
+    changes: dict[str, Value] = {}
+    for key, value in raw.items():
+        if _number(value) or (isinstance(value, str) and _WORD.fullmatch(value)):
+            changes[key] = value
+            continue
+        try:
+            changes[key] = read_point(value)
+        except DesignError:
+            raise DesignError(
+                "{key} must be a number, a pair [x, y] of numbers, or a word", key=brief(key, 60)
+            ) from None
+    return changes
 
 
 def read_point(raw: object) -> tuple[float, float]:
@@ -45,15 +56,6 @@ def read_point(raw: object) -> tuple[float, float]:
     if isinstance(raw, list) and len(raw) == 2 and all(map(_number, raw)):
         return (float(raw[0]), float(raw[1]))
     raise DesignError(Message("a point must be a pair [x, y] of numbers"))
-
-
-def _value(key: str, value: object) -> Value:
-    if _number(value) or (isinstance(value, str) and _WORD.fullmatch(value)):
-        return value  # type: ignore[return-value]
-    try:
-        return read_point(value)
-    except DesignError:
-        raise DesignError("{key} must be a number, a pair [x, y] of numbers, or a word", key=brief(key, 60)) from None
 
 
 def _number(value: object) -> bool:
