@@ -234,7 +234,9 @@ def _walk(
     for part, info in section.model_fields.items():
         if not name and kinds.motion and part in OF_A_CAR:
             continue
-        annotation = _without_none(info.annotation)
+        annotation = info.annotation
+        if type(None) in (arms := get_args(annotation)) and get_origin(arms[0]) is Annotated:
+            annotation = get_args(arms[0])[0]  # of a list of sections that may be left out
         arms = (annotation, *get_args(annotation))
         arms += tuple(below for arm in arms if get_origin(arm) is Annotated for below in get_args(arm))
         inner = next((arm for arm in arms if isinstance(arm, type) and issubclass(arm, DesignSection)), None)
@@ -253,14 +255,6 @@ def _walk(
     yield SectionKeys(name, meaning, required, many, tuple(own), tuple(part for part, *_ in below))
     for part, inner, needed, repeated in below:
         yield from _walk(dotted(name, part), inner, kinds, required=needed, many=repeated)
-
-
-def _without_none(annotation: Any) -> Any:
-    """Type of a list of sections that may be left out; any other one as it is."""
-    arms = [arm for arm in get_args(annotation) if arm is not type(None)]
-    if len(arms) == 1 and type(None) in get_args(annotation) and get_origin(arms[0]) is Annotated:
-        return get_args(arms[0])[0]
-    return annotation
 
 
 def _bound(limits: Sequence[Any], names: tuple[str, str]) -> float | None:
