@@ -65,18 +65,18 @@ def _numbers(each: Callable[[str], Any], name: str, given: str | None) -> list[A
         ) from None
 
 
-def _degrees(flag: str, low: float, high: float) -> Callable[[str], float]:
-    """Reader of an angle in degrees within a range, as rad."""
+def _within(flag: str, low: float, high: float, read: Callable[[float], float]) -> Callable[[str], float]:
+    """Reader of a flag's number within a range."""
 
-    def angle(text: str) -> float:
+    def number(text: str) -> float:
         value = float(text)
         if not low <= value <= high:
             raise click.UsageError(
                 Message("{flag} is {value:g}; give {low:g} to {high:g}", flag=flag, value=value, low=low, high=high)
             )
-        return radians(value)
+        return read(value)
 
-    return angle
+    return number
 
 
 # Flags of every gear: name, argument of `Gear`, how it is read, what it says.
@@ -86,13 +86,13 @@ _FLAGS: tuple[tuple[tuple[str, ...], str, Callable[[str], Any], str], ...] = (
     (
         ("--helix-angle-deg", "--helix-deg"),
         "helix_angle",
-        _degrees("--helix-angle-deg", 0, 45),
+        _within("--helix-angle-deg", 0, 45, radians),
         "Helix angle, degrees.",
     ),
     (
         ("--pressure-angle-deg",),
         "pressure_angle",
-        _degrees("--pressure-angle-deg", 10, 35),
+        _within("--pressure-angle-deg", 10, 35, radians),
         "Normal pressure angle, degrees.",
     ),
     (("--profile-shift",), "profile_shift", float, "Profile shift x, in modules, by ISO 21771 for a ring, too."),
@@ -305,8 +305,18 @@ def gear(
 @_gear_flags
 @_HAND
 @_DOUBLE
-@help.option("--backlash-um", type=float, default=None, help="Backlash on the working pitch circles, µm.")
-@help.option("--backlash-deg", type=float, default=None, help="Backlash as the free angle of the wheel, degrees.")
+@help.option(
+    "--backlash-um",
+    type=_within("--backlash-um", 0, 1e4, float),
+    default=None,
+    help="Backlash on the working pitch circles, µm.",
+)
+@help.option(
+    "--backlash-deg",
+    type=_within("--backlash-deg", 0, 45, float),
+    default=None,
+    help="Backlash as the free angle of the wheel, degrees.",
+)
 @help.option(
     "--centre-distance-mm", type=float, default=None, help="Distance of the axes, mm; that without play if left out."
 )
@@ -438,7 +448,12 @@ def pair(
 @_gear_flags
 @_HAND
 @_DOUBLE
-@help.option("--backlash-um", type=float, default=None, help="Backlash of both meshes on their pitch circles, µm.")
+@help.option(
+    "--backlash-um",
+    type=_within("--backlash-um", 0, 1e4, float),
+    default=None,
+    help="Backlash of both meshes on their pitch circles, µm.",
+)
 @help.option(
     "--centre-distance-mm",
     type=float,

@@ -388,15 +388,12 @@ def closest(driver: GearForm, driven: GearForm) -> float:
     if not 0 < wanted < involute(STEEPEST_MESH):
         bound = involute(STEEPEST_MESH) if wanted > 0 else 0.0
         most = (bound - involute(alpha)) * teeth / (2 * tan(driver.normal_pressure_angle))
-        gear = max(driver, driven, key=lambda form: abs(form.profile_shift))
         raise DesignError(
-            "{pair} has profile shifts of {shift:g} together; bring their sum nearer to 0, to {sum:g}: give the gear "
-            "of {teeth} teeth profile_shift = {value:g}",
+            "{pair} has profile shifts of {shift:g} together; give the profile shifts {one:g} and {other:g}",
             pair=_pair(driver, driven),
             shift=shift,
-            sum=round(most / 2, 2),
-            teeth=gear.teeth,
-            value=round(gear.profile_shift - shift + round(most / 2, 2), 6),
+            one=round(driver.profile_shift * most / shift / 2, 2),
+            other=round(driven.profile_shift * most / shift / 2, 2),
         )
     mesh: float = brentq(lambda angle: involute(angle) - wanted, 0.0, STEEPEST_MESH, xtol=1e-15)
     return reference * cos(alpha) / cos(mesh)

@@ -255,10 +255,18 @@ def cured(made: Case, said: str) -> Case | None:
                     each["backlash_um"] = max(each["backlash_um"], int(got[0]))
             return replace(made, given=given)
         return put("backlash-um", int(got[0]))
-    if got := found(r"--([a-z-]+).* such as ([\d.]+)"):
+    if got := found(r"make the stage of a ring the last one|must be the last"):
+        inside = [each for each in given["stages"] if each.get("driven", {}).get("internal")]
+        given["stages"] = [each for each in given["stages"] if each not in inside] + inside[:1]
+        for each in given["stages"]:
+            each.pop("held", None)
+        return replace(made, given=given)
+    if found(r"or standard free for"):
+        return put("standard", "free", given)
+    if got := found(r"--([a-z-]+) is [^;]*; give ([-\d.e+]+) to ([-\d.e+]+)"):
+        return put(got[0], min(float(got[1]) + 100.0, float(got[2])))
+    if got := found(r"--([a-z-]+) is .* such as ([\d.]+)"):
         return put(got[0], int(got[1]) if got[1].isdigit() else float(got[1]))
-    if got := found(r"give the gear of (\d+) teeth profile_shift = (-?[\d.]+)"):
-        return _for_gears(made, given, stage, "profile_shift", {int(got[0]): float(got[1])})
     if got := found(r"give both gears addendum_factor = ([\d.]+)"):
         return put("addendum_factor" if train else "addendum-factor", float(got[0]), given)
     if got := found(r"give the profile shifts (-?[\d.]+) and (-?[\d.]+)"):
@@ -353,7 +361,7 @@ def _placed(made: Case, given: dict[str, Any], key: str, least: float, said: str
 def reason(said: str) -> str:
     """Sentence of a refusal without its numbers, by which two are compared."""
     tail = said.rpartition("cadgen: ")[2] if "cadgen: " in said else said.rpartition("where")[2]
-    return re.sub(r"[-\d.]+", "#", tail)[:160]
+    return re.sub(r"(?<!stage )[-\d.]+", "#", tail)[:160]
 
 
 def judged(seed: int, number: int) -> tuple[str, str]:
