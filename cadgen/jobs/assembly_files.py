@@ -26,7 +26,7 @@ from cadgen.output.drawing.assembly_sheet import (
     assembly_drawing,
     mounting_sheet,
 )
-from cadgen.output.drawing.sheet import LinearDimension, LineKind, Stroke, rounded
+from cadgen.output.drawing.sheet import LinearDimension, LineKind, Stroke, centre_cross, rounded
 from cadgen.output.files.publisher import Artifact, Written, publish, require, text_file
 from cadgen.parts.features import Keyway
 from cadgen.processes import in_second_process
@@ -118,7 +118,7 @@ def views_of(assembly: CarAssembly, cam_angle: float) -> tuple[CarView, CarView]
         ),
     )
     ground = Stroke(np.array([[left, floor], [right, floor]]), LineKind.THIN)
-    centres = tuple(_cross(x, y, beside) for x, y in ((0.0, 0.0), (behind, drop), (a, 0.0)))
+    centres = tuple(centre_cross(beside, (x, y)) for x, y in ((0.0, 0.0), (behind, drop), (a, 0.0)))
     first = replace(
         plain[0], dimensions=(*heights, *axes), lines=(ground, *(each for pair in centres for each in pair))
     )
@@ -131,14 +131,7 @@ def views_of(assembly: CarAssembly, cam_angle: float) -> tuple[CarView, CarView]
             ("disc's lower face from the fork axis", 0.0, 0.0, left - beside),
         )
     )
-    lines = tuple(Stroke(np.array([[x - beside, -z], [x + beside, -z]]), LineKind.CENTRE) for x, z in ((a, site.fork),))
-    return first, replace(plain[1], dimensions=across, lines=lines)
-
-
-def _cross(x: float, y: float, reach: float) -> tuple[Stroke, Stroke]:
-    ends = np.array([[-reach, 0.0], [reach, 0.0]])
-    here = np.array([x, y])
-    return Stroke(ends + here, LineKind.CENTRE), Stroke(ends[:, ::-1] + here, LineKind.CENTRE)
+    return first, replace(plain[1], dimensions=across, lines=centre_cross(beside, (a, -site.fork)))
 
 
 def mountings(assembly: CarAssembly) -> tuple[ShaftMounting, ...]:
