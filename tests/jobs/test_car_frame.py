@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from cadgen import Design, DesignError
+from cadgen.car.assembly.frame_gaps import frame_gap
 from cadgen.check import CheckCode, failing
 from cadgen.errors import CheckError
 from cadgen.jobs.car_frame import CarFrame, car_frame
@@ -84,6 +85,17 @@ def test_screws_meet_the_threads_in_the_feet(workshop: CarFrame) -> None:
             assert y == pytest.approx(frame.top)
             threads.add((round(x, 6), round(z, 6)))
     assert holes == threads
+
+
+def test_a_hub_as_large_as_a_bearing_is_measured(workshop: CarFrame) -> None:
+    """The hub on the camshaft, of 16 mm as its bearing, is brought 0.6 mm nearer to the plate than the clearance."""
+    shafts = [list(on) for on in workshop.layout.shafts]
+    ((at, hub),) = ((k, each) for k, each in enumerate(shafts[-1]) if each.body.name == "the hub on shaft 4")
+    assert 2 * hub.body.radius == workshop.layout.site.bearings[-1] == 16.0
+    shafts[-1][at] = hub._replace(body=hub.body.raised(0.6))
+    found = frame_gap(workshop.frame, shafts, workshop.layout.bores)
+    assert found.size == pytest.approx(0.4)
+    assert (found.one, found.other) == ("bearing plate beside the disc", "the hub on shaft 4")
 
 
 @pytest.mark.parametrize(

@@ -26,6 +26,8 @@ from cadgen.car.assembly.panels import ConvexPrism, PartPlace, cylinder_box, lea
 from cadgen.car.assembly.site import STEERING_STEPS, OnShaft
 from cadgen.messages import Message
 
+_SAME = 1e-9  # mm
+
 
 def frame_gap(frame: Frame, shafts: Sequence[Sequence[OnShaft]], bores: Sequence[float]) -> Gap:
     """Least gap between the frame's parts and all bodies that move, over all places of fork and platform.
@@ -40,8 +42,11 @@ def frame_gap(frame: Frame, shafts: Sequence[Sequence[OnShaft]], bores: Sequence
     skipped: set[tuple[int, int]] = set()
     panels = frame.panels
     for number, (axis, on, bore) in enumerate(zip(found.axes, shafts, bores, strict=True), 1):
-        for body, _ in on:
-            if body.radius in (bore / 2, site.bearings[number - 1] / 2) and body.stage is None:
+        for body, of_train in on:
+            itself = of_train and body.stage is None and body.radius == bore / 2
+            borne = not of_train and body.radius == site.bearings[number - 1] / 2
+            # A bearing is as long as the plate is thick; a hub as large as a bearing is none.
+            if itself or (borne and abs(body.high - body.low - site.plate) < _SAME):
                 skipped |= {
                     (which, len(bodies))
                     for which, panel in enumerate(panels)
