@@ -28,12 +28,9 @@ from cadgen.errors import CheckError, DesignError
 from cadgen.figures import Facts
 from cadgen.jobs.cam.cam_facts import cam_facts
 from cadgen.jobs.cam.cam_plan import CamPlan
-from cadgen.jobs.cam.comparison import PAPER_PERCENT as PAPER_PERCENT
-from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.jobs.cam.cures import Cures as Cures
 from cadgen.jobs.cam.cures import find_cures
 from cadgen.jobs.cam.motion_cam import plan_motion_cam
-from cadgen.jobs.cam.steering_cam import CarUse
 from cadgen.laws.unit import MM
 from cadgen.output.files.publisher import Written, folder_of, refusal
 from cadgen.output.report.notebook import Pictured
@@ -41,6 +38,8 @@ from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
     from cadgen.geometry.solids.kernel import Solid
+    from cadgen.jobs.cam.comparison import PlayComparison
+    from cadgen.jobs.cam.steering_cam import CarUse
     from cadgen.output.report.style import Drawing, Figure
 
 _POINTS = 3600
@@ -309,18 +308,20 @@ class Cam(CamPlan, Pictured):
         return self.application.design
 
     @property
-    def car(self) -> CarUse:
+    def car(self) -> "CarUse":
         """Car that the cam steers, with its track, course and laps; mm and rad.
 
         Raises:
             DesignError: the cam is of a design with [motion].
         """
+        from cadgen.jobs.cam.steering_cam import CarUse  # only here: a cam by its motion needs nothing of a car
+
         return CarUse.of(self)
 
     @property
-    def comparison(self) -> PlayComparison | None:
+    def comparison(self) -> "PlayComparison | None":
         """Comparison under play; None for a profile that is not for play, and without a car."""
-        return self.application.comparison if isinstance(self.application, CarUse) else None
+        return None if isinstance(self.design, MotionDesign) else self.car.comparison
 
     @cached_property
     def lift(self) -> Lift:

@@ -65,10 +65,11 @@ class Design(LoadedDesign):
         """
         from cadgen.api.cam import Cam
         from cadgen.jobs.cam.motion_cam import plan_motion_cam
-        from cadgen.jobs.cam.steering_cam import plan_cam
 
         if isinstance(self.values, MotionDesign):
             return Cam.of(plan_motion_cam(self.values, profile, progress))
+        from cadgen.jobs.cam.steering_cam import plan_cam  # only here: a cam by its motion needs nothing of a car
+
         return Cam.of(plan_cam(self.complete(), profile, progress))
 
     def gears(self, order: str = "as-given", *, progress: Progress = silent) -> "GearTrain":

@@ -7,6 +7,7 @@ from cadgen.api.cam import Cam
 from cadgen.car.against_play.evaluate import Evaluation
 from cadgen.figures import Facts
 from cadgen.jobs.cam.car_facts import remedy_facts
+from cadgen.jobs.cam.comparison import PAPER_PERCENT as PAPER_PERCENT
 from cadgen.jobs.cam.remedies import Remedy as Remedy
 from cadgen.jobs.error_budget import BudgetSheet as BudgetSheet
 from cadgen.jobs.error_budget import shown_half_width as shown_half_width

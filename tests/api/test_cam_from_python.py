@@ -1,6 +1,8 @@
 """Cams without a design file: the same as those of one, figures of published examples, and refusals."""
 
 import pickle
+import subprocess
+import sys
 from math import degrees, radians
 
 import numpy as np
@@ -165,3 +167,14 @@ def test_a_groove_holds_its_roller_and_presses_by_its_depth():
     disc = Cam(Motion([*rises, dwell(radians(90))]), Roller(radius=10), base_circle_radius=45, thickness=5)
     pressed = disc.forces(rpm=300, mass=2.0).pressure
     assert forces.pressure == pytest.approx(pressed, rel=2e-3)  # on the inner flank, 25 um nearer the camshaft
+
+
+def test_a_cam_by_its_motion_is_checked_without_what_only_a_car_needs():
+    """A process of its own, for this one has imported everything."""
+    code = (
+        "import sys, cadgen; cam = cadgen.Design.load('roller').cam(); assert cam.passed and cam.facts() "
+        "and cam.comparison is None; print([name for name in sys.modules if name in "
+        "('cadgen.jobs.cam.steering_cam', 'cadgen.jobs.cam.comparison', 'manifold3d', 'OCP')])"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"
