@@ -8,6 +8,7 @@
 | `return_error` | numbers of return error and friction, which several kinds of data show               |
 | `lift`         | effects of the mount, the follower and the instrument on a measured lift             |
 | `instrument`   | effects of instruments, each like an effect of the part or the car                   |
+| `camera`       | errors of the camera that a track is held against                                    |
 | `transmission` | effects of the train between motor and camshaft, and of its encoders                 |
 | `track`        | effects of the car that a cam steers                                                 |
 | `catalogue`    | effects that are looked for in each kind of data, by their names in design files     |

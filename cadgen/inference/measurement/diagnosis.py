@@ -36,6 +36,7 @@ from cadgen.inference.measurement.reservations import (
     refuse_too_few,
     resolved,
     unfit,
+    with_cameras,
     with_friction_judged,
     with_known_play,
     with_reservations,
@@ -125,6 +126,7 @@ def weigh(
         after = registered(part.model, part.noise, part.residual(best.active) - _discrepancy(part, joint, best)[0])
         chance = unfit(part.model, part.evidence, part.noise, best, part.residual(best.active))
         judgement = with_reservations(judgement, part.record, part.model, part.noise, best, after, chance)
+    judgement = with_cameras(judgement, joint, best)
     judgement = with_friction_judged(judgement, best, play_known=best is not found_alone)
     if another:
         judgement = replace(judgement, limits=(*judgement.limits, another))

@@ -308,6 +308,7 @@ class Model(ABC):
             for which differences do; None where they do for all.
         resolved: highest order that the spacing of the rows resolves; None where no catalogue goes by it.
         measured: coordinate of each row of a track, mm; None for what is no track.
+        cameras: effects of the instrument that what is found is held against, and that are not searched for.
     """
 
     unit: str
@@ -326,6 +327,7 @@ class Model(ABC):
     tangent: Callable[[Effect, int, Active], Array | None] | None = None
     resolved: int | None = None
     measured: Array | None = None
+    cameras: tuple[Effect, ...] = ()
 
     @property
     def shapes(self) -> tuple[Effect, ...]:

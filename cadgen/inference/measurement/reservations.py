@@ -8,6 +8,7 @@ measured with the rod lifted, where no friction holds the cam, tells them apart.
 """
 
 from dataclasses import replace
+from itertools import chain, combinations, product
 
 import numpy as np
 from scipy.stats import f as f_distribution
@@ -23,10 +24,14 @@ from cadgen.inference.measurement.model import Model, highest_order, repeating
 from cadgen.inference.measurement.record import Record, instrument
 from cadgen.inference.measurement.search import MOST_CAUSES
 from cadgen.inference.measurement.verdict import (
+    LEFT_OVER,
+    RIVAL,
     SIGMAS,
     Judgement,
     Verdict,
+    left_over,
     names_of,
+    separations,
     unclaimed,
     within_error,
     within_words,
@@ -297,6 +302,48 @@ def with_friction_judged(judgement: Judgement, best: Hypothesis, *, play_known: 
         how=Message(MEASURE_FRICTION),
     )
     return replace(judgement, limits=(*judgement.limits, limit))
+
+
+def with_cameras(judgement: Judgement, joint: Joint, best: Hypothesis) -> Judgement:
+    """Judgement that claims nothing which an error of the camera explains as well, and names that error.
+
+    Each error stands alone, beside all names, or in the place of one or two of them. It explains the data if it leaves
+    no more than noise. It is as good with fewer numbers within `RIVAL` of the criterion, and with as many or more if
+    it is better by that.
+    """
+    cameras = [e for part in joint.parts for e in part.model.cameras]
+    if judgement.verdict is Verdict.NONE or not cameras:
+        return judgement
+    parts = tuple(replace(p, names=p.names | {e.key: e for e in p.model.cameras}) for p in joint.parts)
+    seen, search = replace(joint, parts=parts), Search(joint.rows)
+    found = fit(seen, best.effects, best.active, search)
+    named = tuple(e for e in best.effects if not e.shape)
+    sizes = range(max(len(named) - 2, 0), len(named) + 1)
+    rests = dict.fromkeys([(), *chain.from_iterable(combinations(named, size) for size in sizes)])
+    rivals: list[Hypothesis] = []
+    for camera, rest in product(cameras, rests):
+        if any(e.beside and e.beside not in rest for e in rest):
+            continue
+        other = fit(seen, (*rest, camera), best.active, search)
+        near = RIVAL if other.parameters < found.parameters else -RIVAL
+        if other.score < found.score + near and all(left_over(part, seen, other) <= LEFT_OVER for part in parts):
+            rivals.append(other)
+    if not rivals:
+        return judgement
+    first = min(rivals, key=lambda h: h.score)
+    camera, values, sigma = next(entry for entry in first.values() if entry[0] in cameras)
+    size = ", ".join(
+        f"{p.name} {v / p.scale:.3g} ± {s / p.scale:.2g}"
+        for p, v, s in zip(camera.parameters, values, sigma, strict=True)
+    )
+    why = Message("{camera} ({size}) explains these data as well", camera=Message(camera.name), size=size)
+    judgement = replace(judgement, separate=(*judgement.separate, *separations([camera])))
+    lost = [name for name in judgement.claimed if any(name not in h.claims for h in rivals)]
+    if judgement.claimed:
+        return unclaimed(judgement, lost, why)
+    names = names_of(first.effects)
+    sentence = Message("Consistent with {names} ({size}): nothing is claimed of the car.", names=names, size=size)
+    return replace(judgement, verdict=Verdict.AMBIGUOUS, sentence=sentence)
 
 
 def _pair(best: Hypothesis) -> tuple[Effect, Effect] | None:

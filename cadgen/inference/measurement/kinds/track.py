@@ -27,6 +27,7 @@ from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import MIDPOINT, Running, driven, start_pose
 from cadgen.car.steering import wheel_tangent
 from cadgen.deviations import deviation
+from cadgen.deviations.camera import CAMERA, CAMERA_EFFECTS, View
 from cadgen.deviations.catalogue import TRACK
 from cadgen.deviations.effect import Active, Rows, through
 from cadgen.deviations.track import RUNNING, STEERING, track_forms
@@ -312,6 +313,11 @@ class TrackModel(Model):
         self.used = scattered(self._starts.poses(self.place([])), self.stated)
         self.offsets, self.spread = self._starts.columns, np.concatenate([one.spread for one in self.used])
         angle, mean = self._mean()
+        middle = complex(mean.mean())
+        self._view, self.cameras = (
+            View(middle, float(np.abs(mean - middle).max()), complex(self.place([])[0])),
+            CAMERA_EFFECTS,
+        )
         at = np.searchsorted(angle, self._motor).astype(np.intp)
         self.form, self.order = self._form_response(angle, mean, at)
         self.discrepancy = floor(mean, at, axis)
@@ -341,7 +347,10 @@ class TrackModel(Model):
 
     def place(self, active: Active) -> NDArray[np.complex128]:
         """Where the car is at each row, started as by design, x + iy, mm."""
-        return self.at(active, self._motor)
+        place = self.at(active, self._motor)
+        if not any(effect.stage is CAMERA for effect, _ in active):
+            return place
+        return np.asarray(through(CAMERA, place, active, self._view))
 
     def finish(self, active: Active) -> complex:
         """Where the run ends, at the beginning of the cam's closing blend, x + iy, mm."""

@@ -1,0 +1,87 @@
+"""Errors of the camera, or of whatever else says where a car is: they change the track and not the car.
+
+A scale makes the track of a larger wheel and a smaller gain of the lever; a lens, a tilted axis and a scale of one axis
+look like wheel radius, gain and slip. A car is not searched for them: what is found is held against them.
+
+Stages: `CAMERA` (places as x + iy, mm). `at` is the `View`.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.deviations.effect import Effect, Parameter, Stage
+
+Places = NDArray[np.complex128]
+
+
+@dataclass(frozen=True)
+class View:
+    """Middle of what the camera sees of a track, greatest distance from it, and where the track starts, x + iy, mm."""
+
+    middle: complex
+    extent: float
+    start: complex
+
+
+CAMERA = Stage[Places]("camera")
+RULE = "lay a rule on the floor, along and across, and measure it by the same camera"
+
+
+def _about(act: Callable[[Places, NDArray[np.float64]], Places]) -> Callable[..., Places]:
+    """Change of places about the middle of the view, in shares of its extent; the start stays."""
+
+    def changed(place: Places, p: NDArray[np.float64], at: View) -> Places:
+        start: Places = np.asarray([(at.start - at.middle) / at.extent], dtype=complex)
+        seen: Places = act(np.asarray((place - at.middle) / at.extent, dtype=complex), p)
+        return np.asarray(at.start + at.extent * np.subtract(seen, act(start, p)), dtype=complex)
+
+    return changed
+
+
+def _percent(name: str, meaning: str, limit: float = 20.0) -> Parameter:
+    return Parameter.of(f"{name}_percent", limit, 0.05, 0.5, meaning)
+
+
+CAMERA_EFFECTS = (
+    Effect(
+        name="scale of the camera",
+        stage=CAMERA,
+        parameters=(_percent("camera_scale", "+: it reads too much"),),
+        act=_about(lambda z, p: np.asarray(z * (1 + p[0]))),
+        separated_by=RULE,
+    ),
+    Effect(
+        name="scale of one axis of the camera",
+        stage=CAMERA,
+        parameters=(_percent("camera_x", "+: x reads too much, and y is right"),),
+        act=_about(lambda z, p: np.asarray(z + p[0] * z.real)),
+        separated_by=RULE,
+    ),
+    Effect(
+        name="scale of the camera's other axis",
+        stage=CAMERA,
+        parameters=(_percent("camera_y", "+: y reads too much, and x is right"),),
+        act=_about(lambda z, p: np.asarray(z + 1j * p[0] * z.imag)),
+        separated_by=RULE,
+    ),
+    Effect(
+        name="lens of the camera",
+        stage=CAMERA,
+        parameters=(_percent("lens", "+: the edge of the track reads too far out, by so much"),),
+        act=_about(lambda z, p: np.asarray(z * (1 + p[0] * np.abs(z) ** 2))),
+        separated_by=RULE,
+    ),
+    Effect(
+        name="perspective of the camera",
+        stage=CAMERA,
+        parameters=(
+            _percent("perspective_x", "+: what is far along x reads too small, by so much at the edge"),
+            _percent("perspective_y", "+: likewise along y"),
+        ),
+        act=_about(lambda z, p: np.asarray(z / (1 + p[0] * z.real + p[1] * z.imag))),
+        separated_by=RULE,
+    ),
+)

@@ -1,0 +1,63 @@
+"""Errors of the camera are said, and not claimed as those of the car; those of the car stay the car's."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from cadgen.inference.measurement.diagnosis import calibrate
+from tests.inference.measurement import synthetic_drive as drive
+from tests.inference.measurement.synthetic import DEG
+
+CAMERAS = {
+    "scale of the camera": lambda z: z * 1.003,
+    "scale of one axis of the camera": lambda z: z + 0.003 * z.real,
+    "scale of the camera's other axis": lambda z: z + 0.01j * z.imag,
+    "lens of the camera": lambda z: z * (1 + 0.004 * np.abs(z) ** 2),
+    "perspective of the camera": lambda z: z / (1 + 0.003 * z.real),
+}
+
+
+def seen(car, wheels, by, seed=3):
+    """Track through a camera that errs about the middle of the track; its frame is laid at the start."""
+    record = drive.track_record(car, wheels, np.random.default_rng(seed), noise_mm=3.0)
+    place = record["x_mm"] + 1j * record["y_mm"]
+    extent = np.abs(place - place.mean()).max()
+    shown = place.mean() + extent * by((place - place.mean()) / extent)
+    shown += place[0] - shown[0]
+    return replace(record, columns=record.columns | {"x_mm": shown.real, "y_mm": shown.imag})
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "name", [n if n == "scale of the camera" else pytest.param(n, marks=[pytest.mark.long]) for n in CAMERAS]
+)
+def test_an_error_of_the_camera_is_named_and_nothing_of_the_car(name, synthetic_car, nominal):
+    (told,) = calibrate([seen(synthetic_car, drive.Wheels(), CAMERAS[name])], nominal)
+    assert (told.verdict, told.judgement.claimed) == ("ambiguous", ())
+    assert name in told.judgement.sentence
+    assert any("lay a rule on the floor" in how for how in told.judgement.separate)
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_beside_an_error_of_the_camera_the_steering_zero_is_claimed(synthetic_car, nominal):
+    record = seen(synthetic_car, drive.Wheels(zero=0.3 * DEG), lambda z: z * 1.01)
+    (told,) = calibrate([record], nominal)
+    assert told.judgement.claimed == ("steering zero",)
+    assert "scale of the camera (camera_scale_percent 0.99" in told.judgement.sentence
+
+
+@pytest.mark.slow
+@pytest.mark.long
+@pytest.mark.parametrize(
+    ("wheels", "names"),
+    [
+        (drive.Wheels(radius=1.01, gain=1.02), ("lever gain", "wheel radius")),
+        (drive.Wheels(radius=1.006), ("wheel radius",)),
+        (drive.Wheels(gain=1.02), ("lever gain",)),
+    ],
+)
+def test_errors_of_the_car_stay_the_cars(wheels, names, synthetic_car, nominal):
+    (told,) = calibrate([seen(synthetic_car, wheels, lambda z: z)], nominal)
+    assert told.judgement.claimed == names
