@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 from scipy.optimize import linprog, lsq_linear
 
 from cadgen.arrays import Array
+from cadgen.cam.envelope import actual_profile
 from cadgen.cam.follower import EdgeFollower
 from cadgen.car.against_play.trial_run import SteeringTrim, TrialRun
 from cadgen.car.against_play.turned_leads import TurnedLeads
@@ -91,11 +92,27 @@ class LeadSearch:
 
     def run(self) -> None:
         """Search over the leads of one car, of cars about the first one that differ little, or of a band's cars."""
-        if self.alike and not self.trimmed:
-            for share, ahead in _PLACES if len(self.cars) == 1 else _PLACES_ALIKE:
+        if len(self.cars) == 1 and not self.trimmed:
+            for share, ahead in _PLACES:
                 self._known(share, ahead)
                 if self.score < _MET_WELL:
                     return
+        elif self.alike and not self.trimmed:
+            found = [replace(self, best=None, score=np.inf, _trims={}) for _ in _PLACES_ALIKE]
+            for each, (share, ahead) in zip(found, _PLACES_ALIKE, strict=True):
+                each._known(share, ahead)
+            for each in sorted(found, key=lambda each: each.score):
+                # A ramp that was moved to a steep place may leave a flank that no rod follows.
+                if each.best is not None:
+                    with suppress(DesignError):
+                        actual_profile(each.best, self.follower)
+                        self.best, self.windows, self.worst, self.score = (
+                            each.best,
+                            each.windows,
+                            each.worst,
+                            each.score,
+                        )
+                        return
         else:
             # The leads are those of the least friction, of cars that are trimmed those of the middle one.
             ordered = sorted((forces for _, forces in self.cars), key=lambda forces: (forces.friction, forces.drag))

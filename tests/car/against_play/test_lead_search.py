@@ -147,6 +147,19 @@ def test_a_cam_for_a_narrow_band_is_less_moved_by_its_friction(carbon_free_car, 
     assert np.abs(narrow).max() < min(np.abs(middle).max(), 2 * by_play)
 
 
+@pytest.mark.slow
+@pytest.mark.long
+def test_a_cam_for_a_narrow_band_can_be_cut(carbon_free_car):
+    """The windows with the least ends left a flank steeper than radial here, and no cam."""
+    built = carbon_free_car
+    forces = [Mechanics(follower=built.follower, friction=friction) for friction in (0.194, 0.214)]
+    band = np.radians(0.645), np.radians(0.685)
+    found = best_for_band(built.lift, built.follower, built.car, built.track.length, band, mechanics=forces)
+    actual_profile(found.lift, built.follower)
+    print(f"{found.worst_distance:.1f} mm")
+    assert found.worst_distance < 40.0
+
+
 @pytest.mark.parametrize(
     ("name", "most"), [("carbon_free_car", 45.0), ("appendix_car", 42.0), ("s_course", 1.2), ("posts_and_walls", 3.4)]
 )
