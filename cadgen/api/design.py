@@ -101,8 +101,9 @@ class Design(LoadedDesign):
         from cadgen.jobs.cam.steering_cam import plan_cam
         from cadgen.jobs.car_assembly import put_together
 
+        design = self.complete()
         train = self.gears(progress=progress)
-        return AssembledCar(put_together(plan_cam(self.complete(), profile, progress), train))
+        return AssembledCar(put_together(plan_cam(design, profile, progress), train))
 
     def frame(self) -> "FramedCar":
         """Compute the frame that holds the parts where [layout] puts them; nothing is written.

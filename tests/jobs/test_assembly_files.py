@@ -9,6 +9,7 @@ import pytest
 
 from cadgen import Design, verify
 from cadgen.api.assembly import AssembledCar
+from cadgen.errors import DesignError
 from cadgen.output.files.publisher import Written
 
 ANGLE = 120.0
@@ -63,3 +64,8 @@ def test_the_manifest_has_the_places_and_the_folder_verifies(car: AssembledCar, 
     rod = next(part for part in entry["parts"] if part["code"] == "rod")
     assert np.array(rod["places"][0])[0, 2] == pytest.approx(np.sin(fork), abs=1e-8)
     assert verify(Path(written.folder)).is_true
+
+
+def test_a_cam_without_a_car_is_refused_before_its_train() -> None:
+    with pytest.raises(DesignError, match=r"\[path\]|car"):
+        Design.load("roller").assembly()
