@@ -3,7 +3,7 @@
 A scale makes the track of a larger wheel and a smaller gain of the lever; a lens, a tilted axis and a scale of one axis
 look like wheel radius, gain and slip. A car is not searched for them: what is found is held against them.
 
-Stages: `CAMERA` (places as x + iy, mm). `at` is the `View`.
+Stages: `CAMERA` (places as x + iy, mm). `at` is the `CameraView`.
 """
 
 from collections.abc import Callable
@@ -18,7 +18,7 @@ Places = NDArray[np.complex128]
 
 
 @dataclass(frozen=True)
-class View:
+class CameraView:
     """Middle of what the camera sees of a track, greatest distance from it, and where the track starts, x + iy, mm."""
 
     middle: complex
@@ -33,7 +33,7 @@ RULE = "lay a rule on the floor, along and across, and measure it by the same ca
 def _about(act: Callable[[Places, NDArray[np.float64]], Places]) -> Callable[..., Places]:
     """Change of places about the middle of the view, in shares of its extent; the start stays."""
 
-    def changed(place: Places, p: NDArray[np.float64], at: View) -> Places:
+    def changed(place: Places, p: NDArray[np.float64], at: CameraView) -> Places:
         start: Places = np.asarray([(at.start - at.middle) / at.extent], dtype=complex)
         seen: Places = act(np.asarray((place - at.middle) / at.extent, dtype=complex), p)
         return np.asarray(at.start + at.extent * np.subtract(seen, act(start, p)), dtype=complex)

@@ -54,9 +54,11 @@ def one_path(paths: Sequence[Complex]) -> list[list[int]]:
         paths: places of each run as x + iy, at `STATIONS` places along it, mm.
     """
     groups: list[list[int]] = []
-    for number, path in enumerate(paths):
+    for number in range(len(paths)):
         for group in groups:
-            if _apart(paths[group[0]], path) <= ONE_PATH:
+            first, other = (paths[k] - paths[k].mean() for k in (group[0], number))
+            off = other * np.exp(-1j * _turn(first, other)) - first
+            if np.sum(np.abs(off) ** 2) <= ONE_PATH**2 * np.sum(np.abs(first) ** 2):
                 group.append(number)
                 break
         else:
@@ -101,10 +103,3 @@ def repeats(paths: Sequence[Complex], left: Sequence[Complex]) -> list[Repeats]:
 def _turn(one: Complex, other: Complex) -> float:
     """Angle by which a path is turned against another, rad."""
     return float(np.angle(np.vdot(one - one.mean(), other - other.mean())))
-
-
-def _apart(one: Complex, other: Complex) -> float:
-    """RMS distance of two paths laid on each other, as a share of the extent of the first."""
-    a, b = one - one.mean(), other - other.mean()
-    off = b * np.exp(-1j * _turn(one, other)) - a
-    return float(np.sqrt(np.mean(np.abs(off) ** 2) / max(float(np.mean(np.abs(a) ** 2)), 1e-300)))

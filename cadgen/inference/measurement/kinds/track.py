@@ -27,7 +27,7 @@ from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import MIDPOINT, Running, driven, start_pose
 from cadgen.car.steering import wheel_tangent
 from cadgen.deviations import deviation
-from cadgen.deviations.camera import CAMERA, CAMERA_EFFECTS, View
+from cadgen.deviations.camera import CAMERA, CAMERA_EFFECTS, CameraView
 from cadgen.deviations.catalogue import TRACK
 from cadgen.deviations.effect import Active, Rows, through
 from cadgen.deviations.track import RUNNING, STEERING, track_forms
@@ -315,7 +315,7 @@ class TrackModel(Model):
         angle, mean = self._mean()
         middle = complex(mean.mean())
         self._view, self.cameras = (
-            View(middle, float(np.abs(mean - middle).max()), complex(self.place([])[0])),
+            CameraView(middle, float(np.abs(mean - middle).max()), complex(self.place([])[0])),
             CAMERA_EFFECTS,
         )
         at = np.searchsorted(angle, self._motor).astype(np.intp)
