@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from math import acos, ceil, cos, degrees, inf, pi, sin, tan
+from math import acos, ceil, cos, degrees, inf, pi, radians, sin, tan
 from typing import Self
 
 from cadgen.errors import DesignError
@@ -24,6 +24,8 @@ from cadgen.messages import Message, joined
 MOST_PLANETS = 12
 # Greatest profile shift of a ring, in modules: with more its teeth number too few or too many.
 MOST_SHIFT = 2.0
+# Least working pressure angle of planets and ring: the tolerance of their distance takes some of it.
+LEAST_MESH = radians(8.0)
 # Backlash that is left at the least play within the tolerances where none is given, mm, and its steps.
 LEFT_BACKLASH = 0.01
 
@@ -266,7 +268,7 @@ def ring_for(sun: GearForm, planet: GearForm, ring: GearForm, centre_distance: f
     more, alpha = ring.teeth - planet.teeth, planet.transverse_pressure_angle
     base = (ring.base_diameter - planet.base_diameter) / 2
     shift = inf
-    if more > 0 and base < centre_distance:
+    if more > 0 and base < centre_distance * cos(LEAST_MESH):
         opened = involute(acos(base / centre_distance)) - involute(alpha)
         shift = -opened * more / (2 * tan(planet.normal_pressure_angle)) - planet.profile_shift
     if not abs(shift) <= MOST_SHIFT:

@@ -225,7 +225,7 @@ def cured(made: Case, said: str) -> Case | None:
 
     def found(pattern: str) -> tuple[str, ...] | None:
         match = re.search(pattern, said)
-        return match and match.groups()
+        return (match.groups() or (match[0],)) if match else None
 
     if got := found(r"planets \(planet\.count\) = (\d+)"):
         return put("count", int(got[0]), stage["planet"]) if train else put("planets", int(got[0]))
@@ -265,8 +265,10 @@ def cured(made: Case, said: str) -> Case | None:
         return put("standard", "free", given)
     if got := found(r"--([a-z-]+) is [^;]*; give ([-\d.e+]+) to ([-\d.e+]+)"):
         return put(got[0], min(float(got[1]) + 100.0, float(got[2])))
-    if got := found(r"--([a-z-]+) is .* such as ([\d.]+)"):
-        return put(got[0], int(got[1]) if got[1].isdigit() else float(got[1]))
+    if got := found(r"--([a-z-]+) is .* such as ([\d.,]+)"):
+        return put(got[0], int(got[1]) if got[1].isdigit() else got[1])
+    if got := found(r'stages\.(\d+)\.spacing is [^;]*; it must be "equal" or "(nearest)"'):
+        return put("spacing", got[1], given["stages"][int(got[0]) - 1])
     if got := found(r"give both gears addendum_factor = ([\d.]+)"):
         return put("addendum_factor" if train else "addendum-factor", float(got[0]), given)
     if got := found(r"give the profile shifts (-?[\d.]+) and (-?[\d.]+)"):
