@@ -431,7 +431,25 @@ def _face_too_fast(truth: Truth, q, spans) -> bool:
     return float((1 + truth.side * q(np.linspace(0, TURN, 7201))[1]).min()) <= 1e-9
 
 
+def _covers_pivot(truth: Truth, q, spans) -> bool:
+    """Whether a contact lies as far from the camshaft as the pivot, by differences."""
+    theta = np.linspace(0, TURN, 14_401)
+    lift = q(theta)[0]
+    if truth.flat:
+        normal, distance = truth.line(lift)
+        turn = np.unwrap(np.angle(normal)) + theta
+        far = np.hypot(distance, np.gradient(distance, theta) / np.gradient(turn, theta))
+    else:
+        p = truth.centre(lift) * np.exp(1j * theta)
+        along = np.gradient(p, theta)
+        rim = truth.radius + truth.keys.get("clearance_mm", 0.0) / 2
+        sides = (1, -1) if "clearance_mm" in truth.keys else (1,)  # the left one is that of the camshaft
+        far = np.abs(np.stack([p + side * rim * 1j * along / np.abs(along) for side in sides]))
+    return float(far.max()) >= truth.keys["centre_distance_mm"] - 1e-3
+
+
 JUDGES = {
+    "would cover the pivot": _covers_pivot,
     "velocity jumps": lambda truth, q, spans: jumps(spans)[0] > 1e-9,
     "nothing is left of the disc": _near,
     "outline overhangs": _overhangs,
