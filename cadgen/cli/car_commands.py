@@ -472,7 +472,8 @@ def assembly(
         show.drawings(written, out)
         sentence = Message("{count} parts of {mass:.0f} g in all", count=car.count, mass=car.balance().volume)
         if car.passed:
-            draw = command("draw", design, "--out", str(out), overrides=overrides)
+            makers = ("draw", *(["frame"] if car.computed.layout.design.frame is not None else []))
+            draw = joined((command(verb, design, "--out", str(out), overrides=overrides) for verb in makers), " and ")
             verdict(True, sentence, Message("make the parts; {draw} draws them", draw=draw))
         else:
             verdict(False, failed(car.failed), Message("do not build this car; change the design"))
