@@ -35,6 +35,7 @@ LATER = ("broken edges", "camera scale", "wobble")  # of those that no one decla
 SECONDS = ("lift", "transmission", "profile")
 WARNED = 0.01  # a chance to be worse that the first line shows
 WORSE = 5.0  # mm by which a new cam may end farther off than the old one
+_FILES = 10**6  # cars whose files have hashes of their own in each loop
 NEAR = 15.0  # mm from the planned end: as near as a car can be set
 
 
@@ -235,9 +236,9 @@ def go_round(seed: int, number: int, *, loops: int = 1, smooth: bool = False) ->
     text, profile = packaged_designs()["carbon_free_car"].read_text(), "optimized" if drawn.against_play else "actual"
     goal = complex(*built.track.position(built.track.length * built.lift.blend_start / TURN))
     stands, rounds, later = drawn.before, [], []
-    for _ in range(loops):
+    for turn in range(loops):
         more = {"lift": world.dial, "transmission": world.train, "profile": world.profile}[drawn.second](car, rng)
-        loop, form = go_loop(text, profile, [world.track(car, rng), more], number), drawn_form(rng)
+        loop, form = go_loop(text, profile, [world.track(car, rng), more], number + _FILES * turn), drawn_form(rng)
         after = stands
         if loop.cam is not None:
             on_new = World(built, _bed_of(loop.cam), form)
