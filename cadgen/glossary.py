@@ -92,4 +92,4 @@ def nearest(word: str, language: str = ENGLISH) -> list[str]:
         language: language of the names.
     """
     by_name = {name: term.name for term in terms(language).values() for name in term.names}
-    return list(dict.fromkeys(by_name[name] for name in get_close_matches(word.lower(), by_name, 3, 0.6)))
+    return list(dict.fromkeys(by_name[name] for name in get_close_matches(word.lower(), by_name, 3, 0.75)))

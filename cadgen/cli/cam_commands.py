@@ -57,7 +57,7 @@ def cam(
     force: bool,
     every: bool,
 ) -> None:
-    """Make a cam: STEP, STL, 3MF, DXF, G-code and points, each read back and rolled against the rod.
+    """Make a cam: STEP, STL, 3MF, DXF, G-code and points, each read back and rolled against its follower.
 
     Nothing is exported if a check of the cam itself fails, unless --force is given. The exit code is 1 if the cam is
     not ready: also if it is right, and its car is not.

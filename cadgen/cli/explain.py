@@ -20,14 +20,20 @@ def explain(words: tuple[str, ...]) -> None:
     TERM is a word such as `play` or `return error`, in English or Chinese, or a key such as cam.thickness_mm. Without
     one all words are listed.
     """
-    from cadgen.design.reference import named_keys
+    from cadgen.design.reference import named_keys, named_section
 
     word = " ".join(words).strip()
     if word:
         entries = [
             *((f"{term.name} ({term.other_name})", term.meaning, "") for term in glossary.find(word, language())),
-            *((key.name, shown(Message(key.meaning)), shown(key.demand)) for key in named_keys(word)[:_MOST_KEYS]),
+            *(
+                (f"{key.name} ({kind})" if kind else key.name, shown(Message(key.meaning)), shown(key.demand))
+                for kind, key in named_keys(word)[:_MOST_KEYS]
+            ),
         ]
+        if (section := named_section(word.strip("[]"))) and section.name:
+            takes = Message("keys: {names}", names=", ".join(section.names))
+            entries.append((section.heading, shown(Message(section.meaning)), shown(takes)))
     else:
         sections = groupby(glossary.terms(language()).values(), lambda term: term.section)
         entries = [(title, ", ".join(term.name for term in found), "") for title, found in sections]

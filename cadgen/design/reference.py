@@ -83,23 +83,40 @@ outwards; on the return the spring drives it back.
 _TABLE = "| key | unit | must be | default | meaning |\n|---|---|---|---|---|\n"
 
 
-def named_keys(name: str) -> list[Key]:
-    """Keys of every kind of design that have a name.
+def _every_kind() -> dict[str, Kinds]:
+    """Kinds of design that have keys of their own, each by its word; the usual one by none."""
+    named = {"": Kinds(), "motion": Kinds(motion=True)}
+    named |= {code: Kinds(follower=followers.kind_of(code), motion=True) for code in followers.codes()[1:]}
+    named |= {code: Kinds(stage=stage_kinds.kind_of(code)) for code in stage_kinds.codes()}
+    return named | {code: Kinds(path=kind_of(code)) for code in codes()}
+
+
+def named_keys(name: str) -> list[tuple[str, Key]]:
+    """Keys that have a name, each with the kind of design that it is of.
 
     Args:
         name: dotted name, or its last part, which several sections may have.
+
+    Returns:
+        Kind and key, the usual kind first; a key that says the same in several kinds once. The kind is empty for the
+        usual one and where all kinds agree.
     """
-    kinds = (
-        Kinds(),
-        Kinds(motion=True),
-        *(Kinds(follower=followers.kind_of(code), motion=True) for code in followers.codes()[1:]),
-        *(Kinds(stage=stage_kinds.kind_of(code)) for code in stage_kinds.codes()),
-        *(Kinds(path=kind_of(code)) for code in codes()),
-    )
-    found: dict[str, Key] = {}
-    for each in kinds:
-        found = {**keys(each), **found}
-    return [found[name]] if name in found else [key for full, key in found.items() if last(full) == name]
+    found: dict[tuple[str, str, str], tuple[str, Key]] = {}
+    for kind, each in _every_kind().items():
+        for full, key in keys(each).items():
+            if name in (full, last(full)):
+                found.setdefault((full, key.meaning, key.demand), (kind, key))
+    exact = [(kind, key) for kind, key in found.values() if key.name == name]
+    return exact or list(found.values())
+
+
+def named_section(name: str) -> SectionKeys | None:
+    """Section of a design file by its name; None where there is none.
+
+    Args:
+        name: dotted name, such as `train.stages`.
+    """
+    return next((all_of[name] for each in _every_kind().values() if name in (all_of := tables(each))), None)
 
 
 def page() -> str:

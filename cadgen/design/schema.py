@@ -325,6 +325,18 @@ class TrainFile(DesignSection):
     def _follower_by_its_kind(cls, value: object, usual: ValidatorFunctionWrapHandler) -> FollowerSection | None:
         return FOLLOWER.check(value, usual)
 
+    @field_validator("cam", mode="wrap")
+    @classmethod
+    def _cam_by_what_it_is_for(
+        cls, value: object, usual: ValidatorFunctionWrapHandler, info: ValidationInfo
+    ) -> CamSection | MotionCam | None:
+        """Check one of the two kinds of [cam] alone, so that an error names its key and not the kind."""
+        if not isinstance(value, dict):
+            checked: CamSection | MotionCam | None = usual(value)
+            return checked
+        of_a_car = info.data.get("motion", value) is None
+        return CamSection.model_validate(value) if of_a_car else MotionCam.model_validate(value)
+
     @field_validator("checks")
     @classmethod
     def _limit_by_the_follower(cls, checks: Checks, info: ValidationInfo) -> Checks:

@@ -9,7 +9,7 @@ import pytest
 
 import cadgen
 from cadgen import Cam, Design, Editor, Gear, GearPair, GearTrain, Planetary, Report, draw, explore, merge, verify
-from cadgen.api.assembly import AssembledCar
+from cadgen.api.assembly import AssembledCar, FramedCar
 from cadgen.api.calibration import Calibration
 from cadgen.cli import cli
 
@@ -25,6 +25,7 @@ FACE: dict[str, Functions] = {
     "draw": (Design.load, Design.cam, Design.gears, draw),
     "edit": (Editor.open, Editor.serve),
     "explore": (explore,),
+    "frame": (Design.load, Design.frame, FramedCar.write),
     "gear": (Gear, Gear.write),
     "gears": (Design.load, Design.gears, GearTrain.write),
     "merge": (merge,),

@@ -143,7 +143,7 @@ def test_both_rollers_touch_on_the_discs_of_the_files(tmp_path):
 BAD = [
     (SLIDE, {"follower.second.span_mm": 70.0}, "raise follower.second.span_mm", {"follower.second.span_mm": 90.0}),
     (SLIDE, {"follower.second.span_mm": 50.0}, "set it to 103 or more", {"follower.second.span_mm": 103.0}),
-    (LEVER, {"follower.second.angle_deg": 30.0}, "with an angle between 34", {"follower.second.angle_deg": 80.0}),
+    (LEVER, {"follower.second.angle_deg": 30.0}, "with an angle of more than 34", {"follower.second.angle_deg": 80.0}),
     (LEVER, {"follower.second.radius_mm": 70.0}, "would cover it", {"follower.second.radius_mm": 9.0}),
 ]  # fmt: skip
 

@@ -18,10 +18,18 @@ def test_a_word_is_found_in_both_languages_and_by_its_plural(cadgen, word):
 
 
 def test_a_key_is_explained_with_what_it_must_be(cadgen):
-    assert " ".join(cadgen("explain", "cam.thickness_mm", code=0).stdout.split()) == (
+    assert " ".join(cadgen("explain", "cam.thickness_mm", code=0).stdout.split()).startswith(
         "cam.thickness_mm C, between the disc's faces must be at least 0.1 and at most 100; unit mm"
     )
     assert "cutter_teeth" in cadgen("explain", "cutter_teeth", code=0).stdout
+
+
+def test_a_key_of_several_kinds_is_explained_for_each_and_a_section_by_its_keys(cadgen):
+    said = " ".join(cadgen("explain", "follower.radius_mm", code=0).stdout.split())
+    assert "of the rod" in said
+    assert "follower.radius_mm (roller) of the roller" in said
+    assert "[layout]" in cadgen("explain", "layout", code=0).stdout
+    assert "keys: clearance_mm" in " ".join(cadgen("explain", "layout", code=0).stdout.split())
 
 
 def test_an_unknown_word_names_the_nearest(cadgen):

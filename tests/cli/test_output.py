@@ -38,13 +38,6 @@ def quick(tmp_path):
     return "quick.toml"
 
 
-def test_no_command_prints_the_help_alone(cadgen):
-    result = cadgen(code=2)
-    assert result.stdout == ""
-    assert result.stderr.startswith("Usage: cadgen [OPTIONS] COMMAND")
-    assert "check" in result.stderr
-
-
 def test_an_empty_folder_name_is_no_folder(cadgen, tmp_path):
     assert "it is empty: name a folder" in one_sentence(cadgen("cam", "--out", "", code=2))
     assert list(tmp_path.iterdir()) == []

@@ -10,7 +10,7 @@ from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
 from cadgen.design.keys import keys
-from cadgen.design.load import MAX_ERRORS_SHOWN, load_design
+from cadgen.design.load import MAX_ERRORS_SHOWN, load_design, load_train
 from cadgen.errors import DesignError
 
 Tables = dict[str, Any]
@@ -330,3 +330,11 @@ def test_no_override_escapes_with_another_error(overrides: list[str]) -> None:
 def test_no_file_escapes_with_another_error(written: Write, content: bytes) -> None:
     with pytest.raises(DesignError):
         load_design(written(content))
+
+
+@pytest.mark.parametrize("change", ["cam.thickness_mm=-1", "cam.mid_plane_mm=0.006", "cam.thicknes_mm=2"])
+def test_a_wrong_cam_is_one_sentence_where_the_train_alone_is_asked_for(change):
+    """`gears` and `plan` take cars and cams by a motion alike, and so two kinds of [cam]."""
+    with pytest.raises(DesignError, match=r"cam[. ].*(mid_plane_mm|thickness_mm)") as refused:
+        load_train("s_course", [change])
+    assert "Cam" not in str(refused.value)

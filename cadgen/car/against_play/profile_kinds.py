@@ -102,7 +102,7 @@ def _published_curve(lift: Motion, follower: Follower) -> ActualProfile:
     return ActualProfile(published_profile(lift, rod), ())
 
 
-ACTUAL = ProfileKind(code="actual", meaning="the exact envelope of the rod")
+ACTUAL = ProfileKind(code="actual", meaning="the exact envelope of the follower")
 OPTIMIZED = ProfileKind(
     code="optimized",
     meaning="the best against the gears' play, of actual and all that are cut for it",

@@ -55,7 +55,6 @@ from cadgen.jobs.cam.readiness import (
     yield_check,
 )
 from cadgen.jobs.cam.wheel import DriveWheel, drive_wheel, field_notice, sense_of_train
-from cadgen.jobs.car_frame import checks_in_car
 from cadgen.jobs.car_layout import CarLayout, laid_out, layout_reservation
 from cadgen.laws.motion import Motion
 from cadgen.messages import Message, clauses, sentence
@@ -295,7 +294,7 @@ class CarUse(Application):
         if found is not None:
             counted = (yield_check(self, found),)
         held_back = (*reservations(played, found), *lost_lift_reservation(cam.checks))
-        placed = () if self.in_car is None else checks_in_car(self.in_car)
+        placed = _placed(self.in_car)
         spent = energy_checks(self.design, self.track, self.wanted, cam.follower_as_built, self.car, self.drive_wheel)
         return PartVerdict((*cam.checks, *wheel_checks(self), *spent, *placed, *counted), held_back)
 
@@ -380,7 +379,7 @@ class CarUse(Application):
         """Checks of the cam's profile and of the layout for a changed design; a method against play is kept."""
         design = with_overrides(self.design, [override])
         layout = laid_out(design)
-        placed = () if layout is None else checks_in_car(layout)
+        placed = _placed(layout)
         if self.comparison is None:
             return (*_plan(design, cam.kind, silent).checks, *placed)
         chosen, track = self.comparison.chosen, cam_model.track(design)
@@ -713,6 +712,15 @@ def comparison_of(plan: CamPlan) -> PlayComparison:
             'the profile "{kind}" does nothing about play: choose {choices}', kind=plan.kind, choices=choices
         )
     return comparison
+
+
+def _placed(layout: CarLayout | None) -> tuple[Check, ...]:
+    """Checks of the parts in a car; none without a layout, where nothing of the frame is loaded."""
+    if layout is None:
+        return ()
+    from cadgen.jobs.car_frame import checks_in_car
+
+    return checks_in_car(layout)
 
 
 def _laps(design: Design, track: Track, lift: PathMotion) -> Laps | None:

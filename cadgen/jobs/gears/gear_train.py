@@ -21,7 +21,6 @@ from cadgen.gears.stage import Departure, Stage, Wheel
 from cadgen.gears.synthesis import SearchLimits, arrange, front_of, losses_of, search_of, size_of
 from cadgen.gears.train import Loose, Train, TrainPlay, WholePlay, teeth_of, train_play
 from cadgen.geometry.meshes.made_train import MadeTrain, failing_stages, make_train
-from cadgen.jobs.car_frame import checks_in_car
 from cadgen.jobs.car_layout import CarLayout, laid_out, turned_to
 from cadgen.jobs.gears.assembly import (
     Assembly,
@@ -542,7 +541,11 @@ def _make(design: TrainDesign, play: TrainPlay) -> MadeTrain:
         gear_model.train_keys(design).clearance_mm,
         lambda gears: gear_model.mesh_chord(design, gears),
     )
-    return made if layout is None else replace(made, checks=(*made.checks, *checks_in_car(layout)))
+    if layout is None:
+        return made
+    from cadgen.jobs.car_frame import checks_in_car  # it loads shapely, which most trains do without
+
+    return replace(made, checks=(*made.checks, *checks_in_car(layout)))
 
 
 def _thinning_notes(design: TrainDesign, made: MadeTrain) -> tuple[str, ...]:

@@ -252,8 +252,3 @@ def test_the_kernel_mends_nothing_before_it_judges(tmp_path, entity, damage):
 def test_a_missing_file_is_one_clear_error(tmp_path):
     with pytest.raises(FileError, match=r"cannot read none\.step"):
         read_step(tmp_path / "none.step", 1.0)
-
-
-def test_letters_beyond_ascii_are_refused():
-    with pytest.raises(FileError, match="must be ASCII"):
-        step_bytes(washer("Nocken für Lenkung"))

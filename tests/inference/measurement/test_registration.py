@@ -52,6 +52,7 @@ class ForkModel:
     floor = 1e-4
     tangent = None
     resolved = None
+    cameras = ()
 
     def __init__(self, record, nominal):
         angle = np.radians(record["cam_angle_deg"])
