@@ -173,11 +173,15 @@ def require_free(pair: Pair, limits: Sequence[tuple[Pair, float]] = ()) -> None:
             addendum=pinion.addendum_factor,
             most=floor(greatest_pinion_addendum(pair) * 1e3) / 1e3,
         )
-    worst = room.trochoid
+    worst, closer = room.trochoid, 0.0
     fouls = worst < LEAST_TROCHOID
     for state, apart in limits:
         least, most = (gear.form for gear in state.by_size)
-        reserve = tip_mesh(least, most, state.pressure_angle(apart)).trochoid()
+        try:
+            reserve = tip_mesh(least, most, state.pressure_angle(apart)).trochoid()
+        except DesignError:  # the base circles overlap at the least distance of the axes
+            fouls, closer = True, max(closer, pair.centre_distance - apart)
+            continue
         # At the greatest play tips that foul take some of it, so that it is not what the formula says.
         worst, fouls = min(worst, reserve), fouls or reserve < 0
     if fouls:
@@ -185,17 +189,18 @@ def require_free(pair: Pair, limits: Sequence[tuple[Pair, float]] = ()) -> None:
             "{pair} fouls beside the line of action, as the ring has only {difference} teeth more; {cure}",
             pair=str(pair),
             difference=ring.teeth - pinion.teeth,
-            cure=_larger_ring(pinion, ring, room.trochoid - worst),
+            cure=_larger_ring(pinion, ring, room.trochoid - worst, closer),
         )
 
 
-def _larger_ring(pinion: GearForm, ring: GearForm, spread: float) -> Message:
+def _larger_ring(pinion: GearForm, ring: GearForm, spread: float, closer: float) -> Message:
     """Fewest teeth of a ring that clears the pinion, and the distance of their axes then.
 
     Args:
         pinion: numbers of the pinion.
         ring: numbers of the ring.
         spread: angle by which the tolerances take from the reserve, rad.
+        closer: distance by which they bring the axes nearer, mm, where `spread` does not count it.
     """
     for teeth in range(max(ring.teeth, pinion.teeth) + 1, pinion.teeth + MOST_DIFFERENCE):
         try:
@@ -204,7 +209,9 @@ def _larger_ring(pinion: GearForm, ring: GearForm, spread: float) -> Message:
         except DesignError:
             continue
         base = (larger.base_diameter - pinion.base_diameter) / 2
-        angle = acos(min(base / apart, 1.0))
+        if apart - closer < base:
+            continue
+        angle = acos(base / (apart - closer))
         if tip_mesh(pinion, larger, angle).trochoid() > spread:
             return Message(
                 "give the ring at least {teeth} teeth, at a centre_distance_mm of {apart:.4f}",

@@ -294,7 +294,7 @@ def _check_bore(blank: Blank, form: Wheel) -> None:
             usual=round(0.9 * bore, 2),
         )
     largest = form.root_diameter - 2 * form.least_rim
-    if not _reach(blank) <= largest:
+    if bore and not _reach(blank) <= largest:  # without a bore nothing is taken from a solid gear
         raise DesignError(
             "{gear} has a {feature} that reaches to {reach:.4g} mm diameter under its root of {root:.4g} mm; keep it"
             " within {largest:.4g} mm",

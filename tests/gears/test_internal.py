@@ -1,6 +1,7 @@
 """Internal gears: trials of another program, printed examples, and polygons that roll in each other."""
 
 import json
+import re
 from dataclasses import replace
 from math import cos, degrees, pi, radians, sin, tan
 from pathlib import Path
@@ -11,6 +12,7 @@ import pytest
 from shapely import Polygon
 from shapely.affinity import rotate, translate
 
+from cadgen import Gear, GearPair
 from cadgen.errors import DesignError
 from cadgen.gears.contact import contact_ratio, found_contact_ratio
 from cadgen.gears.inspection import inspection_of, size_over_pins, span_over
@@ -404,3 +406,13 @@ def test_sectors_overlap_as_whole_sections_do(small, large):
             assert found <= whole + 1e-6
             assert (found > 1e-6) == (whole > 1e-6)
             assert small > 30 or found == pytest.approx(whole, abs=1e-6)
+
+
+@pytest.mark.parametrize("ring", [21, 22, 24])
+def test_a_ring_that_is_too_small_is_told_the_least_teeth_which_then_pass(ring):
+    """Of 22 teeth the base circles overlap where tolerances bring the axes together: that, too, is too few teeth."""
+    pinion, wide = (Gear(teeth=teeth, module=1.0, width=8.0, internal=teeth != 20) for teeth in (20, ring))
+    with pytest.raises(DesignError, match=r"give the ring at least (\d+) teeth") as refused:
+        GearPair(pinion, wide, bearing_span=100.0)
+    teeth = int(re.search(r"at least (\d+) teeth", str(refused.value))[1])
+    assert GearPair(pinion, Gear(teeth=teeth, module=1.0, width=8.0, internal=True), bearing_span=100.0).passed
