@@ -37,7 +37,7 @@ def cam() -> str:
     made = design.cam()
     outline = made.curve.outline(2.0).points
     lift = made.lift(np.linspace(0.0, 2 * np.pi, STEPS + 1))
-    radius, base = 12.5, 63.7
+    radius, base = design.values.follower.radius_mm, design.values.cam.base_circle_radius_mm
     places = ";".join(f"0 {-(base + radius + one):.3f}" for one in lift)
     return f"""<g><path d="{path_of(outline[:, 0] + 1j * outline[:, 1])}" fill="{DISC}"/>
 <circle r="8" fill="white"/><rect x="7" y="-2.5" width="3.3" height="5" fill="white"/>{rotation(90, -360)}</g>

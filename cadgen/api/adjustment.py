@@ -17,9 +17,8 @@ from cadgen.inference.records.columns import Reading
 from cadgen.jobs.adjustment.plan import AdjustmentPlan, Point, Wanted, adjust, adjustment_facts, write_adjustment
 from cadgen.messages import joined
 from cadgen.output.files.publisher import Written, folder_of
-from cadgen.output.report.notebook import Pictured
+from cadgen.output.report.notebook import Pictured, lines_picture
 from cadgen.output.report.style import Drawing
-from cadgen.output.report.tracks import lines_picture
 from cadgen.progress import Progress, silent
 
 POINTS = tuple(point.value for point in Point)

@@ -1,4 +1,4 @@
-"""Section of the frame: plates that bear the shafts of a car, its base, and the block of its fork."""
+"""Section [frame] of a design: bearing plates of a car, base plate, and block of the fork."""
 
 from enum import StrEnum
 from typing import Annotated

@@ -56,7 +56,7 @@ from cadgen.jobs.cam.cam_plan import DENSITY, CamPlan
 from cadgen.jobs.cam.steering_cam import CarUse
 from cadgen.jobs.car_frame import frame_in
 from cadgen.jobs.car_layout import CarLayout
-from cadgen.jobs.frame_parts import frame_parts
+from cadgen.jobs.frame_parts import frame_parts, known_material
 from cadgen.jobs.gears.gear_train import GearTrain
 from cadgen.messages import Message
 from cadgen.output.files.manifest import Origin
@@ -227,7 +227,8 @@ class _Parts:
         shafts = len(self.groups)
         for number, turning in enumerate((*self.turning.parts, *self.turning.beside), 1):
             part = turning.part
-            material, density, assumed = _material(self.train.making.shaft(part.shaft, shafts).material)
+            stated = self.train.making.shaft(part.shaft, shafts).material
+            material, density, assumed = known_material(stated, DiscMaterial.STEEL)
             # With the gears pushing the cam at cam angle 0.
             standing = replace(part, axis=turning.axis, angle=turning.angle, height=part.height + turning.lift)
             if number <= shafts:
@@ -590,16 +591,6 @@ class _Parts:
             standard="ISO 4029, M3 x 4",
             further=count,
         )
-
-
-def _material(stated: str | None) -> tuple[str, float, bool]:
-    """Material in words, its density, g/mm³, and whether either is assumed: steel where nothing else is known."""
-    if stated is None:
-        return _STEEL, DENSITY[DiscMaterial.STEEL] * 1e-3, True
-    for each, density in DENSITY.items():
-        if each.lower() in stated.lower():
-            return stated, density * 1e-3, False
-    return stated, DENSITY[DiscMaterial.STEEL] * 1e-3, True
 
 
 def _key_size(width: float) -> tuple[float, float]:

@@ -23,9 +23,8 @@ from cadgen.jobs.simulation import C
 from cadgen.messages import Message, joined
 from cadgen.output.files.publisher import Artifact, Written, folder_of, publish, text_file
 from cadgen.output.report import settings_card
-from cadgen.output.report.notebook import Pictured
+from cadgen.output.report.notebook import Pictured, lines_picture
 from cadgen.output.report.style import Drawing
-from cadgen.output.report.tracks import lines_picture
 from cadgen.progress import Progress, silent
 from cadgen.verdict import PartVerdict
 from cadgen.version import __version__

@@ -40,7 +40,7 @@ def _made(frame: CarFrame) -> Iterator[CarPart]:
         colour = BASE_COLOUR if panel.code in ("base", "platform") else PLATE_COLOUR
         yield _sheet(panel, stated, colour, f"{frame.stem}_{panel.code}")
     block = frame.frame.block
-    name, density, assumed = _material(others)
+    name, density, assumed = known_material(others, DiscMaterial.ALUMINIUM)
     yield CarPart(
         code="fork-block",
         title=Message("block of the fork"),
@@ -56,7 +56,7 @@ def _made(frame: CarFrame) -> Iterator[CarPart]:
 
 
 def _sheet(panel: Panel, stated: str | None, colour: tuple[float, float, float], files: str) -> CarPart:
-    name, density, assumed = _material(stated)
+    name, density, assumed = known_material(stated, DiscMaterial.ALUMINIUM)
     return CarPart(
         code=panel.code.replace("_", "-"),
         title=Message(panel.name),
@@ -103,11 +103,15 @@ def _bought(frame: CarFrame) -> Iterator[CarPart]:
         )
 
 
-def _material(stated: str | None) -> tuple[str, float, bool]:
-    """Material in words, its density, g/mm³, and whether either is assumed: aluminium where nothing is known."""
+def known_material(stated: str | None, usual: DiscMaterial) -> tuple[str, float, bool]:
+    """Material in words, its density, g/mm³, and whether either is assumed.
+
+    Args:
+        stated: material as a design states it; None where it does not.
+        usual: material that is taken where nothing is known.
+    """
     known = next((each for each in DENSITY if stated and each.lower() in stated.lower()), None)
-    density = DENSITY[known or DiscMaterial.ALUMINIUM] * 1e-3
-    return stated or Message("aluminium"), density, known is None
+    return stated or Message(str(usual)), DENSITY[known or usual] * 1e-3, known is None
 
 
 def _matrix(place: PartPlace) -> Array:

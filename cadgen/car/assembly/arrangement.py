@@ -326,7 +326,7 @@ def _least_of_round(site: CarSite, shafts: Sequence[Sequence[OnShaft]], axes: ND
 
 
 def _least_of_wheels(site: CarSite, axle: Sequence[OnShaft], place: StackPlace) -> Gap:
-    """Least gap along the axle from a rear wheel to a plate, which bears the axle, or to the pinion and its hub."""
+    """Least gap along the axle from a rear wheel to a bearing plate or to the pinion with its hub."""
     least, half = Gap(inf, "", ""), site.wheel_width / 2
     shaft = min(body.radius for body, own in axle if own)
     beside = [(body.name, body.low, body.high) for body, own in axle if own and body.radius > shaft]

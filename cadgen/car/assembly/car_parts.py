@@ -346,7 +346,7 @@ def together(parts: Iterable[Content]) -> Content:
 
 
 def still() -> Array:
-    """Place at which the part's own frame is that of the car, shape (3, 4)."""
+    """Place of a part that is described in the car's frame already, shape (3, 4)."""
     return np.eye(3, 4)
 
 

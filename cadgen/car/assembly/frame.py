@@ -131,7 +131,7 @@ class Bought(NamedTuple):
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class ForkBlock:
-    """Block on the platform that bears the fork's spindle at both of its ends.
+    """Bearing block of the fork's spindle, on the platform.
 
     Attributes:
         length: length along the car, mm.

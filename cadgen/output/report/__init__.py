@@ -11,7 +11,7 @@
 | `cars`            | ends of the runs of many cars; sensitivities                                 |
 | `study_pictures`  | studies of many designs                                                      |
 | `gear_pictures`   | sections of gears in mesh                                                    |
-| `notebook`        | results in a notebook: a line, the figures, the picture                      |
+| `notebook`        | results in a notebook: a line, figures, a picture; lines over common places  |
 
 Pictures import matplotlib inside their functions, since that takes time.
 """

@@ -1,13 +1,16 @@
 """Results in a notebook: a line, the figures, and the picture."""
 
 from abc import abstractmethod
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from html import escape
 from io import StringIO
 from typing import TYPE_CHECKING
 
+from cadgen.arrays import Array
 from cadgen.errors import CadgenError
 from cadgen.figures import JobResult, rounded
-from cadgen.output.report.style import Drawing
+from cadgen.output.report.style import AFTER, BEFORE, GREEN, Drawing, figure
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -48,3 +51,23 @@ class Pictured(JobResult):
             drawn.write(f"<p>{escape(error.message)}</p>")
         shown = drawn.getvalue()
         return f"<p><code>{escape(repr(self))}</code></p><table>{''.join(rows)}</table>{shown[shown.find('<svg') :]}"
+
+
+@contextmanager
+def lines_picture(title: str, across: str, up: str, places: Array, lines: Mapping[str, Array]) -> "Iterator[Figure]":
+    """Draw lines over common places.
+
+    Args:
+        title: title of the picture.
+        across: name of the horizontal axis, with its unit.
+        up: name of the vertical axis, with its unit.
+        places: places of the values, in the unit that `across` names, shape (n,).
+        lines: values by the name of the line, in the unit that `up` names, shape (n,) each.
+    """
+    with figure(7.0, 3.6) as picture:
+        axes = picture.subplots()
+        for (name, values), color, style in zip(lines.items(), (BEFORE, AFTER, GREEN), ("-", "--", ":"), strict=False):
+            axes.plot(places, values, color=color, linestyle=style, label=name)
+        axes.set(title=title, xlabel=across, ylabel=up, ylim=(0, None))
+        axes.legend(loc="best")
+        yield picture

@@ -1,6 +1,6 @@
 """The wheels on the field (the paper's figures 6, 10 and 18 to 20), and the errors along the run."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -132,26 +132,6 @@ class ErrorLine:
     label: str
     at_play: RunError
     at_ends: tuple[RunError, RunError]
-
-
-@contextmanager
-def lines_picture(title: str, across: str, up: str, places: Array, lines: Mapping[str, Array]) -> "Iterator[Figure]":
-    """Draw lines over common places.
-
-    Args:
-        title: title of the picture.
-        across: name of the horizontal axis, with its unit.
-        up: name of the vertical axis, with its unit.
-        places: places of the values, in the unit that `across` names, shape (n,).
-        lines: values by the name of the line, in the unit that `up` names, shape (n,) each.
-    """
-    with figure(7.0, 3.6) as picture:
-        axes = picture.subplots()
-        for (name, values), color, style in zip(lines.items(), (BEFORE, AFTER, GREEN), ("-", "--", ":"), strict=False):
-            axes.plot(places, values, color=color, linestyle=style, label=name)
-        axes.set(title=title, xlabel=across, ylabel=up, ylim=(0, None))
-        axes.legend(loc="best")
-        yield picture
 
 
 @contextmanager
