@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from cadgen.arrays import Array
 from cadgen.deviations.effect import Active, Effect
 from cadgen.deviations.track import RETURN_ERROR, SLIDING_FRICTION
-from cadgen.inference.measurement.evidence import GRID
+from cadgen.inference.measurement.evidence import GRID, Spectrum
 from cadgen.inference.measurement.findings import EvidenceDiagnosis, Likely
 from cadgen.inference.measurement.kinds.track import KIND, TrackModel, run_of
 from cadgen.inference.measurement.nominal import Nominal
@@ -118,9 +118,15 @@ def outlook(
     models = run_of(nominal), run_of(new.nominal)
     ends: tuple[list[NDArray[np.complex128]], ...] = ([], [])
     rest = np.full(DRAWS, -planned)
+    spectra = any_spectra(DRAWS, rng)
     for likely, first, count in zip(likeliest, np.cumsum(counts) - counts, counts.tolist(), strict=True):
         if count:
-            rest[first : first + count] += _rest(likely, count, rng)
+            if likely.unnamed:
+                drawn = rng.choice(len(likely.unnamed), count, p=[one.weight for one in likely.unnamed])
+                for place, one in enumerate((likely.unnamed[n] for n in drawn), first):
+                    rest[place] += one.at + one.spread * (rng.standard_normal() + 1j * rng.standard_normal())
+                    # One shop makes both discs: the new one has the spectrum that this one shows.
+                    spectra[place] = one.spectrum if one.spectrum.within else spectra[place]
             cars = _drawn(models[0], likely, count, rng, None if track else unmeasured)
             ends[0].append(_ends(models[0], cars, count))
             left = [car for car in cars if car.name not in new.gone and not car.of_disc]
@@ -129,7 +135,7 @@ def outlook(
     if track is not None and track.verdict in (Verdict.AMBIGUOUS, Verdict.PARTIAL):
         either = rng.standard_normal(DRAWS) + 1j * rng.standard_normal(DRAWS)
         after = after + (rng.random(DRAWS) < NOT_SURE[0]) * NOT_SURE[1] * np.abs(after - before) * either
-    old, on_new = np.abs(before), np.abs(after + new_form(models[1], DRAWS, rng))
+    old, on_new = np.abs(before), np.abs(after + new_form(models[1], DRAWS, rng, spectra))
     least, most = np.percentile(on_new, RANGE)
     explained = False if diagnoses[0].contradicted else None
     if track is not None:
@@ -148,27 +154,30 @@ def outlook(
     )
 
 
-def _rest(likely: Likely, count: int, rng: np.random.Generator) -> NDArray[np.complex128]:
-    """Repeating errors beside the effects at the end of a track, drawn from what they may be, shape (count,), mm."""
-    if not likely.unnamed:
-        return np.zeros(count, dtype=np.complex128)
-    which = rng.choice(len(likely.unnamed), count, p=[one.weight for one in likely.unnamed])
-    at, spread = np.array([(one.at, one.spread) for one in likely.unnamed]).T[:, which]
-    return np.asarray(at + spread.real * (rng.standard_normal(count) + 1j * rng.standard_normal(count)))
+def any_spectra(count: int, rng: np.random.Generator) -> list[Spectrum]:
+    """Spectra of form errors within what is stated, any as likely as any other.
+
+    How a form error is spread over the orders is not known: a wave of the whole turn moves the end most.
+    """
+    stated = [spectrum for spectrum in GRID if spectrum.within]
+    return [stated[n] for n in rng.integers(len(stated), size=count)]
 
 
-def new_form(model: TrackModel, count: int, rng: np.random.Generator) -> NDArray[np.complex128]:
+def new_form(
+    model: TrackModel, count: int, rng: np.random.Generator, spectra: Sequence[Spectrum] = ()
+) -> NDArray[np.complex128]:
     """By how much the form errors of discs to be cut, as stated, move the end, x + iy, shape (count,), mm.
 
     Args:
         model: of a track on such a disc.
         count: how many discs.
         rng: source of random numbers.
+        spectra: spectrum of each disc; any if left out.
     """
     x, y = model.form[[len(model.form) // 2 - 1, -1]]  # the last point of the run: its rows are first all x, then all y
-    # How it is spread over the orders is not known: a wave of the whole turn moves the end most.
-    variances = np.array([s.variance(model.order, model.floor) for s in GRID if s.within])
-    sizes = np.sqrt(variances[rng.integers(len(variances), size=count)])
+    of_each = spectra or any_spectra(count, rng)
+    known = {spectrum: spectrum.variance(model.order, model.floor) for spectrum in set(of_each)}
+    sizes = np.sqrt([known[spectrum] for spectrum in of_each])
     return np.asarray(sizes * rng.standard_normal(sizes.shape) @ (x + 1j * y))
 
 

@@ -251,9 +251,9 @@ def _at_end(joint: Joint, subset: Hypothesis) -> tuple[Unnamed, ...]:
         at, weight = complex(*(columns @ values)), float(chance[spectrum] / chance.sum())
         if own is not None and grid[spectrum].whole_frame:
             turned = complex(*(columns[:, own + model.form.shape[1]] * values[own + model.form.shape[1]]))
-            found.append(Unnamed(FRAME * weight, at - turned, spread))
+            found.append(Unnamed(FRAME * weight, at - turned, spread, grid[spectrum]))
             weight *= 1 - FRAME
-        found.append(Unnamed(weight, at, spread))
+        found.append(Unnamed(weight, at, spread, grid[spectrum]))
     return tuple(found)
 
 

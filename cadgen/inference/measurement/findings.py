@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from cadgen.arrays import Array
 from cadgen.deviations.deviation import Deviation
 from cadgen.deviations.effect import UNITS, Active, Effect
+from cadgen.inference.measurement.evidence import Spectrum
 from cadgen.inference.measurement.record import Kind
 from cadgen.inference.measurement.verdict import SIGMAS, Judgement, Verdict, within_error
 
@@ -209,11 +210,13 @@ class Unnamed:
         weight: its chance among those that may be.
         at: error, x + iy, mm.
         spread: standard deviation of each coordinate, mm.
+        spectrum: spectrum of what repeats, the disc's form error among it, with which it is so.
     """
 
     weight: float
     at: complex
     spread: float
+    spectrum: Spectrum
 
 
 @dataclass(frozen=True, slots=True)
