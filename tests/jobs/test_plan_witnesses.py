@@ -28,6 +28,15 @@ def test_posts_on_given_sides_between_turns_near_the_least_radius():
 
 @pytest.mark.slow
 @pytest.mark.long
+@pytest.mark.parametrize("name", ["blend_ridge", "far_post", "way_round"])
+def test_courses_of_the_study_that_were_refused_are_planned(name):
+    """A ridge in the closing blend, a post 650 mm off on its wrong side, and a way that starts round the wrong side."""
+    plan = passed(Design.load(TRIALS / f"{name}.toml", train_only=True))
+    assert any("(compensated profile" in each for each in plan.sentences)
+
+
+@pytest.mark.slow
+@pytest.mark.long
 def test_a_wide_draw_is_planned_from_a_narrow_one():
     """Of the path from scratch the settings for posts 300 mm apart are 675 mm off."""
     plan = passed(Design.load(TRIALS / "e_450.toml", train_only=True))

@@ -286,12 +286,11 @@ def _on_side(
     sign, edge = (1.0, every[:, 1].min()) if barrier.side == Side.LEFT else (-1.0, every[:, 1].max())
     lateral = sign * (edge - seen[:, 1])
     wrong = beside & (sign * (seen[:, 1] - every[:, 1].mean()) > 0)
-    nearest = int(np.linalg.norm(seen - every.mean(axis=0), axis=1).argmin())
-    # The places in a row on the wrong side, that where the car is nearest among them.
+    nearest = int(np.hypot(seen[:, 0], seen[:, 1] - middle).argmin())
+    # The places in a row on the wrong side, that where the middle of the axle is nearest among them.
     row = np.cumsum(np.append(0, (np.diff(wrong.astype(int)) != 0) | (np.diff(motion.places.u) > 1.5 / _EACH)))
     wrong &= row == row[nearest]
-    nearest = int(np.hypot(seen[:, 0], seen[:, 1] - middle).argmin())
-    wrong[nearest] |= not beside[nearest] and sign * (seen[nearest, 1] - middle) > 0
+    wrong[nearest] |= sign * (seen[nearest, 1] - middle) > 0
     if wrong.any():
         # The barrier's place in the car's frame moves against the car.
         out = motion.moved(sign * motion.left, seen[:, 0], seen[:, 1])

@@ -154,15 +154,16 @@ def _further(task: PathTask, seed: int, ends: tuple[End, End], failed: Sequence[
     """
     yield (first := _from_arcs(task, seed, ROOMS[0], ends))
     # Where the car would best have driven, but for what stands there.
+    obstructed = [each for each in (first, *failed) if any(_obstructs(limit) for limit in each.missed)]
     last = min(
-        (first, *failed),
-        key=lambda each: sum(most for limit, most in each.missed.items() if limit.kind != LimitKind.CLEARANCE),
+        obstructed or [first],
+        key=lambda each: sum(most for limit, most in each.missed.items() if not _obstructs(limit)),
     )
     barriers = {each.key: each for each in barriers_of(task.course, task.vehicle.body, task.draw)}
     closed: list[Array] = []
     beside: dict[str, Barrier] = {}
     for _ in range(_SIDES):
-        wrong = [limit for limit in last.missed if limit.kind == LimitKind.CLEARANCE]
+        wrong = list(filter(_obstructs, last.missed))
         beside |= {limit.key: barriers[limit.key] for limit in wrong if barriers[limit.key].side is not None}
         closed += [np.array(_place(last.path, limit)) for limit in wrong if limit.key not in beside]
         if not wrong:
@@ -173,6 +174,11 @@ def _further(task: PathTask, seed: int, ends: tuple[End, End], failed: Sequence[
     yield _grown(task, seed, ends)
     for way in range(1, _WAYS + 1):
         yield _from_arcs(task, seed + SEEDS[1] * way, ROOMS[0], ends)
+
+
+def _obstructs(limit: PathLimit) -> bool:
+    """Whether a limit that is missed is an obstacle in the way."""
+    return limit.kind == LimitKind.CLEARANCE
 
 
 def _from_arcs(

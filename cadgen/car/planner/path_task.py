@@ -155,7 +155,9 @@ class Margins:
                 case CheckCode.LOST_LIFT_FACE_CHANGE:  # it grows with the square of the slope
                     tightening = replace(tightening, pressure=tightening.pressure + _FLATTER)
                 case CheckCode.CONVEX_RADIUS_THEORY | CheckCode.CONVEX_RADIUS_PROFILE | CheckCode.LOST_LIFT_UNDERCUT:
-                    tightening = replace(tightening, radius=tightening.radius + _MORE_RADIUS)
+                    # What a larger radius along the run has not cured stands in the closing blend.
+                    blend = self.blend + (self.radius > 0)
+                    tightening = replace(tightening, radius=tightening.radius + _MORE_RADIUS, blend=blend)
                 case CheckCode.BLEND_PRESSURE_ANGLE_RISE | CheckCode.BLEND_PRESSURE_ANGLE_RETURN:
                     tightening = replace(tightening, blend=tightening.blend + 1)
                 case CheckCode.STEERING_ANGLE:

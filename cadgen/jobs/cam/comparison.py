@@ -54,11 +54,16 @@ class Refused:
 
     Attributes:
         evaluation: the profile.
-        failed: names of the checks that it fails.
+        failed: checks that it fails.
     """
 
     evaluation: Evaluation
-    failed: tuple[str, ...]
+    failed: tuple[Check, ...]
+
+    @property
+    def names(self) -> Message:
+        """Names of the checks that it fails."""
+        return joined(Message(check.name) for check in self.failed)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -132,7 +137,7 @@ class PlayComparison:
         reason = Message(
             "{nearest} taken in the end, though it fails {refused}: with {kept} the car fails {failed}",
             nearest=Message(str(nearer.profile)),
-            refused=joined(self.nearer.failed),
+            refused=self.nearer.names,
             kept=Message(str(kept.profile)),
             failed=names,
         )
@@ -413,17 +418,17 @@ def best_of(
             refused.append(Message("of the others, {reason}", reason=error.message))
             break
         best = remaining.pop(choice.best.name)
-        failed = [check.name for check in failing(checks.of(best))]
+        failed = failing(checks.of(best))
         if not failed:
             least, off = (candidates[str(each.profile)].figures[deciding] for each in (first, best))
             much = off - least > _LEAST_LOSS and least < NEARER * off
             return Best(best, (*refused, *choice.reasons, *missed), nearer=nearer if much else None)
-        nearer = nearer or Refused(best, tuple(map(Message, failed)))
+        nearer = nearer or Refused(best, failed)
         refused.append(
             Message(
                 "{profile} refused: it fails {failed}",
                 profile=Message(str(best.profile)),
-                failed=joined(map(Message, failed)),
+                failed=Refused(best, failed).names,
             )
         )
     return Best(first, (*refused, *missed))

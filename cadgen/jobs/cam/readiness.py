@@ -21,7 +21,7 @@ from cadgen.inference.monte_carlo.random_cars import Tolerances, margins_of_cars
 from cadgen.jobs.cam.comparison import NEARER, Refused
 from cadgen.jobs.cam.wheel import DriveWheel
 from cadgen.jobs.nominal_car import VariedCar, watched_cars
-from cadgen.messages import Message, joined
+from cadgen.messages import Message
 from cadgen.verdict import Reservation
 
 SAMPLE, SEED = 1000, 1  # the standard error of a share of 25 % is 1.4 %, of one of 90 % it is 0.9 %
@@ -173,7 +173,7 @@ def _refused(nearer: Refused, off: float) -> Message:
         nearest=nearer.evaluation.title,
         near=nearer.evaluation.band.worst_distance,
         off=off,
-        failed=joined(nearer.failed),
+        failed=nearer.names,
     )
 
 

@@ -190,6 +190,7 @@ def _kept_by_checks(
         draw_model.refuse_range(design, draw, None, cam_model.leaning(design, "a card of settings"))
         rounds = _MORE_ROUNDS
     path: PathPlanning | None = None
+    good: PathPlanning | None = None  # the last one that passes
     for number in range(rounds):
         progress("planning the path" if number == 0 else "planning on with what the checks ask for")
         task = task_of(
@@ -204,7 +205,7 @@ def _kept_by_checks(
             map_with=wanted.map_with,
         )
         if result.missed:
-            return path or PathPlanning(asked=design, task=task, plan=result, text="", cam=None)
+            return good or path or PathPlanning(asked=design, task=task, plan=result, text="", cam=None)
         radius = None
         if not task.vehicle.closed and task.vehicle.path_turn != 1.0:
             turn = result.path.cost.line.length / task.vehicle.path_turn
@@ -217,6 +218,8 @@ def _kept_by_checks(
             cam = plan_cam(made, None, progress)
         except DesignError:
             # The closing blend is too steep for the rod to follow it: the other limits are those of the plan.
+            if good is not None:
+                return good
             if number == rounds - 1 or task.vehicle.closed:
                 raise
             tightening, begin = replace(tightening, blend=tightening.blend + 1), rounded(result.path.points)
@@ -236,14 +239,19 @@ def _kept_by_checks(
         # With friction, limits that no profile keeps are the rod's: a path has no influence on them.
         rubs = comparison is not None and comparison.task.mechanics is not None
         beyond = comparison.beyond if comparison is not None and rubs else ()
-        more = tightening.after(check for check in failing(cam.checks) if check not in beyond)
+        failed = [check for check in failing(cam.checks) if check not in beyond]
+        if comparison is not None and comparison.nearer is not None:  # the path is for the profile that ends nearest
+            failed += comparison.nearer.failed
+        more = tightening.after(failed)
         for each in settings:
             more = more.larger(tightening.after(each.failed))
+        if path.passed:
+            good = path
         if more == tightening:
             break
         tightening, begin = more, rounded(result.path.points)
     assert path is not None  # the last round gives one or raises
-    return path
+    return path if path.passed else good or path
 
 
 def _settings(design: Design, task: PathTask, cam: CamPlan, progress: Progress) -> tuple[DrawnSpacing, ...]:

@@ -9,7 +9,9 @@ import numpy as np
 import pytest
 import shapely
 
-from cadgen.car.course.layout import Course, Gate, Obstacle, Shape
+from cadgen.car.course.body import RunPoses, place_of
+from cadgen.car.course.judge import judge
+from cadgen.car.course.layout import CarPoint, Course, Gate, Obstacle, Shape
 from cadgen.car.planner.barriers import Clearances, barriers_of, parts_of
 from cadgen.car.planner.constraints import LimitKind, PathLimit
 from cadgen.car.planner.gates import Passing, passing_places, planned_place
@@ -158,6 +160,33 @@ def test_a_post_that_the_path_never_comes_beside_has_the_side_on_which_the_path_
             clearances = Clearances(basis, vehicle, barriers_of(Course(obstacles=(obstacle,)), vehicle.body))
             (row,) = clearances.constraints(paper_points)
             assert (row.worst > 400) == (side != hand)
+
+
+def test_the_side_of_a_post_is_that_of_the_judge(vehicle):
+    """Posts anywhere about winding paths, far off and near: `course.judge` shares no code with the limit."""
+    random = np.random.default_rng(6)
+    basis = Basis(24)
+    both = 0
+    for _ in range(12):
+        heading = np.cumsum(random.normal(size=24) * 0.35)
+        points = np.cumsum(220 * np.stack([np.cos(heading), np.sin(heading)], axis=1), axis=0)
+        motion = Kinematics(basis.even(20), points, vehicle.path_offset)
+        car = vehicle.car
+        along = complex(*place_of(CarPoint.FORK, car)) - complex(-car.wheelbase, car.drive_wheel_offset)
+        fork = motion.track @ [1, 1j] + along * (motion.ahead @ [1, 1j])
+        still = np.zeros(len(fork))
+        poses = RunPoses(fork=fork, heading=np.angle(motion.ahead @ [1, 1j]), steering=still, travel=still)
+        for spot in motion.jets[0][random.integers(len(fork), size=25)] + random.normal(size=(25, 2)) * 500:
+            post = Obstacle(kind="post", key="post", shape=Shape.disc(tuple(spot), 10.0), side="left")
+            judged = judge(poses, car, vehicle.body, Course(obstacles=(post,)))
+            clearance = judged.approaches[0][1].clearance
+            if clearance > 30.0:
+                barriers = barriers_of(Course(obstacles=(post,)), vehicle.body)
+                (row,) = Clearances(basis, vehicle, barriers).constraints(points)
+                assert (row.worst > 0) == (judged.sides[0] != "left")
+                both += judged.sides[0] != "left"
+    print(f"{both} of 300 on the wrong side")
+    assert 50 < both < 250
 
 
 def test_gates_are_passed_in_their_order_where_the_path_is_nearest(vehicle):
