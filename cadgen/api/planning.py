@@ -35,7 +35,7 @@ class Plan(PathPlanning, Generic[D]):
         return cls(source=source, **known)
 
     def __repr__(self) -> str:
-        state = "passed" if self.passed else "failed" if self.cam else "no path"
+        state = "no path" if self.verdict is None else self.verdict.readiness.words
         return f"<Plan of {self.asked.name}: {state}>"
 
     @property

@@ -20,7 +20,7 @@ from cadgen.figures import Sheet, rounded, with_unit
 from cadgen.messages import Message, joined, sentence, shown
 from cadgen.output.report.terminal import FittedConsole, table
 from cadgen.progress import Progress
-from cadgen.verdict import Readiness
+from cadgen.verdict import PartVerdict, Readiness
 
 if TYPE_CHECKING:
     from cadgen import Card, Design, Written
@@ -195,20 +195,18 @@ def rows(cam: "Cam", *, every: bool) -> None:
         failures(cam)
 
 
-def summary(cam: "Cam", *, counted: bool = False) -> Iterator[Text]:
+def summary(cam: "Cam", *, drawn: PartVerdict | None = None) -> Iterator[Text]:
     """Lines on a cam: verdict, purpose, the figures that decide, the tightest check, and the reservations.
 
     Args:
         cam: cam that was computed.
-        counted: whether the figures that decide were shown already, those of more cars among them.
+        drawn: verdict with the spacings of a draw, where the figures that decide were shown already, those of more
+            cars among them; None for the cam's own.
     """
-    ruling = cam.verdict
-    yield Text.assemble(
-        f"{shown(Message('{name}, {profile} profile', name=cam.origin.name, profile=cam.profile))}{shown(': ')}",
-        (shown(ruling.readiness.words), f"bold {_COLOURS[ruling.readiness]}"),
-    )
+    ruling = drawn or cam.verdict
+    yield _heading(cam, ruling)
     yield Text(shown(Message("For {purpose}.", purpose=cam.application.purpose(cam))))
-    if cam.deciding and not counted:
+    if cam.deciding and drawn is None:
         yield Text(shown(sentence(joined(cam.deciding))))
     close = tightest(ruling.checks) if ruling.passed else None
     if close is not None:
@@ -225,6 +223,19 @@ def summary(cam: "Cam", *, counted: bool = False) -> Iterator[Text]:
                 )
             )
         )
+    yield from _reservations(ruling)
+
+
+def _heading(cam: "Cam", ruling: PartVerdict) -> Text:
+    """Name of a cam with the verdict."""
+    return Text.assemble(
+        f"{shown(Message('{name}, {profile} profile', name=cam.origin.name, profile=cam.profile))}{shown(': ')}",
+        (shown(ruling.readiness.words), f"bold {_COLOURS[ruling.readiness]}"),
+    )
+
+
+def _reservations(ruling: PartVerdict) -> Iterator[Text]:
+    """A line for each reservation."""
     for reservation in ruling.reservations:
         yield Text.assemble(
             (f"{shown(Message('Reservation'))}{shown(': ')}", "yellow"), shown(sentence(reservation.sentence))
@@ -350,13 +361,16 @@ def plan(planned: "Plan[Any]", *, every: bool) -> None:
     """
     sentences(planned.sentences)
     if planned.cam is not None:
-        Output().print("", *summary(planned.cam, counted=True), sep="\n")
+        Output().print("", *summary(planned.cam, drawn=planned.verdict), sep="\n")
         rows(planned.cam, every=every)
 
 
 def card(result: "Card[Cam]") -> None:
-    """Print a card: the result, the settings of every spacing, and the checks of a cam that fails."""
+    """Print a card: the verdict, the settings of every spacing, and the checks of a cam that fails."""
+    Output().print(_heading(result.cam, result.verdict))
     sentences(result.sentences)
+    for reservation in _reservations(result.verdict):
+        Output().print(reservation)
     sheet(result.sheet, gap=False)
     for line in result.legend:
         Output().print(f"{shown(line)}{shown(Message('.'))}", style="dim")

@@ -167,7 +167,11 @@ class Card(Pictured, Generic[C]):
         name = self.cam.origin.name
         html = settings_card.printed_card(
             Message("{name}: settings for the spacing that is drawn", name=name),
-            self.sentences,
+            (
+                Message("the cam with its settings is {state}", state=self.verdict.readiness.words),
+                *self.sentences,
+                *(Message("reservation: {said}", said=each.sentence) for each in self.verdict.reservations),
+            ),
             self.sheet,
             [settings_card.fault(each) for each in self.drawn],
             self.legend,

@@ -30,6 +30,7 @@ from cadgen.output.report.notebook import Pictured
 from cadgen.output.report.style import Drawing
 from cadgen.output.report.tracks import TrackPanel, tracks_picture
 from cadgen.progress import Progress, silent
+from cadgen.verdict import PartVerdict
 from cadgen.version import __version__
 
 _STEEPEST = radians(75)
@@ -89,6 +90,11 @@ class PathPlanning(Pictured):
     def passed(self) -> bool:
         """Whether there is a path and all checks pass, at every spacing that was driven."""
         return self.cam is not None and self.cam.sound and not any(each.failed for each in self.drawn)
+
+    @property
+    def verdict(self) -> PartVerdict | None:
+        """Verdict on the cam, with what fails at the spacings that were driven; None where no path was found."""
+        return None if self.cam is None else drawn_verdict(self.cam, self.drawn)
 
     @property
     def sentences(self) -> tuple[str, ...]:
@@ -206,7 +212,7 @@ class PathPlanning(Pictured):
             return_error_deg=None if comparison is None else [degrees(end) for end in comparison.band.ends],
             **{"yield": self.cars and _cars_facts(self.cars)},
             failed=[] if cam is None else [check.code for check in cam.failed],
-            verdict=None if cam is None else drawn_verdict(cam, self.drawn).entry(),
+            verdict=None if self.verdict is None else self.verdict.entry(),
             settings=settings.rows(design, self.drawn),
             said=self.sentences,
             proven=self.proven,

@@ -3,11 +3,13 @@
 import csv
 import json
 from dataclasses import replace
+from html import unescape
 
 import numpy as np
 import pytest
 
 from cadgen import Design
+from cadgen.cli import show
 from cadgen.errors import DesignError
 from cadgen.figures import Sheet
 from cadgen.messages import CHINESE, ENGLISH, Message, choose
@@ -60,7 +62,7 @@ def test_the_worst_error_is_that_of_a_brute_force_search(judged):
 
 
 @pytest.mark.slow
-def test_card_as_files(s_course, tmp_path):
+def test_card_as_files(s_course, tmp_path, capsys):
     card, _ = s_course
     written = card.write(tmp_path)
     table, page = sorted(each.path for each in written)
@@ -85,6 +87,15 @@ def test_card_as_files(s_course, tmp_path):
     entry = json.loads((tmp_path / "manifest.json").read_text())["parts"]["s_draw_card"]
     assert (entry["passed"], entry["verdict"]["readiness"]) == (False, "not-ready")  # a plain cam, with play
     assert entry["worst_error_mm"] == max(each.error for each in card.computed.drawn)
+    # The one verdict with its reservations: on the card and on the terminal as in the manifest.
+    show.card(card)
+    said = " ".join(capsys.readouterr().out.split())
+    assert said.startswith("s_draw, actual profile: not ready The cam itself is not ready, ")
+    assert "The cam with its settings is not ready." in html
+    assert entry["verdict"]["reservations"]
+    for each in entry["verdict"]["reservations"]:
+        assert each["text"] in unescape(html)
+        assert each["text"][1:] in said
 
 
 @pytest.mark.slow
