@@ -75,6 +75,8 @@ def test_the_sheet_of_remedies(rubbing):
     assert all(remedy.on_way >= remedy.worst_end - 0.01 for remedy in sheet.values())
     assert "40.8 N·mm for a rod force of 1 N" in sheet["plain cam, drag that holds"].build
     assert "by -9 to -61 µm" in sheet["plain cam, trimmed"].build
+    # The design's own profile is the one for all cars: nothing is searched for twice.
+    assert sheet["compensated for all"].cut_for == rubbing.application.comparison.chosen.made_for
 
 
 @pytest.mark.slow

@@ -32,5 +32,11 @@ def test_the_mirrored_motion_runs_backwards():
     assert motion.mirrored.unit is MM
 
 
+def test_one_value_is_that_of_the_curve_to_the_last_bit():
+    motion = rise_and_return()
+    angles = [*RISE, *np.random.default_rng(0).uniform(-2 * TURN, 2 * TURN, 500), -1e-17, np.nextafter(TURN, 0.0)]
+    assert [motion.value(angle) for angle in angles] == [float(motion.q(angle)) for angle in angles]
+
+
 def test_no_part_is_idle():
     assert not rise_and_return().idle(np.linspace(0.0, TURN, 9)).any()

@@ -19,14 +19,12 @@ from cadgen.car.against_play.lead_search import LeadSearch
 from cadgen.car.against_play.trial_run import TrialRun
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import drive, turns_of
-from cadgen.car.running.mechanics import Mechanics
-from cadgen.car.running.play import LEAST_SWING, falls, follow
-from cadgen.car.running.run_errors import run_error
+from cadgen.car.running.mechanics import Leads, Mechanics
+from cadgen.car.running.play import LEAST_SWING, falls
 from cadgen.car.steering import Car, track_curvature, travel_ratio
 from cadgen.errors import DesignError
 
 BAND_PLAYS = 5  # of the band at which errors are reported; the worst lies at an end unless the band is very wide
-_STEPS = 720  # of a turn while searching: the end errs by 1e-5 mm
 _FINE = 1e-4  # rad of play, with friction; it moves the worst end of the paper's car by 8 mm at most
 _TOLERANCE = 1e-6  # rad of play; it moves the worst error by less than a millimetre's hundredth
 _MIDDLE = 0.12  # of friction; over a wider band the windows of the middle car are the best for no car but it
@@ -138,9 +136,11 @@ def best_for_band(
     if mechanics:
         return _best_with_friction(lift, follower, car, length, (low, high), wanted or lift, mechanics, trimmed)
     tried: list[float] = []
+    runs = TrialRun(wanted=wanted or lift, car=car, length=length)
 
     def at(made_for: float, plays: Array) -> BandResult:
-        return over_band(compensated_lift(lift, follower, made_for), wanted or lift, car, length, plays, made_for)
+        cam = compensated_lift(lift, follower, made_for)
+        return over_band(cam, runs.wanted, car, length, plays, made_for, runs=runs)
 
     @cache
     def ends(made_for: float) -> tuple[float, float]:
@@ -178,19 +178,19 @@ def _best_with_friction(
     """`best_for_band` over plays and frictions: a window for each lead, or where that ends nearer one for all falls."""
     plays = np.linspace(*band, BAND_PLAYS) if band[1] > band[0] else np.array(band[:1])
     cars = [(play, forces) for play in dict.fromkeys(band) for forces in mechanics]
+    runs = TrialRun(wanted=wanted, car=car, length=length)
 
     def at(made_for: float, plays: Array) -> BandResult:
         cam = compensated_lift(lift, follower, made_for)
-        return over_band(cam, wanted, car, length, plays, made_for, mechanics=mechanics)
+        return over_band(cam, wanted, car, length, plays, made_for, mechanics=mechanics, runs=runs)
 
     if not any(len(forces.leads(lift).intervals) for forces in mechanics):
         return at(0.0, plays)  # nothing turns the cam ahead
-    runs = TrialRun(wanted=wanted, car=car, length=length)
 
     def by_lead(search: LeadSearch, before: float) -> BandResult:
         assert search.best is not None
         windows = tuple(before + window for window in search.windows)
-        found = over_band(search.best, wanted, car, length, plays, max(windows), mechanics=mechanics)
+        found = over_band(search.best, wanted, car, length, plays, max(windows), mechanics=mechanics, runs=runs)
         return replace(found, windows=windows)
 
     search = LeadSearch(lift, follower, runs, cars, trimmed)
@@ -243,6 +243,7 @@ def over_band(
     least_swing: float = LEAST_SWING,
     mechanics: Sequence[Mechanics] = (),
     cut: PathMotion | None = None,
+    runs: TrialRun | None = None,
 ) -> BandResult:
     """Errors of any cam at the end of the run for several plays.
 
@@ -257,16 +258,14 @@ def over_band(
         mechanics: friction and drag of the cars that may be built, of which the worst counts; without them the rod
             slides freely.
         cut: lift that the cam was cut for, which decides where it leads with friction; `cam` if left out.
+        runs: runs of the car for the lift wanted, whose planned run many bands share; made if left out.
     """
-    steps = _STEPS * turns_of(wanted.blend_start)
-    planned = drive(wanted, car, length, steps=steps)
-    cases = tuple(case.leads(cut or cam) for case in mechanics) or (None,)
+    runs = runs or TrialRun(wanted=wanted, car=car, length=length)
+    cases = tuple(case.leads(cut or cam) for case in mechanics) or (Leads(falls(cam, least_swing)),)
     heading, distance = np.empty((2, len(cases), len(plays)))
     for row, leads in enumerate(cases):
         for column, play in enumerate(np.asarray(plays).tolist()):
-            following = follow(cam, play, least_swing=least_swing) if leads is None else leads.follow(cam, play)
-            run = drive(cam, car, length, steps=steps, stop=wanted.blend_start, following=following)
-            error = run_error(run, planned)
+            error = runs.error(cam, leads, play)
             heading[row, column], distance[row, column] = error.end_heading, error.end_distance
     columns = np.arange(len(plays))
     return BandResult(

@@ -357,7 +357,7 @@ def _valley(
     if crossing is None:
         return None
     joined, plateau, tilted = _plateau(lift, follower, play, peak, valley, fall)
-    risen = float(lift.q(next_peak) - lift.q(crossing + blend))
+    risen = lift.value(next_peak) - lift.value(crossing + blend)
     ends_fall = risen >= _LEAST_RISE or next_peak - crossing - blend >= _LEAST_LEVEL
     if tilted and joined < crossing - blend and crossing + blend < next_peak and ends_fall:
         return _Valley(plateau, joined, crossing, next_peak)
@@ -377,7 +377,7 @@ def valley_crossing(lift: PathMotion, window: float, pairs: Array, number: int) 
     first, last = max(valley, peak + window), min(valley + window, _next_peak(pairs, number))
 
     def above(angle: float) -> float:
-        return float(lift.q(angle) - lift.q(angle - window))
+        return lift.value(angle) - lift.value(angle - window)
 
     if first >= last or above(first) >= 0 or above(last) < 0:
         return None
@@ -398,7 +398,7 @@ def _plateau(
     turns up. The line then runs to p + B. With tau where the wanted fall has come down as far, a quintic over
     2 tau joins the shifted fall; there too the slope keeps its sign, and the curvature exceeds k by two thirds or so.
     """
-    top, bottom = float(lift.q(peak)), float(lift.q(valley))
+    top, bottom = lift.value(peak), lift.value(valley)
     slope, bend = (float(lift.q(peak + SIDE, nu=order)) for order in (1, 2))
     drop = min(fall / float(follower.contact_face(np.array(top))), _GREATEST_SHARE * (top - bottom))
     steepness = drop / play
@@ -407,7 +407,7 @@ def _plateau(
         steepness = min(steepness, -bend * play / 4)
         ease = -2 * steepness / bend
     edge = top - steepness * (play - ease / 3)
-    tau = float(brentq(lambda t: float(lift.q(peak + t)) - edge, 0.0, valley - peak, xtol=_ROOT))
+    tau = float(brentq(lambda t: lift.value(peak + t) - edge, 0.0, valley - peak, xtol=_ROOT))
     x = np.array([peak, peak + ease, peak + play])
     jets = np.array(
         [

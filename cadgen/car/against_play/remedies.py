@@ -141,13 +141,13 @@ def trims(
     return tuple(found)
 
 
-def worst_on_way(
+def worst_run(
     task: PlayTask, lift: PathMotion, cut: PathMotion, plays: Sequence[float], cases: Sequence[Mechanics]
-) -> float:
-    """Greatest position error anywhere on the run of any car, mm."""
+) -> tuple[float, float]:
+    """Greatest position error at the end of the run of any car, and anywhere on it, mm."""
     trial = _trial(task)
-    errors = (trial.error(lift, leads, play) for leads in (case.leads(cut) for case in cases) for play in plays)
-    return max(float(error.distance.max()) for error in errors)
+    errors = [trial.error(lift, leads, play) for leads in (case.leads(cut) for case in cases) for play in plays]
+    return max(error.end_distance for error in errors), max(float(error.distance.max()) for error in errors)
 
 
 def touched_width(lift: PathMotion, follower: EdgeFollower) -> float:

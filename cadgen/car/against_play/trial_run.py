@@ -5,19 +5,18 @@ of the run; on laps, by places all round the last turn of the cam, for a car tha
 elsewhere.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from math import radians
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import PPoly
 
 from cadgen.arrays import TURN
 from cadgen.car.path_motion import PathMotion
-from cadgen.car.running.drive import Run, drive, turns_of
+from cadgen.car.running.drive import Pose, Run, Steered, drive, turns_of
 from cadgen.car.running.mechanics import Leads
-from cadgen.car.running.run_errors import RunError, run_error
+from cadgen.car.running.run_errors import RunError
 from cadgen.car.steering import Car
 
 _STEPS = 720  # of a turn; the end errs by 1e-5 mm
@@ -59,7 +58,14 @@ class TrialRun:
     @cached_property
     def planned(self) -> Run:
         """Run by the lift wanted, without play."""
-        return self._run(self.wanted, Leads(np.empty((0, 2))), 0.0)
+        stop = self.wanted.blend_start
+        following = Leads(np.empty((0, 2))).follow(self.wanted, 0.0)
+        return drive(self.wanted, self.car, self.length, steps=_STEPS * turns_of(stop), stop=stop, following=following)
+
+    @cached_property
+    def _against_plan(self) -> NDArray[np.complex128]:
+        """Planned heading as e^(-i heading), by which a position error is split along and across it."""
+        return np.asarray(np.exp(-1j * self.planned.heading))
 
     def error(self, cam: PathMotion, leads: Leads, play: float, trim: float = 0.0) -> RunError:
         """Errors of a run.
@@ -70,11 +76,17 @@ class TrialRun:
             play: return error, rad.
             trim: constant added to the tangent of the steering angle.
         """
-        if trim:
-            c = cam.q.c.copy()
-            c[-1] += trim
-            cam = replace(cam, q=PPoly(c, cam.q.x, extrapolate=cam.q.extrapolate))
-        return run_error(self._run(cam, leads, play), self.planned)
+        return self._error(self._steered(cam, leads, play), trim)
+
+    def _steered(self, cam: PathMotion, leads: Leads, play: float) -> Steered:
+        stop = self.wanted.blend_start
+        return Steered.by(leads.follow(cam, play), steps=_STEPS * turns_of(stop), stop=stop)
+
+    def _error(self, steered: Steered, trim: float) -> RunError:
+        heading, position = steered.driven(self.car, self.length, Pose(), trim)
+        x, y = self.planned.drive_wheel.T
+        off = (position - (x + 1j * y)) * self._against_plan
+        return RunError(motor=steered.motor, heading=heading - self.planned.heading, along=off.real, across=off.imag)
 
     def ends(self, error: RunError) -> NDArray[np.complex128]:
         """Position errors by which a run is judged, along + i across, mm: at its end, or round the last turn of laps.
@@ -106,21 +118,17 @@ class TrialRun:
         """
         trim = 0.0 if near is None else near.tan_beta
         rate = None if near is None else near.rate
-        now = self.error(cam, leads, play, trim)
+        steered = self._steered(cam, leads, play)
+        now = self._error(steered, trim)
         for _ in range(_TRIM_STEPS):
             ends = self.ends(now)
             if rate is None:
-                rate = (self.ends(self.error(cam, leads, play, trim + _PROBE)) - ends) / _PROBE
+                rate = (self.ends(self._error(steered, trim + _PROBE)) - ends) / _PROBE
             step = -float(np.vdot(rate, ends).real / np.vdot(rate, rate).real)
             trim += step
-            now = self.error(cam, leads, play, trim)
+            now = self._error(steered, trim)
             found = SteeringTrim(tan_beta=trim, error=now, rate=rate)
             if abs(step) < settled:
                 break
             rate = None
         return found
-
-    def _run(self, cam: PathMotion, leads: Leads, play: float) -> Run:
-        stop = self.wanted.blend_start
-        steps = _STEPS * turns_of(stop)
-        return drive(cam, self.car, self.length, steps=steps, stop=stop, following=leads.follow(cam, play))

@@ -169,6 +169,49 @@ def _summed(start: float, parts: Array) -> Array:
     return start + np.concatenate([[0.0], np.cumsum(gains)])
 
 
+@dataclass(frozen=True, kw_only=True)
+class Steered:
+    """Steering of a run by motor position, looked up once for runs with any trim.
+
+    Steps end where the cam jumps, stops, goes on or meets a kink, so the rule keeps its fourth order.
+
+    Attributes:
+        nodes: motor positions between which the steering is smooth, shape (n,), increasing, rad.
+        tan_beta: tangent of the rod's steering angle at the places of `TWO_STAGE` within each step, shape (n - 1, 2).
+        motor: motor positions of the result, rad.
+    """
+
+    nodes: Array
+    tan_beta: Array
+    motor: Array
+
+    @classmethod
+    def by(
+        cls, following: Following, *, steps: int, stop: float, at_joints: bool = False, at: Array | None = None
+    ) -> "Steered":
+        """Look up the steering by a cam that follows the motor; arguments as for `drive`."""
+        motor = np.linspace(0.0, stop, steps + 1)
+        nodes = np.union1d(motor, following.joints(0.0, stop))
+        if at is not None:
+            nodes, motor = np.union1d(nodes, at), at
+        places = nodes[:-1, None] + np.diff(nodes)[:, None] * TWO_STAGE.nodes
+        return cls(nodes=nodes, tan_beta=following.tan_beta(places), motor=nodes if at_joints else motor)
+
+    def driven(self, car: Car, length: float, start: Pose, trim: float = 0.0) -> tuple[Array, Complex]:
+        """Heading, rad, and position of the drive wheel x + iy, mm, at `motor`.
+
+        Args:
+            car: dimensions of the car.
+            length: travel of the drive wheel's rim in one turn of the cam, mm.
+            start: pose at the first motor position.
+            trim: constant added to the tangent of the rod's steering angle.
+        """
+        tangent = self.tan_beta + trim if trim else self.tan_beta
+        heading, position = driven(self.nodes, lambda _: wheel_tangent(tangent, car), car, length, start, TWO_STAGE)
+        shown = np.searchsorted(self.nodes, self.motor)
+        return heading[shown], position[shown]
+
+
 def drive(
     lift: PathMotion,
     car: Car,
@@ -184,8 +227,6 @@ def drive(
     at: Array | None = None,
 ) -> Run:
     """Run the car on a cam.
-
-    Steps end where the cam jumps, stops, goes on or meets a kink, so the rule keeps its fourth order.
 
     Args:
         lift: lift of the cam.
@@ -211,16 +252,8 @@ def drive(
     if steps < 1:
         raise DesignError("a run of {steps} steps goes nowhere: ask for at least 1", steps=steps)
     following = following or follow(lift, play, least_swing=least_swing)
-    motor = np.linspace(0.0, stop, steps + 1)
-    nodes = np.union1d(motor, following.joints(0.0, stop))
-    if at is not None:
-        nodes, motor = np.union1d(nodes, at), at
-    heading, position = driven(
-        nodes, lambda at: wheel_tangent(following.tan_beta(at), car), car, length, start, TWO_STAGE
-    )
-    motor = nodes if at_joints else motor
-    shown = np.searchsorted(nodes, motor)
-    heading, position = heading[shown], position[shown]
+    steered = Steered.by(following, steps=steps, stop=stop, at_joints=at_joints, at=at)
+    motor, heading, position = steered.motor, *steered.driven(car, length, start)
     ahead = np.exp(1j * heading)
     cam_angle = following.cam_angle(motor)
     return Run(

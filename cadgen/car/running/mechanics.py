@@ -25,7 +25,7 @@ degrees/s and 1 N that of the paper's cam delays each lead by 0.6 degrees, 3 mm 
 0.3.
 """
 
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 from math import radians
 
 import numpy as np
@@ -45,7 +45,7 @@ _FRICTIONS = 6
 _FINE_FRICTION = 0.01  # step of friction where the worst may lie within the band
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True)
 class Levers:
     """Lever arms of the rod's normal force on the cam, and its shares along the lift, at n cam angles.
 
@@ -150,7 +150,9 @@ class Mechanics:
             lift: lift of the cam.
             theta: cam angles, rad, shape (n,).
         """
-        at = levers(lift, self.follower, theta)
+        return self._torque(levers(lift, self.follower, theta))
+
+    def _torque(self, at: Levers) -> Array:
         against = at.along + self.friction * at.across
         free = against > 0
         normal = self.force(at.lift) / np.where(free, against, 1.0)
@@ -186,18 +188,19 @@ class Mechanics:
         if self.friction == 0 and drag == 0:
             return pairs
 
-        def surplus(theta: Array) -> Array:
-            return self.torque(lift, theta) - drag
-
         if not len(pairs):
             return pairs
         theta, first = _stations(pairs)
-        ahead = surplus(theta) > 0
+        # The levers go by the lift alone: cars of all frictions share them.
+        key = (levers, self.follower), least_swing
+        if key not in lift.derived:
+            lift.derived[key] = np.stack(astuple(levers(lift, self.follower, theta)))
+        ahead = self._torque(Levers(*lift.derived[key])) > drag
         ahead[first] = ahead[first - 1] = False  # at a fall's ends the lift is level, but for a kink on the other side
         flips = np.flatnonzero(ahead[1:] != ahead[:-1])
         # Each change of sign is looked at again between its two stations.
         fine = theta[flips, None] + (theta[flips + 1] - theta[flips])[:, None] * np.linspace(0, 1, _ZOOM + 1)
-        value = surplus(fine)
+        value = self.torque(lift, fine) - drag
         changed = (value[:, 1:] > 0) != (value[:, :-1] > 0)
         rows, cell = np.arange(len(flips)), np.argmax(changed, axis=1)
         low, high = value[rows, cell], value[rows, cell + 1]

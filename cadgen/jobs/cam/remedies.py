@@ -3,16 +3,14 @@
 from dataclasses import dataclass, replace
 from math import degrees
 
-import numpy as np
-
 from cadgen.cam.checks import check_cam
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.followers.kind import RunningSurface
-from cadgen.car.against_play.band import PlayBand, best_for_band, over_band
+from cadgen.car.against_play.band import PlayBand, best_for_band
 from cadgen.car.against_play.evaluate import Evaluation
 from cadgen.car.against_play.play_task import PlayTask
-from cadgen.car.against_play.profile_kinds import ACTUAL
-from cadgen.car.against_play.remedies import bearing_for, friction_to_fail, holding, trims, worst_on_way
+from cadgen.car.against_play.profile_kinds import ACTUAL, COMPENSATED
+from cadgen.car.against_play.remedies import bearing_for, friction_to_fail, holding, trims, worst_run
 from cadgen.car.path_motion import PathMotion, blend_checks
 from cadgen.car.running.friction import BEARING
 from cadgen.car.running.mechanics import Mechanics, MechanicsBand
@@ -60,12 +58,39 @@ class Remedy:
 
 @dataclass(frozen=True)
 class _Sheet:
-    """A design with its bands of play, friction and drag."""
+    """A design with its bands of play, friction and drag.
+
+    Attributes:
+        design: loaded design.
+        task: lift wanted, car and follower.
+        band: return error of its train.
+        mechanics: forces on its cam, with the brake that it may have.
+        compared: profiles on its train.
+    """
 
     design: Design
     task: PlayTask
     band: PlayBand
     mechanics: MechanicsBand
+    compared: tuple[Evaluation, ...]
+
+    def best(self, ends: tuple[float, float], *, trimmed: bool = False) -> tuple[PathMotion, float]:
+        """Compensated lift with the least worst end without a brake, and the window that it is cut for, rad.
+
+        The design's own compensated profile is that one if it has no brake; then nothing is searched for twice.
+
+        Args:
+            ends: least and greatest return error, rad.
+            trimmed: whether each car is trimmed after a trial run.
+        """
+        task, known = self.task, self.known
+        if ends == (min(self.plays), max(self.plays)) and known == self.mechanics and trimmed == task.trimmed:
+            for profile in self.compared:
+                if profile.profile is COMPENSATED:
+                    return profile.lift, profile.made_for
+        cases = known.cases if trimmed else known.corners
+        found = best_for_band(task.lift, task.follower, task.car, task.length, ends, mechanics=cases, trimmed=trimmed)
+        return found.lift, found.made_for
 
     @property
     def known(self) -> MechanicsBand:
@@ -98,10 +123,8 @@ class _Sheet:
             plays: return errors, rad; those of the design if left out.
             cut_for, build: same as in `Remedy`.
         """
-        task, plays = self.task, self.plays if plays is None else plays
-        ends = over_band(rolled, task.lift, task.car, task.length, np.array(plays), mechanics=cases, cut=lift)
-        way = worst_on_way(task, rolled, lift, plays, cases)
-        return Remedy(name=name, cut_for=cut_for, worst_end=ends.worst_distance, on_way=way, build=build)
+        end, way = worst_run(self.task, rolled, lift, self.plays if plays is None else plays, cases)
+        return Remedy(name=name, cut_for=cut_for, worst_end=end, on_way=way, build=build)
 
 
 def remedies(design: Design, comparison: PlayComparison, progress: Progress = silent) -> tuple[Remedy, ...]:
@@ -121,12 +144,13 @@ def remedies(design: Design, comparison: PlayComparison, progress: Progress = si
     if mechanics is None:
         raise DesignError("remedies against play go by the rod's force and friction: add [mechanics]")
     progress("comparing remedies against play")
-    sheet = _Sheet(design, comparison.task, comparison.band, mechanics)
-    plain = next(
+    compared = tuple(
         evaluation
         for evaluation in comparison.evaluations
-        if evaluation.profile is ACTUAL and evaluation.train == design.optimize.order and not evaluation.measured
+        if evaluation.train == design.optimize.order and not evaluation.measured
     )
+    sheet = _Sheet(design, comparison.task, comparison.band, mechanics, compared)
+    plain = next(evaluation for evaluation in compared if evaluation.profile is ACTUAL)
     cases, chosen = sheet.known.cases, comparison.chosen
     name = Message("this design: {profile}", profile=Message(str(chosen.profile)))
     if sheet.task.trimmed:
@@ -180,9 +204,8 @@ def _compensated(sheet: _Sheet) -> list[Remedy]:
 
 def _robust(sheet: _Sheet, name: str, ends: tuple[float, float], build: str = "") -> Remedy:
     """The profile with the least worst end over plays between two ends (rad), as a remedy."""
-    task, known = sheet.task, sheet.known
-    best = best_for_band(task.lift, task.follower, task.car, task.length, ends, mechanics=known.corners)
-    return sheet.row(name, best.lift, best.lift, known.cases, plays=list(ends), cut_for=best.made_for, build=build)
+    lift, cut_for = sheet.best(ends)
+    return sheet.row(name, lift, lift, sheet.known.cases, plays=list(ends), cut_for=cut_for, build=build)
 
 
 def _tight_joint(sheet: _Sheet) -> list[Remedy]:
@@ -303,11 +326,10 @@ def _trim(sheet: _Sheet, plain: Evaluation) -> Remedy:
 
 def _compensated_trim(sheet: _Sheet) -> Remedy:
     """The profile with the least worst end after the trim, with the steering set after a trial run."""
-    task, known, ends = sheet.task, sheet.known, (min(sheet.plays), max(sheet.plays))
-    best = best_for_band(task.lift, task.follower, task.car, task.length, ends, mechanics=known.cases, trimmed=True)
-    found = _trimmed(sheet, Message("compensated, trimmed"), best.lift, best.lift, known.fine_cases)
+    lift, cut_for = sheet.best((min(sheet.plays), max(sheet.plays)), trimmed=True)
+    found = _trimmed(sheet, Message("compensated, trimmed"), lift, lift, sheet.known.fine_cases)
     cam = Message("a cam that is compensated for what the trim leaves, --set 'optimize.hardware=[\"trim\"]'")
-    return replace(found, cut_for=best.made_for, build=joined((cam, found.build), "; "))
+    return replace(found, cut_for=cut_for, build=joined((cam, found.build), "; "))
 
 
 def _trimmed(sheet: _Sheet, name: str, lift: PathMotion, rolled: PathMotion, cases: tuple[Mechanics, ...]) -> Remedy:

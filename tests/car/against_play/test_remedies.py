@@ -20,7 +20,7 @@ from cadgen.car.against_play.remedies import (
     trim,
     trimmed_end,
     trims,
-    worst_on_way,
+    worst_run,
 )
 from cadgen.car.running.drive import drive, start_pose
 from cadgen.car.running.friction import BEARING, STEEL_ON, USUAL, friction_band
@@ -132,7 +132,7 @@ def test_a_trim_takes_the_end_with_it_as_long_as_the_car_repeats(task):
     print(f"plain cam, trimmed: {end:.0f} mm at the end, {way:.0f} mm on the way")
     assert 70.0 < end <= 83.0
     assert way <= 180.0
-    assert worst_on_way(task, task.lift, task.lift, ENDS.tolist(), task.mechanics.cases) > 1000.0
+    assert worst_run(task, task.lift, task.lift, ENDS.tolist(), task.mechanics.cases)[1] > 1000.0
 
 
 def test_no_other_turn_of_the_steering_ends_nearer(task):
