@@ -3,9 +3,16 @@
 from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum, unique
-from math import inf
+from math import inf, isinf
+from typing import SupportsIndex, overload
 
-from cadgen.figures import Figure
+from cadgen.errors import DesignError, brief
+from cadgen.figures import Figure, frame_of
+
+# As `typing.TYPE_CHECKING`, without the time that importing it takes.
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from pandas import DataFrame
 
 
 class Bound(StrEnum):
@@ -142,7 +149,7 @@ class CheckCode(StrEnum):
     CONTACT_TO = "contact-to"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Check(Figure):
     """Figure with its limit and verdict.
 
@@ -164,10 +171,19 @@ class Check(Figure):
     place: str = ""
     advice: str = ""
 
+    def __repr__(self) -> str:
+        bound = "" if isinf(self.limit) else f" ({'at most' if self.bound == Bound.MAX else 'at least'} {self.limit:g})"
+        return f"<Check {self.code}: {self.text()}{bound}, {'passed' if self.passed else 'failed'}>"
+
     @property
     def passed(self) -> bool:
         """True when the value keeps its limit; a value that is not a number never does."""
         return bool(self.value <= self.limit if self.bound == Bound.MAX else self.value >= self.limit)
+
+    @property
+    def room(self) -> float:
+        """Distance of the value from its limit, in `unit`, negative where it is past it."""
+        return self.limit - self.value if self.bound == Bound.MAX else self.value - self.limit
 
     @property
     def unit_shown(self) -> str:
@@ -176,9 +192,64 @@ class Check(Figure):
 
 
 class CheckList(tuple[Check, ...]):
-    """Checks of a part, with their common verdict."""
+    """Checks of a part, with their common verdict; `checks["pressure-angle-rise"]` is the one of that code.
+
+    Of several with one code, as of posts of a course, it is the one with the least room to its limit.
+    """
 
     __slots__ = ()
+
+    @overload
+    def __getitem__(self, place: SupportsIndex, /) -> Check: ...
+
+    @overload
+    def __getitem__(self, place: slice, /) -> tuple[Check, ...]: ...
+
+    @overload
+    def __getitem__(self, place: str, /) -> Check: ...
+
+    def __getitem__(self, place: SupportsIndex | slice | str, /) -> Check | tuple[Check, ...]:
+        """Check by its code, or by its place.
+
+        Raises:
+            DesignError: no check has the code.
+        """
+        if not isinstance(place, str):
+            return super().__getitem__(place)
+        found = [check for check in self if check.code == place]
+        if not found:
+            from difflib import get_close_matches
+
+            codes = tuple(dict.fromkeys(str(check.code) for check in self))
+            alike = [code for code in codes if place and place in code] or get_close_matches(place, codes) or codes
+            raise DesignError(
+                "there is no check {code}; there are: {codes}", code=brief(repr(place), 60), codes=", ".join(alike)
+            )
+        return min(found, key=lambda check: check.room)
+
+    def __repr__(self) -> str:
+        wrong = ", ".join(dict.fromkeys(str(check.code) for check in failing(self)))
+        return f"<{len(self)} checks, {f'failed: {wrong}' if wrong else 'all passed'}>"
+
+    def _repr_html_(self) -> str:
+        from html import escape
+
+        rows = [("check", "value", "", "limit", "verdict")]
+        for check in self:
+            limit = "" if isinf(check.limit) else f"{'≤' if check.bound == Bound.MAX else '≥'} {check.limit:g}"
+            verdict = "passed" if check.passed else "failed"
+            rows.append((str(check.code), check.text(), str(check.place), limit, verdict))
+        cells = ("".join(f"<td>{escape(cell)}</td>" for cell in row) for row in rows)
+        return f"<table>{''.join(f'<tr>{row}</tr>' for row in cells)}</table>"
+
+    def to_pandas(self) -> "DataFrame":
+        """Checks as a pandas frame: code, name, value, unit, bound, limit, verdict, place.
+
+        Raises:
+            DesignError: pandas is not installed.
+        """
+        shown = ("code", "name", "value", "unit", "bound", "limit", "passed", "place")
+        return frame_of([{key: getattr(check, key) for key in shown} for check in self])
 
     @property
     def passed(self) -> bool:

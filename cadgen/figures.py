@@ -5,11 +5,16 @@ on a terminal and as text, `cadgen.viewer.page` as HTML, `as_json` as JSON. The 
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass
 from enum import StrEnum
 from math import isfinite
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+from cadgen.errors import DesignError, brief
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
 
 # End of a figure's key by its unit.
 _SUFFIX = {"°": "deg", "µm": "um", "%": "percent", "N·mm": "Nmm"}
@@ -116,6 +121,56 @@ class JobResult(ABC):
     def facts(self) -> dict[str, Any]:
         """The result as plain values, as in the manifest and with `--json`; keys end in the unit."""
         return self.entry().json()
+
+    @property
+    def tables(self) -> tuple[str, ...]:
+        """Names of the tables among the facts, as `to_pandas` takes them."""
+        return tuple(_tables(self.facts()))
+
+    def to_pandas(self, table: str = "") -> "DataFrame":
+        """Facts as a pandas frame; keys inside keys become columns such as `play.mean_deg`.
+
+        Args:
+            table: one of `tables`, with a row for each of its items; left out, one row of all that is no table.
+
+        Raises:
+            DesignError: pandas is not installed, or there is no such table.
+        """
+        facts = self.facts()
+        found = _tables(facts)
+        if table and table not in found:
+            raise DesignError(
+                "there is no table {table}; there are: {tables}",
+                table=brief(repr(table), 60),
+                tables=", ".join(found) or "–",
+            )
+        return frame_of(found[table] if table else [{key: facts[key] for key in facts if key not in found}])
+
+
+def frame_of(rows: Sequence[Mapping[str, Any]]) -> "DataFrame":
+    """Pandas frame of rows of plain values; keys inside keys become columns such as `play.mean_deg`.
+
+    Args:
+        rows: rows by their keys.
+
+    Raises:
+        DesignError: pandas is not installed.
+    """
+    try:
+        from pandas import json_normalize
+    except ModuleNotFoundError as error:
+        if error.name != "pandas":
+            raise
+        raise DesignError(
+            "a frame needs pandas, which is not installed: pip install '.[notebook]' in cadgen's folder installs it"
+        ) from None
+    return json_normalize(list(rows))
+
+
+def _tables(facts: Mapping[str, Any]) -> dict[str, list[Mapping[str, Any]]]:
+    """Lists of mappings among plain values."""
+    lists = {key: value for key, value in facts.items() if isinstance(value, list) and value}
+    return {key: value for key, value in lists.items() if all(isinstance(row, Mapping) for row in value)}
 
 
 def as_json(value: object) -> Any:

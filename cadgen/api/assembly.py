@@ -5,20 +5,26 @@ from functools import cached_property
 from math import radians
 from os import PathLike
 
+import numpy as np
+from shapely.geometry.polygon import orient
+
 from cadgen.api.values import real
 from cadgen.car.assembly.car_parts import CarPart, Content
-from cadgen.check import Check, failing
+from cadgen.check import Check, CheckList, failing
 from cadgen.errors import CheckError
-from cadgen.figures import Facts, JobResult
+from cadgen.figures import Facts
 from cadgen.jobs.assembly_checks import assembly_checks
 from cadgen.jobs.car_assembly import CarAssembly
 from cadgen.jobs.car_frame import CarFrame, checks_in_car
 from cadgen.output.files.publisher import Written, folder_of, refusal
+from cadgen.output.report.notebook import Pictured
+from cadgen.output.report.shape_pictures import Filled, shapes_picture
+from cadgen.output.report.style import Drawing
 from cadgen.progress import Progress, silent
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class AssembledCar(JobResult):
+class AssembledCar(Pictured):
     """A car put together: what `Design.assembly` gives. Lengths are mm, masses g.
 
     Attributes:
@@ -46,11 +52,11 @@ class AssembledCar(JobResult):
         return (*checks_in_car(self.computed.layout), *assembly_checks(self.computed))
 
     @property
-    def checks(self) -> tuple[Check, ...]:
+    def checks(self) -> CheckList:
         """Checks of the cam itself, of the gears and of the car."""
         own = self.own_checks
         others = (*self.computed.cam.checks, *self.computed.train.checks)
-        return (*(check for check in others if check not in own), *own)
+        return CheckList((*(check for check in others if check not in own), *own))
 
     @property
     def failed(self) -> tuple[Check, ...]:
@@ -69,6 +75,19 @@ class AssembledCar(JobResult):
             cam_angle_deg: cam angle, degrees.
         """
         return self.computed.balance(_angle(cam_angle_deg))
+
+    @property
+    def picture(self) -> Drawing:
+        """Car from the left and from above, at cam angle 0."""
+        from cadgen.jobs.assembly_files import silhouettes
+
+        car = self.computed
+        colors = {part.code: part.colour for part in car.parts}
+        views = {
+            str(name): [Filled(each.rings, colors[each.code]) for each in sorted(found, key=lambda each: each.near)]
+            for name, found in silhouettes(car, 0.0).items()
+        }
+        return shapes_picture(car.origin.name, views)
 
     def entry(self) -> Facts:
         """Parts, masses and places, as in the manifest."""
@@ -105,7 +124,7 @@ class AssembledCar(JobResult):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class FramedCar(JobResult):
+class FramedCar(Pictured):
     """The frame of a car: what `Design.frame` gives. Lengths are mm.
 
     Attributes:
@@ -128,9 +147,9 @@ class FramedCar(JobResult):
         return self.computed.own_checks
 
     @property
-    def checks(self) -> tuple[Check, ...]:
+    def checks(self) -> CheckList:
         """Checks of the parts in the car and of the frame."""
-        return self.computed.checks
+        return CheckList(self.computed.checks)
 
     @property
     def passed(self) -> bool:
@@ -146,6 +165,16 @@ class FramedCar(JobResult):
     def bought(self) -> list[tuple[str, str, int]]:
         """Bought parts: code, name and how many."""
         return self.computed.bought
+
+    @property
+    def picture(self) -> Drawing:
+        """Sheets of the frame."""
+        faces = {panel.name: orient(panel.face()) for panel in self.computed.frame.panels}
+        views = {
+            name: [Filled([np.asarray(ring.coords) for ring in (face.exterior, *face.interiors)])]
+            for name, face in faces.items()
+        }
+        return shapes_picture(self.computed.stem, views)
 
     def entry(self) -> Facts:
         """Frame, as in the manifest."""

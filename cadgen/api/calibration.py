@@ -8,7 +8,7 @@ from typing import Generic, TypeVar
 
 from cadgen.api.loaded import LoadedDesign
 from cadgen.api.measured import Data, reading_of, sources_of
-from cadgen.figures import Facts, JobResult
+from cadgen.figures import Facts
 from cadgen.jobs.calibration.advice import Advice as Advice
 from cadgen.jobs.calibration.advice import Predictions as Predictions
 from cadgen.jobs.calibration.as_built_file import as_built_text
@@ -17,7 +17,7 @@ from cadgen.jobs.calibration.calibration_report import report, summary
 from cadgen.jobs.calibration.files import calibration_facts, summary_facts, write_calibration, write_each
 from cadgen.jobs.calibration.new_cam import Built
 from cadgen.output.files.publisher import Written, folder_of
-from cadgen.output.report.notebook import Pictured
+from cadgen.output.report.notebook import Pictured, bars_picture
 from cadgen.output.report.record_pictures import record_picture
 from cadgen.output.report.style import Drawing
 from cadgen.output.report.terminal import Block, plain
@@ -137,7 +137,7 @@ class Calibration(CalibrationPlan, Pictured, Generic[D]):
 
 
 @dataclass(frozen=True)
-class Calibrations(JobResult, Generic[D]):
+class Calibrations(Pictured, Generic[D]):
     """Result of `Design.calibrate_each`: a verdict on each measured file, judged alone.
 
     Attributes:
@@ -165,6 +165,12 @@ class Calibrations(JobResult, Generic[D]):
     def left(self) -> float:
         """RMS of what remains without a name, over the noise, in the file that leaves most."""
         return max(calibration.left for calibration in self.each)
+
+    @property
+    def picture(self) -> Drawing:
+        """Remainder without a name in each file, over its noise."""
+        bars = {", ".join(source.path.name for source in c.sources): c.left for c in self.each}
+        return bars_picture("Files judged alone", "what remains without a name, over the noise (rms)", bars)
 
     @property
     def report(self) -> list[Block]:

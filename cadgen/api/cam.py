@@ -33,21 +33,22 @@ from cadgen.jobs.cam.cures import find_cures
 from cadgen.jobs.cam.motion_cam import plan_motion_cam
 from cadgen.laws.unit import MM
 from cadgen.output.files.publisher import Written, folder_of, refusal
-from cadgen.output.report.notebook import Pictured
+from cadgen.output.report.notebook import Pictured, Plotted, Viewed, lines_picture
+from cadgen.output.report.shape_pictures import Filled, shapes_picture
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
     from cadgen.geometry.solids.kernel import Solid
     from cadgen.jobs.cam.comparison import PlayComparison
     from cadgen.jobs.cam.steering_cam import CarUse
-    from cadgen.output.report.style import Drawing, Figure
+    from cadgen.output.report.style import Drawing
 
 _POINTS = 3600
 _CHORD = 0.01  # mm, of bore and holes on a picture
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Lift:
+class Lift(Plotted):
     """Lift of the follower over one turn of the cam. Call it with cam angles to get the lift there.
 
     Attributes:
@@ -96,6 +97,15 @@ class Lift:
         return self._extrema[1]
 
     @property
+    def picture(self) -> "Drawing":
+        """Lift over the turn."""
+        angle = np.linspace(0.0, TURN, _POINTS + 1)
+        lifts = {"lift": self(angle)}
+        return lines_picture(
+            f"{self.computed.origin.name}: lift", "cam angle (°)", "lift (mm)", np.degrees(angle), lifts, signed=True
+        )
+
+    @property
     def blend_start(self) -> float:
         """Cam angle from which the closing blend, and not the path, steers, rad; a whole turn on a closed path."""
         motion = self.computed.motion
@@ -103,7 +113,7 @@ class Lift:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Profile:
+class Profile(Plotted):
     """The closed curve that is cut, in the frame of the files: the camshaft at the origin.
 
     Attributes:
@@ -142,6 +152,13 @@ class Profile:
         points = self.computed.curve.outline(self.length / whole("count", count, 12, 1_000_000)).points
         return points[:-1] if np.array_equal(points[0], points[-1]) else points
 
+    @property
+    def picture(self) -> "Drawing":
+        """Curve that is cut, with bore and holes."""
+        openings = [contour.polygon(_CHORD)[::-1] for contour in self.computed.blank.inner_contours()]
+        title = f"{self.computed.origin.name}, {self.name} profile"
+        return shapes_picture(title, {"": [Filled([self.points(), *openings])]})
+
     def __str__(self) -> str:
         return self.name
 
@@ -158,7 +175,7 @@ class Extremes:
 
 
 @dataclass(frozen=True, repr=False)
-class FollowerForces:
+class FollowerForces(Plotted):
     """Forces on a follower and its camshaft, in N and mm; of a swinging follower moments, N mm.
 
     Attributes:
@@ -211,18 +228,14 @@ class FollowerForces:
         """Least preload that holds the follower with the spring's rate, N or N mm; None if it is not proved."""
         return self.computed.least_preload()
 
-    def plot(self) -> "Figure":
-        """Draw force on the disc and torque of the camshaft over the turn.
-
-        Returns:
-            A matplotlib figure, to be shown in a notebook or saved with `savefig`.
-        """
+    @property
+    def picture(self) -> "Drawing":
+        """Force on the disc and torque of the camshaft over the turn."""
         from cadgen.output.report.cam_pictures import forces_picture
 
         angle = np.linspace(0.0, TURN, _POINTS + 1)
         jets = self.computed.motion.jets(angle)
-        with forces_picture(angle, self.computed.normal(jets, angle), self.computed.torque(jets, angle)) as made:
-            return made
+        return forces_picture(angle, self.computed.normal(jets, angle), self.computed.torque(jets, angle))
 
     def _extremes(self, figure: "Callable[[Array, Array], Array]") -> Extremes:
         most, least = self.computed.motion.extremes_of(figure)
@@ -230,7 +243,7 @@ class FollowerForces:
 
 
 @dataclass(frozen=True, eq=False, repr=False, init=False)
-class Cam(CamPlan, Pictured):
+class Cam(CamPlan, Pictured, Viewed):
     """A cam that has been computed and checked, but not yet made: what `Design.cam` gives, or a motion and a follower.
 
     It is the numeric plan itself, with all its figures in mm and rad.

@@ -6,16 +6,22 @@ from dataclasses import dataclass, fields
 from os import PathLike
 from typing import Any, ClassVar, Self
 
-from cadgen.figures import JobResult
+import numpy as np
+
+from cadgen.jobs.lift_tolerance import NAMES
 from cadgen.jobs.worn_cam.compared_cam import ComparedCamPlan, compared_report
 from cadgen.jobs.worn_cam.found_cam import FoundCamPlan
 from cadgen.jobs.worn_cam.found_report import REPORT_WIDTH, found_report, write_measured
 from cadgen.output.files.publisher import Written, folder_of
+from cadgen.output.report.notebook import Pictured, bars_picture, lines_picture
+from cadgen.output.report.style import Drawing
 from cadgen.output.report.terminal import Block, plain
 from cadgen.progress import Progress, silent
 
+_UM = 1e3
 
-class MeasuredResult(JobResult):
+
+class MeasuredResult(Pictured):
     """Base of the results of measuring a cam."""
 
     design: Any
@@ -69,6 +75,19 @@ class FoundCam(FoundCamPlan, MeasuredResult):
         return found_report(self)
 
     @property
+    def picture(self) -> Drawing:
+        """Motion measured and motion found over the turn of the cam that was measured."""
+        samples, unit = self.motion.samples, "mm" if self.scale == 1.0 else "°"
+        lines = {
+            "measured": self.scale * (samples.q - self.motion.base),
+            "found": self.scale * self.motion.lift(samples.cam_angle),
+        }
+        title = f"{self.source.path.name}: motion"
+        return lines_picture(
+            title, "cam angle (°)", f"lift ({unit})", np.degrees(samples.cam_angle), lines, signed=True
+        )
+
+    @property
     def designs(self) -> Mapping[str, str]:
         """Text of the new design by its name."""
         return {self.name: self.toml}
@@ -79,6 +98,18 @@ class ComparedCam(ComparedCamPlan, MeasuredResult):
     """Measured cam beside its design: deviations with their sizes, and what is left."""
 
     _ending = "compared"
+
+    @property
+    def picture(self) -> Drawing:
+        """Error along the normal before and after, and what each deviation does to the lift."""
+        before_after = {
+            "rms against the design": self.comparison.before,
+            "rms that is left": self.comparison.after,
+            "noise of a reading": self.comparison.noise,
+        }
+        found = {f"lift by {NAMES[each.code]}": self.at_lift(each) for each in self.found}
+        bars = {name: _UM * value for name, value in {**before_after, **found}.items()}
+        return bars_picture(f"{self.source.path.name}: what differs", "µm", bars)
 
     @property
     def report(self) -> list[Block]:

@@ -14,9 +14,9 @@ from itertools import pairwise
 from math import floor, pi, radians
 from typing import TYPE_CHECKING
 
-from cadgen.api.values import feature, optional, real, stage_angles, whole, word
+from cadgen.api.values import Stated, feature, optional, real, stage_angles, whole, word
 from cadgen.arrays import TURN
-from cadgen.check import Check
+from cadgen.check import CheckList
 from cadgen.design.file_names import name_fault
 from cadgen.design.gear_model import usual_chord
 from cadgen.design.train import MOST_STAGES
@@ -71,9 +71,9 @@ class _ByNumbers(Assembly):
     name: str
 
     @property
-    def checks(self) -> tuple[Check, ...]:
+    def checks(self) -> CheckList:
         """The teeth in mesh, measured on their sections, and the parts: every figure with its verdict."""
-        return self.computed.checks
+        return CheckList(self.computed.checks)
 
     @property
     def stem(self) -> str:
@@ -107,8 +107,8 @@ class _ByNumbers(Assembly):
         )
 
 
-@dataclass(frozen=True, kw_only=True)
-class Gear(OnePart, Pictured):
+@dataclass(frozen=True, kw_only=True, repr=False)
+class Gear(Stated, OnePart, Pictured):
     """A spur or helical gear, its axis on z and a tooth on x, midway along the width of a helical one.
 
     Attributes:
@@ -392,8 +392,8 @@ def require_name(name: object) -> None:
         raise DesignError("name is {given}; it must {fault}", given=brief(repr(name), 60), fault=fault)
 
 
-@dataclass(frozen=True)
-class GearPair(_ByNumbers):
+@dataclass(frozen=True, repr=False)
+class GearPair(Stated, _ByNumbers):
     """Two gears in mesh, by default at the centre distance at which nominal teeth have no play.
 
     One of them may be internal; the other then turns inside it.
@@ -630,8 +630,8 @@ class GearPair(_ByNumbers):
         return mesh_compound((pinion, wheel), ((0.0, 0.0, 0.0), (self.axes_apart, height, self.wheel_angle)), self.name)
 
 
-@dataclass(frozen=True)
-class Train(_ByNumbers):
+@dataclass(frozen=True, repr=False)
+class Train(Stated, _ByNumbers):
     """A gear train: pairs in a row, the wheel of each and the pinion of the next one part on one shaft.
 
     Attributes:

@@ -7,22 +7,32 @@ keys messages name.
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from math import degrees, tau
+from pathlib import Path
 from typing import Any
 
-from cadgen.api.values import optional, real, whole, word
+import numpy as np
+
+from cadgen.api.values import Stated, optional, real, whole, word
 from cadgen.arrays import TURN
 from cadgen.cam.followers.table import has, kind_of
+from cadgen.design import load
+from cadgen.design.motion import motion_of
+from cadgen.design.schema import MotionDesign
 from cadgen.design.sources.source import DiscSense
 from cadgen.errors import DesignError, brief
 from cadgen.laws.unit import MM
+from cadgen.output.report.notebook import Plotted, lines_picture
+from cadgen.output.report.style import Drawing
 
 # Section of a design file: its keys and values.
 Section = dict[str, Any]
+_POINTS = 1441  # of the motion on a picture
+_ANY_CIRCLE, _ANY_THICKNESS = 100.0, 5.0  # mm, of a design that is asked for its motion alone
 _SENSES = tuple(sense.value for sense in DiscSense)
 
 
-@dataclass(frozen=True)
-class MotionStep:
+@dataclass(frozen=True, repr=False)
+class MotionStep(Stated):
     """Rise, return or dwell of a motion; `rise` and `dwell` make it.
 
     Attributes:
@@ -66,8 +76,8 @@ def _angle(value: float) -> float:
     return real("angle", value, 0, tau * (1 + 1e-9), "rad", above=True)
 
 
-@dataclass(frozen=True)
-class Motion:
+@dataclass(frozen=True, repr=False)
+class Motion(Stated, Plotted):
     """Motion of a follower in a turn of the cam: steps, points of a spline, or a lift table.
 
     Attributes:
@@ -102,6 +112,17 @@ class Motion:
             )
         if bool(len(self.steps)) == bool(len(self.points)):
             raise DesignError("a motion has either steps or points: give one of them")
+
+    @property
+    def picture(self) -> Drawing:
+        """Height over the turn."""
+        # A design with any follower, so that what is refused is refused in its words.
+        text = cam_toml(self, Roller(radius=1.0), _ANY_CIRCLE, None, _ANY_THICKNESS, None, "motion")
+        design = load.complete_of(text, Path("motion.toml"))
+        assert isinstance(design, MotionDesign)  # it has [motion]
+        angle = np.linspace(0.0, TURN, _POINTS)
+        heights = {"height": motion_of(design.motion, design.follower.registered, corners=False).q(angle)}
+        return lines_picture("motion", "cam angle (°)", "height", np.degrees(angle), heights, signed=True)
 
     def section(self, *, swings: bool) -> Section:
         """Section [motion] of a design file.

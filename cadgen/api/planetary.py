@@ -8,7 +8,7 @@ from functools import cached_property
 from math import degrees, pi
 
 from cadgen.api.gears import Gear, _ByNumbers, require_name
-from cadgen.api.values import optional, real, whole, word
+from cadgen.api.values import Stated, optional, real, whole, word
 from cadgen.errors import DesignError, brief
 from cadgen.figures import Facts
 from cadgen.gears.choices import HeldMember
@@ -27,8 +27,8 @@ from cadgen.jobs.gears.assembly import ReturnError, checks_facts, parts_facts, s
 from cadgen.parts.blank import Blank
 
 
-@dataclass(frozen=True)
-class Planetary(_ByNumbers):
+@dataclass(frozen=True, repr=False)
+class Planetary(Stated, _ByNumbers):
     """A planetary set: sun and ring on one axis, planets between them on a carrier.
 
     The teeth are thinned until both meshes have the backlash asked for: sun and planet by the same amount, the ring by

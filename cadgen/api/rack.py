@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 from math import cos, degrees, radians
-from typing import TYPE_CHECKING
+
+import numpy as np
 
 from cadgen.api.gears import Gear, require_name
-from cadgen.api.values import optional, real, whole, word
+from cadgen.api.values import Stated, optional, real, whole, word
 from cadgen.design.gear_model import COARSEST_CHORD
 from cadgen.errors import DesignError, brief
 from cadgen.figures import Facts
@@ -17,13 +18,15 @@ from cadgen.gears.rack import RackForm, RackMesh
 from cadgen.gears.tooth import CHORD_PER_MODULE, STEEPEST_HELIX
 from cadgen.jobs.gears.assembly import OnePart
 from cadgen.output.files.exports import RackExport
+from cadgen.output.report.notebook import Pictured
+from cadgen.output.report.shape_pictures import Filled, shapes_picture
+from cadgen.output.report.style import Drawing
 
-if TYPE_CHECKING:
-    pass
+_CHORD = 0.01  # mm, of the teeth on a picture
 
 
-@dataclass(frozen=True, kw_only=True)
-class Rack(OnePart):
+@dataclass(frozen=True, kw_only=True, repr=False)
+class Rack(Stated, OnePart, Pictured):
     """A rack, its reference line on x, its teeth towards y and its width along z.
 
     Attributes:
@@ -90,6 +93,13 @@ class Rack(OnePart):
             fillet_factor=float(self.root_radius),
             tooth_thickness_deviation=float(self.thickness_deviation),
         )
+
+    @property
+    def picture(self) -> Drawing:
+        """Section of the teeth."""
+        points = self.form.outline.polygon(_CHORD)
+        ring = np.stack([points.real, points.imag], axis=1)
+        return shapes_picture(f"{self.name}, {self.teeth} teeth", {"": [Filled([ring])]})
 
     @property
     def length(self) -> float:

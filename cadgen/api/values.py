@@ -1,6 +1,7 @@
 """Checks of a caller's numbers and words; each refusal is a sentence with the name and what is allowed."""
 
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import MISSING, fields
 from math import inf, isfinite, nan, radians
 from numbers import Integral, Real
 from os import PathLike
@@ -19,6 +20,19 @@ if TYPE_CHECKING:
     from cadgen.inference.monte_carlo.random_cars import Map
 
 T = TypeVar("T")
+
+
+class Stated:
+    """Base of what a caller states by a dataclass: its text has what was given, and no value that is left as it was."""
+
+    def __repr__(self) -> str:
+        stated: Any = self
+        given = (
+            f"{each.name}={getattr(self, each.name)!r}"
+            for each in fields(stated)
+            if each.default is MISSING or getattr(self, each.name) != each.default
+        )
+        return f"{type(self).__name__}({', '.join(given)})"
 
 
 def real(

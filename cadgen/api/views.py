@@ -5,15 +5,18 @@ from dataclasses import dataclass
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
+from cadgen.api.cam import Cam
 from cadgen.api.design import MOST_CARS, MOST_PROCESSES, Design
 from cadgen.api.loaded import overrides_of
 from cadgen.api.measured import Data, reading_of, sources_of
 from cadgen.api.values import instance, name_or_path, whole
-from cadgen.check import Check, failing
+from cadgen.check import Check, CheckList, failing
 from cadgen.design.schema import MotionDesign
 from cadgen.errors import DesignError, FileError
-from cadgen.figures import Facts, JobResult
+from cadgen.figures import Facts
 from cadgen.output.files.publisher import Written, folder_of
+from cadgen.output.report.notebook import Pictured
+from cadgen.output.report.style import Drawing
 from cadgen.progress import Progress, silent
 from cadgen.viewer.editor.session import Session
 from cadgen.viewer.page.car_page import plan_page
@@ -28,7 +31,7 @@ _EXTRA = ("starlette", "uvicorn", "anyio", "h11")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Report(JobResult):
+class Report(Pictured):
     """A report of a design: cam, gears, runs and tolerance, each computed once.
 
     Attributes:
@@ -99,9 +102,14 @@ class Report(JobResult):
         return f"<Report on {self.computed.cam.origin.name}, {verdict}>"
 
     @property
-    def checks(self) -> tuple[Check, ...]:
+    def checks(self) -> CheckList:
         """Checks of cam and gears."""
-        return self.computed.checks
+        return CheckList(self.computed.checks)
+
+    @property
+    def picture(self) -> Drawing:
+        """Outline and lift of the cam."""
+        return Cam.of(self.computed.cam).picture
 
     @property
     def passed(self) -> bool:

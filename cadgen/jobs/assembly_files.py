@@ -12,7 +12,7 @@ import numpy as np
 
 from cadgen.car.assembly.car_parts import CarPart, Content, GroupKind, Supply
 from cadgen.figures import Facts
-from cadgen.geometry.meshes.car_meshes import seen
+from cadgen.geometry.meshes.car_meshes import Seen, seen
 from cadgen.jobs.assembly_checks import assembly_checks, centre_of_gravity
 from cadgen.jobs.car_assembly import CarAssembly
 from cadgen.jobs.drawings import Folder, title_of, write_sheet
@@ -42,6 +42,18 @@ _VOLUME = 1e-6  # share by which a volume read back may be off
 _COLUMNS = (
     "number", "code", "name", "quantity", "material", "assumed", "supply", "standard_or_files", "mass_each_g", "mass_g"
 )  # fmt: skip
+
+
+def silhouettes(assembly: CarAssembly, cam_angle: float) -> dict[Message, tuple[Seen, ...]]:
+    """Silhouettes of all parts by the name of the view, from the left and from above.
+
+    Args:
+        assembly: car put together.
+        cam_angle: cam angle, rad.
+    """
+    looks = {Message("from the left"): _FROM_LEFT, Message("from above"): _FROM_ABOVE}
+    fork = assembly.fork_angle(cam_angle)
+    return {name: seen(assembly.parts, look, cam_angle, fork, _CHORD) for name, look in looks.items()}
 
 
 def listed(assembly: CarAssembly) -> tuple[ListedPart, ...]:
@@ -93,10 +105,7 @@ def views_of(assembly: CarAssembly, cam_angle: float) -> tuple[CarView, CarView]
     """
     site, found = assembly.layout.site, assembly.layout.arrangement
     assert found is not None  # `put_together` refuses a car without an arrangement
-    fork = assembly.fork_angle(cam_angle)
-    looks = (_FROM_LEFT, _FROM_ABOVE)
-    side, top = (seen(assembly.parts, look, cam_angle, fork, _CHORD) for look in looks)
-    plain = CarView(name=Message("from the left"), seen=side), CarView(name=Message("from above"), seen=top)
+    plain = [CarView(name=name, seen=found) for name, found in silhouettes(assembly, cam_angle).items()]
     left, _, right, _ = plain[0].bounds
     a, behind, floor, drop = -site.base_radius, site.behind, -found.height, -found.axes[0].imag
     deviation = assembly.layout.design.tolerances.base_radius_mm

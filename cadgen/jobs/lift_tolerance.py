@@ -11,11 +11,13 @@ from cadgen.cam.lift_errors import ECCENTRICITY, LiftError, LiftErrors, wrong_si
 from cadgen.design.lift_tolerances import LiftTolerances
 from cadgen.design.schema import MotionDesign
 from cadgen.errors import DesignError
-from cadgen.figures import Facts, JobResult, Sheet, number
+from cadgen.figures import Facts, Sheet, number
 from cadgen.gears.distribution import ZoneSum
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.motion_cam import plan_motion_cam
 from cadgen.messages import Message
+from cadgen.output.report.notebook import Pictured, bars_picture
+from cadgen.output.report.style import Drawing
 from cadgen.output.report.terminal import Block
 from cadgen.progress import Progress, silent
 from cadgen.version import __version__
@@ -73,7 +75,7 @@ class LiftCost:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class LiftToleranceRun(JobResult):
+class LiftToleranceRun(Pictured):
     """Cams within the tolerances of a design with [motion]: what `Design.lift_tolerance` gives.
 
     Attributes:
@@ -110,6 +112,12 @@ class LiftToleranceRun(JobResult):
     def quantiles(self) -> dict[float, float]:
         """Greatest error of the lift that a share of the cams does not exceed, mm, by the share."""
         return {part: float(np.quantile(self.errors, part)) for part in _QUANTILES}
+
+    @property
+    def picture(self) -> Drawing:
+        """Greatest error of the lift by each tolerance at its limit, the dearest first."""
+        bars = {str(NAMES[cost.code]): _UM * cost.greatest for cost in self.costs}
+        return bars_picture(f"{self.cam.origin.name}: tolerances at their limits", "lift off by (µm)", bars)
 
     def entry(self) -> Facts:
         """The run for JSON."""

@@ -1,12 +1,20 @@
 """Results in a notebook: each has a picture, a line, and its figures."""
 
+import inspect
+import sys
+from importlib import import_module
 from math import radians
+from pkgutil import walk_packages
+from types import ModuleType
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 
-from cadgen import Cam, Design, Gear, GearPair, Motion, Roller, Spring, dwell, rise
+import cadgen
+from cadgen import Cam, Design, DesignError, Gear, GearPair, Motion, Rack, Report, Roller, Spring, dwell, rise
+from cadgen.figures import JobResult
+from cadgen.output.report.notebook import Pictured, Plotted
 
 PINION, WHEEL = (Gear(teeth=teeth, module=1.0, width=5.0) for teeth in (18, 45))
 
@@ -26,11 +34,48 @@ def results():
         "tolerance": design.tolerance(50),
         "gear": PINION,
         "pair": GearPair(PINION, WHEEL, backlash=0.1),
+        "rack": Rack(teeth=6, module=1.0, width=5.0),
+        "lift tolerance": Design.load("roller").with_({"lift_tolerances.base_circle_um": 10.0}).lift_tolerance(50),
+        "report": Report.of(design, samples=20),
+        "assembly": Design.load("workshop_car").assembly(),
+        "frame": Design.load("workshop_car").frame(),
     }
 
 
+NAMES = ("cam", "steering cam", "comparison", "simulation", "tolerance", "gear", "pair", "rack", "lift tolerance")
+NAMES = (*NAMES, "report", "assembly", "frame")
+
+
+def test_every_result_has_a_picture() -> None:
+    """Each result that a public function or a method of a public class gives, and each that a further result gives."""
+    for module in walk_packages(cadgen.__path__, "cadgen."):
+        if module.name.startswith(("cadgen.api.", "cadgen.jobs.")):
+            import_module(module.name)
+    waiting = [getattr(cadgen, name) for name in cadgen.__all__]
+    shown: set[type] = set()
+    results = {kind.__name__: kind for kind in _below(JobResult)}
+    while waiting:
+        each = waiting.pop()
+        members = [member for _, member in inspect.getmembers(each)] if inspect.isclass(each) else [each]
+        for member in members:
+            found = member.fget if isinstance(member, property) else getattr(member, "func", member)
+            said = str(getattr(found, "__annotations__", {}).get("return", ""))
+            for word in said.replace("[", " ").replace("'", " ").replace('"', " ").split():
+                kind = results.get(word.rpartition(".")[2])
+                if kind is not None and kind not in shown:
+                    shown.add(kind)
+                    waiting.append(kind)
+    shown |= {kind for kind in _below(JobResult) if kind.__module__.startswith("cadgen.api.")}
+    assert len(shown) >= 20
+    assert not [kind for kind in shown if not inspect.isabstract(kind) and not issubclass(kind, Plotted)]
+
+
+def _below(kind: type) -> set[type]:
+    return {kind, *(each for below in kind.__subclasses__() for each in _below(below))} - {JobResult, Pictured}
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["cam", "steering cam", "comparison", "simulation", "tolerance", "gear", "pair"])
+@pytest.mark.parametrize("name", NAMES)
 def test_a_result_shows_itself_in_a_notebook(results, name):
     result = results[name]
     assert len(repr(result).splitlines()) == 1
@@ -62,3 +107,70 @@ def test_a_picture_of_gears_has_their_areas_and_no_tooth_in_another(results):
     assert drawn[0].distance(drawn[1]) < 0.1
     for gear, polygon in zip((PINION, WHEEL), drawn, strict=True):
         assert polygon.area * gear.width == pytest.approx(gear.volume, rel=0.02)  # thinned teeth
+
+
+def test_a_motion_and_what_is_asked_of_a_cam_have_pictures(results):
+    cam = results["cam"]
+    wave = Motion(points=[(float(angle), float(1 - np.cos(angle))) for angle in np.arange(6)])
+    for each in (wave, cam.lift, cam.profile):
+        assert len(repr(each).splitlines()) == 1
+        assert each.plot().axes
+        assert "<svg" in each._repr_html_()
+    few = Motion(points=[(0.0, 0.0), (2.0, 10.0)])
+    with pytest.raises(DesignError, match=r"motion\.points"):
+        few.plot()
+    assert "motion.points" in few._repr_html_()
+
+
+def test_what_is_stated_says_no_more_than_was_given():
+    assert repr(PINION) == "Gear(teeth=18, module=1.0, width=5.0)"
+    assert eval(repr(PINION)) == PINION  # such a text can be run
+
+
+@pytest.mark.slow
+def test_a_check_goes_by_its_code(results):
+    checks = results["cam"].checks
+    assert checks["pressure-angle-rise"] is checks[0]
+    assert repr(checks[0]).startswith("<Check pressure-angle-rise: ")
+    assert checks[:2] == (checks[0], checks[1])
+    with pytest.raises(DesignError, match="no check 'pressure-angle'; there are: pressure-angle-rise, pressure-angle-"):
+        checks["pressure-angle"]
+    posts = [check for check in results["steering cam"].checks if check.code == "course-post"]
+    worst = results["steering cam"].checks["course-post"]
+    assert worst.room == min(abs(check.value - check.limit) for check in posts)
+    assert checks._repr_html_().count("<tr>") == len(checks) + 1
+
+
+@pytest.mark.slow
+def test_tables_become_frames(results, monkeypatch):
+    """Pandas need not be there: its one function is called with plain rows."""
+    stand_in = ModuleType("pandas")
+    stand_in.json_normalize = list
+    monkeypatch.setitem(sys.modules, "pandas", stand_in)
+    assert set(results["pair"].tables) == {"stages", "checks", "parts"}
+    assert len(results["pair"].to_pandas("parts")) == 2
+    assert {"ratio", "play_mm"} <= set(results["pair"].to_pandas("stages")[0]) or results["pair"].to_pandas("stages")
+    (whole,) = results["gear"].to_pandas()
+    assert whole["teeth"] == 18
+    assert [row["code"] for row in results["cam"].checks.to_pandas()] == [check.code for check in results["cam"].checks]
+    with pytest.raises(DesignError, match="no table 'part'; there are: stages, checks, parts"):
+        results["pair"].to_pandas("part")
+    monkeypatch.setitem(sys.modules, "pandas", None)
+    with pytest.raises(DesignError, match=r"pip install '\.\[notebook\]' in cadgen's folder"):
+        results["gear"].to_pandas()
+
+
+@pytest.mark.slow
+def test_viewers_take_parts_as_they_are(results):
+    """Attributes that ocp_tessellate asks of a shape: the shape of the kernel, its children, name and colour."""
+    from OCP.TopoDS import TopoDS_Compound, TopoDS_Solid
+
+    gear, pair = PINION, results["pair"]
+    assert isinstance(gear.wrapped, TopoDS_Solid)
+    assert isinstance(pair.wrapped, TopoDS_Compound)
+    assert gear.wrapped is gear.wrapped
+    assert not gear.children
+    assert [part.label for part in pair.children] == ["pair_pinion", "pair_wheel"]
+    assert gear.label == "gear"
+    assert tuple(gear.color)
+    assert gear.location.position.length == 0.0

@@ -14,7 +14,7 @@ from cadgen.design.schema import Design
 from cadgen.deviations.catalogue import spreads
 from cadgen.deviations.deviation import WHEEL_RADIUS, WHEELBASE
 from cadgen.errors import FileError
-from cadgen.figures import Facts, JobResult, Sheet
+from cadgen.figures import Facts, Sheet
 from cadgen.inference.expectation.linear import PriorKnowledge
 from cadgen.inference.expectation.next_measurement import EndRange, Expected, Next, next_measurement
 from cadgen.inference.expectation.predict import Prediction, predict, predict_logged
@@ -26,6 +26,8 @@ from cadgen.jobs.calibration.calibration_report import SIGNS
 from cadgen.jobs.calibration.cam_on_car import INCLINOMETER_DEG, nominal_of
 from cadgen.jobs.calibration.sources import Source
 from cadgen.messages import Message, joined
+from cadgen.output.report.notebook import Pictured, Plotted, bars_picture
+from cadgen.output.report.style import Drawing
 from cadgen.output.report.terminal import Block, Heading, plain
 from cadgen.progress import Progress, silent
 
@@ -36,7 +38,7 @@ _REPORT_WIDTH = 110
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Advice(JobResult):
+class Advice(Pictured):
     """Measurements that could be made, ranked by where the run is then expected to end on a new cam.
 
     Attributes:
@@ -160,6 +162,12 @@ class Advice(JobResult):
     def __str__(self) -> str:
         return plain(self.report, _REPORT_WIDTH)
 
+    @property
+    def picture(self) -> Drawing:
+        """Expected end of the run after each measurement, the best first."""
+        ends = {"nothing more": self.computed.now.mean, **{str(e.words): e.end.mean for e in self.ranked}}
+        return bars_picture("What to measure next", "end of the run, expected off by (mm)", ends)
+
     def entry(self) -> Facts:
         """Ranking, best first."""
         n = self.computed
@@ -181,7 +189,7 @@ class Advice(JobResult):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Predictions:
+class Predictions(Plotted):
     """Measured data that a calibration did not use, predicted with what it found.
 
     Attributes:
@@ -221,6 +229,15 @@ class Predictions:
 
     def __repr__(self) -> str:
         return f"<Predictions of {', '.join(p.source for p in self.each)}>"
+
+    @property
+    def picture(self) -> Drawing:
+        """Root mean square of each of the data, before and with what was found."""
+        bars = {}
+        for p in self.each:
+            bars[f"{p.source}, before ({SIGNS[p.unit]})"] = float(np.mean(p.before))
+            bars[f"{p.source}, predicted ({SIGNS[p.unit]})"] = float(np.mean(p.after))
+        return bars_picture("Data that were not used", "rms", bars)
 
     @property
     def report(self) -> list[Block]:

@@ -25,7 +25,7 @@ from cadgen.messages import Message, joined
 from cadgen.output.files.exports import GearExport, RackExport, TrainExport
 from cadgen.output.files.publisher import Artifact, Written, folder_of, publish, refusal
 from cadgen.output.report.gear_pictures import gears_picture
-from cadgen.output.report.notebook import Pictured
+from cadgen.output.report.notebook import Pictured, Viewed
 from cadgen.output.report.style import Drawing
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import DFlat, Flats
@@ -80,7 +80,7 @@ class LaidOutTrain(Protocol):
         """The teeth in mesh, measured on their sections, and the parts: every figure with its verdict."""
 
 
-class Assembly(Pictured, ABC):
+class Assembly(Pictured, Viewed, ABC):
     """A planned pair or train of gears, from a design or from numbers."""
 
     @property
@@ -204,7 +204,7 @@ class Assembly(Pictured, ABC):
         return _published(f"{self.stem}_train", TRAIN, train, wanted, self.entry(), self.frame, place, progress)
 
 
-class OnePart(JobResult):
+class OnePart(JobResult, Viewed):
     """Base of a gear or a rack that is written by itself."""
 
     @abstractmethod

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from math import degrees, prod
 from typing import TYPE_CHECKING
 
-from cadgen.check import Check
+from cadgen.check import CheckList
 from cadgen.design import gear_model
 from cadgen.design.schema import TrainDesign
 from cadgen.design.train import GearBlankSection, PlateSection, TrainSection
@@ -214,7 +214,7 @@ class GearTrain(Assembly):
     departures: tuple[Departure, ...]
     notes: tuple[str, ...]
     layout: TrainLayout
-    checks: tuple[Check, ...]
+    checks: CheckList
     loose: tuple[Loose, ...]
     car: CarLayout | None = None
 
@@ -421,7 +421,7 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
             *([] if car is None or car.sentence is None else [car.sentence]),
         ),
         layout=made.layout,
-        checks=made.checks,
+        checks=CheckList(made.checks),
         loose=gear_model.loose(design, made.play.train),
         car=car,
     )

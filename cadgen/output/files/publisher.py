@@ -7,17 +7,21 @@ versions, the manifest's entry, and what the caller gets to see of it.
 import errno
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from html import escape
 from os import PathLike
 from pathlib import Path
-from typing import Any, NoReturn, overload
+from typing import TYPE_CHECKING, Any, NoReturn, overload
 
 from cadgen.check import Bound, Check
 from cadgen.errors import DesignError, FileError, brief
-from cadgen.figures import Facts, Figures
+from cadgen.figures import Facts, Figures, frame_of
 from cadgen.messages import Message, joined
 from cadgen.output.files.folder import FolderState, folder_state, publishing, undo_killed
 from cadgen.output.files.lock import locked
 from cadgen.output.files.manifest import file_facts, versions, write_manifest
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
 
 
 @dataclass(frozen=True)
@@ -227,6 +231,23 @@ class Written(Sequence[WrittenFile]):
     def __repr__(self) -> str:
         names = ", ".join(file.name for file in self.files)
         return f"<Written to {self.folder}: {names}>"
+
+    def to_pandas(self) -> "DataFrame":
+        """Files as a pandas frame, with what was read back of each.
+
+        Raises:
+            DesignError: pandas is not installed.
+        """
+        return frame_of([{"file": file.name, **file.facts} for file in self.files])
+
+    def _repr_html_(self) -> str:
+        heads = ("file", "kB", "lift off by, µm")
+        rows = (
+            (file.name, f"{file.bytes / 1000:.1f}", "" if file.lift_error_um is None else f"{file.lift_error_um:.3g}")
+            for file in self.files
+        )
+        table = "".join(f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in (heads, *rows))
+        return f"<p><code>{escape(str(self.folder))}</code></p><table>{table}</table>"
 
     def __len__(self) -> int:
         return len(self.files)

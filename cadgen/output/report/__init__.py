@@ -11,7 +11,8 @@
 | `cars`            | ends of the runs of many cars; sensitivities                                 |
 | `study_pictures`  | studies of many designs                                                      |
 | `gear_pictures`   | sections of gears in mesh                                                    |
-| `notebook`        | results in a notebook: a line, figures, a picture; lines over common places  |
+| `shape_pictures`  | plane shapes: a section, the sheets of a frame, an assembly from two sides   |
+| `notebook`        | results in a notebook: a line, figures, a picture; lines, bars               |
 
 Pictures import matplotlib inside their functions, since that takes time.
 """
