@@ -77,6 +77,28 @@ def test_the_share_of_cars_is_that_of_a_tolerance_run_with_the_same_cars():
     assert check.value == pytest.approx(100 * run.passed)
 
 
+def test_the_cure_for_lost_cars_was_counted():
+    """With the tolerance that it names at half the design keeps as many cars as it says."""
+    design = Design.load("s_course").with_({"layout": None, "frame": None})
+    (lost,) = (each for each in design.cam().verdict.reservations if each.code == "cars-lost")
+    said = r"hold tolerances\.(\w+) at (\S+) in place of (\S+), with which (\S+) % keep the course"
+    key, half, now, kept = re.match(said, lost.cure).groups()
+    assert float(half) == pytest.approx(float(now) / 2)
+    verdict = design.with_({f"tolerances.{key}": float(half)}).cam().verdict
+    (check,) = (each for each in verdict.checks if each.code == CheckCode.CARS_KEEP_COURSE)
+    assert f"{check.value:.1f}" == kept
+    assert check.value >= 101 - lost.cost.value
+
+
+def test_cars_that_only_play_moves_are_told_of_the_gears():
+    """With a wide band of play and no tolerance half of its spread brings cars in; the cam stays as it is."""
+    design = Design.load("s_course").with_({"tolerances": None, "layout": None, "frame": None})
+    verdict = design.with_({"play.least_deg": 0.2, "play.greatest_deg": 1.4}).cam().verdict
+    print(verdict.reservations, verdict.failed)
+    (lost,) = (each for each in verdict.reservations if each.code == "cars-lost")
+    assert lost.cure.startswith("take gears whose play varies half as much, with which ")
+
+
 def test_the_least_share_is_the_designs_own():
     design = Design.load("s_course").with_({"checks.min_yield_percent": 90.0})
     verdict = design.cam().verdict

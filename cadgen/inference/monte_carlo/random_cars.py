@@ -1,7 +1,7 @@
 """Random cars within a design's tolerances: ends of their runs, yield within a gate, and sensitivities."""
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from math import degrees, floor, log10, radians
 
@@ -89,12 +89,7 @@ class Tolerances:
         """
         half = np.array([self.half_widths.get(name, 0.0) for name in _FIRST])
         drawn = ZoneSum(tuple(map(str, _FIRST)), -half, half, self.law).sample_contributions(generator, count)
-        if self.play is None:
-            play = np.full(count, nominal_play)
-        elif callable(self.play):
-            play = np.asarray(self.play(generator, count), dtype=float)
-        else:
-            play = generator.uniform(*self.play, count)
+        play = self._play(generator, count, nominal_play)
         deviations = np.zeros((count, len(COLUMNS)))
         deviations[:, : len(_FIRST)] = drawn
         deviations[:, RETURN_ERROR.column] = play - nominal_play
@@ -107,6 +102,27 @@ class Tolerances:
                 else:
                     deviations[:, name.column] = size
         return deviations
+
+    def halved(self, name: Deviation, nominal_play: float) -> "Tolerances":
+        """Tolerances with half of one, or with a play that differs half as much from the nominal one.
+
+        Args:
+            name: what is halved.
+            nominal_play: nominal return error, rad.
+        """
+        if name == RETURN_ERROR:
+            return replace(
+                self, play=lambda random, count: (self._play(random, count, nominal_play) + nominal_play) / 2
+            )
+        return replace(self, half_widths={**self.half_widths, name: self.half_widths[name] / 2})
+
+    def _play(self, generator: np.random.Generator, count: int, nominal: float) -> Array:
+        """Return errors of random cars, shape (count,), rad."""
+        if self.play is None:
+            return np.full(count, nominal)
+        if callable(self.play):
+            return np.asarray(self.play(generator, count), dtype=float)
+        return generator.uniform(*self.play, count)
 
     def zone(self, name: Deviation) -> ZoneSum:
         """Distribution of one tolerance about the nominal value; of its size if the deviation has a direction."""
@@ -298,6 +314,34 @@ def margins_of_cars(cars: Cars, tolerances: Tolerances, samples: int, *, seed: i
     return CourseMargins(cars.items, tuple(np.concatenate(several) for several in places), turned)
 
 
+def most_moving(cars: Cars, tolerances: Tolerances, number: int) -> list[Deviation]:
+    """Deviations by how far they move the cars at an item of the course, the furthest first, the play among them.
+
+    Args:
+        cars: nominal car with the items of its course.
+        tolerances: tolerances within which the cars differ.
+        number: number of the item.
+    """
+    spreads = _spreads(cars, tolerances)
+    parts = [(name, column) for name in spreads for column in name.columns]
+    deviations = np.zeros((len(parts) + 1, len(COLUMNS)))  # the last car has none
+    for row, (name, column) in enumerate(parts):
+        deviations[row, column] = spreads[name]
+    aside = _met(cars, run_cars(cars, deviations)).distance[number]
+    moved = dict.fromkeys(spreads, 0.0)
+    for (name, _), off in zip(parts, (aside - aside[-1]).tolist(), strict=False):
+        moved[name] += off**2 / len(name.columns)
+    return sorted(moved, key=lambda name: -moved[name])
+
+
+def _spreads(cars: Cars, tolerances: Tolerances) -> dict[Deviation, float]:
+    """Standard deviation of everything that varies, the play last."""
+    spreads = {name: tolerances.zone(name).std for name in tolerances.half_widths}
+    play = tolerances.draw(np.random.default_rng(0), _SPREAD_SAMPLES, cars.play)[:, RETURN_ERROR.column]
+    spreads[RETURN_ERROR] = float(play.std())
+    return {name: spread for name, spread in spreads.items() if spread > 0}
+
+
 def _gathered(parts: Iterable[Array], count: int, samples: int, done: Callable[[int], None]) -> Array:
     gathered, filled = np.empty((count, samples)), 0
     for part in parts:
@@ -369,10 +413,8 @@ def _below(value: float) -> float:
 
 def sensitivities(cars: Cars, tolerances: Tolerances) -> tuple[Sensitivity, ...]:
     """Effect of each varying parameter on the end of the run, by differences, greatest share first."""
-    spreads = {name: tolerances.zone(name).std for name in tolerances.half_widths}
-    play = tolerances.draw(np.random.default_rng(0), _SPREAD_SAMPLES, cars.play)[:, RETURN_ERROR.column]
-    spreads[RETURN_ERROR] = float(play.std())
-    names = [name for name, spread in spreads.items() if spread > 0]
+    spreads = _spreads(cars, tolerances)
+    names = list(spreads)
     if not names:
         return ()
     parts = [(name, column) for name in names for column in name.columns]

@@ -15,9 +15,11 @@ from cadgen.arrays import TURN
 from cadgen.car.steering import Car
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.curves.closed import ClosedCurve
+from cadgen.deviations.deviation import RETURN_ERROR
 from cadgen.errors import DesignError
 from cadgen.figures import Figure
-from cadgen.inference.monte_carlo.random_cars import Tolerances, margins_of_cars
+from cadgen.inference.monte_carlo.cars import Cars
+from cadgen.inference.monte_carlo.random_cars import Tolerances, margins_of_cars, most_moving
 from cadgen.jobs.cam.comparison import NEARER, Refused
 from cadgen.jobs.cam.wheel import DriveWheel
 from cadgen.jobs.nominal_car import VariedCar, watched_cars
@@ -25,6 +27,8 @@ from cadgen.messages import Message
 from cadgen.verdict import Reservation
 
 SAMPLE, SEED = 1000, 1  # the standard error of a share of 25 % is 1.4 %, of one of 90 % it is 0.9 %
+# Of the tolerances that move the cars most some are tried as a cure, which less than a percent of the cars is not.
+_TRIED, _WORTH = 3, 1.0
 GOOD_YIELD = 90.0  # %; below it the cars that are lost are a reservation
 # Relative difference of the outline's drive wheel from the wheel that the cam is for: up to the first it is rounding,
 # beyond the second the outline is of another car.
@@ -82,11 +86,13 @@ class CourseYield:
         percent: share of the cars that keep all of it.
         binding: key of the part of the course that the fewest cars keep.
         binding_percent: share of the cars that keep that part.
+        cure: what brings more cars in, in a clause; empty where enough are.
     """
 
     percent: float
     binding: str
     binding_percent: float
+    cure: str = ""
 
 
 def course_yield(use: JudgedCar, cut: ClosedCurve) -> CourseYield | None:
@@ -104,11 +110,12 @@ def course_yield(use: JudgedCar, cut: ClosedCurve) -> CourseYield | None:
     cars = watched_cars(use, cut)
     if not cars.items:
         return None
-    met = margins_of_cars(cars, use.tolerances(), SAMPLE, seed=SEED)
-    kept = met.margins >= 0
+    kept = margins_of_cars(cars, use.tolerances(), SAMPLE, seed=SEED).margins >= 0
     each = kept.mean(axis=1)
     least = int(np.argmin(each))
-    return CourseYield(100 * float(kept.all(axis=0).mean()), met.items[least].key, 100 * float(each[least]))
+    percent = 100 * float(kept.all(axis=0).mean())
+    cure = _tighter(cars, use.tolerances(), least, percent) if percent < GOOD_YIELD else ""
+    return CourseYield(percent, cars.items[least].key, 100 * float(each[least]), cure)
 
 
 def not_counted(error: DesignError, least: float) -> Check:
@@ -141,7 +148,7 @@ def yield_check(use: JudgedCar, found: CourseYield) -> Check:
         use.least_yield,
         Bound.MIN,
         binds,
-        _better_profile(use) or _tighter(found),
+        _better_profile(use) or found.cure,
     )
 
 
@@ -177,10 +184,44 @@ def _refused(nearer: Refused, off: float) -> Message:
     )
 
 
-def _tighter(found: CourseYield) -> Message:
+def _tighter(cars: Cars, tolerances: Tolerances, number: int, percent: float) -> Message:
+    """Cure for cars that are lost: half of a tolerance or of the spread of the play, counted with it; else more room.
+
+    Args:
+        cars: nominal car with the items of its course.
+        tolerances: how cars differ.
+        number: number of the item that the fewest cars keep.
+        percent: share of the cars that keep the course, %.
+    """
+    room = Message(
+        "lead the path with more room past {key}",
+        key=cars.items[number].key.partition(",")[0],  # of a gate of each lap
+    )
+    best, kept = None, percent + _WORTH
+    moving = [name for name in most_moving(cars, tolerances, number) if name == RETURN_ERROR or name.tolerance_key]
+    for name in moving[:_TRIED]:
+        halved = margins_of_cars(cars, tolerances.halved(name, cars.play), SAMPLE, seed=SEED).margins
+        share = 100 * float((halved >= 0).all(axis=0).mean())
+        if share > kept:
+            best, kept = name, share
+        if kept >= GOOD_YIELD:
+            break
+    if best is None:
+        return room
+    if best == RETURN_ERROR:
+        return Message(
+            "take gears whose play varies half as much, with which {kept:.1f} % keep the course, or {room}",
+            kept=kept,
+            room=room,
+        )
+    now = tolerances.half_widths[best] * (degrees(1.0) if best.unit == "rad" else 1.0)
     return Message(
-        "hold tighter what the budget of cadgen tolerance names, or lead the path with more room past {key}",
-        key=found.binding.partition(",")[0],  # of a gate of each lap
+        "hold tolerances.{key} at {half:.3g} in place of {now:.3g}, with which {kept:.1f} % keep the course, or {room}",
+        key=best.tolerance_key,
+        half=now / 2,
+        now=now,
+        kept=kept,
+        room=room,
     )
 
 
@@ -253,7 +294,7 @@ def reservations(use: JudgedCar, found: CourseYield | None) -> Iterator[Reservat
                 lost=100 - found.percent,
                 key=found.binding,
             ),
-            _tighter(found),
+            found.cure,
             Figure("cars_lost", Message("cars lost"), 100 - found.percent, "%"),
         )
     comparison = use.comparison
