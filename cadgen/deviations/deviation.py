@@ -292,7 +292,11 @@ WIND_UP = Deviation(
     "wind_up",
     "rad",
     one_sided=True,
-    zone=Zone(10, "by which the camshaft lags its gears where the lift rises most steeply: shafts that twist"),
+    zone=Zone(
+        10,
+        "by which the camshaft lags its gears on the steepest part of the lift in the turn, its closing blend "
+        "included: shafts that twist, and so lead on falls",
+    ),
 )
 BEARING_SEATS = Deviation(
     "bearing seats",

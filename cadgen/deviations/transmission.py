@@ -101,7 +101,14 @@ RATE = Effect(
 WIND_UP = Effect(
     name="wind-up",
     stage=MESH,
-    parameters=(_deg("wind_up_deg", "+: the camshaft lags where the lift rises most steeply", 5.0, 0.03),),
+    parameters=(
+        _deg(
+            "wind_up_deg",
+            "+: the camshaft lags on rises and leads on falls, by so much where the lift is steepest in the whole turn",
+            5.0,
+            0.03,
+        ),
+    ),
     act=lambda angle, p, at: np.asarray(angle - p[0] * at.torque),
     places=(Place.NOTED, Place.CAR),
     confused_with="runout of the camshaft",
