@@ -13,7 +13,11 @@ from cadgen.design.keys import tables
 from cadgen.design.kinds import Kinds
 
 ROOT = Path(__file__).parents[1]
-PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
+# Notebooks name attributes of objects that are called as sections are.
+PAGES = [
+    ROOT / "README.md",
+    *(page for page in sorted((ROOT / "docs").rglob("*.md")) if page.parent.name != "notebooks"),
+]
 # Words joined by dots, the last one whole: not the name of a file, a path, a call or the beginning of something longer.
 DOTTED = re.compile(r"(?<![\w./-])([a-z_]+(?:\.[A-Za-z_]\w*)+)(?![\w{(/])")
 FILES = (".csv", ".dxf", ".md", ".nc", ".png", ".py", ".step", ".stl", ".toml", ".xyz")

@@ -17,11 +17,14 @@ from cadgen.cli import cli
 from cadgen.design.load import complete_of, load_design, load_train
 from cadgen.laws import table as laws
 from cadgen.studies.study_file import read_study
+from docs import make_notebooks
 from tests.docs.blocks import DOCS, INSTALL, ROOT, STUDIES, Block, Workshop, blocks, pages, same
 from tests.forks import MAIN
 
 PAGES = {str(page.relative_to(ROOT)): page for page in pages()}
 FENCES = [block for page in PAGES.values() for block in blocks(page)]
+# Blocks of Python by themselves; the cells of a notebook follow one another.
+ALONE = [block for block in FENCES if block.language == "python" and not block.page.startswith("docs/notebooks/")]
 TUTORIAL = DOCS / "tutorial.md"
 # Blocks in these languages are shown and not run: directives of the site, and text that no command prints.
 SHOWN = {"text", "bibtex", ""}
@@ -147,16 +150,29 @@ def test_designs_load(block: Block, tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    "block",
-    [pytest.param(block, id=f"{block.page}:{block.line}") for block in FENCES if block.language == "python"],
-)
+@pytest.mark.parametrize("block", [pytest.param(block, id=f"{block.page}:{block.line}") for block in ALONE])
 def test_python_runs(block: Block, forks, tmp_path: Path) -> None:
     done = forks.run(block.text, cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     # What it prints stands behind its prints, as `print(...)  # 3.7`.
     shown = re.findall(r"^print\(.*\)  # (.*)$", block.text, re.M)
     assert done.stdout.splitlines() == shown
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("page", make_notebooks.pages(), ids=lambda page: page.stem)
+def test_notebooks_print_what_they_show_and_end_with_a_picture(page: Path) -> None:
+    printed, shown = make_notebooks.run(page)
+    text = page.read_text(encoding="utf-8")
+    assert make_notebooks.with_outputs(page, printed) == text, "run: python -m docs.make_notebooks"
+    file = page.with_suffix(".ipynb").read_text(encoding="utf-8")
+    assert make_notebooks.notebook(page) == file, "run: python -m docs.make_notebooks"
+    assert (shown.plot() if hasattr(shown, "plot") else shown).axes
+    assert f"](../pictures/notebooks/{page.stem}.png)" in text
+
+
+def test_there_are_six_notebooks() -> None:
+    assert {page.stem for page in make_notebooks.pages()} == {"cam", "gears", "motion", "play", "calibrate", "sweep"}
 
 
 def test_commands_in_the_text_exist() -> None:

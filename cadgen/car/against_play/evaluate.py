@@ -35,7 +35,7 @@ STATIONS = 3600  # at which the rod is rolled; the run then errs by 0.02 mm
 _OUTLINE_STEP = 0.03  # mm; the run then ends within 0.01 mm of where finer steps take it (0.06: 0.06, 0.12: 0.6)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Evaluation:
     """A profile on a train, with its run and its errors.
 
@@ -78,6 +78,9 @@ class Evaluation:
     lost: tuple[LostDip, ...] = ()
     measured: bool = False
     by_lead: bool = False
+
+    def __repr__(self) -> str:
+        return f"<Evaluation of {self.profile.code}, train {self.train}: ends {self.error.end_distance:.4g} mm off>"
 
     @property
     def made_for(self) -> float:

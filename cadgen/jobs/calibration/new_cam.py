@@ -27,7 +27,7 @@ from cadgen.jobs.cam.steering_cam import default_profile
 from cadgen.progress import Progress, silent
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Built:
     """A claim with its place in the as-built design.
 
@@ -42,6 +42,10 @@ class Built:
     place: Place
     instead: Claim | None = None
     mean_of: tuple[str, ...] = ()
+
+    def __repr__(self) -> str:
+        values = (f"{each.name} {each.value:.4g} ± {each.sigma:.2g}" for each in self.claim.finding.values)
+        return f"<Built {self.claim.finding.effect}: {', '.join(values)}>"
 
     @property
     def waits(self) -> bool:
