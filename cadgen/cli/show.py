@@ -75,6 +75,7 @@ _OF_FORCES = (
 # Columns of a terminal below which a check's place stands under its name and not beside its figures.
 _FAR_WITHIN = 0.1  # a figure below this share of its limit, or as far above it, is far within it
 _NARROW = 72
+_FAILS = 3  # checks that fail, of which the first lines say the figures
 _MOST_ROWS = 10  # of the front of a study
 _STATES = {
     "kept": Message("{count} within all limits"),
@@ -210,19 +211,12 @@ def summary(cam: "Cam", *, drawn: PartVerdict | None = None) -> Iterator[Text]:
         yield Text(shown(sentence(joined(cam.deciding))))
     close = tightest(ruling.checks) if ruling.passed else None
     if close is not None:
-        least = Message("at least") if close.bound == Bound.MIN else Message("at most")
-        yield Text(
-            shown(
-                Message(
-                    "Tightest: {name} {value}, {least} {limit} allowed{place}.",
-                    name=label(close.name),
-                    value=close.text(),
-                    least=least,
-                    limit=with_unit(rounded(close.limit), close.unit_shown),
-                    place=Message(" ({place})", place=close.place) if close.place else "",
-                )
-            )
-        )
+        yield Text(shown(Message("Tightest: {check}.", check=_against_limit(close))))
+    if ruling.failed:
+        said = [_against_limit(check) for check in ruling.failed[:_FAILS]]
+        if (more := len(ruling.failed) - _FAILS) > 0:
+            said.append(Message("and {count} more", count=more))
+        yield Text(shown(Message("Fails: {checks}.", checks=joined(said, "; "))))
     yield from _reservations(ruling)
 
 
@@ -240,6 +234,18 @@ def _reservations(ruling: PartVerdict) -> Iterator[Text]:
         yield Text.assemble(
             (f"{shown(Message('Reservation'))}{shown(': ')}", "yellow"), shown(sentence(reservation.sentence))
         )
+
+
+def _against_limit(check: Check) -> Message:
+    """A check with its value, its limit and its place, in a clause."""
+    return Message(
+        "{name} {value}, {least} {limit} allowed{place}",
+        name=label(check.name),
+        value=check.text() if isfinite(check.value) else _number(check.value),
+        least=Message("at least") if check.bound == Bound.MIN else Message("at most"),
+        limit=with_unit(rounded(check.limit), check.unit_shown),
+        place=Message(" ({place})", place=check.place) if check.place else "",
+    )
 
 
 def tightest(checks: "Sequence[Check]") -> "Check | None":

@@ -81,6 +81,14 @@ def test_check_says_what_failed_and_how_to_cure_it(cadgen):
     assert "--set follower.radius_mm=" in result.stdout
     assert '--set path.spline="quintic" (now cubic) cures it' in result.stdout
     assert max(map(len, result.stdout.splitlines())) <= 80
+    # What fails stands in the first lines, before what is reserved, and the last line has a cure of all of it, if any.
+    said = " ".join(result.stdout.split())
+    assert said.index(": not ready For a drive wheel ") < said.index("Fails: convex radius, theory 0 mm, at least 1.25")
+    assert said.index("Fails: ") < said.index("Reservation: ")
+    assert "the plain profile does nothing against it: cadgen optimize compares it" in said
+    assert said.endswith("next: change the design as it is said above")
+    said = " ".join(cadgen("check", "appendix_car", code=1).stdout.split())
+    assert said.endswith("""fail; next: cadgen check appendix_car --set 'path.spline="quintic"'""")
 
 
 @pytest.mark.slow

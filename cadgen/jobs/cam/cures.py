@@ -55,6 +55,12 @@ class Cures:
         """Whether the lift has so few kinks that cures are sought."""
         return self.kinks <= MOST_KINKS_CURED
 
+    @property
+    def whole(self) -> str | None:
+        """First change with which every check of the cam holds, and no limit is raised; None without one."""
+        changes = (each.override for each in self.proved if not each.failing)
+        return next((change for change in changes if not change.startswith("checks.")), None)
+
     def sentences(self) -> list[str]:
         """Cures, in words."""
         lines: list[str] = []

@@ -12,6 +12,7 @@ from typing import Protocol
 import numpy as np
 
 from cadgen.arrays import TURN
+from cadgen.car.against_play.profile_kinds import ACTUAL
 from cadgen.car.steering import Car
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.curves.closed import ClosedCurve
@@ -160,6 +161,12 @@ def _better_profile(use: JudgedCar) -> Message | None:
     off = comparison.chosen.band.worst_distance
     if comparison.nearer is not None:
         return Message("{nearer}: mend that first", nearer=_refused(comparison.nearer, off))
+    if all(each.profile == ACTUAL for each in comparison.evaluations) and off > _SHOWN:
+        return Message(
+            "the play takes the car up to {off:.0f} mm off, and the plain profile does nothing against it: cadgen "
+            "optimize compares it with those that do",
+            off=off,
+        )
     ends = {each.band.worst_distance: each for each in comparison.evaluations}
     nearest = ends[min(ends)]
     if nearest.band.worst_distance < off * NEARER:

@@ -292,7 +292,7 @@ class CarUse(Application):
         except DesignError as error:
             counted = (not_counted(error, self.least_yield),)
         if found is not None:
-            counted = (yield_check(self, found),)
+            counted = (yield_check(played, found),)
         held_back = (*reservations(played, found), *lost_lift_reservation(cam.checks))
         placed = _placed(self.in_car)
         spent = energy_checks(self.design, self.track, self.wanted, cam.follower_as_built, self.car, self.drive_wheel)
