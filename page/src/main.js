@@ -119,6 +119,10 @@ function beginning() {
   printed = (on) => {
     if (on) root.dataset.printing = "";
     else delete root.dataset.printing;
+    for (const folded of document.querySelectorAll("details.more")) {
+      if (on) folded.dataset.was = String(folded.open);
+      folded.open = on || folded.dataset.was === "true";
+    }
     page.charts.print(on);
     page.map?.print(on);
     page.assembly?.colour();

@@ -11,6 +11,7 @@
 | `mesh_block`    | normals and edges of meshes; arrays as one compressed block       |
 | `data`          | the data of the page's script: JSON with a version, and the block |
 | `plan_views`    | cam and course from the side and from above                       |
+| `rim`           | deviations on the rim of the disc                                 |
 | `html`          | the page around its pieces, and its policy                        |
 | `report`        | the page of a plan, and the page as a file                        |
 

@@ -1,6 +1,6 @@
 """The page of a car's cam: runs, random cars and calibration besides the cam and its gears, each computed once."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import degrees
 from typing import TYPE_CHECKING
 
@@ -24,6 +24,7 @@ from cadgen.progress import Progress, silent
 from cadgen.viewer.page.charts import drift_chart, torque_chart
 from cadgen.viewer.page.document import Chart, LiftMark, MarkKind, Scene, Section
 from cadgen.viewer.page.page_plan import MakeGears, PagePlan, Refusal, Scope, Topic, gears_of
+from cadgen.viewer.page.rim import rim_of
 from cadgen.viewer.page.scene import scene_of
 from cadgen.viewer.page.sections import (
     calibration_section,
@@ -62,6 +63,8 @@ class CarPage(PagePlan):
     def drawn(self) -> tuple[Scene, tuple[str, ...]]:
         """Scene of the page, and remarks on what is drawn otherwise than it will be built."""
         scene, notes = scene_of(self.cam, self.gears)
+        if self.scope == Scope.REPORT:
+            scene = replace(scene, rim=rim_of(self.cam, self.use.comparison, self.calibration))
         alone = Message("The design has no gear train: the cam is shown alone.")
         missing = () if self.use.has_train else (alone,)
         return scene, (*missing, self.use.drive_wheel.sentence(), *notes)
@@ -119,6 +122,10 @@ class CarPage(PagePlan):
             for check in self.cam.verdict.checks
             if check.code == CheckCode.CARS_KEEP_COURSE
         ]
+        if self.tolerance is not None and self.tolerance.sensitivities:
+            dearest = self.tolerance.sensitivities[0]
+            costs = Cell(dearest.name.replace("_", " "), unit=f"{100 * dearest.share:.0f} %")
+            rows.append((Message("costs most of the scatter"), costs))
         return tuple(rows)
 
     def entry(self) -> Facts:

@@ -51,6 +51,43 @@ class Colour(StrEnum):
 
 
 @dataclass(frozen=True)
+class Bar:
+    """A bar with its figure.
+
+    Attributes:
+        name: what it stands for.
+        value: length of the bar, in the unit of its picture.
+        strong: whether it is the one that counts, such as the first.
+    """
+
+    name: str
+    value: float
+    strong: bool = False
+
+
+@dataclass(frozen=True)
+class Bars:
+    """Picture of lying bars, from 0 on.
+
+    Attributes:
+        code: name of the picture for programs.
+        title: title of the picture.
+        unit: unit of the values.
+        rows: bars from the top.
+    """
+
+    code: str
+    title: str
+    unit: str
+    rows: tuple[Bar, ...]
+
+    @property
+    def most(self) -> float:
+        """Greatest value."""
+        return max((bar.value for bar in self.rows), default=0.0)
+
+
+@dataclass(frozen=True)
 class Section:
     """A section of the page.
 
@@ -60,6 +97,8 @@ class Section:
         lead: sentences under the heading.
         tables: sheets.
         notes: sentences below the tables.
+        bars: pictures above the tables.
+        folded: codes of sheets that are closed until they are asked for, since a picture has their point.
     """
 
     code: str
@@ -67,6 +106,8 @@ class Section:
     lead: tuple[str, ...] = ()
     tables: tuple[Sheet, ...] = ()
     notes: tuple[str, ...] = ()
+    bars: tuple[Bars, ...] = ()
+    folded: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True)
@@ -286,6 +327,23 @@ class CompanionDisc:
 
 
 @dataclass(frozen=True)
+class Rim:
+    """Deviations along the rim of the disc.
+
+    Attributes:
+        label: what deviates from what.
+        unit: unit of the values.
+        places: places on the outline, counterclockwise, shape (n, 2), mm.
+        values: deviations there, positive outwards, shape (n,).
+    """
+
+    label: str
+    unit: str
+    places: Array
+    values: Array
+
+
+@dataclass(frozen=True)
 class Going:
     """A run of the car by motor position; all arrays have shape (n,).
 
@@ -373,6 +431,7 @@ class Scene:
         parts: parts in 3D.
         wheel: index of the shaft, place along it and radius of the drive wheel, mm; None if it is not known.
         second: second disc of a conjugate pair; None for one disc.
+        rim: deviations on the rim; None where there are none.
     """
 
     outline: Array
@@ -395,6 +454,7 @@ class Scene:
     parts: tuple[ScenePart, ...]
     wheel: tuple[int, float, float] | None = None
     second: CompanionDisc | None = None
+    rim: Rim | None = None
 
 
 @dataclass(frozen=True)
@@ -422,6 +482,7 @@ class Page:
         sections: tables.
         notes: sentences about what the page leaves out or assumes.
         origin: version, hash and file of the design, by name.
+        files: files of the design in the page's folder, by the names of what they are of.
     """
 
     name: str
@@ -436,3 +497,4 @@ class Page:
     sections: tuple[Section, ...]
     notes: tuple[str, ...] = ()
     origin: tuple[tuple[str, str], ...] = field(default=())
+    files: tuple[tuple[str, tuple[str, ...]], ...] = field(default=())

@@ -18,7 +18,7 @@ import numpy as np
 from jinja2 import Environment, FunctionLoader, StrictUndefined
 from markupsafe import Markup, escape
 
-from cadgen.figures import Sheet
+from cadgen.figures import Sheet, rounded
 from cadgen.messages import CHINESE, Message, catalogue, language, shown
 from cadgen.version import __version__
 from cadgen.viewer.page.data import data_of
@@ -169,7 +169,9 @@ def _templates() -> Environment:
         return Markup(' aria-label="{}" data-label-zh="{}"').format(text, shown(text, CHINESE))
 
     made = Environment(loader=FunctionLoader(source), autoescape=True, undefined=StrictUndefined)
-    made.globals.update(_=Message, said=said, zh=_zh, labels=labels, n=coordinate, points=_points, plotted=_plotted)
+    made.globals.update(
+        _=Message, said=said, zh=_zh, labels=labels, n=coordinate, points=_points, plotted=_plotted, rounded=_three
+    )
     return made
 
 
@@ -210,6 +212,11 @@ def _plotted(chart: Chart) -> Plot:
     )
     up = tuple((coordinate((high - value) * scale), f"{value:.4g}") for value in sorted({low, 0.0, high}))
     return Plot(lines, up, tuple((str(place), f"{place}°") for place in range(0, 361, 60)))
+
+
+def _three(value: float, digits: int | None = None) -> str:
+    """Figure of a bar: three digits that count, or so many decimals."""
+    return rounded(round(value, digits) + 0.0, digits) if digits is not None else f"{value:.3g}"
 
 
 def _points(points: Iterable[Iterable[float]]) -> str:

@@ -8,7 +8,7 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.parts.face import Face
-from cadgen.viewer.page.document import Arm, CarShape, FloorKind, FloorShape, Going, Scene, Slide
+from cadgen.viewer.page.document import Arm, CarShape, FloorKind, FloorShape, Going, Rim, Scene, Slide
 
 _MARGIN = 4.0  # mm about the cam
 _PIVOT = 4.0  # mm, radius of a pivot's circle
@@ -17,6 +17,10 @@ _STEM = 0.85  # of the way between the rails is the stem's
 _ROOM = 220.0  # mm about the floor
 _TRACK = 6  # of a run's positions, one in so many is on its track
 _WHEEL = (32.0, 10.0)  # mm, half length and half width of a wheel whose size is not known
+_COLOURS = 4  # of a rim to either side of the middle one
+# Greatest ratio of width to height at which the course stands beside the cam; a broader one has a row of its own.
+_BESIDE = 1.8
+_ROWS = (2, 3, 4, 6)  # ratios of the boxes of broader ones
 _ORDER = {"planned": 0, "before": 1, "free": 2, "played": 3}  # of tracks, the last on top
 
 
@@ -103,6 +107,7 @@ class CamView:
         centre: middle of that section; None of the rod.
         guide: what leads it; None where that is not drawn.
         second: second disc of a conjugate pair; None for one disc.
+        rim: stretches of the rim by the number of their colour, as paths of SVG.
     """
 
     box: str
@@ -119,6 +124,24 @@ class CamView:
     centre: tuple[str, str] | None
     guide: GuideView | None
     second: CompanionView | None
+    rim: tuple[tuple[int, str], ...] = ()
+
+
+def rim_view(rim: Rim | None) -> tuple[tuple[int, str], ...]:
+    """Stretches of a rim by the number of their colour, from 0 far inside to 8 far outside.
+
+    Args:
+        rim: deviations on the rim.
+    """
+    if rim is None:
+        return ()
+    most = float(np.abs(rim.values).max()) or 1.0
+    colours = np.rint(_COLOURS * (1 + rim.values / most)).astype(int)
+    after = np.roll(rim.places, -1, axis=0)
+    drawn: dict[int, list[str]] = {}
+    for colour, start, end in zip(colours.tolist(), rim.places, after, strict=True):
+        drawn.setdefault(colour, []).append(f"M{_points([start, end])}")
+    return tuple((colour, "".join(drawn[colour])) for colour in sorted(drawn))
 
 
 def cam_view(scene: Scene) -> CamView:
@@ -172,6 +195,7 @@ def cam_view(scene: Scene) -> CamView:
             centre=(n(second.travel.centre[0]), n(second.travel.centre[1])),
             arm=_arm(second.arm),
         ),
+        rim=rim_view(scene.rim),
     )
 
 
@@ -256,6 +280,12 @@ class CourseView:
     car: CarShape | None
     size: float
     wheel: tuple[float, float]
+
+    @property
+    def broad(self) -> int:
+        """Ratio of the box of a course that is broader than high; 0 for one that stands beside the cam."""
+        ratio = float(self.aspect)
+        return 0 if ratio < _BESIDE else min(_ROWS, key=lambda row: abs(np.log(row / ratio)))
 
     @property
     def box(self) -> str:

@@ -5,6 +5,8 @@ from pathlib import Path
 from cadgen.figures import Facts
 from cadgen.jobs.cam.cam_facts import cam_facts
 from cadgen.messages import Message
+from cadgen.output.files.manifest import NAME as MANIFEST
+from cadgen.output.files.manifest import sound_parts, unchanged
 from cadgen.output.files.publisher import Written, publish, text_file
 from cadgen.progress import Progress, silent
 from cadgen.version import __version__
@@ -13,8 +15,13 @@ from cadgen.viewer.page.html import html_of
 from cadgen.viewer.page.page_plan import PagePlan, Scope
 
 
-def page_of(plan: PagePlan) -> Page:
-    """The page of a plan."""
+def page_of(plan: PagePlan, files: tuple[tuple[str, tuple[str, ...]], ...] = ()) -> Page:
+    """The page of a plan.
+
+    Args:
+        plan: what the page shows.
+        files: files of the design in the page's folder, by the names of what they are of.
+    """
     origin, (scene, notes) = plan.cam.origin, plan.drawn()
     return Page(
         name=origin.name,
@@ -33,6 +40,7 @@ def page_of(plan: PagePlan) -> Page:
             (Message("hash"), origin.content_hash),
             (Message("made with"), f"cadgen {__version__}"),
         ),
+        files=files,
     )
 
 
@@ -62,6 +70,17 @@ def page_facts(plan: PagePlan) -> Facts:
     return plan.cam.origin.entry() | facts | plan.entry()
 
 
+def _beside(plan: PagePlan, out: Path, stem: str) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    """Files in a folder that were made of the same design, by their parts; those that are still there."""
+    entries = {part: entry for part, entry in sound_parts(out / MANIFEST).items() if part != stem}
+    there = {
+        part: tuple(name for name, digest in entry.hashes.items() if unchanged(out / name, digest))
+        for part, entry in sorted(entries.items())
+        if entry.design_sha256 == plan.cam.origin.content_hash
+    }
+    return tuple((part, names) for part, names in there.items() if names)
+
+
 def write_page(plan: PagePlan, out: Path, progress: Progress = silent) -> Written:
     """Write the page and publish it with its figures; also if a check fails, for then it says so first.
 
@@ -75,5 +94,5 @@ def write_page(plan: PagePlan, out: Path, progress: Progress = silent) -> Writte
     """
     stem = f"{plan.cam.origin.name}_report"
     progress("writing the page")
-    html = html_of(page_of(plan))
+    html = html_of(page_of(plan, _beside(plan, out, stem)))
     return publish(stem, out, lambda folder: [text_file(folder / f"{stem}.html", html)], page_facts(plan))

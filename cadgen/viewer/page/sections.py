@@ -24,7 +24,7 @@ from cadgen.messages import Message
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import Keyway
 from cadgen.viewer.page.charts import name_before
-from cadgen.viewer.page.document import Section
+from cadgen.viewer.page.document import Bar, Bars, Section
 
 if TYPE_CHECKING:
     from cadgen.jobs.calibration.calibration import CalibrationPlan
@@ -37,6 +37,7 @@ _PLACES = {
 }
 _STEP_DEG = 10
 _NO_ANGLE = 1e-9  # rad
+_MOST_BARS = 8  # of a picture
 _LEAD = 4  # paragraphs of a calibration above its tables: expectation, warnings and verdict come first
 
 
@@ -120,6 +121,9 @@ def play_section(
         )
         heads = (Message("remedy"), Message("what to build"), *_names(remedies[0].figures))
         tables.append(Sheet("remedies", Message("Remedies"), heads, rows, words=2))
+    built = [remedy for remedy in remedies if remedy.worst_end is not None]
+    least = min((remedy.worst_end for remedy in built if remedy.worst_end is not None), default=None)
+    bars = tuple(Bar(remedy.name, remedy.worst_end or 0.0, remedy.worst_end == least) for remedy in built)
     notes = (*comparison.reasons, *filter(None, [comparison.rubbing]))
     return Section(
         "play",
@@ -132,6 +136,8 @@ def play_section(
         ),
         tuple(tables),
         notes,
+        (Bars("remedies", Message("End of the run in the worst car, by remedy"), "mm", bars),) if bars else (),
+        frozenset({"events", "remedies"}),
     )
 
 
@@ -234,7 +240,18 @@ def tolerance_section(run: ToleranceRun[CamPlan] | None, reason: str) -> Section
             for name, spread, unit in spreads
         ),
     )
-    return Section("tolerance", title, (lead,), (ends, _sensitivities(run)))
+    table = _sensitivities(run)
+    return Section("tolerance", title, (lead,), (ends, table), bars=(_shares(run),), folded=frozenset({table.code}))
+
+
+def _shares(run: ToleranceRun[CamPlan]) -> Bars:
+    """Share of each tolerance in the variance of the ends, the small ones together."""
+    shown = run.sensitivities[:_MOST_BARS]
+    rest = sum(100 * item.share for item in run.sensitivities[_MOST_BARS:])
+    rows = [Bar(item.name.replace("_", " "), 100 * item.share, not count) for count, item in enumerate(shown)]
+    if rest > 0:
+        rows.append(Bar(Message("all others"), rest))
+    return Bars("shares", Message("What costs most of the scatter at the end"), "%", tuple(rows))
 
 
 def _sensitivities(run: ToleranceRun[CamPlan]) -> Sheet:

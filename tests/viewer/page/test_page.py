@@ -5,11 +5,12 @@ import hashlib
 import re
 from dataclasses import replace
 from html import unescape
+from pathlib import Path
 
 import numpy as np
 import pytest
 
-from cadgen import Design, Report
+from cadgen import Design, Report, verify
 from cadgen.cam.contact import roll_curve
 from cadgen.car.assembly.turning_train import height_beside, turned_to_axle, turning_train
 from cadgen.check import CheckCode
@@ -21,9 +22,10 @@ from cadgen.geometry.solids.disc_solid import cam_part
 from cadgen.geometry.solids.kernel import volume
 from cadgen.jobs.cam.steering_cam import plan_cam
 from cadgen.viewer.page.car_page import plan_page
-from cadgen.viewer.page.document import Travel
+from cadgen.viewer.page.document import FloorKind, FloorShape, Travel
 from cadgen.viewer.page.html import html_of, table_html
 from cadgen.viewer.page.mesh_block import shaded
+from cadgen.viewer.page.plan_views import course_view, rim_view
 from cadgen.viewer.page.report import page_facts, page_of
 from cadgen.viewer.page.scene import pivot_of, section_of, travel_of
 from cadgen.viewer.page.sections import parts_sections, tolerance_section
@@ -426,3 +428,57 @@ def test_a_design_without_gears_has_a_page(minimal, written):
     document = data(text)
     assert [run["code"] for run in document["scene"]["goings"]] == ["free"]
     assert [part["code"] for part in document["scene"]["parts"]] == ["cam"]
+
+
+@pytest.mark.slow
+def test_what_costs_most_stands_on_top_and_its_picture_has_the_shares_of_the_table(plan, page, html):
+    dearest = plan.tolerance.sensitivities[0]
+    assert any(cell.text == dearest.name.replace("_", " ") for _, cell in page.summary)
+    (section,) = (each for each in page.sections if each.code == "tolerance")
+    (bars,) = section.bars
+    assert sum(bar.value for bar in bars.rows) == pytest.approx(100.0)
+    assert bars.rows[0].value == pytest.approx(100 * dearest.share)
+    assert len(bars.rows) < len(plan.tolerance.sensitivities)
+    assert section.folded == {"sensitivities"}
+    assert '<details class="more"><summary>' in html
+
+
+@pytest.mark.slow
+def test_the_rim_shows_what_the_profile_takes_off_against_play(plan, page):
+    """By another way: both outlines as polygons, whose areas differ as the deviations along the rim say."""
+    from shapely.geometry import Polygon
+
+    rim = page.scene.rim
+    comparison = plan.use.comparison
+    cut, plain = (Polygon(each.outline(0.05).points) for each in (plan.cam.curve, comparison.before.cut))
+    radius = np.hypot(*rim.places.T)
+    turned = np.pi * np.mean(radius**2 - (radius - 1e-3 * rim.values) ** 2)
+    assert turned == pytest.approx(cut.area - plain.area, rel=0.02)
+    drawn = dict(rim_view(rim))
+    assert set(drawn) <= set(range(9))
+    assert sum(path.count("M") for path in drawn.values()) == len(rim.places)
+
+
+@pytest.mark.slow
+def test_a_measured_profile_is_shown_on_the_rim_in_place_of_that():
+    record = Path(__file__).parents[2] / "data/measured/profile_a.csv"
+    page = page_of(Report.of(Design.load("carbon_free_car"), "actual", data=record, samples=20).computed)
+    assert page.scene.rim.label == "measured, less the design"
+    assert 1.0 < np.abs(page.scene.rim.values).max() < 1000.0
+
+
+def test_a_broad_course_has_a_row_of_its_own():
+    corners = {8: ((0.0, 0.0), (8000.0, 0.0), (8000.0, 1000.0), (0.0, 1000.0)), 0: ((0.0, 0.0), (900.0, 900.0))}
+    broad = [course_view([FloorShape(FloorKind.EDGE, points)]).broad for points in corners.values()]
+    assert broad == [6, 0]
+
+
+@pytest.mark.slow
+def test_files_of_the_design_beside_the_page_are_linked(tmp_path):
+    design = Design.load("roller")
+    design.cam().write(tmp_path, formats=["csv", "xyz"])
+    Design.load("flat").cam().write(tmp_path, formats=["csv"])
+    (page,) = Report.of(design).write(tmp_path)
+    links = re.findall(r'<a href="([^"#]+)" download>', page.path.read_text(encoding="utf-8"))
+    assert sorted(links) == ["roller_actual.csv", "roller_actual.xyz"]
+    assert verify(tmp_path).is_true

@@ -1,0 +1,67 @@
+"""Deviations on the rim of a disc: what was measured against the design, or what a profile takes off against play."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from cadgen.arrays import TURN, Array
+from cadgen.cam.contact import roll
+from cadgen.curves.closed import Outline
+from cadgen.deviations.effect import UNITS
+from cadgen.inference.measurement.record import Abscissa
+from cadgen.jobs.cam.cam_plan import CamPlan
+from cadgen.jobs.cam.comparison import PlayComparison
+from cadgen.messages import Message
+from cadgen.viewer.page.document import Rim
+
+if TYPE_CHECKING:
+    from cadgen.jobs.calibration.calibration import CalibrationPlan
+
+_STEP = 0.1  # mm between points of an outline
+_PLACES = 720  # on the rim
+_LEAST = 1e-4  # mm; a profile that differs by less is the plain one
+
+
+def rim_of(cam: CamPlan, comparison: PlayComparison | None, calibration: "CalibrationPlan | None") -> Rim | None:
+    """Deviations to be shown on the rim, measured ones first; None where the disc is the plain one and unmeasured.
+
+    Args:
+        cam: plan of the cam.
+        comparison: comparison under play; None for a profile that is not for play.
+        calibration: verdict on measured files; None without any.
+    """
+    outline = cam.curve.outline(_STEP)
+    polar = np.arange(_PLACES) * TURN / _PLACES
+    radius = _radius(outline, polar)
+    places = radius[:, None] * np.column_stack([np.cos(polar), np.sin(polar)])
+    for diagnosis in () if calibration is None else calibration.diagnoses:
+        if diagnosis.kind.abscissa != Abscissa.CAM_ANGLE or diagnosis.unit != "um" or diagnosis.kind.plan_view:
+            continue
+        angle = np.mod(diagnosis.place, TURN)
+        contact = roll(outline, cam.follower_as_built, angle)
+        touched = np.mod(angle + np.arcsin(np.clip(contact.across / _radius(outline, angle), -1.0, 1.0)), TURN)
+        values = _means(touched, diagnosis.before, polar) / UNITS["um"]
+        return Rim(Message("measured, less the design"), "µm", places, values)
+    if comparison is None:
+        return None
+    taken = 1e3 * (radius - _radius(comparison.before.cut.outline(_STEP), polar))
+    if np.abs(taken).max() < 1e3 * _LEAST:
+        return None
+    return Rim(Message("profile, less the plain one"), "µm", places, taken)
+
+
+def _radius(outline: Outline, polar: Array) -> Array:
+    """Radius of an outline at polar angles, mm."""
+    x, y = outline.points.T
+    angle = np.mod(np.arctan2(y, x), TURN)
+    order = np.argsort(angle)
+    return np.asarray(np.interp(polar, angle[order], np.hypot(x, y)[order], period=TURN))
+
+
+def _means(angle: Array, values: Array, polar: Array) -> Array:
+    """Means of readings near each of even angles; between them where there are none."""
+    number = np.floor(angle / TURN * len(polar)).astype(int) % len(polar)
+    count = np.bincount(number, minlength=len(polar))
+    total = np.bincount(number, values, minlength=len(polar))
+    known = count > 0
+    return np.asarray(np.interp(polar, polar[known], total[known] / count[known], period=TURN))
