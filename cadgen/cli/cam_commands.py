@@ -48,7 +48,7 @@ def check(design: str | None, overrides: tuple[str, ...], profile: str | None, e
 @design_options
 @profile_option
 @out_option(default=Path("exports"), show_default=True, help="Folder for the files; it is made if need be.")
-@formats_option("step,stl,3mf,dxf,nc,xyz,csv")
+@formats_option("cam")
 @help.option("--force", is_flag=True, help="Export even if a check fails, and say so in the manifest.")
 @all_option
 def cam(

@@ -257,7 +257,7 @@ _FORCE = help.option("--force", is_flag=True, help="Export even if a check fails
 )
 @_name("gear")
 @_OUT
-@formats_option("step,stl,3mf,dxf")
+@formats_option("gear")
 @_JSON
 @_TOML
 def gear(
@@ -332,7 +332,7 @@ def gear(
 )
 @_name("pair")
 @_OUT
-@formats_option("step,stl,csv")
+@formats_option("train")
 @_FORCE
 @_JSON
 @help.option("--toml", is_flag=True, help="Print the design file that says the same, and make nothing.")
@@ -462,7 +462,7 @@ def pair(
 )
 @_name("planetary")
 @_OUT
-@formats_option("step,stl,csv")
+@formats_option("train")
 @_FORCE
 @_JSON
 @_TOML

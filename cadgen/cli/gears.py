@@ -33,7 +33,7 @@ REASONS_SHOWN = 3
     "[train.search].",
 )
 @out_option(default=Path("exports"), show_default=True, help="Folder for the files; it is made if need be.")
-@formats_option("step,stl,csv")
+@formats_option("train")
 @help.option("--force", is_flag=True, help="Export even if a check fails, and say so in the manifest.")
 def gears(
     design: str | None,

@@ -147,8 +147,22 @@ def out_option(**settings: Any) -> Callable[[Command], Command]:
     return help.option("--out", type=_Folder(file_okay=False, path_type=Path), **settings)
 
 
-def formats_option(endings: str) -> Callable[[Command], Command]:
-    """Add --formats, for some of these endings."""
+# Endings that are written where none is named, by the sort of part: those of `cadgen.output.files.formats`, as a test
+# holds, which takes a second to load.
+USUAL_FORMATS = {
+    "cam": ("step", "stl", "3mf", "dxf", "nc", "xyz", "csv"),
+    "gear": ("step", "stl", "3mf", "dxf"),
+    "train": ("step", "stl", "csv"),
+}
+
+
+def formats_option(part: str) -> Callable[[Command], Command]:
+    """Add --formats, with the endings that are written of a sort of part where none is named.
+
+    Args:
+        part: sort of part, a key of `USUAL_FORMATS`.
+    """
+    endings = ",".join(USUAL_FORMATS[part])
     return help.option(
         "--formats",
         metavar="LIST",

@@ -249,3 +249,12 @@ main()
     command = [sys.executable, "-c", script, "no_such_command"]
     result = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
     assert result.returncode == 2, result.stderr
+
+
+def test_formats_that_help_names_are_those_of_the_table():
+    from cadgen.cli.options import USUAL_FORMATS
+    from cadgen.output.files.formats import CAM, GEAR, RACK, TRAIN
+
+    offers = {"cam": CAM, "gear": GEAR, "train": TRAIN}
+    assert {part: tuple(each.code for each in offer.usual) for part, offer in offers.items()} == USUAL_FORMATS
+    assert [each.code for each in RACK.usual] == list(USUAL_FORMATS["gear"])

@@ -369,6 +369,15 @@ def test_the_chinese_readme_has_the_same_commands_and_links_that_lead_somewhere(
     assert not [link for link in links if not (ROOT / link).exists()]
 
 
+def test_the_chinese_first_steps_have_the_same_commands_and_links_that_lead_somewhere() -> None:
+    english, chinese = ((DOCS / f"first-steps{end}.md").read_text(encoding="utf-8") for end in ("", ".zh-CN"))
+    verbs = [re.findall(r"^(?:py|cadgen) \S+", text, re.M) for text in (english, chinese)]
+    assert verbs[0] == verbs[1]
+    assert len(verbs[0]) > 10
+    links = re.findall(r"\]\(([^)#]+)", chinese)
+    assert not [link for link in links if not (DOCS / link).exists()]
+
+
 def test_the_readme_is_one_screen_of_short_sentences() -> None:
     text = (ROOT / "README.md").read_text(encoding="utf-8")
     assert len(text.split()) <= 500
