@@ -94,7 +94,8 @@ def test_the_last_line_of_a_plan_follows_what_failed(monkeypatch, checks, lost, 
     ruling = PartVerdict(checks)
     cam = SimpleNamespace(verdict=ruling, failed=ruling.failed, passed=ruling.passed)
     drawn = tuple(SimpleNamespace(failed=(LOST,) * (number < lost)) for number in range(3))
-    plan = SimpleNamespace(cam=cam, drawn=drawn, passed=not lost, proven=False)
+    sound, passed = not lost, not lost and ruling.passed
+    plan = SimpleNamespace(cam=cam, drawn=drawn, sound=sound, passed=passed, proven=False)
     monkeypatch.setattr(Design, "plan", lambda *_, **__: plan)
     monkeypatch.setattr(show, "plan", lambda *_, **__: None)
     run = CliRunner().invoke(cli, ["plan", "figure_eight"])

@@ -11,9 +11,10 @@ TRIALS = Path(__file__).parents[1] / "data" / "trials"
 
 
 def passed(design):
+    """Plan of a path that keeps every check; few cars may keep its course, for nothing is kept for their scatter."""
     plan = design.plan(reserve=0)
     print(*plan.sentences, sep="\n")
-    assert plan.passed
+    assert plan.sound
     return plan
 
 
@@ -33,6 +34,9 @@ def test_courses_of_the_study_that_were_refused_are_planned(name):
     """A ridge in the closing blend, a post 650 mm off on its wrong side, and a way that starts round the wrong side."""
     plan = passed(Design.load(TRIALS / f"{name}.toml", train_only=True))
     assert any("(compensated profile" in each for each in plan.sentences)
+    # What is said in Python and JSON follows the verdict: some of these courses next to no car keeps.
+    facts = plan.facts()
+    assert plan.passed == facts["passed"] == (facts["verdict"]["readiness"] != "not-ready")
 
 
 @pytest.mark.slow

@@ -64,7 +64,7 @@ def test_the_papers_course_with_gates_of_50_mm():
     """The first direct collocation reached 173 mm, and 130 with the train reordered; today's path ends 306 mm off."""
     today = Design.load()
     planned = Design.load(None, GATES).plan(calm_as=today, reserve=0)
-    assert planned.passed
+    assert planned.sound
     band = planned.cam.application.comparison.chosen.band
     reordered = planned.design.with_({"optimize.order": "reordered"}).cam()
     print(
@@ -293,7 +293,7 @@ def test_a_line_of_posts_for_cars_driven_on_either_side_or_in_the_middle(left, r
     text = begun("line", left, right).replace("[course.field]", posts + "[course.field]", 1)
     plan = Design.from_toml(text, train_only=True).plan(reserve=0)
     print(*plan.sentences[:2], sep="\n")
-    assert plan.passed, plan.sentences
+    assert plan.sound, plan.sentences
 
 
 def begun(name, left, right):

@@ -323,7 +323,7 @@ def planned(course: Case, seeds: int = 1) -> tuple[str, bool, str, float]:
         return course.name, fine, f"{kind}: {error}", time.process_time() - began
     words = " | ".join(plan.sentences)
     if not course.culprits:
-        if not plan.passed:
+        if not plan.sound:
             failed = (
                 ""
                 if plan.cam is None

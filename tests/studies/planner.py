@@ -88,7 +88,7 @@ def main() -> int:
             planned = design.plan(**asked, reserve=reserve)
             line, good = row(name, planned, limit, time.process_time() - began)
             lines.append(line)
-            kept &= good and planned.passed
+            kept &= good and planned.sound
             print(line, flush=True)
     imports = importing()
     print(f"import build123d: {imports:.1f} s of processor time")

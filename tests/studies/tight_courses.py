@@ -197,7 +197,7 @@ def outcome(seed: int, number: int) -> tuple[int, str, str, float]:
     except Exception as error:  # a study goes on, and says so
         return number, "fault", f"{type(error).__name__}: {error}"[:300], time.process_time() - began
     seconds = time.process_time() - began
-    if not plan.passed:
+    if not plan.sound:
         failed = [] if plan.cam is None or plan.cam.sound else [str(check.code) for check in plan.cam.failed]
         words = ", ".join([*failed, *(check.code for each in plan.drawn for check in each.failed)])
         return number, "wrong culprit" if plan.proven else "not found", f"{plan.sentences[0][:300]} {words}", seconds

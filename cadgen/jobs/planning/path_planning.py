@@ -87,9 +87,14 @@ class PathPlanning(Pictured):
         return tracks_picture([TrackPanel(title=f"{self.asked.name}: the planned path", run=run)], run, use.floor)
 
     @property
-    def passed(self) -> bool:
-        """Whether there is a path and all checks pass, at every spacing that was driven."""
+    def sound(self) -> bool:
+        """Whether there is a path whose cam keeps its checks, at every spacing that was driven; its car may fail."""
         return self.cam is not None and self.cam.sound and not any(each.failed for each in self.drawn)
+
+    @property
+    def passed(self) -> bool:
+        """Whether there is a path, and its cam may be cut for its car: enough of the cars keep the course, too."""
+        return self.verdict is not None and self.verdict.passed
 
     @property
     def verdict(self) -> PartVerdict | None:
@@ -146,7 +151,7 @@ class PathPlanning(Pictured):
             lines += [sentence.removesuffix(".") for sentence in said]
         if self.drawn:
             lines += [*settings.sentences(self.drawn, None), Message("cadgen card has the settings for every spacing")]
-        if not self.passed:
+        if not self.sound:
             lines.append(Message("a check still fails, so nothing is written: see the table"))
         return tuple(lines)
 
@@ -236,7 +241,7 @@ class PathPlanning(Pictured):
         cam = self.cam
         if cam is None:
             raise CheckError(self.sentences[0])
-        if not self.passed:
+        if not self.sound:
             drawn = (check for each in self.drawn for check in each.checks)
             raise CheckError(refusal((*cam.checks, *drawn), forced=False))
         stem, planned = f"{self.asked.name}_planned", cam.origin.content_hash

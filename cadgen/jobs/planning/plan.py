@@ -96,7 +96,7 @@ def plan_design(
     _refuse_course(design)
     asked = _Asked(design, text, drawn, wanted, progress)
     path = _planned(asked, Margins())
-    if not path.passed or path.cam is None:
+    if not path.sound or path.cam is None:
         return _explained(asked, path)
     try:
         first = tried(path.cam, 0.0)
@@ -124,7 +124,7 @@ def _chosen(asked: _Asked, path: PathPlanning, cam: CamPlan, cars: Tried) -> Pat
         asked.progress(Message("planning with room for {factor:g} times the scatter of the cars", factor=factor))
         last, _, known = found[-1]
         path = _planned(asked, last.kept, known.spare(factor), rounded(last.plan.path.points))
-        more = None if path.cam is None or not path.passed else tried(path.cam, factor)
+        more = None if path.cam is None or not path.sound else tried(path.cam, factor)
         if path.cam is not None and more is not None:
             found.append((path, path.cam, more))
         elif wanted.reserve is not None:
@@ -154,7 +154,7 @@ def _planned(
         begin: control points to go on from, shape (n, 2), mm; None to plan from scratch.
     """
     path = _kept_by_checks(asked, tightening, spare, begin)
-    if not path.passed and path.task.draw is not None and begin is None:
+    if not path.sound and path.task.draw is not None and begin is None:
         asked.progress("planning from a narrower range of spacings")
         wanted = asked.wanted
         narrow = task_of(
@@ -164,7 +164,7 @@ def _planned(
         middle = planned(replace(narrow, spare=spare or {}), seeds=wanted.seeds, map_with=wanted.map_with)
         if not middle.missed:
             other = _kept_by_checks(asked, tightening, spare, rounded(middle.path.points))
-            path = other if other.passed else path
+            path = other if other.sound else path
     return path
 
 
@@ -245,13 +245,13 @@ def _kept_by_checks(
         more = tightening.after(failed)
         for each in settings:
             more = more.larger(tightening.after(each.failed))
-        if path.passed:
+        if path.sound:
             good = path
         if more == tightening:
             break
         tightening, begin = more, rounded(result.path.points)
     assert path is not None  # the last round gives one or raises
-    return path if path.passed else good or path
+    return path if path.sound else good or path
 
 
 def _settings(design: Design, task: PathTask, cam: CamPlan, progress: Progress) -> tuple[DrawnSpacing, ...]:
