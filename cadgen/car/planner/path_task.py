@@ -156,7 +156,7 @@ class Margins:
                     tightening = replace(tightening, pressure=tightening.pressure + _FLATTER)
                 case CheckCode.CONVEX_RADIUS_THEORY | CheckCode.CONVEX_RADIUS_PROFILE | CheckCode.LOST_LIFT_UNDERCUT:
                     # What a larger radius along the run has not cured stands in the closing blend.
-                    blend = self.blend + (self.radius > 0)
+                    blend = max(tightening.blend, self.blend + (self.radius > 0))
                     tightening = replace(tightening, radius=tightening.radius + _MORE_RADIUS, blend=blend)
                 case CheckCode.BLEND_PRESSURE_ANGLE_RISE | CheckCode.BLEND_PRESSURE_ANGLE_RETURN:
                     tightening = replace(tightening, blend=tightening.blend + 1)

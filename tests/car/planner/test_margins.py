@@ -26,3 +26,5 @@ def test_a_ridge_that_a_larger_radius_does_not_cure_asks_for_a_lower_step_of_the
     twice = once.after([failed])
     assert twice.radius > once.radius
     assert twice.blend == 1
+    steep = Check(CheckCode.BLEND_PRESSURE_ANGLE_RISE, "pressure angle, blend rise", 80.0, "°", 75.0)
+    assert Margins().after([steep, failed]).blend == Margins().after([failed, steep]).blend == 1
