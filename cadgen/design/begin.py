@@ -203,6 +203,9 @@ turned_over = {turned}                # whether the disc sits turned over on its
 _BRAKE = Message("""\
 drag_least_Nmm = {least:.0f}             # a felt brake on the disc: the cam stays on its gears, play does nothing
 drag_greatest_Nmm = {greatest:.0f}
+
+[optimize]
+hardware = ["trim"]                # after a trial run the micrometer of the base radius is set: cadgen adjust
 """)
 _STAGE = """\
 [[train.stages]]

@@ -123,7 +123,9 @@ class Optimize(DesignSection):
     hardware: Annotated[tuple[Annotated[Hardware, WORD], ...], Strict(False)] | None = Field(
         default=None,
         description="what may be built or done besides the cam: `drag`, a brake on the disc that holds the cam; "
-        "`trim`, a trial run, after which the steering is set",
+        "`trim`, a trial run, after which the micrometer of the base radius is set: cars are then counted without "
+        "profile_offset_mm and rod_radius_mm of [tolerances], which that takes out, and base_radius_mm and "
+        "steering_zero_deg say how closely it is set",
     )
     max_end_position_mm: float | None = Field(
         default=None,

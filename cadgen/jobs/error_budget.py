@@ -10,7 +10,6 @@ from cadgen.figures import Facts
 from cadgen.gears.train import OnceATurn
 from cadgen.inference.monte_carlo.budget import Budget, Cost, Process, by_process, each_run, error_budget
 from cadgen.inference.monte_carlo.cars import Cars
-from cadgen.inference.monte_carlo.random_cars import Tolerances
 from cadgen.messages import Message
 
 _SHOWN = {"rad": ("deg", degrees(1.0)), "Nmm": ("N·mm", 1.0)}
@@ -149,7 +148,7 @@ def _costs(budget: Budget) -> Facts:
 def budget_sheet(
     play_zones: Mapping[str, float],
     nominal: Cars,
-    tolerances: Tolerances,
+    half_widths: Mapping[Deviation, float],
     of_the_parts: Mapping[Deviation, float],
     shafts: tuple[OnceATurn, ...] = (),
 ) -> BudgetSheet:
@@ -158,16 +157,16 @@ def budget_sheet(
     Args:
         play_zones: half of the zone of each part of the play, rad.
         nominal: nominal car of the design.
-        tolerances: tolerances of its cars.
+        half_widths: half of the tolerance zones of its cars, mm and rad, before any trim.
         of_the_parts: half widths that follow from gears and rod where the tolerances say nothing.
         shafts: error of the gears of each shaft, from the camshaft on.
     """
-    halves = {**of_the_parts, **tolerances.half_widths}
+    halves = {**of_the_parts, **half_widths}
     return BudgetSheet(
         budget=error_budget(nominal, halves, play_zones),
         processes=by_process(nominal),
         shafts=shafts,
-        slip_assumed=SIDE_SLIP in halves and SIDE_SLIP not in tolerances.half_widths,
+        slip_assumed=SIDE_SLIP in halves and SIDE_SLIP not in half_widths,
     )
 
 

@@ -321,7 +321,7 @@ def tolerance_of(plan: C, sample: CarSample, progress: Progress = silent) -> Tol
     sheet = None
     if sample.with_budget:
         progress("ranking what may be off")
-        sheet = budget_sheet(use.play_zones(), nominal, tolerances, use.of_the_parts(), use.shafts)
+        sheet = budget_sheet(use.play_zones(), nominal, use.half_widths(), use.of_the_parts(), use.shafts)
     passages = () if use.course is None else use.course.planned.driven.passages
     return ToleranceRun(
         cam=plan,

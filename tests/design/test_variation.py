@@ -6,7 +6,7 @@ import pytest
 
 from cadgen.car.running.mechanics import MechanicsBand
 from cadgen.design import variation
-from cadgen.design.load import load_design
+from cadgen.design.load import load_design, with_overrides
 from cadgen.deviations.first_order import Expansion
 
 
@@ -59,3 +59,13 @@ def test_the_parts_of_the_play_have_zones_of_their_own():
     banded = load_design("carbon_free_car", ("play.least_deg=0.5", "play.greatest_deg=0.7"))
     assert variation.play_zones(banded) == {"play": pytest.approx(radians(0.1))}
     assert variation.play_zones(load_design("carbon_free_car", ("play.measured_deg=0.5",))) == {}
+
+
+def test_a_trim_takes_out_what_moves_the_rod_as_the_base_radius_does():
+    given = {"mechanics.drag_least_Nmm": 45.0, "mechanics.friction_least": 0.05, "mechanics.friction_greatest": 0.2}
+    braked = load_design("s_course", [f"{key}={value}" for key, value in given.items()])
+    trimmed = with_overrides(braked, ['optimize.hardware=["trim"]'])
+    before, after = (variation.tolerances(design).half_widths for design in (braked, trimmed))
+    assert {each.key for each in before.keys() - after.keys()} == {"profile_offset", "rod_radius"}
+    assert after.items() < before.items()
+    assert variation.half_widths(trimmed, None) == variation.half_widths(braked, None)

@@ -99,6 +99,19 @@ def test_cars_that_only_play_moves_are_told_of_the_gears():
     assert lost.cure.startswith("take gears whose play varies half as much, with which ")
 
 
+def test_a_trim_is_a_cure_where_a_brake_holds_the_cam():
+    """A trial run takes out disc and rod that are too large all round; cars are counted as it says."""
+    held = {"mechanics.drag_least_Nmm": 45.0, "mechanics.friction_least": 0.05, "mechanics.friction_greatest": 0.2}
+    design = Design.load("s_course").with_({**held, "frame": None})
+    verdict = design.cam().verdict
+    (lost,) = (each for each in verdict.reservations if each.code == "cars-lost")
+    (kept,) = re.findall(r'set optimize\.hardware to \["trim"\].*: (\S+) % then keep the course', lost.cure)
+    trimmed = design.with_({"optimize.hardware": ["trim"]}).cam().verdict
+    assert trimmed.readiness == Readiness.READY
+    (check,) = (each for each in trimmed.checks if each.code == CheckCode.CARS_KEEP_COURSE)
+    assert f"{check.value:.1f}" == kept
+
+
 def test_the_least_share_is_the_designs_own():
     design = Design.load("s_course").with_({"checks.min_yield_percent": 90.0})
     verdict = design.cam().verdict

@@ -270,7 +270,7 @@ def task_of(design: Design, track: Track, lift: PathMotion, follower: Follower) 
         start=start_pose(track),
         as_built=cam_model.as_built(design),
         mechanics=variation.mechanics(design, rod, lift),
-        trimmed=Hardware.TRIM in (design.optimize.hardware or ()),
+        trimmed=variation.trimmed(design),
     )
 
 

@@ -20,7 +20,6 @@ from cadgen.car.running.run_errors import run_error
 from cadgen.car.steering import Car, wheel_curvature, wheel_tangent, wheel_travel_ratio
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.design import variation
-from cadgen.design.play import Hardware
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.jobs.cam.wheel import DriveWheel
@@ -201,7 +200,7 @@ def border_sentences(design: Design, task: PlayTask, chosen: Evaluation, band: P
                 most=most,
             )
         )
-    if Hardware.TRIM in (design.optimize.hardware or ()):
+    if variation.trimmed(design):
         lines.append(
             Message(
                 "Do: after a trial run set the micrometer of the base radius so that the end is met; the choice, and "

@@ -16,6 +16,8 @@ from cadgen.car.against_play.profile_kinds import ACTUAL
 from cadgen.car.steering import Car
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.curves.closed import ClosedCurve
+from cadgen.design import variation
+from cadgen.design.schema import Design
 from cadgen.deviations.deviation import RETURN_ERROR
 from cadgen.errors import DesignError
 from cadgen.figures import Figure
@@ -42,6 +44,10 @@ _SHOWN = 0.5  # mm; less off the end of the path is not worth a sentence
 
 class JudgedCar(VariedCar, Protocol):
     """Car of a design on which a verdict is given."""
+
+    @property
+    def design(self) -> Design:
+        """Design of the car."""
 
     @property
     def car(self) -> Car:
@@ -115,7 +121,9 @@ def course_yield(use: JudgedCar, cut: ClosedCurve) -> CourseYield | None:
     each = kept.mean(axis=1)
     least = int(np.argmin(each))
     percent = 100 * float(kept.all(axis=0).mean())
-    cure = _tighter(cars, use.tolerances(), least, percent) if percent < GOOD_YIELD else ""
+    cure = ""
+    if percent < GOOD_YIELD:
+        cure = _trim(use, cars) or _tighter(cars, use.tolerances(), least, percent)
     return CourseYield(percent, cars.items[least].key, 100 * float(each[least]), cure)
 
 
@@ -188,6 +196,21 @@ def _refused(nearer: Refused, off: float) -> Message:
         near=nearer.evaluation.band.worst_distance,
         off=off,
         failed=nearer.names,
+    )
+
+
+def _trim(use: JudgedCar, cars: Cars) -> Message | None:
+    """Trim after a trial run as a cure, where a brake holds the cam and enough cars then keep the course."""
+    if variation.trimmed(use.design) or not variation.braked(use.design):  # else the trim may choose another cam
+        return None
+    met = margins_of_cars(cars, variation.trimmed_off(use.tolerances()), SAMPLE, seed=SEED).margins >= 0
+    kept = 100 * float(met.all(axis=0).mean())
+    if kept < GOOD_YIELD:
+        return None
+    return Message(
+        'set optimize.hardware to ["trim"], a trial run after which the micrometer of the base radius is set: '
+        "{kept:.1f} % then keep the course",
+        kept=kept,
     )
 
 

@@ -11,7 +11,15 @@ from cadgen.cam.contact import roll
 from cadgen.car.running.drive import drive
 from cadgen.car.running.mechanics import Mechanics
 from cadgen.car.running.sampled import sampled_lift
-from cadgen.deviations.deviation import COLUMNS, ECCENTRIC_BORE, PROFILE_OFFSET, TOLERANCES, WOBBLE, tolerance
+from cadgen.deviations.deviation import (
+    COLUMNS,
+    ECCENTRIC_BORE,
+    PROFILE_OFFSET,
+    ROD_RADIUS,
+    TOLERANCES,
+    WOBBLE,
+    tolerance,
+)
 from cadgen.errors import DesignError
 from cadgen.inference.monte_carlo.budget import HALF_WIDTHS, by_process, error_budget
 from cadgen.inference.monte_carlo.cars import nominal_cars
@@ -95,6 +103,13 @@ def test_the_worst_direction_is_found_and_the_ranking_goes_by_what_a_trim_leaves
     assert budget.costs[0].before == pytest.approx(known.distance, rel=0.01)
     assert budget.before**2 == pytest.approx(sum(cost.before**2 for cost in budget.costs))
     assert budget.after < budget.before
+
+
+def test_a_trim_takes_out_disc_and_rod_that_are_too_large(fleet):
+    """Cars that are trimmed are counted without them; what is left of them is under 1 %."""
+    costs = error_budget(fleet, {PROFILE_OFFSET: 0.01, ROD_RADIUS: 0.005}, {}).costs
+    assert len(costs) == 2
+    assert all(cost.after < 0.01 * cost.before for cost in costs)
 
 
 def test_processes_are_ranked_by_what_they_hold(fleet):
