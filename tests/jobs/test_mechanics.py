@@ -10,7 +10,9 @@ from cadgen.check import CheckCode, failing
 from cadgen.design import cam_model, variation
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
+from cadgen.jobs.cam.cam_files import write_cam
 from cadgen.jobs.cam.car_facts import comparison_facts, remedy_facts
+from cadgen.jobs.cam.cures import find_cures
 from cadgen.jobs.cam.remedies import remedies
 from cadgen.jobs.cam.steering_cam import plan_cam
 
@@ -119,10 +121,13 @@ KNOWN = ["play.measured_deg=0.75", "optimize.max_lift_error_um="]
 
 
 @pytest.mark.slow
-def test_a_known_friction_that_the_profile_cannot_meet():
-    """The best that it can, with the figure."""
-    known = [*KNOWN, "mechanics.friction_least=0.2", "mechanics.friction_greatest=0.2"]
-    met = plan_cam(load_design("carbon_free_car", known), "optimized").application.comparison
+def test_a_known_friction_that_the_profile_cannot_meet(tmp_path):
+    """The best that it can, with the figure; the ramps of one that meets it take a closer cloud of points."""
+    known = [*KNOWN, "mechanics.friction_least=0.15", "mechanics.friction_greatest=0.15"]
+    plan = plan_cam(load_design("carbon_free_car", known), "optimized")
+    (cloud,) = write_cam(plan, tmp_path, find_cures(plan), formats="xyz")
+    assert cloud.lift_error_um < cloud.lift_limit_um
+    met = plan.application.comparison
     assert not any("No profile of those compared meets the end" in reason for reason in met.reasons)
     assert met.chosen.error.end_distance < 3.0
     small = ["cam.base_radius_mm=17", "blank.lightening=", "blank.keyway=", "blank.bore_diameter_mm=2"]

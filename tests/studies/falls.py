@@ -97,7 +97,11 @@ def _draw(number: int, path: str, seed: int) -> dict[str, Any]:
     ]
     for_band = _from_file(driver, plan_cam(load_design(path, band), "compensated"))
     near, of_middle = (float(np.abs(driver.ends(driver.off(each, *other))).max()) for each in (for_band, cam))
-    sides = [driver.ends(driver.off(for_band, np.radians(play + by), friction)) for by in (-NEAR_DEG, NEAR_DEG)]
+    # The cells of a driver go by the play: the last turn of laps is compared at shares of it.
+    sides = [
+        np.interp(np.linspace(0.0, 1.0, 361), np.linspace(0.0, 1.0, len(ends)), ends)
+        for ends in (driver.ends(driver.off(for_band, np.radians(play + by), friction)) for by in (-NEAR_DEG, NEAR_DEG))
+    ]
     found = {
         "play_deg": play,
         "friction": friction,

@@ -36,10 +36,18 @@ _TABLE = 2049  # samples of a piece from which its length is summed
 
 
 def cam_xyz(cam: CamExport, folder: Path) -> Iterator[Artifact]:
-    """Cloud of points on the outline of a cam."""
+    """Cloud of points on the outline of a cam; with more of them at its bends where even ones do not keep the lift."""
     name, count = f"{cam.stem}.xyz", cam.export.point_count
-    write_xyz(folder / name, cam.curve, count, bends=cam.motion is not None)
-    yield cam.judged(name, read_xyz(folder / name, cam.step), LIFT_LIMIT_UM, Facts(points=count))
+
+    def judged(*, bends: bool) -> Artifact:
+        write_xyz(folder / name, cam.curve, count, bends=bends)
+        return cam.judged(name, read_xyz(folder / name, cam.step), LIFT_LIMIT_UM, Facts(points=count))
+
+    try:
+        made = judged(bends=cam.motion is not None)
+    except FileError:
+        made = judged(bends=True)
+    yield made
 
 
 def write_xyz(path: Path, curve: ClosedCurve, count: int, *, bends: bool = False) -> None:
