@@ -142,7 +142,8 @@ def verdict(passed: bool | Readiness, result: str, step: str = "") -> None:
     if isinstance(passed, Readiness):
         head = Text(shown(passed.words).upper(), f"bold {_COLOURS[passed]}")
     else:
-        head = Text("PASS", "bold green") if passed else Text("FAIL", "bold red")
+        word, colour = (Message("PASS"), "green") if passed else (Message("FAIL"), "red")
+        head = Text(shown(word), f"bold {colour}")
     Output().print(Text.assemble(head, f"{shown(': ')}{shown(line)}"))
 
 
