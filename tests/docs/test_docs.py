@@ -5,6 +5,7 @@ import json
 import re
 import tomllib
 from importlib import import_module
+from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 from pkgutil import iter_modules
 
@@ -376,6 +377,20 @@ def test_the_chinese_first_steps_have_the_same_commands_and_links_that_lead_some
     assert len(verbs[0]) > 10
     links = re.findall(r"\]\(([^)#]+)", chinese)
     assert not [link for link in links if not (DOCS / link).exists()]
+
+
+def test_the_readme_of_the_distribution_leads_to_the_repository_or_nowhere() -> None:
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    places = re.findall(r"\]\(([^)]+)\)", text)
+    spec = spec_from_file_location("hatch_build", ROOT / "hatch_build.py")
+    builder = module_from_spec(spec)
+    spec.loader.exec_module(builder)
+    assert not re.findall(r"\]\(", builder.readme_for(text, ""))
+    there = re.findall(r"\]\(([^)]+)\)", builder.readme_for(text, "https://example.org/cadgen"))
+    assert [re.sub(r"https://example.org/cadgen/(raw|blob)/main/", "", place) for place in there] == places
+    pictures = [place for place in there if "/raw/" in place]
+    assert len(pictures) == 4
+    assert all(place.endswith((".svg", ".png")) for place in pictures)
 
 
 def test_the_readme_is_one_screen_of_short_sentences() -> None:
