@@ -36,6 +36,18 @@ def test_the_verdict_of_each_packaged_design(name):
     verdict = Design.load(name).cam().verdict
     assert (verdict.readiness, codes(verdict)) == CODES[name]
     assert all(reservation.text and reservation.cure for reservation in verdict.reservations)
+    # As docs/play.md has it.
+    page = (ROOT / "docs/play.md").read_text("utf-8")
+    said, kept, more = re.search(rf"^\| `{name}` \| (.*) \| (\d+) % \| (.*) \|$", page, re.MULTILINE).groups()
+    (cars,) = (check.value for check in verdict.checks if check.code == CheckCode.CARS_KEEP_COURSE)
+    costs = {each.code: each.cost.value for each in verdict.reservations}
+    assert (said, kept) == (verdict.readiness.words, f"{cars:.0f}")
+    assert ("friction" in more, "blend" in more) == ("friction-not-stated" in costs, "blend-on-path" in costs)
+    for code, words in (
+        ("friction-not-stated", "friction ({:.0f} mm)"),
+        ("blend-on-path", "the blend ends {:.0f} mm off"),
+    ):
+        assert code not in costs or words.format(costs[code]) in more
 
 
 @pytest.mark.long
