@@ -124,6 +124,8 @@ class CheckCode(StrEnum):
     FRAME_BLOCK = "frame-block"
     FRAME_EDGE = "frame-edge"
     FRONT_WHEEL_ROOM = "front-wheel-room"
+    DRIVE_ROOM = "drive-room"
+    DRIVE_FALL = "drive-fall"
     MOTION_VELOCITY = "motion-velocity"
     MOTION_ACCELERATION = "motion-acceleration"
     MOTION_JERK = "motion-jerk"

@@ -22,6 +22,7 @@ Sections of the file, each with what belongs to it alone:
 | `train`       | gear train, its stages with the keys of their kinds                                   |
 | `layout`      | how the train stands in the car                                                       |
 | `frame`       | how plates, base and fork hold the parts                                              |
+| `drive`       | drop weight or motor that the frame carries                                           |
 | `schema`      | all other sections; ranges, defaults, how keys must fit each other                    |
 
 The file:

@@ -240,13 +240,6 @@ class MechanicsSection(DesignSection):
                     drag_greatest_nmm=self.drag_greatest_Nmm,
                 )
             )
-        if self.car_mass_kg is not None and self.drive_energy_J is None:
-            raise ValueError(
-                Message(
-                    "mechanics.car_mass_kg is given for the energy of the run, and what the drive has is not: give "
-                    "mechanics.drive_energy_J, or remove car_mass_kg"
-                )
-            )
         strongest = self.drag_Nmm[1]
         if self.drive_torque_Nmm is not None and strongest >= self.drive_torque_Nmm:
             raise ValueError(

@@ -27,6 +27,7 @@ from cadgen.design.as_built import AsBuiltSection
 from cadgen.design.blank import BlankSection
 from cadgen.design.course import CourseSection, OutlineSection
 from cadgen.design.disc import MotionCam, base_circle_radius, follower_motion
+from cadgen.design.drive import DriveSection
 from cadgen.design.dynamics import DynamicsSection
 from cadgen.design.file_names import name_fault
 from cadgen.design.follower import FOLLOWER, FollowerSection, fitting_kinds
@@ -284,6 +285,9 @@ class Export(DesignSection):
         return CAM_CHORD_UM if self.mesh_chord_um is None else self.mesh_chord_um
 
 
+_MOST_OF_A_FALL = 1.01  # of a weight's energy that mechanics.drive_energy_J may be: it is stated with two digits
+
+
 class TrainFile(DesignSection):
     """A design file of which only the gear train is wanted: the sections of the cam may be left out."""
 
@@ -307,6 +311,7 @@ class TrainFile(DesignSection):
     train: SerializeAsAny[TrainSection] | None = None
     layout: LayoutSection | None = None
     frame: FrameSection | None = None
+    drive: DriveSection | None = None
     play: PlaySection | None = None
     mechanics: MechanicsSection | None = None
     tolerances: TolerancesSection = TolerancesSection()
@@ -350,6 +355,39 @@ class TrainFile(DesignSection):
     @classmethod
     def _train_by_its_stages(cls, value: object, usual: ValidatorFunctionWrapHandler) -> TrainSection | None:
         return train_by_stages(value, usual)
+
+    @model_validator(mode="after")
+    def _the_frame_carries_the_drive(self) -> "TrainFile":
+        keys = self.mechanics
+        if keys is not None and keys.car_mass_kg is not None and keys.drive_energy_J is None and self.drive is None:
+            raise ValueError(
+                Message(
+                    "mechanics.car_mass_kg is given for the energy of the run, and what the drive has is not: give "
+                    "mechanics.drive_energy_J, or remove car_mass_kg"
+                )
+            )
+        if self.drive is None:
+            return self
+        if self.frame is None or self.layout is None:
+            raise ValueError(
+                Message(
+                    "[drive] stands on the base of [frame], which holds the parts where [layout] puts them: add "
+                    "[layout] and [frame], which may be empty, or remove [drive]"
+                )
+            )
+        has, given = self.drive.energy, None if keys is None else keys.drive_energy_J
+        if has is not None and given is not None and given > _MOST_OF_A_FALL * has:
+            raise ValueError(
+                Message(
+                    "mechanics.drive_energy_J is {given:g}, and a weight of drive.mass_kg = {mass:g} kg that falls "
+                    "drive.fall_mm = {fall:g} mm has {has:.3g} J: lower it to that, or leave it out",
+                    given=given,
+                    mass=self.drive.mass_kg,
+                    fall=self.drive.fall_mm,
+                    has=has,
+                )
+            )
+        return self
 
     @model_validator(mode="after")
     def _course_says_it_once(self) -> "TrainFile":
@@ -602,6 +640,7 @@ OF_A_CAR = (
         "car",
         "layout",
         "frame",
+        "drive",
         "play",
         "mechanics",
         "tolerances",

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
 from cadgen.car.assembly.arrangement import Gap
+from cadgen.car.assembly.carried import CarriedBody
 from cadgen.car.assembly.fork_sizes import front_radius
 from cadgen.car.assembly.frame import Frame, FrameSizes, frame_of
 from cadgen.car.assembly.frame_gaps import frame_gap, standing_gap
@@ -34,6 +35,15 @@ _CURES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("train.plate.thickness_mm", ("8", "10", "6")),
     ("frame.wall_mm", ("2", "1.5", "1")),
 )
+_WIDER = (
+    5.0,
+    10.0,
+    20.0,
+    30.0,
+    40.0,
+    60.0,
+    80.0,
+)  # mm by which the idle wheel is set farther out
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -76,8 +86,8 @@ class CarFrame(JobResult):
     @cached_property
     def own_checks(self) -> tuple[Check, ...]:
         """The frame's own checks, with their limits and a cure that was tried."""
-        wrong = {check.code for check in failing(self.plain_checks)}
-        cure = _cure(self.design) if wrong else None
+        wrong = {check.code for check in failing(self.plain_checks) if not check.advice}
+        cure = _cure(self.design, narrow=CheckCode.DRIVE_ROOM in wrong) if wrong else None
         advice = cure or Message(
             "none of the values that were tried gives a frame: change [frame], or the layout by layout.clearance_mm"
         )
@@ -163,6 +173,45 @@ class CarFrame(JobResult):
             "mm",
             2 * front_radius(site, frame.arrangement.height),
             Bound.MIN,
+        )
+
+        yield from self._drive_checks()
+
+    def _drive_checks(self) -> Iterator[Check]:
+        """Checks of room for weight or motor, and of the way that a weight falls."""
+        frame, body = self.frame, self.frame.sizes.carried
+        if body is None:
+            return
+        yield Check(
+            CheckCode.DRIVE_ROOM,
+            Message("places for the {body} on the base", body=body.title),
+            float(frame.carried is not None),
+            "",
+            1.0,
+            Bound.MIN,
+            Message(
+                "{room:.1f} mm across the car are free between train and idle wheel, {needed:g} are needed",
+                room=frame.carried_room,
+                needed=body.across,
+            ),
+        )
+        if frame.carried is None or not body.fall:
+            return
+        low, start = frame.top - frame.carried.low, frame.arrangement.height - frame.carried.high
+        more = frame.site.clearance - low
+        yield Check(
+            CheckCode.DRIVE_FALL,
+            Message("height of the weight over the base at the end of its fall"),
+            low + _rounding(low, frame.site.clearance),
+            "mm",
+            frame.site.clearance,
+            Bound.MIN,
+            "",
+            Message(
+                "leave drive.start_height_mm out, raise it to {start:.4g}, or lower drive.fall_mm to {fall:.4g}",
+                start=start + more,
+                fall=body.fall - more,
+            ),
         )
 
     @property
@@ -289,9 +338,25 @@ def frame_in(layout: CarLayout) -> CarFrame:
         travel=keys.slot_mm,
         stem=keys.micrometer_mm,
         drive=keys.drive_holes_mm,
+        carried=_carried(design),
         seat=hole_class(plates.hole_fit) or _SEAT,
     )
     return CarFrame(design, layout, frame_of(sizes, layout.site, layout.arrangement, layout.shafts, layout.bores))
+
+
+def _carried(design: Design) -> CarriedBody | None:
+    given = design.drive
+    if given is None:
+        return None
+    along, across, tall = given.size_mm
+    return CarriedBody(
+        along=along,
+        across=across,
+        tall=tall,
+        mass=given.mass_kg,
+        fall=given.fall_mm or 0.0,
+        start=given.start_height_mm,
+    )
 
 
 def _rounding(value: float, limit: float) -> float:
@@ -299,9 +364,10 @@ def _rounding(value: float, limit: float) -> float:
     return limit - value if 0 < limit - value < 1e-6 else 0.0
 
 
-def _cure(design: Design) -> Message | None:
+def _cure(design: Design, *, narrow: bool) -> Message | None:
     """Change of one key with which every check of the frame holds, tried; None if none helps."""
-    for key, values in _CURES:
+    wider = [f"{design.car.idle_wheel_offset_mm + more:g}" for more in _WIDER] if narrow else []
+    for key, values in (("car.idle_wheel_offset_mm", wider), *_CURES):
         for value in values:
             if key == "frame.base_height_mm" and (design.frame is None or design.frame.base_height_mm is None):
                 continue

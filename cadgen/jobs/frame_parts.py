@@ -6,6 +6,7 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.car.assembly.car_parts import Block, CarPart, Group, GroupKind, Supply, turned_round
+from cadgen.car.assembly.carried import Carried
 from cadgen.car.assembly.frame import Bought, BoughtKind
 from cadgen.car.assembly.panels import Panel, PartPlace
 from cadgen.car.running.friction import DiscMaterial
@@ -19,6 +20,7 @@ from cadgen.output.files.frame_files import BASE_COLOUR, PLATE_COLOUR
 _STANDS = Group(GroupKind.FRAME)
 _STEEL = DENSITY[DiscMaterial.STEEL] * 1e-3  # g/mm³
 _HOLLOW = 0.6  # of a bearing's ring: the room between its rings is empty
+_PULLEY, _KNOTS = 10.0, 200.0  # g of a small pulley in its bracket; mm of string for two knots and the pulley
 _DARK, _BRASS = (0.22, 0.24, 0.27), (0.78, 0.65, 0.30)
 
 
@@ -39,6 +41,8 @@ def _made(frame: CarFrame) -> Iterator[CarPart]:
         stated = plates.material if panel in frame.frame.plates else others
         colour = BASE_COLOUR if panel.code in ("base", "platform") else PLATE_COLOUR
         yield _sheet(panel, stated, colour, f"{frame.stem}_{panel.code}")
+    if frame.frame.carried is not None:
+        yield from _drive(frame.frame.carried)
     block = frame.frame.block
     name, density, assumed = known_material(others, DiscMaterial.ALUMINIUM)
     yield CarPart(
@@ -53,6 +57,52 @@ def _made(frame: CarFrame) -> Iterator[CarPart]:
         colour=PLATE_COLOUR,
         standard=f"{frame.stem}_block",
     )
+
+
+def _drive(carried: Carried) -> Iterator[CarPart]:
+    """Weight before its fall with pulley and string, or motor."""
+    body = carried.body
+    size = f"{body.along:g} x {body.across:g} x {body.tall:g}"
+    yield CarPart(
+        code="drop-weight" if body.fall else "motor",
+        title=body.title,
+        shape=carried.shape,
+        places=(_matrix(carried.place),),
+        group=_STANDS,
+        material=Message("steel") if body.fall else "",
+        density=0.0,
+        mass=1000 * body.mass,
+        colour=_DARK,
+        supply=Supply.BOUGHT,
+        standard=f"{body.along:g} x {body.tall:g}, {body.mass:g} kg" if body.fall else f"{size}, {body.mass:g} kg",
+        how=Message(
+            "its string leads through the top plate, over a pulley of {size:.0f} mm, down to the rear axle, on which "
+            "it is wound by {turns:.1f} turns",
+            size=abs(carried.x - carried.axle),
+            turns=body.fall / (np.pi * carried.axle_diameter),
+        )
+        if body.fall
+        else Message("screwed to the base from below; its shaft drives the rear axle"),
+    )
+    pulley = abs(carried.x - carried.axle)
+    bought = (
+        ("pulley", Message("pulley of the string, in its bracket"), f"Ø{pulley:.0f}", _PULLEY),
+        ("string", Message("string"), f"1 mm x {carried.tubes + body.fall + _KNOTS:.0f} mm", 0.5),
+    )
+    for code, title, standard, mass in bought if body.fall else ():
+        yield CarPart(
+            code=code,
+            title=title,
+            shape=None,
+            places=(),
+            group=_STANDS,
+            material="",
+            density=0.0,
+            mass=mass,
+            supply=Supply.BOUGHT,
+            standard=standard,
+            further=1,
+        )
 
 
 def _sheet(panel: Panel, stated: str | None, colour: tuple[float, float, float], files: str) -> CarPart:
@@ -77,7 +127,8 @@ def _bought(frame: CarFrame) -> Iterator[CarPart]:
         kinds.setdefault(part.code, []).append(part)
     for code, parts in kinds.items():
         first, number = parts[0], len(parts)
-        drawn = first.kind in (BoughtKind.BEARING, BoughtKind.SPACER)
+        drawn = first.kind in (BoughtKind.BEARING, BoughtKind.SPACER, BoughtKind.TUBE)
+        material = DiscMaterial.ALUMINIUM if first.kind == BoughtKind.TUBE else DiscMaterial.STEEL
         shape = None
         if drawn:
             shape = Block(tuple(turned_round((low, high, outer, bore) for outer, bore, low, high in first.rounds)))
@@ -92,8 +143,8 @@ def _bought(frame: CarFrame) -> Iterator[CarPart]:
             shape=shape,
             places=tuple(_along(each) for each in parts) if drawn else (),
             group=_STANDS,
-            material=Message("steel"),
-            density=_STEEL * (_HOLLOW if first.kind == BoughtKind.BEARING else 1.0),
+            material=Message(str(material)),
+            density=DENSITY[material] * 1e-3 * (_HOLLOW if first.kind == BoughtKind.BEARING else 1.0),
             assumed=False,
             colour=_DARK if first.kind == BoughtKind.BEARING else _BRASS,
             supply=Supply.BOUGHT,

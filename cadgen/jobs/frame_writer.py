@@ -124,7 +124,7 @@ class _Files:
             between.append(
                 ("camshaft to fork axis", (0.0, 0.0), (-a, -frame.site.fork), f" ±{deviation:g}" if deviation else "")
             )
-        elif panel is frame.platform:
+        elif panel is frame.platform or panel.code == "guide_top":
             notes.append(Message("Seen from above, the front of the car to the left."))
             datum = Message("axis of the camshaft, and inner face of the disc")
         elif panel.code == "bracket_micrometer":

@@ -11,6 +11,7 @@
 | `panels`      | sheets: exact outlines, and gaps to round bodies                                  |
 | `fork_sizes`  | sizes of fork, hubs and shaft ends that no design states                          |
 | `frame`       | plates, base, platform, block, brackets and shafts, by the layout                 |
+| `carried`     | drop weight or motor on the base: place, rods, tubes and top plate                |
 | `frame_gaps`  | gaps of the frame to what moves, and among its parts                              |
 
 The frame is that of the cam's files: the camshaft is the z axis, which points to the car's left; x points ahead, to

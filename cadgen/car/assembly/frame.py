@@ -20,10 +20,21 @@ import shapely
 from cadgen.arrays import Array
 from cadgen.car.assembly.arrangement import Arrangement
 from cadgen.car.assembly.car_parts import Block, Drilled, Prism
+from cadgen.car.assembly.carried import (
+    TUBE,
+    TUBE_BORE,
+    Carried,
+    CarriedBody,
+    carried_at,
+    places,
+    room_across,
+    taken_by,
+)
 from cadgen.car.assembly.fork_sizes import (
     BRIDGE_HEIGHT,
     BRIDGE_LENGTH,
     CHEEK,
+    CLAMP,
     FRONT_WIDTH,
     GAP,
     HEAD_HALF,
@@ -32,6 +43,9 @@ from cadgen.car.assembly.fork_sizes import (
     hub_width,
 )
 from cadgen.car.assembly.panels import (
+    ACROSS,
+    LYING,
+    STANDING,
     ConvexPrism,
     EdgeHole,
     Feature,
@@ -64,11 +78,6 @@ _LEAST_OPENING = 8.0  # mm, of an opening of the base along the car: cutters pas
 _LOWER = (0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.5, 8.0, 10.0, 12.0, 15.0, 18.0, 22.0, 27.0, 33.0, 40.0)
 _HALF_FOOT = 18.0  # mm, half of the foot of a bracket
 _BEYOND = 12.0  # mm of a bearing plate's foot beyond the outermost axes
-# Places of parts: directions of u, v and w in the car, as columns. Plates are seen from the left of the car, the base
-# from above, both with the front to the left; the micrometer bracket is seen from before.
-STANDING = np.array([[-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]])
-_LYING = np.array([[-1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, -1.0, 0.0]])
-_ACROSS = np.array([[0.0, 0.0, 1.0], [0.0, -1.0, 0.0], [1.0, 0.0, 0.0]])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -85,6 +94,7 @@ class FrameSizes:
         travel: way by which the platform can be shifted, mm.
         stem: diameter of the micrometer head's stem, mm; 0 for none.
         drive: distances of the holes for motor or weight along and across the car, mm.
+        carried: weight or motor; None for a car whose drive is not stated.
         seat: class of the seats of bearings.
     """
 
@@ -97,6 +107,7 @@ class FrameSizes:
     travel: float
     stem: float
     drive: tuple[float, float]
+    carried: CarriedBody | None
     seat: str
 
 
@@ -106,6 +117,7 @@ class BoughtKind(StrEnum):
     BEARING = "bearing"
     SCREW = "screw"
     NUT = "nut"
+    TUBE = "tube"
     SPACER = "spacer"
 
 
@@ -214,6 +226,8 @@ class Frame:
         pieces: pieces into which openings cut the base.
         joints: joints that found room, and how many there should be.
         top: height y of the base's upper face, mm.
+        carried: weight or motor at its place; None without one, or where it finds no place.
+        carried_room: width across the car that it may have, mm.
     """
 
     sizes: FrameSizes
@@ -229,11 +243,14 @@ class Frame:
     pieces: int
     joints: tuple[int, int]
     top: float
+    carried: Carried | None
+    carried_room: float
 
     @property
     def panels(self) -> tuple[Panel, ...]:
         """Every sheet."""
-        return (*self.plates, self.base, self.platform, *self.brackets)
+        guide = () if self.carried is None or self.carried.top is None else (self.carried.top,)
+        return (*self.plates, self.base, self.platform, *self.brackets, *guide)
 
     @property
     def under(self) -> float:
@@ -255,8 +272,9 @@ class Frame:
 
     @property
     def whole(self) -> bool:
-        """Whether the base is in one piece, every joint has found room, and every wall is thick enough."""
+        """Whether the base is in one piece, all that it carries has room, and every wall is thick enough."""
         complete = self.pieces == 1 and self.joints[0] == self.joints[1]
+        complete = complete and (self.sizes.carried is None or self.carried is not None)
         complete = complete and self.block.height >= 2 * self.block.bearing.width + self.sizes.wall - _ROUNDING
         return complete and self.wall[0] >= self.sizes.wall - _ROUNDING
 
@@ -340,6 +358,7 @@ class _Maker:
         self.holes: list[SheetHole] = []
         self.screws: list[tuple[float, float]] = []  # x and z of those from below
         self.joints, self.wanted = 0, 0
+        self.carried: Carried | None = None
 
     def frame(self) -> Frame:
         """Make every part."""
@@ -371,6 +390,8 @@ class _Maker:
             pieces=count,
             joints=(self.joints, self.wanted),
             top=self.top,
+            carried=self.carried,
+            carried_room=room_across(self._beside(), site.clearance),
         )
 
     def _base_top(self, platform: float) -> float:
@@ -439,7 +460,7 @@ class _Maker:
             threads=(-apart, apart),
             tap=sizes.screw.tap_drill,
             depth=sizes.screw.least_length + 2.0,
-            place=PartPlace(_LYING, np.array([self.site.base_radius, upper, self.site.fork])),
+            place=PartPlace(LYING, np.array([self.site.base_radius, upper, self.site.fork])),
         )
 
     def _platform(self, block: ForkBlock) -> tuple[Panel, tuple[tuple[float, float], ...]]:
@@ -478,7 +499,7 @@ class _Maker:
             edge_holes=(),
             features=tuple(features),
             thickness=sizes.base,
-            place=PartPlace(_LYING, np.array([0.0, self.top - self.spacer, 0.0])),
+            place=PartPlace(LYING, np.array([0.0, self.top - self.spacer, 0.0])),
         )
         return panel, tuple((-u - du, -v - dv) for du, dv in corners)
 
@@ -552,7 +573,7 @@ class _Maker:
             holes,
             span,
             joints,
-            PartPlace(_ACROSS, np.array([low, 0.0, 0.0])),
+            PartPlace(ACROSS, np.array([low, 0.0, 0.0])),
         )
 
     def _strip_along(self, low: float, flush: float | None) -> Callable[[float, float, float], shapely.Polygon]:
@@ -752,7 +773,7 @@ class _Maker:
         reach = _SPACERS_APART / 2 + sizes.screw.hole / 2 + sizes.wall
         across += [-site.fork - reach, -site.fork + reach]
         if sizes.stem:
-            (bracket,) = (panel for panel in standing if panel.place.turn is _ACROSS)
+            (bracket,) = (panel for panel in standing if panel.place.turn is ACROSS)
             front = -float(bracket.place.shift[0]) - thick
         whole = shapely.box(front, min(across), back + sizes.wall, max(across))
         left = whole.difference(shapely.union_all([*self.openings, *self.slots]))
@@ -760,7 +781,7 @@ class _Maker:
         outer = parts[0].simplify(0.0)
         holes = [SheetHole(Message("screw from below"), -x, -z, sizes.screw.hole) for x, z in self.screws]
         holes += [SheetHole(Message("screw of a spacer"), -x, -z, sizes.screw.hole) for x, z in spacers]
-        holes += self._drive_holes(outer)
+        holes += self._drive_holes(outer) if sizes.carried is None else self._carry(outer)
         cuts = [rounded_corners(_corners(ring), sizes.corner, inside=True) for ring in outer.interiors]
         outline = rounded_corners(_corners(outer.exterior), sizes.corner, inside=False)
         base = Panel(
@@ -772,7 +793,7 @@ class _Maker:
             edge_holes=(),
             features=tuple(self._features(whole)),
             thickness=sizes.base,
-            place=PartPlace(_LYING, np.array([0.0, self.top + sizes.base, 0.0])),
+            place=PartPlace(LYING, np.array([0.0, self.top + sizes.base, 0.0])),
         )
         return base, len(parts)
 
@@ -783,6 +804,77 @@ class _Maker:
         for name, area in named:
             left, low, right, high = area.intersection(whole).bounds
             yield Feature(name, (left + right) / 2, (low + high) / 2, right - left, high - low)
+
+    def _beside(self) -> tuple[float, float]:
+        """Heights of the faces between which weight or motor stands: of train or fork, and of the idle bracket."""
+        site, half = self.site, self.site.plate / 2
+        inwards = 1.0 if site.idle_wheel < site.fork else -1.0
+        bracket = site.idle_wheel + inwards * (site.wheel_width / 2 + 2 * site.clearance + site.plate)
+        fork = max(self.swept[1], _SPACERS_APART / 2 + self.sizes.screw.head_diameter)
+        faces = [z + s * half for z in (self.found.place.near, self.found.place.far) for s in (-1, 1)]
+        faces += [z for part in site.disc for z in (part.low - CLAMP, part.high + CLAMP)]
+        faces += [site.fork - fork, site.fork + fork]
+        nearest = min(faces, key=lambda z: z * inwards)
+        return (bracket, nearest) if inwards > 0 else (nearest, bracket)
+
+    def _carry(self, base: shapely.Polygon) -> list[SheetHole]:
+        """Holes for the weight's rods or the motor's screws, with the weight or motor set over them."""
+        site, sizes, body = self.site, self.sizes, self.sizes.carried
+        assert body is not None  # `_base` asks only where there is one
+        found = next(
+            places(
+                body,
+                base,
+                taken_by(self.screws, sizes.screw.head_diameter),
+                self._beside(),
+                self.axle.real,
+                self.bores[0] / 2,
+                body.holes(sizes.drive),
+                sizes.screw.hole / 2 + sizes.wall,
+                site.clearance,
+            ),
+            None,
+        )
+        if found is None:
+            return []
+        self.carried = carried_at(
+            body,
+            found,
+            axle=(self.axle.real, self.bores[0]),
+            floor=self.found.height,
+            base_top=self.top,
+            clearance=site.clearance,
+            screw=sizes.screw,
+            thickness=sizes.base,
+        )
+        name = Message("rod of the guide") if body.fall else Message("motor")
+        return [SheetHole(name, -x, -z, sizes.screw.hole) for x, z in self.carried.corners(sizes.drive)]
+
+    def _of_the_drive(self) -> Iterator[Bought]:
+        """Tubes, threaded rods and nuts of a weight's guide, or screws of a motor."""
+        sizes, carried, up = self.sizes, self.carried, (0.0, -1.0, 0.0)
+        if carried is None:
+            return
+        screw, under = sizes.screw, self.top + sizes.base
+        for x, z in carried.corners(sizes.drive):
+            if carried.top is None:
+                long = screw_length(sizes.base + screw.least_length)
+                code = f"ISO 4762 {screw.thread} x {long:g}"
+                rounds = ((screw.head_diameter, 0.0, -screw.head_height, 0.0), (screw.diameter, 0.0, 0.0, long))
+                name = Message("socket head screw {code}", code=code)
+                yield Bought(BoughtKind.SCREW, code, name, (x, under, z), up, rounds)
+                continue
+            code = f"{TUBE:g} x {(TUBE - TUBE_BORE) / 2:g} x {carried.tubes:g}"
+            tube = ((TUBE, TUBE_BORE, 0.0, carried.tubes),)
+            yield Bought(BoughtKind.TUBE, code, Message("tube {code}", code=code), (x, self.top, z), up, tube)
+            long = carried.tubes + 2 * sizes.base + 2 * screw.head_height
+            code = f"DIN 976 {screw.thread} x {long:g}"
+            rod = ((screw.diameter, 0.0, -screw.head_height, long - screw.head_height),)
+            yield Bought(BoughtKind.SCREW, code, Message("threaded rod {code}", code=code), (x, under, z), up, rod)
+            code = f"ISO 4032 {screw.thread}"
+            nut = ((screw.nut_width, screw.diameter, 0.0, screw.nut_height),)
+            for y, way in ((under, (0.0, 1.0, 0.0)), (self.top - carried.tubes - sizes.base, up)):
+                yield Bought(BoughtKind.NUT, code, Message("nut {code}", code=code), (x, y, z), way, nut)
 
     def _drive_holes(self, base: shapely.Polygon) -> list[SheetHole]:
         """Four holes for motor or weight between the train and the idle wheel, as near to the axle as there is room."""
@@ -880,6 +972,7 @@ class _Maker:
                 up,
                 spacer,
             )
+        yield from self._of_the_drive()
         if not sizes.tapped:
             for x, z in self.screws:
                 code = f"ISO 4032 {screw.thread}"

@@ -21,8 +21,17 @@ from cadgen.car.assembly.fork_sizes import (
     front_radius,
     hub_width,
 )
-from cadgen.car.assembly.frame import STANDING, BoughtKind, Frame
-from cadgen.car.assembly.panels import ConvexPrism, PartPlace, cylinder_box, least_gap, parallel_gap, pieces, rectangle
+from cadgen.car.assembly.frame import BoughtKind, Frame
+from cadgen.car.assembly.panels import (
+    STANDING,
+    ConvexPrism,
+    PartPlace,
+    cylinder_box,
+    least_gap,
+    parallel_gap,
+    pieces,
+    rectangle,
+)
 from cadgen.car.assembly.site import STEERING_STEPS, OnShaft
 from cadgen.messages import Message
 
@@ -69,6 +78,8 @@ def frame_gap(frame: Frame, shafts: Sequence[Sequence[OnShaft]], bores: Sequence
                     least = Gap(size, panels[which].name, solid.name)
     still = _still(frame)
     names = [*(panel.name for panel in panels), Message("the fork's block"), Message("a screw or spacer")]
+    if frame.carried is not None:
+        names.append(frame.carried.body.title)
     shut = {(which, number) for which in standing for number, _ in bodies}
     boxed = [(number, solid, cylinder_box(solid)) for number, solid in bodies]
     nearest = least_gap(still, boxed, skipped | shut)
@@ -107,6 +118,8 @@ def _still(frame: Frame) -> list[tuple[int, Convex, Array]]:
             name=part.name, centre=(x, y, z), axis=part.way, radius=diameter / 2, half=(high - low) / 2
         )
         made.append((count + 1, body, cylinder_box(body)))
+    if frame.carried is not None:
+        made.append((count + 2, frame.carried.piece, frame.carried.piece.box))
     return made
 
 
@@ -157,8 +170,11 @@ def standing_gap(frame: Frame) -> Gap:
     for place in _shifted(frame, frame.block.place):
         block = replace(frame.block, place=place).piece
         every.append((count, block, block.box))
-    # Each pair once; the block stands on the platform.
-    touching = {(one, other) for one in range(count + 1) for other in range(one + 1)} | {(count - 1, count)}
     names = [*(panel.name for panel in apart), Message("the fork's block")]
+    if frame.carried is not None:
+        every.append((count + 1, frame.carried.piece, frame.carried.piece.box))
+        names.append(frame.carried.body.title)
+    # Each pair once; the block stands on the platform.
+    touching = {(one, other) for one in range(len(names)) for other in range(one + 1)} | {(count - 1, count)}
     nearest = least_gap(every, every, touching)
     return Gap(inf, "", "") if nearest is None else Gap(nearest.size, names[nearest.one], names[nearest.other])

@@ -19,6 +19,11 @@ from cadgen.curves.contour import Contour, circle
 
 _CHORD = 0.005  # mm, of arcs in the pieces against which gaps are measured
 _STRAIGHT = 1e-12
+# Places of parts: directions of u, v and w in the car, as columns. Plates are seen from the left of the car, the base
+# from above, both with the front to the left; the micrometer bracket is seen from before.
+STANDING = np.array([[-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]])
+LYING = np.array([[-1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, -1.0, 0.0]])
+ACROSS = np.array([[0.0, 0.0, 1.0], [0.0, -1.0, 0.0], [1.0, 0.0, 0.0]])
 
 
 @dataclass(frozen=True, slots=True, eq=False)

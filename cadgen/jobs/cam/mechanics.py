@@ -20,6 +20,7 @@ from cadgen.car.running.run_errors import run_error
 from cadgen.car.steering import Car, wheel_curvature, wheel_tangent, wheel_travel_ratio
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.design import variation
+from cadgen.design.drive import DriveSection
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.jobs.cam.wheel import DriveWheel
@@ -315,7 +316,11 @@ def energy_checks(
     """
     keys = design.mechanics
     mass = mass if keys is None or keys.car_mass_kg is None else keys.car_mass_kg
-    if keys is None or keys.drive_energy_J is None or mass is None:
+    if keys is None or mass is None:
+        return ()
+    falls = None if design.drive is None else design.drive.energy
+    has = falls if keys.drive_energy_J is None else keys.drive_energy_J
+    if has is None:
         return ()
     band = variation.mechanics(design, follower, lift)
     assert band is not None  # the design has [mechanics]
@@ -331,12 +336,22 @@ def energy_checks(
         efficiency=efficiency,
     )
     name = Message("energy left at the end of the path")
-    if keys.car_mass_kg is None:
+    if keys.car_mass_kg is None and design.drive is None:
         name = Message("energy left at the end of the path, motor or weight not counted in the mass")
-    return (_energy_check(spent, keys.drive_energy_J, name),)
+    return (_energy_check(spent, has, name, design.drive),)
 
 
-def _energy_check(spent: RunEnergy, has: float, name: Message) -> Check:
+def _energy_check(spent: RunEnergy, has: float, name: Message, drive: DriveSection | None) -> Check:
+    advice = Message(
+        "raise mechanics.drive_energy_J to {needed:.3g}, or lower the mass, the brake's drag or the rod's force",
+        needed=1.005 * spent.needed,
+    )
+    if drive is not None and drive.fall_mm is not None:
+        advice = Message(
+            "raise drive.fall_mm to {fall:.0f}, or lower the car's mass, its rolling resistance, the brake's drag or "
+            "the rod's force",
+            fall=1.02 * drive.fall_mm * spent.needed / has,  # longer tubes weigh some more
+        )
     return Check(
         CheckCode.ENERGY_LEFT,
         name,
@@ -352,8 +367,5 @@ def _energy_check(spent: RunEnergy, has: float, name: Message) -> Check:
             drag=spent.drag,
             gears=spent.gears,
         ),
-        Message(
-            "raise mechanics.drive_energy_J to {needed:.3g}, or lower the mass, the brake's drag or the rod's force",
-            needed=1.005 * spent.needed,
-        ),
+        advice,
     )

@@ -8,8 +8,9 @@ from cadgen.car.running.energy import run_energy
 from cadgen.car.running.mechanics import Mechanics
 from cadgen.check import CheckCode
 from cadgen.design import cam_model
-from cadgen.design.load import load_design
+from cadgen.design.load import load_design, with_overrides
 from cadgen.errors import DesignError
+from cadgen.jobs.cam.mechanics import energy_checks
 from cadgen.jobs.cam.steering_cam import plan_cam
 from tests.car.running.friction_truth import Rod, contact
 
@@ -17,10 +18,11 @@ MASS, ROLLING, EFFICIENCY, FALL = 1.6, 0.02, 0.9, 0.4  # kg, -, -, m
 STEP = 2e-3  # s
 
 
-def reached(weight, lift, design, turn, stop, friction, drag):
+def reached(weight, lift, design, turn, stop, friction, drag, car_mass=MASS, resistance=ROLLING, lever=None):
     """Travel of a car that a falling weight drives, m, up to where it stands or its path ends.
 
-    The weight hangs on a string about the rear axle, and lands after 70 % of the path; its speed is lost then. Forces
+    The weight hangs on a string about the rear axle, and lands after 70 % of the path, or by its lever; its speed is
+    lost then. Forces
     on the cam are those of virtual work in space, step by step; wheels are points of a rigid body that turns.
     """
     car, rod = cam_model.car(design), Rod(design.cam.base_radius_mm, *design.cam.faces_mm, 2.5)
@@ -32,14 +34,14 @@ def reached(weight, lift, design, turn, stop, friction, drag):
     yaw = -T / (car.wheelbase + car.drive_wheel_offset * T)  # of the car, by travel of the drive wheel in mm
     front = np.hypot(1 + yaw * car.drive_wheel_offset, yaw * car.wheelbase)
     idle = np.abs(1 + yaw * (car.drive_wheel_offset + car.idle_wheel_offset))
-    rolling = ROLLING * MASS * 9.81 * (1 + front + idle) / 3
+    rolling = resistance * car_mass * 9.81 * (1 + front + idle) / 3
     loss, end = cam + rolling, stop / per_metre
-    landing = 0.7 * end
-    lever = FALL / landing  # of the string by the wheel
+    lever = lever or FALL / (0.7 * end)  # of the string by the wheel
+    landing = FALL / lever
     place, speed, falling = 0.0, 0.0, True
     while place < end:
         against = np.interp(place * per_metre, theta, loss)
-        pull, inertia = (weight * 9.81 * lever, MASS + weight * lever**2) if falling else (0.0, MASS)
+        pull, inertia = (weight * 9.81 * lever, car_mass + weight * lever**2) if falling else (0.0, car_mass)
         if falling and place >= landing:
             falling = False
             continue
@@ -78,6 +80,34 @@ def test_the_energy_is_that_of_a_weight_that_just_brings_the_car_home(friction, 
     truth = needed_by_integration(lift, design, turn, stop, friction, drag)
     print(f"friction {friction}, drag {drag}: {spent.needed:.3f} J, by integration {truth:.3f} J")
     assert spent.needed == pytest.approx(truth, rel=0.03)
+
+
+def test_a_weight_on_board_is_carried_and_just_brings_the_car_home():
+    """Rolling resistance at which the energy of [drive] just suffices, against the integration with its string."""
+    weight = '{kind="weight", mass_kg=1.0, size_mm=[50, 50, 65], fall_mm=400}'
+    of_car = ["mechanics.drive_energy_J=", "mechanics.car_mass_kg=2.4", "mechanics.train_efficiency=0.9"]
+    design = load_design("workshop_car", [f"drive={weight}", *of_car])
+    cam = plan_cam(design, "actual", judged=False)
+    use = cam.application
+    lift, turn, stop = use.steering, use.travel, use.drive_wheel.finish
+    left = []
+    for resistance in (0.0, 0.01):
+        given = with_overrides(design, [f"mechanics.rolling_resistance={resistance}"])
+        (check,) = energy_checks(given, use.track, lift, cam.follower_as_built, use.car, use.drive_wheel)
+        assert check.name == "energy left at the end of the path"
+        left.append(check.value)
+    assert left[0] < 3.924
+    found = 0.01 * left[0] / (left[0] - left[1])
+    axle = design.train.drive.bore_diameter_mm / 2
+    lever = axle / (turn / (2 * np.pi * 45))  # of the string by the wheel: 45 turns to one of the cam
+    end = stop / (2 * np.pi) * turn * 1e-3
+    low, high = 0.5 * found, 2 * found
+    while high - low > 0.002 * low:
+        middle = (low + high) / 2
+        home = reached(1.0, lift, design, turn, stop, 0.2, 60.0, car_mass=2.4, resistance=middle, lever=lever)
+        low, high = (middle, high) if home >= end - 1e-9 else (low, middle)
+    print(f"rolling resistance {found:.5f}, by integration {low:.5f}")
+    assert found == pytest.approx(low, rel=0.03)
 
 
 def test_a_drive_without_the_energy_is_not_ready():

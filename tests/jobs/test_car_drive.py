@@ -1,0 +1,108 @@
+"""Drop weight or motor of a car: room, fall, mass, and what is refused."""
+
+import numpy as np
+import pytest
+
+from cadgen import Design, DesignError
+from cadgen.check import CheckCode, failing
+from cadgen.jobs.car_frame import CarFrame, car_frame
+from cadgen.jobs.frame_parts import frame_parts
+
+WEIGHT = "drive={kind='weight', mass_kg=1.0, size_mm=[50, 50, 65], fall_mm=400}"
+MOTOR = "drive={kind='motor', mass_kg=0.1, size_mm=[40, 30, 25]}"
+
+
+def frame_of(*overrides: str) -> CarFrame:
+    return car_frame(Design.load("workshop_car", ["mechanics.drive_energy_J=", *overrides]).values)
+
+
+@pytest.fixture(scope="module")
+def weight() -> CarFrame:
+    return frame_of(WEIGHT)
+
+
+def test_a_weight_stands_between_train_and_idle_wheel(weight: CarFrame) -> None:
+    assert weight.passed
+    frame, site = weight.frame, weight.frame.site
+    carried = frame.carried
+    assert carried is not None
+    faces = [z - site.plate / 2 for z in (frame.arrangement.place.near, frame.arrangement.place.far)]
+    assert site.idle_wheel < carried.z - 25 < carried.z + 25 < min(faces)
+    # Clear of the rear axle of 5 mm by the clearance or more, and its string leads plumb to it.
+    axle = frame.arrangement.axes[0].real
+    assert abs(carried.x - axle) >= 25 + 2.5 + site.clearance
+    strings = {(-hole.u, -hole.v) for hole in carried.top.holes if hole.name == "string"}
+    assert strings == {(carried.x, carried.z), (axle, carried.z)}
+    # It ends a clearance over the base, after 400 mm.
+    assert carried.low - carried.high == pytest.approx(400)
+    assert frame.top - carried.low == pytest.approx(site.clearance)
+    # Rods stand at the corners of a square round it, half a millimetre off, and meet holes in base and top plate.
+    rods = [hole for hole in frame.base.holes if hole.name == "rod of the guide"]
+    assert {(hole.u, hole.v) for hole in rods} == {
+        (hole.u, hole.v) for hole in carried.top.holes if hole.name == "rod of the guide"
+    }
+    off = [np.hypot(-hole.u - carried.x, -hole.v - carried.z) for hole in rods]
+    assert off == pytest.approx([25 + 0.5 + 3.0] * 4)
+
+
+def test_the_mass_counts_and_moves_the_centre(weight: CarFrame) -> None:
+    parts = {part.code: part for part in frame_parts(weight)}
+    assert parts["drop-weight"].each == 1000.0
+    (middle,) = [np.array(parts["drop-weight"].balance().centre)]
+    carried = weight.frame.carried
+    assert middle == pytest.approx([carried.x, carried.high - 32.5, carried.z])
+    tubes = parts["tube-6-x-1-x-490"]
+    assert tubes.quantity == 4
+    assert tubes.each == pytest.approx(np.pi / 4 * (36 - 16) * 490 * 2.7e-3, rel=0.01)
+    motor = {part.code: part for part in frame_parts(frame_of(MOTOR))}
+    assert motor["motor"].each == 100.0
+    assert "guide-top" not in motor
+
+
+def test_a_motor_is_screwed_to_the_base() -> None:
+    made = frame_of(MOTOR)
+    assert made.passed
+    carried = made.frame.carried
+    assert carried.low == carried.high == made.frame.top
+    holes = np.array([(hole.u, hole.v) for hole in made.frame.base.holes if hole.name == "motor"])
+    assert np.ptp(holes, axis=0) == pytest.approx([30.0, 20.0])
+    assert holes.mean(axis=0) == pytest.approx([-carried.x, -carried.z])
+
+
+@pytest.mark.parametrize(
+    ("changes", "code"),
+    [
+        ({"size_mm": [130, 130, 10]}, CheckCode.DRIVE_ROOM),
+        ({"start_height_mm": 410}, CheckCode.DRIVE_FALL),
+    ],
+)
+def test_what_does_not_fit_names_a_cure_that_helps(changes: dict[str, object], code: CheckCode) -> None:
+    overrides = [WEIGHT, *(f"drive.{key}={value}" for key, value in changes.items())]
+    made = frame_of(*overrides)
+    assert {check.code for check in failing(made.plain_checks)} == {code}
+    (check,) = (check for check in made.checks if check.code == code)
+    print(check.place, check.advice)
+    if code == CheckCode.DRIVE_ROOM:
+        key, value = check.advice.removeprefix("set ").split(" to ")
+        assert key == "car.idle_wheel_offset_mm"
+        assert frame_of(*overrides, f"{key}={value}").passed
+    else:
+        start, fall = (float(check.advice.split(f"{word} to ")[1].split(",")[0]) for word in ("it", "drive.fall_mm"))
+        assert frame_of(*overrides, f"drive.start_height_mm={start}").passed
+        assert frame_of(*overrides, f"drive.fall_mm={fall}").passed
+
+
+@pytest.mark.parametrize(
+    ("overrides", "said"),
+    [
+        ([WEIGHT, "drive.start_height_mm=300"], "the weight hits the floor.*lower fall_mm"),
+        ([WEIGHT, "drive.fall_mm="], r"give drive\.fall_mm, such as 400"),
+        ([WEIGHT, "drive.size_mm=[50, 40, 65]"], "a weight is round"),
+        ([MOTOR, "drive.fall_mm=400"], "of a weight, and drive.kind is motor"),
+        ([WEIGHT, "frame="], r"\[drive\] stands on the base of \[frame\]"),
+        ([WEIGHT, "mechanics.drive_energy_J=5"], r"that falls drive\.fall_mm = 400 mm has 3\.92 J"),
+    ],
+)
+def test_bad_input_is_one_sentence_with_key_and_cure(overrides: list[str], said: str) -> None:
+    with pytest.raises(DesignError, match=said):
+        frame_of(*overrides)
