@@ -64,10 +64,10 @@ def terms(language: str = ENGLISH) -> Mapping[str, Term]:
 
 
 def find(word: str, language: str = ENGLISH) -> list[Term]:
-    """Terms that a word names, in either language: itself, with an ending, or as one of several words of a term.
+    """Terms that a word names, in either language: itself, with an ending, as a word of a term, or by its last words.
 
     Args:
-        word: such as `play`, `gates`, `回程误差` or `pressure`.
+        word: such as `play`, `gates`, `回程误差`, `pressure` or `closing blend`.
         language: language of the answer.
 
     Returns:
@@ -78,6 +78,7 @@ def find(word: str, language: str = ENGLISH) -> list[Term]:
     for same in (
         lambda name: name.replace("-", " ") in (wanted, wanted.removesuffix("s")),
         lambda name: wanted in name.split(),
+        lambda name: wanted.endswith(f" {name}"),
     ):
         if found := [term for term in all_terms if any(map(same, term.names))]:
             return found

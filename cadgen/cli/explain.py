@@ -1,5 +1,6 @@
 """`cadgen explain`: what a word of the field, or a key of the design file, means."""
 
+from collections.abc import Iterator
 from itertools import groupby
 
 import click
@@ -31,6 +32,7 @@ def explain(words: tuple[str, ...]) -> None:
                 for kind, key in named_keys(word)[:_MOST_KEYS]
             ),
         ]
+        entries += _kinds(word)
         if (section := named_section(word.strip("[]"))) and section.name:
             takes = Message("keys: {names}", names=", ".join(section.names))
             entries.append((section.heading, shown(Message(section.meaning)), shown(takes)))
@@ -53,3 +55,15 @@ def explain(words: tuple[str, ...]) -> None:
             for text in filter(None, (meaning, demand)):
                 page.write_text(text)
     click.echo(page.getvalue(), nl=False)
+
+
+def _kinds(word: str) -> Iterator[tuple[str, str, str]]:
+    """Motion law and kind of follower of a code: heading, meaning, nothing."""
+    from cadgen.cam.followers import table as followers
+    from cadgen.laws import table as laws
+
+    code = word.lower().replace(" ", "_").replace("-", "_")
+    if laws.has(code):
+        yield f"{code} ({shown(Message('motion law'))})", shown(Message(laws.law_of(code).meaning)), ""
+    if followers.has(code):
+        yield f"{code} ({shown(Message('follower'))})", shown(Message(followers.kind_of(code).meaning)), ""

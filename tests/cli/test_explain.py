@@ -32,6 +32,14 @@ def test_a_key_of_several_kinds_is_explained_for_each_and_a_section_by_its_keys(
     assert "keys: clearance_mm" in " ".join(cadgen("explain", "layout", code=0).stdout.split())
 
 
+@pytest.mark.parametrize(
+    ("word", "said"),
+    [("modified_sine", "motion law"), ("swinging roller", "follower"), ("closing blend", "last part of the turn")],
+)
+def test_codes_of_kinds_and_a_term_with_a_word_before_it_are_explained(cadgen, word, said):
+    assert said in " ".join(cadgen("explain", word, code=0).stdout.split())
+
+
 def test_an_unknown_word_names_the_nearest(cadgen):
     assert "did you mean pressure angle?" in one_sentence(cadgen("explain", "presure", "angle", code=2))
 
