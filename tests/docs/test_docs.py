@@ -404,6 +404,18 @@ def test_the_readme_is_one_screen_of_short_sentences() -> None:
     assert len(followers.codes()) == 6
 
 
+def test_the_newest_version_is_told_in_two_minutes() -> None:
+    """At some 250 words a minute."""
+    text = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    newest = text.split("\n## ")[1]
+    assert newest.startswith(f"{cadgen.__version__} (")
+    short = newest.split("\n### ")[1]
+    assert short.startswith("In two minutes\n")
+    assert len(short.split()) <= 500
+    for verb in re.findall(r"`cadgen ([a-z]+)", short):
+        assert verb in cli.commands
+
+
 def test_the_moving_picture_is_that_of_the_parts() -> None:
     """A regression test: the script gives the file that is in the repository."""
     from docs.make_moving_picture import TARGET, cam, gears
