@@ -161,7 +161,6 @@ def test_docstrings_name_what_they_describe():
 OTHER_WORDS = {
     "cadgen.output.files.gcode_machine": {"M3", "M5"},  # of the spindle, and no threads
     "cadgen.api.planetary": {"ring"},
-    "cadgen.design.machining": {"finish"},
     "cadgen.design.explain": {"missing"},
     "cadgen.design.planned": {"path"},
     "cadgen.design.reference": {"path"},

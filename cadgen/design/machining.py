@@ -2,7 +2,7 @@
 
 from typing import Self
 
-from pydantic import Field, ValidationInfo, field_validator, model_validator
+from pydantic import Field, field_validator, model_validator
 
 from cadgen.car.running.friction import DiscMaterial
 from cadgen.design.section import LONGEST_CELL, LONGEST_LINE, DesignSection, drawn_line, one_line
@@ -141,8 +141,16 @@ class DrawingText(DesignSection):
     title: str | None = Field(default=None, description="name of the machine; left out, the design's name")
     finish: str | None = Field(default=None, description="finish of the parts, such as `Ra 1.6, deburred`")
     quantity: int = Field(default=1, ge=1, le=10_000, description="how many of each part are made")
+    owner: str | None = Field(default=None, description="legal owner of the drawings, such as a school or a firm")
+    drawn_by: str | None = Field(default=None, description="who made the drawings")
+    approved_by: str | None = Field(default=None, description="who approved them")
 
-    @field_validator("title", "finish")
+    @field_validator("title")
     @classmethod
-    def _fits_its_cell(cls, text: str | None, info: ValidationInfo) -> str | None:
-        return None if text is None else drawn_line(text, LONGEST_CELL if info.field_name == "finish" else LONGEST_LINE)
+    def _fits_a_line(cls, text: str | None) -> str | None:
+        return None if text is None else drawn_line(text, LONGEST_LINE)
+
+    @field_validator("finish", "owner", "drawn_by", "approved_by")
+    @classmethod
+    def _fits_a_cell(cls, text: str | None) -> str | None:
+        return None if text is None else drawn_line(text, LONGEST_CELL)

@@ -320,12 +320,17 @@ def write_assembly(assembly: CarAssembly, out: Path, cam_angle: float = 0.0, pro
         with in_second_process(partial(_step_files, assembly, staging / f"{stem}.step", cam_angle)) as step:
             yield text_file(staging / f"{stem}_parts.csv", parts_csv(assembly))
             title = title_of(assembly.origin, assembly.train.title, Message("car, assembly"), _OF_PARTS, stem, folder)
-            title = replace(title, finish=_OF_PARTS)
+            title = replace(title, finish=_OF_PARTS, document=Message("assembly drawing"))
             side, top = views_of(assembly, cam_angle)
             sheet = assembly_drawing(side, top, listed(assembly), tuple(sheet_notes(assembly, mass)), title)
             yield from write_sheet(staging, stem, sheet, omitted)
             mounting = f"{assembly.origin.name}_mounting"
-            title = replace(title, part=Message("car, steps of mounting"), number=mounting)
+            title = replace(
+                title,
+                part=Message("car, steps of mounting"),
+                number=mounting,
+                document=Message("assembly instructions"),
+            )
             steps = mounting_sheet(mountings(assembly), tuple(mounting_notes(assembly)), title)
             yield from write_sheet(staging, mounting, steps, omitted)
             for number, drawn in part_sheets(assembly, folder):

@@ -119,6 +119,9 @@ def title_of(origin: Origin, text: DrawingText | None, part: str, material: str,
         date=folder.date,
         design=f"{origin.name} {origin.content_hash[:_HASH]}",
         number=number,
+        owner=text.owner or "",
+        drawn_by=text.drawn_by or "",
+        approved_by=text.approved_by or "",
     )
 
 

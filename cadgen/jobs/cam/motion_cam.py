@@ -63,6 +63,16 @@ class MotionUse(Application):
     design: MotionDesign
 
     @property
+    def profile_tolerance(self) -> float | None:
+        """Tolerance of the outline along its normal, mm."""
+        stated = self.design.lift_tolerances
+        return stated.base_circle_um / 1000 if stated and stated.base_circle_um else None
+
+    def open_keys(self) -> dict[str, tuple[str, object]]:
+        """Tolerance of the outline."""
+        return {"tolerance of the outline": ("lift_tolerances.base_circle_um", self.profile_tolerance)}
+
+    @property
     def turns(self) -> DiscSense:
         """Sense in which the disc turns, seen on its outer face."""
         return self.design.motion.turns

@@ -228,7 +228,7 @@ def _balloons(
             curves.append(Stroke(np.array([start, end - _BALLOON / 2 / scale * way]), line))
             curves.append(ring(0.8 / scale, LineKind.THIN, (float(start[0]), float(start[1]))))
             curves.append(ring(_BALLOON / scale, LineKind.THIN, (column, y)))
-            labels.append(Label(text=str(numbers[code]), at=(column, y), height=3.0))
+            labels.append(Label(text=str(numbers[code]), at=(column, y)))
     return curves, labels
 
 

@@ -1,6 +1,6 @@
 """Sheet of a cam: face, section, radii by the angle, and what a shop has to know of it."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from math import atan2, ceil, cos, degrees, sin
 
@@ -10,7 +10,7 @@ import shapely
 from cadgen.arrays import TURN, Array
 from cadgen.curves.contour import Contour, circle
 from cadgen.messages import Message
-from cadgen.output.drawing.placement import placed_dimensions
+from cadgen.output.drawing.placement import Room
 from cadgen.output.drawing.section import Layer, ScrewHole, edges_behind_cut, material, outlines_and_hatches
 from cadgen.output.drawing.shaft_fit import ShaftFit, deeper
 from cadgen.output.drawing.sheet import (
@@ -19,7 +19,9 @@ from cadgen.output.drawing.sheet import (
     LEFT,
     SHOWN,
     SIZES,
+    Characteristic,
     Closed,
+    DatumFeature,
     DiameterDimension,
     Dimension,
     DrawingSheet,
@@ -30,6 +32,7 @@ from cadgen.output.drawing.sheet import (
     SheetTable,
     Stroke,
     Title,
+    ToleranceFrame,
     View,
     along_axis,
     arrow,
@@ -57,6 +60,8 @@ _GAP = 9.0  # mm on paper from the part to a dimension line, and from line to li
 _BEFORE = 17.0  # mm on paper between frame and face
 _COLUMN = 31.0  # width of each of the tables of radii, and what is between them, mm
 _TABLES = 3 * _COLUMN
+_AROUND = sorted(range(5, 360, 10), key=lambda angle: (abs(angle % 90 - 45), angle))  # degrees
+_TAIL = 5.0  # mm on paper of an arrow that stands outside the width that it dimensions, with its line
 _ARROW = 14.0  # mm on paper of the arrow at the zero mark
 _STEEP = 0.35  # of the sine of the angle between that arrow and the plane of the section
 
@@ -225,8 +230,88 @@ def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
         strokes, word = _sense(cam, scale)
         curves += strokes
         labels.append(word)
-    dimensions = placed_dimensions(_face_dimensions(cam, scale), curves, labels, scale)
-    return View(place=place, curves=tuple(curves), dimensions=dimensions, labels=tuple(labels))
+    room = Room(curves, scale)
+    dimensions = room.dimensions(_face_dimensions(cam, scale), labels)
+    return View(
+        place=place,
+        curves=tuple(curves),
+        dimensions=dimensions,
+        labels=tuple(labels),
+        symbols=tuple(_symbols(cam, room, dimensions, scale)),
+    )
+
+
+def _symbols(
+    cam: CamPart, room: Room, dimensions: Sequence[Dimension], scale: float
+) -> Iterator[ToleranceFrame | DatumFeature]:
+    """Tolerance of the outline, to the axis of the bore and to the middle of its keyway or flat.
+
+    Args:
+        cam: cam.
+        room: room in the view of its face.
+        dimensions: dimensions of that view, as they are placed.
+        scale: mm on paper for a mm of the part.
+    """
+    if cam.profile_tolerance is None:
+        return
+    named = {dimension.name: dimension for dimension in dimensions}
+    bore = named["bore"]
+    assert isinstance(bore, DiameterDimension)
+    opposite = bore.angle + 180.0
+    along = np.array([cos(np.radians(opposite)), sin(np.radians(opposite))])
+    x, y = (bore.diameter / 2 * along).tolist()
+    yield room.datum(DatumFeature(letter="A", foot=(x, y), angle=opposite))
+    datums = ["A"]
+    if held := named.get("keyway width", named.get("across the flat")):
+        assert isinstance(held, LinearDimension)
+        yield room.datum(_middle_datum("B", held, scale))
+        datums.append("B")
+    flanks = (
+        {"outline": cam.profile}
+        if cam.groove is None
+        else {"inner flank": cam.profile, "outer flank": cam.groove.outer}
+    )
+    for name, contour in flanks.items():
+        frame = ToleranceFrame(
+            name=name,
+            characteristic=Characteristic.LINE_PROFILE,
+            zone=2 * cam.profile_tolerance,
+            datums=tuple(datums),
+            tip=(0.0, 0.0),
+            bend=(1.0, 0.0),
+            all_around=True,
+        )
+        yield room.frame(frame, _tips(contour))
+
+
+def _middle_datum(letter: str, held: LinearDimension, scale: float) -> DatumFeature:
+    """Datum that is the middle of a width: its triangle in line with the dimension, at the end without the number.
+
+    Args:
+        letter: letter of the datum.
+        held: dimension of the width.
+        scale: mm on paper for a mm of the part.
+    """
+    way = -1.0 if held.beside > 0 else 1.0
+    along = way * np.array([cos(np.radians(held.angle)), sin(np.radians(held.angle))])
+    base = np.array(held.at)
+    far = max(float((np.array(end) - base) @ along) for end in (held.start, held.end))
+    # An arrow that points inwards for want of room has its tail outside.
+    x, y = (base + (far + (_TAIL / scale if held.beside else 0.0)) * along).tolist()
+    return DatumFeature(letter=letter, foot=(x, y), angle=held.angle + (0.0 if way > 0 else 180.0))
+
+
+def _tips(contour: Contour) -> list[tuple[Array, Array]]:
+    """Points of an outline at which a leader may end, each with the direction outwards, those on diagonals first."""
+    points = contour.polygon(_CHORD)
+    angles = np.arctan2(points[:, 1], points[:, 0])
+    places = [int(np.abs(np.angle(np.exp(1j * (angles - each)))).argmin()) for each in np.radians(_AROUND)]
+    found = []
+    for place in places:
+        x, y = points[(place + 1) % len(points)] - points[place - 1]
+        out = np.array([y, -x]) / float(np.hypot(x, y))
+        found.append((points[place], out if float(out @ points[place]) > 0 else -out))
+    return found
 
 
 def _sense(cam: CamPart, scale: float) -> tuple[list[Stroke], Label]:
@@ -476,13 +561,6 @@ def _notes(cam: CamPart) -> Iterator[str]:
     yield from (f"   {name}  {digest[:SHOWN]}" for name, digest in cam.files)
     if not cam.files:
         yield Message("   none lies in this folder: make one with cadgen cam.")
-    if cam.profile_tolerance is not None:
-        text = "Outline: profile of a line {zone:g} mm to the bore (datum A)."
-        if isinstance(blank.key, Keyway):
-            text = "Outline: profile of a line {zone:g} mm to the bore (datum A) and the keyway (datum B)."
-        elif isinstance(blank.key, DFlat):
-            text = "Outline: profile of a line {zone:g} mm to the bore (datum A) and the flat (datum B)."
-        yield Message(text, zone=2 * cam.profile_tolerance)
     if blank.key:
         angle = rounded(degrees(blank.key.angle))
         if isinstance(blank.key, Keyway):

@@ -14,7 +14,7 @@ from cadgen.gears.layout import TrainPart
 from cadgen.gears.rack import RackForm
 from cadgen.gears.stage import Stage, is_ring, rim_diameter
 from cadgen.messages import Message
-from cadgen.output.drawing.placement import Room, placed_dimensions
+from cadgen.output.drawing.placement import Room
 from cadgen.output.drawing.section import Layer, ScrewHole, edges_behind_cut, material, outlines_and_hatches
 from cadgen.output.drawing.shaft_fit import ShaftFit, deeper
 from cadgen.output.drawing.sheet import (
@@ -319,7 +319,7 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     return View(
         place=place,
         curves=tuple(curves),
-        dimensions=placed_dimensions(dimensions, curves, labels, scale),
+        dimensions=Room(curves, scale).dimensions(dimensions, labels),
         labels=labels,
     )
 

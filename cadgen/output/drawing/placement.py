@@ -11,14 +11,18 @@ from shapely.affinity import rotate, translate
 from cadgen.arrays import Array
 from cadgen.output.drawing.sheet import (
     DIAMETER,
+    FRAME_HEIGHT,
+    LEVEL,
     TEXT,
     Closed,
+    DatumFeature,
     DiameterDimension,
     Dimension,
     Label,
     LinearDimension,
     LineKind,
     Stroke,
+    ToleranceFrame,
     length_of,
     rounded,
 )
@@ -37,7 +41,8 @@ _STEP = 3.0  # mm on paper between places along a dimension line
 _TURNS = (0, *(side * turn for turn in range(8, 180, 8) for side in (1, -1)))  # degrees
 
 
-Placed = TypeVar("Placed", DiameterDimension, LinearDimension, Label)
+Placed = TypeVar("Placed", DiameterDimension, LinearDimension, Label, ToleranceFrame, DatumFeature)
+_LEADERS = (8.0, 11.0, 14.0, 18.0, 23.0)  # mm on paper from a feature to a tolerance frame
 
 
 class Room:
@@ -58,11 +63,30 @@ class Room:
         points = np.concatenate([shapely.get_coordinates(line) for line in heavy])
         self._reach = float(np.linalg.norm(points, axis=1).max())
 
-    def take(self, placed: Dimension | Label) -> None:
-        """Let a dimension or a label stand where it is."""
+    def take(self, placed: Dimension | Label | ToleranceFrame | DatumFeature) -> None:
+        """Let a dimension, a label or a symbol stand where it is."""
         box, lines = self._drawn(placed)
         self._texts = shapely.union(self._texts, box)
         self._light = shapely.union_all([self._light, *lines])
+
+    def dimensions(self, dimensions: Sequence[Dimension], labels: Sequence[Label]) -> tuple[Dimension, ...]:
+        """The dimensions of a view, its diameters and the numbers beside short lines written where there is room.
+
+        Args:
+            dimensions: dimensions; those whose number stands in the middle of a line stay as they are.
+            labels: texts that stay where they are.
+        """
+        lines = {each.name: each for each in dimensions if isinstance(each, LinearDimension)}
+        for label in labels:
+            self.take(label)
+        for line in lines.values():
+            if not line.beside:
+                self.take(line)
+        moved = {name: self.linear(_number_places(each, self._scale)) for name, each in lines.items() if each.beside}
+        return tuple(
+            self.diameter(each) if isinstance(each, DiameterDimension) else moved.get(each.name, each)
+            for each in dimensions
+        )
 
     def diameter(self, dimension: DiameterDimension) -> DiameterDimension:
         """The dimension with its text where it is crossed least, a little turned or farther out if need be."""
@@ -101,11 +125,37 @@ class Room:
         ]
         return self._best(every)
 
+    def frame(self, frame: ToleranceFrame, tips: Sequence[tuple[Array, Array]]) -> ToleranceFrame:
+        """A tolerance frame where there is room beside its feature.
+
+        Args:
+            frame: tolerance, wherever it stands.
+            tips: points of the feature, mm on the part, each with the direction that leads away from the material.
+        """
+        every = []
+        for point, out in tips:
+            for number, way in enumerate(_LEADERS):
+                end = point + way / self._scale * out
+                placed = replace(frame, tip=(float(point[0]), float(point[1])), bend=(float(end[0]), float(end[1])))
+                every.append((placed, _FAR * way * (number + 1) + 2.0 * float(abs(out[1]) > 0.97)))
+        return self._best(every)
+
+    def datum(self, datum: DatumFeature, reaches: Sequence[float] = (8.0, 10.0, 12.5, 15.0)) -> DatumFeature:
+        """A datum with its letter as near to the feature as there is room.
+
+        Args:
+            datum: datum with its foot and direction.
+            reaches: distances of the letter from the foot, mm on paper.
+        """
+        return self._best([(replace(datum, reach=reach), _FAR * reach) for reach in reaches])
+
     def _best(self, every: Sequence[tuple[Placed, float]]) -> Placed:
         def cost(each: tuple[Placed, float]) -> float:
             box, drawn = self._drawn(each[0])
             lines, air = shapely.union_all(drawn), box.buffer(_AIR)
-            farthest = float(np.linalg.norm(shapely.get_coordinates([box, lines]), axis=1).max())
+            # A frame is wide: it may stand in the corners beside a disc.
+            order = np.inf if isinstance(each[0], ToleranceFrame) else 2
+            farthest = float(np.linalg.norm(shapely.get_coordinates([box, lines]), ord=order, axis=1).max())
             outside = _OUTSIDE * max(farthest - self._reach - _FRAME, 0.0)
             text = _HEAVY * (self._heavy.intersection(air).length + self._texts.intersection(air).area)
             text += _LIGHT * self._light.intersection(air).length
@@ -123,9 +173,24 @@ class Room:
         self.take(placed)
         return placed
 
-    def _drawn(self, placed: Dimension | Label) -> tuple[shapely.Polygon, list[shapely.Geometry]]:
+    def _drawn(
+        self, placed: Dimension | Label | ToleranceFrame | DatumFeature
+    ) -> tuple[shapely.Polygon, list[shapely.Geometry]]:
         """Box of the text, and the lines that are drawn with it."""
         scale = self._scale
+        if isinstance(placed, ToleranceFrame):
+            tip, bend = scale * np.array(placed.tip), scale * np.array(placed.bend)
+            near, y = bend + np.array([placed.side * LEVEL, 0.0])
+            ends = sorted((near, near + placed.side * sum(placed.cells)))
+            box = shapely.box(ends[0], y - FRAME_HEIGHT / 2, ends[1], y + FRAME_HEIGHT / 2)
+            # From off the feature by a hair: its own line is no crossing.
+            return box, [shapely.LineString([tip + 0.02 * (bend - tip), bend, (near, y)])]
+        if isinstance(placed, DatumFeature):
+            foot, half = scale * np.array(placed.foot), FRAME_HEIGHT / 2
+            x, y = foot + placed.reach * _unit(placed.angle)
+            return shapely.box(x - half, y - half, x + half, y + half), [
+                shapely.LineString([foot + 0.3 * _unit(placed.angle), (x, y)])
+            ]
         if isinstance(placed, Label):
             return _box(placed.text, scale * np.array(placed.at), 0.0, placed.height, above=False), []
         sign = DIAMETER if isinstance(placed, DiameterDimension) else ""
@@ -143,31 +208,6 @@ class Room:
         lines = [shapely.LineString(pair) for pair in ((first, last), (start, first), (end, last))]
         middle = (first + last) / 2 + (placed.beside or 0.0) * along
         return _box(text, middle, placed.angle, TEXT, above=True), lines
-
-
-def placed_dimensions(
-    dimensions: Sequence[Dimension], curves: Sequence[Closed | Stroke], labels: Sequence[Label], scale: float
-) -> tuple[Dimension, ...]:
-    """The dimensions of a view, its diameters and the numbers beside short lines written where there is room.
-
-    Args:
-        dimensions: dimensions; those whose number stands in the middle of a line stay as they are.
-        curves: curves of the part, mm.
-        labels: texts that stay where they are.
-        scale: mm on paper for a mm of the part.
-    """
-    room = Room(curves, scale)
-    lines = {each.name: each for each in dimensions if isinstance(each, LinearDimension)}
-    for label in labels:
-        room.take(label)
-    for line in lines.values():
-        if not line.beside:
-            room.take(line)
-    moved = {name: room.linear(_number_places(each, scale)) for name, each in lines.items() if each.beside}
-    return tuple(
-        room.diameter(each) if isinstance(each, DiameterDimension) else moved.get(each.name, each)
-        for each in dimensions
-    )
 
 
 def _number_places(dimension: LinearDimension, scale: float) -> Iterator[LinearDimension]:

@@ -20,6 +20,10 @@ LEFT, EDGE = 20.0, 10.0  # between paper and frame: where it is filed, and elsew
 TITLE_SIZE = (170.0, 48.0)
 ROW = 4.2  # height of a row of a table or of a note
 TEXT = 2.5  # height of letters
+HEIGHTS = (5.0, 3.5, 2.5, 1.8)  # of letters and figures (ISO 3098)
+FRAME_HEIGHT = 2 * TEXT  # of a tolerance frame and of the box of a datum (ISO 1101, ISO 5459)
+LEVEL = 3.0  # of the level piece of a leader before its frame
+TRIANGLE = (2.2, 1.9)  # side and height of the triangle of a datum, mm on paper
 SHOWN = 12  # letters of a file's hash
 _INDENT = "   "  # of the further lines of a note
 BEYOND = 6.0  # mm on paper from the end of a short dimension line to the middle of its number beside it
@@ -144,6 +148,66 @@ class Label:
     height: float = TEXT
 
 
+class Characteristic(StrEnum):
+    """Characteristics of geometrical tolerances (ISO 1101)."""
+
+    LINE_PROFILE = "profile of a line"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ToleranceFrame:
+    """Geometrical tolerance (ISO 1101): a frame, and a leader whose arrow stands on the feature.
+
+    Attributes:
+        name: feature, by which a test finds it again.
+        characteristic: what is tolerated.
+        zone: width of the tolerance zone, mm.
+        datums: letters of the datums, the first one first.
+        tip: point of the feature at which the arrow ends, mm on the part.
+        bend: where the leader bends to run on level into the frame, mm on the part.
+        all_around: whether it counts all around the outline, which a circle on the leader says.
+    """
+
+    name: str
+    characteristic: Characteristic
+    zone: float
+    datums: tuple[str, ...]
+    tip: tuple[float, float]
+    bend: tuple[float, float]
+    all_around: bool = False
+
+    @property
+    def cells(self) -> tuple[float, ...]:
+        """Widths of the cells of the frame: symbol, zone, and each datum; mm on paper."""
+        return (
+            FRAME_HEIGHT,
+            TEXT * width_of(rounded(self.zone)) + 2.0,
+            *(FRAME_HEIGHT for _ in self.datums),
+        )
+
+    @property
+    def side(self) -> int:
+        """1 where the frame stands to the right of its leader, else -1."""
+        return 1 if self.bend[0] >= self.tip[0] else -1
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DatumFeature:
+    """Datum (ISO 5459): a filled triangle on a feature, or in line with its dimension, and its letter in a box.
+
+    Attributes:
+        letter: letter of the datum.
+        foot: middle of the side of the triangle that stands on the feature, mm on the part.
+        angle: direction from there to the box, degrees.
+        reach: distance from there to the middle of the box, mm on paper.
+    """
+
+    letter: str
+    foot: tuple[float, float]
+    angle: float
+    reach: float = 8.0
+
+
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class View:
     """A view of the part.
@@ -154,6 +218,7 @@ class View:
         hatches: cut material.
         dimensions: dimensions.
         labels: texts.
+        symbols: geometrical tolerances and datums.
     """
 
     place: tuple[float, float]
@@ -161,6 +226,7 @@ class View:
     hatches: tuple[Hatch, ...] = ()
     dimensions: tuple[Dimension, ...] = ()
     labels: tuple[Label, ...] = ()
+    symbols: tuple[ToleranceFrame | DatumFeature, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -200,6 +266,10 @@ class Title:
         date: date of the manifest, or of the drawing, ISO 8601.
         design: name and hash of the design.
         number: number of the drawing: the stem of its files.
+        document: kind of document.
+        owner: legal owner; empty where the design does not say.
+        drawn_by: who made the drawing, likewise.
+        approved_by: who approved it, likewise.
         verdict: verdict on the part in a line over the block; empty for a part that is ready, or is not judged.
     """
 
@@ -211,6 +281,10 @@ class Title:
     date: str
     design: str
     number: str
+    document: str = Message("part drawing")
+    owner: str = ""
+    drawn_by: str = ""
+    approved_by: str = ""
     verdict: str = ""
 
     @property
@@ -288,6 +362,11 @@ class DrawingSheet:
         names = [dimension.name for view in self.views for dimension in view.dimensions]
         if twice := sorted({name for name in names if names.count(name) > 1}):
             raise ValueError(f"two dimensions of a sheet are named {twice[0]}: give each a name of its own")
+        symbols = [symbol for view in self.views for symbol in view.symbols]
+        letters = [symbol.letter for symbol in symbols if isinstance(symbol, DatumFeature)]
+        wanted = [letter for symbol in symbols if isinstance(symbol, ToleranceFrame) for letter in symbol.datums]
+        if wrong := sorted({letter for letter in {*letters, *wanted} if letters.count(letter) != 1}):
+            raise ValueError(f"datum {wrong[0]} of a sheet is marked {letters.count(wrong[0])} times: mark it once")
 
     @property
     def dimensions(self) -> dict[str, float]:
@@ -494,6 +573,20 @@ def is_wide(letter: str) -> bool:
 def width_of(text: str) -> float:
     """Width of a text with room to spare, in heights of its letters."""
     return sum(_WIDE if is_wide(letter) else WIDEST for letter in text)
+
+
+def height_within(lengths: Sequence[float], widths: Sequence[float], most: float) -> float:
+    """Greatest height of letters of the series, up to `most`, at which every text has room in its width.
+
+    A text that is too long for the least one takes less than that.
+
+    Args:
+        lengths: length of each text, in heights of its letters.
+        widths: width of the room of each, mm.
+        most: greatest height, mm.
+    """
+    room = min((width / length for length, width in zip(lengths, widths, strict=True) if length), default=most)
+    return next((height for height in HEIGHTS if height <= min(most, room)), min(room, HEIGHTS[-1]))
 
 
 def chosen_scale(part: tuple[float, float], room: tuple[float, float], greatest: float = 5.0) -> float | None:

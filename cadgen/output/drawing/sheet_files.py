@@ -5,9 +5,11 @@ with matplotlib, and one of the system's for Chinese, Japanese and Korean.
 """
 
 import io
+import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache
+from itertools import pairwise
 from pathlib import Path
 
 import ezdxf
@@ -22,12 +24,13 @@ from ezdxf.document import Drawing as Document
 from ezdxf.enums import TextEntityAlignment
 from ezdxf.fonts import fonts
 from ezdxf.layouts import Modelspace
-from ezdxf.math import Vec2
+from ezdxf.math import Vec2, Vec3
 from ezdxf.npshapes import NumpyPath2d as BkPath2d
 from ezdxf.npshapes import to_matplotlib_path
 from fontTools.ttLib import TTCollection, TTFont, TTLibError
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.font_manager import findSystemFonts
+from matplotlib.font_manager import FontProperties, findSystemFonts
 from matplotlib.patches import PathPatch
 
 from cadgen.errors import FileError
@@ -35,12 +38,18 @@ from cadgen.messages import ENGLISH, Message, translate
 from cadgen.output.drawing.sheet import (
     DIAMETER,
     EDGE,
+    FRAME_HEIGHT,
+    HEIGHTS,
     LEFT,
+    LEVEL,
     ROW,
     SIZES,
     TEXT,
     TITLE_SIZE,
+    TRIANGLE,
+    Characteristic,
     Closed,
+    DatumFeature,
     DiameterDimension,
     Dimension,
     DrawingSheet,
@@ -48,7 +57,9 @@ from cadgen.output.drawing.sheet import (
     LineKind,
     SheetTable,
     Stroke,
+    ToleranceFrame,
     View,
+    height_within,
     is_wide,
     placed_notes,
     rounded,
@@ -75,6 +86,12 @@ _THIN = 18
 _SIGN = "%%c"  # of a diameter, as every reader knows it
 _PLAIN = str.maketrans({"θ": "theta", "–": "-", "—": "-", "−": "-"})
 _HATCH_STEP = 2.0  # mm on paper
+_ROUGHNESS = re.compile(r"R[a-z]\d* ?\d")  # such as Ra 1.6
+_HALF_TURN = np.linspace(0.0, np.pi, 33)
+# Strokes of the symbols of ISO 1101 about the middle of their cell, in heights of letters.
+_SYMBOLS = {
+    Characteristic.LINE_PROFILE: (np.column_stack([0.65 * np.cos(_HALF_TURN), 0.65 * np.sin(_HALF_TURN) - 0.3]),),
+}
 _DIMGAP = 0.6  # mm on paper between a dimension line and its number
 
 
@@ -164,9 +181,50 @@ class _Place:
             self._curve(curve)
         for dimension in self.view.dimensions:
             self._dimension(dimension)
+        for symbol in self.view.symbols:
+            if isinstance(symbol, DatumFeature):
+                self._datum(symbol)
+            else:
+                self._tolerance(symbol)
         for label in self.view.labels:
             text, at = self.say(label.text), self._on_paper(label.at)
             _text(self.space, text, at, label.height, TextEntityAlignment.MIDDLE_CENTER)
+
+    def _datum(self, datum: DatumFeature) -> None:
+        foot, way = Vec2(self._on_paper(datum.foot)), Vec2.from_deg_angle(datum.angle)
+        side, height = TRIANGLE
+        across, tip, box = way.orthogonal() * (side / 2), foot + way * height, foot + way * datum.reach
+        layer = {"layer": LineKind.DIMENSION.value}
+        self.space.add_solid([foot + across, foot - across, tip, tip], dxfattribs=layer)
+        half = FRAME_HEIGHT / 2
+        self.space.add_line(tip, box - way * (half / max(abs(way.x), abs(way.y))), dxfattribs=layer)
+        corners = [(box.x + x * half, box.y + y * half) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+        self.space.add_lwpolyline(corners, close=True, dxfattribs=layer)
+        _text(self.space, datum.letter, (box.x, box.y), TEXT, TextEntityAlignment.MIDDLE_CENTER)
+
+    def _tolerance(self, tolerance: ToleranceFrame) -> None:
+        layer = {"layer": LineKind.DIMENSION.value}
+        tip, bend = Vec2(self._on_paper(tolerance.tip)), Vec2(self._on_paper(tolerance.bend))
+        end = bend + Vec2(tolerance.side * LEVEL, 0.0)
+        way = (tip - bend).normalize()
+        across = way.orthogonal() * (2.5 / 6)
+        self.space.add_lwpolyline([tip, bend, end], dxfattribs=layer)
+        back = tip - way * 2.5
+        self.space.add_solid([back + across, back - across, tip, tip], dxfattribs=layer)
+        if tolerance.all_around:
+            self.space.add_circle(bend, 1.25, dxfattribs=layer)
+        left = end.x - (0.0 if tolerance.side > 0 else sum(tolerance.cells))
+        low, edges = end.y - FRAME_HEIGHT / 2, np.cumsum([left, *tolerance.cells]).tolist()
+        corners = [(edges[0], low), (edges[-1], low), (edges[-1], low + FRAME_HEIGHT), (edges[0], low + FRAME_HEIGHT)]
+        self.space.add_lwpolyline(corners, close=True, dxfattribs=layer)
+        for edge in edges[1:-1]:
+            self.space.add_line((edge, low), (edge, low + FRAME_HEIGHT), dxfattribs=layer)
+        middles = [((start + stop) / 2, end.y) for start, stop in pairwise(edges)]
+        for stroke in _SYMBOLS[tolerance.characteristic]:
+            points = np.array(middles[0]) + TEXT * stroke
+            self.space.add_lwpolyline(points.tolist(), dxfattribs=layer)
+        for text, at in zip((rounded(tolerance.zone), *tolerance.datums), middles[1:], strict=True):
+            _text(self.space, text, at, TEXT, TextEntityAlignment.MIDDLE_CENTER)
 
     def _on_paper(self, point: tuple[float, float]) -> tuple[float, float]:
         x, y = self.view.place
@@ -263,6 +321,15 @@ def _text(
     drawn.set_placement(at, align=align)
 
 
+@cache
+def _length(text: str) -> float:
+    """Length of a text in heights of its letters; with Chinese ones, with room to spare."""
+    if any(map(is_wide, text)):
+        return width_of(text)
+    know_font()
+    return float(fonts.make_font(FONT, 1.0).text_width(text))
+
+
 def _table(space: Modelspace, table: SheetTable, say: Callable[[str], str]) -> None:
     x, y = table.at
     if table.title:
@@ -271,6 +338,8 @@ def _table(space: Modelspace, table: SheetTable, say: Callable[[str], str]) -> N
     bottom = top - len(table.rows) * ROW
     edges = [x + sum(table.widths[:n]) for n in range(len(table.widths) + 1)]
     thin = {"layer": LineKind.THIN.value}
+    cells = [(say(cell), width - 1.5) for row in table.rows for cell, width in zip(row, table.widths, strict=False)]
+    height = height_within([_length(cell) for cell, _ in cells], [room for _, room in cells], TEXT)
     for number in range(len(table.rows) + 1):
         if number < 2 or number == len(table.rows) or not table.headed:
             space.add_line((x, top - number * ROW), (edges[-1], top - number * ROW), dxfattribs=thin)
@@ -278,7 +347,7 @@ def _table(space: Modelspace, table: SheetTable, say: Callable[[str], str]) -> N
         space.add_line((edge, top), (edge, bottom), dxfattribs=thin)
     for number, row in enumerate(table.rows):
         for left, cell in zip(edges, row, strict=False):
-            _text(space, say(cell), (left + 1.0, top - (number + 0.75) * ROW), 0.85 * TEXT)
+            _text(space, say(cell), (left + 1.0, top - (number + 0.5) * ROW - height / 2), height)
 
 
 def _frame(space: Modelspace, drawing: DrawingSheet, say: Callable[[str], str]) -> None:
@@ -291,18 +360,23 @@ def _frame(space: Modelspace, drawing: DrawingSheet, say: Callable[[str], str]) 
     space.add_lwpolyline([(x, y), (x, y + up), (x + across, y + up)], dxfattribs=frame)
     title = drawing.title
     cells = [  # column, row from below, width of the cell in columns, name, text
-        (0, 4, 2, Message("part"), title.part),
-        (2, 4, 1, Message("quantity"), str(title.quantity)),
-        (0, 3, 2, Message("title"), title.title),
-        (2, 3, 1, Message("scale"), f"{scale_text(drawing.scale)}  ({drawing.size})"),
-        (0, 2, 1, Message("material"), title.material or Message("not stated")),
-        (1, 2, 1, Message("surface finish"), title.finish or Message("not stated")),
-        (2, 2, 1, Message("general tolerances"), "ISO 2768-m"),
+        (0, 5, 2, Message("part"), title.part),
+        (2, 5, 1, Message("kind of document"), title.document),
+        (0, 4, 2, Message("title"), title.title),
+        (2, 4, 1, Message("scale"), f"{scale_text(drawing.scale)}  ({drawing.size})"),
+        (0, 3, 1, Message("material"), title.material or Message("not stated")),
+        (1, 3, 1, Message("surface finish"), title.finish or Message("not stated")),
+        (2, 3, 1, Message("general tolerances"), "ISO 2768-m"),
+        (0, 2, 1, Message("legal owner"), title.owner),
+        (1, 2, 1, Message("drawn by"), title.drawn_by),
+        (2, 2, 1, Message("approved by"), title.approved_by),
         (0, 1, 2, Message("design"), title.design),
         (2, 1, 1, Message("date"), title.date),
-        (0, 0, 3, Message("drawing"), title.number),
+        (0, 0, 2, Message("number of the drawing"), title.number),
+        (2, 0, 0.5, Message("quantity"), str(title.quantity)),
+        (2.5, 0, 0.5, Message("sheet"), "1/1"),
     ]
-    column, row = across / 3, up / 5
+    column, row = across / 3, up / 6
     thin = {"layer": LineKind.THIN.value}
     for at, level, span, name, text in cells:
         left, low = x + at * column, y + level * row
@@ -311,14 +385,25 @@ def _frame(space: Modelspace, drawing: DrawingSheet, say: Callable[[str], str]) 
             close=True,
             dxfattribs=thin,
         )
-        _text(space, say(name), (left + 1.0, low + row - 2.6), 1.7)
-        text = say(text)
-        fitting = min(3.0 if span > 1 else TEXT, (span * column - 2.0) / max(width_of(text), 1.0))
-        _text(space, text, (left + 1.0, low + 1.8), fitting)
-    _first_angle(space, x + across - 9.0, y + 3.5 * row)
+        _text(space, say(name), (left + 1.0, low + row - 2.4), HEIGHTS[-1])
+        text, start = say(text), left + 1.0
+        if _ROUGHNESS.match(text):
+            _surface_symbol(space, start, low + 1.0)
+            start += 4.0
+        most = 3.5 if level > 3 and span > 1 else TEXT
+        room = left + span * column - 1.0 - start
+        _text(space, text, (start, low + 1.4), height_within([_length(text)], [room], most))
+    _first_angle(space, x + across - 9.0, y + 4.5 * row)
     if title.verdict:
         verdict = say(title.verdict)
-        _text(space, verdict, (x + 1.0, y + up + 2.0), min(3.5, (across - 2.0) / width_of(verdict)))
+        _text(space, verdict, (x + 1.0, y + up + 2.0), height_within([_length(verdict)], [across - 2.0], 3.5))
+
+
+def _surface_symbol(space: Modelspace, x: float, y: float) -> None:
+    """The sign of a surface texture (ISO 21920-1), by whatever process; the middle of its foot at a point, mm."""
+    slope = 1 / np.sqrt(3.0)
+    points = [(x, y + 1.8), (x + 1.8 * slope, y), (x + (1.8 + 3.6) * slope, y + 3.6)]
+    space.add_lwpolyline(points, dxfattribs={"layer": LineKind.THIN.value})
 
 
 def _first_angle(space: Modelspace, x: float, y: float) -> None:
@@ -399,7 +484,7 @@ class NoFontError(FileError):
 def know_font() -> None:
     """Let ezdxf find the font that comes with matplotlib, also where the system has none."""
     if not fonts.font_manager.has_font(FONT):
-        fonts.font_manager.build([str(Path(matplotlib.get_data_path()) / "fonts" / "ttf")])
+        fonts.font_manager.build([str(_LATIN.parent)])
 
 
 def know_far_eastern(letters: frozenset[str]) -> str:
@@ -448,6 +533,8 @@ def _face_with(file: Path, letters: frozenset[str]) -> int | None:
 
 _INCH = 25.4
 _POINT = 72 / _INCH  # points in a mm
+_CAPITAL = 0.73  # height of a capital letter in sizes of its font
+_LATIN = Path(matplotlib.get_data_path()) / "fonts" / "ttf" / FONT
 _THINNEST = 0.13  # mm
 
 
@@ -474,11 +561,53 @@ def pdf_bytes(drawing: DrawingSheet, language: str = ENGLISH) -> bytes:
         min_lineweight=_THINNEST * _POINT,
     )
     Frontend(RenderContext(document), backend, config=look).draw_layout(document.modelspace(), finalize=True)
+    _searchable(axes, document)
     axes.set_aspect("equal", adjustable="box")
     axes.axis((0.0, width, 0.0, height))
     page = io.BytesIO()
     figure.savefig(page, format="pdf", metadata={"CreationDate": None, "Title": drawing.title.number})
     return page.getvalue()
+
+
+def _searchable(axes: Axes, document: Document) -> None:
+    """Write the texts of a page once more, unseen, for readers that search and copy them: they are drawn as outlines.
+
+    Args:
+        axes: axes of the page, in mm.
+        document: sheet that is drawn on it.
+    """
+    plain = {_STYLE: FontProperties(fname=str(_LATIN))}
+    if FAR_EASTERN_STYLE in document.styles:
+        name = document.styles.get(FAR_EASTERN_STYLE).dxf.font
+        plain[FAR_EASTERN_STYLE] = FontProperties(
+            fname=str(next(file for file in _far_eastern_files() if file.name == name))
+        )
+
+    def write(text: str, at: Vec3, height: float, style: str, align: str, turn: float = 0.0) -> None:
+        axes.text(
+            at.x,
+            at.y,
+            text,
+            size=height * _POINT / _CAPITAL,
+            rotation=turn,
+            rotation_mode="anchor",
+            ha=align,
+            va="center" if align == "center" else "baseline",
+            fontproperties=plain[style],
+            parse_math=False,
+            fontfeatures=("-liga",),  # a ligature is another letter, which no search finds
+            alpha=0.0,
+        )
+
+    space = document.modelspace()
+    for text in space.query("TEXT"):
+        align, start, _ = text.get_placement()
+        middle = align is TextEntityAlignment.MIDDLE_CENTER
+        write(text.dxf.text, start, text.dxf.height, text.dxf.style, "center" if middle else "left")
+    for dimension in space.query("DIMENSION"):
+        for number in dimension.get_geometry_block().query("MTEXT"):
+            turn = float(number.get_rotation())
+            write(number.plain_text().replace(_SIGN, DIAMETER), number.dxf.insert, TEXT, _STYLE, "center", turn)
 
 
 class _Backend(MatplotlibBackend):  # type: ignore[misc]

@@ -16,6 +16,7 @@ from cadgen.laws.unit import MM, TAN
 from cadgen.messages import Message
 from cadgen.output.drawing.sheet import (
     EDGE,
+    HEIGHTS,
     LEFT,
     TEXT,
     TITLE_SIZE,
@@ -144,7 +145,7 @@ class TimingDiagram:
         def line(points: Array, kind: LineKind) -> Stroke:
             return Stroke(np.asarray(points, dtype=float) / scale, kind)
 
-        def label(text: str, at: tuple[float, float], height: float = 2.0) -> Label:
+        def label(text: str, at: tuple[float, float], height: float = HEIGHTS[-1]) -> Label:
             return Label(text=text, at=(at[0] / scale, at[1] / scale), height=height)
 
         curves = [
@@ -176,14 +177,14 @@ class TimingDiagram:
             if all(abs(y(level) - other) >= _APART for other in taken):
                 taken.append(y(level))
                 text = rounded(level, 3 if abs(level) < 10 else 2)
-                labels.append(label(text, (-1.8 - width_of(text) * 2.0 / 2, y(level))))
+                labels.append(label(text, (-1.8 - width_of(text) * HEIGHTS[-1] / 2, y(level))))
         for number, each in enumerate(self.segments, 1):
             if each.stop < 360.0 - 1e-9:
                 curves.append(line(np.array([[x(each.stop), 0.0], [x(each.stop), high]]), LineKind.HIDDEN))
             room, text = x(each.stop - each.start), f"{number} {each.law}"
-            if width_of(text) * 2.0 > room:
+            if width_of(text) * HEIGHTS[-1] > room:
                 text = f"{number}"
-            if width_of(text) * 2.0 <= room:
+            if width_of(text) * HEIGHTS[-1] <= room:
                 labels.append(label(text, (x(each.start) + room / 2, high + 2.4)))
         return View(place=(LEFT + _LEFT, EDGE + _BELOW), curves=tuple(curves), labels=tuple(labels))
 

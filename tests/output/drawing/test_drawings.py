@@ -293,6 +293,119 @@ def test_a_sheet_is_said_in_the_language_that_is_shown(cam, tmp_path, monkeypatc
     assert "the pages are in English" in written.omitted["translated PDF"]
 
 
+@pytest.fixture(scope="module")
+def toleranced():
+    """Sheets of a keyed car's cam, of a groove and of a roller's cam with a D-shaft, each with a tolerance."""
+    flat = {"blank.keyway": None, "blank.d_flat": {"across_mm": 14.5, "angle_deg": 40.0}}
+    designs = (
+        Design.load("carbon_free_car").with_({"tolerances.profile_offset_mm": 0.01}),
+        Design.load("groove").with_({"lift_tolerances.base_circle_um": 20.0}),
+        Design.load("roller").with_({"lift_tolerances.base_circle_um": 12.5, **flat}),
+    )
+    return [sheet_of(design.cam("actual").computed, Folder({}, "2026-01-01")) for design in designs]
+
+
+def boxes(space) -> list:
+    """Boxes of the texts of a page by the widths of their letters, with the texts."""
+    import shapely
+    from ezdxf.bbox import extents
+
+    found = []
+    for entity in space.query("TEXT DIMENSION"):
+        parts = [entity] if entity.dxftype() == "TEXT" else entity.get_geometry_block().query("MTEXT")
+        for part in parts:
+            box = extents([part])
+            found.append((shapely.box(*box.extmin.vec2, *box.extmax.vec2), part.plain_text()))
+    return found
+
+
+@pytest.mark.slow
+def test_the_tolerance_of_an_outline_stands_in_a_frame_that_refers_to_marked_datums(toleranced):
+    """The arrow stands on the outline, at right angles to it; each datum on its bore, or in line with its width."""
+    import shapely
+
+    from cadgen.output.drawing.sheet import DatumFeature, ToleranceFrame
+
+    zones = []
+    for drawn in toleranced:
+        face = drawn.views[0]
+        frames = [symbol for symbol in face.symbols if isinstance(symbol, ToleranceFrame)]
+        datums = {symbol.letter: symbol for symbol in face.symbols if isinstance(symbol, DatumFeature)}
+        dimensions = {dimension.name: dimension for dimension in face.dimensions}
+        zones += [frame.zone for frame in frames]
+        outlines = [
+            shapely.LinearRing(curve.contour.polygon(1e-3)) for curve in face.curves if hasattr(curve, "contour")
+        ]
+        for frame in frames:
+            assert frame.all_around
+            assert frame.datums == ("A", "B")
+            touched = min(outlines, key=lambda line: line.distance(shapely.Point(frame.tip)))
+            assert touched.distance(shapely.Point(frame.tip)) < 2e-2
+            way = np.subtract(frame.bend, frame.tip)
+            near, far = (touched.project(shapely.Point(frame.tip)) + step for step in (-0.2, 0.2))
+            ends = [touched.interpolate(at % touched.length).coords[0] for at in (near, far)]
+            assert abs(np.subtract(*ends) @ way) < 0.05 * np.linalg.norm(np.subtract(*ends)) * np.linalg.norm(way)
+        assert np.hypot(*datums["A"].foot) == pytest.approx(dimensions["bore"].diameter / 2)
+        width = dimensions.get("keyway width") or dimensions["across the flat"]
+        aside = np.subtract(datums["B"].foot, width.at)
+        along = np.array([np.cos(np.radians(width.angle)), np.sin(np.radians(width.angle))])
+        assert aside @ [-along[1], along[0]] == pytest.approx(0.0, abs=1e-9)
+        assert np.cos(np.radians(datums["B"].angle - width.angle)) ** 2 == pytest.approx(1.0)
+    assert zones == pytest.approx([0.02, 0.04, 0.04, 0.025])
+
+
+def test_a_frame_refers_to_no_datum_that_is_not_marked():
+    from cadgen.output.drawing.sheet import Characteristic, ToleranceFrame
+
+    frame = ToleranceFrame(
+        name="outline",
+        characteristic=Characteristic.LINE_PROFILE,
+        zone=0.02,
+        datums=("A",),
+        tip=(0.0, 0.0),
+        bend=(5.0, 0.0),
+    )
+    with pytest.raises(ValueError, match="datum A of a sheet is marked 0 times"):
+        sheet((View(place=(0.0, 0.0), curves=(), symbols=(frame,)),))
+
+
+@pytest.mark.slow
+def test_no_text_of_a_sheet_lies_on_another_and_heights_are_those_of_the_series(toleranced):
+    from cadgen.output.drawing.sheet import HEIGHTS
+
+    for drawn in toleranced:
+        space = document_of(drawn).modelspace()
+        assert {round(text.dxf.height, 3) for text in space.query("TEXT")} <= set(HEIGHTS)
+        texts = boxes(space)
+        shared = [
+            (a, b)
+            for number, (one, a) in enumerate(texts)
+            for other, b in texts[:number]
+            if one.intersection(other).area > 0.02 * min(one.area, other.area)
+        ]
+        assert shared == []
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("pdftotext") is None, reason="needs pdftotext")
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_the_text_of_a_page_is_found_by_a_search(toleranced, tmp_path, language):
+    """Words with ligatures, Greek letters, limits that stand upright, and Chinese ones: oblique ones it takes apart."""
+    from cadgen.output.drawing.sheet_files import NoFontError, pdf_bytes
+
+    page = tmp_path / "page.pdf"
+    try:
+        page.write_bytes(pdf_bytes(toleranced[1], language))
+    except NoFontError:
+        pytest.skip("this system has no font with Chinese letters")
+    found = subprocess.run(["pdftotext", str(page), "-"], capture_output=True, text=True, check=True).stdout
+    words = {
+        "en": ["flanks of the groove about the axis", "θ counts counterclockwise", "22.8 +0.1/0", "0.04"],
+        "zh": ["法定所有者", "22.8 +0.1/0", "ISO 2768-m"],
+    }[language]
+    assert [word for word in words if word not in found] == []
+
+
 def test_two_dimensions_of_a_sheet_have_two_names():
     one = LinearDimension(name="width", start=(0.0, 0.0), end=(5.0, 0.0), at=(0.0, 1.0))
     views = tuple(View(place=(0.0, 0.0), curves=(), dimensions=(one,)) for _ in range(2))

@@ -6,7 +6,7 @@ from matplotlib.font_manager import FontProperties
 from matplotlib.textpath import TextToPath
 
 from cadgen.curves.contour import circle, keyway_bore
-from cadgen.output.drawing.placement import placed_dimensions
+from cadgen.output.drawing.placement import Room
 from cadgen.output.drawing.section import Layer, edges_behind_cut, material
 from cadgen.output.drawing.sheet import (
     ROW,
@@ -107,7 +107,7 @@ def test_a_diameter_is_written_where_its_line_crosses_no_edge():
     """Of a hole in a ring, the number lay across the rim beside it; here the rim leaves room on one side alone."""
     rim = [Closed(circle((0.0, 0.0), 50.0)), Closed(circle((-35.0, 0.0), 9.0))]
     hole = DiameterDimension(name="hole", centre=(-35.0, 0.0), diameter=18.0, angle=180.0, prefix="6 × ")
-    (placed,) = placed_dimensions([hole], rim, [], 1.0)
+    (placed,) = Room(rim, 1.0).dimensions([hole], [])
     end = np.array([-35.0, 0.0]) + (placed.reach + 10.0) * np.array(
         [np.cos(np.radians(placed.angle)), np.sin(np.radians(placed.angle))]
     )
