@@ -402,6 +402,13 @@ def test_the_readme_is_one_screen_of_short_sentences() -> None:
     assert lengths[len(lengths) // 2] <= 20
     assert f"{len(laws.codes())} motion laws" in text
     assert len(followers.codes()) == 6
+    # The accuracies are those of the page that names the test of each.
+    accuracy = (DOCS / "accuracy.md").read_text(encoding="utf-8")
+    step, teeth = re.findall(r"within ([\d.]+) µm", text)
+    assert f"| {step} / " in next(line for line in accuracy.splitlines() if line.startswith("| STEP / G-code"))
+    assert any(teeth in line for line in accuracy.splitlines() if "teeth" in line or "tooth" in line)
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    assert f"Python {project['requires-python'].removeprefix('>=')} or later" in text
 
 
 def test_the_newest_version_is_told_in_two_minutes() -> None:
