@@ -44,6 +44,21 @@ def test_seats_lie_where_the_design_puts_the_axes(workshop: CarFrame) -> None:
         assert height - places[0, 1] == pytest.approx(workshop.layout.site.wheel_radius)
 
 
+@pytest.mark.parametrize("name", ["workshop_car", "figure_eight"])
+def test_every_shaft_has_two_bearings(name: str) -> None:
+    """The rear axle runs in a bearing plate and in the idle bracket, and clears the plate between by the clearance."""
+    made = frame_of(name).frame
+    count = dict.fromkeys(made.arrangement.axes, 0)
+    for part in made.bought:
+        axis = complex(*part.start[:2])
+        if part.kind == "bearing" and part.way == (0.0, 0.0, 1.0):
+            count[axis] += 1
+    assert set(count.values()) == {2}
+    (passage,) = (hole for plate in made.plates for hole in plate.holes if not hole.fit)
+    assert passage.shaft == 1
+    assert passage.diameter == 5.0 + 2 * made.site.clearance
+
+
 def test_fork_and_slots_lie_the_base_radius_ahead_of_the_camshaft(workshop: CarFrame) -> None:
     platform, base = workshop.frame.platform, workshop.frame.base
     spindle = platform.holes[0]

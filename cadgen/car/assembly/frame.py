@@ -503,10 +503,24 @@ class _Maker:
         )
         return panel, tuple((-u - du, -v - dv) for du, dv in corners)
 
+    @property
+    def _open(self) -> float:
+        """Height of the middle of the plate that the rear axle passes without a bearing, mm.
+
+        A third bearing beside that of the other plate and that of the idle bracket would bend the axle wherever the
+        three are not in line.
+        """
+        return min(self.found.place.near, self.found.place.far, key=lambda z: abs(z - self.site.idle_wheel))
+
     def _bearing_plate(self, code: str, name: str, low: float, platform: Panel) -> Panel:
         site, thick = self.site, self.site.plate
-        holes = [
-            SheetHole(
+        holes = []
+        for number, (axis, diameter, ends_here) in enumerate(
+            zip(self.found.axes, site.bearings, site.ending, strict=True), 1
+        ):
+            if not diameter or ends_here:
+                continue
+            hole = SheetHole(
                 Message("seat of shaft {shaft}", shaft=number),
                 -axis.real,
                 -axis.imag,
@@ -514,11 +528,10 @@ class _Maker:
                 self.sizes.seat,
                 number,
             )
-            for number, (axis, diameter, ends) in enumerate(
-                zip(self.found.axes, site.bearings, site.ending, strict=True), 1
-            )
-            if diameter and not ends
-        ]
+            if number == 1 and abs(low + thick / 2 - self._open) < _ROUNDING:
+                free = Message("passage of the rear axle")
+                hole = hole._replace(name=free, diameter=self.bores[0] + 2 * site.clearance, fit="")
+            holes.append(hole)
         ends = [-axis.real for axis in self.found.axes]
         span = (min(ends) - _BEYOND, max(ends) + _BEYOND)
         # Ahead, which is to the left, the foot may be as long as the platform leaves room.
@@ -906,7 +919,8 @@ class _Maker:
     def _bought(self, block: ForkBlock, spacers: Sequence[tuple[float, float]]) -> Iterator[Bought]:
         site, sizes = self.site, self.sizes
         up = (0.0, -1.0, 0.0)
-        for axis, diameter, bore, ends in zip(self.found.axes, site.bearings, self.bores, site.ending, strict=True):
+        every = zip(self.found.axes, site.bearings, self.bores, site.ending, strict=True)
+        for number, (axis, diameter, bore, ends) in enumerate(every, 1):
             if not diameter or ends:
                 continue
             known = bearing_of(bore, diameter)
@@ -914,6 +928,8 @@ class _Maker:
                 (site.plate, f"{bore:g} x {diameter:g}") if known is None else (known.width, known.designation)
             )
             for z in (self.found.place.near, self.found.place.far):
+                if number == 1 and z == self._open:
+                    continue
                 yield Bought(
                     BoughtKind.BEARING,
                     code,
