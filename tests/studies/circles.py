@@ -293,7 +293,9 @@ def page(outcomes: Sequence[Outcome], command: str) -> str:
     count = len(outcomes)
 
     def part(some: Sequence[Outcome]) -> str:
-        return f"{np.median([o.out for o in some]):.2%}, {sum(o.out >= 0.95 for o in some)} of {len(some)}"
+        ranges = [o.within for o in some if o.cut]
+        gone = f"{np.median([o.out for o in some]):.2%}, {sum(o.out >= 0.95 for o in some)} of {len(some)}"
+        return f"{gone} | {sum(ranges)} of {len(ranges)}"
 
     def near(some: Sequence[Outcome]) -> int:
         return sum(o.out >= 0.95 or o.after <= NEAR for o in some)
@@ -314,6 +316,7 @@ def page(outcomes: Sequence[Outcome], command: str) -> str:
         "|---|---|---|",
         f"| cars | {count} | 1200 |",
         f"| end in the stated 90 % range, of cams cut | {share(sum(o.within for o in made), len(made))} | 87-93 % |",
+        f"| below it; to the median that was said; to its upper end; above it | {_placed(made)} | 5; 45; 45; 5 % |",
         f"| gone of what a cam can take out, median | {np.median(out):.2%} | 99 % |",
         f"| 95 % of that gone, or the end within {NEAR:g} mm | {share(near(outcomes), count)} | 90 % |",
         f"| gone of the whole error, median | {np.median(gone):.2%} | |",
@@ -325,8 +328,8 @@ def page(outcomes: Sequence[Outcome], command: str) -> str:
         f"| no cam could be planned | {sum(bool(o.no_cam) for o in outcomes)} | |",
         *_loops([o for o in outcomes if o.later]),
         "",
-        "| cars | gone of what a cam can take out, median; 95 % of it |",
-        "|---|---|",
+        "| cars | gone of what a cam can take out, median; 95 % of it | in the range |",
+        "|---|---|---|",
         f"| without an undeclared effect | {part([o for o in outcomes if not o.undeclared] or outcomes)} |",
         *(
             f"| {name} | {part(some)} |"
@@ -357,6 +360,12 @@ def page(outcomes: Sequence[Outcome], command: str) -> str:
             f"{', '.join(f'{end:.0f}' for end in o.later) or '-'} | {refused} |"
         )
     return "\n".join(rows) + "\n"
+
+
+def _placed(made: Sequence[Outcome]) -> str:
+    """How many cars end below their range, in its lower and its upper half by chance, and above it."""
+    places = [sum(o.after > bound for bound in (np.nextafter(o.least, 0.0), o.expected, o.most)) for o in made]
+    return "; ".join(str(places.count(place)) for place in range(4))
 
 
 def _loops(outcomes: Sequence[Outcome]) -> list[str]:

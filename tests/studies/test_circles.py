@@ -31,6 +31,9 @@ def test_a_worse_cam_counts_against_the_tool_unless_it_was_refused():
     assert refused.out == refused.gone == 0.0
     text = page([fine, worse, refused, replace(fine, refused=True)], "a command")
     assert "| worse than before by more than 5 mm, not refused | 1 | 0 |" in text
+    ranges = [replace(fine, after=after, least=5.0, most=20.0) for after in (4.0, 5.0, 8.0, 12.0, 20.0, 21.0)]
+    assert "| 1; 2; 2; 1 |" in (text := page(ranges, "a command"))
+    assert "| end in the stated 90 % range, of cams cut | 66.7 % of 6" in text
     assert "| refused though the new cam would have halved the error | 25.0 % of 4" in text
     assert "| worse with `--force`; of them refused or warned of | 2; 1 | all |" in text
 
