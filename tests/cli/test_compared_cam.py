@@ -142,9 +142,32 @@ def test_another_motion_is_not_explained() -> None:
     each = truth.lifts(other, ROLLER, 720, NOISE, np.random.default_rng(3))
     cam = Design.from_toml(SLIDE, "slide").compare_cam({"cam_angle_deg": np.degrees(each[:, 0]), "lift_mm": each[:, 1]})
     assert not cam.comparison.explained
+    assert not cam.comparison.mirrored
+    assert cam.found == cam.comparison.worn == ()
     assert cam.readiness == "not-ready"
     with pytest.raises(DesignError, match="this one is of a car"):
         Design.load("carbon_free_car").compare_cam({"x_mm": [0.0], "y_mm": [0.0]})
+
+
+@pytest.mark.parametrize("made", [ROLLER, replace(ROLLER, keys={**ROLLER.keys, "offset_mm": 6.3})])
+def test_wear_of_a_flank_is_told_from_deviations(made) -> None:
+    """By its lift alone, and beside an offset of the disc that was cut; a larger disc with an offset comes near to it."""
+    rise, back = cam_of(14.0).flanks
+    worn = truth.Worn((replace(rise, wear=lambda u: 0.03 * np.sin(np.pi * np.clip(u, 0, 1)) ** 2), back))
+    if made == ROLLER:
+        each = truth.lifts(worn, made, 720, NOISE, np.random.default_rng(4))
+        columns = {"cam_angle_deg": np.degrees(each[:, 0]), "lift_mm": each[:, 1]}
+    else:
+        points = truth.outline(worn, made, 720, NOISE, np.random.default_rng(4), start=2.0)
+        columns = {"x_mm": points[:, 0], "y_mm": points[:, 1]}
+    cam = Design.from_toml(SLIDE, "slide").compare_cam(columns)
+    assert [each.code for each in cam.found] == ([] if made == ROLLER else ["offset"])
+    (flank,) = cam.comparison.worn
+    assert np.degrees([flank.start, flank.stop, flank.cam_angle]) == pytest.approx([0, 80, 40], abs=8)
+    assert flank.depth == pytest.approx(0.03, abs=4e-3)
+    assert cam.comparison.explained
+    assert cam.readiness == "not-ready"
+    assert "worn: 3" in str(cam) or "worn: 2" in str(cam)
 
 
 def test_a_record_that_is_all_noise_explains_nothing() -> None:

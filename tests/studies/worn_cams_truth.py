@@ -195,6 +195,7 @@ def outline(
     centre: complex = 0j,
     start: float = 0.0,
     backwards: bool = False,
+    larger: float = 0.0,
 ) -> np.ndarray:
     """Measured points seen on the outer face, shape (n, 2), mm, evenly spaced along the outline.
 
@@ -207,10 +208,11 @@ def outline(
         centre: place of the camshaft in the machine's frame.
         start: angle by which the disc is turned in it, rad.
         backwards: whether the points run the other way round.
+        larger: distance along the normal by which the disc is larger, mm.
     """
     theta = np.linspace(0.0, TURN, 40_001)
     point, normal = follower.contact(cam.lift, theta)
-    point = point - cam.wear(theta) * normal
+    point = point + (larger - cam.wear(theta)) * normal
     along = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(point)))])
     where = (np.arange(count) + rng.uniform()) / count * along[-1]
     keep = np.concatenate([[True], np.diff(along) > 1e-9])
@@ -265,15 +267,28 @@ def dropped(
         p = points * np.exp(1j * angle)
         if follower.kind == "roller":
             r, e = float(k["radius_mm"]), float(k.get("offset_mm", 0.0))  # type: ignore[arg-type]
-            near = (np.abs(p.real - e) < r) & (p.imag > 0)
-            places.append(float((p.imag[near] + np.sqrt(r**2 - (p.real[near] - e) ** 2)).max()))
+            if r:
+                near = (np.abs(p.real - e) < r) & (p.imag > 0)
+                places.append(float((p.imag[near] + np.sqrt(r**2 - (p.real[near] - e) ** 2)).max()))
+                continue
+            # An edge without a radius: the outermost crossing of its line.
+            after = np.roll(p, -1)
+            crossing = ((p.real - e) * (after.real - e) <= 0) & (p.real != after.real) & (p.imag > 0)
+            one, two = p[crossing], after[crossing]
+            share = (e - one.real) / (two.real - one.real)
+            places.append(float((one.imag + share * (two.imag - one.imag)).max()))
         elif follower.kind == "flat":
             tilt = np.radians(float(k.get("tilt_deg", 0.0)))  # type: ignore[arg-type]
             places.append(float((p * np.exp(-1j * (np.pi / 2 + tilt))).real.max() / np.cos(tilt)))
         else:
-            c, r, l = (float(k[name]) for name in ("centre_distance_mm", "radius_mm", "arm_mm"))  # type: ignore[arg-type]  # noqa: E741
+            c = float(k["centre_distance_mm"])  # type: ignore[arg-type]
             away = c - p if follower._side > 0 else c - p.conj()
             distance, phi = np.abs(away), -np.angle(away)
+            if follower.kind == "swinging_flat":
+                f = float(k["face_offset_mm"])  # type: ignore[arg-type]
+                places.append(float((phi + np.arcsin(f / distance)).max()))
+                continue
+            r, l = float(k["radius_mm"]), float(k["arm_mm"])  # type: ignore[arg-type]  # noqa: E741
             near = np.abs(distance - l) < r
             opening = np.arccos((l**2 + distance[near] ** 2 - r**2) / (2 * l * distance[near]))
             places.append(float((phi[near] + opening).max()))

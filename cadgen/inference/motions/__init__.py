@@ -9,5 +9,6 @@
 | `found_motion`    | all flanks together, with the centre of the disc; which laws are left               |
 | `whole_degrees`   | ends of segments that a drawing had at whole degrees                                |
 | `differences`     | a measured cam beside its design: what is off                                       |
+| `disc_wear`       | wear of a disc's flanks beside deviations                                           |
 | `stated_motion`   | motion that was found as a design states it                                         |
 """

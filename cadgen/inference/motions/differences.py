@@ -1,9 +1,10 @@
 """Differences of a measured cam from its design: what is off, and which of what may be off explains the record.
 
 Readings are compared along the outline's normal, where a disc that is larger by d is off by d, and everything else by
-its displacement to first order (`cadgen.cam.lift_errors`). All sets of up to three deviations are tried, and each
-pays for its numbers; those that explain the record as well are rivals. What is found is then fitted exactly, by rolling
-the changed follower, or by the changed follower that the disc was cut for.
+its displacement to first order (`cadgen.cam.lift_errors`). All sets of up to three deviations are tried, with wear of a
+flank and without (`cadgen.inference.motions.disc_wear`), and each pays for its numbers; those that explain the record
+as well are rivals. What is found is then fitted exactly, by rolling the changed follower, or by the changed follower
+that the disc was cut for. Where neither explains the record, nothing is named that leaves most of it.
 """
 
 from abc import ABC, abstractmethod
@@ -14,6 +15,8 @@ from itertools import combinations
 from typing import Any, ClassVar
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
+from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 
 from cadgen.arrays import TURN, Array
@@ -22,18 +25,29 @@ from cadgen.cam.follower import Follower
 from cadgen.cam.lift_errors import ECCENTRICITY, PHASE, displacements
 from cadgen.curves.closed import ClosedCurve, Outline
 from cadgen.errors import DesignError
+from cadgen.inference.motions.disc_wear import DiscWear, FlankWear, wears
 from cadgen.inference.motions.lift_samples import LiftSamples, normals_of, ordered, samples_of_lifts, samples_of_points
 from cadgen.laws.motion import Motion
 
 BASE_CIRCLE = "base_circle"
+# Disc that was cut for another base circle: off by d along the motion, and not along the normal. Both have one name.
+_BASE_CUT = "base_circle_cut"
 # Fields of a follower by the code of the dimension, where they are called otherwise.
-_FIELDS = {BASE_CIRCLE: "base"}
-# Dimensions that do as much to the lift as a larger disc, and are not told from it.
+_FIELDS = {_BASE_CUT: "base", "roller_radius": "radius"}
+WEAR = "wear"
+# Dimensions that do as much to the lift as a larger disc, and are not told from it. Discs are seldom cut for others:
+# these pay twice.
 TWINS = {"roller_radius": BASE_CIRCLE, "face_offset": BASE_CIRCLE}
 _MOST = 3  # deviations that are claimed together
 _PAYS = 12.0  # of the misfit, for each number
 _RIVAL = 8.0  # of the score, within which another set explains the record as well
 _SIGMAS = 4.0  # that a deviation must be away from none
+_MOSTLY = 0.2  # of what is off: deviations that leave more, and do not explain the record, are not named
+_ALIKE = 1e-10  # of the largest, below which numbers are not told apart
+_ADDED = 30.0  # of the misfit, for material that would have to be added, beyond which it is no wear
+_JUDGED = 40  # explanations by wear that are judged by that
+_OUTLIER = 5.0  # standard deviations from its neighbours
+_BESIDE = 5  # neighbours on each side
 _HUBER = 2.0  # standard deviations beyond which a reading counts less
 _WIDEST = 1.0  # mm or rad, beyond which nothing is taken to be off
 _ROUNDS = 4
@@ -69,9 +83,11 @@ class CamReadings(ABC):
 
     Attributes:
         datum: codes of the numbers that are fitted and never claimed.
+        motion: motion wanted.
     """
 
     datum: ClassVar[tuple[str, ...]]
+    motion: Motion
 
     @property
     @abstractmethod
@@ -219,7 +235,9 @@ class OutlineReadings(CamReadings):
     @cached_property
     def codes(self) -> tuple[str, ...]:
         """Every deviation of the disc: what stands beside it does not show, and where it is keyed is the datum."""
-        return (*(each.code for each in self.follower.dimensions() if each.code not in TWINS), ECCENTRICITY)
+        dimensions = [each.code for each in self.follower.dimensions()]
+        cut = [_BASE_CUT] if BASE_CIRCLE in dimensions and hasattr(self.follower, "base") else []
+        return (*dimensions, *cut, ECCENTRICITY)
 
     def columns(self, values: Mapping[str, Array]) -> dict[str, Array]:
         """Displacements of the points by a unit of each code, as quotients of differences.
@@ -287,7 +305,8 @@ class CamComparison:
 
     Attributes:
         found: deviations that explain the record, none if nothing differs.
-        rivals: sets of codes that explain it as well.
+        worn: flanks that are worn.
+        rivals: sets of codes that explain it as well, with that of wear.
         datum: numbers of the datum by code, mm or rad.
         noise: standard deviation of a reading along the normal, mm.
         before: rms along the normal with the datum alone, mm.
@@ -299,6 +318,7 @@ class CamComparison:
     """
 
     found: tuple[CamDifference, ...]
+    worn: tuple[FlankWear, ...]
     rivals: tuple[tuple[str, ...], ...]
     datum: Mapping[str, float]
     noise: float
@@ -310,7 +330,7 @@ class CamComparison:
 
     @property
     def explained(self) -> bool:
-        """Whether no more than noise is left, and the noise is small beside the lift."""
+        """Whether no more than noise is left beside wear, and the noise is small beside the lift."""
         quiet = self.after < _LOUD * self.travel
         return quiet and abs(self.worst[0]) < _SIGMAS * self.noise and self.after < 1.5 * self.noise
 
@@ -324,30 +344,36 @@ def compared(readings: CamReadings, *, mirrored: bool = False) -> CamComparison:
     """
     values: dict[str, Array] = {name: np.array([readings.first]) for name in readings.datum}
     values, _, before = _fitted(readings, (), values)
-    left, _ = readings.left(values)
-    columns = readings.columns(values)
-    weight = _weights(left, columns, readings)
-    scored = sorted(
-        (_score(left, columns, readings, chosen, weight), chosen)
-        for size in range(_MOST + 1)
-        for chosen in combinations(readings.codes, size)
-    )
     # What else is off on a disc that is wrong side up shows when it is turned over.
-    score, best = (scored[0][0], ()) if mirrored else scored[0]
-    rivals = tuple(chosen for other, chosen in scored[1:] if other < score + _RIVAL and not set(best) < set(chosen))
+    scored = [Explanation((), None, 0.0)] if mirrored else _explanations(readings, values)
+    if scored[0].codes:  # once more, of first order about what was found
+        near, _, _ = _fitted(readings, scored[0].codes, values, scored[0].wear)
+        scored = _explanations(readings, near)
+    best = scored[0]
+    rivals = dict.fromkeys(
+        other.names
+        for other in scored[1:]
+        if other.score < best.score + _RIVAL and not set(best.names) <= set(other.names)
+    )
+    chosen = best.codes
     found: list[CamDifference] = []
     while True:
         plain = {name: values[name] for name in readings.datum}
-        values, covariance, after = _fitted(readings, best, plain)
-        found = _numbered(readings, best, values, np.sqrt(np.maximum(np.diag(covariance), 0.0)))
+        values, covariance, after = _fitted(readings, chosen, plain, best.wear)
+        found = _numbered(readings, chosen, values, np.sqrt(np.maximum(np.diag(covariance), 0.0)))
         kept = tuple(each.code for each in found if abs(each.size) > _SIGMAS * max(each.sigmas))
-        if kept == best:
+        if kept == chosen:
             break
-        best = kept
+        chosen = kept
     left, theta = readings.left(values)
-    return CamComparison(
-        found=tuple(found),
-        rivals=rivals,
+    worn = () if best.wear is None else best.wear.depths(left)
+    if best.wear is not None:
+        left = left + best.wear.expected(left)
+        after = float(np.sqrt(np.mean(left**2)))
+    result = CamComparison(
+        found=tuple(replace(each, code=_named([each.code])[0]) for each in found),
+        worn=worn,
+        rivals=tuple(rivals),
         datum={name: float(values[name][0]) for name in readings.datum},
         noise=readings.noise,
         before=before,
@@ -356,6 +382,137 @@ def compared(readings: CamReadings, *, mirrored: bool = False) -> CamComparison:
         worst=_worst(left, theta),
         mirrored=mirrored,
     )
+    if result.explained or after < _MOSTLY * before or not (found or worn):
+        return result
+    # Names that leave most of it are none.
+    plain = {name: values[name] for name in readings.datum}
+    values, _, after = _fitted(readings, (), plain)
+    datum = {name: float(values[name][0]) for name in readings.datum}
+    worst = _worst(*readings.left(values))
+    return replace(result, found=(), worn=(), rivals=(), datum=datum, after=after, worst=worst)
+
+
+@dataclass(frozen=True, eq=False)
+class Explanation:
+    """Deviations and wear that may explain a record.
+
+    Attributes:
+        codes: codes of the deviations.
+        wear: wear of the disc; None without.
+        score: misfit, with what each number pays, and what wear would have to add.
+    """
+
+    codes: tuple[str, ...]
+    wear: DiscWear | None
+    score: float
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Codes of the deviations, and of wear."""
+        return _named(self.codes if self.wear is None else (*self.codes, WEAR))
+
+
+def _named(codes: Sequence[str]) -> tuple[str, ...]:
+    """Codes by which deviations are named, each once."""
+    return tuple(dict.fromkeys(BASE_CIRCLE if code == _BASE_CUT else code for code in codes))
+
+
+def _explanations(readings: CamReadings, values: Mapping[str, Array]) -> list[Explanation]:
+    """Sets of deviations with and without wear, the likeliest first.
+
+    Args:
+        readings: record of the cam.
+        values: numbers of the datum, and of deviations about which displacements are of first order.
+    """
+    left, theta = readings.left(values)
+    columns = readings.columns(values)
+    for code in values.keys() & set(readings.codes):
+        left = left + columns[code] @ values[code]
+    names = (*readings.datum, *readings.codes)
+    every = np.concatenate([columns[name] for name in names], axis=1)
+    widths = [columns[name].shape[1] for name in names]
+    ends = np.cumsum(widths)
+    places = {name: list(range(end - width, end)) for name, end, width in zip(names, ends, widths, strict=True)}
+    datum = [place for name in readings.datum for place in places[name]]
+    sets = [chosen for size in range(_MOST + 1) for chosen in combinations(readings.codes, size)]
+    sets = [chosen for chosen in sets if len(_named(chosen)) == len(chosen)]
+    keep = _sound(left, every, theta)
+    found: list[Explanation] = []
+    for wear in wears(readings.motion, theta, readings.noise, keep):
+        white = wear.whitened(np.column_stack([left, every])) * keep[:, None]
+        gram = white.T @ white
+        scale = np.sqrt(np.maximum(np.diag(gram), 1e-300))
+        for chosen in sets:
+            taken = [0, *(1 + place for place in datum), *(1 + place for code in chosen for place in places[code])]
+            part = gram[np.ix_(taken, taken)] / np.outer(scale[taken], scale[taken])
+            solved, *_ = np.linalg.lstsq(part[1:, 1:], part[1:, 0], rcond=_ALIKE)
+            misfit = float(gram[0, 0] * (1 - part[0, 1:] @ solved))
+            rare = len(set(chosen) & set(TWINS))
+            pays = _PAYS * (len(taken) - 1 - len(datum) + rare + bool(wear.flanks))
+            found.append(Explanation(chosen, wear if wear.flanks else None, misfit + pays + wear.log_determinant))
+    found.sort(key=lambda each: each.score)
+    return sorted(_signed(found, left, every, places, readings.datum, keep), key=lambda each: each.score)
+
+
+def _signed(
+    found: Sequence[Explanation],
+    left: Array,
+    every: Array,
+    places: Mapping[str, Sequence[int]],
+    datum: Sequence[str],
+    keep: NDArray[np.bool_],
+) -> list[Explanation]:
+    """Likeliest explanations, those with wear with what it would have to add.
+
+    Args:
+        found: explanations, the likeliest first.
+        left: readings less the design, mm, shape (n,).
+        every: displacements by a unit of all numbers, shape (n, k).
+        places: columns of each code.
+        datum: codes that are always fitted.
+        keep: readings that count, shape (n,).
+    """
+    signed: list[Explanation] = []
+    least, judged = np.inf, 0
+    for each in found:
+        if each.score > least + _RIVAL:
+            break
+        score = each.score
+        if each.wear is not None:
+            judged += 1
+            if judged > _JUDGED:
+                continue
+            taken = [place for code in (*datum, *each.codes) for place in places[code]]
+            white = each.wear.whitened(np.column_stack([left, every[:, taken]])) * keep[:, None]
+            scale = np.maximum(np.linalg.norm(white[:, 1:], axis=0), 1e-300)
+            covariance = np.linalg.pinv(white[:, 1:] / scale, rcond=1e-6)
+            solved = covariance @ white[:, 0] / scale
+            covariance = (covariance @ covariance.T) / np.outer(scale, scale)
+            added = each.wear.sign_cost(left - every[:, taken] @ solved, every[:, taken], covariance)
+            if added > _ADDED:
+                continue
+            score += added
+        least = min(least, score)
+        signed.append(replace(each, score=score))
+    return signed
+
+
+def _sound(left: Array, every: Array, theta: Array) -> NDArray[np.bool_]:
+    """Readings that are no outliers among their neighbours, by what all deviations leave, shape (n,).
+
+    Args:
+        left: readings less the design, mm, shape (n,).
+        every: displacements by a unit of all numbers, shape (n, k).
+        theta: cam angles, rad, shape (n,).
+    """
+    solved, *_ = np.linalg.lstsq(every, left, rcond=1e-9)
+    order = np.argsort(theta)
+    off = (left - every @ solved)[order]
+    around = np.concatenate([off[-_BESIDE:], off, off[:_BESIDE]])
+    away = off - np.median(sliding_window_view(around, 2 * _BESIDE + 1), axis=1)
+    sound = np.empty(len(left), dtype=bool)
+    sound[order] = np.abs(away) < _OUTLIER * float(np.median(np.abs(away))) / 0.6745 + 1e-12
+    return sound
 
 
 def _numbered(
@@ -377,32 +534,10 @@ def _huber(left: Array, noise: float) -> Array:
     return np.asarray(np.minimum(1.0, _HUBER * spread / np.maximum(np.abs(left), 1e-12)))
 
 
-def _weights(left: Array, columns: Mapping[str, Array], readings: CamReadings) -> Array:
-    """Weights by what all deviations together leave."""
-    every = np.concatenate([columns[code] for code in (*readings.datum, *readings.codes)], axis=1)
-    weight = np.ones(len(left))
-    for _ in range(3):
-        root = np.sqrt(weight)
-        solved, *_ = np.linalg.lstsq(every * root[:, None], left * root, rcond=1e-9)
-        weight = _huber(left - every @ solved, readings.noise)
-    return weight
-
-
-def _score(
-    left: Array, columns: Mapping[str, Array], readings: CamReadings, chosen: Sequence[str], weight: Array
-) -> float:
-    """Misfit of a set of deviations, with what each of its numbers pays."""
-    every = np.concatenate([columns[code] for code in (*readings.datum, *chosen)], axis=1)
-    root = np.sqrt(weight) / readings.noise
-    solved, *_ = np.linalg.lstsq(every * root[:, None], left * root, rcond=1e-9)
-    off = (left - every @ solved) * root
-    return float(off @ off + _PAYS * sum(columns[code].shape[1] for code in chosen))
-
-
 def _fitted(
-    readings: CamReadings, chosen: Sequence[str], values: Mapping[str, Array]
+    readings: CamReadings, chosen: Sequence[str], values: Mapping[str, Array], wear: DiscWear | None = None
 ) -> tuple[dict[str, Array], Array, float]:
-    """Numbers of deviations by Gauss and Newton, their covariance, and the rms that is left, mm."""
+    """Numbers of deviations by Gauss and Newton, their covariance, and the rms that is left, mm, with any wear."""
     names = (*readings.datum, *chosen)
     now = dict(values)
     covariance: Array = np.zeros((0, 0))
@@ -411,12 +546,17 @@ def _fitted(
         columns = readings.columns(now)
         now |= {name: np.zeros(columns[name].shape[1]) for name in names if name not in now}
         every = np.concatenate([columns[name] for name in names], axis=1)
-        weight = _huber(left, readings.noise)
+        weight = _huber(left if wear is None else left + wear.expected(left), readings.noise)
         for _ in range(2):
-            root = np.sqrt(weight)
-            step, *_ = np.linalg.lstsq(every * root[:, None], left * root, rcond=1e-9)
-            weight = _huber(left - every @ step, readings.noise)
-        covariance = np.asarray(np.linalg.pinv((every * weight[:, None]).T @ every) * readings.noise**2, dtype=float)
+            if wear is None:
+                white = np.column_stack([left, every]) / readings.noise
+            else:
+                white = wear.whitened(np.column_stack([left, every]))
+            white = white * np.sqrt(weight)[:, None]
+            step, *_ = np.linalg.lstsq(white[:, 1:], white[:, 0], rcond=1e-9)
+            away = left - every @ step
+            weight = _huber(away if wear is None else away + wear.expected(away), readings.noise)
+        covariance = np.asarray(np.linalg.pinv(white[:, 1:].T @ white[:, 1:]), dtype=float)
         at = 0
         for name in names:
             count = columns[name].shape[1]
@@ -500,4 +640,4 @@ def either_side(right: CamComparison, other: Callable[[], CamReadings]) -> CamCo
         wrong = compared(other(), mirrored=True)
     except DesignError:
         return right
-    return wrong if wrong.after < right.after / 2 else right
+    return wrong if wrong.after < min(right.after / 2, _LOUD * wrong.travel) else right

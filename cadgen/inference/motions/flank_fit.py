@@ -171,6 +171,18 @@ class WearProcess:
             return np.asarray(values / self.data.noise)
         return np.asarray(self.whitener @ values)
 
+    def expected(self, residual: Array, theta: Array) -> Array:
+        """Wear that is to be expected at cam angles, mm, shape (m,).
+
+        Args:
+            residual: readings less what explains them beside the wear, along the normal, mm, shape (n,).
+            theta: cam angles, rad, shape (m,).
+        """
+        if not self.size:
+            return np.zeros(len(theta))
+        half = self.whitened(self.between(self.data.theta, theta))
+        return np.asarray(half.T @ self.whitened(-residual))
+
 
 @dataclass(frozen=True, kw_only=True)
 class LawCandidate:
@@ -276,11 +288,7 @@ class FlankFit:
         Args:
             theta: cam angles, rad, shape (n,).
         """
-        if not self.process.size:
-            return np.zeros(len(theta))
-        white = self.process.whitened(-self.residual)
-        half = self.process.whitened(self.process.between(self.data.theta, theta))
-        return np.asarray(half.T @ white)
+        return self.process.expected(self.residual, theta)
 
 
 def residual_of(candidate: LawCandidate, data: FlankData, values: Array) -> tuple[Array, Array]:
@@ -387,25 +395,33 @@ def _with(candidate: LawCandidate, process: WearProcess, values: Array) -> Flank
 
 
 def _added(fit: FlankFit) -> float:
-    """Misfit that is added where wear must not be negative: the least squares cost of the nearest w >= 0."""
-    process, data = fit.process, fit.data
+    """Misfit that is added where wear must not be negative."""
+    slopes = residual_of(fit.candidate, fit.data, fit.values)[1]
+    return sign_cost(fit.process, fit.residual, slopes, fit.covariance)
+
+
+def sign_cost(process: WearProcess, residual: Array, slopes: Array, covariance: Array) -> float:
+    """Misfit of wear that would add material: the least squares cost of the nearest w >= 0.
+
+    Args:
+        process: wear.
+        residual: readings less what explains them beside the wear, along the normal, mm, shape (n,).
+        slopes: derivatives of that by its values, shape (n, k).
+        covariance: covariance of the values, shape (k, k).
+    """
     if not process.size:
         return 0.0
-    reach = _BEYOND / 2
+    data, reach = process.data, _BEYOND / 2
     nodes = np.linspace(data.start - reach, data.stop + reach, _NODES)
-    white = process.whitened(
-        np.column_stack(
-            [-fit.residual, residual_of(fit.candidate, data, fit.values)[1], process.between(data.theta, nodes)]
-        )
-    )
-    k = len(fit.values)
-    seen, slopes, cross = white[:, 0], white[:, 1 : 1 + k], white[:, 1 + k :]
-    # Wear given the data, with the law's values free.
+    white = process.whitened(np.column_stack([-residual, slopes, process.between(data.theta, nodes)]))
+    k = slopes.shape[1]
+    seen, columns, cross = white[:, 0], white[:, 1 : 1 + k], white[:, 1 + k :]
+    # Wear given the data, with the values free.
     mean = cross.T @ seen
-    covariance = process.between(nodes, nodes) - cross.T @ cross
-    gain = cross.T @ slopes
-    covariance += gain @ fit.covariance @ gain.T
-    size, turned = np.linalg.eigh(covariance)
+    spread = process.between(nodes, nodes) - cross.T @ cross
+    gain = cross.T @ columns
+    spread += gain @ covariance @ gain.T
+    size, turned = np.linalg.eigh(spread)
     root = turned.T / np.sqrt(np.maximum(size, (0.02 * process.size) ** 2))[:, None]
     _, left = nnls(root, root @ mean)
     return float(left**2)

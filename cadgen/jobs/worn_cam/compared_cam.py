@@ -11,6 +11,7 @@ from cadgen.figures import Cell, Facts, Sheet, number
 from cadgen.inference.measurement.record import understood_of
 from cadgen.inference.motions.differences import (
     BASE_CIRCLE,
+    WEAR,
     CamComparison,
     CamDifference,
     compared,
@@ -33,6 +34,7 @@ from cadgen.verdict import Readiness
 
 _UM = 1e3
 _UM = 1e3
+_NAMES = {**NAMES, WEAR: Message("wear of a flank")}
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -54,7 +56,8 @@ class ComparedCamPlan:
     comparison: CamComparison
 
     def __repr__(self) -> str:
-        found = ", ".join(each.code for each in self.found) or "as designed"
+        found = ", ".join([*(each.code for each in self.found), *([WEAR] if self.comparison.worn else [])])
+        found = found or ("as designed" if self.comparison.explained else "not explained")
         return f"<ComparedCam of {self.source.path.name}: {found}>"
 
     @property
@@ -64,8 +67,8 @@ class ComparedCamPlan:
 
     @property
     def readiness(self) -> Readiness:
-        """Whether the record is explained; with reservations where other deviations explain it as well."""
-        if not self.comparison.explained or self.comparison.mirrored:
+        """Whether the record is explained without wear; with reservations where something else explains it as well."""
+        if not self.comparison.explained or self.comparison.mirrored or self.comparison.worn:
             return Readiness.NOT_READY
         return Readiness.RESERVATIONS if self.comparison.rivals else Readiness.READY
 
@@ -96,6 +99,15 @@ class ComparedCamPlan:
             left_at_deg=degrees(c.worst[1]),
             datum={code: degrees(value) if code == "clocking" else value for code, value in c.datum.items()},
             found=[self._fact(each) for each in self.found],
+            worn=[
+                Facts(
+                    from_deg=degrees(each.start),
+                    to_deg=degrees(each.stop),
+                    depth_um=_UM * each.depth,
+                    cam_angle_deg=degrees(each.cam_angle),
+                )
+                for each in c.worn
+            ],
             rivals=c.rivals,
         )
 
@@ -194,8 +206,19 @@ def compared_report(cam: ComparedCamPlan) -> list[Block]:
         blocks.append(Message("Dimensions of the follower are those that the disc was cut for."))
     if any(each.code == BASE_CIRCLE for each in cam.found) and not cam.of_disc:
         blocks.append(Message("A larger roller lifts as a larger disc does: measure both."))
+    blocks += [
+        Message(
+            "The flank from {start:.0f} to {stop:.0f} degrees of cam angle is worn: {depth:.0f} µm are missing along "
+            "the normal at {angle:.0f} degrees.",
+            start=degrees(each.start),
+            stop=degrees(each.stop),
+            depth=_UM * each.depth,
+            angle=degrees(each.cam_angle),
+        )
+        for each in c.worn
+    ]
     if c.rivals:
-        sets = [joined([NAMES[code] for code in codes], Message(" and ")) for codes in c.rivals if codes]
+        sets = [joined([_NAMES[code] for code in codes], Message(" and ")) or Message("nothing") for codes in c.rivals]
         blocks.append(Message("As likely: {rivals}.", rivals=joined(sets, "; ")))
     if not c.explained:
         blocks.append(
