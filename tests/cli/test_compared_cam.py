@@ -151,7 +151,7 @@ def test_another_motion_is_not_explained() -> None:
 
 @pytest.mark.parametrize("made", [ROLLER, replace(ROLLER, keys={**ROLLER.keys, "offset_mm": 6.3})])
 def test_wear_of_a_flank_is_told_from_deviations(made) -> None:
-    """By its lift alone, and beside an offset of the disc that was cut; a larger disc with an offset comes near to it."""
+    """By its lift alone, and beside an offset that the disc was cut for; a larger disc with an offset comes near."""
     rise, back = cam_of(14.0).flanks
     worn = truth.Worn((replace(rise, wear=lambda u: 0.03 * np.sin(np.pi * np.clip(u, 0, 1)) ** 2), back))
     if made == ROLLER:

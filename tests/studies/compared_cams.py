@@ -1,14 +1,15 @@
-"""What differs in cams of known motion: `python -m tests.studies.compared_cams --cases 120 --seed 1 --record`.
+"""Measured cams beside their designs: `python -m tests.studies.compared_cams --cases 120 --seed 1 --record`.
 
-Cams of two flanks with laws drawn from six and rises of 8 to 16 mm, under six followers: roller, knife, tilted face, arm
-with a roller, lifting against and with the cam, swinging face. Each is off by one thing, or by two, or by none, or is
-worn by 30 um over a flank, or has another law on its rise, or lies wrong side up. 720 lifts, or 720 points of the
+Cams of two flanks with laws drawn from six and rises of 8 to 16 mm, under six followers: roller, knife, tilted face,
+arm with a roller, lifting against and with the cam, swinging face. Each is off by one thing, or by two, or by none, or
+is worn by 30 um over a flank, or has another law on its rise, or lies wrong side up. 720 lifts, or 720 points of the
 outline about its bore, clocked anyhow, with 3 um of noise. A deviation is *named* if it is found and nothing else,
-*undecided* if it stands among what explains the record as well, *not seen* if nothing is found. In lifts
-larger rollers, and faces nearer to their cam, are twins of a larger disc, and count as it. A disc that was cut for
-another base circle, and one that is larger along its normal, have one name. Beside each design stand the rows of
+*undecided* if it stands among what explains the record as well, *not seen* if nothing is found. In lifts larger
+rollers, and faces nearer to their cam, are twins of a larger disc, and count as it. A disc that was cut for another
+base circle, and one that is larger along its normal, have one name. Beside each design stand the rows of
 `cadgen tolerance` against changed followers and discs, let down again with as much as a row is said for, and with as
-much the other way. The generator shares no line with the program (`tests.studies.worn_cams_truth`).
+much the other way.
+The generator shares no line with the program (`tests.studies.worn_cams_truth`).
 """
 
 from __future__ import annotations
@@ -25,9 +26,9 @@ from tests.studies.command import PAGES, options, tell
 from tests.studies.journal import outcomes, stamp
 
 TURN = 2 * np.pi
-NOISE_MM, POINTS, DENSE = 3e-3, 720, 30_001
+NOISE_MM, POINTS, DENSE = 3e-3, 720, 12_001
 SORTS = ("lift", "outline")
-TOLERANCE, ROLLED = "tolerance", 1440
+TOLERANCE, ROLLED = "tolerance", 240
 SIGMAS = 4.0  # within which a size must be of the truth
 FIRST_ORDER = 0.02  # of a row, by which the lift may differ without being of second order
 LAWS = (
@@ -178,7 +179,7 @@ def outline(
 
 
 def deviations(rng: np.random.Generator, follower: truth.Follower, sort: str, number: int) -> tuple[str, list[str]]:
-    """What a case is off by: its name, and codes of deviations."""
+    """Name of the thing that a case is off by, and codes of deviations."""
     codes = [*dimensions(follower), "phase" if sort == "lift" else "base_circle_cut"]  # an outline is clocked anyhow
     codes.append("eccentricity")
     several = ["two"] * 2
@@ -449,7 +450,7 @@ def main() -> None:
     found = outcomes(judged, keys(asked.cases, asked.seed), asked.log, processes=asked.processes)
     text = "\n".join(
         [
-            "# What differs in measured cams",
+            "# Measured cams beside their designs",
             "",
             (__doc__ or "").partition("\n\n")[2],
             f"`python -m tests.studies.compared_cams --cases {asked.cases} --seed {asked.seed} --record`, {stamp()}",

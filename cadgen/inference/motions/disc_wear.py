@@ -94,8 +94,8 @@ class DiscWear:
 
         Args:
             residual: readings less what explains them beside the wear, mm, shape (n,).
-            columns: derivatives of that by its values, shape (n, k).
-            covariance: covariance of the values, shape (k, k).
+            columns: derivatives of that by its values, mm by unit, shape (n, k).
+            covariance: covariance of the values, mm² or rad², shape (k, k).
         """
         return sum(
             sign_cost(process, residual[flank.rows], columns[flank.rows], covariance)

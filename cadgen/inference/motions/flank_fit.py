@@ -406,8 +406,8 @@ def sign_cost(process: WearProcess, residual: Array, slopes: Array, covariance: 
     Args:
         process: wear.
         residual: readings less what explains them beside the wear, along the normal, mm, shape (n,).
-        slopes: derivatives of that by its values, shape (n, k).
-        covariance: covariance of the values, shape (k, k).
+        slopes: derivatives of that by its values, mm by unit, shape (n, k).
+        covariance: covariance of the values, mm² or rad², shape (k, k).
     """
     if not process.size:
         return 0.0
