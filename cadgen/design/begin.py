@@ -200,6 +200,15 @@ keyway = {{ width_mm = 3.0, depth_mm = 1.4 }}
 [layout]                           # parts are set against each other; directions of the stages are found
 turned_over = {turned}                # whether the disc sits turned over on its shaft
 """)
+_FRAME = Message("""\
+
+[frame]                            # plates, base and fork that hold the parts: cadgen frame {name}.toml makes them
+{keys}# [drive]                          # what stands on the base
+# kind = "weight"                  # or "motor"
+# mass_kg = 1.0
+# size_mm = [50.0, 50.0, 65.0]
+# fall_mm = 400.0
+""")
 _BRAKE = Message("""\
 drag_least_Nmm = {least:.0f}             # a felt brake on the disc: the cam stays on its gears, play does nothing
 drag_greatest_Nmm = {greatest:.0f}
@@ -251,12 +260,14 @@ class ProposedTrain(NamedTuple):
         wheel_radius: radius of the drive wheel, mm; None where it follows from the ratio.
         drag: torque of a brake on the disc that keeps the cam on its gears, N mm; 0 for none.
         base_radius: distance from the camshaft to the fork axis, mm; None for that of the design.
+        frame: keys of its frame, a line each; None for no frame.
     """
 
     teeth: tuple[tuple[int, int], ...]
     wheel_radius: float | None
     drag: float = 0.0
     base_radius: float | None = None
+    frame: str | None = None
 
 
 WithTrain = Callable[[ProposedTrain | None], str]
@@ -304,7 +315,8 @@ def text_of(
             name=name,
             stages="\n".join(_STAGE.format(driver=driver, driven=driven) for driver, driven in train.teeth),
             turned="true " if len(train.teeth) % 2 == 0 else "false",
-        ),
+        )
+        + ("" if train.frame is None else shown(_FRAME).format(name=name, keys=train.frame)),
         name=name,
         offset=_number(offset),
         waypoints="\n".join(f"    [{_number(x)}, {_number(y)}]," for x, y in places),

@@ -24,6 +24,7 @@ from cadgen.design.begin import BASE_RADIUS, ProposedTrain, WithTrain
 from cadgen.design.load import design_of
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
+from cadgen.jobs.car_frame import car_frame
 from cadgen.jobs.car_layout import layout_of
 
 _MOST_OVER = 1.03  # of the ratio over that with which the blend begins where the path ends
@@ -35,6 +36,8 @@ _LAST_DRIVEN = (60, 160)
 _MOST_LAID_OUT = 60  # trains of each number of stages
 _STATIONS = 7200
 _LARGER = (0.0, 5.0, 10.0, 15.0, 20.0, 25.0, 30.0, 40.0)  # mm by which the base radius is raised
+# Keys of a frame that are tried, the sturdiest first.
+_FRAMES = ("", 'screws = "M2.5"\n', "base_thickness_mm = 5.0\n", 'screws = "M2"\n', "base_thickness_mm = 3.0\n")
 _ANGLE_RESERVE = radians(1.0)  # for the lean of the rod, which the formula leaves aside
 _ANY = ProposedTrain(((30, 150), (40, 120), (40, 120)), None)
 
@@ -85,6 +88,7 @@ def proposed(text: WithTrain, name: str) -> str:
             except DesignError:  # its gears leave no room for their bores
                 continue
             if not wrong:
+                train = _framed(text, train, file)
                 return text(train._replace(drag=_holding_drag(design_of(text(train), file))))
             if nearest is None or _far(wrong) < _far(nearest[1]):
                 nearest = count, wrong
@@ -104,6 +108,15 @@ def proposed(text: WithTrain, name: str) -> str:
         value=wrong[0].text(),
         limit=wrong[0].limit,
     )
+
+
+def _framed(text: WithTrain, train: ProposedTrain, file: Path) -> ProposedTrain:
+    """Train with the first frame that holds its car; as it is where none of those that are tried does."""
+    for keys in _FRAMES:
+        framed = train._replace(frame=keys)
+        if not failing(car_frame(design_of(text(framed), file)).plain_checks):
+            return framed
+    return train
 
 
 def _far(wrong: tuple[Check, ...]) -> tuple[bool, int, float]:

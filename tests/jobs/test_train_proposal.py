@@ -16,6 +16,7 @@ from cadgen.verdict import Readiness
 def test_a_new_car_with_a_proposed_train_is_ready(tmp_path, wheel):
     design = Design.new("mine", tmp_path, train=True, changes={"car.outline.wheel_diameter_mm": wheel}).values
     assert not failing(laid_out(design).checks)
+    assert design.frame is not None
     cam = plan_cam(design)
     assert cam.verdict.readiness == Readiness.READY
     # The brake keeps the cam on its gears: play moves nothing.

@@ -39,8 +39,8 @@ def walk(rng: np.random.Generator) -> str:
     return "\n".join(f"{x:.1f} {y:.1f}" for x, y in moved)
 
 
-def judged(points: str, wheel: float) -> tuple[str, str]:
-    """Verdict on a new car, and what it fails or leaves open."""
+def judged(points: str, wheel: float) -> tuple[str, str, bool]:
+    """Verdict on a new car, what it fails or leaves open, and whether its file has a frame."""
     with TemporaryDirectory() as folder:
         file = Path(folder) / "points.csv"
         file.write_text(points)
@@ -50,23 +50,26 @@ def judged(points: str, wheel: float) -> tuple[str, str]:
             )
             cam = plan_cam(design.values)
         except CadgenError as error:
-            return "refused", str(error)
+            return "refused", str(error), False
     layout = CarUse.of(cam).in_car
     assert layout is not None
     assert not {check.code for check in failing(layout.checks)} & OF_LAYOUT
-    verdict = cam.verdict
+    verdict, framed = cam.verdict, design.values.frame is not None
+    why = "; ".join(str(reservation.text) for reservation in verdict.reservations)
     if verdict.failed:
-        return verdict.readiness.value, ", ".join(f"{check.name} {check.text()}" for check in verdict.failed)
-    return verdict.readiness.value, "; ".join(str(reservation.text) for reservation in verdict.reservations)
+        why = ", ".join(f"{check.name} {check.text()}" for check in verdict.failed)
+    return verdict.readiness.value, why, framed
 
 
 def main() -> int:
     """Judge new cars, and tell how many are ready."""
     given = options(__doc__, cases=100)
     rng, count, rows = np.random.default_rng(given.seed), Counter[str](), []
+    frames = 0
     for number in range(1, given.cases + 1):
         points, wheel = walk(rng), round(float(rng.uniform(60, 140)), 1)
-        state, why = judged(points, wheel)
+        state, why, framed = judged(points, wheel)
+        frames += framed
         count[state] += 1
         if state != "ready":
             rows.append(f"| {number} | {wheel:g} | {state} | {why} |")
@@ -75,7 +78,8 @@ def main() -> int:
     title, text, *_ = (__doc__ or "").strip().split("\n\n")
     text = (
         f"# New cars with a proposed train\n\n`python -m tests.studies.new_cars --cases {given.cases} "
-        f"--seed {given.seed} --record`, cadgen {__version__}.\n\n{title}\n\n{text}\n\nOf {given.cases} cars: {told}. "
+        f"--seed {given.seed} --record`, cadgen {__version__}.\n\n{title}\n\n{text}\n\nOf {given.cases} cars: {told}; "
+        f"{frames} have a frame that holds their parts. "
         "Those that are not ready:\n\n| car | wheel, mm | verdict | why |\n|---|---|---|---|\n" + "\n".join(rows)
     )
     tell(text, REPORT if given.record else None)
