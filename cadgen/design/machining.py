@@ -1,11 +1,12 @@
 """Sections of the workshop: milling and drilling, and the texts in the title blocks of drawings."""
 
-from typing import Self
+from enum import StrEnum
+from typing import Annotated, Self
 
 from pydantic import Field, field_validator, model_validator
 
 from cadgen.car.running.friction import DiscMaterial
-from cadgen.design.section import LONGEST_CELL, LONGEST_LINE, DesignSection, drawn_line, one_line
+from cadgen.design.section import LONGEST_CELL, LONGEST_LINE, WORD, DesignSection, drawn_line, one_line
 from cadgen.messages import Message
 
 USUAL_FEED = 240.0  # mm/min, where the design gives neither a feed nor a material
@@ -135,6 +136,13 @@ class Machining(DesignSection):
         return self
 
 
+class DrawnTeeth(StrEnum):
+    """How the sheets of gears show teeth in the view along the axis."""
+
+    AS_CUT = "as_cut"
+    SIMPLIFIED = "simplified"
+
+
 class DrawingText(DesignSection):
     """Texts of the title blocks of drawings, besides the material and the fits of [blank]."""
 
@@ -144,6 +152,11 @@ class DrawingText(DesignSection):
     owner: str | None = Field(default=None, description="legal owner of the drawings, such as a school or a firm")
     drawn_by: str | None = Field(default=None, description="who made the drawings")
     approved_by: str | None = Field(default=None, description="who approved them")
+    teeth: Annotated[DrawnTeeth, WORD] = Field(
+        default=DrawnTeeth.AS_CUT,
+        description="of gears seen along their axis: as they are cut, or simplified by ISO 2203, with tip and root "
+        "circles",
+    )
 
     @field_validator("title")
     @classmethod

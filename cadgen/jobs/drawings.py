@@ -17,7 +17,7 @@ import numpy as np
 from cadgen.arrays import TURN, Array
 from cadgen.curves.biarc import arcs
 from cadgen.design.keys import unit_of, without_unit
-from cadgen.design.machining import DrawingText
+from cadgen.design.machining import DrawingText, DrawnTeeth
 from cadgen.errors import FileError
 from cadgen.figures import Facts, Figures, with_unit
 from cadgen.gears.layout import TrainLayout, TrainPart
@@ -317,6 +317,7 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
                 float(f"{diameter:.7g}") for gear in gears.values() if (diameter := gear.value("reference_diameter"))
             ),
             notes=(place, *([plan.printing.note] if plan.printing else [])),
+            simplified=bool(plan.title and plan.title.teeth is DrawnTeeth.SIMPLIFIED),
         )
         name = Message("{part}: {bodies}", part=part.name, bodies=bodies)
         title = title_of(origin, plan.title, name, made.material or "", stem, folder)

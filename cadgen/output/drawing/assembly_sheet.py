@@ -147,7 +147,7 @@ def assembly_drawing(
         numbers = {part.code: part.number for part in parts if drawn.get(part.code) == number}
         balloons, labels = _balloons(view, found, numbers, scale)
         heading = Label(
-            text=view.name, at=((view.bounds[0] + view.bounds[2]) / 2, view.bounds[3] + 9.0 / scale), height=3.5
+            text=view.name, at=((view.bounds[0] + view.bounds[2]) / 2, view.bounds[3] + 5.0 / scale), height=3.5
         )
         made.append(
             View(

@@ -12,7 +12,7 @@ from cadgen.curves.contour import Contour
 from cadgen.figures import Figures
 from cadgen.gears.layout import TrainPart
 from cadgen.gears.rack import RackForm
-from cadgen.gears.stage import Stage, is_ring, rim_diameter
+from cadgen.gears.stage import Stage, Wheel, is_ring, rim_diameter
 from cadgen.messages import Message
 from cadgen.output.drawing.placement import Room
 from cadgen.output.drawing.section import Layer, ScrewHole, edges_behind_cut, material, outlines_and_hatches
@@ -128,6 +128,7 @@ def gear_rows(gear: Figures, mates: Sequence[str], stage: Stage, *, drives: bool
 
 
 _CHORD = 1e-4  # of outlines on the sheet, as a share of their radius
+_SAME = 0.01  # mm, within which an outline has the tip circle of a gear
 _GAP = 8.0  # mm on paper from the part to a dimension line, and from line to line
 _TABLE = {1: (42.0, 42.0), 2: (37.0, 30.0, 30.0)}  # widths of the columns by the number of gears, mm
 
@@ -143,6 +144,7 @@ class GearPart:
         files: name and hash of each file that holds the part.
         fit: fits and joint of the bore on its shaft.
         notes: further sentences.
+        simplified: whether teeth are drawn by ISO 2203, as tip circle and thin root circle.
     """
 
     part: TrainPart
@@ -151,6 +153,7 @@ class GearPart:
     files: tuple[tuple[str, str], ...]
     fit: ShaftFit
     notes: tuple[str, ...]
+    simplified: bool = False
 
 
 def gear_drawing(gear: GearPart, title: Title) -> DrawingSheet:
@@ -220,9 +223,13 @@ def _rack_drawing(gear: GearPart, rack: RackForm, title: Title) -> DrawingSheet:
     gap, middle = _GAP / scale, EDGE + TITLE_SIZE[1] + (SIZES[size][1] - 2 * EDGE - TITLE_SIZE[1]) / 2
     face_at, side_at = (LEFT + 20.0, middle), (LEFT + 50.0 + scale * length, middle)
     line = np.array([[-0.5 * gap, 0.0], [length + 0.5 * gap, 0.0]])
+    teeth: tuple[Closed | Stroke, ...] = (_outline(rack.outline),)
+    if gear.simplified:
+        box = np.array([[0.0, back], [length, back], [length, tip], [0.0, tip], [0.0, back]])
+        teeth = Stroke(box), Stroke(np.array([[0.0, root], [length, root]]), LineKind.THIN)
     face = View(
         place=face_at,
-        curves=(_outline(rack.outline), Stroke(line, LineKind.CENTRE)),
+        curves=(*teeth, Stroke(line, LineKind.CENTRE)),
         dimensions=(
             LinearDimension(name="length", start=(0.0, back), end=(length, back), at=(0.0, back - gap)),
             upright("height to the reference line", 0.0, (back, 0.0), -gap, scale),
@@ -276,12 +283,15 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     blank = part.blank
     reach = _reach(part.body)
     curves: list[Closed | Stroke] = []
-    for loop in dict.fromkeys(_rims(part.body)):
+    inner = [part.body.slabs[0].rings[-1]] if is_ring(part.gears[0]) else []
+    for loop in dict.fromkeys([*_rims(part.body), *inner]):
+        if gear.simplified and (wheel := _toothed(loop, part)):
+            curves += [ring(wheel.tip_diameter), ring(wheel.root_diameter, LineKind.THIN)]
+            continue
         # The section at the upper end of the wall that begins with this one.
         slabs = [slab for slab in part.body.slabs if loop in slab.rings]
-        curves.append(_outline(loop.rotated(loop.run.angle(slabs[-1].end - slabs[0].start))))
-    if is_ring(part.gears[0]):
-        curves.append(_outline(part.body.slabs[0].rings[-1]))
+        turn = 0.0 if loop in inner else loop.run.angle(slabs[-1].end - slabs[0].start)
+        curves.append(_outline(loop.rotated(turn)))
     # Under a wider gear they are not seen.
     holes = () if part.gears[-1].tip_diameter > part.gears[0].tip_diameter else _drilled(part)
     curves += [_outline(hole) for hole in holes]
@@ -322,6 +332,19 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
         dimensions=Room(curves, scale).dimensions(dimensions, labels),
         labels=labels,
     )
+
+
+def _toothed(loop: Loop, part: TrainPart) -> Wheel | None:
+    """Gear of a part whose teeth an outline is; None for a plain circle."""
+    for wheel in part.gears:
+        tip = loop.radii[0] if is_ring(wheel) else loop.radii[1]
+        if (
+            wheel.outline.repeats > 1
+            and abs(tip - wheel.tip_diameter / 2) < _SAME
+            and loop.radii[1] - loop.radii[0] > _SAME
+        ):
+            return wheel
+    return None
 
 
 def _rims(body: Body) -> Iterator[Loop]:

@@ -100,3 +100,54 @@ def test_a_planet_meshes_with_two_and_no_shift_is_minus_nought():
     rows = dict(gear_rows(figures, ("z = 18, 1_pinion", "z = 72, stage1_ring"), stage, drives=True))
     assert (rows["meshes with"], rows["and with"]) == ("z = 18, 1_pinion", "z = 72, stage1_ring")
     assert rows["profile shift x"] == "0"
+
+
+@pytest.mark.slow
+def test_simplified_teeth_are_a_tip_circle_and_a_thin_root_circle(tmp_path):
+    """ISO 2203, of outer gears, of a ring and of a rack; all else of the sheet is as with teeth that are cut."""
+    from cadgen.design.load import load_train
+    from cadgen.jobs.drawings import Folder, sheets_of
+    from cadgen.jobs.gears.gear_train import plan_gears
+    from cadgen.output.drawing.sheet import Closed, LineKind, Stroke
+
+    ring = """[train]
+module_mm = 1.0
+width_mm = 8.0
+bearing_span_mm = 60.0
+[drawing]
+teeth = "simplified"
+[[train.stages]]
+driver = { teeth = 20, helix_angle_deg = 0.0 }
+"""
+    kinds = {
+        "ring": ring.replace(", helix_angle_deg = 0.0", "") + "driven = { teeth = 60, internal = true }\n",
+        "rack": ring.replace("[[train.stages]]", '[[train.stages]]\nkind = "rack"').replace(
+            "driver = { teeth = 20, helix_angle_deg = 0.0 }", "driver = { teeth = 20 }\nrack = { teeth = 12 }"
+        ),
+    }
+    for kind, text in kinds.items():
+        file = tmp_path / f"{kind}.toml"
+        file.write_text(text)
+        plans = [plan_gears(load_train(file, overrides)) for overrides in ([], ["drawing.teeth=as_cut"])]
+        sheets = [dict(sheets_of(plan, Folder({}, "2026-01-01"))) for plan in plans]
+        simple, cut = ([drawn for name, drawn in each.items() if "plate" not in name] for each in sheets)
+        for drawn, whole in zip(simple, cut, strict=True):
+            assert drawn.dimensions == whole.dimensions
+            curves = drawn.views[0].curves
+            corners = [
+                sum(len(c.contour.bulges) for c in each.views[0].curves if isinstance(c, Closed))
+                for each in (drawn, whole)
+            ]
+            assert corners[0] < corners[1] / 2
+            thin = [c for c in curves if c.line is LineKind.THIN]
+            if kind == "rack" and drawn is simple[-1]:
+                assert any(isinstance(c, Stroke) and (c.points[:, 1] == c.points[0, 1]).all() for c in thin)
+                continue
+            (data,) = drawn.tables
+            sizes = dict(data.rows)
+            roots = [2 * float(c.contour.radii[0]) for c in thin if isinstance(c, Closed)]
+            assert roots == [pytest.approx(float(sizes["root diameter, as cut"].split()[0]), abs=5e-4)]
+            tips = [
+                2 * float(c.contour.radii[0]) for c in curves if isinstance(c, Closed) and c.line is LineKind.VISIBLE
+            ]
+            assert any(abs(size - float(sizes["tip diameter"].split()[0])) < 5e-4 for size in tips)
