@@ -100,7 +100,7 @@ def test_a_cam_that_turns_the_wrong_way_is_not_ready():
     [
         (["train="], "[layout] says how the gear train stands in the car, and the design has none"),
         (["train.stages.1.direction_deg=10"], "train.stages.2.direction_deg is not given"),
-        (["train.drive.bore_diameter_mm=0"], "train.drive.bore_diameter_mm is missing"),
+        (["train.drive.bore_fit=", "train.drive.bore_diameter_mm=0"], "train.drive.bore_diameter_mm is missing"),
         (["layout.clearance_mm=0"], "layout.clearance_mm"),
     ],
 )

@@ -20,13 +20,6 @@ from cadgen.output.drawing.assembly_sheet import assembly_drawing
 from cadgen.output.drawing.sheet import DrawingSheet
 
 PAGE = Path(__file__).parents[2] / "docs" / "reference" / "sheets.md"
-# What the packaged design leaves open: its sheets say "not stated" there, and the command names these keys.
-STATED = (
-    'train.material="steel C45"',
-    *(f"train.{place}.{key}" for place in ("drive", "intermediate", "output") for key in ('bore_fit="H7/h6"',)),
-    *(f'train.{place}.joint="glued"' for place in ("drive", "intermediate", "output")),
-    'train.plate={material="aluminium 8 mm", hole_fit="H7/h6", thickness_mm=8.0}',
-)
 # Sheets say in one of these ways what they count from: axis and face, axis of the camshaft, face of the bore, angle 0.
 DATUMS = ("Datum", "axis of the camshaft", "height of the camshaft", "square to the lower face", "0°")
 WITHOUT_FITS = ("base", "platform")  # whose holes are for screws, and whose slots for tabs
@@ -41,7 +34,7 @@ def facts_of_the_page() -> dict[str, set[str]]:
 
 @pytest.fixture(scope="module")
 def car() -> CarAssembly:
-    design = load_design("workshop_car", STATED)
+    design = load_design("workshop_car")
     return put_together(plan_cam(design, "actual"), plan_gears(design))
 
 
