@@ -1,17 +1,19 @@
-"""Gaps of each part of a car to the parts nearest to it, by the round bodies that its layout is checked with."""
+"""Gaps of each part of a car to the parts nearest to it, by the bodies of the checks of its layout and its frame."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
 
 from cadgen.car.assembly.bodies import SolidCylinder, gap
+from cadgen.car.assembly.panels import STANDING, cylinder_box, least_gap, parallel_gap, pieces
 from cadgen.car.assembly.site import STEERING_STEPS, shaft_bodies
 from cadgen.design import gear_model
 from cadgen.gears.layout import gears_and_hubs
 from cadgen.gears.train import thinned
 from cadgen.jobs.car_assembly import CarAssembly
+from cadgen.jobs.car_frame import frame_in
 
 MOST = 3  # of the nearest parts of each
 
@@ -55,10 +57,13 @@ def part_gaps(assembly: CarAssembly) -> Mapping[str, tuple[PartGap, ...]]:
     for one, other in combinations(on_shafts, 2):
         if one.group != other.group and (one.stage is None or one.stage != other.stage):
             note(one.code, other.code, gap(one.body, other.body))
-    for moved in _of_fork(assembly):
+    of_fork = list(_of_fork(assembly))
+    for moved in of_fork:
         for fixed in on_shafts:
             if fixed.code != moved.touches:
                 note(moved.code, fixed.code, gap(moved.body, fixed.body))
+    for panel, moved, size in _to_panels(assembly, [*on_shafts, *of_fork]):
+        note(panel, moved.code, size)
     return {
         code: tuple(sorted(PartGap(size, other) for other, size in beside.items())[:MOST])
         for code, beside in found.items()
@@ -89,6 +94,27 @@ def _on_shafts(assembly: CarAssembly) -> Iterator[_Round]:
             middle, half = (disc.low + disc.high) / 2, (disc.high - disc.low) / 2
             body = SolidCylinder(name=disc.name, centre=(axis.real, axis.imag, middle), radius=disc.radius, half=half)
             yield _Round(code, number + 1, disc.stage, body)
+
+
+def _to_panels(assembly: CarAssembly, bodies: Sequence[_Round]) -> Iterator[tuple[str, _Round, float]]:
+    """Gaps of the frame's sheets to what moves: code of the sheet, body and gap, mm; shafts pass their own seats."""
+    layout = assembly.layout
+    for panel in frame_in(layout).frame.panels if layout.design.frame is not None else ():
+        borne = {hole.shaft for hole in panel.holes}
+        code, standing = panel.code.replace("_", "-"), panel.place.turn is STANDING
+        near: dict[str, list[_Round]] = {}
+        for each in bodies:
+            if each.group in borne and each.code.startswith(("shaft-", "bearing")):
+                continue
+            if standing and each.group:
+                yield code, each, parallel_gap(panel, each.body)
+            else:
+                near.setdefault(each.code, []).append(each)
+        sheets = [(0, piece, piece.box) for piece in pieces(panel)] if near else []
+        for alike in near.values():
+            found = least_gap(sheets, [(0, each.body, cylinder_box(each.body)) for each in alike], ())
+            if found is not None:
+                yield code, alike[0], found.size
 
 
 def _of_fork(assembly: CarAssembly) -> Iterator[_Round]:

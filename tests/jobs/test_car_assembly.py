@@ -11,6 +11,8 @@ from cadgen.errors import DesignError
 from cadgen.geometry.meshes.car_meshes import shape_mesh
 from cadgen.jobs.cam.steering_cam import plan_cam
 from cadgen.jobs.car_assembly import CarAssembly, put_together
+from cadgen.jobs.car_frame import frame_in
+from cadgen.jobs.car_gaps import part_gaps
 from cadgen.jobs.gears.gear_train import plan_gears
 
 
@@ -29,6 +31,20 @@ def test_every_part_has_a_code_a_colour_and_a_mass(car: CarAssembly) -> None:
     assert len({part.colour for part in car.parts}) == len(car.parts)
     assert all(part.code.isascii() and part.each > 0 and part.quantity > 0 for part in car.parts)
     assert car.balance().volume == pytest.approx(sum(part.each * part.quantity for part in car.parts))
+
+
+def test_gaps_under_the_pointer_know_the_sheets_of_the_frame(car: CarAssembly) -> None:
+    """Gaps to the frame's sheets, against sizes of the layout and the frame's own check."""
+    found, made = part_gaps(car), frame_in(car.layout)
+    nearest = {code: {each.other: each.size for each in gaps} for code, gaps in found.items()}
+    site, top = car.layout.site, made.frame.top
+    # The bracket stands two clearances beside the idle wheel, and the rod lies over the platform on its spacers.
+    assert nearest["idle-wheel"]["bracket-idle"] == pytest.approx(2 * site.clearance)
+    assert nearest["rod"]["platform"] == pytest.approx(top - made.frame.spacer - 6.0 - site.rod_radius)
+    sheets = {panel.code.replace("_", "-") for panel in made.frame.panels}
+    least = min(size for code in sheets for size in nearest[code].values())
+    assert least == pytest.approx(made.gaps[0].size)
+    assert "shaft-2" not in nearest["plate-near"]
 
 
 def test_volumes_are_those_of_the_cad_kernel(car: CarAssembly) -> None:
