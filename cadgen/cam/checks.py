@@ -382,7 +382,8 @@ def _contact(follower: Follower, contact: Contact, error: Array, trimmed: NDArra
                 Bound.MAX,
                 cam_place(contact.cam_angle[worst]),
                 Message(
-                    "this profile is not the {follower}'s envelope: use --profile actual",
+                    "this profile is not the {follower}'s envelope: use --profile actual, or, if it is that one, "
+                    "correct the kind of follower, whose envelope and contact disagree",
                     follower=Message(follower.noun),
                 ),
             )

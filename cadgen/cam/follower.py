@@ -764,3 +764,20 @@ def edge_follower(follower: Follower, job: str, instead: str = "") -> EdgeFollow
         job=Message(job),
         way_out=way_out,
     )
+
+
+class SizedByAnother:
+    """Mixin of a follower whose sizes another one sets, so that none of them is tried alone."""
+
+    def remedies(self) -> tuple[LossRemedy, ...]:
+        """No remedy of lost lift: its sizes change both profiles."""
+        return ()
+
+    def sizes(self, motion: Motion, limits: CheckLimits) -> tuple[SizeThatFits, ...]:
+        """No size that fits: the other follower has the sizes.
+
+        Args:
+            motion: motion wanted.
+            limits: limits of the checks, mm and rad.
+        """
+        return ()

@@ -65,7 +65,7 @@ class MotionCam(DesignSection):
             raise ValueError(
                 Message(
                     "cam.base_radius_mm and cam.inner_face_mm are the place of a disc under a rod, and one of them is "
-                    "missing: add it, or remove the other"
+                    "missing: add it, or, under another follower, give cam.base_circle_radius_mm in their place"
                 )
             )
         return self

@@ -54,6 +54,11 @@ def fitting_kinds(*, moved: bool) -> Message:
     """Kinds of follower that fit a design, as they read after "must be".
 
     Args:
-        moved: whether the design has [motion], so that the follower moves by its lift or swing, and not with a fork.
+        moved: whether the design has [motion], under which every kind runs; else the follower leans with a fork.
     """
-    return listed([f'"{code}"' for code in codes() if moved != (kind_of(code).unit == TAN)], "or")
+    return listed([f'"{code}"' for code in codes() if moved or kind_of(code).unit == TAN], "or")
+
+
+def lifted_kinds() -> Message:
+    """Kinds of follower that move by their lift or swing, and not with a fork, as they read after "to"."""
+    return listed([f'"{code}"' for code in codes() if kind_of(code).unit != TAN], "or")

@@ -26,6 +26,7 @@ from cadgen.reading import read_regular
 DEFAULT_DESIGN = "carbon_free_car"
 MAX_ERRORS_SHOWN = 5
 _WHEEL_OFFSETS = ("drive_wheel_offset_mm", "idle_wheel_offset_mm")
+_DECIMAL_COMMA = re.compile(r"=\s*[-+]?\d+,\d+\s*([,}#]|$)")
 _STRAIGHT = [[100.0 * k, 0.0] for k in range(6)]
 MOST_BYTES = 500_000  # of a file: ten thousand waypoints with every digit
 
@@ -313,6 +314,12 @@ def _syntax(problem: str, file: str, text: str) -> str:
     if problem.startswith(("Cannot overwrite", "Cannot declare")):
         return Message(
             "{where}: `{quoted_line}` is given a second time: remove one of the two",
+            where=where,
+            quoted_line=quoted_line,
+        )
+    if _DECIMAL_COMMA.search(quoted_line):
+        return Message(
+            "{where}: a number in `{quoted_line}` has a decimal comma: write a point",
             where=where,
             quoted_line=quoted_line,
         )

@@ -30,7 +30,7 @@ from cadgen.design.disc import MotionCam, base_circle_radius, follower_motion
 from cadgen.design.drive import DriveSection
 from cadgen.design.dynamics import DynamicsSection
 from cadgen.design.file_names import name_fault
-from cadgen.design.follower import FOLLOWER, FollowerSection, fitting_kinds
+from cadgen.design.follower import FOLLOWER, FollowerSection, fitting_kinds, lifted_kinds
 from cadgen.design.frame import FrameSection
 from cadgen.design.layout import LayoutSection
 from cadgen.design.lift_tolerances import LiftTolerances
@@ -446,7 +446,7 @@ class DiscFile(TrainFile):
                     'follower.kind is "{code}", which leans with a fork: give cam.base_radius_mm and cam.inner_face_mm '
                     "instead of cam.base_circle_radius_mm, or set follower.kind to {fitting}",
                     code=kind.code,
-                    fitting=fitting_kinds(moved=True),
+                    fitting=lifted_kinds(),
                 )
                 if kind.unit == TAN
                 else Message(

@@ -28,6 +28,7 @@ _WHITE = -0.5  # correlation of neighbouring fourth differences; of white noise 
 _OUTLIER = 6.0  # times the median of the fourth differences, at which one belongs to a seam and not to noise
 _MEDIAN_OF_SQUARES = 0.4549  # of a standard normal variable
 _GAP = 1.5  # steps of the table; a wider gap is a part of the turn without rows
+_RADIANS_FROM = 0.9  # of a turn in radians, from which the angles of a table that does not close look like them
 _OPEN_NOISE = 5.0  # times the noise by which the ends of a table may differ
 _OPEN = {True: 5e-4, False: 1e-5}  # mm, or rad, by which they may differ in any case
 _FIRM = 20.0  # weight of the dwell beside a table, against its rows
@@ -186,6 +187,14 @@ def _closes(angle: Array, height: Array, missing: float, noise: float, unit: Uni
 
 
 def _open(angle: Array, height: Array, unit: Unit, noise: float, key: str) -> DesignError:
+    reach = degrees(angle[-1] - angle[0])
+    if _RADIANS_FROM * TURN < reach < TURN:
+        return DesignError(
+            "the table reaches over {reach:.4g} degrees alone, as angles in radians do, and they are degrees: multiply "
+            "each by {share:.10g}",
+            reach=reach,
+            share=degrees(1.0),
+        )
     scale, name = (1e3, "µm") if unit == MM else (degrees(1.0), "°")
     return DesignError(
         "the table does not close: it begins {first:.4g} {unit} above the base circle, at {begin:.6g} degrees of cam "

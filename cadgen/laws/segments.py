@@ -25,6 +25,7 @@ _WHOLE = 1e-9  # of a turn; the angles of the segments add up to it but for the 
 # A law from outside may have its jerk by differences.
 _JUMP = np.array([1e-9, 1e-9, 1e-9, 1e-6])
 _NAMES = (Message("motion"), Message("velocity"), Message("acceleration"), Message("jerk"))
+_LIKE_RADIANS = 0.01  # of a turn, within which angles add up to it as radians do
 _SAME = 1e-9  # rad; nearer to a seam than that an angle is at it
 _SNAP = 1e-12  # of the share; nearer to a seam of the law than that a share is taken as the seam itself
 _MOST_TRIED = 3  # segments that become polynomials together, where one is not enough
@@ -402,6 +403,14 @@ def _state(span: MotionSpan, end: int) -> tuple[float, float]:
 def _does_not_fill(segments: Sequence[MotionSpan], whole: float, machine_turns: float) -> DesignError:
     """Refusal of segments that take more or less than the turn, with the segment whose angle makes it whole."""
     total, missing = (degrees(angle) * machine_turns for angle in (segments[-1].stop, whole - segments[-1].stop))
+    turn = radians(total + missing)
+    if abs(total - turn) < _LIKE_RADIANS * turn:
+        return DesignError(
+            "the angles of motion.segments make {total:.5g} together, as angles in radians do, and they are degrees: "
+            "multiply each in_deg and dwell_deg by {share:.10g}",
+            total=total,
+            share=(total + missing) / total,
+        )
     # A dwell changes nothing else; then a law; a polynomial's conditions stand at angles.
     order = sorted(
         (span.conditions is not None, span.moves, -span.width, number) for number, span in enumerate(segments)

@@ -136,6 +136,10 @@ def loaded(changes=()):
             "take 350 degrees; they must take 360: set motion.segments.4.dwell_deg to 130",
         ),
         (
+            "motion.segments=[{to_mm=4, in_deg=3.1416, law='cycloidal'}, {to_mm=0, in_deg=3.1416, law='cycloidal'}]",
+            "as angles in radians do, and they are degrees: multiply each in_deg and dwell_deg by 57.295",
+        ),
+        (
             "motion.segments.3.to_mm=1",
             "the motion begins at 0 mm and ends at 1, which is a jump at cam angle 0: set motion",
         ),
@@ -159,7 +163,7 @@ def loaded(changes=()):
         ("follower=", "follower.kind is missing, and the design has [motion]: add it to the section"),
         (
             "follower.kind=rollr",
-            '--set follower.kind=rollr: follower.kind is "rollr"; it must be "roller", "knife", ',
+            '--set follower.kind=rollr: follower.kind is "rollr"; it must be "rod", "roller", ',
         ),
         ("blank.edge_break_mm=4.99", "leave no land of at least 0.1 mm for the follower"),
         (

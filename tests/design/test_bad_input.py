@@ -157,6 +157,7 @@ def test_a_hub_that_reaches_the_fork_axis(minimal: Tables, written: Write) -> No
     ("content", "words"),
     [
         ("name = 'x'\ncam = 3 mm\n", ["line 2, column 9", "not TOML", "`cam = 3 mm`"]),
+        ("[cam]\nthickness_mm = 9,5\n", ["line 2", "`thickness_mm = 9,5` has a decimal comma: write a point"]),
         ("[cam]\nblend_deg = \n", ["line 2, column 13", "not TOML (invalid value)", "`blend_deg =`"]),
         ("[cam]\nblend_deg = [1\n", ["line 2, column 15", "unclosed array", "`blend_deg = [1`"]),
         ("[cam]\nblend_deg = 3\nblend_deg = 4", ["line 3", "`blend_deg = 4` is given a second time"]),
@@ -175,6 +176,7 @@ def test_a_hub_that_reaches_the_fork_axis(minimal: Tables, written: Write) -> No
     ],
     ids=[
         "statement",
+        "comma",
         "value",
         "array",
         "key twice",

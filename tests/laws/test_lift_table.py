@@ -115,6 +115,12 @@ def test_without_smoothing_the_rows_are_kept():
     assert motion.noise > 0
 
 
+def test_a_table_in_radians_is_said_to_be_one():
+    angle = np.arange(0.0, 6.2832, 0.02)
+    with pytest.raises(DesignError, match=r"reaches over 6\.28 degrees alone.*multiply each by 57\.29577951"):
+        taken(np.radians(angle), 4 * (1 - np.cos(angle + 0.1)))
+
+
 def test_the_first_row_again_closes_a_turn():
     theta = np.radians(np.arange(361.0))
     rows = 5 - 5 * np.cos(theta)

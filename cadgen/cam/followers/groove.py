@@ -12,11 +12,10 @@ import numpy as np
 from cadgen.arrays import Array
 from cadgen.cam.checks import cam_place, polar_place
 from cadgen.cam.contact import roll_curve
-from cadgen.cam.follower import Follower, LossRemedy, SizeThatFits
+from cadgen.cam.follower import Follower, SizedByAnother
 from cadgen.cam.followers.pivot import seen_from_pivot
 from cadgen.cam.followers.roller import Roller
 from cadgen.cam.followers.swinging_roller import SwingingRoller
-from cadgen.cam.limits import CheckLimits
 from cadgen.cam.round_follower import Complex, RoundFollower
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.curves.closed import ClosedCurve
@@ -27,7 +26,7 @@ _STEP = 0.05  # mm between points of the outer flank
 _ROLLED = 1e-4  # mm; what rolling errs by, on either flank
 
 
-class OnOuterFlank(RoundFollower):
+class OnOuterFlank(SizedByAnother, RoundFollower):
     """Roller that is pressed outwards, with -q as its motion; a kind gives how it rolls."""
 
     encloses = True
@@ -51,19 +50,6 @@ class OnOuterFlank(RoundFollower):
             normal: angles of the outline's normal from its line, rad, shape (n,).
         """
         return super().pressed(-q, normal)
-
-    def remedies(self) -> tuple[LossRemedy, ...]:
-        """The sizes of the roller change both flanks, so none is tried alone."""
-        return ()
-
-    def sizes(self, motion: Motion, limits: CheckLimits) -> tuple[SizeThatFits, ...]:
-        """The roller on the inner flank has the sizes.
-
-        Args:
-            motion: opposite motion.
-            limits: limits of the checks, mm and rad.
-        """
-        return ()
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -15,7 +15,7 @@ from typing import Self
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.cam.follower import LossRemedy, SizeThatFits
+from cadgen.cam.follower import LossRemedy, SizedByAnother, SizeThatFits
 from cadgen.cam.limits import CheckLimits
 from cadgen.cam.round_follower import Complex, RoundSlide
 from cadgen.cam.sizing import SlideSizes, rounded_up
@@ -104,7 +104,7 @@ class Roller(RoundSlide):
 
 
 @dataclass(frozen=True, kw_only=True)
-class SecondRoller(Roller):
+class SecondRoller(SizedByAnother, Roller):
     """Second roller of a conjugate pair: on the same slide, on the other side of the camshaft."""
 
     noun = Message("second roller")
@@ -128,19 +128,6 @@ class SecondRoller(Roller):
         """
         prime = float(np.hypot(span - first.base_radius, offset))
         return cls(base=prime - radius, radius=radius, offset=-offset, turned=np.pi)
-
-    def remedies(self) -> tuple[LossRemedy, ...]:
-        """Span and radius change both discs, so none is tried alone."""
-        return ()
-
-    def sizes(self, motion: Motion, limits: CheckLimits) -> tuple[SizeThatFits, ...]:
-        """The first roller and the span set the sizes of the second disc.
-
-        Args:
-            motion: motion wanted.
-            limits: limits of the checks, mm and rad.
-        """
-        return ()
 
 
 @dataclass(frozen=True, kw_only=True)

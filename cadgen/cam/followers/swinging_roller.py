@@ -20,7 +20,7 @@ from typing import Self
 import numpy as np
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.follower import FollowerDimension, LossRemedy, RolledCam, SizeThatFits
+from cadgen.cam.follower import FollowerDimension, LossRemedy, RolledCam, SizedByAnother, SizeThatFits
 from cadgen.cam.followers.lifts import Lifts
 from cadgen.cam.followers.pivot import ArmFollower, pivot_checks, seen_from_pivot
 from cadgen.cam.limits import CheckLimits
@@ -289,7 +289,7 @@ class SwingingRoller(ArmFollower, RoundFollower):
 
 
 @dataclass(frozen=True, kw_only=True)
-class SecondSwingingRoller(SwingingRoller):
+class SecondSwingingRoller(SizedByAnother, SwingingRoller):
     """Second roller of a conjugate pair: on a second arm of the same lever, on the other side of the camshaft."""
 
     noun = Message("second roller")
@@ -312,16 +312,3 @@ class SecondSwingingRoller(SwingingRoller):
         prime = float(np.sqrt(c**2 + arm**2 - 2 * c * arm * np.cos(angle - first.rest)))
         other = Lifts.WITH if first.lifts == Lifts.AGAINST else Lifts.AGAINST
         return cls(base=prime - radius, radius=radius, arm=arm, centre_distance=c, lifts=other)
-
-    def remedies(self) -> tuple[LossRemedy, ...]:
-        """The angle and the radius change both discs, so none is tried alone."""
-        return ()
-
-    def sizes(self, motion: Motion, limits: CheckLimits) -> tuple[SizeThatFits, ...]:
-        """The first roller and the angle set the sizes of the second disc.
-
-        Args:
-            motion: opposite motion.
-            limits: limits of the checks, mm and rad.
-        """
-        return ()
