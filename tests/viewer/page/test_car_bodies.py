@@ -32,4 +32,4 @@ def test_every_part_stands_where_the_assembly_has_it(name):
         for end in ("min", "max"):
             assert getattr(found, end)(axis=0) == pytest.approx(getattr(wanted, end)(axis=0), abs=0.06), part.code
     disc = next(part for part in bodies.parts if part.code == "cam")
-    assert "2 mm to shaft" in disc.near if name == "workshop_car" else disc.near
+    assert "2 mm to base plate" in disc.near if name == "workshop_car" else disc.near
