@@ -203,7 +203,10 @@ def test_commands_in_blocks_that_are_not_run_exist() -> None:
 
 
 def test_the_version_to_cite_is_that_of_the_package() -> None:
-    assert f"\nversion: {cadgen.__version__}\n" in (ROOT / "CITATION.cff").read_text(encoding="utf-8")
+    citation = (ROOT / "CITATION.cff").read_text(encoding="utf-8")
+    assert f"\nversion: {cadgen.__version__}\n" in citation
+    (day,) = re.findall(r"^date-released: (\S+)$", citation, re.M)
+    assert f"\n## {cadgen.__version__} ({day})\n" in (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
 
 
 def test_the_distribution_is_not_the_strangers_of_the_same_name() -> None:
