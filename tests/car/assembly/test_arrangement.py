@@ -1,7 +1,9 @@
 """Arrangements of random cars, checked body by body on meshes that are set up here from the cars' sizes alone."""
 
+from collections import Counter
 from itertools import combinations
 from math import cos, hypot, inf, pi, sin
+from types import SimpleNamespace
 
 import manifold3d
 import numpy as np
@@ -114,59 +116,61 @@ def fork_at(site, height, angle):
     return rod, turned(site.front_width, site.front_radius, height - site.front_radius, False)
 
 
+def judged(site, shafts, distances, bores):
+    """Whether a car is laid out, has no room, or is out of reach; and the error of its least gap, mm."""
+    found = arrange(site, shafts, distances, bores)
+    if found is None:
+        assert shortfall(site, distances) > 0 or len(distances) == 1 or 2 * max(distances) > sum(distances)
+        return "out of reach", 0.0
+    steps = np.array(distances) * np.exp(1j * np.array(found.directions))
+    assert found.axes[0] + steps.sum() == pytest.approx(0.0, abs=1e-9)
+    assert found.axes[0] == pytest.approx(complex(-site.behind, found.height - site.wheel_radius), abs=1e-9)
+    if found.reserve(site) < -1e-6:
+        assert not by_brute_force(site, shafts, distances, bores)
+        return "without room", 0.0
+    solids = bodies_of(site, shafts, bores, found)
+    least = inf
+    pairs = [
+        (box_gap(one, other), own and others, one, other)
+        for first, second in combinations(solids, 2)
+        for own, stage, one in first
+        for others, mate, other in second
+        if stage is None or stage != mate
+    ]
+    for near, of_train, one, other in sorted(pairs, key=lambda pair: pair[0]):
+        if of_train:
+            assert near > 0.3 or one.min_gap(other, 1.0) > 0.25
+        elif near < least:
+            least = min(least, one.min_gap(other, min(least, 50.0)))
+    for angle in np.linspace(*site.rod_angles, 25):
+        rod, wheel = fork_at(site, found.height, angle)
+        if wheel is not None and box_gap(wheel, rod) < least:
+            least = min(least, wheel.min_gap(rod, least))
+        for number, on_shaft in enumerate(solids):
+            for own, _, solid in on_shaft:
+                # The rod rides on the disc, whose middle is the only one within its thickness.
+                middle = (solid.bounding_box()[2] + solid.bounding_box()[5]) / 2
+                rim = number == len(solids) - 1 and not own and 0.0 < middle < site.disc[0].high
+                if wheel is not None and box_gap(wheel, solid) < least:
+                    least = min(least, wheel.min_gap(solid, least))
+                if not rim and box_gap(rod, solid) < least:
+                    least = min(least, rod.min_gap(solid, least))
+    return "laid out", abs(least - found.least.size)
+
+
 def test_random_cars_are_laid_out_or_proved_impossible():
     """No two bodies come closer than is promised; where none is found a fine grid of directions finds none."""
     rng = np.random.default_rng(11)
-    worst, laid, none, short = 0.0, 0, 0, 0
-    for _ in range(60):
-        site, shafts, distances, bores = random_car(rng)
-        found = arrange(site, shafts, distances, bores)
-        if found is None:
-            assert shortfall(site, distances) > 0 or len(distances) == 1 or 2 * max(distances) > sum(distances)
-            short += 1
-            continue
-        steps = np.array(distances) * np.exp(1j * np.array(found.directions))
-        assert found.axes[0] + steps.sum() == pytest.approx(0.0, abs=1e-9)
-        assert found.axes[0] == pytest.approx(complex(-site.behind, found.height - site.wheel_radius), abs=1e-9)
-        if found.reserve(site) < -1e-6:
-            none += 1
-            assert not by_brute_force(site, shafts, distances, bores)
-            continue
-        laid += 1
-        solids = bodies_of(site, shafts, bores, found)
-        least = inf
-        pairs = [
-            (box_gap(one, other), own and others, one, other)
-            for first, second in combinations(solids, 2)
-            for own, stage, one in first
-            for others, mate, other in second
-            if stage is None or stage != mate
-        ]
-        for near, of_train, one, other in sorted(pairs, key=lambda pair: pair[0]):
-            if of_train:
-                assert near > 0.3 or one.min_gap(other, 1.0) > 0.25
-            elif near < least:
-                least = min(least, one.min_gap(other, min(least, 50.0)))
-        for angle in np.linspace(*site.rod_angles, 25):
-            rod, wheel = fork_at(site, found.height, angle)
-            for number, on_shaft in enumerate(solids):
-                for own, _, solid in on_shaft:
-                    # The rod rides on the disc, whose middle is the only one within its thickness.
-                    middle = (solid.bounding_box()[2] + solid.bounding_box()[5]) / 2
-                    rim = number == len(solids) - 1 and not own and 0.0 < middle < site.disc[0].high
-                    if wheel is not None and box_gap(wheel, solid) < least:
-                        least = min(least, wheel.min_gap(solid, least))
-                    if not rim and box_gap(rod, solid) < least:
-                        least = min(least, rod.min_gap(solid, least))
-        worst = max(worst, abs(least - found.least.size))
-    print(f"{laid} laid out, {none} without room, {short} out of reach; least gaps differ by {worst:.4f} mm at most")
-    assert laid >= 8
-    assert none >= 8
+    found = [judged(*random_car(rng)) for _ in range(60)]
+    count, worst = Counter(state for state, _ in found), max(error for _, error in found)
+    print(f"{count}; least gaps differ by {worst:.4f} mm at most")
+    assert count["laid out"] >= 8
+    assert count["without room"] >= 8
     assert worst <= 0.01
 
 
 def by_brute_force(site, shafts, distances, bores):
-    """Whether some camshaft height and directions on a grid of their own keep all round bodies apart."""
+    """Whether some camshaft height and directions on a grid of their own keep all bodies apart."""
     if len(distances) > 2:
         return False  # of two stages the grid is exhaustive; more are held against meshes alone
     for toward in (-1, 1):
@@ -180,9 +184,24 @@ def by_brute_force(site, shafts, distances, bores):
         for height in np.arange(site.disc[0].radius + site.floor_clearance, site.wheel_radius + sum(distances), 0.5):
             drive = complex(-site.behind, height - site.wheel_radius)
             for axes in chains(drive, distances):
-                if clear(site, shafts, bores, place, axes, height):
+                round_ones = clear(site, shafts, bores, place, axes, height)
+                if round_ones and fork_is_clear(site, shafts, bores, place, axes, height):
                     return True
     return False
+
+
+def fork_is_clear(site, shafts, bores, place, axes, height):
+    """Whether rod and front wheel keep 1 mm of the meshes of all bodies but the disc that the rod rides on."""
+    solids = bodies_of(site, shafts, bores, SimpleNamespace(place=place, axes=axes))
+    disc = solids[-1].pop(len(shafts[-1]))[2]
+    others = [solid for on_shaft in solids for _, _, solid in on_shaft]
+    for angle in np.linspace(*site.rod_angles, 25):
+        rod, wheel = fork_at(site, height, angle)
+        pairs = [(rod, other) for other in others]
+        pairs += [(wheel, other) for other in (*others, disc, rod)] if wheel is not None else []
+        if any(box_gap(one, other) < 1.0 and one.min_gap(other, 2.0) < 1.0 for one, other in pairs):
+            return False
+    return True
 
 
 def chains(drive, distances):
