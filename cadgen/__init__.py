@@ -8,8 +8,8 @@ The rooms, in walking order; each imports only those before it.
 
 | room         | what happens there                                                            |
 |--------------|-------------------------------------------------------------------------------|
-| `errors`     | errors for the user, with the exit codes                                      |
 | `messages`   | texts for people, which can be said in other languages                        |
+| `errors`     | errors for the user, with the exit codes                                      |
 | `version`    | the version, in its one place                                                 |
 | `arrays`     | an array of floats, a turn                                                    |
 | `registry`   | kinds of one sort by their codes                                              |

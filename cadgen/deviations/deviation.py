@@ -85,7 +85,7 @@ class Deviation:
     Attributes:
         name: name in words, unique.
         key: name in tables, in JSON, and in `[tolerances]` before the unit; empty where many cars do not vary it.
-        unit: unit of its values in tables: `mm`, `rad`, `N`, `Nmm`, `K`, or `1` for a ratio.
+        unit: unit of its values in tables: `mm`, `rad`, `N`, `K`; `Nmm`, or `1` for a ratio, where it has no zone.
         directed: whether it is a size with a direction: its values are two components, towards polar angles of 0 and
             90 degrees of the disc, or towards the ground at the start and a quarter turn of the wheel later; of the
             camshaft in its frame, towards the fork axis and up; of gears, the cosine and the sine of a turn.

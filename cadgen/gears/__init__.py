@@ -2,7 +2,7 @@
 
 | module            | what it does                                                                          |
 |-------------------|---------------------------------------------------------------------------------------|
-| `choices`         | laws within a zone, orders of the stages, limits of thinning, by name                 |
+| `choices`         | distributions within a zone, orders of the stages, limits of thinning, by name        |
 | `tooth`           | numbers of a gear -> exact curves of its teeth                                        |
 | `ring`            | numbers of an internal gear -> exact curves of its teeth; its pinion cutter           |
 | `internal`        | reserves of internal pairs, and how long a ring's tips may be                         |
@@ -10,13 +10,13 @@
 | `fits`            | fits by name (ISO 286), free angle of keys and D-flats                                |
 | `distribution`    | sum of contributions free in their zones: bounds, moments, quantiles, samples         |
 | `stage`           | what a stage is, with teeth or without: ratio, play, wheels, checks, facts            |
-| `pair`            | spur gears made to a grade, and pairs of them at a centre distance                    |
-| `backlash`        | tolerances -> play of a pair of spur gears (eq. 1-13), and teeth thinned for it       |
+| `pair`            | cylindrical gears made to a grade, and pairs of them at a centre distance             |
+| `backlash`        | tolerances -> play of a pair of gears (eq. 1-13), and teeth thinned for it            |
 | `contact`         | contact ratio and undercut, by the formulas and found on the tooth curves             |
 | `sliding`      | specific sliding and losses of the teeth                                        |
 | `shifts`       | profile shifts proposed for a pair: no undercut, balanced sliding               |
 | `inspection`      | span and size over pins, with their limits                                            |
-| `spur`            | spur gears as a stage: their checks in mesh, and their plain values                   |
+| `spur`            | pairs of cylindrical gears as a stage: their checks in mesh, and their plain values   |
 | `rack`            | numbers of a rack -> its section; a pinion on it                                      |
 | `planetary`       | sun, planets and ring: where planets fit, signed ratio, play at the output            |
 | `planetary_stage` | planetary sets as a stage: carrier and planets as bodies, play of planets that differ |
