@@ -353,9 +353,9 @@ def compared(readings: CamReadings, *, mirrored: bool = False) -> CamComparison:
     rivals = dict.fromkeys(
         other.names
         for other in scored[1:]
-        if other.score < best.score + _RIVAL and not set(best.names) <= set(other.names)
+        if other.likely < best.likely + _RIVAL and not set(best.names) <= set(other.names)
     )
-    chosen = best.codes
+    chosen, least = best.codes, best.score + _RIVAL
     found: list[CamDifference] = []
     while True:
         plain = {name: values[name] for name in readings.datum}
@@ -365,6 +365,12 @@ def compared(readings: CamReadings, *, mirrored: bool = False) -> CamComparison:
         if kept == chosen:
             break
         chosen = kept
+    for other in scored[1:]:  # a disc that is larger in another way
+        if set(other.names) == set(best.names) and chosen == best.codes != other.codes and other.score < least:
+            plain = {name: values[name] for name in readings.datum}
+            numbers, _, _ = _fitted(readings, other.codes, plain, other.wear)
+            found = [_spread(each, numbers) for each in found]
+            break
     left, theta = readings.left(values)
     worn = () if best.wear is None else best.wear.depths(left)
     if best.wear is not None:
@@ -407,6 +413,11 @@ class Explanation:
     score: float
 
     @property
+    def likely(self) -> float:
+        """Score in which what is rare pays as anything else, so that it is named among what is as likely."""
+        return self.score - _PAYS * _rare(self.codes)
+
+    @property
     def names(self) -> tuple[str, ...]:
         """Codes of the deviations, and of wear."""
         return _named(self.codes if self.wear is None else (*self.codes, WEAR))
@@ -415,6 +426,11 @@ class Explanation:
 def _named(codes: Sequence[str]) -> tuple[str, ...]:
     """Codes by which deviations are named, each once."""
     return tuple(dict.fromkeys(BASE_CIRCLE if code == _BASE_CUT else code for code in codes))
+
+
+def _rare(codes: Sequence[str]) -> int:
+    """Number of deviations that discs seldom have."""
+    return len(set(codes) & set(TWINS))
 
 
 def _explanations(readings: CamReadings, values: Mapping[str, Array]) -> list[Explanation]:
@@ -447,8 +463,7 @@ def _explanations(readings: CamReadings, values: Mapping[str, Array]) -> list[Ex
             part = gram[np.ix_(taken, taken)] / np.outer(scale[taken], scale[taken])
             solved, *_ = np.linalg.lstsq(part[1:, 1:], part[1:, 0], rcond=_ALIKE)
             misfit = float(gram[0, 0] * (1 - part[0, 1:] @ solved))
-            rare = len(set(chosen) & set(TWINS))
-            pays = _PAYS * (len(taken) - 1 - len(datum) + rare + bool(wear.flanks))
+            pays = _PAYS * (len(taken) - 1 - len(datum) + _rare(chosen) + bool(wear.flanks))
             found.append(Explanation(chosen, wear if wear.flanks else None, misfit + pays + wear.log_determinant))
     found.sort(key=lambda each: each.score)
     return sorted(_signed(found, left, every, places, readings.datum, keep), key=lambda each: each.score)
@@ -475,8 +490,10 @@ def _signed(
     signed: list[Explanation] = []
     least, judged = np.inf, 0
     for each in found:
-        if each.score > least + _RIVAL:
+        if each.score > least + _RIVAL + _MOST * _PAYS:
             break
+        if each.likely > least + _RIVAL:
+            continue
         score = each.score
         if each.wear is not None:
             judged += 1
@@ -526,6 +543,14 @@ def _numbered(
         found.append(CamDifference(code=code, values=numbers, sigmas=tuple(sigma[at : at + count].tolist())))
         at += count
     return found
+
+
+def _spread(difference: CamDifference, others: Mapping[str, Array]) -> CamDifference:
+    """Deviation whose standard deviations reach to the numbers of an explanation that is as likely."""
+    alike = (difference.code, *((BASE_CIRCLE, _BASE_CUT) if difference.code in (BASE_CIRCLE, _BASE_CUT) else ()))
+    other = next(others[code] for code in alike if code in others)
+    apart = np.hypot(difference.sigmas, np.array(difference.values) - other)
+    return replace(difference, sigmas=tuple(apart.tolist()))
 
 
 def _huber(left: Array, noise: float) -> Array:
