@@ -27,9 +27,10 @@ _FITS: dict[str, tuple[str, str]] = {
 }
 # Further notes by the code of the part.
 _NOTES = {
-    "rod": Message("Rides on the disc: ground and polished along its length, Ra 0.4."),
     "fork-spindle": Message("The lower end is bonded into the bridge; the upper end runs in the bearings."),
 }
+# Textures of outer surfaces by the code of the part: of the rod, which rides on the disc, with the lay along it.
+_TEXTURES = {"rod": "Ra 0.4 ="}
 _FREE = 3.1  # mm; holes of a plate from this size on that are no fits are clearance holes of screws
 
 
@@ -51,6 +52,10 @@ def part_sheets(assembly: CarAssembly, folder: Folder) -> Iterator[tuple[str, Dr
         folder: folder for the files.
     """
     text = assembly.train.title
+    tolerances = assembly.use.design.tolerances
+    runout, radius = tolerances.wheel_runout_mm, tolerances.wheel_radius_mm
+    run_outs = {"drive-wheel": 2 * runout} if runout else {}  # twice the eccentricity
+    diameters = {"drive-wheel": 2 * radius} if radius else {}
     for part in filter(drawn_here, assembly.parts):
         stem = part_stem(assembly, part)
         title = title_of(assembly.origin, text, part.title, part.material, stem, folder)
@@ -65,56 +70,63 @@ def part_sheets(assembly: CarAssembly, folder: Folder) -> Iterator[tuple[str, Dr
             ]
             drill = shape.body.radial_hole
             hole = None if drill is None else (drill.diameter, drill.height)
-            yield stem, turned_drawing(steps, hole, (), _texts(part, steps, hole), title)
+            texts = _texts(part, steps, hole, run_outs.get(part.code))
+            if within := diameters.get(part.code):
+                widest = max(step.diameter for step in steps)
+                texts = replace(texts, fits=(*texts.fits, (widest, f" ±{within:g}")))
+            yield stem, turned_drawing(steps, hole, (), texts, title)
         elif isinstance(shape, Block) and shape.prisms[0].outline.is_circle:
             steps = [TurnedStep(each.low, each.high, 2 * float(each.outline.radii[0]), 0.0) for each in shape.prisms]
             seats = [(seat.low, seat.high, _seat_size(seat)[0]) for seat in shape.cuts]
-            yield stem, turned_drawing(steps, None, seats, _texts(part, steps, None), title)
+            yield stem, turned_drawing(steps, None, seats, _texts(part, steps, None, None), title)
         elif isinstance(shape, Block):
             yield stem, block_drawing(shape, _block_texts(part, shape), title)
 
 
-def _texts(part: CarPart, steps: list[TurnedStep], hole: tuple[float, float] | None) -> PartTexts:
-    """Notes and fits of a turned part."""
+def _texts(
+    part: CarPart, steps: list[TurnedStep], hole: tuple[float, float] | None, run_out: float | None
+) -> PartTexts:
+    """Notes, fits, run-out (mm) and texture of a turned part."""
     inside, outside = _FITS.get(part.code, ("", "h6" if part.code.startswith("shaft") else ""))
-    notes = [Message("Datum: the axis; lengths count from the left end face.")]
+    notes: list[Message] = []
     fits: dict[float, str] = {}
     for step in steps:
         if inside and step.bore:
-            fits[step.bore] = f" {inside}"
+            fits[step.bore] = _zone(step.bore, inside)
         if outside and not (step.bore or (hole is not None and step.low < hole[1] < step.high)):
-            fits[step.diameter] = f" {outside}"
-    notes += [_zone(size, named.strip()) for size, named in fits.items()]
+            fits[step.diameter] = _zone(step.diameter, outside)
     if part.code == "fork-spindle" and hole is not None:
-        notes.append(
-            Message(
-                "Hole for the rod, at the middle of the head: Ø{size:g} {fit} to the axis, square to it.",
-                size=hole[0],
-                fit=inside,
-            )
-        )
-        notes.append(_zone(hole[0], inside))
-    elif hole is not None:
-        notes.append(Message("Radial hole Ø{size:g} in the hub: to be tapped M3 through to the bore.", size=hole[0]))
+        fits[hole[0]] = _zone(hole[0], inside)
     if part.code in _NOTES:
         notes.append(_NOTES[part.code])
-    shape = part.shape
+    shape, width = part.shape, ""
     for seat in shape.cuts if isinstance(shape, Block) else ():
         notes.append(_seat(seat, shape.cuts[0] if isinstance(shape, Block) else seat, steps))
-    return PartTexts(notes=tuple(notes), fits=tuple(fits.items()))
+        width = _zone(_seat_size(seat)[0], "P9")
+    return PartTexts(
+        notes=tuple(notes),
+        fits=tuple(fits.items()),
+        run_out=run_out,
+        seat=width,
+        texture=_TEXTURES.get(part.code, ""),
+    )
 
 
 def _seat(seat: Prism, first: Prism, steps: list[TurnedStep]) -> Message:
-    """Seat of a key in a shaft, in words, with its angle from the first one."""
-    across, floor = _seat_size(seat)
+    """Depth of a key's seat in a shaft, in words, with its angle from the first one."""
+    _, floor = _seat_size(seat)
+    depth = rounded(steps[0].diameter / 2 - floor, 2)
+    low, high = rounded(seat.low - steps[0].low, 2), rounded(seat.high - steps[0].low, 2)
+    angle = round(degrees(_polar(seat) - _polar(first)), 3) % 360
+    if not angle:
+        return Message("Seat {low} to {high}: {depth} +0.1/0 deep.", low=low, high=high, depth=depth)
     return Message(
-        "Seat of a key {width:g} P9 wide, {depth} +0.1 deep, from {low} to {high} mm, turned {angle:.1f}° from the "
-        "first one, counterclockwise seen from the right end.",
-        width=round(across, 4),
-        depth=rounded(steps[0].diameter / 2 - floor, 2),
-        low=rounded(seat.low - steps[0].low, 2),
-        high=rounded(seat.high - steps[0].low, 2),
-        angle=round(degrees(_polar(seat) - _polar(first)), 3) % 360,
+        "Seat {low} to {high}: {depth} +0.1/0 deep, turned {angle:.1f}° from the first one, counterclockwise seen "
+        "from the right end.",
+        low=low,
+        high=high,
+        depth=depth,
+        angle=angle,
     )
 
 
@@ -135,22 +147,10 @@ def _block_texts(part: CarPart, block: Block) -> PartTexts:
     inside, _ = _FITS.get(part.code, ("", ""))
     sizes = sorted({round(2 * float(hole.radii[0]), 6) for hole in block.prisms[0].holes})
     single = [size for size in sizes if inside and not _FREE < size < _FREE + 0.2]
-    notes = [Message("Datum: the largest fitted hole and the lower edge.")]
-    notes += [_zone(size, inside) for size in single]
-    if block.drilled:
-        notes.append(
-            Message(
-                "{count} holes Ø{size:g} across, through: to be tapped M3 from both ends.",
-                count=len(block.drilled),
-                size=block.drilled[0].diameter,
-            )
-        )
-    return PartTexts(notes=tuple(notes), fits=tuple((size, f" {inside}") for size in single))
+    return PartTexts(notes=(), fits=tuple((size, _zone(size, inside)) for size in single))
 
 
-def _zone(size: float, named: str) -> Message:
-    """Limit deviations of a class at a size."""
+def _zone(size: float, named: str) -> str:
+    """Class of a size and its limit deviations as they follow the size, ISO 129-1."""
     hole, shaft = deviations(f"{named}/h6" if named[0].isupper() else f"H7/{named}", size)
-    return Message(
-        "Ø{size:g} {name}: {limits} mm.", size=size, name=named, limits=limits(*(hole if named[0].isupper() else shaft))
-    )
+    return f" {named} ({limits(*(hole if named[0].isupper() else shaft))})"

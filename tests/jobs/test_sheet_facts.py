@@ -17,7 +17,17 @@ from cadgen.jobs.drawings import Folder, sheet_of, sheets_of, title_of
 from cadgen.jobs.gears.gear_train import plan_gears
 from cadgen.jobs.part_drawings import part_sheets
 from cadgen.output.drawing.assembly_sheet import assembly_drawing
-from cadgen.output.drawing.sheet import DrawingSheet
+from cadgen.output.drawing.sheet import (
+    HEIGHTS,
+    Characteristic,
+    DatumFeature,
+    DrawingSheet,
+    LinearDimension,
+    SurfaceTexture,
+    ToleranceFrame,
+)
+from cadgen.output.drawing.sheet_files import document_of
+from tests.output.drawing.test_drawings import boxes
 
 PAGE = Path(__file__).parents[2] / "docs" / "reference" / "sheets.md"
 # Sheets say in one of these ways what they count from: axis and face, axis of the camshaft, face of the bore, angle 0.
@@ -84,20 +94,24 @@ def of_part(part: CarPart, sheet: DrawingSheet) -> dict[str, bool]:
     facts = {
         "material": bool(title.material),
         "finish": bool(title.finish),
-        "tolerance": "H7" in whole or "h6" in whole or "F8" in whole,  # ISO 2768-m is printed in every title block
+        "tolerance": "H7" in whole or "h6" in whole or "F8" in whole,  # ISO 2768-mK is printed in every title block
         "quantity": title.quantity == part.quantity,
         "number": bool(title.number),
         "sizes": len(sizes) >= 2 or gear,
-        "datum": gear or any(words in whole for words in DATUMS),
+        "datum": gear
+        or any(words in whole for words in DATUMS)
+        or any(isinstance(symbol, DatumFeature) for view in sheet.views for symbol in view.symbols),
         "fit": bool(re.search(r"[HhF]\d", whole)),
     }
     if part.code in WITHOUT_FITS:
-        facts["tolerance"] = True  # ISO 2768-m
+        facts["tolerance"] = True  # ISO 2768-mK
         del facts["fit"]
     if gear:
         facts["teeth"] = any("span" in text.lower() or "W" in text for text in said)
     if part.code in ("drive-wheel", "fork-bridge") or (gear and "1-pinion" in part.code):
-        facts["thread"] = "tapped" in whole
+        facts["thread"] = "tapped" in whole or any(
+            "M" in (getattr(each, "sign", ""), each.prefix) for view in sheet.views for each in view.dimensions
+        )
     if disc:
         facts["tolerance"] = bool(re.search(r"±|tolerance", whole, re.IGNORECASE))
     return facts
@@ -117,6 +131,58 @@ def test_every_part_that_is_made_has_a_sheet_that_says_all_of_it(
         missing += [f"{part.code}: {fact}" for fact, there in facts.items() if not there]
     assert not missing, "\n".join(missing)
     assert counted == known
+
+
+def test_plain_parts_say_fits_threads_and_positions_by_symbols(sheets: dict[str, DrawingSheet]) -> None:
+    """Limits by ISO 286: h6 and H7 up to 6 mm, P9 up to 3 mm; M3 in Ø3.2 leaves 0.1 mm to each of two parts."""
+    drawn = {stem.removeprefix("workshop_car_"): sheet for stem, sheet in sheets.items()}
+    said = {
+        code: {each.name: each for view in sheet.views for each in view.dimensions} for code, sheet in drawn.items()
+    }
+    symbols = {code: [symbol for view in sheet.views for symbol in view.symbols] for code, sheet in drawn.items()}
+    assert said["rod"]["diameter 5"].suffix == " h6 (0/-0.008)"
+    assert said["fork-spindle"]["radial hole"].suffix == " H7 (+0.012/0) x 7"
+    assert said["drive-wheel"]["radial hole"].prefix == "M"
+    assert said["drive-wheel"]["bore 5"].suffix == " H7 (+0.012/0)"
+    wheel = said["drive-wheel"]
+    assert [each.suffix for name, each in wheel.items() if name.startswith("diameter 127")] == [" ±0.04"]
+    assert said["shaft-4"]["width of seats 1"].suffix == " P9 (-0.006/-0.031)"
+    assert said["fork-cheek"]["height"].end[1] - said["fork-cheek"]["height"].start[1] == pytest.approx(38.5, abs=1e-4)
+    assert [each.value for each in symbols["rod"] if isinstance(each, SurfaceTexture)] == ["Ra 0.4 ="]
+    for code, exact in (("fork-cheek", 2), ("fork-bridge", 2)):
+        (frame,) = (each for each in symbols[code] if isinstance(each, ToleranceFrame))
+        assert (frame.characteristic, frame.zone_text, frame.datums) == (Characteristic.POSITION, "Ø0.1", ("A", "B"))
+        assert sum(isinstance(each, LinearDimension) and each.exact for each in said[code].values()) == exact
+        # Box of each exact dimension, frame, and the boxes of both datums.
+        closed = [line for line in document_of(drawn[code]).modelspace().query("LWPOLYLINE") if line.closed]
+        assert sum(line.dxf.layer == "DIMENSION" for line in closed) == exact + 1 + 2
+    for code in ("rod", "shaft-1", "fork-cheek", "fork-bridge", "drive-wheel"):
+        assert not drawn[code].notes
+
+
+def test_texts_of_plain_parts_have_heights_of_the_series_and_do_not_lie_on_each_other(
+    sheets: dict[str, DrawingSheet],
+) -> None:
+    for stem in (
+        "rod",
+        "shaft-1",
+        "shaft-4",
+        "fork-cheek",
+        "fork-bridge",
+        "fork-spindle",
+        "drive-wheel",
+        "front-wheel",
+    ):
+        space = document_of(sheets[f"workshop_car_{stem}"]).modelspace()
+        assert {round(text.dxf.height, 3) for text in space.query("TEXT")} <= set(HEIGHTS)
+        found = boxes(space)
+        shared = [
+            (a, b)
+            for number, (one, a) in enumerate(found)
+            for other, b in found[:number]
+            if one.intersection(other).area > 0.02 * min(one.area, other.area)
+        ]
+        assert shared == [], stem
 
 
 def test_the_list_names_what_is_bought_with_its_standard(car: CarAssembly) -> None:

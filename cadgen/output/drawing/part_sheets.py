@@ -1,20 +1,32 @@
-"""Sheets of the plain parts of a car: turned parts in section, and blocks and plates by their outline and holes."""
+"""Sheets of the plain parts of a car: turned parts in section, and blocks and plates by their outline and holes.
+
+Holes of screws have a tolerance of position: of two parts with the same tolerance a screw goes through both where it is
+half of what the clearance hole is wider than the screw, whether the other hole is a clearance hole, too, or a thread
+beside which the first part's hole takes the other half (ISO 5458 for the frames; ASME Y14.5, appendix B for the rule).
+"""
 
 from collections import Counter
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
 
+from cadgen.arrays import Array
 from cadgen.car.assembly.car_parts import Block
-from cadgen.curves.contour import Contour
+from cadgen.curves.contour import Contour, circle
 from cadgen.messages import Message
+from cadgen.output.drawing.placement import Room
 from cadgen.output.drawing.sheet import (
+    DIAMETER,
     EDGE,
     LEFT,
     SIZES,
+    TEXT,
+    WIDEST,
+    Characteristic,
     Closed,
+    DatumFeature,
     DiameterDimension,
     Dimension,
     DrawingSheet,
@@ -23,20 +35,32 @@ from cadgen.output.drawing.sheet import (
     LinearDimension,
     LineKind,
     Stroke,
+    SurfaceTexture,
+    Symbol,
     Title,
+    ToleranceFrame,
     View,
     across_axis,
     along_axis,
     beside_title,
     centre_cross,
     chosen_scale,
+    length_of,
     ring,
+    rounded,
 )
 
 _SIZE, _LARGER = "A4", "A3"
 _ROOM = 34.0  # mm on paper to either side of a view, for its dimensions
 _FIRST, _STEP = 9.0, 8.0  # mm on paper from a view to its first dimension line, and from one to the next
 _BETWEEN = 40.0  # mm on paper between two views
+_TAIL = 5.0  # mm on paper of an arrow that stands outside the width that it dimensions, with its line
+_INSIDE = 5.6  # mm on paper, least width that has room for both its arrows
+_LETTER = 0.65  # mean width of the letters of a dimension, in heights
+_CHORD = 1e-5  # mm, of outlines whose extent is dimensioned
+_AROUND = range(0, 360, 15)  # degrees
+_SCREW, _CLEARANCE, _TAP = 3.0, 3.2, 2.5  # mm: M3, its clearance hole (ISO 273, fine) and its tap drill
+_ZONE = (_CLEARANCE - _SCREW) / 2  # mm, of the position of a screw's hole in each of the two parts
 
 
 class TurnedStep(NamedTuple):
@@ -61,11 +85,17 @@ class PartTexts:
 
     Attributes:
         notes: sentences for the shop.
-        fits: class of a diameter, with a blank before it, by the diameter in mm; for the others none.
+        fits: class of a diameter with its limits, with a blank before it, by the diameter in mm; for the others none.
+        run_out: circular run-out of the widest step about the bore, mm; None where the design states none.
+        seat: class of the width of a key's seat with its limits, with a blank before it.
+        texture: texture of the outer surface; empty where it is that of the title block.
     """
 
     notes: tuple[str, ...]
     fits: tuple[tuple[float, str], ...] = ()
+    run_out: float | None = None
+    seat: str = ""
+    texture: str = ""
 
     def fit(self, diameter: float) -> str:
         """Class of a diameter, with a blank before it; empty without one.
@@ -99,12 +129,16 @@ def turned_drawing(
     curves: list[Closed | Stroke] = []
     hatches: list[Hatch] = []
     for step in steps:
+        outer = step.diameter / 2
+        if not step.bore:
+            corners = np.array([[step.low, -outer], [step.high, -outer], [step.high, outer], [step.low, outer]])
+            curves.append(Closed(Contour(corners, np.zeros(4))))
+            continue
         for side in (-1, 1):
             inner, outer = side * step.bore / 2, side * step.diameter / 2
             corners = np.array([[step.low, inner], [step.high, inner], [step.high, outer], [step.low, outer]])
             curves.append(Closed(Contour(corners[::side], np.zeros(4))))
-            if step.bore:
-                hatches.append(Hatch(corners))
+            hatches.append(Hatch(corners))
     axis = np.array([[low - 0.6 * gap, 0.0], [high + 0.6 * gap, 0.0]])
     curves.append(Stroke(axis, LineKind.CENTRE))
     dimensions: list[Dimension] = []
@@ -112,36 +146,106 @@ def turned_drawing(
     for number, end in enumerate(ends, 1):
         name = "length" if number == len(ends) else f"step {number} from the left end"
         dimensions.append(along_axis(name, (low, end), -reach, -reach - gap - (number - 1) * step_out))
-    shown: set[float] = set()
-    sides = [0, 0]
+    ends_of = {f"bore {step.bore:g}": (low, step.bore, 0) for step in steps if step.bore}
     for step in sorted(steps, key=lambda each: each.diameter):
-        if step.diameter in shown:
-            continue
-        shown.add(step.diameter)
         right = int((step.low + step.high) / 2 > (low + high) / 2)
-        z = step.high if right else step.low
+        ends_of.setdefault(f"diameter {step.diameter:g}", (step.high if right else step.low, step.diameter, right))
+    sides = [0, 0]
+
+    def extent(each: tuple[str, tuple[float, float, int]]) -> float:
+        across = each[1][1]
+        return max(scale * across, TEXT * _LETTER * len(f"{DIAMETER}{rounded(across)}{texts.fit(across)}"))
+
+    # Those of little extent nearest, so that no extension line crosses a number.
+    for name, (z, diameter, right) in sorted(ends_of.items(), key=extent):
         at = (high if right else low) + (1 if right else -1) * (gap + sides[right] * step_out)
         sides[right] += 1
-        dimensions.append(_diameter(f"diameter {step.diameter:g}", z, step.diameter, at, texts))
-    for bore in sorted({step.bore for step in steps if step.bore}):
-        sides[0] += 1
-        at = low - gap - (sides[0] - 1) * step_out
-        dimensions.append(_diameter(f"bore {bore:g}", low, bore, at, texts))
+        dimensions.append(_diameter(name, z, diameter, at, texts))
     if hole is not None:
         across, at_z = hole
-        curves.append(Stroke(np.array([[at_z, -0.0], [at_z, reach + 0.5 * gap]]), LineKind.CENTRE))
         middle = next(step for step in steps if step.low < at_z < step.high)
+        inner, outer = middle.bore / 2, middle.diameter / 2
+        above = reach if outer < 0.6 * reach else outer
+        curves.append(Stroke(np.array([[at_z, inner], [at_z, outer + 0.5 * gap]]), LineKind.CENTRE))
         for off in (-across / 2, across / 2):
-            curves.append(Stroke(np.array([[at_z + off, middle.bore / 2], [at_z + off, middle.diameter / 2]])))
-        dimensions.append(along_axis("radial hole from the left end", (low, at_z), reach, reach + gap))
+            curves.append(Stroke(np.array([[at_z + off, inner], [at_z + off, outer]])))
+        tapped = across == _TAP
+        if tapped:
+            curves += [
+                Stroke(np.array([[at_z + off, inner], [at_z + off, outer]]), LineKind.THIN)
+                for off in (-_SCREW / 2, _SCREW / 2)
+            ]
+        width = _SCREW if tapped else across
+        deep = "" if middle.bore else f" x {rounded(outer - inner)}"
+        suffix = f"{texts.fit(across)}{deep}"
+        long = TEXT * _LETTER * (len(suffix) + 2)
+        dimensions += [
+            along_axis("radial hole from the left end", (low, at_z), outer, above + gap + step_out),
+            replace(
+                along_axis("radial hole", (at_z - width / 2, at_z + width / 2), outer, above + gap),
+                prefix="M" if tapped else DIAMETER,
+                suffix=suffix,
+                beside=scale * width / 2 + _tail(scale * width) + long / 2 + 2.5,
+            ),
+        ]
     for number, (start, end, width) in enumerate(seats, 1):
         corners = np.array([[start, -width / 2], [end, -width / 2], [end, width / 2], [start, width / 2]])
         curves.append(Closed(Contour(corners, np.zeros(4))))
         at = reach + gap + 2 * (len(seats) - number) * step_out
         dimensions.append(along_axis(f"seat {number} from the left end", (low, start), reach, at + step_out))
         dimensions.append(along_axis(f"length of seat {number}", (start, end), reach, at))
-    view = View(place=place, curves=tuple(curves), hatches=tuple(hatches), dimensions=tuple(dimensions))
+    for number, (width, end) in enumerate({round(width, 6): end for _, end, width in seats}.items()):
+        count = sum(abs(each - width) < _CHORD for *_, each in seats)
+        prefix = f"{count} × " if count > 1 else ""
+        wide = across_axis(
+            f"width of seats {number + 1}", end, (-width / 2, width / 2), high + gap + number * step_out, prefix
+        )
+        long = TEXT * _LETTER * len(f"{prefix}{rounded(width)}{texts.seat}") / 2
+        off = scale * width / 2 + _tail(scale * width) + long + 1.5
+        dimensions.append(replace(wide, suffix=texts.seat, beside=off))
+    view = View(
+        place=place,
+        curves=tuple(curves),
+        hatches=tuple(hatches),
+        dimensions=tuple(dimensions),
+        symbols=tuple(_turned_symbols(steps, dimensions, scale, texts)),
+    )
     return _sheet(size, scale, (view,), texts, title)
+
+
+def _turned_symbols(
+    steps: Sequence[TurnedStep], dimensions: Sequence[Dimension], scale: float, texts: PartTexts
+) -> Iterator[Symbol]:
+    """Datum A, which is the axis of the bore or of the first fit, with run-out and texture where they are stated."""
+    named = {each.name: each for each in dimensions if isinstance(each, LinearDimension)}
+    bores = sorted({step.bore for step in steps if step.bore})
+    outside = [step.diameter for step in steps if texts.fit(step.diameter)]
+    name = f"bore {bores[0]:g}" if bores else f"diameter {outside[0]:g}" if outside else ""
+    if held := named.get(name):
+        # In line with the dimension, below its number, which reads upwards and stands over the middle of its line.
+        half = scale * length_of(held) / 2
+        half += _tail(2 * half)
+        long = TEXT * WIDEST * (len(rounded(length_of(held)) + held.suffix) + 1) / 2
+        foot = (held.at[0], -half / scale)
+        yield DatumFeature(letter="A", foot=foot, angle=270.0, reach=max(8.0, long - half + 5.0))
+        widest = max(steps, key=lambda step: step.diameter)
+        if texts.run_out and bores:
+            # On the lower extension line of its diameter, where no length stands.
+            rim = named[f"diameter {widest.diameter:g}"]
+            side = 1.0 if rim.at[0] > rim.start[0] else -1.0
+            tip = (rim.start[0] + side * 4.0 / scale, -widest.diameter / 2)
+            bend = (tip[0] + side * 1e-6, tip[1] - 10.0 / scale)
+            yield ToleranceFrame(
+                name="rim",
+                characteristic=Characteristic.RUN_OUT,
+                zone=texts.run_out,
+                datums=("A",),
+                tip=tip,
+                bend=bend,
+            )
+    if texts.texture:
+        first = steps[0]
+        yield SurfaceTexture(value=texts.texture, at=(0.7 * first.low + 0.3 * first.high, first.diameter / 2))
 
 
 def block_drawing(block: Block, texts: PartTexts, title: Title) -> DrawingSheet:
@@ -153,7 +257,7 @@ def block_drawing(block: Block, texts: PartTexts, title: Title) -> DrawingSheet:
         title: title block.
     """
     (prism,) = block.prisms
-    points = prism.outline.polygon(0.05)
+    points = prism.outline.polygon(_CHORD)
     (left, low), (right, top) = points.min(axis=0).tolist(), points.max(axis=0).tolist()
     thick = prism.high - prism.low
     scale = (
@@ -180,23 +284,40 @@ def block_drawing(block: Block, texts: PartTexts, title: Title) -> DrawingSheet:
         curves += [Closed(hole), *centre_cross(size / 2 + 2.0 / scale, (x, y))]
         if size not in shown:
             shown.add(size)
-            prefix = f"{count[size]} x " if count[size] > 1 else ""
+            prefix = f"{count[size]} × " if count[size] > 1 else ""
             dimensions.append(
                 DiameterDimension(
                     name=f"hole {size:g}", centre=(x, y), diameter=size, prefix=prefix, suffix=texts.fit(size)
                 )
             )
+        exact = size == _CLEARANCE
         if count[size] == 1 or x > 0:
             across = f"hole {size:g} from the left" if count[size] == 1 else f"holes {size:g} apart"
             start = (left, y) if count[size] == 1 else (-x, y)
             at = (left, top + gap + step_out * len(levels))
-            dimensions.append(LinearDimension(name=across, start=start, end=(x, y), at=at))
+            dimensions.append(LinearDimension(name=across, start=start, end=(x, y), at=at, exact=exact))
             levels.add(y)
             at = (right + gap + step_out * (len(levels) - 1), low)
-            dimensions.append(
-                LinearDimension(name=f"hole {size:g} from below", start=(right, low), end=(x, y), at=at, angle=90.0)
+            below = LinearDimension(
+                name=f"hole {size:g} from below", start=(right, low), end=(x, y), at=at, angle=90.0, exact=exact
             )
-    first = View(place=place, curves=tuple(curves), dimensions=tuple(dimensions))
+            dimensions.append(below)
+    room = Room(curves, scale)
+    placed = room.dimensions(dimensions, ())
+    symbols: list[Symbol] = []
+    fitted = [each for each in placed if isinstance(each, DiameterDimension) and texts.fit(each.diameter)]
+    clearance = [hole for hole in prism.holes if round(2 * float(hole.radii[0]), 6) == _CLEARANCE]
+    if fitted and (clearance or block.drilled):
+        if clearance:
+            edge = DatumFeature(letter="A", foot=(0.6 * left + 0.4 * right, low), angle=270.0)
+            symbols.append(room.datum(edge, (15.0, 17.0, 20.0)))
+        main = fitted[0]
+        away = np.radians(main.angle + 180.0)
+        foot = np.array(main.centre) + main.diameter / 2 * np.array([np.cos(away), np.sin(away)])
+        symbols.append(room.datum(DatumFeature(letter="B", foot=(foot[0], foot[1]), angle=main.angle + 180.0)))
+        if clearance:
+            symbols.append(room.frame(_position("clearance holes"), list(_rim(clearance[-1]))))
+    first = View(place=place, curves=tuple(curves), dimensions=placed, symbols=tuple(symbols))
     views = [first, _side_view(block, (left, low, right, top), scale, place)]
     return _sheet(_SIZE, scale, tuple(views), texts, title)
 
@@ -216,18 +337,58 @@ def _side_view(
         )
     ]
     places = sorted({(hole.start[2] - prism.low, hole.start[0]) for hole in block.drilled})
+    turn = np.radians(np.linspace(0.0, 270.0, 55))
     for at in places:
         size = block.drilled[0].diameter
-        curves += [ring(size, centre=at), *centre_cross(size / 2 + 2.0 / scale, at)]
+        thread = np.array(at) + _SCREW / 2 * np.stack([np.cos(turn), np.sin(turn)], axis=1)
+        curves += [ring(size, centre=at), Stroke(thread, LineKind.THIN), *centre_cross(size / 2 + 2.0 / scale, at)]
+    symbols: list[Symbol] = []
+    placed: tuple[Dimension, ...] = tuple(dimensions)
     if places:
         (z, first), (_, last) = places[0], places[-1]
-        dimensions += [
-            LinearDimension(name="threads apart", start=(z, first), end=(z, last), at=(thick + gap, first), angle=90.0),
-            LinearDimension(name="threads from the face", start=(0.0, last), end=(z, last), at=(0.0, across[1] + gap)),
+        apart = LinearDimension(
+            name="threads apart", start=(z, first), end=(z, last), at=(thick + gap, first), angle=90.0, exact=True
+        )
+        from_face = LinearDimension(
+            name="threads from the face", start=(0.0, last), end=(z, last), at=(0.0, across[1] + gap), exact=True
+        )
+        threads = DiameterDimension(
+            name="threads", centre=places[-1], diameter=_SCREW, prefix=f"{len(places)} × ", sign="M"
+        )
+        room = Room(curves, scale)
+        placed = room.dimensions([*dimensions, apart, from_face, threads], ())
+        symbols += [
+            room.datum(DatumFeature(letter="A", foot=(0.0, 0.6 * across[0] + 0.4 * across[1]), angle=180.0)),
+            room.frame(_position("threads"), list(_rim(circle(places[0], _SCREW / 2)))),
         ]
     labels = (Label(text=Message("from below"), at=(thick / 2, across[0] - 2.2 * gap)),) if places else ()
     beside = (place[0] + scale * right + _ROOM + _BETWEEN / 2, place[1] + scale * ((low + top) / 2 - sum(across) / 2))
-    return View(place=beside, curves=tuple(curves), dimensions=tuple(dimensions), labels=labels)
+    return View(place=beside, curves=tuple(curves), dimensions=placed, labels=labels, symbols=tuple(symbols))
+
+
+def _tail(width: float) -> float:
+    """Length of what stands outside a width with its arrow, mm on paper; 0 where the arrows have room inside."""
+    return 0.0 if width >= _INSIDE else _TAIL
+
+
+def _position(name: str) -> ToleranceFrame:
+    """Position of holes of screws to datums A and B, wherever it stands."""
+    return ToleranceFrame(
+        name=name,
+        characteristic=Characteristic.POSITION,
+        zone=_ZONE,
+        datums=("A", "B"),
+        tip=(0.0, 0.0),
+        bend=(1.0, 0.0),
+        diametral=True,
+    )
+
+
+def _rim(hole: Contour) -> Iterator[tuple[Array, Array]]:
+    """Points of a round hole, each with the direction outwards."""
+    for turn in np.radians(_AROUND):
+        out = np.array([np.cos(turn), np.sin(turn)])
+        yield hole.centers[0] + hole.radii[0] * out, out
 
 
 def _diameter(name: str, z: float, diameter: float, at: float, texts: PartTexts) -> LinearDimension:

@@ -10,7 +10,6 @@ from shapely.affinity import rotate, translate
 
 from cadgen.arrays import Array
 from cadgen.output.drawing.sheet import (
-    DIAMETER,
     FRAME_HEIGHT,
     LEVEL,
     TEXT,
@@ -193,7 +192,7 @@ class Room:
             ]
         if isinstance(placed, Label):
             return _box(placed.text, scale * np.array(placed.at), 0.0, placed.height, above=False), []
-        sign = DIAMETER if isinstance(placed, DiameterDimension) else ""
+        sign = placed.sign if isinstance(placed, DiameterDimension) else ""
         text = f"{placed.prefix}{sign}{rounded(length_of(placed))}{placed.suffix}"
         if isinstance(placed, DiameterDimension):
             along = _unit(placed.angle)

@@ -95,6 +95,7 @@ class LinearDimension:
         prefix: text before the number.
         suffix: text after it.
         beside: way from the middle of the dimension line to the number along it, mm on paper.
+        exact: whether it is theoretically exact, which a box around the number says (ISO 1101).
     """
 
     name: str
@@ -105,6 +106,7 @@ class LinearDimension:
     prefix: str = ""
     suffix: str = ""
     beside: float = 0.0
+    exact: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -119,6 +121,7 @@ class DiameterDimension:
         prefix: text before the sign and the number, such as `6 x `.
         suffix: text after it, such as a fit.
         reach: distance of its text from the centre, mm on paper; 0 for 9 mm outside the circle.
+        sign: letter before the number: `M` of a thread.
     """
 
     name: str
@@ -128,6 +131,7 @@ class DiameterDimension:
     prefix: str = ""
     suffix: str = ""
     reach: float = 0.0
+    sign: str = DIAMETER
 
 
 Dimension = LinearDimension | DiameterDimension
@@ -152,6 +156,8 @@ class Characteristic(StrEnum):
     """Characteristics of geometrical tolerances (ISO 1101)."""
 
     LINE_PROFILE = "profile of a line"
+    POSITION = "position"
+    RUN_OUT = "circular run-out"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -166,6 +172,7 @@ class ToleranceFrame:
         tip: point of the feature at which the arrow ends, mm on the part.
         bend: where the leader bends to run on level into the frame, mm on the part.
         all_around: whether it counts all around the outline, which a circle on the leader says.
+        diametral: whether the zone is a cylinder, whose width follows the sign of a diameter.
     """
 
     name: str
@@ -175,13 +182,19 @@ class ToleranceFrame:
     tip: tuple[float, float]
     bend: tuple[float, float]
     all_around: bool = False
+    diametral: bool = False
+
+    @property
+    def zone_text(self) -> str:
+        """Width of the zone, after the sign of a diameter where it is a cylinder."""
+        return f"{DIAMETER if self.diametral else ''}{rounded(self.zone)}"
 
     @property
     def cells(self) -> tuple[float, ...]:
         """Widths of the cells of the frame: symbol, zone, and each datum; mm on paper."""
         return (
             FRAME_HEIGHT,
-            TEXT * width_of(rounded(self.zone)) + 2.0,
+            TEXT * width_of(self.zone_text) + 2.0,
             *(FRAME_HEIGHT for _ in self.datums),
         )
 
@@ -208,6 +221,22 @@ class DatumFeature:
     reach: float = 8.0
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SurfaceTexture:
+    """Texture of a surface (ISO 21920-1): the sign on its outline, and a value.
+
+    Attributes:
+        value: parameter with its limit, and the lay, such as `Ra 0.4 =` along the view.
+        at: point of the outline, mm on the part.
+    """
+
+    value: str
+    at: tuple[float, float]
+
+
+Symbol = ToleranceFrame | DatumFeature | SurfaceTexture
+
+
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class View:
     """A view of the part.
@@ -218,7 +247,7 @@ class View:
         hatches: cut material.
         dimensions: dimensions.
         labels: texts.
-        symbols: geometrical tolerances and datums.
+        symbols: geometrical tolerances, datums and textures of surfaces.
     """
 
     place: tuple[float, float]
@@ -226,7 +255,7 @@ class View:
     hatches: tuple[Hatch, ...] = ()
     dimensions: tuple[Dimension, ...] = ()
     labels: tuple[Label, ...] = ()
-    symbols: tuple[ToleranceFrame | DatumFeature, ...] = ()
+    symbols: tuple[Symbol, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -21,6 +21,7 @@ from ezdxf.addons.drawing.config import BackgroundPolicy, ColorPolicy, Configura
 from ezdxf.addons.drawing.matplotlib import MatplotlibBackend
 from ezdxf.addons.drawing.properties import BackendProperties
 from ezdxf.document import Drawing as Document
+from ezdxf.entities import MText
 from ezdxf.enums import TextEntityAlignment
 from ezdxf.fonts import fonts
 from ezdxf.layouts import Modelspace
@@ -91,6 +92,15 @@ _HALF_TURN = np.linspace(0.0, np.pi, 33)
 # Strokes of the symbols of ISO 1101 about the middle of their cell, in heights of letters.
 _SYMBOLS = {
     Characteristic.LINE_PROFILE: (np.column_stack([0.65 * np.cos(_HALF_TURN), 0.65 * np.sin(_HALF_TURN) - 0.3]),),
+    Characteristic.POSITION: (
+        np.column_stack([0.4 * np.cos(2 * _HALF_TURN), 0.4 * np.sin(2 * _HALF_TURN)]),
+        np.array([[-0.7, 0.0], [0.7, 0.0]]),
+        np.array([[0.0, -0.7], [0.0, 0.7]]),
+    ),
+    Characteristic.RUN_OUT: (
+        np.array([[-0.5, -0.6], [0.5, 0.6]]),
+        np.array([[0.26, 0.02], [0.5, 0.6], [-0.04, 0.27], [0.26, 0.02]]),
+    ),
 }
 _DIMGAP = 0.6  # mm on paper between a dimension line and its number
 
@@ -184,8 +194,12 @@ class _Place:
         for symbol in self.view.symbols:
             if isinstance(symbol, DatumFeature):
                 self._datum(symbol)
-            else:
+            elif isinstance(symbol, ToleranceFrame):
                 self._tolerance(symbol)
+            else:
+                x, y = self._on_paper(symbol.at)
+                _surface_symbol(self.space, x, y)
+                _text(self.space, symbol.value, (x + 4.0, y + 1.6), TEXT)
         for label in self.view.labels:
             text, at = self.say(label.text), self._on_paper(label.at)
             _text(self.space, text, at, label.height, TextEntityAlignment.MIDDLE_CENTER)
@@ -223,7 +237,7 @@ class _Place:
         for stroke in _SYMBOLS[tolerance.characteristic]:
             points = np.array(middles[0]) + TEXT * stroke
             self.space.add_lwpolyline(points.tolist(), dxfattribs=layer)
-        for text, at in zip((rounded(tolerance.zone), *tolerance.datums), middles[1:], strict=True):
+        for text, at in zip((tolerance.zone_text, *tolerance.datums), middles[1:], strict=True):
             _text(self.space, text, at, TEXT, TextEntityAlignment.MIDDLE_CENTER)
 
     def _on_paper(self, point: tuple[float, float]) -> tuple[float, float]:
@@ -259,7 +273,7 @@ class _Place:
 
     def _dimension(self, dimension: Dimension) -> None:
         # Of "<>" in a diameter some readers make its sign, and some do not.
-        number = f"{DIAMETER}{rounded(dimension.diameter)}" if isinstance(dimension, DiameterDimension) else "<>"
+        number = f"{dimension.sign}{rounded(dimension.diameter)}" if isinstance(dimension, DiameterDimension) else "<>"
         text = f"{dimension.prefix}{number}{dimension.suffix}"
         attributes = {"layer": LineKind.DIMENSION.value}
         made: ezdxf.entities.DimStyleOverride
@@ -302,8 +316,18 @@ class _Place:
         made.render()
         made.dimension.dxf.text = text.replace(DIAMETER, _SIGN)
         for drawn in made.dimension.get_geometry_block().query("MTEXT"):
+            if not isinstance(dimension, DiameterDimension) and dimension.exact:
+                self._box_around(drawn)
             drawn.text = drawn.text.replace(DIAMETER, _SIGN)
         made.dimension.set_xdata(APP, [(1000, dimension.name)])
+
+    def _box_around(self, number: MText) -> None:
+        """Box of a theoretically exact dimension."""
+        along = Vec2.from_deg_angle(float(number.get_rotation()))
+        across, middle = along.orthogonal() * (TEXT / 2 + 0.5), Vec2(number.dxf.insert)
+        along *= _length(number.plain_text()) * TEXT / 2 + 0.8
+        corners = [middle + x * along + y * across for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+        self.space.add_lwpolyline(corners, close=True, dxfattribs={"layer": LineKind.DIMENSION.value})
 
 
 def _text(
@@ -366,7 +390,7 @@ def _frame(space: Modelspace, drawing: DrawingSheet, say: Callable[[str], str]) 
         (2, 4, 1, Message("scale"), f"{scale_text(drawing.scale)}  ({drawing.size})"),
         (0, 3, 1, Message("material"), title.material or Message("not stated")),
         (1, 3, 1, Message("surface finish"), title.finish or Message("not stated")),
-        (2, 3, 1, Message("general tolerances"), "ISO 2768-m"),
+        (2, 3, 1, Message("general tolerances"), "ISO 2768-mK"),
         (0, 2, 1, Message("legal owner"), title.owner),
         (1, 2, 1, Message("drawn by"), title.drawn_by),
         (2, 2, 1, Message("approved by"), title.approved_by),
