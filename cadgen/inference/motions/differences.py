@@ -350,11 +350,11 @@ def compared(readings: CamReadings, *, mirrored: bool = False) -> CamComparison:
         near, _, _ = _fitted(readings, scored[0].codes, values, scored[0].wear)
         scored = _explanations(readings, near)
     best = scored[0]
-    rivals = dict.fromkeys(
+    rivals = [
         other.names
         for other in scored[1:]
         if other.likely < best.likely + _RIVAL and not set(best.names) <= set(other.names)
-    )
+    ]
     chosen, least = best.codes, best.score + _RIVAL
     found: list[CamDifference] = []
     while True:
@@ -379,7 +379,9 @@ def compared(readings: CamReadings, *, mirrored: bool = False) -> CamComparison:
     result = CamComparison(
         found=tuple(replace(each, code=_named([each.code])[0]) for each in found),
         worn=worn,
-        rivals=tuple(rivals),
+        rivals=_others(
+            [best.names, *rivals], _named([*(each.code for each in found), *([WEAR] if best.wear is not None else [])])
+        ),
         datum={name: float(values[name][0]) for name in readings.datum},
         noise=readings.noise,
         before=before,
@@ -543,6 +545,12 @@ def _numbered(
         found.append(CamDifference(code=code, values=numbers, sigmas=tuple(sigma[at : at + count].tolist())))
         at += count
     return found
+
+
+def _others(sets: Sequence[tuple[str, ...]], said: Sequence[str]) -> tuple[tuple[str, ...], ...]:
+    """Sets of codes, each once in any order, but that which is said."""
+    once = {frozenset(each): each for each in reversed(sets)}
+    return tuple(each for codes, each in reversed(once.items()) if codes != set(said))
 
 
 def _spread(difference: CamDifference, others: Mapping[str, Array]) -> CamDifference:
