@@ -160,6 +160,17 @@ def test_plain_parts_say_fits_threads_and_positions_by_symbols(sheets: dict[str,
         assert not drawn[code].notes
 
 
+def test_sheets_that_are_not_full_size_state_the_factor_of_lengths_where_readers_look(
+    sheets: dict[str, DrawingSheet],
+) -> None:
+    """LibreCAD takes it from the header: without it 12 mm at 2:1 was shown as 24."""
+    cheek = sheets["workshop_car_fork-cheek"]
+    document = document_of(cheek)
+    assert cheek.scale == 2.0
+    assert document.header["$DIMLFAC"] == 0.5
+    assert {style.dxf.dimlfac for style in document.dimstyles if style.dxf.name != "Standard"} >= {0.5}
+
+
 def test_texts_of_plain_parts_have_heights_of_the_series_and_do_not_lie_on_each_other(
     sheets: dict[str, DrawingSheet],
 ) -> None:

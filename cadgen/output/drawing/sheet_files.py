@@ -141,6 +141,7 @@ def document_of(drawing: DrawingSheet, language: str = ENGLISH, plain: Mapping[i
         )
     document.appids.add(APP)
     _dimension_style(document, drawing.scale)
+    document.header["$DIMLFAC"] = 1.0 / drawing.scale  # LibreCAD reads this one, and not that of the style
     space = document.modelspace()
     for view in drawing.views:
         _Place(space, view, drawing.scale, say).draw()
