@@ -140,10 +140,18 @@ ENCODER_LAG = Effect(
 def runout(shaft: str, order: float) -> Effect:
     """A gear (or encoder disc) off centre on a shaft that turns `order` times for one turn of the cam.
 
+    A weight w that turns with the camshaft, as an arm does, twists a train of stiffness k by (w / k) sin(angle), which
+    is a runout of the camshaft to every reading.
+
     Args:
         shaft: name of the shaft.
         order: turns of the shaft for one turn of the cam.
     """
+    twins: tuple[str, ...] = (Message("eccentric encoder on {shaft}", shaft=Message(shaft)),)
+    apart = "put a dial on the gear's rim, or turn the encoder on its shaft and measure again"
+    if order == 1:
+        twins = (*twins, Message("twist under a weight that turns with the camshaft"))
+        apart = "put a dial on the gear's rim; turn the encoder, or set the shaft upright, and measure again"
     return Effect(
         name=Message("runout of {shaft}", shaft=Message(shaft)),
         stage=MESH,
@@ -155,9 +163,9 @@ def runout(shaft: str, order: float) -> Effect:
         # Of a whole order it repeats with every turn of the cam, and a cam may take it out.
         places=(Place.NOTED, Place.CAR),
         indices=(("turns_per_turn", order),),
-        twins=(Message("eccentric encoder on {shaft}", shaft=Message(shaft)),),
+        twins=twins,
         confused_with="an eccentric encoder on the same shaft",
-        separated_by="put a dial on the gear's rim, or turn the encoder on its shaft and measure again",
+        separated_by=apart,
     )
 
 

@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from cadgen.deviations.transmission import Turned, runout
 from cadgen.inference.measurement.diagnosis import calibrate
 from cadgen.inference.measurement.kinds.transmission import sampled, speeds_differ
 from tests.inference.measurement.synthetic_joint import DEG, Arm, joint_record
@@ -49,6 +50,18 @@ def test_soft_shafts_add_what_friction_winds_up(nominal):
     (value,) = told.findings[0].values
     assert value.value == pytest.approx(PLAY + 2 * 10.0 / 15_000.0 / DEG, abs=0.01)
     assert "wind-up under friction" in told.findings[0].twins
+
+
+def test_a_weight_on_a_train_that_gives_is_a_runout_to_every_reading():
+    """Torques k (asked - a) = w sin(a), solved by Newton's method; w / k is 0.02, so the rest is of order (w / k)^2."""
+    asked, give = np.linspace(0, 2 * np.pi, 73), 0.02
+    angle = asked.copy()
+    for _ in range(5):
+        angle -= (angle + give * np.sin(angle) - asked) / (1 + give * np.cos(angle))
+    effect, at = runout("the camshaft", 1.0), Turned(turned=asked, torque=0 * asked)
+    assert effect.act(asked, np.array([0.0, -give]), at) == pytest.approx(angle, abs=give**2)
+    assert "twist under a weight that turns with the camshaft" in effect.twins
+    assert len(runout("shaft 2", 3.0).twins) == 1
 
 
 def test_readings_at_rest_are_no_samples():

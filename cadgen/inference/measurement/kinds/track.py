@@ -43,6 +43,7 @@ NUMBERS = (("start_x_mm", "mm"), ("start_y_mm", "mm"), ("start_heading_deg", "de
 # Starts that scatter so much by chance are none that were set as the file says.
 CHANCE = 1e-3
 _NUMBER = r"([0-9.]*[0-9])"
+LEAST_COMMON = 10  # motor positions at which runs are compared; with fewer each pose has its own run's
 
 
 @dataclass(frozen=True)
@@ -143,13 +144,27 @@ class Starts:
             out[x], out[y] = left.real, left.imag
         return out
 
-    def poses(self, place: NDArray[np.complex128]) -> Array:
-        """The most likely pose of each run against a path, shape (runs, 3), mm and rad."""
+    def poses(self, place: NDArray[np.complex128], motor: Array) -> Array:
+        """The most likely pose of each run against a path, shape (runs, 3), mm and rad.
+
+        Runs are compared at common motor positions, if they have any: what they share then turns and shifts each of
+        them alike, also where points of one of them are missing.
+
+        Args:
+            place: of the car as started by design at each row, x + iy, shape (n,), mm.
+            motor: position of the motor at each row, shape (n,), rad.
+        """
+        turns, start = [motor[x] for x, _ in self._rows], place[np.argmin(motor)]
+        common = np.unique(motor)
+        common = common[(common >= max(map(np.min, turns))) & (common <= min(map(np.max, turns)))]
         out = []
-        for (x, _), measured in zip(self._rows, self._measured, strict=True):
-            path = place[x] - place[x[0]]
-            turned = _turned(path, measured)
-            aside = np.mean(measured - place[x[0]] - path * np.exp(1j * turned))
+        for (x, _), measured, turn in zip(self._rows, self._measured, turns, strict=True):
+            at, order = common if len(common) >= LEAST_COMMON else turn, np.argsort(turn, kind="stable")
+            # Interpolated is how far a run is off, which is smoother than the run.
+            path, off = (np.interp(at, turn[order], v[order]) for v in (place[x], measured - place[x]))
+            path, seen = path - start, path + off - start
+            turned = _turned(path, seen)
+            aside = np.mean(seen - path * np.exp(1j * turned))
             out.append((aside.real, aside.imag, turned))
         return np.array(out)
 
@@ -310,7 +325,7 @@ class TrackModel(Model):
         self.slip = np.empty(0)
         self._starts = Starts(run, axis, self.measured)
         self.stated = settings(record)
-        self.used = scattered(self._starts.poses(self.place([])), self.stated)
+        self.used = scattered(self._starts.poses(self.place([]), self._motor), self.stated)
         self.offsets, self.spread = self._starts.columns, np.concatenate([one.spread for one in self.used])
         angle, mean = self._mean()
         middle = complex(mean.mean())
