@@ -238,9 +238,19 @@ def mounting_notes(assembly: CarAssembly) -> Iterator[Message]:
             screws=joined(
                 Message("{count} of {standard}", count=part.quantity, standard=part.standard)
                 for part in assembly.parts
-                if part.group.kind == GroupKind.FRAME and part.supply == Supply.BOUGHT and not part.places
+                if part.code.startswith(("screw-iso-4762", "nut")) and not part.places
             ),
         )
+        carried = next((part for part in assembly.parts if part.code in ("drop-weight", "motor")), None)
+        if carried is not None and carried.code == "motor":
+            yield Message("Motor: screw it to the base from below; its shaft drives the rear axle.")
+        elif carried is not None:
+            yield Message(
+                "Weight: set the tubes over their holes in the base with the threaded rods in them, put the weight "
+                "between them and the top plate on, and tighten the nuts under the base and over the plate. Screw the "
+                "pulley's bracket on the plate; {how}.",
+                how=carried.how,
+            )
         yield Message(
             "Fork: screw the block on its platform, the platform on its spacers, and push the spindle through the "
             "bearings of the block from above. Then bond the bridge on its lower end, parallel to the rod."
