@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from cadgen.car.assembly.car_parts import CarPart, Content, GroupKind, Supply
+from cadgen.design.drive import DriveKind
 from cadgen.figures import Facts
 from cadgen.geometry.meshes.car_meshes import Seen, seen
 from cadgen.jobs.assembly_checks import assembly_checks, centre_of_gravity
@@ -238,18 +239,19 @@ def mounting_notes(assembly: CarAssembly) -> Iterator[Message]:
             screws=joined(
                 Message("{count} of {standard}", count=part.quantity, standard=part.standard)
                 for part in assembly.parts
-                if part.code.startswith(("screw-iso-4762", "nut")) and not part.places
+                if part.code.startswith(("screw-iso-4762", "nut") if design.drive is None else "screw-iso-4762")
+                and not part.places
             ),
         )
-        carried = next((part for part in assembly.parts if part.code in ("drop-weight", "motor")), None)
-        if carried is not None and carried.code == "motor":
+        drive = design.drive
+        if drive is not None and drive.kind == DriveKind.MOTOR:
             yield Message("Motor: screw it to the base from below; its shaft drives the rear axle.")
-        elif carried is not None:
+        elif drive is not None:
             yield Message(
                 "Weight: set the tubes over their holes in the base with the threaded rods in them, put the weight "
                 "between them and the top plate on, and tighten the nuts under the base and over the plate. Screw the "
                 "pulley's bracket on the plate; {how}.",
-                how=carried.how,
+                how=assembly.part("drop-weight").how,
             )
         yield Message(
             "Fork: screw the block on its platform, the platform on its spacers, and push the spindle through the "
