@@ -119,7 +119,9 @@ def mechanics(design: Design, follower: Follower, lift: PathMotion) -> Mechanics
         given = MechanicsSection()  # their friction follows from the materials
     if given is None and known.friction is not None and not hardware:
         return MechanicsBand(
-            follower=edge_follower(follower, "friction", "remove [as_built]"), friction=_measured(known.friction)
+            follower=edge_follower(follower, "friction", "remove [as_built]"),
+            friction=_measured(known.friction),
+            measured=True,
         )
     if given is None:
         if hardware:
@@ -147,6 +149,7 @@ def mechanics(design: Design, follower: Follower, lift: PathMotion) -> Mechanics
         friction=friction,
         drag=given.drag_Nmm,
         behind=gear_model.cam_joint(design)[1] if given.drag_on == Braked.SHAFT else 0.0,
+        measured=known.friction is not None,
     )
     _refuse_lost_rod(band, lift, design.tolerances.rod_force_N or 0.0)
     need = holding(lift, band)

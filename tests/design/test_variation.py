@@ -1,11 +1,14 @@
 """Variation among the cars of a design."""
 
+from dataclasses import replace
 from math import radians
 
+import numpy as np
 import pytest
 
 from cadgen.car.running.mechanics import MechanicsBand
-from cadgen.design import variation
+from cadgen.design import cam_model, variation
+from cadgen.design.as_built import AsBuiltSection
 from cadgen.design.load import load_design, with_overrides
 from cadgen.deviations.first_order import Expansion
 
@@ -35,6 +38,27 @@ def test_friction_and_drag_vary_within_their_bands(carbon_free_car):
     assert "drag" not in found
     assert found["wobble"] == pytest.approx(radians(0.1))
     assert found["temperature"] == 5
+
+
+def test_a_profile_for_a_measured_friction_is_made_for_its_mean_and_spread(carbon_free_car):
+    sigma, given = 0.03, MechanicsBand(follower=carbon_free_car.follower, friction=(0.14, 0.26))
+    of = [[car.friction for car in band.usual] for band in (given, replace(given, measured=True))]
+    assert of[0] == [0.14, 0.26]
+    assert (np.mean(of[1]), np.std(of[1])) == pytest.approx((0.2, sigma))
+    well_known = replace(given, friction=(0.19, 0.21), measured=True)
+    assert well_known.usual == well_known.corners
+
+
+def test_a_measured_friction_says_so():
+    friction = [{"name": "friction", "value": 0.2, "sigma": 0.03}]
+    effect = {"effect": "sliding friction", "kind": "track", "place": "car", "values": friction}
+    source = {"file": "track.csv", "kind": "track", "sha256": "0" * 64, "verdict": "traced"}
+    as_built = AsBuiltSection.model_validate({"sources": [source], "effects": [effect]})
+    built = load_design("carbon_free_car").model_copy(update={"as_built": as_built})
+    known = variation.mechanics(built, cam_model.follower(built), cam_model.lift(built))
+    assert known is not None
+    assert known.measured
+    assert known.friction == pytest.approx((0.14, 0.26))
 
 
 def test_heat_goes_by_the_materials():

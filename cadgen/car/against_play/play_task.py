@@ -184,7 +184,7 @@ class TrainTask:
         trimmed = task.trimmed and task.mechanics is not None
         mechanics: tuple[Mechanics, ...] = ()
         if task.mechanics is not None:
-            mechanics = task.mechanics.cases if trimmed else task.mechanics.corners
+            mechanics = task.mechanics.cases if trimmed else task.mechanics.usual
         best = best_for_band(
             lift,
             task.follower,

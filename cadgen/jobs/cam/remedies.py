@@ -88,7 +88,7 @@ class _Sheet:
             for profile in self.compared:
                 if profile.profile is COMPENSATED:
                     return profile.lift, profile.made_for
-        cases = known.cases if trimmed else known.corners
+        cases = known.cases if trimmed else known.usual
         found = best_for_band(task.lift, task.follower, task.car, task.length, ends, mechanics=cases, trimmed=trimmed)
         return found.lift, found.made_for
 
@@ -249,7 +249,7 @@ def _bearing(sheet: _Sheet) -> list[Remedy]:
         return []
     bearing, count = fitting
     follower = replace(task.follower, radius=bearing.outside / 2)
-    known = replace(sheet.known, follower=follower, friction=BEARING)
+    known = replace(sheet.known, follower=follower, friction=BEARING, measured=False)
     overrides = [
         f"follower.radius_mm={bearing.outside / 2:g}",
         "follower.material=ball_bearing",
