@@ -140,8 +140,8 @@ ENCODER_LAG = Effect(
 def runout(shaft: str, order: float) -> Effect:
     """A gear (or encoder disc) off centre on a shaft that turns `order` times for one turn of the cam.
 
-    A weight w that turns with the camshaft, as an arm does, twists a train of stiffness k by (w / k) sin(angle), which
-    is a runout of the camshaft to every reading.
+    A weight w that turns with the camshaft, as an arm does, twists a train of stiffness k by (w / k) sin(angle). To
+    every reading that is a runout of the camshaft.
 
     Args:
         shaft: name of the shaft.

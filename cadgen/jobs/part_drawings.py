@@ -80,7 +80,11 @@ def part_sheets(assembly: CarAssembly, folder: Folder) -> Iterator[tuple[str, Dr
             seats = [(seat.low, seat.high, _seat_size(seat)[0]) for seat in shape.cuts]
             yield stem, turned_drawing(steps, None, seats, _texts(part, steps, None, None), title)
         elif isinstance(shape, Block):
-            yield stem, block_drawing(shape, _block_texts(part, shape), title)
+            inside, _ = _FITS.get(part.code, ("", ""))
+            sizes = sorted({round(2 * float(hole.radii[0]), 6) for hole in shape.prisms[0].holes})
+            single = [size for size in sizes if inside and not _FREE < size < _FREE + 0.2]
+            texts = PartTexts(notes=(), fits=tuple((size, _zone(size, inside)) for size in single))
+            yield stem, block_drawing(shape, texts, title)
 
 
 def _texts(
@@ -140,14 +144,6 @@ def _polar(seat: Prism) -> float:
     """Polar angle of a seat, rad."""
     x, y = seat.outline.vertices.mean(axis=0).tolist()
     return atan2(y, x)
-
-
-def _block_texts(part: CarPart, block: Block) -> PartTexts:
-    """Notes and fits of a plate or block."""
-    inside, _ = _FITS.get(part.code, ("", ""))
-    sizes = sorted({round(2 * float(hole.radii[0]), 6) for hole in block.prisms[0].holes})
-    single = [size for size in sizes if inside and not _FREE < size < _FREE + 0.2]
-    return PartTexts(notes=(), fits=tuple((size, _zone(size, inside)) for size in single))
 
 
 def _zone(size: float, named: str) -> str:

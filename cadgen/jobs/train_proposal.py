@@ -88,7 +88,10 @@ def proposed(text: WithTrain, name: str) -> str:
             except DesignError:  # its gears leave no room for their bores
                 continue
             if not wrong:
-                train = _framed(text, train, file)
+                # With the first frame that holds the car; without one where none does.
+                framed = (train._replace(frame=keys) for keys in _FRAMES)
+                holding = (each for each in framed if not failing(car_frame(design_of(text(each), file)).plain_checks))
+                train = next(holding, train)
                 return text(train._replace(drag=_holding_drag(design_of(text(train), file))))
             if nearest is None or _far(wrong) < _far(nearest[1]):
                 nearest = count, wrong
@@ -108,15 +111,6 @@ def proposed(text: WithTrain, name: str) -> str:
         value=wrong[0].text(),
         limit=wrong[0].limit,
     )
-
-
-def _framed(text: WithTrain, train: ProposedTrain, file: Path) -> ProposedTrain:
-    """Train with the first frame that holds its car; as it is where none of those that are tried does."""
-    for keys in _FRAMES:
-        framed = train._replace(frame=keys)
-        if not failing(car_frame(design_of(text(framed), file)).plain_checks):
-            return framed
-    return train
 
 
 def _far(wrong: tuple[Check, ...]) -> tuple[bool, int, float]:

@@ -376,12 +376,12 @@ def compared(readings: CamReadings, *, mirrored: bool = False) -> CamComparison:
     if best.wear is not None:
         left = left + best.wear.expected(left)
         after = float(np.sqrt(np.mean(left**2)))
+    said = _named([*(each.code for each in found), *([WEAR] if best.wear is not None else [])])
+    rivals = list({frozenset(each): each for each in reversed([best.names, *rivals])}.values())
     result = CamComparison(
         found=tuple(replace(each, code=_named([each.code])[0]) for each in found),
         worn=worn,
-        rivals=_others(
-            [best.names, *rivals], _named([*(each.code for each in found), *([WEAR] if best.wear is not None else [])])
-        ),
+        rivals=tuple(each for each in reversed(rivals) if set(each) != set(said)),
         datum={name: float(values[name][0]) for name in readings.datum},
         noise=readings.noise,
         before=before,
@@ -545,12 +545,6 @@ def _numbered(
         found.append(CamDifference(code=code, values=numbers, sigmas=tuple(sigma[at : at + count].tolist())))
         at += count
     return found
-
-
-def _others(sets: Sequence[tuple[str, ...]], said: Sequence[str]) -> tuple[tuple[str, ...], ...]:
-    """Sets of codes, each once in any order, but that which is said."""
-    once = {frozenset(each): each for each in reversed(sets)}
-    return tuple(each for codes, each in reversed(once.items()) if codes != set(said))
 
 
 def _spread(difference: CamDifference, others: Mapping[str, Array]) -> CamDifference:

@@ -1,8 +1,7 @@
 """Sheets of the plain parts of a car: turned parts in section, and blocks and plates by their outline and holes.
 
-Holes of screws have a tolerance of position: of two parts with the same tolerance a screw goes through both where it is
-half of what the clearance hole is wider than the screw, whether the other hole is a clearance hole, too, or a thread
-beside which the first part's hole takes the other half (ISO 5458 for the frames; ASME Y14.5, appendix B for the rule).
+Holes of screws have a tolerance of position: half of what a clearance hole is wider than its screw. A screw then goes
+through two parts with this tolerance. The frames are those of ISO 5458, the rule that of ASME Y14.5, appendix B.
 """
 
 from collections import Counter

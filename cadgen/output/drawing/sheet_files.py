@@ -21,7 +21,6 @@ from ezdxf.addons.drawing.config import BackgroundPolicy, ColorPolicy, Configura
 from ezdxf.addons.drawing.matplotlib import MatplotlibBackend
 from ezdxf.addons.drawing.properties import BackendProperties
 from ezdxf.document import Drawing as Document
-from ezdxf.entities import MText
 from ezdxf.enums import TextEntityAlignment
 from ezdxf.fonts import fonts
 from ezdxf.layouts import Modelspace
@@ -318,17 +317,13 @@ class _Place:
         made.dimension.dxf.text = text.replace(DIAMETER, _SIGN)
         for drawn in made.dimension.get_geometry_block().query("MTEXT"):
             if not isinstance(dimension, DiameterDimension) and dimension.exact:
-                self._box_around(drawn)
+                along = Vec2.from_deg_angle(float(drawn.get_rotation()))
+                across, middle = along.orthogonal() * (TEXT / 2 + 0.5), Vec2(drawn.dxf.insert)
+                along *= _length(drawn.plain_text()) * TEXT / 2 + 0.8
+                corners = [middle + x * along + y * across for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+                self.space.add_lwpolyline(corners, close=True, dxfattribs=attributes)
             drawn.text = drawn.text.replace(DIAMETER, _SIGN)
         made.dimension.set_xdata(APP, [(1000, dimension.name)])
-
-    def _box_around(self, number: MText) -> None:
-        """Box of a theoretically exact dimension."""
-        along = Vec2.from_deg_angle(float(number.get_rotation()))
-        across, middle = along.orthogonal() * (TEXT / 2 + 0.5), Vec2(number.dxf.insert)
-        along *= _length(number.plain_text()) * TEXT / 2 + 0.8
-        corners = [middle + x * along + y * across for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
-        self.space.add_lwpolyline(corners, close=True, dxfattribs={"layer": LineKind.DIMENSION.value})
 
 
 def _text(

@@ -40,7 +40,11 @@ def rim_of(cam: CamPlan, comparison: PlayComparison | None, calibration: "Calibr
         angle = np.mod(diagnosis.place, TURN)
         contact = roll(outline, cam.follower_as_built, angle)
         touched = np.mod(angle + np.arcsin(np.clip(contact.across / _radius(outline, angle), -1.0, 1.0)), TURN)
-        values = _means(touched, diagnosis.before, polar) / UNITS["um"]
+        # Means of the readings near each polar angle; between them where there are none.
+        near = np.floor(touched / TURN * len(polar)).astype(int) % len(polar)
+        count, total = (np.bincount(near, weights, len(polar)) for weights in (None, diagnosis.before))
+        known = count > 0
+        values = np.interp(polar, polar[known], total[known] / count[known], period=TURN) / UNITS["um"]
         return Rim(Message("measured, less the design"), "µm", places, values)
     if comparison is None:
         return None
@@ -56,12 +60,3 @@ def _radius(outline: Outline, polar: Array) -> Array:
     angle = np.mod(np.arctan2(y, x), TURN)
     order = np.argsort(angle)
     return np.asarray(np.interp(polar, angle[order], np.hypot(x, y)[order], period=TURN))
-
-
-def _means(angle: Array, values: Array, polar: Array) -> Array:
-    """Means of readings near each of even angles; between them where there are none."""
-    number = np.floor(angle / TURN * len(polar)).astype(int) % len(polar)
-    count = np.bincount(number, minlength=len(polar))
-    total = np.bincount(number, values, minlength=len(polar))
-    known = count > 0
-    return np.asarray(np.interp(polar, polar[known], total[known] / count[known], period=TURN))

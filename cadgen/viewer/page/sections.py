@@ -241,17 +241,13 @@ def tolerance_section(run: ToleranceRun[CamPlan] | None, reason: str) -> Section
         ),
     )
     table = _sensitivities(run)
-    return Section("tolerance", title, (lead,), (ends, table), bars=(_shares(run),), folded=frozenset({table.code}))
-
-
-def _shares(run: ToleranceRun[CamPlan]) -> Bars:
-    """Share of each tolerance in the variance of the ends, the small ones together."""
-    shown = run.sensitivities[:_MOST_BARS]
-    rest = sum(100 * item.share for item in run.sensitivities[_MOST_BARS:])
-    rows = [Bar(item.name.replace("_", " "), 100 * item.share, not count) for count, item in enumerate(shown)]
-    if rest > 0:
+    # Share of each tolerance in the variance of the ends, the small ones together.
+    most, others = run.sensitivities[:_MOST_BARS], run.sensitivities[_MOST_BARS:]
+    rows = [Bar(item.name.replace("_", " "), 100 * item.share, not count) for count, item in enumerate(most)]
+    if rest := sum(100 * item.share for item in others):
         rows.append(Bar(Message("all others"), rest))
-    return Bars("shares", Message("What costs most of the scatter at the end"), "%", tuple(rows))
+    bars = Bars("shares", Message("What costs most of the scatter at the end"), "%", tuple(rows))
+    return Section("tolerance", title, (lead,), (ends, table), bars=(bars,), folded=frozenset({table.code}))
 
 
 def _sensitivities(run: ToleranceRun[CamPlan]) -> Sheet:
