@@ -227,7 +227,7 @@ class CheckList(tuple[Check, ...]):
             raise DesignError(
                 "there is no check {code}; there are: {codes}", code=brief(repr(place), 60), codes=", ".join(alike)
             )
-        return min(found, key=lambda check: check.room)
+        return min(found, key=lambda check: (check.passed, check.room))
 
     def __repr__(self) -> str:
         wrong = ", ".join(dict.fromkeys(str(check.code) for check in failing(self)))

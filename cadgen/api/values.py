@@ -28,11 +28,19 @@ class Stated:
     def __repr__(self) -> str:
         stated: Any = self
         given = (
-            f"{each.name}={getattr(self, each.name)!r}"
+            f"{each.name}={brief(' '.join(repr(getattr(self, each.name)).split()), _SHOWN)}"
             for each in fields(stated)
-            if each.default is MISSING or getattr(self, each.name) != each.default
+            if each.default is MISSING or not _alike(getattr(self, each.name), each.default)
         )
         return f"{type(self).__name__}({', '.join(given)})"
+
+
+_SHOWN = 200  # letters of a value, such as a table
+
+
+def _alike(value: object, default: object) -> bool:
+    """Whether a value is its default; an array, which has no single answer, is none."""
+    return value is default or (not hasattr(value, "shape") and value == default)
 
 
 def real(

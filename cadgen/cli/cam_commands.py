@@ -32,14 +32,14 @@ def check(design: str | None, overrides: tuple[str, ...], profile: str | None, e
         show.checks(cam, cures, every=every)
         if every:
             show_play.comparison(cam)
+        kept = ["--profile", profile] if profile else []
         if cam.passed:
-            kept = ["--profile", profile] if profile else []
             step = command("cam", design, *kept, overrides=overrides)
             verdict(cam.verdict.readiness, Message("every check holds"), step)
         else:
             step = Message("change the design as it is said above")
             if cures.whole is not None and not overrides and all(each in cam.checks for each in cam.failed):
-                step = command("check", design, "--set", shlex.quote(cures.whole))
+                step = command("check", design, *kept, "--set", shlex.quote(cures.whole))
             verdict(cam.verdict.readiness, failed(cam.failed), step)
     sys.exit(0 if cam.passed else 1)
 

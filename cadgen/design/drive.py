@@ -1,6 +1,7 @@
 """Section [drive] of a design: drop weight or motor of a car, as a body that the frame carries."""
 
 from enum import StrEnum
+from math import inf
 from typing import Annotated
 
 from annotated_types import Le
@@ -11,6 +12,9 @@ from cadgen.messages import Message
 
 _GRAVITY = 9.81  # m/s²
 _Side = Annotated[Feature, Le(500)]
+
+
+MOST_FALL = 2000.0  # mm
 
 
 class DriveKind(StrEnum):
@@ -32,7 +36,12 @@ class DriveSection(DesignSection):
     size_mm: Annotated[tuple[_Side, _Side, _Side], Strict(False)] = Field(
         description="along the car, across it and upwards; a weight is round, so its first two are equal"
     )
-    fall_mm: float | None = Field(default=None, gt=0, le=2000, description="of a weight, by which it falls in a run")
+    fall_mm: float | None = Field(
+        default=None,
+        gt=0,
+        le=MOST_FALL,
+        description="of a weight, by which it may fall in a run: no farther than the string that comes off the axle",
+    )
     start_height_mm: float | None = Field(
         default=None,
         gt=0,
@@ -77,7 +86,10 @@ class DriveSection(DesignSection):
             )
         return self
 
-    @property
-    def energy(self) -> float | None:
-        """Energy of a weight that falls, J; None of a motor."""
-        return None if self.fall_mm is None else self.mass_kg * _GRAVITY * self.fall_mm * 1e-3
+    def energy_of(self, most: float = inf) -> float | None:
+        """Energy of a weight that falls, J; None of a motor.
+
+        Args:
+            most: length of string that is let off, mm: it falls no farther.
+        """
+        return None if self.fall_mm is None else self.mass_kg * _GRAVITY * min(self.fall_mm, most) * 1e-3

@@ -375,7 +375,7 @@ class TrainFile(DesignSection):
                     "[layout] and [frame], which may be empty, or remove [drive]"
                 )
             )
-        has, given = self.drive.energy, None if keys is None else keys.drive_energy_J
+        has, given = self.drive.energy_of(), None if keys is None else keys.drive_energy_J
         if has is not None and given is not None and given > _MOST_OF_A_FALL * has:
             raise ValueError(
                 Message(

@@ -2,8 +2,8 @@
 
 | module         | what it holds                                                                        |
 |----------------|--------------------------------------------------------------------------------------|
-| `deviation`    | table of deviations: names,     units, tolerance keys, settings by hand               |
-| `effect`       | an effect: an exact change at one step of a model,  with numbers, bounds and rivals  |
+| `deviation`    | table of deviations: names, units, tolerance keys, settings by hand                  |
+| `effect`       | an effect: an exact change at one step of a model, with numbers, bounds and rivals   |
 | `disc`         | effects on the disc's outline about its bore                                         |
 | `return_error` | numbers of return error and friction, which several kinds of data show               |
 | `lift`         | effects of the mount, the follower and the instrument on a measured lift             |

@@ -35,15 +35,7 @@ _CURES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("train.plate.thickness_mm", ("8", "10", "6")),
     ("frame.wall_mm", ("2", "1.5", "1")),
 )
-_WIDER = (
-    5.0,
-    10.0,
-    20.0,
-    30.0,
-    40.0,
-    60.0,
-    80.0,
-)  # mm by which the idle wheel is set farther out
+_WIDER = (5.0, 10.0, 20.0, 30.0, 40.0, 60.0, 80.0)  # mm by which the idle wheel is set farther out
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -211,7 +203,9 @@ class CarFrame(JobResult):
                 "leave drive.start_height_mm out, raise it to {start:.4g}, or lower drive.fall_mm to {fall:.4g}",
                 start=start + more,
                 fall=body.fall - more,
-            ),
+            )
+            if body.fall > more
+            else Message("leave drive.start_height_mm out, or raise it to {start:.4g}", start=start + more),
         )
 
     @property

@@ -188,7 +188,7 @@ def _closes(angle: Array, height: Array, missing: float, noise: float, unit: Uni
 
 def _open(angle: Array, height: Array, unit: Unit, noise: float, key: str) -> DesignError:
     reach = degrees(angle[-1] - angle[0])
-    if _RADIANS_FROM * TURN < reach < TURN:
+    if _RADIANS_FROM * TURN < reach < 1.01 * TURN:
         return DesignError(
             "the table reaches over {reach:.4g} degrees alone, as angles in radians do, and they are degrees: multiply "
             "each by {share:.10g}",

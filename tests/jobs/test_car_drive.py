@@ -81,7 +81,6 @@ def test_what_does_not_fit_names_a_cure_that_helps(changes: dict[str, object], c
     made = frame_of(*overrides)
     assert {check.code for check in failing(made.plain_checks)} == {code}
     (check,) = (check for check in made.checks if check.code == code)
-    print(check.place, check.advice)
     if code == CheckCode.DRIVE_ROOM:
         key, value = check.advice.removeprefix("set ").split(" to ")
         assert key == "car.idle_wheel_offset_mm"

@@ -106,7 +106,6 @@ def test_cars_that_only_play_moves_are_told_of_the_gears():
     """With a wide band of play and no tolerance half of its spread brings cars in; the cam stays as it is."""
     design = Design.load("s_course").with_({"tolerances": None, "layout": None, "frame": None})
     verdict = design.with_({"play.least_deg": 0.2, "play.greatest_deg": 1.4}).cam().verdict
-    print(verdict.reservations, verdict.failed)
     (lost,) = (each for each in verdict.reservations if each.code == "cars-lost")
     assert lost.cure.startswith("take gears whose play varies half as much, with which ")
 

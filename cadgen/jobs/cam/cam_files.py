@@ -94,6 +94,7 @@ def cam_export(plan: CamPlan) -> CamExport:
         notes=(profile.note,) if profile.note else (),
         export=making.export,
         machining=making.machining,
+        seen=plan.seen,
         motion=None if plan.motion.unit == TAN else plan.motion,
         forces=use.forces(plan),
         in_use=partial(use.of_file, plan),

@@ -1,6 +1,6 @@
 """Effect of friction and drag on a cam, in checks and in words; the energy of a run."""
 
-from math import degrees, inf
+from math import degrees, inf, pi
 
 import numpy as np
 
@@ -13,14 +13,14 @@ from cadgen.car.against_play.remedies import holding, touched_width
 from cadgen.car.path.wheel_track import Track
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import Run, drive, start_pose
-from cadgen.car.running.energy import RunEnergy, run_energy
+from cadgen.car.running.energy import GRAVITY, RunEnergy, run_energy
 from cadgen.car.running.friction import USUAL
 from cadgen.car.running.mechanics import MechanicsBand
 from cadgen.car.running.run_errors import run_error
 from cadgen.car.steering import Car, wheel_curvature, wheel_tangent, wheel_travel_ratio
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.design import variation
-from cadgen.design.drive import DriveSection
+from cadgen.design.drive import MOST_FALL, DriveSection
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.jobs.cam.wheel import DriveWheel
@@ -318,8 +318,9 @@ def energy_checks(
     mass = mass if keys is None or keys.car_mass_kg is None else keys.car_mass_kg
     if keys is None or mass is None:
         return ()
-    falls = None if design.drive is None else design.drive.energy
-    has = falls if keys.drive_energy_J is None else keys.drive_energy_J
+    unwound = _unwound(design, wheel)
+    falls = None if design.drive is None else design.drive.energy_of(unwound)
+    has = falls if keys.drive_energy_J is None else min(keys.drive_energy_J, inf if falls is None else falls)
     if has is None:
         return ()
     band = variation.mechanics(design, follower, lift)
@@ -338,19 +339,55 @@ def energy_checks(
     name = Message("energy left at the end of the path")
     if keys.car_mass_kg is None and design.drive is None:
         name = Message("energy left at the end of the path, motor or weight not counted in the mass")
-    return (_energy_check(spent, has, name, design.drive),)
+    return (_energy_check(spent, has, name, design.drive, unwound, mass),)
 
 
-def _energy_check(spent: RunEnergy, has: float, name: Message, drive: DriveSection | None) -> Check:
+def _unwound(design: Design, wheel: DriveWheel) -> float:
+    """Length of string that a run takes off the axle of the drive wheel, mm: pi d for a turn of the wheel.
+
+    A weight cannot fall farther in a run than that.
+
+    Args:
+        design: design of the car.
+        wheel: drive wheel that the cam is for.
+    """
+    axle = 0.0 if design.train is None else design.train.drive.bore_diameter_mm or 0.0
+    if not axle or not wheel.radius:
+        return inf
+    return wheel.turn * wheel.finish / (2 * pi) / wheel.radius * axle / 2
+
+
+def _energy_check(
+    spent: RunEnergy, has: float, name: Message, drive: DriveSection | None, unwound: float, mass: float
+) -> Check:
     advice = Message(
         "raise mechanics.drive_energy_J to {needed:.3g}, or lower the mass, the brake's drag or the rod's force",
         needed=1.005 * spent.needed,
     )
-    if drive is not None and drive.fall_mm is not None:
+    # What a stated energy lacks no longer fall gives.
+    falls = None if drive is None else drive.energy_of(unwound)
+    if drive is None or drive.fall_mm is None or falls is None or has < falls:
+        pass
+    elif (farther := 1.02 * drive.fall_mm * spent.needed / has) > min(unwound, MOST_FALL):  # longer tubes weigh more
+        advice = Message(
+            "a run takes {unwound:.0f} mm of string off the axle, and a weight falls no farther: make the axle thicker "
+            "(train.drive.bore_diameter_mm), or lower the rolling resistance, the brake's drag or the rod's force",
+            unwound=unwound,
+        )
+        # A heavier weight rolls on the wheels, too.
+        rolled = spent.rolling / mass
+        if (more := GRAVITY * unwound * 1e-3 - rolled) > 0:
+            advice = Message(
+                "a run takes {unwound:.0f} mm of string off the axle, and a weight falls no farther: let it fall by "
+                "that, with drive.mass_kg at {heavier:.3g}, or make the axle thicker (train.drive.bore_diameter_mm)",
+                unwound=unwound,
+                heavier=1.02 * (spent.needed - rolled * drive.mass_kg) / more,
+            )
+    else:
         advice = Message(
             "raise drive.fall_mm to {fall:.0f}, or lower the car's mass, its rolling resistance, the brake's drag or "
             "the rod's force",
-            fall=1.02 * drive.fall_mm * spent.needed / has,  # longer tubes weigh some more
+            fall=farther,
         )
     return Check(
         CheckCode.ENERGY_LEFT,

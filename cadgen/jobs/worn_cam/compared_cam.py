@@ -33,7 +33,6 @@ from cadgen.progress import Progress, silent
 from cadgen.verdict import Readiness
 
 _UM = 1e3
-_UM = 1e3
 _NAMES = {**NAMES, WEAR: Message("wear of a flank")}
 
 

@@ -73,9 +73,10 @@ def gear_rows(gear: Figures, mates: Sequence[str], stage: Stage, *, drives: bool
         most, least = gear.value(f"{name}_max"), gear.value(f"{name}_min")
         if most is None or least is None:
             return ""
-        return Message("{least:.3f} to {most:.3f}", least=least, most=most)
+        return Message("{least:.3f} to {most:.3f}", least=least, most=most) if most > least else f"{most:.3f}"
 
     upper, lower = gear.value("E_sns"), gear.value("E_sni")
+    exact = upper is not None and upper == lower  # nothing is tolerated: sizes alone are stated, and no grade
     angle, helix, cutter = (gear.value(code) for code in ("pressure_angle", "helix_angle", "cutter_teeth"))
     hand = Message("right") if (helix or 0) > 0 else Message("left")
     rack = [plain(code) for code in ("addendum_factor", "dedendum_factor", "rack_tip_radius_factor")]
@@ -104,13 +105,13 @@ def gear_rows(gear: Figures, mates: Sequence[str], stage: Stage, *, drives: bool
             else Message("arc"),
         ),
         (Message("face width"), mm("width")),
-        (Message("grade, ISO 1328-1"), "" if grade is None else str(grade)),
-        (Message("centre distance, mm"), apart if deviation is None else f"{apart} ± {deviation:.4f}"),
+        (Message("grade, ISO 1328-1"), "" if grade is None or exact else str(grade)),
+        (Message("centre distance, mm"), f"{apart} ± {deviation:.4f}" if deviation else apart),
         (Message("meshes with"), mates[0]),
         *((Message("and with"), mate) for mate in mates[1:]),
         (
             Message("thickness E_sns / E_sni"),
-            "" if upper is None or lower is None else f"{upper:.1f} / {lower:.1f} µm",
+            "" if upper is None or lower is None else f"{upper:.1f} µm" if exact else f"{upper:.1f} / {lower:.1f} µm",
         ),
         (Message("spaces spanned k") if ring else Message("teeth spanned k"), plain("teeth_spanned")),
         (Message("span W_k, mm"), limits("span")),

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from cadgen.car.running.friction import DiscMaterial
 from cadgen.design.machining import Drilling, Machining
-from cadgen.output.files.gcode import SETTINGS, comments, words
+from cadgen.output.files.gcode import SETTINGS, comments, words, zero_note
 from cadgen.parts.blank import Blank
 from cadgen.parts.face import Face
 from cadgen.parts.features import DFlat
@@ -140,6 +140,7 @@ def write_drilling(
     name: str,
     material: DiscMaterial | None = None,
     notes: Sequence[str] = (),
+    face: Face = Face.OUTER,
 ) -> None:
     """Write the program of a drill: each hole in pecks, its whole diameter through the work.
 
@@ -151,6 +152,7 @@ def write_drilling(
         name: name of the design, for the first comment.
         material: material of the disc, for the speed; None if none is given.
         notes: further comments for the shop.
+        face: face of the disc that lies up.
     """
     diameter = drill.diameter
     spindle, feed = drill_feed(diameter, drilling, material)
@@ -165,7 +167,7 @@ def write_drilling(
                 *notes,
                 f"drill of {diameter:g} mm, point {drilling.point_angle_deg:g} degrees; "
                 f"{f'speed for {material}' if material and drilling.spindle_rpm is None else 'spindle'} {spindle:g}",
-                "zero: centre of the bore, outer face of the disc; cam angle 0 along +X, outer face up",
+                zero_note(face),
                 f"the point goes {below:.1f} mm below the work: leave room under it",
                 f"the first move lifts the drill where it stands, to {height:g} mm: be above every clamp there",
                 f"rapid moves go down to {machining.approach_mm:g} mm above the work",

@@ -27,6 +27,7 @@ from cadgen.laws.motion import Motion
 from cadgen.messages import Message
 from cadgen.output.files.publisher import Artifact
 from cadgen.parts.blank import Blank
+from cadgen.parts.face import Face
 from cadgen.parts.print_compensation import PrintCompensation
 
 if TYPE_CHECKING:
@@ -56,6 +57,7 @@ class CamExport:
         notes: sentences for the shop on the outline.
         export: how finely files follow the curve.
         machining: cutter, speeds, tabs and drills.
+        seen: face of the disc that files show, and that lies up on the mill.
         motion: motion of the follower, for its derivatives; None where files do not have them, as those of cars.
         forces: forces on the follower and its camshaft; None where nothing is said of them.
         in_use: function of an outline read back, of the contact of the follower on it, and of the greatest error
@@ -74,6 +76,7 @@ class CamExport:
     notes: tuple[str, ...]
     export: Export
     machining: Machining
+    seen: Face = Face.OUTER
     motion: Motion | None = None
     forces: CamForces | None = None
     in_use: Callable[[Outline, Contact, float], Figures] = lambda outline, contact, limit: Figures()

@@ -20,6 +20,7 @@ from cadgen.curves.contour import Contour
 from cadgen.curves.derived import parallel
 from cadgen.design.machining import Machining, Tabs
 from cadgen.errors import CheckError, DesignError
+from cadgen.parts.face import Face
 
 DECIMALS = 4  # of a coordinate: hobby controllers read as many, and rounding is 0.05 um at most
 SETTINGS = "G21 G90 G17 G40 G94 G91.1"  # mm, absolute, plane XY, no compensation, mm/min, centres relative
@@ -145,6 +146,7 @@ def write_gcode(
     hub: RaisedHub | None = None,
     drilled: Sequence[str] = (),
     notes: Sequence[str] = (),
+    face: Face = Face.OUTER,
 ) -> None:
     """Write the program that mills a disc's outline from outside, in equal passes, by climb milling.
 
@@ -163,6 +165,7 @@ def write_gcode(
         hub: hub on the disc's outer face; rapid moves pass above it.
         drilled: names of the programs that drill its holes.
         notes: further comments for the shop on this outline.
+        face: face of the disc that lies up.
 
     Raises:
         DesignError: the tabs have no room.
@@ -175,7 +178,7 @@ def write_gcode(
     spindle = f"S{machining.spindle_rpm:g} M3"
     tabs = machining.tabs
     lines = [
-        *comments(_head(machining, thickness, height, passes, name, material, hub, drilled, notes)),
+        *comments(_head(machining, thickness, height, passes, name, material, hub, drilled, notes, face)),
         SETTINGS,
         *([] if machining.tool_number is None else [f"T{machining.tool_number} M6"]),
         spindle,
@@ -197,6 +200,15 @@ def write_gcode(
             ]
     lines += ["M5", "M30"]
     path.write_text("\n".join(lines) + "\n", encoding="ascii", newline="\n")
+
+
+def zero_note(face: Face) -> str:
+    """Sentence on the zero of a disc's programs.
+
+    Args:
+        face: face of the disc that lies up.
+    """
+    return f"zero: centre of the bore, {face} face of the disc; cam angle 0 along +X, {face} face up"
 
 
 def levels_of(machining: Machining, thickness: float) -> list[float]:
@@ -221,6 +233,7 @@ def _head(
     hub: RaisedHub | None,
     drilled: Sequence[str],
     notes: Sequence[str],
+    face: Face,
 ) -> list[str]:
     """Sentences that the shop reads before it runs the program."""
     tabs = machining.tabs
@@ -234,7 +247,7 @@ def _head(
         *(f"{word}: {text}" for word, text in (("stock", machining.stock), ("fixture", machining.fixture)) if text),
         f"cutter diameter {machining.cutter_diameter_mm:g} mm, no radius compensation at the machine",
         "climb milling: spindle clockwise, clockwise round the part",
-        "zero: centre of the bore, outer face of the disc; cam angle 0 along +X, outer face up",
+        zero_note(face),
         f"disc {thickness:g} mm thick{above}; {held}",
     ]
     if tabs:

@@ -15,7 +15,8 @@ from pathlib import Path
 from cadgen.car.running.friction import DiscMaterial
 from cadgen.design.machining import Machining
 from cadgen.output.files.drilling import Drill, Hole
-from cadgen.output.files.gcode import comments, height_notes, opening, words
+from cadgen.output.files.gcode import comments, height_notes, opening, words, zero_note
+from cadgen.parts.face import Face
 
 LEAST_PATH = 0.25  # mm, radius of the smallest ring that a cutter is taken round
 _OVERLAP = 0.45  # of the cutter's diameter, from ring to ring: no core is left within the first
@@ -112,6 +113,7 @@ def write_hole_milling(
     *,
     name: str,
     material: DiscMaterial | None = None,
+    face: Face = Face.OUTER,
 ) -> None:
     """Write the program that mills holes with the outline's cutter.
 
@@ -121,6 +123,7 @@ def write_hole_milling(
         machining: cutter, speeds, heights and depth of a pass.
         name: name of the design, for the first comment.
         material: material of the disc, for the feed; None if none is given.
+        face: face of the disc that lies up.
     """
     height = machining.safe_height_mm + max(hole.top for size in holes for hole in size.holes)
     count = sum(len(size.holes) for size in holes)
@@ -131,7 +134,7 @@ def write_hole_milling(
                 *(f"{size.purpose}: {len(size.holes)} of {size.diameter:g} mm" for size in holes),
                 f"cutter diameter {machining.cutter_diameter_mm:g} mm, no radius compensation at the machine",
                 "it goes down in a helix and need not cut at its centre; climb milling",
-                "zero: centre of the bore, outer face of the disc; cam angle 0 along +X, outer face up",
+                zero_note(face),
                 f"the cutter goes {machining.break_through_mm:g} mm below the work: leave room under it",
                 *height_notes(machining, height),
             ]

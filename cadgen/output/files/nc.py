@@ -70,6 +70,7 @@ def programs(cam: CamExport, folder: Path, step: float) -> Iterator[tuple[Artifa
         hub=above,
         drilled=[drill.file_name(cam.stem) for drill in drills] + [holes.name] * bool(wide),
         notes=(*cam.notes, *filter(None, [edges])),
+        face=cam.seen,
     )
     height = above.height if above else 0.0
     milled = read_gcode(outline, machining, cam.thickness, step, material=cam.material, hub_height=height)
@@ -83,7 +84,7 @@ def programs(cam: CamExport, folder: Path, step: float) -> Iterator[tuple[Artifa
         )
     yield Artifact(outline.name, facts), milled.outline
     if wide:
-        write_hole_milling(holes, wide, machining, name=cam.stem, material=cam.material)
+        write_hole_milling(holes, wide, machining, name=cam.stem, material=cam.material, face=cam.seen)
         expected = [RoundHole(hole.place, size.diameter, hole.top, hole.bottom) for size in wide for hole in size.holes]
         off, wrong = read_hole_milling(holes, machining, expected, material=cam.material, hub=hub)
         said = Facts(
@@ -96,7 +97,7 @@ def programs(cam: CamExport, folder: Path, step: float) -> Iterator[tuple[Artifa
     for drill in drills:
         assert drilling is not None
         path = folder / drill.file_name(cam.stem)
-        write_drilling(path, drill, machining, drilling, name=cam.stem, material=cam.material)
+        write_drilling(path, drill, machining, drilling, name=cam.stem, material=cam.material, face=cam.seen)
         off = read_drilling(
             path,
             machining,

@@ -69,9 +69,12 @@ class Viewed(ABC):
 
     def _shown(self) -> Any:
         """Solid or compound, made once, for a viewer asks many times."""
-        if self not in _SHOWN:
-            _SHOWN[self] = self.build123d()
-        return _SHOWN[self]
+        try:
+            return _SHOWN[self]
+        except KeyError:
+            return _SHOWN.setdefault(self, self.build123d())
+        except TypeError:  # what holds a list has no hash, and is made anew
+            return self.build123d()
 
     @property
     def wrapped(self) -> Any:

@@ -121,3 +121,27 @@ def test_a_drive_without_the_energy_is_not_ready():
     assert plan_cam(load_design("workshop_car", [*heavy, f"mechanics.drive_energy_J={put_in}"])).verdict.passed
     with pytest.raises(DesignError, match=r"mechanics\.car_mass_kg"):
         load_design("workshop_car", ["mechanics.car_mass_kg=0"])
+
+
+def test_a_weight_falls_no_farther_than_its_string_comes_off_the_axle():
+    """A turn of the wheel lets off pi d of string: more fall gives nothing, and the cure that is named helps."""
+    of_car = ["mechanics.drive_energy_J=", "mechanics.car_mass_kg=2.4", "mechanics.rolling_resistance=0.03"]
+
+    def left(mass: float, fall: float, *more: str):
+        weight = f'{{kind="weight", mass_kg={mass}, size_mm=[50, 50, 65], fall_mm={fall}}}'
+        design = load_design("workshop_car", [f"drive={weight}", *of_car, *more])
+        use = (cam := plan_cam(design, "actual", judged=False)).application
+        (check,) = energy_checks(design, use.track, use.steering, cam.follower_as_built, use.car, use.drive_wheel)
+        return check, use, design
+
+    (check, use, design) = left(1.0, 1200.0)
+    turns = use.drive_wheel.turn * use.drive_wheel.finish / (2 * np.pi) / (2 * np.pi * use.drive_wheel.radius)
+    string = turns * np.pi * design.train.drive.bore_diameter_mm
+    assert 500 < string < 1200
+    assert f"of {9.81e-3 * string:g}"[:7] in check.place
+    assert left(1.0, 2000.0)[0].value == pytest.approx(check.value, abs=1e-9)
+    assert f"{string:.0f} mm of string" in check.advice
+    heavier = float(check.advice.split("drive.mass_kg at ")[1].split(",")[0])
+    assert left(heavier, string, f"mechanics.car_mass_kg={1.4 + heavier}")[0].passed
+    few = left(1.0, 400.0, "mechanics.drive_energy_J=1.0")[0]
+    assert "mechanics.drive_energy_J" in few.advice

@@ -228,3 +228,26 @@ def test_a_program_run_the_other_way_is_refused(tmp_path):
     write_gcode(tmp_path / "disc.nc", clockwise.reversed(), MACHINING, THICKNESS, name="disc")
     with pytest.raises(FileError, match="does not run clockwise"):
         read_gcode(tmp_path / "disc.nc", MACHINING, THICKNESS)
+
+
+@pytest.mark.parametrize(
+    ("design", "changes", "face"),
+    [
+        ("roller", {"motion.turns": "counterclockwise"}, "inner"),
+        ("roller", {"motion.turns": "clockwise"}, "outer"),
+        ("carbon_free_car", {}, "outer"),
+        ("carbon_free_car", {"cam.side": "right"}, "inner"),
+    ],
+)
+def test_every_program_says_which_face_lies_up(design, changes, face, tmp_path):
+    """The face that the sheet shows: turned over, the disc would run its motion backwards."""
+    from cadgen import Design
+    from cadgen.jobs.cam.cam_files import cam_export
+    from cadgen.output.files.nc import programs
+
+    plan = Design.load(design).with_(changes).cam("actual").computed
+    assert plan.seen == face
+    written = [tmp_path / program.name for program, _ in programs(cam_export(plan), tmp_path, 0.5)]
+    for file in written:
+        (line,) = [line for line in file.read_text().splitlines() if line.startswith("(zero")]
+        assert line == f"(zero: centre of the bore, {face} face of the disc; cam angle 0 along +X, {face} face up)"
