@@ -1,7 +1,7 @@
 """Checks of a caller's numbers and words; each refusal is a sentence with the name and what is allowed."""
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import MISSING, fields
+from dataclasses import fields
 from math import inf, isfinite, nan, radians
 from numbers import Integral, Real
 from os import PathLike
@@ -27,20 +27,16 @@ class Stated:
 
     def __repr__(self) -> str:
         stated: Any = self
-        given = (
-            f"{each.name}={brief(' '.join(repr(getattr(self, each.name)).split()), _SHOWN)}"
-            for each in fields(stated)
-            if each.default is MISSING or not _alike(getattr(self, each.name), each.default)
-        )
+        given = []
+        for each in fields(stated):
+            value = getattr(self, each.name)
+            # An array, which has no single answer to a comparison, is no default.
+            if value is not each.default and (hasattr(value, "shape") or value != each.default):
+                given.append(f"{each.name}={brief(' '.join(repr(value).split()), _SHOWN)}")
         return f"{type(self).__name__}({', '.join(given)})"
 
 
 _SHOWN = 200  # letters of a value, such as a table
-
-
-def _alike(value: object, default: object) -> bool:
-    """Whether a value is its default; an array, which has no single answer, is none."""
-    return value is default or (not hasattr(value, "shape") and value == default)
 
 
 def real(
