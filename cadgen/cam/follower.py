@@ -766,18 +766,8 @@ def edge_follower(follower: Follower, job: str, instead: str = "") -> EdgeFollow
     )
 
 
-class SizedByAnother:
-    """Mixin of a follower whose sizes another one sets, so that none of them is tried alone."""
+class SizedByAnother(Follower):
+    """Base of a follower whose sizes another one sets, so that none of them is tried alone."""
 
-    def remedies(self) -> tuple[LossRemedy, ...]:
-        """No remedy of lost lift: its sizes change both profiles."""
-        return ()
-
-    def sizes(self, motion: Motion, limits: CheckLimits) -> tuple[SizeThatFits, ...]:
-        """No size that fits: the other follower has the sizes.
-
-        Args:
-            motion: motion wanted.
-            limits: limits of the checks, mm and rad.
-        """
-        return ()
+    remedies = Follower.remedies
+    sizes = Follower.sizes

@@ -10,7 +10,7 @@ from pydantic import Field, Strict, model_validator
 from cadgen.design.section import WORD, DesignSection, Feature
 from cadgen.messages import Message
 
-_GRAVITY = 9.81  # m/s²
+_GRAVITY = 9.81  # m/s², as in `cadgen.car.running.energy`, which loads numpy
 _Side = Annotated[Feature, Le(500)]
 
 
@@ -28,7 +28,7 @@ class DriveSection(DesignSection):
     """Drop weight or motor, which stands on the base of [frame] between the train and the idle wheel.
 
     A weight is round. It runs between four rods in tubes, on a string that leads over a pulley to the rear axle. The
-    mass counts in that of the car, its centre of gravity, tipping and the energy of the run.
+    mass counts in that of the car, its centre of gravity, tipping and, with [mechanics], the energy of the run.
     """
 
     kind: Annotated[DriveKind, WORD] = Field(description="`weight` that falls, or `motor` with its battery")

@@ -285,7 +285,7 @@ class Export(DesignSection):
         return CAM_CHORD_UM if self.mesh_chord_um is None else self.mesh_chord_um
 
 
-_MOST_OF_A_FALL = 1.01  # of a weight's energy that mechanics.drive_energy_J may be: it is stated with two digits
+_MOST_OF_A_FALL = 1.01  # of a weight's energy that mechanics.drive_energy_J may be, for it is rounded
 
 
 class TrainFile(DesignSection):

@@ -115,10 +115,10 @@ def test_without_smoothing_the_rows_are_kept():
     assert motion.noise > 0
 
 
-def test_a_table_in_radians_is_said_to_be_one():
-    angle = np.arange(0.0, 6.2832, 0.02)
-    with pytest.raises(DesignError, match=r"reaches over 6\.28 degrees alone.*multiply each by 57\.29577951"):
-        taken(np.radians(angle), 4 * (1 - np.cos(angle + 0.1)))
+@pytest.mark.parametrize("angle", [np.arange(0.0, 6.2832, 0.02), np.linspace(0.0, 2 * pi, 361)])
+def test_a_table_in_radians_is_said_to_be_one(angle):
+    with pytest.raises(DesignError, match=r"reaches over 6\.283? degrees alone.*multiply each by 57\.29577951"):
+        taken(np.radians(angle), 4 * (1 - np.cos(angle + 0.1)) + 0.1 * angle)
 
 
 def test_the_first_row_again_closes_a_turn():

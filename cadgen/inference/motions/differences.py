@@ -565,7 +565,7 @@ def _fitted(
     readings: CamReadings, chosen: Sequence[str], values: Mapping[str, Array], wear: DiscWear | None = None
 ) -> tuple[dict[str, Array], Array, float]:
     """Numbers of deviations by Gauss and Newton, their covariance, and the rms that is left, mm, with any wear."""
-    names = (*readings.datum, *chosen)
+    names, wear = (*readings.datum, *chosen), wear or DiscWear((), 0, readings.noise)
     now = dict(values)
     covariance: Array = np.zeros((0, 0))
     for _ in range(_ROUNDS):
@@ -573,16 +573,12 @@ def _fitted(
         columns = readings.columns(now)
         now |= {name: np.zeros(columns[name].shape[1]) for name in names if name not in now}
         every = np.concatenate([columns[name] for name in names], axis=1)
-        weight = _huber(left if wear is None else left + wear.expected(left), readings.noise)
+        weight = _huber(left + wear.expected(left), readings.noise)
         for _ in range(2):
-            if wear is None:
-                white = np.column_stack([left, every]) / readings.noise
-            else:
-                white = wear.whitened(np.column_stack([left, every]))
-            white = white * np.sqrt(weight)[:, None]
+            white = wear.whitened(np.column_stack([left, every])) * np.sqrt(weight)[:, None]
             step, *_ = np.linalg.lstsq(white[:, 1:], white[:, 0], rcond=1e-9)
             away = left - every @ step
-            weight = _huber(away if wear is None else away + wear.expected(away), readings.noise)
+            weight = _huber(away + wear.expected(away), readings.noise)
         covariance = np.asarray(np.linalg.pinv(white[:, 1:].T @ white[:, 1:]), dtype=float)
         at = 0
         for name in names:

@@ -232,7 +232,7 @@ class Predictions(Plotted):
 
     @property
     def picture(self) -> Drawing:
-        """Root mean square of each of the data, before and with what was found."""
+        """Root mean square of the residual of each record, by the design and with what was found."""
         bars = {}
         for p in self.each:
             bars[f"{p.source}, before ({SIGNS[p.unit]})"] = float(np.mean(p.before))

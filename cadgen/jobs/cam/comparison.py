@@ -50,7 +50,7 @@ NEARER = 0.5  # share of the end error with a profile below which one that was r
 
 @dataclass(frozen=True)
 class Refused:
-    """Profile that ends much nearer than the one that keeps every check of the cam, and fails some.
+    """Profile that is refused for checks of the cam, though it ends much nearer than the one that keeps them all.
 
     Attributes:
         evaluation: the profile.
@@ -491,7 +491,7 @@ def _limits(design: Design, band: PlayBand, *, trimmed: bool) -> tuple[FigureLim
 def _lifted(
     limits: tuple[FigureLimit, ...], old: Evaluation, evaluations: Sequence[Evaluation]
 ) -> tuple[tuple[FigureLimit, ...], tuple[str, ...]]:
-    """Limits with that of the lift error raised to the old cam's, if no profile keeps it; and that in words."""
+    """Limits of a comparison, the lift error's raised to the old cam's if no profile keeps it, with a sentence."""
     least, had = (1e3 * error for error in (min(e.worst_lift_error for e in evaluations), old.worst_lift_error))
     raised = [limit for limit in limits if limit.figure == LIFT_ERROR and limit.most < least < had]
     if not raised:

@@ -118,7 +118,7 @@ def mechanics_checks(
 
 
 def joint_sentences(design: Design) -> list[str]:
-    """Return error that joints and bearings add to that of the teeth, and the cheapest cure, in words."""
+    """Sentences on the return error that joints and bearings add to that of the teeth, with the cheapest cure."""
     whole = variation.whole_play(design)
     if whole is None or not whole.loose or design.play is not None:
         return []
@@ -339,7 +339,8 @@ def energy_checks(
     name = Message("energy left at the end of the path")
     if keys.car_mass_kg is None and design.drive is None:
         name = Message("energy left at the end of the path, motor or weight not counted in the mass")
-    return (_energy_check(spent, has, name, design.drive, unwound, mass),)
+    # What a stated energy lacks no longer fall gives.
+    return (_energy_check(spent, has, name, design.drive if has == falls else None, unwound, mass),)
 
 
 def _unwound(design: Design, wheel: DriveWheel) -> float:
@@ -364,9 +365,7 @@ def _energy_check(
         "raise mechanics.drive_energy_J to {needed:.3g}, or lower the mass, the brake's drag or the rod's force",
         needed=1.005 * spent.needed,
     )
-    # What a stated energy lacks no longer fall gives.
-    falls = None if drive is None else drive.energy_of(unwound)
-    if drive is None or drive.fall_mm is None or falls is None or has < falls:
+    if drive is None or drive.fall_mm is None:
         pass
     elif (farther := 1.02 * drive.fall_mm * spent.needed / has) > min(unwound, MOST_FALL):  # longer tubes weigh more
         advice = Message(

@@ -19,6 +19,7 @@ from cadgen.output.drawing.sheet import (
     LEFT,
     SHOWN,
     SIZES,
+    TAIL,
     Characteristic,
     Closed,
     DatumFeature,
@@ -37,6 +38,7 @@ from cadgen.output.drawing.sheet import (
     along_axis,
     arrow,
     axial_diameter,
+    axis_datum,
     beside_title,
     bore_and_keyway,
     centre_cross,
@@ -61,7 +63,6 @@ _BEFORE = 17.0  # mm on paper between frame and face
 _COLUMN = 31.0  # width of each of the tables of radii, and what is between them, mm
 _TABLES = 3 * _COLUMN
 _AROUND = sorted(range(5, 360, 10), key=lambda angle: (abs(angle % 90 - 45), angle))  # degrees
-_TAIL = 5.0  # mm on paper of an arrow that stands outside the width that it dimensions, with its line
 _ARROW = 14.0  # mm on paper of the arrow at the zero mark
 _STEEP = 0.35  # of the sine of the angle between that arrow and the plane of the section
 
@@ -257,10 +258,7 @@ def _symbols(
     named = {dimension.name: dimension for dimension in dimensions}
     bore = named["bore"]
     assert isinstance(bore, DiameterDimension)
-    opposite = bore.angle + 180.0
-    along = np.array([cos(np.radians(opposite)), sin(np.radians(opposite))])
-    x, y = (bore.diameter / 2 * along).tolist()
-    yield room.datum(DatumFeature(letter="A", foot=(x, y), angle=opposite))
+    yield room.datum(axis_datum("A", bore))
     datums = ["A"]
     if held := named.get("keyway width", named.get("across the flat")):
         assert isinstance(held, LinearDimension)
@@ -297,7 +295,7 @@ def _middle_datum(letter: str, held: LinearDimension, scale: float) -> DatumFeat
     base = np.array(held.at)
     far = max(float((np.array(end) - base) @ along) for end in (held.start, held.end))
     # An arrow that points inwards for want of room has its tail outside.
-    x, y = (base + (far + (_TAIL / scale if held.beside else 0.0)) * along).tolist()
+    x, y = (base + (far + (TAIL / scale if held.beside else 0.0)) * along).tolist()
     return DatumFeature(letter=letter, foot=(x, y), angle=held.angle + (0.0 if way > 0 else 180.0))
 
 

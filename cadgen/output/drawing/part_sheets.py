@@ -21,6 +21,7 @@ from cadgen.output.drawing.sheet import (
     EDGE,
     LEFT,
     SIZES,
+    TAIL,
     TEXT,
     WIDEST,
     Characteristic,
@@ -41,6 +42,7 @@ from cadgen.output.drawing.sheet import (
     View,
     across_axis,
     along_axis,
+    axis_datum,
     beside_title,
     centre_cross,
     chosen_scale,
@@ -53,7 +55,6 @@ _SIZE, _LARGER = "A4", "A3"
 _ROOM = 34.0  # mm on paper to either side of a view, for its dimensions
 _FIRST, _STEP = 9.0, 8.0  # mm on paper from a view to its first dimension line, and from one to the next
 _BETWEEN = 40.0  # mm on paper between two views
-_TAIL = 5.0  # mm on paper of an arrow that stands outside the width that it dimensions, with its line
 _INSIDE = 5.6  # mm on paper, least width that has room for both its arrows
 _LETTER = 0.65  # mean width of the letters of a dimension, in heights
 _CHORD = 1e-5  # mm, of outlines whose extent is dimensioned
@@ -310,10 +311,7 @@ def block_drawing(block: Block, texts: PartTexts, title: Title) -> DrawingSheet:
         if clearance:
             edge = DatumFeature(letter="A", foot=(0.6 * left + 0.4 * right, low), angle=270.0)
             symbols.append(room.datum(edge, (15.0, 17.0, 20.0)))
-        main = fitted[0]
-        away = np.radians(main.angle + 180.0)
-        foot = np.array(main.centre) + main.diameter / 2 * np.array([np.cos(away), np.sin(away)])
-        symbols.append(room.datum(DatumFeature(letter="B", foot=(foot[0], foot[1]), angle=main.angle + 180.0)))
+        symbols.append(room.datum(axis_datum("B", fitted[0])))
         if clearance:
             symbols.append(room.frame(_position("clearance holes"), list(_rim(clearance[-1]))))
     first = View(place=place, curves=tuple(curves), dimensions=placed, symbols=tuple(symbols))
@@ -367,7 +365,7 @@ def _side_view(
 
 def _tail(width: float) -> float:
     """Length of what stands outside a width with its arrow, mm on paper; 0 where the arrows have room inside."""
-    return 0.0 if width >= _INSIDE else _TAIL
+    return 0.0 if width >= _INSIDE else TAIL
 
 
 def _position(name: str) -> ToleranceFrame:

@@ -23,6 +23,7 @@ TEXT = 2.5  # height of letters
 HEIGHTS = (5.0, 3.5, 2.5, 1.8)  # of letters and figures (ISO 3098)
 FRAME_HEIGHT = 2 * TEXT  # of a tolerance frame and of the box of a datum (ISO 1101, ISO 5459)
 LEVEL = 3.0  # of the level piece of a leader before its frame
+TAIL = 5.0  # of an arrow that stands outside the width that it dimensions, with its line, mm on paper
 TRIANGLE = (2.2, 1.9)  # side and height of the triangle of a datum, mm on paper
 SHOWN = 12  # letters of a file's hash
 _INDENT = "   "  # of the further lines of a note
@@ -469,6 +470,19 @@ def axial_diameter(name: str, z: float, radius: float, at: float) -> LinearDimen
         at: height of the dimension line, mm.
     """
     return across_axis(name, z, (-radius, radius), at, DIAMETER)
+
+
+def axis_datum(letter: str, dimension: DiameterDimension) -> DatumFeature:
+    """Datum that is the axis of a bore: its triangle in line with the dimension, on the far side of the circle.
+
+    Args:
+        letter: letter of the datum.
+        dimension: diameter of the bore, as it is placed.
+    """
+    opposite = dimension.angle + 180.0
+    away = np.array([np.cos(np.radians(opposite)), np.sin(np.radians(opposite))])
+    x, y = (np.array(dimension.centre) + dimension.diameter / 2 * away).tolist()
+    return DatumFeature(letter=letter, foot=(x, y), angle=opposite)
 
 
 def ring(diameter: float, line: LineKind = LineKind.VISIBLE, centre: tuple[float, float] = (0.0, 0.0)) -> Closed:

@@ -420,7 +420,7 @@ def _frame(space: Modelspace, drawing: DrawingSheet, say: Callable[[str], str]) 
 
 
 def _surface_symbol(space: Modelspace, x: float, y: float) -> None:
-    """The sign of a surface texture (ISO 21920-1), by whatever process; the middle of its foot at a point, mm."""
+    """The sign of a surface texture (ISO 21920-1), by whatever process; its left end over a point, mm."""
     slope = 1 / np.sqrt(3.0)
     points = [(x, y + 1.8), (x + 1.8 * slope, y), (x + (1.8 + 3.6) * slope, y + 3.6)]
     space.add_lwpolyline(points, dxfattribs={"layer": LineKind.THIN.value})
