@@ -27,8 +27,8 @@ _DPI = 80
 
 
 def pages() -> list[Path]:
-    """Pages, in the order of their names."""
-    return sorted(FOLDER.glob("*.md"))
+    """Pages in English, in the order of their names."""
+    return sorted(page for page in FOLDER.glob("*.md") if not page.name.endswith(".zh-CN.md"))
 
 
 def cells(page: Path) -> Iterator[tuple[str, str]]:

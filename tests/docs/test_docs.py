@@ -18,7 +18,7 @@ from cadgen.cli import cli
 from cadgen.design.load import complete_of, load_design, load_train
 from cadgen.laws import table as laws
 from cadgen.studies.study_file import read_study
-from docs import make_notebooks
+from docs import chinese, make_notebooks
 from tests.docs.blocks import DOCS, INSTALL, ROOT, STUDIES, Block, Workshop, blocks, pages, same
 from tests.forks import MAIN
 
@@ -359,27 +359,56 @@ def test_the_install_commands_stay() -> None:
     assert second == f"{INSTALL} .venv && .venv/bin/pip install -e '.[test]' && .venv/bin/pytest -n 2"
 
 
-def test_the_chinese_readme_has_the_same_commands_and_links_that_lead_somewhere() -> None:
-    english, chinese = (ROOT / name for name in ("README.md", "README.zh-CN.md"))
-    shell = [[block.text for block in blocks(page) if block.language == "sh"] for page in (english, chinese)]
+def test_the_chinese_readme_has_the_same_commands() -> None:
+    english, translated = (ROOT / name for name in ("README.md", "README.zh-CN.md"))
+    shell = [[block.text for block in blocks(page) if block.language == "sh"] for page in (english, translated)]
     assert shell[0] == shell[1]
     named = [
-        re.findall(r"^\| [^|]+ \| `cadgen (\w+)", page.read_text(encoding="utf-8"), re.M) for page in (english, chinese)
+        re.findall(r"^\| [^|]+ \| `cadgen (\w+)", page.read_text(encoding="utf-8"), re.M)
+        for page in (english, translated)
     ]
     assert named[0] == named[1]
     assert len(named[0]) == 6
-    links = re.findall(r"\]\(([^)#]+)", chinese.read_text(encoding="utf-8"))
-    assert len(links) > 10
-    assert not [link for link in links if not (ROOT / link).exists()]
 
 
-def test_the_chinese_first_steps_have_the_same_commands_and_links_that_lead_somewhere() -> None:
-    english, chinese = ((DOCS / f"first-steps{end}.md").read_text(encoding="utf-8") for end in ("", ".zh-CN"))
-    verbs = [re.findall(r"^(?:py|cadgen) \S+", text, re.M) for text in (english, chinese)]
-    assert verbs[0] == verbs[1]
-    assert len(verbs[0]) > 10
-    links = re.findall(r"\]\(([^)#]+)", chinese)
-    assert not [link for link in links if not (DOCS / link).exists()]
+@pytest.mark.parametrize("page", list(chinese.pairs()), ids=lambda page: page[1].name)
+def test_a_chinese_page_has_the_commands_code_and_links_of_the_english_one(page: tuple[Path, Path]) -> None:
+    english, translated = page
+    assert not chinese.differences(english, translated)
+    text = translated.read_text(encoding="utf-8")
+    assert f"[English]({english.name})" in text
+    assert f"[中文]({translated.name})" in english.read_text(encoding="utf-8")
+    links = re.findall(r"\]\(([^)#:]+)", text)
+    assert not [link for link in links if not (translated.parent / link).exists()]
+    terms = {_anchor(term) for term in re.findall(r"^### (.*)", (DOCS / "glossary.zh-CN.md").read_text("utf-8"), re.M)}
+    assert set(re.findall(r"glossary\.zh-CN\.md#([^)]+)", text)) <= terms
+
+
+def _anchor(heading: str) -> str:
+    return re.sub(r"[^\w\s-]", "", heading.lower()).replace(" ", "-")
+
+
+def test_every_chinese_page_is_listed() -> None:
+    listed = set(re.findall(r"^(\S+\.zh-CN)$", (DOCS / "index.zh-CN.md").read_text(encoding="utf-8"), re.M))
+    found = {str(page.relative_to(DOCS)).removesuffix(".md") for page in DOCS.rglob(f"*{chinese.END}")}
+    assert listed == found - {"index.zh-CN"}
+
+
+def test_a_page_that_its_translator_forgot_is_told(tmp_path: Path) -> None:
+    english, translated = tmp_path / "page.md", tmp_path / "page.zh-CN.md"
+    block = "```toml\n# a.toml\n[cam]  # a disc\n```\n\n```console\n$ cadgen check a.toml\nREADY\n```"
+    english.write_text(f"# A\n\n[中文](page.zh-CN.md)\n\n{block}\n\nSee `[cam]` and [b](b.md#c).\n")
+    translated.write_text("# 甲\n\n[English](page.md)\n\n```toml\n# a.toml\n[cam]  # 盘\n```\n\n见 [b](b.md)。\n")
+    mended = chinese.mended(english, translated)
+    assert "# 盘" in mended
+    assert "$ cadgen check a.toml\nREADY" in mended
+    assert "[b](b.md)（英文）" in mended
+    translated.write_text(mended)
+    assert chinese.differences(english, translated) == ["page.zh-CN.md: code: lacks ['[cam]'], has []"]
+    (tmp_path / "b.zh-CN.md").touch()
+    assert "[b](b.zh-CN.md)。" in chinese.mended(english, translated)
+    english.write_text(english.read_text().replace("READY", "NOT READY"))
+    assert "NOT READY" in chinese.mended(english, translated)
 
 
 def test_the_readme_of_the_distribution_leads_to_the_repository_or_nowhere() -> None:

@@ -1,0 +1,120 @@
+"""Chinese pages beside the English ones: what both must share, and a program that keeps it so.
+
+    python -m docs.chinese
+
+A page `NAME.zh-CN.md` has the blocks of `NAME.md` in their order, for commands and what they print are tested there;
+only remarks in designs and beside commands are Chinese. Headings, rows of tables, code in the text and linked pages
+are those of the English page. The program copies blocks that differ, leads links to the Chinese page where there is
+one, and marks them 英文 where there is none. What only a translator can do it prints.
+"""
+
+import re
+from collections.abc import Iterator
+from itertools import zip_longest
+from pathlib import Path
+
+HERE = Path(__file__).parent
+END = ".zh-CN.md"
+_MARK = "（英文）"
+
+_BLOCK = re.compile(r"^```(?P<language>[\w{}-]*)[^\n]*\n.*?^```$", re.M | re.S)
+_LINK = re.compile(rf"(?<!!)\[(?P<text>(?:`[^`]*`|[^]])*)\]\((?P<place>[^)#:]+)(?P<anchor>#[^)]*)?\)(?P<mark>{_MARK})?")
+_OTHER = ("[English](", "[中文](")  # the line below the title, which leads to the other language
+# Written in Chinese and no translations: lists of what is there in Chinese, whose links alone are looked after.
+_LISTS = {"index", "README"}
+# `cadgen explain` reads it, and tests of its own hold it to the English one.
+_GLOSSARY = "glossary"
+
+
+def pairs() -> Iterator[tuple[Path, Path]]:
+    """List each English page with the Chinese page beside it."""
+    for chinese in [HERE.parent / f"README{END}", *sorted(HERE.rglob(f"*{END}"))]:
+        english = chinese.with_name(chinese.name.removesuffix(END) + ".md")
+        if english.stem != _GLOSSARY:
+            yield english, chinese
+
+
+def bare(block: str) -> str:
+    """Block without the remarks of a design, or beside the lines of a plain text.
+
+    Args:
+        block: fenced block of a page.
+    """
+    first, *lines = block.splitlines()
+    if first == "```toml":
+        lines = [re.sub(r"\s*#(?! \w+\.toml$).*", "", line) for line in lines]
+    elif first == "```text":
+        lines = [re.sub(r"(?<=\S)(\s{2,}|\s*# ).*|^# .*", "", line) for line in lines]
+    return "\n".join(line for line in [first, *lines] if line.strip())
+
+
+def differences(english: Path, chinese: Path) -> list[str]:
+    """List what a Chinese page lacks of the English one or has besides, one entry a fault.
+
+    Args:
+        english: page in English.
+        chinese: page beside it.
+    """
+    one, other = (page.read_text(encoding="utf-8") for page in (english, chinese))
+    found = [] if mended(english, chinese) == other else [f"{chinese.name}: run python -m docs.chinese"]
+    if english.stem in _LISTS:
+        return found
+    for part, there, here in zip_longest(("headings", "rows", "code", "links"), _shared(one), _shared(other)):
+        if there != here:
+            lacking, more = sorted(set(there) - set(here)), sorted(set(here) - set(there))
+            found.append(
+                f"{chinese.name}: {part}: lacks {lacking}, has {more}" + ("" if lacking or more else ", moved")
+            )
+    return found
+
+
+def _shared(text: str) -> Iterator[list[str]]:
+    """Parts that two languages of a page share: headings and rows of tables by their number, code, linked pages."""
+    prose = _BLOCK.sub("", text)
+    yield [f"{number} {level}" for number, level in enumerate(re.findall(r"^#+(?= )", prose, re.M), 1)]
+    yield [f"row {number}" for number, _ in enumerate(re.findall(r"^\|", prose, re.M), 1)]
+    yield sorted(set(re.findall(r"`([^`\n]+)`", prose)))
+    lines = "\n".join(line for line in prose.splitlines() if not line.startswith(_OTHER))
+    yield sorted({place.replace(END, ".md") for place in re.findall(r"\]\(([^)#]+)", lines)})
+
+
+def mended(english: Path, chinese: Path) -> str:
+    """Text of a Chinese page with the blocks of the English one, and with links to Chinese pages.
+
+    Args:
+        english: page in English.
+        chinese: page beside it.
+    """
+    text = chinese.read_text(encoding="utf-8")
+    there = [match[0] for match in _BLOCK.finditer(english.read_text(encoding="utf-8"))]
+    here = [match[0] for match in _BLOCK.finditer(text)]
+    if english.stem not in _LISTS:
+        here = [one if bare(one) == bare(other) else other for one, other in zip(here, there, strict=False)] + [
+            f"\n{block}\n" for block in there[len(here) :]
+        ]
+    parts = _BLOCK.sub("\0", text).split("\0")
+    prose = [_LINK.sub(lambda match: _link(match, chinese.parent), part) for part in parts]
+    return "".join(part + block for part, block in zip_longest(prose, here, fillvalue=""))
+
+
+def _link(match: re.Match[str], folder: Path) -> str:
+    place, anchor = match["place"], match["anchor"] or ""
+    if match[0].startswith(_OTHER) or not place.endswith(".md"):
+        return match[0]
+    translated = place if place.endswith(END) else place.removesuffix(".md") + END
+    if (folder / translated).is_file():
+        # A place within a page has another name in another language: a translator names it.
+        return f"[{match['text']}]({translated}{anchor if place == translated else ''})"
+    return f"[{match['text']}]({place}{anchor}){_MARK}"
+
+
+def main() -> None:
+    """Mend every Chinese page, and say what a hand must do."""
+    for english, chinese in pairs():
+        chinese.write_text(mended(english, chinese), encoding="utf-8")
+        for fault in differences(english, chinese):
+            print(fault)
+
+
+if __name__ == "__main__":
+    main()
