@@ -17,7 +17,7 @@ HERE = Path(__file__).parent
 END = ".zh-CN.md"
 _MARK = "（英文）"
 
-_BLOCK = re.compile(r"^```(?P<language>[\w{}-]*)[^\n]*\n.*?^```$", re.M | re.S)
+_BLOCK = re.compile(r"^(?P<indent> *)```[^\n]*\n.*?^(?P=indent)```$", re.M | re.S)
 _LINK = re.compile(rf"(?<!!)\[(?P<text>(?:`[^`]*`|[^]])*)\]\((?P<place>[^)#:]+)(?P<anchor>#[^)]*)?\)(?P<mark>{_MARK})?")
 _OTHER = ("[English](", "[中文](")  # the line below the title, which leads to the other language
 # Written in Chinese and no translations: lists of what is there in Chinese, whose links alone are looked after.
@@ -41,9 +41,9 @@ def bare(block: str) -> str:
         block: fenced block of a page.
     """
     first, *lines = block.splitlines()
-    if first == "```toml":
+    if first.strip() == "```toml":
         lines = [re.sub(r"\s*#(?! \w+\.toml$).*", "", line) for line in lines]
-    elif first == "```text":
+    elif first.strip() == "```text":
         lines = [re.sub(r"(?<=\S)(\s{2,}|\s*# ).*|^# .*", "", line) for line in lines]
     return "\n".join(line for line in [first, *lines] if line.strip())
 

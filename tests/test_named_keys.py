@@ -19,7 +19,7 @@ PAGES = [
     *(page for page in sorted((ROOT / "docs").rglob("*.md")) if page.parent.name != "notebooks"),
 ]
 # Words joined by dots, the last one whole: not the name of a file, a path, a call or the beginning of something longer.
-DOTTED = re.compile(r"(?<![\w./-])([a-z_]+(?:\.[A-Za-z_]\w*)+)(?![\w{(/])")
+DOTTED = re.compile(r"(?<![\w./-])([a-z_]+(?:\.[A-Za-z_]\w*)+)(?![\w{(/-])")
 FILES = (".csv", ".dxf", ".md", ".nc", ".png", ".py", ".step", ".stl", ".toml", ".xyz")
 OTHERS = {
     "path.simplify_threshold": "a setting of matplotlib",
