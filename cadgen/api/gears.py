@@ -514,7 +514,7 @@ class GearPair(Stated, _ByNumbers):
 
     @property
     def ratio(self) -> Fraction:
-        """Turns of the pinion per turn of the wheel."""
+        """Turns of the pinion per turn of the wheel, above 0; the wheel of an external pair turns the other way."""
         return self.nominal.ratio
 
     @property

@@ -65,11 +65,43 @@ def _numbers(each: Callable[[str], Any], name: str, given: str | None) -> list[A
         ) from None
 
 
+_OF_ALL = ("module", "helix_angle", "pressure_angle")  # of gears in mesh, whose flags take one number
+
+
+def _one_number(name: str, given: str | None, count: int) -> None:
+    """Refuse a comma where one number is wanted, as a decimal comma is no separator of gears."""
+    if given is None or "," not in given:
+        return
+    parts = [part.strip() for part in given.split(",")]
+    point = ".".join(parts) if len(parts) == 2 and all(part.isdigit() for part in parts) else parts[0]
+    gears = "" if count == 1 else Message("; gears in mesh have it in common")
+    raise click.UsageError(
+        Message(
+            "--{name} is {given}; give one number, with a decimal point, such as {point}{gears}",
+            name=name,
+            given=given,
+            point=point,
+            gears=gears,
+        )
+    )
+
+
 def _within(flag: str, low: float, high: float, read: Callable[[float], float]) -> Callable[[str], float]:
     """Reader of a flag's number within a range."""
 
     def number(text: str) -> float:
-        value = float(text)
+        try:
+            value = float(text)
+        except ValueError:
+            raise click.UsageError(
+                Message(
+                    "{flag} is {given}; give one number from {low:g} to {high:g}, with a decimal point",
+                    flag=flag,
+                    given=text,
+                    low=low,
+                    high=high,
+                )
+            ) from None
         if not low <= value <= high:
             raise click.UsageError(
                 Message("{flag} is {value:g}; give {low:g} to {high:g}", flag=flag, value=value, low=low, high=high)
@@ -172,6 +204,8 @@ def _gears(count: int, ring: int | None, values: Named, names: tuple[str, ...]) 
 
     arguments: list[Named] = [{} for _ in range(count)]
     for flags, argument, read, _ in (*_FLAGS, *_RING):
+        if count == 1 or argument in _OF_ALL:
+            _one_number(flags[0].removeprefix("--"), values[argument], count)
         given = _numbers(read, flags[0].removeprefix("--"), values.pop(argument))
         of_ring = any(argument == each[1] for each in _RING)
         wanted = [ring] if of_ring and ring is not None else list(range(count))
@@ -403,7 +437,8 @@ def pair(
     made = GearPair(*gears, backlash=backlash, **common)
     play = made.plays
     rows = {
-        "ratio": str(made.nominal.ratio * made.nominal.sense),
+        "ratio": str(made.ratio),
+        "the_wheel_turns": Message("with the pinion") if made.nominal.sense > 0 else Message("against the pinion"),
         "centre_distance_mm": made.axes_apart,
         "working_pressure_angle_deg": degrees(made.working_pressure_angle),
         "contact_ratio": made.contact_ratio,

@@ -162,7 +162,10 @@ def draw(
     from cadgen.api.drawing import parts_of
     from cadgen.cli import show
     from cadgen.cli.show import command, failed, verdict
+    from cadgen.design.load import is_train_alone, read_design
 
+    if only is None and is_train_alone(*read_design(design)):
+        only = "train"
     loaded = Design.load(design, overrides, train_only=only == "train")
     with_train = only != "cam" and (only == "train" or loaded.values.train is not None)
     with show.progress(not as_json) as progress:

@@ -108,6 +108,23 @@ def complete_of(text: str, file: Path, overrides: Sequence[str] = ()) -> Design 
     return made(**checked, overrides=tuple(overrides))
 
 
+OF_A_CAM = ("path", "car", "cam", "follower", "motion")  # sections of which a design with a train alone has none
+
+
+def is_train_alone(text: str, file: Path) -> bool:
+    """Whether a design has a gear train and nothing of a cam.
+
+    Args:
+        text: TOML.
+        file: path of the file, real or not, for messages.
+
+    Raises:
+        DesignError: the text is not TOML.
+    """
+    values = _parsed(text, file)
+    return "train" in values and not any(section in values for section in OF_A_CAM)
+
+
 def course_of(text: str, file: Path, overrides: Sequence[str] = ()) -> tuple[Design, bool]:
     """A design that a path is to be planned for, and whether it has one already.
 

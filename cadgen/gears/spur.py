@@ -32,6 +32,7 @@ from cadgen.gears.ring import RingForm, cutter_of
 from cadgen.gears.sliding import loss_factor, specific_sliding
 from cadgen.gears.stage import CONTRADICTION, LEAST_OVERLAP, PLAY_LIMIT_UM, Departure, Engage, Stage, cycle
 from cadgen.gears.tolerances import (
+    GRADES,
     flank_tolerance,
     span_pitch_deviation,
 )
@@ -247,6 +248,23 @@ def measured_check(state: PlayState, off: float) -> Check:
     return Check(_PLAY_CHECKS[state], name, abs(off), "µm", PLAY_LIMIT_UM, Bound.MAX, advice=CONTRADICTION)
 
 
+def _finer_grade(pair: Pair) -> int | None:
+    """Coarsest grade finer than that of both gears with which the least play is above 0; None where none is.
+
+    Args:
+        pair: pair of gears, as cut, whose teeth jam at the least play.
+    """
+    for grade in range(min(pair.driver.grade, pair.driven.grade) - 1, GRADES.start - 1, -1):
+        driver, driven = (replace(gear, grade=grade) for gear in (pair.driver, pair.driven))
+        try:
+            _, least = limit_states(replace(pair, driver=driver, driven=driven))
+            if least.play() > 0:
+                return grade
+        except DesignError:  # a size that the standard does not cover in that grade
+            return None
+    return None
+
+
 @cache  # equal stages of a train have equal figures
 def pair_checks(pair: Pair, engage: Engage, in_set: bool = False) -> tuple[Check, ...]:
     """The teeth of one stage in mesh: as cut over a whole pitch, and at the limits of the tolerances.
@@ -278,12 +296,18 @@ def pair_checks(pair: Pair, engage: Engage, in_set: bool = False) -> tuple[Check
     elif closest_play <= 0:
         # To whole tens of µm, with as much left as a stage is left that gives no backlash.
         enough = ceil((pair.backlash().pitch * 1e3 - closest_play) / 10 + 1) * 10
-        thinner = Message(
-            "{cure} (the least play by the tolerances is {play:.1f} µm; backlash_um = {enough} leaves some)",
-            cure=thinner,
-            play=closest_play,
-            enough=enough,
-        )
+        words = {"cure": thinner, "play": f"{closest_play:.1f}", "enough": str(enough)}
+        if finer := _finer_grade(pair):
+            thinner = Message(
+                "{cure} (the least play by the tolerances is {play} µm; backlash_um = {enough} leaves some, and so does"
+                " grade = {grade})",
+                **words,
+                grade=finer,
+            )
+        else:
+            thinner = Message(
+                "{cure} (the least play by the tolerances is {play} µm; backlash_um = {enough} leaves some)", **words
+            )
     closer = Message(
         "they pass each other freely; give centre_distance_mm = {apart:.4f}, or thin the teeth less",
         apart=closest(pair.driver.form.cut_to(0.0), pair.driven.form.cut_to(0.0)),

@@ -7,6 +7,7 @@ from math import asin, ceil, degrees, floor, hypot, inf, isfinite, pi, sin, tan
 
 from cadgen.errors import DesignError
 from cadgen.gears.stage import Wheel, is_bar, is_ring, rim_diameter
+from cadgen.gears.tooth import MOST_TEETH_MORE, GearForm
 from cadgen.messages import Message
 from cadgen.parts.blank import Blank
 from cadgen.parts.body import Body, RadialHole, Slab
@@ -295,6 +296,15 @@ def _check_bore(blank: Blank, form: Wheel) -> None:
         )
     largest = form.root_diameter - 2 * form.least_rim
     if bore and not _reach(blank) <= largest:  # without a bore nothing is taken from a solid gear
+        if largest <= 0:
+            raise DesignError(
+                "{gear} is too small for a bore: its root of {root:.4g} mm leaves none within a rim of {rim:.4g} mm; "
+                "leave the bore out{teeth}",
+                gear=str(form),
+                root=form.root_diameter,
+                rim=form.least_rim,
+                teeth=_enough_teeth(form, _reach(blank)),
+            )
         raise DesignError(
             "{gear} has a {feature} that reaches to {reach:.4g} mm diameter under its root of {root:.4g} mm; keep it"
             " within {largest:.4g} mm",
@@ -304,6 +314,22 @@ def _check_bore(blank: Blank, form: Wheel) -> None:
             root=form.root_diameter,
             largest=largest,
         )
+
+
+def _enough_teeth(form: Wheel, reach: float) -> str:
+    """Number of teeth that leave room for a bore, in words; empty where no number does.
+
+    Args:
+        form: gear without room for it.
+        reach: diameter that the bore reaches to, mm.
+    """
+    if not isinstance(form, GearForm):
+        return ""
+    for teeth in range(form.teeth + 1, form.teeth + MOST_TEETH_MORE):
+        more = replace(form, teeth=teeth)
+        if more.root_diameter - 2 * more.least_rim >= reach:
+            return Message(", or give {teeth} teeth", teeth=teeth)
+    return ""
 
 
 def _check_upper(blank: Blank, upper: Wheel) -> None:

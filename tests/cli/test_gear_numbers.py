@@ -1,6 +1,7 @@
 """`cadgen gear`, `pair` and `planetary` in this process: files, design files that say the same, refusals."""
 
 import json
+import re
 
 import pytest
 from click.testing import CliRunner
@@ -69,6 +70,37 @@ def test_a_pair_that_jams_is_not_exported(tmp_path):
     assert not list(tmp_path.iterdir())
 
 
+def test_a_pair_that_jams_names_a_grade_that_was_tried(tmp_path):
+    asked = ("pair", "--teeth", "20,60", *SIZES, "--backlash-um", 50, "--out", tmp_path, "--formats", "csv")
+    named = re.search(r"grade\s+=\s+(\d+)", run(*asked).output)
+    assert run(*asked, "--grade", named[1]).exit_code == 0
+    assert run(*asked, "--grade", int(named[1]) + 1).exit_code == 1
+
+
+def test_a_bore_without_room_names_teeth_that_were_tried(tmp_path):
+    asked = ("gear", "--module", "0.2", "--width", 3, "--bore", 1, "--out", tmp_path, "--formats", "stl")
+    with pytest.raises(DesignError, match=r"too small for a bore.* give 10 teeth"):
+        run(*asked, "--teeth", 4)
+    with pytest.raises(DesignError, match="keep it within"):
+        run(*asked, "--teeth", 9)
+    assert run(*asked, "--teeth", 10).exit_code == 0
+
+
+def test_the_design_file_of_a_pair_makes_the_files_of_the_pair(tmp_path):
+    flags = ("pair", "--teeth", "20,60", *SIZES, "--backlash-um", "100")
+    ending = ("--formats", "step", "--out", tmp_path / "out")
+    said = run(*flags, *ending).output
+    assert re.search(r"ratio +3\n", said)
+    names = {path.name for path in (tmp_path / "out").iterdir()}
+    design = tmp_path / "pair.toml"
+    design.write_text(run(*flags, "--toml").output)
+    assert run("gears", design, *ending).exit_code == 0
+    assert {path.name for path in (tmp_path / "out").iterdir()} == names
+    # Of a train alone its sheets are drawn, and they name the files.
+    assert run("draw", design, "--out", tmp_path / "out").exit_code == 0
+    assert (tmp_path / "out" / "pair_1_pinion_drawing.pdf").exists()
+
+
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
@@ -79,6 +111,15 @@ def test_a_pair_that_jams_is_not_exported(tmp_path):
         (("gear", "--teeth", 20, *SIZES, "--helix-deg", "50"), "--helix-angle-deg is 50; give 0 to 45"),
         (("pair", "--teeth", "20,60", *SIZES, "--bore", "1,2,3"), "--bore-diameter-mm has 3 values; give one, or 2"),
         (("pair", "--teeth", "20,60", *SIZES, "--backlash-um", 1, "--backlash-deg", 1), "give one of them"),
+        (
+            ("pair", "--teeth", "20,60", *SIZES, "--module", "1,5"),
+            "--module-mm is 1,5; give one number",
+        ),
+        (("gear", "--teeth", "20", *SIZES, "--width", "0,8"), "with a decimal point, such as 0.8"),
+        (
+            ("pair", "--teeth", "20,60", *SIZES, "--backlash-um", "50,5"),
+            "--backlash-um is 50,5; give one number",
+        ),
     ],
 )
 def test_flags_that_are_wrong(arguments, said):

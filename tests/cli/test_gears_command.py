@@ -188,8 +188,8 @@ def test_a_train_needs_no_car_and_the_other_commands_say_what_they_miss(cadgen, 
     assert "0.580°" in result.stdout
     assert "2 µm per mm of module" in " ".join(result.stdout.split())
     assert len(contents(tmp_path / "out")) == 7
-    files = json.loads((tmp_path / "out/manifest.json").read_text())["parts"]["onlytrain_as-given_train"]["files"]
-    assert files["onlytrain_as-given_2_wheel.stl"]["chord_um"] == 2.0
+    files = json.loads((tmp_path / "out/manifest.json").read_text())["parts"]["onlytrain_train"]["files"]
+    assert files["onlytrain_2_wheel.stl"]["chord_um"] == 2.0
     for verb in ("cam", "check", "simulate"):
         said = one_sentence(cadgen(verb, design, code=2))
         assert "onlytrain.toml: the sections [path], [car], [cam] and [follower] are missing: add them" in said

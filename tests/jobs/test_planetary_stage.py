@@ -58,7 +58,7 @@ def whole():
 def test_its_files_hold_its_play(whole, tmp_path):
     text = str(whole.write(tmp_path, formats=["step", "csv"]).entry)
     assert abs(float(re.search(r"'play_error_um': \(([-.\d]+),\)", text)[1])) < 0.1
-    assert {path.name for path in tmp_path.glob("*ring*")} == {"set_as-given_stage1_ring.step"}
+    assert {path.name for path in tmp_path.glob("*ring*")} == {"set_stage1_ring.step"}
 
 
 def test_a_set_is_made_with_carrier_and_planets_as_bodies(whole):

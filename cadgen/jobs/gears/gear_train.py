@@ -243,8 +243,9 @@ class GearTrain(Assembly):
 
     @property
     def stem(self) -> str:
-        """Start of the names of its files."""
-        return f"{self.name}_{self.order}"
+        """Start of the names of its files: one stage alone has no other order, and is named as `cadgen pair` has it."""
+        alone = self.car is None and self.order == Order.AS_GIVEN and len(self.play.train.stages) == 1
+        return self.name if alone else f"{self.name}_{self.order}"
 
     @property
     def description(self) -> str:

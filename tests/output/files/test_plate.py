@@ -61,8 +61,8 @@ def test_draw_makes_the_plate_with_its_bearings(tmp_path):
     )
     train = Design.load(file, train_only=True).gears()
     entry = draw(tmp_path, train=train).entry["files"]
-    assert entry["pair_as-given_plate_outline.dxf"]["holes_mm"][1]["bore"] == 19.0
+    assert entry["pair_plate_outline.dxf"]["holes_mm"][1]["bore"] == 19.0
     # The ring's rim, not its tips, has room on the plate: 67.5 mm, with 10 mm round it.
-    _, low, right, high = entry["pair_as-given_plate_outline.dxf"]["sides_mm"]
+    _, low, right, high = entry["pair_plate_outline.dxf"]["sides_mm"]
     assert (high - low, right) == (90.0, 65.0)
-    assert "pair_as-given_plate.step" in entry
+    assert "pair_plate.step" in entry
