@@ -14,6 +14,7 @@
 | `planetary` | planetary sets by their numbers                                          |
 | `calibration` | a judgement of measured data, and the design built from it              |
 | `found_cam` | a measured cam: its motion and the new cam, or what differs from its design |
+| `measured_gears` | a measured train: its errors by wheel, and what to change             |
 | `adjustment` | settings after trial runs                                                |
 | `planning`   | a planned path, or why there is none                                    |
 | `loaded`   | a design that has been read, and changed copies of it                      |

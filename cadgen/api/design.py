@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from cadgen.api.calibration import Advice, Calibration, Calibrations
     from cadgen.api.cam import Cam
     from cadgen.api.found_cam import ComparedCam, FoundCam
+    from cadgen.api.measured_gears import MeasuredTrain
     from cadgen.api.planning import Plan
     from cadgen.api.runs import Comparison
     from cadgen.api.values import Pool
@@ -316,6 +317,32 @@ class Design(LoadedDesign):
         known = kinds_for(design.follower.registered.unit)
         sources = sources_of(data, reading_of(design, columns), known=known, progress=progress)
         return ComparedCam.of(compare_cam(design, sources, progress))
+
+    def judge_train(
+        self,
+        data: Data | Iterable[Data],
+        *,
+        columns: Mapping[str, str] | None = None,
+        progress: Progress = silent,
+    ) -> "MeasuredTrain":
+        """Find what a measured train has: play, wind-up, run-out by wheel, tooth mesh, and what to change.
+
+        Args:
+            data: records of angles at both ends, judged together: `input_angle_deg`, `output_angle_deg`, and
+                `output_torque_Nm` under load; paths, or columns.
+            columns: as of `calibrate`.
+            progress: function that is called with a few words on each step.
+
+        Raises:
+            DesignError: the design has no train.
+            FileError: data cannot be read, or cannot be judged.
+        """
+        from cadgen.api.measured_gears import MeasuredTrain
+        from cadgen.inference.gearing.record_kinds import KINDS
+        from cadgen.jobs.measured_gears.measured_train import judge_train
+
+        sources = sources_of(data, reading_of(self.values, columns), known=KINDS, progress=progress)
+        return MeasuredTrain.of(judge_train(self.values, self.text, sources, progress))
 
     def next_measurement(
         self, *, profile: str = "actual", form_error_um: float | None = None, progress: Progress = silent

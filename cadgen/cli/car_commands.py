@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from cadgen.api.calibration import Advice, Calibration, Predictions
     from cadgen.api.design import Design
     from cadgen.api.found_cam import ComparedCam, FoundCam
+    from cadgen.api.measured_gears import MeasuredTrain
     from cadgen.progress import Progress
 
 
@@ -186,6 +187,12 @@ def tolerance(
     metavar="FILE",
     help="Predict this file, which is not used, with what is found in the others. Repeatable.",
 )
+@help.option(
+    "--train",
+    "train_alone",
+    is_flag=True,
+    help="Judge the gear train alone, by angles at its input and output; set where DESIGN has no more than [train].",
+)
 @columns_option
 @overrides_option
 @help.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of the report.")
@@ -197,6 +204,7 @@ def calibrate(
     each: bool,
     ask_next: bool,
     unseen: tuple[str, ...],
+    train_alone: bool,
     columns: dict[str, str],
     overrides: tuple[str, ...],
     as_json: bool,
@@ -212,25 +220,31 @@ def calibrate(
     known: dwells, laws, ends of segments and wear are found, and --out writes the design of a new cam. With a motion
     that is stated, what differs is found: disc, follower, phase, bore, wrong side up.
 
+    With [train] alone, or with --train, FILE holds angles at the input and the output of the train, with the torque or
+    without: play, wind-up, run-out of each wheel and tooth mesh are found, and --out writes the corrected design.
+
     The exit code is 1 if not all that was measured is explained.
     """
     from cadgen.api.calibration import Calibration, Calibrations
     from cadgen.api.design import Design
     from cadgen.cli import show
     from cadgen.cli.show import verdict
-    from cadgen.design.load import packaged_designs
+    from cadgen.design.load import is_train_alone, packaged_designs, read_design
     from cadgen.output.report.terminal import write
 
     design, files = design_and_files(arguments, packaged_designs(), some=not ask_next)
-    loaded = Design.load(design, overrides)
-    if loaded.by_motion:
+    train_alone = train_alone or is_train_alone(*read_design(design))
+    loaded = Design.load(design, overrides, train_only=train_alone)
+    if train_alone or loaded.by_motion:
         if asked := next(
             (name for name, given in (("--each", each), ("--next", ask_next), ("--predict", unseen)) if given), ""
         ):
             raise click.UsageError(
-                Message("{option} is for a car, and the design has [motion]: leave it out", option=asked)
+                Message("{option} is for a car, and a train is judged alone: leave it out", option=asked)
+                if train_alone
+                else Message("{option} is for a car, and the design has [motion]: leave it out", option=asked)
             )
-        _cam_alone(loaded, files, columns, as_json=as_json, out=out)
+        _part_alone(loaded, files, columns, train_alone=train_alone, as_json=as_json, out=out)
     if each and (ask_next or unseen):
         asked = "--next" if ask_next else "--predict"
         raise click.UsageError(
@@ -289,17 +303,26 @@ def _lift_tolerance(loaded: "Design", samples: int, seed: int, *, as_json: bool)
     raise SystemExit(0 if run.cam.passed else 1)
 
 
-def _cam_alone(
-    loaded: "Design", files: tuple[str, ...], columns: dict[str, str], *, as_json: bool, out: Path | None
+def _part_alone(
+    loaded: "Design",
+    files: tuple[str, ...],
+    columns: dict[str, str],
+    *,
+    train_alone: bool,
+    as_json: bool,
+    out: Path | None,
 ) -> None:
-    """Find the motion of a measured cam, or what differs from its design; print or write it, and exit."""
+    """Find the motion of a measured cam, or what differs in a cam or a train; print or write it, and exit."""
     from cadgen.cli import show
     from cadgen.output.report.terminal import write
 
-    result: FoundCam | ComparedCam
+    result: FoundCam | ComparedCam | MeasuredTrain
     with show.progress(not as_json) as progress:
-        judge = loaded.find_motion if loaded.to_be_measured else loaded.compare_cam
-        result = judge(files, columns=columns, progress=progress)
+        if train_alone:
+            result = loaded.judge_train(files, columns=columns, progress=progress)
+        else:
+            judge = loaded.find_motion if loaded.to_be_measured else loaded.compare_cam
+            result = judge(files, columns=columns, progress=progress)
         written = None if out is None else result.write(out, progress=progress)
     if as_json:
         show.document(result.facts() if written is None else written.entry)

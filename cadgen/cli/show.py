@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from cadgen.api.cam import Cam, Cures
     from cadgen.api.exploration import Exploration
     from cadgen.api.found_cam import ComparedCam, FoundCam
+    from cadgen.api.measured_gears import MeasuredTrain
     from cadgen.api.planning import Plan
 
 
@@ -417,15 +418,18 @@ def explained(result: "Calibration[Design] | Calibrations[Design]", *, written: 
         verdict(result.readiness, said, Message("--out writes the as-built design, for cadgen cam"))
 
 
-def found(result: "FoundCam | ComparedCam", *, written: bool) -> None:
-    """Print whether a measured cam is explained, and what to do next.
+def found(result: "FoundCam | ComparedCam | MeasuredTrain", *, written: bool) -> None:
+    """Print whether a measured cam or train is explained, and what to do next.
 
     Args:
-        result: measured cam.
+        result: measured cam or train.
         written: whether the new design was written.
     """
-    from cadgen.api.found_cam import FoundCam
+    from cadgen.api.found_cam import ComparedCam, FoundCam
 
+    if not isinstance(result, FoundCam | ComparedCam):
+        _train(result, written=written)
+        return
     if not isinstance(result, FoundCam):
         _compared(result)
         return
@@ -439,6 +443,24 @@ def found(result: "FoundCam | ComparedCam", *, written: bool) -> None:
     else:
         said = Message("the law of a segment is not decided")
     verdict(result.readiness, said, step)
+
+
+def _train(result: "MeasuredTrain", *, written: bool) -> None:
+    step: str = Message("--out writes the corrected design") if result.designs else ""
+    if written and result.designs:
+        step = Message("cadgen gears on {name}.toml", name=next(iter(result.designs)))
+    if result.readiness == Readiness.NOT_READY:
+        verdict(
+            result.readiness,
+            Message("not all that was measured is explained"),
+            Message("look for what turns at the order that is left"),
+        )
+    elif result.within is False:
+        verdict(result.readiness, Message("the play is not that of the design"), step)
+    elif result.readiness == Readiness.RESERVATIONS:
+        verdict(result.readiness, Message("what was measured has more than one cause"), step)
+    else:
+        verdict(result.readiness, Message("what was measured is explained"), step)
 
 
 def _compared(result: "ComparedCam") -> None:

@@ -3,6 +3,7 @@
 | room          | what it holds                                                           |
 |---------------|-------------------------------------------------------------------------|
 | `measurement` | measured data -> the effects that explain them; one object a kind       |
+| `gearing`     | measured gears and trains -> what differs from their design             |
 | `motions`     | a worn cam, measured -> the motion that was meant                       |
 | `expectation` | what a new cam, a measurement not made and a run not used will show     |
 | `monte_carlo` | many cars within the tolerances                                         |

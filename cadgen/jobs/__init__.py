@@ -24,6 +24,7 @@
 | `error_budget`| what costs most at the finish                            |
 | `calibration` | measured files -> verdicts -> the design as built        |
 | `worn_cam`    | a worn cam, measured -> its motion and a new design      |
+| `measured_gears` | measured gears -> what they have, and what to change  |
 | `drawings`    | cam and train -> drawings for a workshop                 |
 | `adjustment`  | trial runs -> what a hand sets before the next           |
 """

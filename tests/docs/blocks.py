@@ -27,6 +27,7 @@ _FILES = (
     "docs/tutorial/lobe.csv",
     "tests/data/measured/track_b.csv",
     "docs/examples/old_cam.csv",
+    "docs/examples/reducer_angles.csv",
 )
 
 # Runs `cadgen` with arguments in a folder and returns exit code and what it prints.

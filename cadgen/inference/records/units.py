@@ -23,6 +23,7 @@ _UNITS: dict[str, dict[str, float]] = {
         **dict.fromkeys(("rad", "radian", "radians", "弧度"), 57.29577951308232),
         **dict.fromkeys(("rev", "turn", "turns", "revolutions", "圈", "umdrehungen"), 360.0),
     },
+    "Nm": {**dict.fromkeys(("Nm", "N·m", "N m"), 1.0), **dict.fromkeys(("Nmm", "N·mm", "mNm"), 1e-3)},
     "s": {**dict.fromkeys(("s", "sec", "second", "seconds", "秒"), 1.0), "ms": 1e-3, "min": 60.0},
 }
 _ALL = {unit: (base, factor) for base, units in _UNITS.items() for unit, factor in units.items()}
@@ -33,6 +34,9 @@ _QUANTITIES: dict[str, tuple[str, ...]] = {
         *("凸轮转角", "凸轮角度", "凸轮角", "转角", "角度"),
     ),
     "motorangle": ("motor", "motorrotation", "driveangle", "motorwinkel", "电机转角", "电机角度", "电机角"),
+    "inputangle": ("input", "eingang", "eingangswinkel", "输入", "输入角", "输入转角", "输入角度"),
+    "outputangle": ("output", "ausgang", "ausgangswinkel", "输出", "输出角", "输出转角", "输出角度"),
+    "outputtorque": ("torque", "load", "moment", "drehmoment", "last", "转矩", "扭矩", "力矩", "负载"),
     "x": ("xpos", "posx", "xposition", "positionx", "xcoord", "xcoordinate", "x坐标", "坐标x"),
     "y": ("ypos", "posy", "yposition", "positiony", "ycoord", "ycoordinate", "y坐标", "坐标y"),
     "lift": ("stroke", "dial", "hub", "升程", "行程"),

@@ -1,0 +1,9 @@
+"""From measured gears and trains to what differs from their design.
+
+| module               | what it holds                                                                     |
+|----------------------|-----------------------------------------------------------------------------------|
+| `record_kinds`       | kinds of records of a train: angles at its input and output, with torque or not   |
+| `train_orders`       | shafts, wheels and meshes of a train by their orders, and how run-out shows there |
+| `transmission_error` | angles -> play, wind-up, rate, and lines of the transmission error by order       |
+| `wheel_errors`       | lines at the order of a shaft -> run-out of its wheels, or of its encoder         |
+"""

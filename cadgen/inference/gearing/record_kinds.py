@@ -1,0 +1,83 @@
+"""Kinds of records of a train of gears: angles at its input and output, without load or with the torque beside them."""
+
+import numpy as np
+
+from cadgen.deviations.catalogue import Catalogue
+from cadgen.errors import FileError
+from cadgen.inference.measurement.record import Column, Datum, Kind, Record, join
+
+_MOST_DEG = 3.6e7
+_MOST_NM = 1e6
+_LEAST_ROWS = 24
+MOST_ROWS = 20_000
+
+
+def _kind(code: str, title: str, columns: tuple[Column, ...]) -> Kind:
+    """Kind of which records are judged together, without effects to choose from."""
+    return Kind(
+        code=code,
+        title=title,
+        columns=columns,
+        readings=(columns[1].name,),
+        catalogue=Catalogue(),
+        datum=Datum(words=""),
+        least_rows=_LEAST_ROWS,
+        most_rows=MOST_ROWS,
+        nearness=0,
+    )
+
+
+_ANGLES = tuple(
+    Column(name=name, lower=-_MOST_DEG, upper=_MOST_DEG) for name in ("input_angle_deg", "output_angle_deg")
+)
+TRAIN = _kind("train", "Transmission of a train", _ANGLES)
+LOADED_TRAIN = _kind(
+    "loaded train",
+    "Transmission of a train under load",
+    (*_ANGLES, Column(name="output_torque_Nm", lower=-_MOST_NM, upper=_MOST_NM)),
+)
+# Angles by the names that a car has for them.
+MOTOR_AND_CAM = _kind(
+    "train of a camshaft",
+    "Transmission of a train to its camshaft",
+    tuple(Column(name=name, lower=-_MOST_DEG, upper=_MOST_DEG) for name in ("motor_angle_deg", "cam_angle_deg")),
+)
+KINDS = (TRAIN, LOADED_TRAIN, MOTOR_AND_CAM)
+
+
+def one_of(records: tuple[Record, ...]) -> Record:
+    """Records of a train as one, without load as with none.
+
+    Args:
+        records: records of these kinds.
+
+    Raises:
+        FileError: more rows than can be judged together.
+    """
+    same = []
+    for record in records:
+        columns = dict(record.columns)
+        if record.kind is MOTOR_AND_CAM:
+            columns = {"input_angle_deg": columns["motor_angle_deg"], "output_angle_deg": columns["cam_angle_deg"]}
+        columns.setdefault("output_torque_Nm", np.zeros(len(record.run)))
+        same.append(
+            Record(
+                kind=LOADED_TRAIN,
+                columns=columns,
+                run=record.run,
+                remarks=record.remarks,
+                source=record.source,
+                notes=record.notes,
+            )
+        )
+    whole = join(same)
+    for number, rows in enumerate(whole.parts, 1):
+        turned, pressed = np.ptp(whole["input_angle_deg"][rows]), np.ptp(whole["output_torque_Nm"][rows])
+        if turned == 0 and pressed == 0:
+            raise FileError(
+                "{file}: in run {run} neither the input turns nor does the torque change; turn the input, or hold it "
+                "and change the torque at the output",
+                file=whole.source,
+                run=number,
+            )
+    return whole

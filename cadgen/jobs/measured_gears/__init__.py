@@ -1,0 +1,7 @@
+"""Measured gears: from angles of a train to what its gears have, and what to change.
+
+| module           | what it holds                                                                     |
+|------------------|-----------------------------------------------------------------------------------|
+| `measured_train` | angles at both ends of a train -> its errors by wheel, and in sentences           |
+| `wanted_play`    | play found and play wanted -> thickness or centre distance, and a design          |
+"""
