@@ -126,6 +126,7 @@ class CheckCode(StrEnum):
     FRONT_WHEEL_ROOM = "front-wheel-room"
     DRIVE_ROOM = "drive-room"
     DRIVE_FALL = "drive-fall"
+    DRIVE_SCREWS = "drive-screws"
     MOTION_VELOCITY = "motion-velocity"
     MOTION_ACCELERATION = "motion-acceleration"
     MOTION_JERK = "motion-jerk"

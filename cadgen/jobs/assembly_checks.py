@@ -1,4 +1,4 @@
-"""Whether a car put together stands on its wheels at its speed, and has the energy for its path."""
+"""Whether a car with all its parts stands on its wheels at its speed, and has the energy for its path."""
 
 from collections.abc import Iterator
 from math import inf
@@ -8,19 +8,45 @@ import numpy as np
 from cadgen.car.assembly.car_parts import Content
 from cadgen.car.running.tipping import Tipping, tipping
 from cadgen.check import Bound, Check, CheckCode
-from cadgen.jobs.cam.mechanics import energy_checks
-from cadgen.jobs.car_assembly import CarAssembly
+from cadgen.errors import DesignError
+from cadgen.jobs.cam.cam_plan import CamPlan
+from cadgen.jobs.cam.mechanics import energy_checks, energy_reservations
+from cadgen.jobs.cam.steering_cam import CarUse
+from cadgen.jobs.car_assembly import PlacedParts, parts_in
 from cadgen.messages import Message
+from cadgen.verdict import PartVerdict, Reservation
 
 _EDGES = (Message("rear axle"), Message("line from idle to front wheel"), Message("line from drive to front wheel"))
 
 
-def assembly_checks(assembly: CarAssembly) -> tuple[Check, ...]:
-    """Checks of a car put together: tipping, and the energy by the mass of its parts where the design states none."""
+def verdict_on_car(cam: CamPlan) -> PartVerdict:
+    """Verdict on the car of a cam by the mass of all its parts, or by a stated mass where they have no place.
+
+    Args:
+        cam: cam of a car.
+    """
+    use = CarUse.of(cam)
+    held_back = energy_reservations(use.design)
+    if use.in_car is not None:
+        try:
+            parts = parts_in(use.in_car, cam)
+            if parts is not None:
+                return PartVerdict(assembly_checks(parts), held_back)
+        except DesignError as error:
+            text = Message(
+                "the parts of the car cannot be put together, so nothing is known of its mass, tipping and energy"
+            )
+            held_back = (*held_back, Reservation("car-not-put-together", text, error.message))
+    spent = energy_checks(use.design, use.track, use.wanted, cam.follower_as_built, use.car, use.drive_wheel)
+    return PartVerdict(spent, held_back)
+
+
+def assembly_checks(assembly: PlacedParts) -> tuple[Check, ...]:
+    """Checks of a car with all its parts: tipping, and the energy by their mass where the design states none."""
     return tuple(_checks(assembly))
 
 
-def tipping_of(assembly: CarAssembly) -> Tipping:
+def tipping_of(assembly: PlacedParts) -> Tipping:
     """Limit of the speed of a car by tipping, with its parts as at cam angle 0."""
     site, car, track = assembly.layout.site, assembly.use.car, assembly.use.track
     found = assembly.layout.arrangement
@@ -37,7 +63,7 @@ def tipping_of(assembly: CarAssembly) -> Tipping:
     return tipping(track.arc, track.curvature_jets[:, 0], track.curvature_jets[:, 1], wheels, centre)
 
 
-def centre_of_gravity(assembly: CarAssembly, mass: Content) -> Message:
+def centre_of_gravity(assembly: PlacedParts, mass: Content) -> Message:
     """Mass and centre of gravity in words.
 
     Args:
@@ -58,7 +84,7 @@ def centre_of_gravity(assembly: CarAssembly, mass: Content) -> Message:
     )
 
 
-def _checks(assembly: CarAssembly) -> Iterator[Check]:
+def _checks(assembly: PlacedParts) -> Iterator[Check]:
     use, found = assembly.use, tipping_of(assembly)
     keys = assembly.layout.design.mechanics
     speed = None if keys is None else keys.speed_m_per_s

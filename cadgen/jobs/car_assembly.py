@@ -8,6 +8,7 @@ from colorsys import hsv_to_rgb
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import asin, atan, cos, pi, sin, sqrt, tan
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -51,18 +52,23 @@ from cadgen.car.assembly.turning_train import TurningTrain, turning_train
 from cadgen.car.running.friction import DiscMaterial
 from cadgen.curves.chamfer import chamfered_off
 from cadgen.curves.contour import Contour, circle
+from cadgen.design import gear_model
 from cadgen.errors import DesignError
+from cadgen.gears.layout import TrainLayout
 from cadgen.jobs.cam.cam_plan import DENSITY, CamPlan
 from cadgen.jobs.cam.steering_cam import CarUse
 from cadgen.jobs.car_frame import frame_in
-from cadgen.jobs.car_layout import CarLayout
+from cadgen.jobs.car_layout import CarLayout, train_in_car
 from cadgen.jobs.frame_parts import frame_parts, known_material
-from cadgen.jobs.gears.gear_train import GearTrain
+from cadgen.jobs.gears.train_making import TrainMaking
 from cadgen.messages import Message
 from cadgen.output.files.manifest import Origin
 from cadgen.parts.body import Body, RadialHole, Slab
 from cadgen.parts.features import Keyway
 from cadgen.parts.loop import circle as circle_loop
+
+if TYPE_CHECKING:
+    from cadgen.jobs.gears.gear_train import GearTrain  # it measures teeth in mesh, which a list of parts does without
 
 # Height of a parallel key and depth of its seat in the shaft by its width, mm (DIN 6885-1, ISO 773).
 _KEYS = {2.0: (2.0, 1.2), 3.0: (3.0, 1.8), 4.0: (4.0, 2.5), 5.0: (5.0, 3.0), 6.0: (6.0, 3.5), 8.0: (7.0, 4.0)}
@@ -76,21 +82,17 @@ _STEEL = Message("steel")
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class CarAssembly:
-    """A car put together.
+class PlacedParts:
+    """Parts of a car at their places.
 
     Attributes:
-        origin: design of the car.
         layout: train in its car.
         cam: plan of its cam.
-        train: plan of its train.
         parts: parts of the car.
     """
 
-    origin: Origin
     layout: CarLayout
     cam: CamPlan
-    train: GearTrain
     parts: tuple[CarPart, ...]
 
     @cached_property
@@ -126,14 +128,25 @@ class CarAssembly:
         return Content(placed.volume + sum(part.each * part.further for part in self.parts), placed.centre)
 
 
-def put_together(cam: CamPlan, train: GearTrain, frame: tuple[CarPart, ...] | None = None) -> CarAssembly:
+@dataclass(frozen=True, eq=False, kw_only=True)
+class CarAssembly(PlacedParts):
+    """A car put together.
+
+    Attributes:
+        origin: design of the car.
+        train: plan of its train.
+    """
+
+    origin: Origin
+    train: "GearTrain"
+
+
+def put_together(cam: CamPlan, train: "GearTrain") -> CarAssembly:
     """Put a car together.
 
     Args:
         cam: plan of its cam.
         train: plan of its train, with its layout.
-        frame: plates and bought parts, of which those with the code of another part stand in its place; None for those
-            of the design's [frame], if it has one.
 
     Raises:
         DesignError: the design has no layout, or its train has no place in the car.
@@ -148,11 +161,34 @@ def put_together(cam: CamPlan, train: GearTrain, frame: tuple[CarPart, ...] | No
         raise DesignError(
             "the parts of {name} have no room in the car: see cadgen gears {name} for what to change", name=train.name
         )
-    turning = turning_train(train.layout, 0.0, car.arrangement.place.raised, 1 if car.turned_over else -1)
-    made = _Parts(cam, train, car, turning)
+    parts = _parts(cam, train.layout, train.making, train.stem, car)
+    return CarAssembly(origin=train.origin, layout=car, cam=cam, train=train, parts=parts)
+
+
+def parts_in(layout: CarLayout, cam: CamPlan) -> PlacedParts | None:
+    """Parts of a car by its layout, with the train of the design; None where they have no room.
+
+    Args:
+        layout: train in its car.
+        cam: plan of its cam.
+
+    Raises:
+        DesignError: a gear, its blank, the frame or the fork is impossible.
+    """
+    if layout.directions is None:
+        return None
+    making = TrainMaking.of(gear_model.train_keys(layout.design))
+    parts = _parts(cam, train_in_car(layout), making, layout.design.name, layout)
+    return PlacedParts(layout=layout, cam=cam, parts=parts)
+
+
+def _parts(cam: CamPlan, train: TrainLayout, making: TrainMaking, stem: str, car: CarLayout) -> tuple[CarPart, ...]:
+    assert car.arrangement is not None  # both callers refuse a car without an arrangement
+    turning = turning_train(train, 0.0, car.arrangement.place.raised, 1 if car.turned_over else -1)
+    made = _Parts(cam, making, stem, car, turning)
     own = {part.code: part for part in made.every()}
-    if frame is None:
-        frame = frame_parts(frame_in(car)) if car.design.frame is not None else ()
+    frame = frame_parts(frame_in(car)) if car.design.frame is not None else ()
+    # A part of the frame stands in the place of one with its code.
     given = {part.code: part for part in frame}
     # A colour to each part: readers of STEP tell parts apart by them, and two alike share one entity of the file.
     shades: dict[tuple[float, float, float], int] = {}
@@ -161,7 +197,7 @@ def put_together(cam: CamPlan, train: GearTrain, frame: tuple[CarPart, ...] | No
         repeated = shades[part.colour] = shades.get(part.colour, -1) + 1
         red, green, blue = (each * 0.985**repeated for each in part.colour)
         parts.append(replace(part, colour=(red, green, blue)))
-    return CarAssembly(origin=train.origin, layout=car, cam=cam, train=train, parts=tuple(parts))
+    return tuple(parts)
 
 
 @dataclass(frozen=True, eq=False)
@@ -169,7 +205,8 @@ class _Parts:
     """Parts of a car as they are made."""
 
     cam: CamPlan
-    train: GearTrain
+    making: TrainMaking
+    stem: str
     car: CarLayout
     turning: TurningTrain
 
@@ -227,7 +264,7 @@ class _Parts:
         shafts = len(self.groups)
         for number, turning in enumerate((*self.turning.parts, *self.turning.beside), 1):
             part = turning.part
-            stated = self.train.making.shaft(part.shaft, shafts).material
+            stated = self.making.shaft(part.shaft, shafts).material
             material, density, assumed = known_material(stated, DiscMaterial.STEEL)
             # With the gears pushing the cam at cam angle 0.
             standing = replace(part, axis=turning.axis, angle=turning.angle, height=part.height + turning.lift)
@@ -249,7 +286,7 @@ class _Parts:
                 density=density,
                 assumed=assumed,
                 colour=hsv_to_rgb((0.58 + number * (sqrt(5) - 1) / 2) % 1.0, 0.35, 0.75),
-                standard=f"{self.train.stem}_{part.name}",
+                standard=f"{self.stem}_{part.name}",
                 shaft=part.shaft if number <= shafts else 0,
             )
 

@@ -4,6 +4,7 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
+from math import ceil, floor
 
 from cadgen.car.assembly.arrangement import Gap
 from cadgen.car.assembly.carried import CarriedBody
@@ -171,9 +172,10 @@ class CarFrame(JobResult):
 
     def _drive_checks(self) -> Iterator[Check]:
         """Checks of room for weight or motor, and of the way that a weight falls."""
-        frame, body = self.frame, self.frame.sizes.carried
+        frame, sizes, body = self.frame, self.frame.sizes, self.frame.sizes.carried
         if body is None:
             return
+        needed = body.width(sizes.drive)
         yield Check(
             CheckCode.DRIVE_ROOM,
             Message("places for the {body} on the base", body=body.title),
@@ -182,11 +184,19 @@ class CarFrame(JobResult):
             1.0,
             Bound.MIN,
             Message(
-                "{room:.1f} mm across the car are free between train and idle wheel, {needed:g} are needed",
+                "{room:.1f} mm across the car are free between train and idle wheel, {needed:.1f} are needed",
                 room=frame.carried_room,
-                needed=body.across,
+                needed=ceil(10 * needed - 1e-6) / 10,
+            )
+            if frame.carried_room < needed
+            else Message(
+                "{room:.1f} mm across the car are free between train and idle wheel, but nowhere clear of openings, "
+                "screws and axle",
+                room=frame.carried_room,
             ),
         )
+        if not body.fall:
+            yield self._screw_check(body)
         if frame.carried is None or not body.fall:
             return
         low, start = frame.top - frame.carried.low, frame.arrangement.height - frame.carried.high
@@ -206,6 +216,42 @@ class CarFrame(JobResult):
             )
             if body.fall > more
             else Message("leave drive.start_height_mm out, or raise it to {start:.4g}", start=start + more),
+        )
+
+    def _screw_check(self, body: CarriedBody) -> Check:
+        """Material of a motor beside the screws that hold it."""
+        sizes = self.frame.sizes
+        apart, edge = sizes.drive, sizes.wall + sizes.screw.diameter / 2
+        nearer = [floor(size - 2 * edge + 1e-6) for size in (body.along, body.across)]
+        larger = [ceil(hole + 2 * edge - 1e-6) for hole in apart]
+        advice = Message(
+            "take a motor of {along} mm along the car and {across} across it or more (drive.size_mm)",
+            along=max(larger[0], ceil(body.along)),
+            across=max(larger[1], ceil(body.across)),
+        )
+        if min(nearer) > sizes.screw.diameter + sizes.wall:
+            along, across = (min(each, by) for each, by in zip(apart, nearer, strict=True))
+            advice = Message(
+                "set frame.drive_holes_mm to [{along:g}, {across:g}], or {other}",
+                along=along,
+                across=across,
+                other=advice,
+            )
+        return Check(
+            CheckCode.DRIVE_SCREWS,
+            Message("material of the motor beside its screws"),
+            min(body.along - apart[0], body.across - apart[1]) / 2 - sizes.screw.diameter / 2,
+            "mm",
+            sizes.wall,
+            Bound.MIN,
+            Message(
+                "a motor of {along:g} x {across:g} mm, holes {one:g} x {other:g} mm apart",
+                along=body.along,
+                across=body.across,
+                one=apart[0],
+                other=apart[1],
+            ),
+            advice,
         )
 
     @property

@@ -28,7 +28,7 @@ from cadgen.design.schema import Design, TrainDesign, whole_design
 from cadgen.design.train import PlateSection
 from cadgen.errors import DesignError
 from cadgen.figures import Facts
-from cadgen.gears.layout import Disc, gears_and_hubs
+from cadgen.gears.layout import Disc, TrainLayout, gears_and_hubs, lay_out
 from cadgen.gears.stage import is_bar
 from cadgen.gears.train import Train, thinned
 from cadgen.messages import Message
@@ -261,6 +261,20 @@ def layout_of(design: Design, train: Train | None = None) -> CarLayout:
     """
     given = gear_model.train(design) if train is None else train
     return _layout(_Hashed(design), given)
+
+
+def train_in_car(layout: CarLayout) -> TrainLayout:
+    """Train of a design with thinned teeth, its stages turned as the car has them; it is not measured in mesh.
+
+    Args:
+        layout: layout of the car.
+
+    Raises:
+        DesignError: a gear or its blank is impossible.
+    """
+    design = layout.design
+    clearance = gear_model.train_keys(design).clearance_mm
+    return lay_out(thinned(gear_model.train(design)), gear_model.blanks(design), layout.directions, clearance)
 
 
 def turned_to(design: TrainDesign, train: Train) -> tuple[float | None, ...]:

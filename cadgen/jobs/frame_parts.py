@@ -8,14 +8,13 @@ from cadgen.arrays import Array
 from cadgen.car.assembly.car_parts import Block, CarPart, Group, GroupKind, Supply, turned_round
 from cadgen.car.assembly.carried import Carried
 from cadgen.car.assembly.frame import Bought, BoughtKind
-from cadgen.car.assembly.panels import Panel, PartPlace
+from cadgen.car.assembly.panels import BASE_COLOUR, PLATE_COLOUR, Panel, PartPlace
 from cadgen.car.running.friction import DiscMaterial
 from cadgen.design import gear_model
 from cadgen.design.train import PlateSection
 from cadgen.jobs.cam.cam_plan import DENSITY
 from cadgen.jobs.car_frame import CarFrame
 from cadgen.messages import Message
-from cadgen.output.files.frame_files import BASE_COLOUR, PLATE_COLOUR
 
 _STANDS = Group(GroupKind.FRAME)
 _STEEL = DENSITY[DiscMaterial.STEEL] * 1e-3  # g/mm³

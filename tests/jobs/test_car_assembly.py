@@ -6,9 +6,11 @@ import numpy as np
 import pytest
 
 from cadgen.car.assembly.car_parts import BodyShape
+from cadgen.check import CheckCode
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
 from cadgen.geometry.meshes.car_meshes import shape_mesh
+from cadgen.jobs.assembly_checks import assembly_checks, verdict_on_car
 from cadgen.jobs.cam.steering_cam import plan_cam
 from cadgen.jobs.car_assembly import CarAssembly, put_together
 from cadgen.jobs.car_frame import frame_in
@@ -31,6 +33,28 @@ def test_every_part_has_a_code_a_colour_and_a_mass(car: CarAssembly) -> None:
     assert len({part.colour for part in car.parts}) == len(car.parts)
     assert all(part.code.isascii() and part.each > 0 and part.quantity > 0 for part in car.parts)
     assert car.balance().volume == pytest.approx(sum(part.each * part.quantity for part in car.parts))
+
+
+def test_check_and_assembly_say_the_same_of_the_whole_car(car: CarAssembly) -> None:
+    """`check` lays the train out and measures no teeth, `assembly` plans all of it: one figure, one verdict."""
+    own = assembly_checks(car)
+    assert [check.code for check in own] == [CheckCode.TIPPING_SPEED, CheckCode.ENERGY_LEFT]
+    assert set(own) <= set(car.cam.verdict.checks)
+    assert car.cam.passed
+
+
+def test_a_car_too_heavy_for_its_drive_is_not_ready() -> None:
+    heavy = ["frame.material=steel", "mechanics.speed_m_per_s=4"]
+    cam = plan_cam(load_design("workshop_car", heavy), "actual", judged=False)
+    assert {check.code for check in verdict_on_car(cam).failed} == {CheckCode.TIPPING_SPEED, CheckCode.ENERGY_LEFT}
+
+
+def test_parts_that_cannot_be_put_together_are_a_reservation() -> None:
+    """Without [frame], whose check would say it, the reservation is all that is known of a fork without room."""
+    low = ["frame=", "layout.camshaft_height_mm=36"]
+    cam = plan_cam(load_design("workshop_car", low), "actual", judged=False)
+    held = {each.code: each for each in verdict_on_car(cam).reservations}
+    assert "layout.camshaft_height_mm" in held["car-not-put-together"].cure
 
 
 def test_gaps_under_the_pointer_know_the_sheets_of_the_frame(car: CarAssembly) -> None:

@@ -91,6 +91,28 @@ def test_what_does_not_fit_names_a_cure_that_helps(changes: dict[str, object], c
         assert frame_of(*overrides, f"drive.fall_mm={fall}").passed
 
 
+def test_the_width_that_is_told_has_the_tubes_in_it_and_suffices() -> None:
+    """A small weight is narrower than the tubes round it: the idle wheel set out to the width told gives a place."""
+    small = "drive={kind='weight', mass_kg=0.1, size_mm=[30, 30, 65], fall_mm=200}"
+    made = frame_of(small, "car.idle_wheel_offset_mm=110")
+    (check,) = (check for check in made.plain_checks if check.code == CheckCode.DRIVE_ROOM)
+    room, needed = (float(text) for text in (check.place.split(" mm")[0], check.place.split(", ")[1].split(" are")[0]))
+    assert needed == pytest.approx(2**0.5 * (15 + 0.5 + 3) + 6, abs=0.1)
+    assert frame_of(small, f"car.idle_wheel_offset_mm={110 + needed - room}").frame.carried is not None
+    assert frame_of(small, f"car.idle_wheel_offset_mm={110 + needed - room - 0.5}").frame.carried is None
+
+
+def test_a_motor_smaller_than_its_holes_fails_with_its_size() -> None:
+    small = "drive={kind='motor', mass_kg=0.1, size_mm=[20, 15, 25]}"
+    (check,) = failing(frame_of(small).checks)
+    assert check.code == CheckCode.DRIVE_SCREWS
+    assert "20 x 15 mm" in check.place
+    holes, size = check.advice.split(", or take a motor of ")
+    assert frame_of(small, holes.replace("set ", "").replace(" to ", "=")).passed
+    along, across = (int(text.split(" ")[0]) for text in (size, size.split("car and ")[1]))
+    assert frame_of(f"drive={{kind='motor', mass_kg=0.1, size_mm=[{along}, {across}, 25]}}").passed
+
+
 @pytest.mark.parametrize(
     ("overrides", "said"),
     [

@@ -57,6 +57,14 @@ class CarriedBody:
         side = sqrt(2) * (self.along / 2 + _PLAY + TUBE / 2)
         return side, side
 
+    def width(self, apart: tuple[float, float]) -> float:
+        """Width across the car that it needs, with the tubes of a weight, mm.
+
+        Args:
+            apart: distances of the holes that the design states for a motor, mm.
+        """
+        return max(self.across, self.holes(apart)[1] + TUBE if self.fall else 0.0)
+
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Carried:
@@ -151,7 +159,7 @@ def places(
     """
     half, wide = body.along / 2, body.across / 2
     reach = (max(half, holes[0] / 2 + margin), max(wide, holes[1] / 2 + margin))
-    slack = room_across(edges, clearance) - 2 * max(wide, holes[1] / 2 + TUBE / 2 if body.fall else 0.0)
+    slack = room_across(edges, clearance) - body.width(holes)
     if slack < 0:
         return
     middle = sum(edges) / 2

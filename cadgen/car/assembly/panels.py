@@ -17,6 +17,7 @@ from cadgen.car.assembly.bodies import Convex, SolidCylinder, convex_gap
 from cadgen.car.assembly.car_parts import Block, Drilled, Prism
 from cadgen.curves.contour import Contour, circle
 
+PLATE_COLOUR, BASE_COLOUR = (0.62, 0.66, 0.70), (0.50, 0.54, 0.58)
 _CHORD = 0.005  # mm, of arcs in the pieces against which gaps are measured
 _STRAIGHT = 1e-12
 # Places of parts: directions of u, v and w in the car, as columns. Plates are seen from the left of the car, the base

@@ -21,10 +21,12 @@ from cadgen.car.steering import Car, wheel_curvature, wheel_tangent, wheel_trave
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.design import variation
 from cadgen.design.drive import MOST_FALL, DriveSection
+from cadgen.design.play import MechanicsSection
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.jobs.cam.wheel import DriveWheel
 from cadgen.messages import Message
+from cadgen.verdict import Reservation
 
 _FRICTION_STEP = 0.01
 # Share of the end of the run by which inertia lessens it for each rad/s of the cam: at friction 0 and at 0.3, of the
@@ -305,6 +307,8 @@ def energy_checks(
 ) -> tuple[Check, ...]:
     """Energy left at the end of the path, at the greatest friction and drag; empty where no mass is known.
 
+    A weight of a design without [mechanics] is judged by the values that its keys have where they are left out.
+
     Args:
         design: loaded design.
         track: track of the drive wheel.
@@ -314,7 +318,8 @@ def energy_checks(
         wheel: drive wheel that the cam is for.
         mass: mass of the car by its parts, kg, which counts where the design states none.
     """
-    keys = design.mechanics
+    assumed = _assumed(design)
+    keys = MechanicsSection() if assumed else design.mechanics
     mass = mass if keys is None or keys.car_mass_kg is None else keys.car_mass_kg
     if keys is None or mass is None:
         return ()
@@ -323,8 +328,8 @@ def energy_checks(
     has = falls if keys.drive_energy_J is None else min(keys.drive_energy_J, inf if falls is None else falls)
     if has is None:
         return ()
-    band = variation.mechanics(design, follower, lift)
-    assert band is not None  # the design has [mechanics]
+    band = variation.mechanics(design.model_copy(update={"mechanics": keys}), follower, lift)
+    assert band is not None  # the copy has [mechanics]
     run = drive(lift, car, wheel.turn, start=start_pose(track), stop=wheel.finish, steps=_ENERGY_STEPS)
     stages = 0 if design.train is None else len(design.train.stages)
     efficiency = keys.train_efficiency or STAGE_EFFICIENCY**stages
@@ -339,8 +344,33 @@ def energy_checks(
     name = Message("energy left at the end of the path")
     if keys.car_mass_kg is None and design.drive is None:
         name = Message("energy left at the end of the path, motor or weight not counted in the mass")
-    # What a stated energy lacks no longer fall gives.
-    return (_energy_check(spent, has, name, design.drive if has == falls else None, unwound, mass),)
+    return (
+        _energy_check(spent, has, falls, name, design.drive, unwound, mass, stated=keys.drive_energy_J is not None),
+    )
+
+
+def energy_reservations(design: Design) -> tuple[Reservation, ...]:
+    """Reservation on the energy of a weight whose run is judged without [mechanics]; empty with it.
+
+    Args:
+        design: loaded design.
+    """
+    if not _assumed(design):
+        return ()
+    usual = MechanicsSection()
+    text = Message(
+        "there is no [mechanics], so the energy of the weight is judged with a rod force of {force:g} N, a rolling "
+        "resistance of {rolling:g}, and no brake",
+        force=usual.rod_force_N,
+        rolling=ROLLING_RESISTANCE,
+    )
+    cure = Message("say in [mechanics] rod_force_N, rolling_resistance and drag_least_Nmm")
+    return (Reservation("energy-by-usual-values", text, cure),)
+
+
+def _assumed(design: Design) -> bool:
+    """Whether a weight falls of which nothing is known in [mechanics]."""
+    return design.mechanics is None and design.drive is not None and design.drive.fall_mm is not None
 
 
 def _unwound(design: Design, wheel: DriveWheel) -> float:
@@ -359,15 +389,24 @@ def _unwound(design: Design, wheel: DriveWheel) -> float:
 
 
 def _energy_check(
-    spent: RunEnergy, has: float, name: Message, drive: DriveSection | None, unwound: float, mass: float
+    spent: RunEnergy,
+    has: float,
+    falls: float | None,
+    name: Message,
+    drive: DriveSection | None,
+    unwound: float,
+    mass: float,
+    *,
+    stated: bool,
 ) -> Check:
     advice = Message(
         "raise mechanics.drive_energy_J to {needed:.3g}, or lower the mass, the brake's drag or the rod's force",
         needed=1.005 * spent.needed,
     )
-    if drive is None or drive.fall_mm is None:
+    # What a stated energy lacks no longer fall gives, unless it is more than all that the weight has.
+    if drive is None or drive.fall_mm is None or falls is None or 1.005 * spent.needed <= falls:
         pass
-    elif (farther := 1.02 * drive.fall_mm * spent.needed / has) > min(unwound, MOST_FALL):  # longer tubes weigh more
+    elif (farther := 1.02 * drive.fall_mm * spent.needed / falls) > min(unwound, MOST_FALL):  # longer tubes weigh more
         advice = Message(
             "a run takes {unwound:.0f} mm of string off the axle, and a weight falls no farther: make the axle thicker "
             "(train.drive.bore_diameter_mm), or lower the rolling resistance, the brake's drag or the rod's force",
@@ -388,10 +427,12 @@ def _energy_check(
             "the rod's force",
             fall=farther,
         )
+    if stated and falls is not None and 1.005 * spent.needed > falls:
+        advice = Message("leave mechanics.drive_energy_J out; {advice}", advice=advice)
     return Check(
         CheckCode.ENERGY_LEFT,
         name,
-        has - spent.needed,
+        float(has - spent.needed),
         "J",
         0.0,
         Bound.MIN,

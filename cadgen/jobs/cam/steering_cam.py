@@ -44,7 +44,7 @@ from cadgen.jobs.cam.cam_plan import Application, CamPlan, Making, steepest
 from cadgen.jobs.cam.car_facts import as_built_facts, comparison_facts
 from cadgen.jobs.cam.comparison import MeasuredCam, PlayComparison, ProfileChecks, against_play, known_trains, task_of
 from cadgen.jobs.cam.course import OnCourse, course_checks, floor_with, on_course
-from cadgen.jobs.cam.mechanics import energy_checks, joint_sentences, mechanics_checks, start_sentence
+from cadgen.jobs.cam.mechanics import joint_sentences, mechanics_checks, start_sentence
 from cadgen.jobs.cam.path_check import cut_checks, lost_lift_check, lost_lift_reservation, path_checks
 from cadgen.jobs.cam.readiness import (
     CourseYield,
@@ -294,9 +294,11 @@ class CarUse(Application):
         if found is not None:
             counted = (yield_check(played, found),)
         held_back = (*reservations(played, found), *lost_lift_reservation(cam.checks))
-        placed = _placed(self.in_car)
-        spent = energy_checks(self.design, self.track, self.wanted, cam.follower_as_built, self.car, self.drive_wheel)
-        return PartVerdict((*cam.checks, *wheel_checks(self), *spent, *placed, *counted), held_back)
+        from cadgen.jobs.assembly_checks import verdict_on_car  # only here: a part of a car has such a plan
+
+        whole, placed = verdict_on_car(cam), _placed(self.in_car)
+        checks = (*cam.checks, *wheel_checks(self), *whole.checks, *placed, *counted)
+        return PartVerdict(checks, (*held_back, *whole.reservations))
 
     def purpose(self, cam: CamPlan) -> str:
         """Drive wheel, length of the path and ratio of the train."""

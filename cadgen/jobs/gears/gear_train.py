@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from math import degrees, prod
 from typing import TYPE_CHECKING
@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 from cadgen.check import CheckList
 from cadgen.design import gear_model
 from cadgen.design.schema import TrainDesign
-from cadgen.design.train import GearBlankSection, PlateSection, TrainSection
 from cadgen.errors import DesignError
 from cadgen.figures import Facts
 from cadgen.gears.choices import Order, SearchObjective, Thinning
@@ -31,8 +30,8 @@ from cadgen.jobs.gears.assembly import (
     return_error,
     stages_facts,
 )
+from cadgen.jobs.gears.train_making import TrainMaking
 from cadgen.messages import Message, joined
-from cadgen.output.drawing.shaft_fit import ShaftFit
 from cadgen.output.files.manifest import Origin
 from cadgen.parts.print_compensation import PrintCompensation
 from cadgen.progress import Progress, silent
@@ -61,109 +60,6 @@ class NotMadeError(DesignError):
     def __init__(self, message: str, ranked: tuple[TrainPlay, ...], baseline: TrainPlay) -> None:
         super().__init__(message)
         self.ranked, self.baseline = ranked, baseline
-
-
-@dataclass(frozen=True, slots=True)
-class ShaftMaking:
-    """Material and fits of the part on a shaft, for its drawing.
-
-    Attributes:
-        place: place of the shaft in the train, a key of the design.
-        word: word for it.
-        material: material of the part; None where the design does not say.
-        fit: fits and joint of its bore.
-        bored: whether it has a bore, and thus a fit to be stated.
-    """
-
-    place: str
-    word: str
-    material: str | None
-    fit: ShaftFit
-    bored: bool
-
-
-@dataclass(frozen=True, slots=True)
-class TrainMaking:
-    """Materials and fits of a train for its drawings.
-
-    Attributes:
-        drive: part on the drive's shaft.
-        intermediate: part on each shaft between.
-        own: parts on shafts between that have features of their own, by the number of the shaft.
-        output: part on the camshaft.
-        beside: parts beside the shafts, as planets are.
-        plate: material of the plates; None where the design does not say.
-        holes: fit of their holes; None where the design does not say.
-        plate_thickness: thickness of the plates, mm; None where the design does not say.
-        bearing_bores: bores for bearings, mm, one for all shafts or one each; None for holes as large as the shafts.
-    """
-
-    drive: ShaftMaking
-    intermediate: ShaftMaking
-    own: Mapping[int, ShaftMaking]
-    output: ShaftMaking
-    beside: ShaftMaking
-    plate: str | None
-    holes: str | None
-    plate_thickness: float | None
-    bearing_bores: tuple[float, ...] | None
-
-    @classmethod
-    def of(cls, keys: TrainSection) -> TrainMaking:
-        """Making by the keys of a train."""
-
-        def shaft(place: str, given: GearBlankSection, word: str = "") -> ShaftMaking:
-            fit = ShaftFit.of(given, given.bore_fit, given.hub.set_screw_thread if given.hub else None)
-            material = given.material or keys.material
-            return ShaftMaking(place, word or Message(place), material, fit, bored=given.bore_diameter_mm > 0)
-
-        plate = keys.plate or PlateSection()
-        return cls(
-            shaft("drive", keys.drive),
-            shaft("intermediate", keys.intermediate),
-            {
-                each.shaft: shaft(f"shafts.{place}", each, Message("shaft {number}", number=each.shaft))
-                for place, each in enumerate(keys.shafts or (), 1)
-            },
-            shaft("output", keys.output),
-            shaft("beside", GearBlankSection()),
-            plate.material,
-            plate.hole_fit,
-            plate.thickness_mm,
-            plate.bearing_bores_mm,
-        )
-
-    def shaft(self, number: int, shafts: int) -> ShaftMaking:
-        """Making of the part on a shaft.
-
-        Args:
-            number: number of the shaft, from 1 at the drive; of a part beside the shafts, a greater one.
-            shafts: how many there are.
-        """
-        if number > shafts:
-            return self.beside
-        if number in (1, shafts):
-            return self.drive if number == 1 else self.output
-        return self.own.get(number, self.intermediate)
-
-    def open_keys(self, shafts: int) -> dict[str, str]:
-        """Facts that the sheets leave open, each with its key.
-
-        Args:
-            shafts: how many shafts there are.
-        """
-        each = [self.shaft(number, shafts) for number in range(1, shafts + 1)]
-        keys: dict[str, str] = {}
-        if not all(part.material for part in each):
-            keys[Message("material of the gears")] = "train.material"
-        for part in each:
-            if part.bored and not part.fit.bore:
-                keys[Message("fit of the bore, {place}", place=part.word)] = f"train.{part.place}.bore_fit"
-        if not self.plate:
-            keys[Message("material of the plates")] = "train.plate.material"
-        if not self.holes:
-            keys[Message("fit of the plates' holes")] = "train.plate.hole_fit"
-        return keys
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)

@@ -8,7 +8,7 @@ import numpy as np
 
 from cadgen.car.assembly.car_parts import Block
 from cadgen.car.assembly.frame import ForkBlock
-from cadgen.car.assembly.panels import Panel
+from cadgen.car.assembly.panels import BASE_COLOUR, PLATE_COLOUR, Panel
 from cadgen.design.machining import Machining
 from cadgen.figures import Facts
 from cadgen.messages import Message
@@ -16,7 +16,6 @@ from cadgen.output.files.dxf import alike, read_dxf, write_dxf
 from cadgen.output.files.publisher import Artifact, require
 from cadgen.output.files.step import one_solid
 
-PLATE_COLOUR, BASE_COLOUR = (0.62, 0.66, 0.70), (0.50, 0.54, 0.58)
 _STEP = 0.05  # mm between the points of an outline that is read back
 _PLACE_MM = 1e-6
 

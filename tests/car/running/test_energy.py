@@ -10,7 +10,7 @@ from cadgen.check import CheckCode
 from cadgen.design import cam_model
 from cadgen.design.load import load_design, with_overrides
 from cadgen.errors import DesignError
-from cadgen.jobs.cam.mechanics import energy_checks
+from cadgen.jobs.cam.mechanics import energy_checks, energy_reservations
 from cadgen.jobs.cam.steering_cam import plan_cam
 from tests.car.running.friction_truth import Rod, contact
 
@@ -143,5 +143,27 @@ def test_a_weight_falls_no_farther_than_its_string_comes_off_the_axle():
     assert f"{string:.0f} mm of string" in check.advice
     heavier = float(check.advice.split("drive.mass_kg at ")[1].split(",")[0])
     assert left(heavier, string, f"mechanics.car_mass_kg={1.4 + heavier}")[0].passed
-    few = left(1.0, 400.0, "mechanics.drive_energy_J=1.0")[0]
-    assert "mechanics.drive_energy_J" in few.advice
+    # A stated energy is raised as far as the fall has it, and no farther.
+    slow = "mechanics.rolling_resistance=0.003"
+    few = left(1.0, 400.0, "mechanics.drive_energy_J=1.0", slow)[0]
+    enough = few.advice.removeprefix("raise mechanics.drive_energy_J to ").split(",")[0]
+    assert left(1.0, 400.0, f"mechanics.drive_energy_J={enough}", slow)[0].passed
+    given = ["mechanics.drive_energy_J=3.0", "mechanics.rolling_resistance=0.011"]
+    few = left(1.0, 400.0, *given)[0]
+    fall = few.advice.removeprefix("leave mechanics.drive_energy_J out; raise drive.fall_mm to ").split(",")[0]
+    assert left(1.0, float(fall), given[1])[0].passed
+
+
+def test_a_weight_without_mechanics_is_judged_by_usual_values_that_are_named():
+    weight = '{kind="weight", mass_kg=1.0, size_mm=[50, 50, 65], fall_mm=400}'
+    design = load_design("workshop_car", [f"drive={weight}", "mechanics=", "tolerances.start_gap_deg="])
+    use = (cam := plan_cam(design, "actual", judged=False)).application
+    of_car = (use.track, use.steering, cam.follower_as_built, use.car, use.drive_wheel, 2.4)
+    (check,) = energy_checks(design, *of_car)
+    said = with_overrides(design, ["mechanics={rod_force_N=1.0, rolling_resistance=0.015}"])
+    assert energy_checks(said, *of_car) == (check,)
+    (held,) = energy_reservations(design)
+    assert "rod force of 1 N" in held.text
+    assert "rolling resistance of 0.015" in held.text
+    assert "[mechanics] rod_force_N" in held.cure
+    assert not energy_reservations(said)
