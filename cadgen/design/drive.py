@@ -7,7 +7,7 @@ from typing import Annotated
 from annotated_types import Le
 from pydantic import Field, Strict, model_validator
 
-from cadgen.design.section import WORD, DesignSection, Feature
+from cadgen.design.section import WORD, DesignSection, Feature, listed
 from cadgen.messages import Message
 
 _GRAVITY = 9.81  # m/s², as in `cadgen.car.running.energy`, which loads numpy
@@ -15,6 +15,8 @@ _Side = Annotated[Feature, Le(500)]
 
 
 MOST_FALL = 2000.0  # mm
+DRUM_WALL = 2.0  # mm, least wall of a drum on its axle
+_OF_A_WEIGHT = ("fall_mm", "start_height_mm", "drum_mm", "string_mm")
 
 
 class DriveKind(StrEnum):
@@ -40,7 +42,7 @@ class DriveSection(DesignSection):
         default=None,
         gt=0,
         le=MOST_FALL,
-        description="of a weight, by which it may fall in a run: no farther than the string that comes off the axle",
+        description="of a weight, by which it may fall in a run: no farther than its string comes off drum or axle",
     )
     start_height_mm: float | None = Field(
         default=None,
@@ -49,15 +51,28 @@ class DriveSection(DesignSection):
         description="of the weight's lower face over the floor before the run; left out, the lowest from which it "
         "does not meet the base",
     )
+    drum_mm: Feature | None = Field(
+        default=None,
+        le=500,
+        description="of a weight, diameter of a drum on the rear axle on which its string is wound; left out, the "
+        "axle itself, which then has a hole for the string",
+    )
+    string_mm: Feature = Field(default=1.0, le=5, description="of a weight, thickness of its string")
 
     @model_validator(mode="after")
     def _a_weight_falls(self) -> "DriveSection":
         if self.kind == DriveKind.MOTOR:
-            if (self.fall_mm, self.start_height_mm) != (None, None):
+            given = [f"drive.{key}" for key in _OF_A_WEIGHT if key in self.model_fields_set]
+            if given:
                 raise ValueError(
                     Message(
-                        "drive.fall_mm and drive.start_height_mm are of a weight, and drive.kind is motor: remove "
-                        'them, or set drive.kind to "weight"'
+                        '{keys} is of a weight, and drive.kind is motor: remove it, or set drive.kind to "weight"',
+                        keys=listed(given, "and"),
+                    )
+                    if len(given) == 1
+                    else Message(
+                        '{keys} are of a weight, and drive.kind is motor: remove them, or set drive.kind to "weight"',
+                        keys=listed(given, "and"),
                     )
                 )
             return self
@@ -85,6 +100,14 @@ class DriveSection(DesignSection):
                 )
             )
         return self
+
+    def wound(self, axle: float) -> float:
+        """Diameter of the middle of the wound string, mm: pi times that is let off in a turn of the wheel.
+
+        Args:
+            axle: diameter of the rear axle, mm.
+        """
+        return (self.drum_mm or axle) + self.string_mm
 
     def energy_of(self, most: float = inf) -> float | None:
         """Energy of a weight that falls, J; None of a motor.

@@ -27,7 +27,7 @@ from cadgen.design.as_built import AsBuiltSection
 from cadgen.design.blank import BlankSection
 from cadgen.design.course import CourseSection, OutlineSection
 from cadgen.design.disc import MotionCam, base_circle_radius, follower_motion
-from cadgen.design.drive import DriveSection
+from cadgen.design.drive import DRUM_WALL, DriveSection
 from cadgen.design.dynamics import DynamicsSection
 from cadgen.design.file_names import name_fault
 from cadgen.design.follower import FOLLOWER, FollowerSection, fitting_kinds, lifted_kinds
@@ -373,6 +373,17 @@ class TrainFile(DesignSection):
                 Message(
                     "[drive] stands on the base of [frame], which holds the parts where [layout] puts them: add "
                     "[layout] and [frame], which may be empty, or remove [drive]"
+                )
+            )
+        axle, drum = 0.0 if self.train is None else self.train.drive.bore_diameter_mm, self.drive.drum_mm
+        if drum is not None and drum < axle + 2 * DRUM_WALL:
+            raise ValueError(
+                Message(
+                    "drive.drum_mm is {drum:g}, and the rear axle in it is train.drive.bore_diameter_mm = {axle:g}: "
+                    "raise drum_mm to {least:g} or more, or leave it out, and the string is wound on the axle",
+                    drum=drum,
+                    axle=axle,
+                    least=axle + 2 * DRUM_WALL,
                 )
             )
         has, given = self.drive.energy_of(), None if keys is None else keys.drive_energy_J

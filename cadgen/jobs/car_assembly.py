@@ -29,6 +29,7 @@ from cadgen.car.assembly.car_parts import (
     still,
     together,
 )
+from cadgen.car.assembly.carried import Carried
 from cadgen.car.assembly.fork_sizes import (
     BRIDGE_HEIGHT,
     BRIDGE_LENGTH,
@@ -225,6 +226,13 @@ class _Parts:
     def fork_group(self) -> Group:
         return Group(GroupKind.FORK, axis=complex(self.site.base_radius, self.site.fork))
 
+    @cached_property
+    def weight(self) -> Carried | None:
+        """Drop weight at its place; None for a car without one."""
+        if self.car.design.drive is None or self.car.design.drive.fall_mm is None:
+            return None
+        return frame_in(self.car).frame.carried
+
     def every(self) -> Iterator[CarPart]:
         """All parts, in the order of the list."""
         yield self.disc()
@@ -233,6 +241,7 @@ class _Parts:
         yield from self.shafts()
         yield from self.bearings()
         yield from self.wheels()
+        yield from self.drum()
         yield from self.fork()
         yield from self.screws()
 
@@ -378,6 +387,10 @@ class _Parts:
                 if shaft == number
             )
             title = Message("shaft {shaft}", shaft=number)
+            drilled: tuple[Drilled, ...] = ()
+            if number == 1 and self.weight is not None and not self.weight.body.drum:
+                start = (0.0, -diameter / 2, self.weight.z - self.weight.body.winding / 2)
+                drilled = (Drilled(start, (0.0, 1.0, 0.0), self.weight.body.knot, diameter),)
             if number == 1:
                 title = Message("rear axle, shaft 1")
             elif number == len(self.groups):
@@ -385,7 +398,7 @@ class _Parts:
             yield CarPart(
                 code=f"shaft-{number}",
                 title=title,
-                shape=Block((Prism(circle((0.0, 0.0), diameter / 2), low, high),), cuts),
+                shape=Block((Prism(circle((0.0, 0.0), diameter / 2), low, high),), cuts, drilled),
                 places=(at(group.axis.real, group.axis.imag, 0.0),),
                 group=group,
                 material=_STEEL,
@@ -395,6 +408,25 @@ class _Parts:
                 shaft=number,
                 order=-1,
             )
+
+    def drum(self) -> Iterator[CarPart]:
+        """Drum of a weight's string on the rear axle."""
+        if self.weight is None or self.weight.turning is None:
+            return
+        axis, (_, low, _) = self.groups[0].axis, self.weight.turning
+        yield CarPart(
+            code="drum",
+            title=Message("drum of the string"),
+            shape=self.weight.drum,
+            places=(at(axis.real, axis.imag, low),),
+            group=self.groups[0],
+            material=Message("aluminium"),
+            density=DENSITY[DiscMaterial.ALUMINIUM] * 1e-3,
+            assumed=True,
+            colour=_BRASS,
+            shaft=1,
+            how=Message("flange with the hole to the right, bonded"),
+        )
 
     def bearings(self) -> Iterator[CarPart]:
         """Bearings in both plates, one part for each size."""

@@ -36,6 +36,7 @@ _CURES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("train.plate.thickness_mm", ("8", "10", "6")),
     ("frame.wall_mm", ("2", "1.5", "1")),
 )
+_SMALLER = (0.8, 0.6, 0.4, 0.3)  # shares of the diameter of a drum
 _WIDER = (5.0, 10.0, 20.0, 30.0, 40.0, 60.0, 80.0)  # mm by which the idle wheel is set farther out
 
 
@@ -172,10 +173,9 @@ class CarFrame(JobResult):
 
     def _drive_checks(self) -> Iterator[Check]:
         """Checks of room for weight or motor, and of the way that a weight falls."""
-        frame, sizes, body = self.frame, self.frame.sizes, self.frame.sizes.carried
+        frame, body = self.frame, self.frame.sizes.carried
         if body is None:
             return
-        needed = body.width(sizes.drive)
         yield Check(
             CheckCode.DRIVE_ROOM,
             Message("places for the {body} on the base", body=body.title),
@@ -183,17 +183,7 @@ class CarFrame(JobResult):
             "",
             1.0,
             Bound.MIN,
-            Message(
-                "{room:.1f} mm across the car are free between train and idle wheel, {needed:.1f} are needed",
-                room=frame.carried_room,
-                needed=ceil(10 * needed - 1e-6) / 10,
-            )
-            if frame.carried_room < needed
-            else Message(
-                "{room:.1f} mm across the car are free between train and idle wheel, but nowhere clear of openings, "
-                "screws and axle",
-                room=frame.carried_room,
-            ),
+            self._without_room(body),
         )
         if not body.fall:
             yield self._screw_check(body)
@@ -216,6 +206,28 @@ class CarFrame(JobResult):
             )
             if body.fall > more
             else Message("leave drive.start_height_mm out, or raise it to {start:.4g}", start=start + more),
+        )
+
+    def _without_room(self, body: CarriedBody) -> Message:
+        """Reason for which weight or motor has no place."""
+        room, needed = self.frame.carried_room, body.width(self.frame.sizes.drive)
+        if room < needed:
+            return Message(
+                "{room:.1f} mm across the car are free between train and idle wheel, {needed:.1f} are needed",
+                room=room,
+                needed=ceil(10 * needed - 1e-6) / 10,
+            )
+        over = self.frame.top - self.frame.arrangement.axes[0].imag - self.frame.site.clearance
+        if body.drum and over < body.reach:
+            return Message(
+                "the drum of the string has flanges of {size:.1f} mm, and the base lies {over:.1f} mm under the axle",
+                size=2 * body.reach,
+                over=over + self.frame.site.clearance,
+            )
+        return Message(
+            "{room:.1f} mm across the car are free between train and idle wheel, but nowhere clear of openings, "
+            "screws and axle",
+            room=room,
         )
 
     def _screw_check(self, body: CarriedBody) -> Check:
@@ -378,13 +390,13 @@ def frame_in(layout: CarLayout) -> CarFrame:
         travel=keys.slot_mm,
         stem=keys.micrometer_mm,
         drive=keys.drive_holes_mm,
-        carried=_carried(design),
+        carried=_carried(design, layout.bores[0]),
         seat=hole_class(plates.hole_fit) or _SEAT,
     )
     return CarFrame(design, layout, frame_of(sizes, layout.site, layout.arrangement, layout.shafts, layout.bores))
 
 
-def _carried(design: Design) -> CarriedBody | None:
+def _carried(design: Design, axle: float) -> CarriedBody | None:
     given = design.drive
     if given is None:
         return None
@@ -396,6 +408,9 @@ def _carried(design: Design) -> CarriedBody | None:
         mass=given.mass_kg,
         fall=given.fall_mm or 0.0,
         start=given.start_height_mm,
+        axle=axle,
+        drum=given.drum_mm or 0.0,
+        string=given.string_mm,
     )
 
 
@@ -407,7 +422,9 @@ def _rounding(value: float, limit: float) -> float:
 def _cure(design: Design, *, narrow: bool) -> Message | None:
     """Change of one key with which every check of the frame holds, tried; None if none helps."""
     wider = [f"{design.car.idle_wheel_offset_mm + more:g}" for more in _WIDER] if narrow else []
-    for key, values in (("car.idle_wheel_offset_mm", wider), *_CURES):
+    drum = 0.0 if design.drive is None else design.drive.drum_mm or 0.0
+    smaller = [f"{round(drum * share):g}" for share in _SMALLER] if narrow and drum else []
+    for key, values in (("car.idle_wheel_offset_mm", wider), ("drive.drum_mm", smaller), *_CURES):
         for value in values:
             if key == "frame.base_height_mm" and (design.frame is None or design.frame.base_height_mm is None):
                 continue

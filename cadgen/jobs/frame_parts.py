@@ -75,18 +75,19 @@ def _drive(carried: Carried) -> Iterator[CarPart]:
         supply=Supply.BOUGHT,
         standard=f"{body.along:g} x {body.tall:g}, {body.mass:g} kg" if body.fall else f"{size}, {body.mass:g} kg",
         how=Message(
-            "its string leads through the top plate, over a pulley of {size:.0f} mm, down to the rear axle, on which "
-            "it is wound by {turns:.1f} turns",
-            size=abs(carried.x - carried.axle),
-            turns=body.fall / (np.pi * carried.axle_diameter),
+            "its string leads through the top plate, over a pulley of {size:.1f} mm, down behind the rear axle, is "
+            "wound by {turns:.1f} turns of the wheels backwards on {what}, and is knotted behind the hole in it",
+            size=carried.pulley,
+            turns=body.turns,
+            what=Message("the drum") if body.drum else Message("the axle"),
         )
         if body.fall
         else Message("screwed to the base from below; its shaft drives the rear axle"),
     )
-    pulley = abs(carried.x - carried.axle)
+    long = f"{body.string:g} mm x {carried.tubes + body.fall + _KNOTS:.0f} mm"
     bought = (
-        ("pulley", Message("pulley of the string, in its bracket"), f"Ø{pulley:.0f}", _PULLEY),
-        ("string", Message("string"), f"1 mm x {carried.tubes + body.fall + _KNOTS:.0f} mm", 0.5),
+        ("pulley", Message("pulley of the string, in its bracket"), f"Ø{carried.pulley:.1f}", _PULLEY),
+        ("string", Message("string"), long, 0.5),
     )
     for code, title, standard, mass in bought if body.fall else ():
         yield CarPart(

@@ -24,6 +24,7 @@ _FITS: dict[str, tuple[str, str]] = {
     "fork-bridge": ("H7", ""),
     "fork-cheek": ("H7", ""),
     "rod": ("", "h6"),
+    "drum": ("H7", ""),
 }
 # Further notes by the code of the part.
 _NOTES = {
@@ -76,9 +77,13 @@ def part_sheets(assembly: CarAssembly, folder: Folder) -> Iterator[tuple[str, Dr
                 texts = replace(texts, fits=(*texts.fits, (widest, f" ±{within:g}")))
             yield stem, turned_drawing(steps, hole, (), texts, title)
         elif isinstance(shape, Block) and shape.prisms[0].outline.is_circle:
-            steps = [TurnedStep(each.low, each.high, 2 * float(each.outline.radii[0]), 0.0) for each in shape.prisms]
+            steps = [
+                TurnedStep(each.low, each.high, 2 * float(each.outline.radii[0]), _bore(each), _beside(each))
+                for each in shape.prisms
+            ]
             seats = [(seat.low, seat.high, _seat_size(seat)[0]) for seat in shape.cuts]
-            yield stem, turned_drawing(steps, None, seats, _texts(part, steps, None, None), title)
+            through = next(((each.diameter, each.start[2]) for each in shape.drilled), None)
+            yield stem, turned_drawing(steps, None, seats, _texts(part, steps, None, None), title, through=through)
         elif isinstance(shape, Block):
             inside, _ = _FITS.get(part.code, ("", ""))
             sizes = sorted({round(2 * float(hole.radii[0]), 6) for hole in shape.prisms[0].holes})
@@ -104,6 +109,16 @@ def _texts(
     if part.code in _NOTES:
         notes.append(_NOTES[part.code])
     shape, width = part.shape, ""
+    for away, across in (step.beside for step in steps):
+        if across:
+            notes.append(
+                Message(
+                    "Hole for the string through the flange at the left end: Ø{size:g}, its middle {radius} mm from "
+                    "the axis.",
+                    size=across,
+                    radius=rounded(away, 2),
+                )
+            )
     for seat in shape.cuts if isinstance(shape, Block) else ():
         notes.append(_seat(seat, shape.cuts[0] if isinstance(shape, Block) else seat, steps))
         width = _zone(_seat_size(seat)[0], "P9")
@@ -114,6 +129,17 @@ def _texts(
         seat=width,
         texture=_TEXTURES.get(part.code, ""),
     )
+
+
+def _bore(prism: Prism) -> float:
+    """Diameter of the hole on the axis of a round prism, mm; 0 without one."""
+    return next((2 * float(hole.radii[0]) for hole in prism.holes if not np.any(hole.centers[0])), 0.0)
+
+
+def _beside(prism: Prism) -> tuple[float, float]:
+    """Distance of a hole beside the bore of a round prism from the axis, and its diameter, mm; zeros without one."""
+    holes = (hole for hole in prism.holes if np.any(hole.centers[0]))
+    return next(((float(np.hypot(*hole.centers[0])), 2 * float(hole.radii[0])) for hole in holes), (0.0, 0.0))
 
 
 def _seat(seat: Prism, first: Prism, steps: list[TurnedStep]) -> Message:

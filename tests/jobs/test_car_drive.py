@@ -4,12 +4,20 @@ import numpy as np
 import pytest
 
 from cadgen import Design, DesignError
-from cadgen.check import CheckCode, failing
-from cadgen.jobs.car_frame import CarFrame, car_frame
+from cadgen.check import Check, CheckCode, failing
+from cadgen.design.load import load_design
+from cadgen.jobs.assembly_checks import verdict_on_car
+from cadgen.jobs.cam.steering_cam import plan_cam
+from cadgen.jobs.car_assembly import parts_in
+from cadgen.jobs.car_frame import CarFrame, car_frame, frame_in
 from cadgen.jobs.frame_parts import frame_parts
 
 WEIGHT = "drive={kind='weight', mass_kg=1.0, size_mm=[50, 50, 65], fall_mm=400}"
 MOTOR = "drive={kind='motor', mass_kg=0.1, size_mm=[40, 30, 25]}"
+
+
+def with_drum(drum: float, fall: float = 400) -> str:
+    return f"drive={{kind='weight', mass_kg=1.0, size_mm=[50, 50, 65], fall_mm={fall}, drum_mm={drum:g}}}"
 
 
 def frame_of(*overrides: str) -> CarFrame:
@@ -31,8 +39,9 @@ def test_a_weight_stands_between_train_and_idle_wheel(weight: CarFrame) -> None:
     # Clear of the rear axle of 5 mm by the clearance or more, and its string leads plumb to it.
     axle = frame.arrangement.axes[0].real
     assert abs(carried.x - axle) >= 25 + 2.5 + site.clearance
+    # It comes up behind the axle, whose rear moves up as the car drives ahead: 3 mm to the middle of a string of 1 mm.
     strings = {(-hole.u, -hole.v) for hole in carried.top.holes if hole.name == "string"}
-    assert strings == {(carried.x, carried.z), (axle, carried.z)}
+    assert strings == {(carried.x, carried.z), (axle - 3.0, carried.z)}
     # It ends a clearance over the base, after 400 mm.
     assert carried.low - carried.high == pytest.approx(400)
     assert frame.top - carried.low == pytest.approx(site.clearance)
@@ -59,6 +68,71 @@ def test_the_mass_counts_and_moves_the_centre(weight: CarFrame) -> None:
     assert "guide-top" not in motor
 
 
+def test_a_drum_stands_on_the_axle_clear_of_base_and_weight() -> None:
+    """Fall per turn of the wheel, against the string that a run takes off by the check of the energy."""
+    design = load_design("workshop_car", ["mechanics.drive_energy_J=", with_drum(20, fall=1500)])
+    cam = plan_cam(design, "actual", judged=False)
+    parts = parts_in(cam.application.in_car, cam)
+    drum, axle = parts.part("drum"), parts.part("shaft-1")
+    made = frame_in(parts.layout)
+    carried, site = made.frame.carried, made.frame.site
+    assert made.passed
+    assert drum.places[0][:2, 3] == pytest.approx(axle.places[0][:2, 3])
+    low, high = drum.heights(drum.places[0])
+    # One layer of string: its turns of 1 mm fit between the flanges of 3 mm, which the weight's middle halves.
+    turns = 1500 / (np.pi * 21)
+    assert high - low - 6 >= turns + 1
+    assert (low + high) / 2 == pytest.approx(carried.z)
+    # The flanges are 27 mm across: clear of base and weight.
+    assert made.frame.top - axle.places[0][1, 3] >= 13.5 + site.clearance
+    assert abs(carried.x - axle.places[0][0, 3]) >= 25 + 13.5 + site.clearance
+    assert drum.each == pytest.approx(2.7e-3 * np.pi / 4 * (6 * (27**2 - 25) + (high - low - 6) * (400 - 25)), rel=3e-3)
+    assert axle.shape.drilled == ()
+    (energy,) = (check for check in verdict_on_car(cam).checks if check.code == CheckCode.ENERGY_LEFT)
+    wheel = cam.application.drive_wheel
+    let_off = wheel.turn * wheel.finish / (2 * np.pi) / (2 * np.pi * site.wheel_radius) * np.pi * 21
+    assert let_off > 1000
+    assert energy.place.startswith(f"of {9.81e-3 * min(1500, let_off):g} J"[:8])
+
+
+def test_without_a_drum_the_axle_has_the_strings_hole(weight: CarFrame) -> None:
+    cam = plan_cam(weight.design, "actual", judged=False)
+    parts = parts_in(cam.application.in_car, cam)
+    assert "drum" not in {part.code for part in parts.parts}
+    (hole,) = parts.part("shaft-1").shape.drilled
+    body = weight.frame.carried.body
+    assert (hole.diameter, hole.depth) == (1.5, 5.0)
+    # At one end of the winding: 21.2 turns of 1 mm.
+    assert body.turns == pytest.approx(400 / (np.pi * 6))
+    assert hole.start[2] == pytest.approx(weight.frame.carried.z - body.winding / 2)
+    assert body.winding >= body.turns
+
+
+def test_cures_of_the_energy_pass_when_they_are_put_in() -> None:
+    """A longer fall has a longer guide, which rolls along; a drum lets the string off faster."""
+    tried = set()
+    for rolling in (0.015, 0.02):
+        given = ["mechanics.drive_energy_J=", f"mechanics.rolling_resistance={rolling}"]
+
+        def left(*more: str, given: list[str] = given) -> Check:
+            cam = plan_cam(load_design("workshop_car", [*given, *more]), "actual", judged=False)
+            (check,) = (check for check in verdict_on_car(cam).checks if check.code == CheckCode.ENERGY_LEFT)
+            return check
+
+        lacks = left(WEIGHT)
+        assert not lacks.passed
+        fall = float(lacks.advice.split("drive.fall_mm to ")[1].split(",")[0].split(" ")[0])
+        drum = lacks.advice.split("drive.drum_mm = ")[1].split(",")[0] if "drum_mm" in lacks.advice else ""
+        tried.add(bool(drum))
+        assert 0 <= left(with_drum(float(drum), fall) if drum else WEIGHT.replace("400", f"{fall:g}")).value < 0.15
+    assert tried == {False, True}
+
+
+def test_a_small_weight_has_the_pulleys_screws_outside_its_tubes() -> None:
+    small = "drive={kind='weight', mass_kg=0.1, size_mm=[10, 10, 65], fall_mm=200}"
+    assert frame_of(small).passed
+
+
 def test_a_motor_is_screwed_to_the_base() -> None:
     made = frame_of(MOTOR)
     assert made.passed
@@ -73,6 +147,7 @@ def test_a_motor_is_screwed_to_the_base() -> None:
     ("changes", "code"),
     [
         ({"size_mm": [130, 130, 10]}, CheckCode.DRIVE_ROOM),
+        ({"drum_mm": 60}, CheckCode.DRIVE_ROOM),
         ({"start_height_mm": 410}, CheckCode.DRIVE_FALL),
     ],
 )
@@ -83,7 +158,7 @@ def test_what_does_not_fit_names_a_cure_that_helps(changes: dict[str, object], c
     (check,) = (check for check in made.checks if check.code == code)
     if code == CheckCode.DRIVE_ROOM:
         key, value = check.advice.removeprefix("set ").split(" to ")
-        assert key == "car.idle_wheel_offset_mm"
+        assert key == ("drive.drum_mm" if "drum_mm" in changes else "car.idle_wheel_offset_mm")
         assert frame_of(*overrides, f"{key}={value}").passed
     else:
         start, fall = (float(check.advice.split(f"{word} to ")[1].split(",")[0]) for word in ("it", "drive.fall_mm"))
@@ -120,6 +195,8 @@ def test_a_motor_smaller_than_its_holes_fails_with_its_size() -> None:
         ([WEIGHT, "drive.fall_mm="], r"give drive\.fall_mm, such as 400"),
         ([WEIGHT, "drive.size_mm=[50, 40, 65]"], "a weight is round"),
         ([MOTOR, "drive.fall_mm=400"], "of a weight, and drive.kind is motor"),
+        ([MOTOR, "drive.drum_mm=20"], r"drive\.drum_mm is of a weight, and drive.kind is motor"),
+        ([WEIGHT, "drive.drum_mm=7"], r"raise drum_mm to 9 or more"),
         ([WEIGHT, "frame="], r"\[drive\] stands on the base of \[frame\]"),
         ([WEIGHT, "mechanics.drive_energy_J=5"], r"that falls drive\.fall_mm = 400 mm has 3\.92 J"),
     ],

@@ -841,24 +841,25 @@ class _Maker:
                 taken_by(self.screws, sizes.screw.head_diameter),
                 self._beside(),
                 self.axle.real,
-                self.bores[0] / 2,
+                body.reach if body.fall else self.bores[0] / 2,
                 body.holes(sizes.drive),
                 sizes.screw.hole / 2 + sizes.wall,
                 site.clearance,
             ),
             None,
         )
-        if found is None:
+        if found is None or (body.drum and self.top - self.axle.imag < body.reach + site.clearance):
             return []
         self.carried = carried_at(
             body,
             found,
-            axle=(self.axle.real, self.bores[0]),
+            axle=self.axle,
             floor=self.found.height,
             base_top=self.top,
             clearance=site.clearance,
             screw=sizes.screw,
             thickness=sizes.base,
+            wall=sizes.wall,
         )
         name = Message("rod of the guide") if body.fall else Message("motor")
         return [SheetHole(name, -x, -z, sizes.screw.hole) for x, z in self.carried.corners(sizes.drive)]

@@ -1,6 +1,7 @@
 """Effect of friction and drag on a cam, in checks and in words; the energy of a run."""
 
-from math import degrees, inf, pi
+from math import ceil, degrees, inf, pi
+from typing import NamedTuple
 
 import numpy as np
 
@@ -20,7 +21,7 @@ from cadgen.car.running.run_errors import run_error
 from cadgen.car.steering import Car, wheel_curvature, wheel_tangent, wheel_travel_ratio
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.design import variation
-from cadgen.design.drive import MOST_FALL, DriveSection
+from cadgen.design.drive import DRUM_WALL, MOST_FALL, DriveSection
 from cadgen.design.play import MechanicsSection
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
@@ -38,6 +39,8 @@ _SHOWN = 1.0  # mm; less at the end is not worth a sentence
 STAGE_EFFICIENCY = 0.97  # of a pair of spur gears and its bearings, where the design does not say
 ROLLING_RESISTANCE = 0.015  # of hard wheels on a floor with their bearings, where the design does not say
 _ENERGY_STEPS = 2000
+_SPARE = 1.01  # factor on a fall or mass that is named as a cure
+_TUBE, _TUBE_BORE = 6.0, 4.0  # mm, as in `cadgen.car.assembly.carried`, which loads shapely
 
 
 def rubbing(task: PlayTask, band: PlayBand, chosen: Evaluation, plain: Evaluation) -> tuple[float, str]:
@@ -324,7 +327,7 @@ def energy_checks(
     if keys is None or mass is None:
         return ()
     unwound = _unwound(design, wheel)
-    falls = None if design.drive is None else design.drive.energy_of(unwound)
+    falls = None if design.drive is None else design.drive.energy_of(unwound.length)
     has = falls if keys.drive_energy_J is None else min(keys.drive_energy_J, inf if falls is None else falls)
     if has is None:
         return ()
@@ -344,8 +347,11 @@ def energy_checks(
     name = Message("energy left at the end of the path")
     if keys.car_mass_kg is None and design.drive is None:
         name = Message("energy left at the end of the path, motor or weight not counted in the mass")
+    guide = _guide(design) if keys.car_mass_kg is None else 0.0
     return (
-        _energy_check(spent, has, falls, name, design.drive, unwound, mass, stated=keys.drive_energy_J is not None),
+        _energy_check(
+            spent, has, falls, name, design.drive, unwound, mass, guide, stated=keys.drive_energy_J is not None
+        ),
     )
 
 
@@ -373,19 +379,32 @@ def _assumed(design: Design) -> bool:
     return design.mechanics is None and design.drive is not None and design.drive.fall_mm is not None
 
 
-def _unwound(design: Design, wheel: DriveWheel) -> float:
-    """Length of string that a run takes off the axle of the drive wheel, mm: pi d for a turn of the wheel.
+class _Unwound(NamedTuple):
+    """String that a run takes off drum or axle; a weight cannot fall farther.
 
-    A weight cannot fall farther in a run than that.
+    Attributes:
+        length: its length, mm: pi d for a turn of the axle, d being the diameter of the middle of the wound string.
+        turns: turns of the axle.
+        drum: diameter of the least drum for the axle, mm.
+    """
+
+    length: float
+    turns: float
+    drum: float
+
+
+def _unwound(design: Design, wheel: DriveWheel) -> _Unwound:
+    """String that a run takes off drum or axle.
 
     Args:
         design: design of the car.
         wheel: drive wheel that the cam is for.
     """
     axle = 0.0 if design.train is None else design.train.drive.bore_diameter_mm or 0.0
-    if not axle or not wheel.radius:
-        return inf
-    return wheel.turn * wheel.finish / (2 * pi) / wheel.radius * axle / 2
+    if not axle or not wheel.radius or design.drive is None:
+        return _Unwound(inf, inf, 0.0)
+    turns = wheel.turn * wheel.finish / (2 * pi) / (2 * pi * wheel.radius)
+    return _Unwound(turns * pi * design.drive.wound(axle), turns, axle + 2 * DRUM_WALL)
 
 
 def _energy_check(
@@ -394,8 +413,9 @@ def _energy_check(
     falls: float | None,
     name: Message,
     drive: DriveSection | None,
-    unwound: float,
+    unwound: _Unwound,
     mass: float,
+    guide: float,
     *,
     stated: bool,
 ) -> Check:
@@ -404,29 +424,8 @@ def _energy_check(
         needed=1.005 * spent.needed,
     )
     # What a stated energy lacks no longer fall gives, unless it is more than all that the weight has.
-    if drive is None or drive.fall_mm is None or falls is None or 1.005 * spent.needed <= falls:
-        pass
-    elif (farther := 1.02 * drive.fall_mm * spent.needed / falls) > min(unwound, MOST_FALL):  # longer tubes weigh more
-        advice = Message(
-            "a run takes {unwound:.0f} mm of string off the axle, and a weight falls no farther: make the axle thicker "
-            "(train.drive.bore_diameter_mm), or lower the rolling resistance, the brake's drag or the rod's force",
-            unwound=unwound,
-        )
-        # A heavier weight rolls on the wheels, too.
-        rolled = spent.rolling / mass
-        if (more := GRAVITY * unwound * 1e-3 - rolled) > 0:
-            advice = Message(
-                "a run takes {unwound:.0f} mm of string off the axle, and a weight falls no farther: let it fall by "
-                "that, with drive.mass_kg at {heavier:.3g}, or make the axle thicker (train.drive.bore_diameter_mm)",
-                unwound=unwound,
-                heavier=1.02 * (spent.needed - rolled * drive.mass_kg) / more,
-            )
-    else:
-        advice = Message(
-            "raise drive.fall_mm to {fall:.0f}, or lower the car's mass, its rolling resistance, the brake's drag or "
-            "the rod's force",
-            fall=farther,
-        )
+    if drive is not None and falls is not None and 1.005 * spent.needed > falls:
+        advice = _fall_advice(spent, drive, unwound, mass, guide)
     if stated and falls is not None and 1.005 * spent.needed > falls:
         advice = Message("leave mechanics.drive_energy_J out; {advice}", advice=advice)
     return Check(
@@ -446,3 +445,47 @@ def _energy_check(
         ),
         advice,
     )
+
+
+def _fall_advice(spent: RunEnergy, drive: DriveSection, unwound: _Unwound, mass: float, guide: float) -> Message:
+    """Fall, drum or mass of a weight with which the run has its energy.
+
+    Args:
+        spent: energies of the run.
+        drive: weight.
+        unwound: string that a run takes off.
+        mass: mass of the car, kg.
+        guide: mass by which the guide grows with the fall, kg/mm.
+    """
+    most, fall = unwound.length, drive.fall_mm or 0.0
+    rolled = spent.rolling / mass  # J/kg: what the car gains in mass rolls on its wheels, too
+    gained = drive.mass_kg * GRAVITY * 1e-3 - rolled * guide  # J/mm
+    farther = _SPARE * (spent.needed - rolled * guide * fall) / gained if gained > 0 else inf
+    if farther <= min(most, MOST_FALL):
+        return Message(
+            "raise drive.fall_mm to {fall:.0f}, or lower the car's mass, its rolling resistance, the brake's drag or "
+            "the rod's force",
+            fall=farther,
+        )
+    if farther <= MOST_FALL:
+        return Message(
+            "a run takes {unwound:.0f} mm of string off, and a weight falls no farther: raise drive.fall_mm to "
+            "{fall:.0f} with drive.drum_mm = {drum:g}, a drum for it on the axle",
+            unwound=most,
+            fall=farther,
+            drum=max(ceil(2 * (farther / (pi * unwound.turns) - drive.string_mm)) / 2, unwound.drum),
+        )
+    if (more := GRAVITY * most * 1e-3 - rolled) > 0:
+        return Message(
+            "a run takes {unwound:.0f} mm of string off, and a weight falls no farther: let it fall by that, with "
+            "drive.mass_kg at {heavier:.3g}",
+            unwound=most,
+            heavier=_SPARE * (spent.needed + rolled * guide * (most - fall) - rolled * drive.mass_kg) / more,
+        )
+    return Message("lower the car's mass, its rolling resistance, the brake's drag or the rod's force")
+
+
+def _guide(design: Design) -> float:
+    """Mass by which the guide of a weight grows with the fall, kg/mm: four tubes of aluminium with rods of steel."""
+    screw = 3.0 if design.frame is None else float(design.frame.screws.value[1:])
+    return pi * ((_TUBE**2 - _TUBE_BORE**2) * 2.7e-6 + screw**2 * 7.85e-6)

@@ -71,12 +71,14 @@ class TurnedStep(NamedTuple):
         high: height at which it ends, mm.
         diameter: outer diameter, mm.
         bore: diameter of its bore, mm; 0 for none.
+        beside: distance of a hole beside the bore from the axis, and its diameter, mm; zeros for none.
     """
 
     low: float
     high: float
     diameter: float
     bore: float
+    beside: tuple[float, float] = (0.0, 0.0)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -112,6 +114,8 @@ def turned_drawing(
     seats: Sequence[tuple[float, float, float]],
     texts: PartTexts,
     title: Title,
+    *,
+    through: tuple[float, float] | None = None,
 ) -> DrawingSheet:
     """Sheet of a turned part, in section through its axis, which lies level; lengths count from its left end.
 
@@ -121,6 +125,7 @@ def turned_drawing(
         seats: low and high end and width of each seat of a key, seen from above it, mm.
         texts: notes, and classes of diameters.
         title: title block.
+        through: diameter and height of a plain hole across the whole part, mm; None without one.
     """
     low, high = steps[0].low, steps[-1].high
     reach = max(step.diameter for step in steps) / 2
@@ -138,7 +143,18 @@ def turned_drawing(
             inner, outer = side * step.bore / 2, side * step.diameter / 2
             corners = np.array([[step.low, inner], [step.high, inner], [step.high, outer], [step.low, outer]])
             curves.append(Closed(Contour(corners[::side], np.zeros(4))))
-            hatches.append(Hatch(corners))
+            away, across = step.beside
+            if side < 0 or not across:
+                hatches.append(Hatch(corners))
+                continue
+            for one, other in ((inner, away - across / 2), (away + across / 2, outer)):
+                hatches.append(
+                    Hatch(np.array([[step.low, one], [step.high, one], [step.high, other], [step.low, other]]))
+                )
+            for height in (away - across / 2, away + across / 2):
+                curves.append(Stroke(np.array([[step.low, height], [step.high, height]])))
+            line = np.array([[step.low - 0.3 * gap, away], [step.high + 0.3 * gap, away]])
+            curves.append(Stroke(line, LineKind.CENTRE))
     axis = np.array([[low - 0.6 * gap, 0.0], [high + 0.6 * gap, 0.0]])
     curves.append(Stroke(axis, LineKind.CENTRE))
     dimensions: list[Dimension] = []
@@ -186,6 +202,23 @@ def turned_drawing(
                 prefix="M" if tapped else DIAMETER,
                 suffix=suffix,
                 beside=scale * width / 2 + _tail(scale * width) + long / 2 + 2.5,
+            ),
+        ]
+    if through is not None:
+        across, at_z = through
+        outer = next(step.diameter / 2 for step in steps if step.low < at_z < step.high)
+        over = np.array([[at_z, -outer - 0.5 * gap], [at_z, outer + 0.5 * gap]])
+        curves.append(Stroke(over, LineKind.CENTRE))
+        for off in (-across / 2, across / 2):
+            curves.append(Stroke(np.array([[at_z + off, -outer], [at_z + off, outer]])))
+        above = reach + gap + 2 * len(seats) * step_out
+        long = TEXT * _LETTER * (len(rounded(across)) + 1)
+        dimensions += [
+            along_axis("hole for the string from the left end", (low, at_z), outer, above + step_out),
+            replace(
+                along_axis("hole for the string", (at_z - across / 2, at_z + across / 2), outer, above),
+                prefix=DIAMETER,
+                beside=scale * across / 2 + _tail(scale * across) + long / 2 + 2.5,
             ),
         ]
     for number, (start, end, width) in enumerate(seats, 1):

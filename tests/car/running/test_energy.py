@@ -99,7 +99,7 @@ def test_a_weight_on_board_is_carried_and_just_brings_the_car_home():
     assert left[0] < 3.924
     found = 0.01 * left[0] / (left[0] - left[1])
     axle = design.train.drive.bore_diameter_mm / 2
-    lever = axle / (turn / (2 * np.pi * 45))  # of the string by the wheel: 45 turns to one of the cam
+    lever = (axle + 0.5) / (turn / (2 * np.pi * 45))  # of the string by the wheel: 45 turns to one of the cam
     end = stop / (2 * np.pi) * turn * 1e-3
     low, high = 0.5 * found, 2 * found
     while high - low > 0.002 * low:
@@ -134,15 +134,16 @@ def test_a_weight_falls_no_farther_than_its_string_comes_off_the_axle():
         (check,) = energy_checks(design, use.track, use.steering, cam.follower_as_built, use.car, use.drive_wheel)
         return check, use, design
 
-    (check, use, design) = left(1.0, 1200.0)
+    (check, use, design) = left(1.0, 1000.0)
     turns = use.drive_wheel.turn * use.drive_wheel.finish / (2 * np.pi) / (2 * np.pi * use.drive_wheel.radius)
-    string = turns * np.pi * design.train.drive.bore_diameter_mm
-    assert 500 < string < 1200
+    string = turns * np.pi * (design.train.drive.bore_diameter_mm + 1.0)  # to the middle of a string of 1 mm
+    assert 500 < string < 1000
     assert f"of {9.81e-3 * string:g}"[:7] in check.place
     assert left(1.0, 2000.0)[0].value == pytest.approx(check.value, abs=1e-9)
     assert f"{string:.0f} mm of string" in check.advice
-    heavier = float(check.advice.split("drive.mass_kg at ")[1].split(",")[0])
-    assert left(heavier, string, f"mechanics.car_mass_kg={1.4 + heavier}")[0].passed
+    rough = ["mechanics.car_mass_kg=3.2", "mechanics.rolling_resistance=0.04"]  # no fall of 2 m or less suffices
+    heavier = float(left(1.0, 1000.0, *rough)[0].advice.split("drive.mass_kg at ")[1].split(",")[0])
+    assert left(heavier, string, *rough, f"mechanics.car_mass_kg={2.2 + heavier}")[0].passed
     # A stated energy is raised as far as the fall has it, and no farther.
     slow = "mechanics.rolling_resistance=0.003"
     few = left(1.0, 400.0, "mechanics.drive_energy_J=1.0", slow)[0]
