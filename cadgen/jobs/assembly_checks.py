@@ -11,7 +11,7 @@ from cadgen.check import Bound, Check, CheckCode
 from cadgen.errors import DesignError
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.mechanics import energy_checks, energy_reservations
-from cadgen.jobs.cam.steering_cam import CarUse
+from cadgen.jobs.cam.steered_car import SteeredCar
 from cadgen.jobs.car_assembly import PlacedParts, parts_in
 from cadgen.messages import Message
 from cadgen.verdict import PartVerdict, Reservation
@@ -25,18 +25,17 @@ def verdict_on_car(cam: CamPlan) -> PartVerdict:
     Args:
         cam: cam of a car.
     """
-    use = CarUse.of(cam)
+    use = SteeredCar.of(cam)
     held_back = energy_reservations(use.design)
-    if use.in_car is not None:
-        try:
-            parts = parts_in(use.in_car, cam)
-            if parts is not None:
-                return PartVerdict(assembly_checks(parts), held_back)
-        except DesignError as error:
-            text = Message(
-                "the parts of the car cannot be put together, so nothing is known of its mass, tipping and energy"
-            )
-            held_back = (*held_back, Reservation("car-not-put-together", text, error.message))
+    try:
+        parts = None if use.in_car is None else parts_in(use.in_car, cam)
+        if parts is not None:
+            return PartVerdict(assembly_checks(parts), held_back)
+    except DesignError as error:
+        text = Message(
+            "the parts of the car cannot be put together, so nothing is known of its mass, tipping and energy"
+        )
+        held_back = (*held_back, Reservation("car-not-put-together", text, error.message))
     spent = energy_checks(use.design, use.track, use.wanted, cam.follower_as_built, use.car, use.drive_wheel)
     return PartVerdict(spent, held_back)
 

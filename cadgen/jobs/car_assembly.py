@@ -57,7 +57,7 @@ from cadgen.design import gear_model
 from cadgen.errors import DesignError
 from cadgen.gears.layout import TrainLayout
 from cadgen.jobs.cam.cam_plan import DENSITY, CamPlan
-from cadgen.jobs.cam.steering_cam import CarUse
+from cadgen.jobs.cam.steered_car import SteeredCar
 from cadgen.jobs.car_frame import frame_in
 from cadgen.jobs.car_layout import CarLayout, train_in_car
 from cadgen.jobs.frame_parts import frame_parts, known_material
@@ -97,9 +97,9 @@ class PlacedParts:
     parts: tuple[CarPart, ...]
 
     @cached_property
-    def use(self) -> CarUse:
+    def use(self) -> SteeredCar:
         """Car that the cam steers."""
-        return CarUse.of(self.cam)
+        return SteeredCar.of(self.cam)
 
     def fork_angle(self, cam_angle: float) -> float:
         """Angle of the fork about y with the rod on the disc, rad.

@@ -6,6 +6,7 @@
 | `force_figures` | forces on a follower and its camshaft in checks                           |
 | `motion_figures` | peaks, seams and table of a motion                                       |
 | `motion_cam` | a cam by its motion: its use, plan and checks                                |
+| `steered_car` | a car that a cam steers, as far as its parts and their energy go by it        |
 | `steering_cam` | a car's cam: the car as its use, plan and checks                           |
 | `cures`      | changes of one key that cure lost lift, each proved                          |
 | `cam_facts`  | plan and cures as plain values                                               |

@@ -40,11 +40,11 @@ from cadgen.figures import Facts, Figures
 from cadgen.gears.train import OnceATurn
 from cadgen.inference.monte_carlo.random_cars import Tolerances
 from cadgen.jobs.cam.built_car import as_built_sentences, assumed_play, outlook_checks, outlook_sentence
-from cadgen.jobs.cam.cam_plan import Application, CamPlan, Making, steepest
+from cadgen.jobs.cam.cam_plan import CamPlan, Making, steepest
 from cadgen.jobs.cam.car_facts import as_built_facts, comparison_facts
 from cadgen.jobs.cam.comparison import MeasuredCam, PlayComparison, ProfileChecks, against_play, known_trains, task_of
 from cadgen.jobs.cam.course import OnCourse, course_checks, floor_with, on_course
-from cadgen.jobs.cam.mechanics import joint_sentences, mechanics_checks, start_sentence
+from cadgen.jobs.cam.mechanics import energy_checks, joint_sentences, mechanics_checks, start_sentence
 from cadgen.jobs.cam.path_check import cut_checks, lost_lift_check, lost_lift_reservation, path_checks
 from cadgen.jobs.cam.readiness import (
     CourseYield,
@@ -54,6 +54,7 @@ from cadgen.jobs.cam.readiness import (
     wheel_checks,
     yield_check,
 )
+from cadgen.jobs.cam.steered_car import SteeredCar
 from cadgen.jobs.cam.wheel import DriveWheel, drive_wheel, field_notice, sense_of_train
 from cadgen.jobs.car_layout import CarLayout, laid_out, layout_reservation
 from cadgen.laws.motion import Motion
@@ -72,7 +73,7 @@ _STEEP = (CheckCode.PRESSURE_ANGLE_RISE, CheckCode.PRESSURE_ANGLE_RETURN)
 
 
 @dataclass(frozen=True)
-class CarUse(Application):
+class CarUse(SteeredCar):
     """A car that the cam steers.
 
     Attributes:
@@ -93,17 +94,6 @@ class CarUse(Application):
 
     noun = "steering cam"
     measured_again = True
-
-    @classmethod
-    def of(cls, cam: CamPlan) -> "CarUse":
-        """Car that a cam steers.
-
-        Raises:
-            DesignError: the cam is of a design with [motion].
-        """
-        if isinstance(cam.application, cls):
-            return cam.application
-        raise DesignError("{name} is a cam by its [motion]: there is no car that it steers", name=cam.origin.name)
 
     @property
     def profile_tolerance(self) -> float | None:
@@ -294,9 +284,7 @@ class CarUse(Application):
         if found is not None:
             counted = (yield_check(played, found),)
         held_back = (*reservations(played, found), *lost_lift_reservation(cam.checks))
-        from cadgen.jobs.assembly_checks import verdict_on_car  # only here: a part of a car has such a plan
-
-        whole, placed = verdict_on_car(cam), _placed(self.in_car)
+        whole, placed = _whole(self, cam), _placed(self.in_car)
         checks = (*cam.checks, *wheel_checks(self), *whole.checks, *placed, *counted)
         return PartVerdict(checks, (*held_back, *whole.reservations))
 
@@ -714,6 +702,16 @@ def comparison_of(plan: CamPlan) -> PlayComparison:
             'the profile "{kind}" does nothing about play: choose {choices}', kind=plan.kind, choices=choices
         )
     return comparison
+
+
+def _whole(use: CarUse, cam: CamPlan) -> PartVerdict:
+    """Verdict on the car as a whole; without a layout on a stated mass alone, and nothing of its parts is loaded."""
+    if use.in_car is None:
+        rod = cam.follower_as_built
+        return PartVerdict(energy_checks(use.design, use.track, use.wanted, rod, use.car, use.drive_wheel))
+    from cadgen.jobs.assembly_checks import verdict_on_car
+
+    return verdict_on_car(cam)
 
 
 def _placed(layout: CarLayout | None) -> tuple[Check, ...]:
