@@ -28,6 +28,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields
 from functools import cache, partial
+from math import floor
 from typing import Any, Generic, NamedTuple, TypeVar
 
 import numpy as np
@@ -52,6 +53,9 @@ SIZE_STEPS = (0, 3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500)
 COVERED_DIAMETERS = (DIAMETER_STEPS[0], SIZE_STEPS[-1])
 # A size that equals a step's upper limit but for rounding of z·m (relative) belongs to that step.
 STEP_SLACK = 1e-12
+
+_OF_PITCH, _OF_HELIX = 0.3, 0.2  # shares of F_p and F_β that a blank may take
+_LEAST_RUN_OUT = 0.005  # mm
 
 IT_FACTORS = {5: 7, 6: 10, 7: 16, 8: 25, 9: 40, 10: 64}
 # Where the printed table of ISO 286-1, which prevails by the standard's own note, departs from its formulas
@@ -129,6 +133,30 @@ def span_pitch_deviation(diameter: ArrayLike, module: ArrayLike, pitches: int, g
         raise DesignError("F_pk over {pitches} pitches is not defined; give 2 or more", pitches=pitches)
     rule = _Rule(lambda d, m: _f_pt(d, m) + 1.6 * np.sqrt((pitches - 1) * m))
     return _by_rule("F_pk", rule, diameter, module, grade)
+
+
+def run_outs(diameter: float, module: float, width: float, face: float, grade: int) -> tuple[float, float]:
+    """Circular run-out of a blank's tip circle and of its face to the axis of the bore, mm.
+
+    A blank off its axis by e adds 2 e to the cumulative pitch, a face that runs out by t over the diameter D leans the
+    teeth by t b / D over their width. The tips are left 0.3 of F_p, which takes 5 % of it in a root sum of squares, the
+    face 0.2 of F_β: run-outs 0.3 F_p and 0.2 (D / b) F_β. Rounded down to whole µm, but at least 5 µm, which a shop
+    still measures.
+
+    Args:
+        diameter: reference diameter d, mm.
+        module: normal module, mm.
+        width: face width b, mm.
+        face: greatest diameter D of the face, mm.
+        grade: tolerance grade of ISO 1328.
+
+    Raises:
+        DesignError: a size that the standard does not cover.
+    """
+    tip = _OF_PITCH * float(flank_tolerance("F_p", diameter, module, grade))
+    side = _OF_HELIX * face / width * float(flank_tolerance("F_beta", diameter, width, grade))
+    tip, side = (max(floor(value * UM_PER_MM + STEP_SLACK) / UM_PER_MM, _LEAST_RUN_OUT) for value in (tip, side))
+    return tip, side
 
 
 def standard_tolerance(size: ArrayLike, it_grade: int, quantity: str = "size", symbol: str = "IT") -> Array:

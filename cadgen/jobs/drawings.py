@@ -18,10 +18,11 @@ from cadgen.arrays import TURN, Array
 from cadgen.curves.biarc import arcs
 from cadgen.design.keys import unit_of, without_unit
 from cadgen.design.machining import DrawingText, DrawnTeeth
-from cadgen.errors import FileError
+from cadgen.errors import DesignError, FileError
 from cadgen.figures import Facts, Figures, with_unit
 from cadgen.gears.layout import TrainLayout, TrainPart
-from cadgen.gears.stage import Mating, Stage, is_bar, rim_diameter
+from cadgen.gears.stage import Mating, Stage, Wheel, is_bar, rim_diameter
+from cadgen.gears.tolerances import run_outs
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train
 from cadgen.inference.measurement.record import Direction
@@ -291,10 +292,11 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
         if not count:  # a planet like the one before
             continue
         stem = f"{plan.stem}_{part.name}"
-        data = []
-        for number, gear in gears.items():
+        data, blanks = [], []
+        for (number, gear), wheel in zip(gears.items(), part.gears, strict=True):
             mates, pair, drives = _mates(layout, every, number, part)
             data.append(gear_rows(gear, mates, pair, drives=drives))
+            blanks.append(_run_outs(gear, wheel, part, pair.grades[0 if drives else 1]))
         bodies = joined(
             [
                 Message("gear of {teeth} teeth", teeth=gear.teeth)
@@ -318,6 +320,7 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
             ),
             notes=(place, *([plan.printing.note] if plan.printing else [])),
             simplified=bool(plan.title and plan.title.teeth is DrawnTeeth.SIMPLIFIED),
+            run_outs=tuple(blanks),
         )
         name = Message("{part}: {bodies}", part=part.name, bodies=bodies)
         title = title_of(origin, plan.title, name, made.material or "", stem, folder)
@@ -327,6 +330,24 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
     title = replace(title, quantity=2 * title.quantity)
     holes = Message("shaft Ø, mm") if plan.making.bearing_bores is None else Message("hole Ø, mm")
     yield stem, plate_drawing(plate_of(plan), holes, tuple(_plate_notes(plan)), title)
+
+
+def _run_outs(gear: Figures, wheel: Wheel, part: TrainPart, grade: int | None) -> tuple[float, float] | None:
+    """Run-outs of a gear's blank by its grade, mm; None without one, and for sizes that the standard does not cover.
+
+    Args:
+        gear: figures of the gear.
+        wheel: gear.
+        part: part that it is of, whose lower face runs out.
+        grade: tolerance grade.
+    """
+    upper, face = gear.value("E_sns"), rim_diameter(part.gears[0])
+    if grade is None or not isinstance(wheel, GearForm) or upper is None or upper == gear.value("E_sni"):
+        return None  # nothing is tolerated
+    try:
+        return run_outs(wheel.reference_diameter, wheel.normal_module, wheel.width, face, grade)
+    except DesignError:
+        return None
 
 
 def plate_of(plan: GearTrain) -> Plate:

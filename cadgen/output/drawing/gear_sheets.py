@@ -1,6 +1,6 @@
 """Sheets of a gear train: of each part, with a table of data for each of its gears, and of the plate for the axes."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from math import atan2, degrees
@@ -19,11 +19,13 @@ from cadgen.output.drawing.section import Layer, ScrewHole, edges_behind_cut, ma
 from cadgen.output.drawing.shaft_fit import ShaftFit, deeper
 from cadgen.output.drawing.sheet import (
     EDGE,
+    FRAME_HEIGHT,
     LEFT,
     SHOWN,
     SIZES,
     TITLE_SIZE,
     Closed,
+    DatumFeature,
     DiameterDimension,
     Dimension,
     DrawingSheet,
@@ -33,10 +35,13 @@ from cadgen.output.drawing.sheet import (
     NoteColumn,
     SheetTable,
     Stroke,
+    Symbol,
     Title,
+    ToleranceFrame,
     View,
     along_axis,
     axial_diameter,
+    axis_datum,
     beside_title,
     bore_and_keyway,
     centre_cross,
@@ -44,9 +49,11 @@ from cadgen.output.drawing.sheet import (
     cutting_plane,
     have_room,
     keyway_width,
+    line_datum,
     over_title,
     ring,
     rounded,
+    run_out,
     section_name,
     upright,
 )
@@ -129,6 +136,7 @@ def gear_rows(gear: Figures, mates: Sequence[str], stage: Stage, *, drives: bool
 
 
 _CHORD = 1e-4  # of outlines on the sheet, as a share of their radius
+_ON_LINE, _LEADER = 3.6, 7.0  # mm on paper along an extension line to a leader, and length of the leader
 _SAME = 0.01  # mm, within which an outline has the tip circle of a gear
 _GAP = 8.0  # mm on paper from the part to a dimension line, and from line to line
 _TABLE = {1: (42.0, 42.0), 2: (37.0, 30.0, 30.0)}  # widths of the columns by the number of gears, mm
@@ -146,6 +154,7 @@ class GearPart:
         fit: fits and joint of the bore on its shaft.
         notes: further sentences.
         simplified: whether teeth are drawn by ISO 2203, as tip circle and thin root circle.
+        run_outs: circular run-out of each gear's tip circle and of the face, mm; None where none is stated.
     """
 
     part: TrainPart
@@ -155,6 +164,23 @@ class GearPart:
     fit: ShaftFit
     notes: tuple[str, ...]
     simplified: bool = False
+    run_outs: tuple[tuple[float, float] | None, ...] = ()
+
+    @property
+    def tip_run_outs(self) -> tuple[float | None, ...]:
+        """Run-out of the tip circle of each gear, mm; None where none is stated."""
+        return tuple(None if each is None else each[0] for each in self.run_outs)
+
+    @property
+    def face_run_out(self) -> float | None:
+        """Run-out of the lower face, the least that any gear of the part asks for, mm."""
+        return min((each[1] for each in self.run_outs if each is not None), default=None)
+
+    @property
+    def has_datum(self) -> bool:
+        """Whether run-outs are stated, and there is a bore or an outer circle to count them from."""
+        held = bool(self.part.blank.bore_diameter) or is_ring(self.part.gears[0])
+        return held and any(each is not None for each in self.run_outs)
 
 
 def gear_drawing(gear: GearPart, title: Title) -> DrawingSheet:
@@ -327,11 +353,15 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     plane, letters = cutting_plane(0.0, reach + 0.3 * gap, scale)
     curves += [*(screw.face() if screw else ()), *plane]
     labels = (Label(text=Message("from above"), at=(0.0, -reach - gap), height=3.5), *letters)
+    room = Room(curves, scale)
+    placed = room.dimensions(dimensions, labels)
+    bores = [each for each in placed if isinstance(each, DiameterDimension) and each.name == "bore"]
     return View(
         place=place,
         curves=tuple(curves),
-        dimensions=Room(curves, scale).dimensions(dimensions, labels),
+        dimensions=placed,
         labels=labels,
+        symbols=tuple(room.datum(axis_datum("A", bore)) for bore in bores if gear.has_datum),
     )
 
 
@@ -403,13 +433,47 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
         each.at[1] for each in dimensions if isinstance(each, LinearDimension) and not each.angle and each.at[1] < 0.0
     ]
     lowest = min(rows_below, default=-_reach(part.body))
+    named = {each.name: each for each in dimensions if isinstance(each, LinearDimension)}
+    symbols: list[Symbol] = list(_run_outs(gear, named, scale)) if gear.has_datum else []
+    if gear.has_datum and is_ring(part.gears[0]):
+        symbols.append(line_datum("A", named["outer diameter"], scale))
+    elif gear.has_datum and isinstance(blank.key, Flats):
+        symbols.append(line_datum("A", named["across flats"], scale))
+    for symbol in symbols:  # the words under the section stand below its symbols, too
+        end = symbol.bend[1] if isinstance(symbol, ToleranceFrame) else lowest
+        if isinstance(symbol, DatumFeature):
+            end = symbol.foot[1] - symbol.reach / scale
+        lowest = min(lowest, end - (FRAME_HEIGHT / 2 + 3.0) / scale + 0.9 * gap)
     return View(
         place=place,
         curves=(*strokes, *(screw.section(0.0) if screw else ())),
         hatches=tuple(hatches),
         dimensions=tuple(dimensions),
         labels=(Label(text=section_name(0.0), at=((low + high) / 2, lowest - 0.9 * gap), height=3.5),),
+        symbols=tuple(symbols),
     )
+
+
+def _run_outs(gear: GearPart, named: Mapping[str, LinearDimension], scale: float) -> Iterator[ToleranceFrame]:
+    """Run-outs of tip circles, on the lower extension line of each diameter, and of the lower face, on that of a width.
+
+    Args:
+        gear: part with a datum.
+        named: dimensions of the section by their names.
+        scale: mm on paper for a mm of the part.
+    """
+    names = _names(gear.part)
+    for name, zone in zip(names, gear.tip_run_outs, strict=True):
+        if zone is not None:
+            held = named[f"tip diameter, {name}"]
+            face, low = held.start[0], min(held.start[1], held.end[1])
+            side = 1.0 if held.at[0] > face else -1.0
+            x = face + side * _ON_LINE / scale
+            yield run_out(f"tip circle, {name}", zone, (x, low), (x + side * 1e-6, low - _LEADER / scale))
+    if gear.face_run_out is not None:
+        width = named[f"width, {names[0]}"]
+        x, y = width.start[0], width.start[1] + 0.55 * (width.at[1] - width.start[1])
+        yield run_out("lower face", gear.face_run_out, (x, y), (x - 0.6 * _LEADER / scale, y))
 
 
 def _without_teeth(layer: Layer, part: TrainPart) -> Layer:

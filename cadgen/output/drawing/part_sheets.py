@@ -20,6 +20,7 @@ from cadgen.output.drawing.sheet import (
     DIAMETER,
     EDGE,
     LEFT,
+    SHORT,
     SIZES,
     TAIL,
     TEXT,
@@ -55,7 +56,6 @@ _SIZE, _LARGER = "A4", "A3"
 _ROOM = 34.0  # mm on paper to either side of a view, for its dimensions
 _FIRST, _STEP = 9.0, 8.0  # mm on paper from a view to its first dimension line, and from one to the next
 _BETWEEN = 40.0  # mm on paper between two views
-_INSIDE = 5.6  # mm on paper, least width that has room for both its arrows
 _LETTER = 0.65  # mean width of the letters of a dimension, in heights
 _CHORD = 1e-5  # mm, of outlines whose extent is dimensioned
 _AROUND = range(0, 360, 15)  # degrees
@@ -398,7 +398,7 @@ def _side_view(
 
 def _tail(width: float) -> float:
     """Length of what stands outside a width with its arrow, mm on paper; 0 where the arrows have room inside."""
-    return 0.0 if width >= _INSIDE else TAIL
+    return 0.0 if width >= SHORT else TAIL
 
 
 def _position(name: str) -> ToleranceFrame:

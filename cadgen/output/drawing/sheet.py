@@ -23,6 +23,7 @@ TEXT = 2.5  # height of letters
 HEIGHTS = (5.0, 3.5, 2.5, 1.8)  # of letters and figures (ISO 3098)
 FRAME_HEIGHT = 2 * TEXT  # of a tolerance frame and of the box of a datum (ISO 1101, ISO 5459)
 LEVEL = 3.0  # of the level piece of a leader before its frame
+SHORT = 5.6  # least length of a dimension line that has room for both its arrows, mm on paper
 TAIL = 5.0  # of an arrow that stands outside the width that it dimensions, with its line, mm on paper
 TRIANGLE = (2.2, 1.9)  # side and height of the triangle of a datum, mm on paper
 SHOWN = 12  # letters of a file's hash
@@ -483,6 +484,39 @@ def axis_datum(letter: str, dimension: DiameterDimension) -> DatumFeature:
     away = np.array([np.cos(np.radians(opposite)), np.sin(np.radians(opposite))])
     x, y = (np.array(dimension.centre) + dimension.diameter / 2 * away).tolist()
     return DatumFeature(letter=letter, foot=(x, y), angle=opposite)
+
+
+def line_datum(letter: str, held: LinearDimension, scale: float, reach: float = 8.0) -> DatumFeature:
+    """Datum that is the axis of an upright diameter in a section: its triangle in line with it, at its lower end.
+
+    Args:
+        letter: letter of the datum.
+        held: dimension of the diameter.
+        scale: mm on paper for a mm of the part.
+        reach: distance of the letter from the triangle, mm on paper.
+    """
+    low = min(held.start[1], held.end[1])
+    short = scale * abs(held.end[1] - held.start[1]) < SHORT  # an arrow that points inwards has its tail outside
+    return DatumFeature(
+        letter=letter, foot=(held.at[0], low - (TAIL / scale if short else 0.0)), angle=270.0, reach=reach
+    )
+
+
+def run_out(
+    name: str, zone: float, tip: tuple[float, float], bend: tuple[float, float], letter: str = "A"
+) -> ToleranceFrame:
+    """Circular run-out to one datum.
+
+    Args:
+        name: feature, by which a test finds it again.
+        zone: run-out, mm.
+        tip: point at which the arrow ends, mm on the part.
+        bend: where the leader bends into the frame, mm on the part.
+        letter: letter of the datum.
+    """
+    return ToleranceFrame(
+        name=name, characteristic=Characteristic.RUN_OUT, zone=zone, datums=(letter,), tip=tip, bend=bend
+    )
 
 
 def ring(diameter: float, line: LineKind = LineKind.VISIBLE, centre: tuple[float, float] = (0.0, 0.0)) -> Closed:

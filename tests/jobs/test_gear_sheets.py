@@ -1,0 +1,162 @@
+"""Sheets of small trains: frames, datums and threads in place of sentences, and texts that keep off each other."""
+
+import numpy as np
+import pytest
+import shapely
+
+from cadgen.design.load import train_of
+from cadgen.gears.tolerances import flank_tolerance, run_outs
+from cadgen.jobs.drawings import Folder, sheets_of
+from cadgen.jobs.gears.gear_train import plan_gears
+from cadgen.output.drawing.sheet import (
+    FRAME_HEIGHT,
+    LEVEL,
+    Characteristic,
+    DatumFeature,
+    DrawingSheet,
+    ToleranceFrame,
+)
+from cadgen.output.drawing.sheet_files import document_of
+from tests.output.drawing.test_drawings import boxes
+
+NOWHERE = Folder({}, "2026-01-01")
+HEAD = "[train]\nmodule_mm = 1.0\nwidth_mm = 8.0\nbearing_span_mm = 60.0\n"
+TWO_STAGES = (
+    HEAD
+    + """
+[train.plate]
+thickness_mm = 5.0
+hole_fit = "H7/h6"
+bearing_bores_mm = [16]
+[[train.stages]]
+driver = { teeth = 20, grade = 6 }
+driven = { teeth = 60, grade = 6 }
+[[train.stages]]
+driver = { teeth = 24 }
+driven = { teeth = 64 }
+[train.drive]
+bore_diameter_mm = 6.0
+bore_fit = "H7/h6"
+keyway = { width_mm = 2.0, depth_mm = 1.0 }
+hub = { diameter_mm = 14.0, length_mm = 6.0 }
+[train.intermediate]
+bore_diameter_mm = 6.0
+[train.output]
+bore_diameter_mm = 8.0
+shaft_ends = true
+"""
+)
+RING = (
+    HEAD
+    + """
+[[train.stages]]
+driver = { teeth = 18 }
+driven = { teeth = 54, internal = true, rim_mm = 4.0 }
+[train.drive]
+bore_diameter_mm = 5.0
+"""
+)
+PLANETARY = (
+    HEAD
+    + """
+[[train.stages]]
+kind = "planetary"
+sun = { teeth = 18 }
+planet = { teeth = 27, count = 3, bore_diameter_mm = 4.0 }
+[train.drive]
+bore_diameter_mm = 5.0
+[train.output]
+bore_diameter_mm = 6.0
+"""
+)
+RACK = (
+    HEAD
+    + """
+[[train.stages]]
+kind = "rack"
+driver = { teeth = 19 }
+rack = { teeth = 20, height_mm = 8.0 }
+[train.drive]
+bore_diameter_mm = 5.0
+"""
+)
+TRAINS = {"two stages": TWO_STAGES, "ring": RING, "planetary": PLANETARY, "rack": RACK}
+
+
+@pytest.fixture(scope="module")
+def sheets(tmp_path_factory) -> dict[str, dict[str, DrawingSheet]]:
+    place = tmp_path_factory.mktemp("designs") / "train.toml"
+    found = {}
+    for name, text in TRAINS.items():
+        plan = plan_gears(train_of(text, place))
+        found[name] = {stem.removeprefix(f"{plan.stem}_"): sheet for stem, sheet in sheets_of(plan, NOWHERE)}
+    return found
+
+
+def frames(sheet: DrawingSheet) -> dict[str, ToleranceFrame]:
+    symbols = [symbol for view in sheet.views for symbol in view.symbols]
+    return {symbol.name: symbol for symbol in symbols if isinstance(symbol, ToleranceFrame)}
+
+
+def datums(sheet: DrawingSheet) -> str:
+    symbols = [symbol for view in sheet.views for symbol in view.symbols]
+    return "".join(symbol.letter for symbol in symbols if isinstance(symbol, DatumFeature))
+
+
+def test_a_blank_may_take_a_share_of_pitch_and_helix() -> None:
+    """A blank off by e has a cumulative pitch of 2 e; a face that runs out by t leans the teeth by t b / D."""
+    tip, face = run_outs(60.0, 2.0, 16.0, 64.0, 8)
+    pitch, helix = (float(flank_tolerance(*each, 8)) for each in (("F_p", 60.0, 2.0), ("F_beta", 60.0, 16.0)))
+    turn = np.linspace(0.0, 2 * np.pi, 10_000)
+    off = tip / 2 * np.sin(turn)  # of the teeth along the pitch circle
+    assert 0.3 * pitch - 1e-3 <= np.ptp(off) <= 0.3 * pitch
+    leaning = 16.0 / 64.0 * face * np.sin(turn) / 2
+    assert 0.2 * helix - 1e-3 <= np.ptp(leaning) <= 0.2 * helix
+    assert run_outs(12.0, 0.5, 4.0, 13.0, 3) == (0.005, 0.005)
+
+
+def test_gears_say_run_outs_by_frames_to_their_bore(sheets) -> None:
+    pinion, cluster = sheets["two stages"]["1_pinion"], sheets["two stages"]["2_cluster"]
+    said = frames(pinion)
+    assert said.keys() == {"tip circle, gear", "lower face"}
+    assert {(each.characteristic, each.datums) for each in said.values()} == {(Characteristic.RUN_OUT, ("A",))}
+    assert datums(pinion) == "A"
+    assert frames(cluster).keys() == {"tip circle, lower gear", "tip circle, upper gear", "lower face"}
+    # Of the ring the outer circle is the datum.
+    assert datums(sheets["ring"]["2_wheel"]) == "A"
+    assert "tip circle, gear" in frames(sheets["ring"]["2_wheel"])
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_texts_and_frames_of_gear_sheets_keep_off_each_other(sheets, language) -> None:
+    for train, of_train in sheets.items():
+        for stem, sheet in of_train.items():
+            space = document_of(sheet, language).modelspace()
+            found = [*boxes(space), *frame_boxes(sheet)]
+            shared = [
+                (a, b)
+                for number, (one, a) in enumerate(found)
+                for other, b in found[:number]
+                if one.intersection(other).area > 0.02 * min(one.area, other.area)
+                and not (isinstance(b, str) and isinstance(a, tuple) and b in a)
+            ]
+            assert shared == [], (train, stem)
+
+
+def frame_boxes(sheet: DrawingSheet) -> list:
+    """Boxes of tolerance frames and datum letters on the paper, with the texts that stand in them."""
+    found = []
+    for view in sheet.views:
+        for symbol in view.symbols:
+            if isinstance(symbol, ToleranceFrame):
+                x, y = np.array(view.place) + sheet.scale * np.array(symbol.bend)
+                near = x + symbol.side * LEVEL
+                left, right = sorted((near, near + symbol.side * sum(symbol.cells)))
+                box = shapely.box(left, y - FRAME_HEIGHT / 2, right, y + FRAME_HEIGHT / 2)
+                found.append((box, (symbol.zone_text, *symbol.datums)))
+            elif isinstance(symbol, DatumFeature):
+                way = np.array([np.cos(np.radians(symbol.angle)), np.sin(np.radians(symbol.angle))])
+                x, y = np.array(view.place) + sheet.scale * np.array(symbol.foot) + symbol.reach * way
+                half = FRAME_HEIGHT / 2
+                found.append((shapely.box(x - half, y - half, x + half, y + half), (symbol.letter,)))
+    return found
