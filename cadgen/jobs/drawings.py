@@ -32,7 +32,8 @@ from cadgen.jobs.gears.gear_train import GearTrain
 from cadgen.messages import ENGLISH, Message, joined, language
 from cadgen.output.drawing.cam_sheet import EVERY, CamPart, SheetGroove, cam_drawing
 from cadgen.output.drawing.gear_sheets import GearPart, gear_drawing, gear_rows, plate_drawing
-from cadgen.output.drawing.shaft_fit import fit_limits, hole_class
+from cadgen.output.drawing.hole_frames import seat_zones
+from cadgen.output.drawing.shaft_fit import hole_class
 from cadgen.output.drawing.sheet import DrawingSheet, Title, scale_text
 from cadgen.output.drawing.timing import TimingDiagram
 from cadgen.output.files.dxf import gear_outlines
@@ -329,7 +330,9 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
     title = title_of(origin, plan.title, Message("plate for the axes"), plan.making.plate or "", stem, folder)
     title = replace(title, quantity=2 * title.quantity)
     holes = Message("shaft Ø, mm") if plan.making.bearing_bores is None else Message("hole Ø, mm")
-    yield stem, plate_drawing(plate_of(plan), holes, tuple(_plate_notes(plan)), title)
+    plate = plate_of(plan)
+    zones = seat_zones([axis.shaft for axis in plate.holed], plan.layout.train)
+    yield stem, plate_drawing(plate, holes, tuple(_plate_notes(plan, bool(zones))), title, zones)
 
 
 def _run_outs(gear: Figures, wheel: Wheel, part: TrainPart, grade: int | None) -> tuple[float, float] | None:
@@ -377,10 +380,18 @@ def plate_of(plan: GearTrain) -> Plate:
     return Plate(axes, making.plate_thickness)
 
 
-def _plate_notes(plan: GearTrain) -> Iterator[str]:
+def _plate_notes(plan: GearTrain, framed: bool) -> Iterator[str]:
+    """Sentences on the plate of a train.
+
+    Args:
+        plan: train.
+        framed: whether frames hold the places of its holes.
+    """
     yield Message("Seen along the axes from the output's end. Broken circles: tips of the gears, for room.")
     if plan.making.plate_thickness is None:
         yield Message("Two to a machine, before and behind the gears. Thickness as the bearings need.")
+    elif framed:
+        yield Message("Two to a machine, before and behind the gears.")
     else:
         thickness = plan.making.plate_thickness
         yield Message("Two to a machine, before and behind the gears, {thickness:g} mm thick.", thickness=thickness)
@@ -391,10 +402,6 @@ def _plate_notes(plan: GearTrain) -> Iterator[str]:
         yield Message(
             "Holes as large as the shafts: open them for your bearings. Where no bore is given there is no hole."
         )
-    if holes is not None:
-        on = Message("bearing") if bearings else Message("shaft")
-        for size in sorted({axis.bore for axis in plate_of(plan).holed}):
-            yield fit_limits(Message("Hole Ø{size:g}", size=size), on, holes, size)
     car = plan.car
     if car is not None and car.arrangement is not None:
         yield Message(
@@ -404,8 +411,21 @@ def _plate_notes(plan: GearTrain) -> Iterator[str]:
             last=len(plan.layout.parts),
             height=car.arrangement.height,
         )
-    yield Message("Places of the axes: hold the distances below, not the general tolerance.")
-    yield from distance_notes(plan.layout.train)
+    if framed:
+        yield from span_notes(plan.layout.train)
+    elif notes := tuple(distance_notes(plan.layout.train)):
+        yield Message("Places of the axes: hold the distances below, not the general tolerance.")
+        yield from notes
+
+
+def span_notes(train: Train) -> Iterator[Message]:
+    """Distances of the bearings of a shaft, in words.
+
+    Args:
+        train: train.
+    """
+    for span in dict.fromkeys(stage.bearing_span for stage in train.stages if stage.distance_deviation):
+        yield Message("Bearings of a shaft {span:g} mm apart, as the play is reckoned.", span=span)
 
 
 def distance_notes(train: Train) -> Iterator[Message]:
@@ -415,7 +435,7 @@ def distance_notes(train: Train) -> Iterator[Message]:
         train: train.
     """
     for number, stage in enumerate(train.stages, 1):
-        if stage.distance_deviation is not None:
+        if stage.distance_deviation:
             yield Message(
                 "Axes {first} and {second}: {apart:g} ± {deviation:.4g} mm, bearings {span:g} mm apart, as the play is"
                 " reckoned.",

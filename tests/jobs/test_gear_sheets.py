@@ -5,7 +5,7 @@ import pytest
 import shapely
 
 from cadgen.design.load import train_of
-from cadgen.gears.tolerances import flank_tolerance, run_outs
+from cadgen.gears.tolerances import centre_distance_deviation, flank_tolerance, run_outs
 from cadgen.jobs.drawings import Folder, sheets_of
 from cadgen.jobs.gears.gear_train import plan_gears
 from cadgen.output.drawing.sheet import (
@@ -125,6 +125,36 @@ def test_gears_say_run_outs_by_frames_to_their_bore(sheets) -> None:
     # Of the ring the outer circle is the datum.
     assert datums(sheets["ring"]["2_wheel"]) == "A"
     assert "tip circle, gear" in frames(sheets["ring"]["2_wheel"])
+
+
+def test_holes_of_a_plate_stand_in_zones_that_keep_the_distances_of_the_axes(sheets) -> None:
+    """Any three holes in their zones, the first one the datum, keep both distances within their deviations."""
+    plate = sheets["two stages"]["plate"]
+    said = frames(plate)
+    assert [each.datums for each in said.values()] == [("A",), ("A", "B"), ("A", "B", "C")]
+    assert {each.zone_text[0] for each in said.values()} == {"Ø"}
+    assert sorted(datums(plate)) == ["A", "B", "C"]
+    assert "±" not in " ".join(plate.notes)
+    rows = plate.tables[0].rows[1:]
+    assert rows[0][3] == "16 H7 (+0.018/0)"
+    places = np.array([complex(float(x), float(y)) for _, x, y, _ in rows])
+    rng = np.random.default_rng(3)
+    widths = np.array([0.0, *(each.zone for each in list(said.values())[1:])])
+    off = widths / 2 * np.exp(1j * rng.uniform(0, 2 * np.pi, (2000, 3)))
+    lengths = np.abs(np.diff(places + off, axis=1))
+    deviations = centre_distance_deviation(np.array([40.0, 44.0]), 6)[0], centre_distance_deviation(44.0, 7)
+    assert np.all(np.abs(lengths - np.abs(np.diff(places))) <= np.array(deviations) + 1e-5)
+    # Without a hole there is nothing to place, and no distance of 0 is "± 0".
+    assert not frames(sheets["ring"]["plate"])
+    assert not any("± 0 " in note for of in sheets.values() for note in of["plate"].notes)
+
+
+def test_a_plate_without_a_tolerance_of_its_distances_says_none(tmp_path) -> None:
+    text = TWO_STAGES.replace("[[train.stages]]", "[[train.stages]]\nf_a_um = 0.0", 2)
+    plan = plan_gears(train_of(text, tmp_path / "train.toml"))
+    plate = dict(sheets_of(plan, NOWHERE))[f"{plan.stem}_plate"]
+    assert not frames(plate)
+    assert not any("±" in note for note in plate.notes)
 
 
 @pytest.mark.parametrize("language", ["en", "zh"])

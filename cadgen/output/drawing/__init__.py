@@ -6,6 +6,7 @@
 | `section`     | section of a body through its axis; the hole of a set screw in the views  |
 | `shaft_fit`   | fits of a part on its shaft: classes and limits                           |
 | `placement`   | places for texts where few lines cross them                               |
+| `hole_frames` | frames of the seats in a plate, and its view from the side                |
 | `timing`      | timing diagram of a cam by its motion                                     |
 | `cam_sheet`   | sheet of a cam                                                            |
 | `gear_sheets` | sheets of the parts of a train, and of the plate that holds the axes      |

@@ -1,7 +1,7 @@
 """Sheets of a gear train: of each part, with a table of data for each of its gears, and of the plate for the axes."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import atan2, degrees
 
@@ -10,13 +10,15 @@ import numpy as np
 from cadgen.arrays import Array
 from cadgen.curves.contour import Contour
 from cadgen.figures import Figures
+from cadgen.gears.fits import deviations
 from cadgen.gears.layout import TrainPart
 from cadgen.gears.rack import RackForm
 from cadgen.gears.stage import Stage, Wheel, is_ring, rim_diameter
 from cadgen.messages import Message
+from cadgen.output.drawing.hole_frames import edge_view, hole_frames
 from cadgen.output.drawing.placement import Room
 from cadgen.output.drawing.section import Layer, ScrewHole, edges_behind_cut, material, outlines_and_hatches
-from cadgen.output.drawing.shaft_fit import ShaftFit, deeper
+from cadgen.output.drawing.shaft_fit import ShaftFit, deeper, limits
 from cadgen.output.drawing.sheet import (
     EDGE,
     FRAME_HEIGHT,
@@ -570,7 +572,7 @@ def _hole_sizes(holes: tuple[Loop, ...]) -> tuple[float, float]:
 
 _PLATE_GAP = 10.0  # mm on paper, likewise on the sheet of the plate
 _NUMBER = 4.0  # mm on paper from a hole to the middle of its shaft's number
-_WIDTHS = (14.0, 24.0, 24.0, 22.0)
+_WIDTHS = (14.0, 22.0, 22.0, 36.0)
 
 
 def _distances(first: Axis, second: Axis, gap: float) -> Iterator[LinearDimension]:
@@ -589,7 +591,9 @@ def _distances(first: Axis, second: Axis, gap: float) -> Iterator[LinearDimensio
             )
 
 
-def plate_drawing(plate: Plate, holes: str, notes: tuple[str, ...], title: Title) -> DrawingSheet:
+def plate_drawing(
+    plate: Plate, holes: str, notes: tuple[str, ...], title: Title, zones: Mapping[int, float]
+) -> DrawingSheet:
     """Sheet A4, or A3 where the plate is larger than A4 shows at 1:1.
 
     Args:
@@ -597,18 +601,26 @@ def plate_drawing(plate: Plate, holes: str, notes: tuple[str, ...], title: Title
         holes: what the diameters of its holes are, over their column.
         notes: sentences for the shop.
         title: title block.
+        zones: zones of the holes by their shafts, mm; none where the distances have no tolerance.
     """
     axes, (left, low, right, high) = plate.axes, plate.sides
     table_width = sum(_WIDTHS)
-    beside = (table_width + 40.0, TITLE_SIZE[1] + 30.0)
+    beside = (table_width + (90.0 if zones else 40.0), TITLE_SIZE[1] + 30.0)
     rows: list[tuple[str, ...]] = [(Message("shaft"), "x, mm", "y, mm", holes)]
     for axis in axes:
         hole = f"{axis.bore:g} {axis.hole}".strip() if axis.bore else ""
+        if axis.bore and axis.hole:
+            hole += f" ({limits(*deviations(f'{axis.hole}/h6', axis.bore)[0])})"
         rows.append((str(axis.shaft), f"{axis.x:.3f}", f"{axis.y:.3f}", hole))
 
     def table_of(size: str) -> SheetTable:
         at = (SIZES[size][0] - EDGE - table_width, SIZES[size][1] - EDGE - 2.0)
-        return SheetTable(title=Message("axes, from that of the drive"), at=at, widths=_WIDTHS, rows=tuple(rows))
+        title = (
+            Message("axes, from that of the drive: theoretically exact")
+            if zones
+            else Message("axes, from that of the drive")
+        )
+        return SheetTable(title=title, at=at, widths=_WIDTHS, rows=tuple(rows))
 
     def columns_of(size: str) -> tuple[NoteColumn, ...]:
         return over_title([table_of(size)], table_width, title), beside_title(size)
@@ -647,15 +659,31 @@ def plate_drawing(plate: Plate, holes: str, notes: tuple[str, ...], title: Title
         room.take(dimension)
     labels = [room.label(str(axis.shaft), (axis.x, axis.y), scale * axis.bore / 2 + _NUMBER, 3.5) for axis in axes]
     dimensions += [
-        room.linear(_distances(first, second, gap))
+        replace(room.linear(_distances(first, second, gap)), exact=second.shaft in zones)
         for first, second in pairwise(axes)
         if (first.x, first.y) != (second.x, second.y)
     ]
+    located = [axis for axis in plate.holed if axis.shaft in zones]
+    seats = [(f"hole of shaft {each.shaft}", (each.x, each.y), each.bore, zones[each.shaft]) for each in located]
+    views = [
+        View(
+            place=place,
+            curves=tuple(curves),
+            dimensions=tuple(dimensions),
+            labels=tuple(labels),
+            symbols=tuple(hole_frames(seats, room)),
+        )
+    ]
+    if seats:
+        aside = (place[0] + scale * right + _PLATE_GAP + 18.0, place[1])
+        views.append(
+            edge_view(plate.thickness, (low, high), [(each.y, each.bore) for each in plate.holed], aside, scale)
+        )
     return DrawingSheet(
         size=size,
         scale=scale,
         title=title,
-        views=(View(place=place, curves=tuple(curves), dimensions=tuple(dimensions), labels=tuple(labels)),),
+        views=tuple(views),
         tables=(table_of(size),),
         notes=notes,
         columns=columns_of(size),

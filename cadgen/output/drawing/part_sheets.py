@@ -11,10 +11,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cadgen.arrays import Array
 from cadgen.car.assembly.car_parts import Block
-from cadgen.curves.contour import Contour, circle
+from cadgen.curves.contour import Contour
 from cadgen.messages import Message
+from cadgen.output.drawing.hole_frames import rim
 from cadgen.output.drawing.placement import Room
 from cadgen.output.drawing.sheet import (
     DIAMETER,
@@ -58,7 +58,6 @@ _FIRST, _STEP = 9.0, 8.0  # mm on paper from a view to its first dimension line,
 _BETWEEN = 40.0  # mm on paper between two views
 _LETTER = 0.65  # mean width of the letters of a dimension, in heights
 _CHORD = 1e-5  # mm, of outlines whose extent is dimensioned
-_AROUND = range(0, 360, 15)  # degrees
 _SCREW, _CLEARANCE, _TAP = 3.0, 3.2, 2.5  # mm: M3, its clearance hole (ISO 273, fine) and its tap drill
 _ZONE = (_CLEARANCE - _SCREW) / 2  # mm, of the position of a screw's hole in each of the two parts
 
@@ -346,7 +345,12 @@ def block_drawing(block: Block, texts: PartTexts, title: Title) -> DrawingSheet:
             symbols.append(room.datum(edge, (15.0, 17.0, 20.0)))
         symbols.append(room.datum(axis_datum("B", fitted[0])))
         if clearance:
-            symbols.append(room.frame(_position("clearance holes"), list(_rim(clearance[-1]))))
+            symbols.append(
+                room.frame(
+                    _position("clearance holes"),
+                    list(rim(tuple(clearance[-1].centers[0].tolist()), float(clearance[-1].radii[0]))),
+                )
+            )
     first = View(place=place, curves=tuple(curves), dimensions=placed, symbols=tuple(symbols))
     views = [first, _side_view(block, (left, low, right, top), scale, place)]
     return _sheet(_SIZE, scale, tuple(views), texts, title)
@@ -389,7 +393,7 @@ def _side_view(
         placed = room.dimensions([*dimensions, apart, from_face, threads], ())
         symbols += [
             room.datum(DatumFeature(letter="A", foot=(0.0, 0.6 * across[0] + 0.4 * across[1]), angle=180.0)),
-            room.frame(_position("threads"), list(_rim(circle(places[0], _SCREW / 2)))),
+            room.frame(_position("threads"), list(rim(places[0], _SCREW / 2))),
         ]
     labels = (Label(text=Message("from below"), at=(thick / 2, across[0] - 2.2 * gap)),) if places else ()
     beside = (place[0] + scale * right + _ROOM + _BETWEEN / 2, place[1] + scale * ((low + top) / 2 - sum(across) / 2))
@@ -412,13 +416,6 @@ def _position(name: str) -> ToleranceFrame:
         bend=(1.0, 0.0),
         diametral=True,
     )
-
-
-def _rim(hole: Contour) -> Iterator[tuple[Array, Array]]:
-    """Points of a round hole, each with the direction outwards."""
-    for turn in np.radians(_AROUND):
-        out = np.array([np.cos(turn), np.sin(turn)])
-        yield hole.centers[0] + hole.radii[0] * out, out
 
 
 def _diameter(name: str, z: float, diameter: float, at: float, texts: PartTexts) -> LinearDimension:

@@ -148,6 +148,22 @@ class Room:
         """
         return self._best([(replace(datum, reach=reach), _FAR * reach) for reach in reaches])
 
+    def hung(self, letter: str, frame: ToleranceFrame) -> DatumFeature:
+        """A datum that hangs from a tolerance frame, which is the feature of that frame (ISO 5459).
+
+        Args:
+            letter: letter of the datum.
+            frame: frame, as it is placed.
+        """
+        x, y = self._scale * np.array(frame.bend)
+        every = []
+        for number, (share, angle) in enumerate((share, angle) for angle in (270.0, 90.0) for share in (0.5, 0.2, 0.8)):
+            along = x + frame.side * (LEVEL + share * sum(frame.cells))
+            up = y + (FRAME_HEIGHT / 2 if angle == 90.0 else -FRAME_HEIGHT / 2)
+            foot = (along / self._scale, up / self._scale)
+            every.append((DatumFeature(letter=letter, foot=foot, angle=angle, reach=6.5), _FAR * number))
+        return self._best(every)
+
     def _best(self, every: Sequence[tuple[Placed, float]]) -> Placed:
         def cost(each: tuple[Placed, float]) -> float:
             box, drawn = self._drawn(each[0])

@@ -159,6 +159,7 @@ class Characteristic(StrEnum):
 
     LINE_PROFILE = "profile of a line"
     POSITION = "position"
+    PERPENDICULARITY = "perpendicularity"
     RUN_OUT = "circular run-out"
 
 

@@ -96,6 +96,10 @@ _SYMBOLS = {
         np.array([[-0.7, 0.0], [0.7, 0.0]]),
         np.array([[0.0, -0.7], [0.0, 0.7]]),
     ),
+    Characteristic.PERPENDICULARITY: (
+        np.array([[-0.6, -0.5], [0.6, -0.5]]),
+        np.array([[0.0, -0.5], [0.0, 0.6]]),
+    ),
     Characteristic.RUN_OUT: (
         np.array([[-0.5, -0.6], [0.5, 0.6]]),
         np.array([[0.26, 0.02], [0.5, 0.6], [-0.04, 0.27], [0.26, 0.02]]),

@@ -584,7 +584,7 @@ def test_what_holds_a_wheel_on_its_shaft_is_on_its_sheet(design, tmp_path):
     notes, _ = said("carbon_free_car_as-given_plate")
     assert "plywood 5 mm" in notes
     assert "8 H8" in notes
-    assert "Hole %%c8 H8: +0.022/0; shaft h7: 0/-0.015 mm." in notes
+    assert "8 H8 (+0.022/0)" in notes
 
 
 @pytest.mark.parametrize(

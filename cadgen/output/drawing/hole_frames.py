@@ -1,0 +1,132 @@
+"""Frames of the seats in a plate: the first hole square to its face, the others in their places to it (ISO 1101, 5459).
+
+Holes in zones of t and u, mm, leave their distance by (t + u) / 2 at most, one of them and the datum by t / 2.
+"""
+
+from collections.abc import Collection, Iterator, Sequence
+from math import floor, inf
+
+import numpy as np
+
+from cadgen.arrays import Array
+from cadgen.gears.train import Train
+from cadgen.output.drawing.placement import Room
+from cadgen.output.drawing.sheet import (
+    Characteristic,
+    Closed,
+    DatumFeature,
+    Dimension,
+    LinearDimension,
+    LineKind,
+    Stroke,
+    Symbol,
+    ToleranceFrame,
+    View,
+)
+
+_AROUND = range(0, 360, 15)  # degrees
+_LETTERS = "BC"  # of the first two holes; A is the face
+_STEPS = 1000  # in a mm, to which a zone is rounded down
+_SHOWN, _OVER = 5.0, 8.0  # mm on paper: thickness that nobody states, and from the plate to its dimension
+
+
+def seat_zones(shafts: Collection[int], train: Train) -> dict[int, float]:
+    """Width of the zone of each seat by its shaft, mm, so that the distances of the axes keep their deviations.
+
+    A hole has the least deviation of the distances of its axis, and twice that of one to the first hole, the datum.
+    The first hole itself, which stands square, has the least deviation of its own distances. Nothing where none of
+    these is tolerated.
+
+    Args:
+        shafts: numbers of the shafts that have a hole each, the datum first.
+        train: train with its distances.
+    """
+    zones: dict[int, float] = {}
+    first = next(iter(shafts), 0)
+    for number, stage in enumerate(train.stages, 1):
+        ends, deviation = (number, number + 1), stage.distance_deviation
+        if not deviation or not all(end in shafts for end in ends):
+            continue
+        for one, other in (ends, ends[::-1]):
+            widest = 2 * deviation if other == first else deviation
+            zones[one] = min(zones.get(one, inf), floor(widest * _STEPS + 1e-9) / _STEPS)
+    return zones if first in zones else {}
+
+
+def rim(centre: tuple[float, float], radius: float) -> Iterator[tuple[Array, Array]]:
+    """Points of a round hole, each with the direction outwards.
+
+    Args:
+        centre: centre of the hole, mm.
+        radius: its radius, mm.
+    """
+    for turn in np.radians(_AROUND):
+        out = np.array([np.cos(turn), np.sin(turn)])
+        yield np.array(centre) + radius * out, out
+
+
+def hole_frames(holes: Sequence[tuple[str, tuple[float, float], float, float]], room: Room) -> Iterator[Symbol]:
+    """Frames of holes, and the datums that hang from the first two.
+
+    Args:
+        holes: name, centre, diameter and width of the zone of each hole, mm, the datum first.
+        room: room in the view.
+    """
+    datums: tuple[str, ...] = ("A",)
+    for number, (name, centre, diameter, zone) in enumerate(holes):
+        frame = ToleranceFrame(
+            name=name,
+            characteristic=Characteristic.POSITION if number else Characteristic.PERPENDICULARITY,
+            zone=zone,
+            datums=datums,
+            tip=(0.0, 0.0),
+            bend=(1.0, 0.0),
+            diametral=True,
+        )
+        placed = room.frame(frame, list(rim(centre, diameter / 2)))
+        yield placed
+        if number < min(len(_LETTERS), len(holes) - 1):
+            yield room.hung(_LETTERS[number], placed)
+            datums = (*datums, _LETTERS[number])
+
+
+def edge_view(
+    thickness: float | None,
+    ends: tuple[float, float],
+    holes: Sequence[tuple[float, float]],
+    place: tuple[float, float],
+    scale: float,
+) -> View:
+    """View of a plate from the right, on whose face datum A stands: holes hidden.
+
+    Args:
+        thickness: thickness, mm; None where the design does not say.
+        ends: lower and upper end, mm.
+        holes: height and diameter of each hole, mm.
+        place: where its left face at height 0 lies on the paper, mm.
+        scale: mm on paper for a mm of the part.
+    """
+    (low, high), wide = ends, thickness or _SHOWN / scale
+    corners = np.array([[0.0, low], [wide, low], [wide, high], [0.0, high], [0.0, low]])
+    curves: list[Closed | Stroke] = [Stroke(corners)]
+    for at, diameter in holes:
+        for side in (-0.5, 0.5):
+            line = np.array([[0.0, at + side * diameter], [wide, at + side * diameter]])
+            curves.append(Stroke(line, LineKind.HIDDEN))
+        curves.append(Stroke(np.array([[-2.0 / scale, at], [wide + 2.0 / scale, at]]), LineKind.CENTRE))
+    dimensions: tuple[Dimension, ...] = ()
+    if thickness is not None:
+        over = high + _OVER / scale
+        made = LinearDimension(
+            name="thickness", start=(0.0, high), end=(wide, high), at=(0.0, over), beside=scale * wide / 2 + 7.0
+        )
+        dimensions = (made,)
+    heights = np.linspace(low, high, 41)[4:-4]
+    clear = [min((abs(at - y) - size / 2 for at, size in holes), default=inf) for y in heights]
+    foot = (wide, float(heights[int(np.argmax(clear))]))
+    return View(
+        place=place,
+        curves=tuple(curves),
+        dimensions=dimensions,
+        symbols=(DatumFeature(letter="A", foot=foot, angle=0.0),),
+    )
