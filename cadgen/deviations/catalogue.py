@@ -42,11 +42,13 @@ class Catalogue:
 
     Attributes:
         families: families of effects; the forward model adds the members that its data resolve.
+        formulas: effects that are proposed for what has no name, and not looked for until a user accepts one.
     """
 
-    def __init__(self, *effects: Effect, families: tuple[Family, ...] = ()) -> None:
+    def __init__(self, *effects: Effect, families: tuple[Family, ...] = (), formulas: tuple[Effect, ...] = ()) -> None:
         self._effects: list[Effect] = []
         self.families = families
+        self.formulas = formulas
         for effect in effects:
             self.register(effect)
 
@@ -91,7 +93,7 @@ class Catalogue:
         return effect
 
     def _named(self, name: str, indices: Mapping[str, float]) -> Effect | None:
-        for effect in self._effects:
+        for effect in (*self._effects, *self.formulas):
             if effect.name == name:
                 return effect
         matched = ((family, family.pattern.fullmatch(name)) for family in self.families)

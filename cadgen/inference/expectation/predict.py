@@ -84,7 +84,7 @@ def predict_logged(record: Record, diagnosis: PathDiagnosis, wheelbase: float, u
     """
     build = record.kind.model
     assert build is not None
-    fitted, model = (build(one, LoggedCar(wheelbase)) for one in (record, unseen))
+    fitted, model = (build(one, LoggedCar(wheelbase, diagnosis.accepted)) for one in (record, unseen))
     active = _probable(fitted, diagnosis.residual.after / np.sqrt(2))
     before, after, *logged = (
         np.sqrt(2) * rms_by_run(residual, model.rows.run)

@@ -18,6 +18,7 @@
 | `runs_left_out` | diagnosis of logged runs by their path error on runs left out, where errors accumulate        |
 | `odd_runs`     | runs of another car, state or unit, which are left out and named                               |
 | `repeats`      | what repeats over logged runs of one path without a name                                       |
+| `formulas`     | a formula for that over physical inputs, proposed by paths left out                            |
 | `diagnosis`    | the entry: records of one car, judged together, with the test on runs left out                 |
 | `reference`    | the catalogues as a page of documentation                                                      |
 """

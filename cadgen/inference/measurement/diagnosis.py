@@ -3,7 +3,7 @@
 `calibrate` is the entry: records of one car against its design give a diagnosis for each kind of data.
 """
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -392,19 +392,22 @@ def calibrate(
     )
 
 
-def calibrate_logged(records: Sequence[Record], wheelbase: float, progress: Progress = silent) -> PathDiagnosis:
+def calibrate_logged(
+    records: Sequence[Record], wheelbase: float, progress: Progress = silent, accepted: Collection[str] = ()
+) -> PathDiagnosis:
     """Diagnose logged runs of a vehicle by a kind of data that is judged on runs left out.
 
     Args:
         records: records of runs.
         wheelbase: distance of the axles, mm.
         progress: function that is called with a few words on each step.
+        accepted: names of formulas that the user has accepted as effects of this vehicle.
 
     Raises:
         FileError: see `record.join` and `units.refuse_wrong_units`.
     """
-    record, logged = join(records), LoggedCar(wheelbase)
+    record, logged = join(records), LoggedCar(wheelbase, frozenset(accepted))
     refuse_wrong_units(record, logged)
     model = record.kind.model
     assert model is not None
-    return diagnose_logged(record, lambda part: model(part, logged), progress)
+    return replace(diagnose_logged(record, lambda part: model(part, logged), progress), accepted=logged.accepted)

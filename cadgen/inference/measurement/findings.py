@@ -272,6 +272,24 @@ class EvidenceDiagnosis(Diagnosis):
     likely: tuple[Likely, ...] = ()
 
 
+@dataclass(frozen=True)
+class Proposal:
+    """Formula that predicts what repeats in logged runs, proposed and not claimed.
+
+    Attributes:
+        finding: formula with its number.
+        before, after: path error on paths left out, mean over runs, mm, without it and with it.
+        chance: that the best of all formulas gains as much in residuals that have nothing to do with them.
+        rivals: names of formulas that gain nearly as much.
+    """
+
+    finding: Finding
+    before: float
+    after: float
+    chance: float
+    rivals: tuple[str, ...]
+
+
 @dataclass(frozen=True, kw_only=True)
 class PathDiagnosis(Diagnosis):
     """Diagnosis of logged runs by path errors on runs left out.
@@ -280,8 +298,12 @@ class PathDiagnosis(Diagnosis):
         residual: path errors before and after.
         per_run: the same for each run.
         candidates: every subset, best first.
+        proposal: formula for what repeats; None where none predicts it.
+        accepted: names of formulas that the user has accepted as effects of this vehicle.
     """
 
     residual: PathError
     per_run: PathErrors
     candidates: tuple[PathCandidate, ...]
+    proposal: Proposal | None = None
+    accepted: frozenset[str] = frozenset()

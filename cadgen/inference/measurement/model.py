@@ -27,6 +27,7 @@ from cadgen.deviations.effect import Active, Effect, Rows, Stage, key_of, throug
 from cadgen.deviations.first_order import displaced
 from cadgen.deviations.lift import FOLLOWER, Seat
 from cadgen.errors import DesignError
+from cadgen.messages import Message
 
 Key = TypeVar("Key", bound=Hashable)
 Value = TypeVar("Value")
@@ -309,6 +310,8 @@ class Model(ABC):
         resolved: highest order that the spacing of the rows resolves; None where no catalogue goes by it.
         measured: coordinate of each row of a track, mm; None for what is no track.
         cameras: effects of the instrument that what is found is held against, and that are not searched for.
+        formulas: effects that are proposed for what repeats without a name.
+        notes: what the record shows of its instruments before any effect is looked for, as limits of the verdict.
     """
 
     unit: str
@@ -328,6 +331,8 @@ class Model(ABC):
     resolved: int | None = None
     measured: Array | None = None
     cameras: tuple[Effect, ...] = ()
+    formulas: tuple[Effect, ...] = ()
+    notes: tuple[Message, ...] = ()
 
     @property
     def shapes(self) -> tuple[Effect, ...]:

@@ -136,6 +136,12 @@ class Nominal:
 
 @dataclass(frozen=True)
 class LoggedCar:
-    """A car whose steering and travel are logged: of its design the wheelbase alone counts, mm."""
+    """A car whose steering and travel are logged.
+
+    Attributes:
+        wheelbase: of its design, mm.
+        accepted: names of the formulas that its user has accepted as effects of the car.
+    """
 
     wheelbase: float
+    accepted: frozenset[str] = frozenset()

@@ -10,6 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from cadgen.arrays import Array
+
 Complex = NDArray[np.complex128]
 
 # Places along a run at which runs are compared.
@@ -98,6 +100,21 @@ def repeats(paths: Sequence[Complex], left: Sequence[Complex]) -> list[Repeats]:
             place = worst / (STATIONS - 1)
             found.append(Repeats(square**0.5, all_left**0.5, float(np.abs(mean[worst])), place, tuple(group)))
     return sorted(found, key=lambda r: r.rms, reverse=True)
+
+
+def disturbances(path: Complex, knots: int) -> Array:
+    """Errors of a path whose heading or travel is disturbed from one of several places on, shape (2n, 2 knots), mm.
+
+    From place u on, the path z is off by i (z - z(u)) for each radian of heading, and by z - z(u) for each unit of
+    travel. Rows are first all x, then all y; columns first those of the heading.
+
+    Args:
+        path: places of a run, x + iy, shape (n,), mm.
+        knots: number of places, evenly over the run.
+    """
+    starts = np.linspace(0, len(path), knots, endpoint=False).astype(int)
+    off = np.where(np.arange(len(path))[:, None] > starts, path[:, None] - path[starts], 0.0)
+    return np.block([[-off.imag, off.real], [off.real, off.imag]])
 
 
 def _turn(one: Complex, other: Complex) -> float:

@@ -19,11 +19,27 @@ from scipy.optimize import least_squares
 
 from cadgen.arrays import Array
 from cadgen.deviations.effect import Active, Effect, activated
-from cadgen.inference.measurement.findings import Finding, PathCandidate, PathDiagnosis, PathError, PathErrors
+from cadgen.inference.measurement.findings import (
+    Finding,
+    PathCandidate,
+    PathDiagnosis,
+    PathError,
+    PathErrors,
+    Proposal,
+)
+from cadgen.inference.measurement.formulas import proposal
 from cadgen.inference.measurement.hypothesis import numbers_on_bound
 from cadgen.inference.measurement.model import Model, slopes
 from cadgen.inference.measurement.record import Record
-from cadgen.inference.measurement.repeats import LEAST_ALIKE, STATIONS, Complex, Repeats, one_path, repeats
+from cadgen.inference.measurement.repeats import (
+    LEAST_ALIKE,
+    STATIONS,
+    Complex,
+    Repeats,
+    disturbances,
+    one_path,
+    repeats,
+)
 from cadgen.inference.measurement.verdict import (
     Judgement,
     Verdict,
@@ -276,11 +292,16 @@ def diagnose_logged(record: Record, build: Callable[[Record], Model], progress: 
         again = repeats(paths, _along(before, model.rows.run))
         again = [r for r in again if r.rms > LEAST_REPEATED * left_out.extent]
     driven = len(one_path(paths)[0]) >= LEAST_ALIKE
+    judgement = _with_what_repeats(judgement, again, driven=driven)
+    judgement = replace(judgement, limits=(*judgement.limits, *model.notes))
+    formula = proposal(model, chosen.effects, active, after, one_path(paths)) if again else None
+    if formula is not None:
+        judgement = replace(judgement, limits=(*judgement.limits, _proposed(formula, record)))
     return PathDiagnosis(
         source=record.source,
         kind=record.kind,
         unit=model.unit,
-        judgement=_with_what_repeats(judgement, again, driven=driven),
+        judgement=judgement,
         findings=findings,
         candidates=tuple(
             PathCandidate(tuple(e.name for e in t.effects), t.error, _findings(t), tuple(t.held_out.tolist()))
@@ -299,6 +320,29 @@ def diagnose_logged(record: Record, build: Callable[[Record], Model], progress: 
         after=after,
         active=active,
         measured=model.measured,
+        proposal=formula,
+    )
+
+
+def _proposed(formula: Proposal, record: Record) -> Message:
+    """Proposal of a formula in words, and how to accept it."""
+    (number,) = formula.finding.values
+    words = Message(
+        'a formula that no effect of the catalogue has predicts it: "{name}" with {number} {value:.3g} ± {sigma:.2g} '
+        "lowers the path error on paths left out from {before:.0f} to {after:.0f} mm; to accept it as an effect of "
+        'this car, put it with kind = "{kind}" and place = "noted" in [[as_built.effects]], and calibrate again',
+        name=formula.finding.effect,
+        number=number.name,
+        value=number.value,
+        sigma=number.sigma,
+        before=formula.before,
+        after=formula.after,
+        kind=record.kind.code,
+    )
+    if not formula.rivals:
+        return words
+    return Message(
+        "{words}; or one that does nearly as well: {rivals}", words=words, rivals=joined(formula.rivals, ", ")
     )
 
 
@@ -337,11 +381,8 @@ def _unsure(model: Model, chosen: LeftOutFit, groups: list[list[int]], again: li
         for number in group:
             mine = np.flatnonzero(run == number)
             x, y = coordinates[mine].reshape(2, -1)
-            z = x + 1j * y
-            starts = np.linspace(0, len(z), KNOTS, endpoint=False).astype(int)
-            off = np.where(np.arange(len(z))[:, None] > starts, z[:, None] - z[starts], 0.0)
-            columns[mine] = np.block([[-off.imag, off.real], [off.real, off.imag]])
-            seen += len(z) * size.get(number, 0.0) ** 2
+            columns[mine] = disturbances(x + 1j * y, KNOTS)
+            seen += len(x) * size.get(number, 0.0) ** 2
         # The start of each run has a direction of its own; what repeats is relative to that.
         columns = _registered(model, columns)
         answer = inverse @ columns

@@ -223,7 +223,7 @@ def calibrate(
     wheelbase = None
     if logged := records[Method.RUNS_LEFT_OUT]:
         wheelbase = wheelbase_of(design.car.wheelbase_mm, logged)
-        diagnosis = calibrate_logged(logged, wheelbase[0], progress)
+        diagnosis = calibrate_logged(logged, wheelbase[0], progress, accepted_formulas(design, logged[0].kind))
         diagnoses[diagnosis.kind] = diagnosis
     found = _claims(design, diagnoses.values(), zones)
     if not any(c.absent and c.deviation == deviation.RETURN_ERROR and c.kind.rod_on for c in found):
@@ -295,6 +295,17 @@ def _claims(design: Design, diagnoses: Iterable[Diagnosis], zones: ZoneMeans | N
     elif zones is not None and tabled is not None and zones.judgement.verdict in SOUND:
         found.append(no_play(zones.source, zones.kind, zones.finding, degrees(tabled)))
     return [claim for claim in found if claim is not None]
+
+
+def accepted_formulas(design: Design, kind: Kind) -> frozenset[str]:
+    """Names of the effects of a kind of logged runs that the design has, formulas among them.
+
+    Args:
+        design: loaded design.
+        kind: of the logged runs.
+    """
+    known = design.as_built.effects if design.as_built else ()
+    return frozenset(effect.effect for effect in known if effect.kind == kind.code)
 
 
 def wheelbase_of(designed: float, records: Sequence[Record]) -> tuple[float, bool]:

@@ -92,10 +92,11 @@ def test_a_steering_logged_in_another_scale_and_a_marker_far_off_are_found(measu
 def test_tricycle_is_traced_on_runs_left_out(measured):
     some = [load(measured / f"{name}.csv").only(np.arange(4)) for name in ("circles", "squares")]
     told = calibrate_logged(some, 150.0)
-    assert told.judgement.claimed == ("steering zero", "wheel radius", "wheelbase")
+    assert told.judgement.claimed == ("steering zero", "wheelbase")
     values = {v.name: v for f in told.findings for v in f.values}
     assert values["wheelbase_percent"].value == pytest.approx(4.4, abs=3 * values["wheelbase_percent"].sigma)
-    assert told.residual.held_out < 50
+    assert told.residual.held_out < 30  # 40 with camera and log each by its own clock
+    assert any("camera and log differ in 8 of 8 runs" in limit for limit in told.judgement.limits)
     # On squares the wheel stands at 90 degrees in the corners: a gain in the wheelbase's place fails there.
     error = {frozenset(c.effects): c.score for c in told.candidates}
     with_base = error[frozenset({"steering zero", "wheelbase"})]

@@ -14,10 +14,27 @@ from cadgen.deviations.effect import Effect, Parameter, Rows, Stage
 
 @dataclass(frozen=True, kw_only=True)
 class Log(Rows):
-    """Log of a run, by row: time since the run's start, s, and logged steering angle, rad, shape (n,)."""
+    """Log of a run by row, arrays of shape (n,).
+
+    Attributes:
+        time: since the run's start, s.
+        steering: logged angle, rad.
+        travel, turned: of the front wheel and of its steering since the row before, mm and rad.
+        distance, speed: of the front wheel, mm and mm/s.
+        heading: from that of the start, by the log alone, rad.
+        wheel: angle of the front wheel, rad; zeros where its diameter is not known.
+        sense: +1 where the steering turned to the left last, -1 to the right, 0 before it turned.
+    """
 
     time: Array
     steering: Array
+    travel: Array
+    turned: Array
+    distance: Array
+    speed: Array
+    heading: Array
+    wheel: Array
+    sense: Array
 
 
 STEERING = Stage[Array]("steering")
