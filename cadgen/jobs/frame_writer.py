@@ -12,12 +12,11 @@ from cadgen.design.frame import Cutting, FrameSection
 from cadgen.design.machining import Machining
 from cadgen.design.train import PlateSection
 from cadgen.figures import Facts
-from cadgen.gears.fits import deviations
 from cadgen.jobs.car_frame import CLEAR, CarFrame
-from cadgen.jobs.drawings import Folder, distance_notes, title_of, write_sheet
+from cadgen.jobs.drawings import Folder, distance_notes, span_notes, title_of, write_sheet
 from cadgen.messages import Message
 from cadgen.output.drawing.frame_sheets import PanelText, block_drawing, panel_drawing
-from cadgen.output.drawing.shaft_fit import limits
+from cadgen.output.drawing.hole_frames import seat_zones
 from cadgen.output.drawing.sheet import Title
 from cadgen.output.files.frame_files import FrameText, block_files, panel_files
 from cadgen.output.files.manifest import Origin
@@ -98,9 +97,8 @@ class _Files:
         stem = f"{job.stem}_block"
         yield from block_files(frame.block, self.staging, stem, text)
         title = self._title(Message("block of the fork"), others, stem)
-        yield from write_sheet(
-            self.staging, stem, block_drawing(frame.block, tuple(self._block_notes()), title), self.omitted
-        )
+        sheet = block_drawing(frame.block, tuple(self._block_notes()), frame.sizes.screw.thread, title)
+        yield from write_sheet(self.staging, stem, sheet, self.omitted)
         table = StringIO()
         writer = csv.writer(table, lineterminator="\n")
         writer.writerow(["code", "name", "quantity"])
@@ -113,7 +111,10 @@ class _Files:
 
     def _words(self, panel: Panel) -> PanelText:
         frame = self.job.frame
-        notes = [Message("Sheet {thickness:g} mm thick.", thickness=panel.thickness)]
+        train, zones = gear_model.train(self.job.design), dict[int, float]()
+        if panel in frame.plates:
+            zones = seat_zones(sorted(hole.shaft for hole in panel.holes if hole.fit and hole.shaft), train)
+        notes = [] if zones else [Message("Sheet {thickness:g} mm thick.", thickness=panel.thickness)]
         datum = Message("axis of the camshaft")
         between: list[tuple[str, tuple[float, float], tuple[float, float], str]] = []
         if panel is frame.base:
@@ -132,34 +133,15 @@ class _Files:
             datum = Message("height of the camshaft, and inner face of the disc")
         else:
             notes.append(Message("Seen from the left of the car, its front to the left."))
-        seats = sorted({hole.diameter for hole in panel.holes if hole.fit})
-        fit = f"{frame.sizes.seat}/h6"
-        for size in seats:
-            low, high = deviations(fit, size)[0]
-            notes.append(
-                Message(
-                    "Hole Ø{size:g} {hole}: {limits} mm.", size=size, hole=frame.sizes.seat, limits=limits(low, high)
-                )
-            )
         if panel in frame.plates:
-            notes += distance_notes(gear_model.train(self.job.design))
+            notes += span_notes(train) if zones else distance_notes(train)
             notes.append(Message("Bearings flush with the face that looks to the train, bonded."))
-        if panel.edge_holes:
-            notes.append(
-                Message(
-                    "{count} threads {thread} in the foot, midway along the thickness: drill Ø{drill:g}, {deep:g} mm "
-                    "deep.",
-                    count=len(panel.edge_holes),
-                    thread=frame.sizes.screw.thread,
-                    drill=frame.sizes.screw.tap_drill,
-                    deep=panel.edge_holes[0].depth,
-                )
-            )
         if frame.sizes.corner:
             notes.append(
                 Message("Inner corners are opened for a cutter of {size:g} mm.", size=2 * (frame.sizes.corner - CLEAR))
             )
-        return PanelText(datum=datum, notes=tuple(notes), between=tuple(between))
+        thread = frame.sizes.screw.thread
+        return PanelText(datum=datum, notes=tuple(notes), between=tuple(between), zones=zones, thread=thread)
 
     def _base_notes(self) -> Iterator[Message]:
         frame = self.job.frame
@@ -187,20 +169,5 @@ class _Files:
         yield Message("Slots are 0.1 mm longer and wider than the tabs in them: try one first.")
 
     def _block_notes(self) -> Iterator[Message]:
-        block, screw = self.job.frame.block, self.job.frame.sizes.screw
-        low, high = deviations(f"{block.fit}/h6", block.bearing.diameter)[0]
-        yield Message(
-            "Seats for bearings {code}, one in each end: Ø{size:g} {hole}: {limits} mm; both in one setting.",
-            code=block.bearing.designation,
-            size=block.bearing.diameter,
-            hole=block.fit,
-            limits=limits(low, high),
-        )
-        yield Message("Hole between the seats: Ø{bore:g}.", bore=block.bore)
-        yield Message(
-            "Threads {thread}: drill Ø{drill:g}, {deep:g} mm deep, from below.",
-            thread=screw.thread,
-            drill=block.tap,
-            deep=block.depth,
-        )
-        yield Message("The bore stands square to the lower face.")
+        block = self.job.frame.block
+        yield Message("Seats for bearings {code}, one in each end.", code=block.bearing.designation)

@@ -162,15 +162,18 @@ def test_texts_and_frames_of_gear_sheets_keep_off_each_other(sheets, language) -
     for train, of_train in sheets.items():
         for stem, sheet in of_train.items():
             space = document_of(sheet, language).modelspace()
-            found = [*boxes(space), *frame_boxes(sheet)]
-            shared = [
-                (a, b)
-                for number, (one, a) in enumerate(found)
-                for other, b in found[:number]
-                if one.intersection(other).area > 0.02 * min(one.area, other.area)
-                and not (isinstance(b, str) and isinstance(a, tuple) and b in a)
-            ]
-            assert shared == [], (train, stem)
+            assert apart([*boxes(space), *frame_boxes(sheet)]) == [], (train, stem)
+
+
+def apart(found: list) -> list[tuple]:
+    """Pairs of texts and frames that lie on each other; a frame holds texts of its own."""
+    return [
+        (a, b)
+        for number, (one, a) in enumerate(found)
+        for other, b in found[:number]
+        if one.intersection(other).area > 0.02 * min(one.area, other.area)
+        and not (isinstance(b, str) and isinstance(a, tuple) and b in a)
+    ]
 
 
 def frame_boxes(sheet: DrawingSheet) -> list:

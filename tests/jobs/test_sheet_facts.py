@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+import shapely
 
 from cadgen.car.assembly.car_parts import CarPart, Supply
 from cadgen.design.load import load_design
@@ -20,6 +21,7 @@ from cadgen.output.drawing.assembly_sheet import assembly_drawing
 from cadgen.output.drawing.sheet import (
     HEIGHTS,
     Characteristic,
+    Closed,
     DatumFeature,
     DrawingSheet,
     LinearDimension,
@@ -27,11 +29,12 @@ from cadgen.output.drawing.sheet import (
     ToleranceFrame,
 )
 from cadgen.output.drawing.sheet_files import document_of
+from tests.jobs.test_gear_sheets import apart, frame_boxes
 from tests.output.drawing.test_drawings import boxes
 
 PAGE = Path(__file__).parents[2] / "docs" / "reference" / "sheets.md"
 # Sheets say in one of these ways what they count from: axis and face, axis of the camshaft, face of the bore, angle 0.
-DATUMS = ("Datum", "axis of the camshaft", "height of the camshaft", "square to the lower face", "0°")
+DATUMS = ("Datum", "axis of the camshaft", "height of the camshaft", "0°")
 WITHOUT_FITS = ("base", "platform")  # whose holes are for screws, and whose slots for tabs
 NOWHERE = Folder({}, "2026-01-01")
 
@@ -194,6 +197,49 @@ def test_texts_of_plain_parts_have_heights_of_the_series_and_do_not_lie_on_each_
             if one.intersection(other).area > 0.02 * min(one.area, other.area)
         ]
         assert shared == [], stem
+
+
+def test_plates_and_block_of_the_frame_hold_their_seats_by_frames(sheets: dict[str, DrawingSheet]) -> None:
+    """Bearing plates by the deviations of the train's distances, the block by the width of its seats' class."""
+    for code, count in (("plate_near", 4), ("plate_far", 3)):
+        sheet = sheets[f"workshop_car_frame_{code}"]
+        first, *others = (each for each in sheet.views[0].symbols if isinstance(each, ToleranceFrame))
+        assert (first.characteristic, first.datums) == (Characteristic.PERPENDICULARITY, ("A",))
+        assert [each.datums for each in others] == [("A", "B"), *[("A", "B", "C")] * (count - 2)]
+        assert {each.characteristic for each in others} == {Characteristic.POSITION}
+        assert not any("±" in note or "Ø" in note or "M3" in note for note in sheet.notes)
+        assert any(cell.startswith("M3 × ") for row in sheet.tables[0].rows for cell in row)
+    block = sheets["workshop_car_frame_block"]
+    square, aligned = (each for each in block.views[1].symbols if isinstance(each, ToleranceFrame))
+    assert (square.characteristic, square.zone_text, square.datums) == (
+        Characteristic.PERPENDICULARITY,
+        "Ø0.018",
+        ("A",),
+    )
+    assert (aligned.characteristic, aligned.zone_text, aligned.datums) == (Characteristic.COAXIALITY, "Ø0.018", ("B",))
+    assert [each.suffix for each in block.views[1].dimensions if each.name.endswith("seat")][:1] == [" H7 (+0.018/0)"]
+    assert len(block.notes) == 1
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_texts_of_the_frame_keep_off_each_other_and_numbers_off_outlines(
+    sheets: dict[str, DrawingSheet], language: str
+) -> None:
+    for stem, sheet in sheets.items():
+        if "_frame_" not in stem:
+            continue
+        space = document_of(sheet, language).modelspace()
+        found = [*boxes(space), *frame_boxes(sheet)]
+        assert apart(found) == [], stem
+        outlines = shapely.union_all(
+            [
+                shapely.LineString([*(at := sheet.scale * curve.contour.polygon(0.01) + sheet.views[0].place), at[0]])
+                for curve in sheet.views[0].curves
+                if isinstance(curve, Closed)
+            ]
+        )
+        for box, text in boxes(space):
+            assert not (text.isdigit() and text != "0" and outlines.intersects(box.buffer(-0.2))), (stem, text)
 
 
 def test_the_list_names_what_is_bought_with_its_standard(car: CarAssembly) -> None:

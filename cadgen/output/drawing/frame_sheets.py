@@ -1,22 +1,30 @@
 """Sheets of a frame: its sheet parts with every hole from one datum, and the fork's block."""
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from cadgen.car.assembly.frame import ForkBlock
-from cadgen.car.assembly.panels import Panel, rectangle
+from cadgen.car.assembly.panels import Feature, Panel, rectangle
 from cadgen.curves.contour import Contour
+from cadgen.gears.fits import deviations
 from cadgen.messages import Message
+from cadgen.output.drawing.hole_frames import edge_view, hole_frames
 from cadgen.output.drawing.placement import Room
+from cadgen.output.drawing.shaft_fit import limits
 from cadgen.output.drawing.sheet import (
     DIAMETER,
     EDGE,
     LEFT,
     SIZES,
+    TEXT,
     TITLE_SIZE,
+    WIDEST,
+    Characteristic,
     Closed,
+    DatumFeature,
+    DiameterDimension,
     Dimension,
     DrawingSheet,
     Label,
@@ -25,12 +33,15 @@ from cadgen.output.drawing.sheet import (
     NoteColumn,
     SheetTable,
     Stroke,
+    Symbol,
     Title,
+    ToleranceFrame,
     View,
     beside_title,
     centre_cross,
     chosen_sheet,
     have_room,
+    length_of,
     over_title,
     ring,
     rounded,
@@ -38,7 +49,8 @@ from cadgen.output.drawing.sheet import (
 )
 
 _GAP = 9.0  # mm on paper from the part to a dimension line, and from line to line
-_WIDTHS = (9.0, 20.0, 20.0, 27.0, 54.0)  # of the columns of a sheet part's table, mm
+_WIDTHS = (9.0, 18.0, 18.0, 36.0, 58.0)  # of the columns of a sheet part's table, mm
+_WITHIN = 8.0  # mm on paper, least width and height with room for a number
 _NUMBER = 3.0  # mm on paper from a hole to its number
 
 
@@ -50,11 +62,15 @@ class PanelText:
         datum: what the datum is, for people.
         notes: sentences for the shop.
         between: further dimensions: name, first and second point on the part, mm, and text after the number.
+        zones: zones of the seats of shafts by their numbers, mm; none where no distance has a tolerance.
+        thread: name of the threads in the foot.
     """
 
     datum: str
     notes: tuple[str, ...]
     between: tuple[tuple[str, tuple[float, float], tuple[float, float], str], ...] = ()
+    zones: Mapping[int, float] = field(default_factory=dict)
+    thread: str = ""
 
 
 def panel_drawing(panel: Panel, text: PanelText, title: Title) -> DrawingSheet:
@@ -67,7 +83,7 @@ def panel_drawing(panel: Panel, text: PanelText, title: Title) -> DrawingSheet:
     """
     points = panel.outline.polygon(0.01)
     (left, low), (right, high) = points.min(axis=0).tolist(), points.max(axis=0).tolist()
-    rows = tuple(_rows(panel))
+    rows = tuple(_rows(panel, text))
     table_width = sum(_WIDTHS)
 
     def table_of(size: str) -> SheetTable:
@@ -78,7 +94,7 @@ def panel_drawing(panel: Panel, text: PanelText, title: Title) -> DrawingSheet:
         return over_title([table_of(size)], table_width, title), beside_title(size)
 
     extent = (max(right, 0.0) - min(left, 0.0), max(high, 0.0) - min(low, 0.0))
-    beside = (table_width + 42.0, TITLE_SIZE[1] + 34.0)
+    beside = (table_width + (90.0 if text.zones else 42.0), TITLE_SIZE[1] + 34.0)
     size, scale = chosen_sheet(extent, beside, 1.0, 2.0, lambda size: have_room(text.notes, columns_of(size)))
     gap = _GAP / scale
     room_high = SIZES[size][1] - 2 * EDGE - TITLE_SIZE[1]
@@ -98,13 +114,9 @@ def panel_drawing(panel: Panel, text: PanelText, title: Title) -> DrawingSheet:
     room = Room(curves, scale)
     dimensions: list[Dimension] = [
         LinearDimension(name="length", start=(left, low), end=(right, low), at=(left, low - 2 * gap)),
-        LinearDimension(
-            name="height", start=(left, low), end=(left, high), at=(min(left, 0.0) - 1.6 * gap, low), angle=90.0
-        ),
-        LinearDimension(name="datum along", start=(left, low), end=(0.0, 0.0), at=(left, low - gap)),
-        LinearDimension(
-            name="datum across", start=(left, low), end=(0.0, 0.0), at=(min(left, 0.0) - 0.8 * gap, low), angle=90.0
-        ),
+        upright("height", left, (low, high), min(left, 0.0) - 1.6 * gap, scale),
+        _to_datum("datum along", (left, low), (left, low - gap), 0.0, scale),
+        _to_datum("datum across", (left, low), (min(left, 0.0) - 0.8 * gap, low), 90.0, scale),
     ]
     for number, (name, start, end, suffix) in enumerate(text.between):
         over = max(high, 0.0) + (0.9 + 0.9 * number) * gap
@@ -117,41 +129,87 @@ def panel_drawing(panel: Panel, text: PanelText, title: Title) -> DrawingSheet:
         for number, hole in enumerate(panel.holes, 1)
     ]
     labels += [
-        room.label(str(number), (feature.u, feature.v), _NUMBER, 2.5)
+        _number(room, str(number), feature, scale)
         for number, feature in enumerate(panel.features, len(panel.holes) + 1)
     ]
-    view = View(place=place, curves=tuple(curves), dimensions=tuple(dimensions), labels=tuple(labels))
+    seats = [hole for hole in panel.holes if hole.fit and hole.shaft in text.zones]
+    seats.sort(key=lambda hole: hole.shaft)
+    framed = [
+        (f"seat of shaft {each.shaft}", (each.u, each.v), each.diameter, text.zones[each.shaft]) for each in seats
+    ]
+    symbols = tuple(hole_frames(framed, room))
+    views = [
+        View(place=place, curves=tuple(curves), dimensions=tuple(dimensions), labels=tuple(labels), symbols=symbols)
+    ]
+    if framed:
+        aside = (place[0] + scale * max(right, 0.0) + 22.0, place[1])
+        seen = [(hole.v, hole.diameter) for hole in panel.holes]
+        views.append(edge_view(panel.thickness, (low, high), seen, aside, scale))
     table, columns = table_of(size), columns_of(size)
     return DrawingSheet(
-        size=size, scale=scale, title=title, views=(view,), tables=(table,), notes=text.notes, columns=columns
+        size=size, scale=scale, title=title, views=tuple(views), tables=(table,), notes=text.notes, columns=columns
     )
 
 
-def _rows(panel: Panel) -> Iterator[tuple[str, ...]]:
+def _to_datum(
+    name: str, corner: tuple[float, float], at: tuple[float, float], angle: float, scale: float
+) -> LinearDimension:
+    """Dimension from a corner of the part to the datum, its number beside the line where that is short."""
+    made = LinearDimension(name=name, start=corner, end=(0.0, 0.0), at=at, angle=angle)
+    return replace(made, beside=upright(name, 0.0, (0.0, length_of(made)), 0.0, scale).beside)
+
+
+def _number(room: Room, number: str, feature: Feature, scale: float) -> Label:
+    """Number of a slot, tab or opening: within it where it has room, else beside its outline.
+
+    Args:
+        room: room in the view.
+        number: number.
+        feature: what it stands for.
+        scale: mm on paper for a mm of the part.
+    """
+    along, across = scale * feature.along, scale * feature.across
+    if along > _WITHIN and across > _WITHIN:
+        label = Label(text=number, at=(feature.u, feature.v))
+        room.take(label)
+        return label
+    return room.label(number, (feature.u, feature.v), _NUMBER, TEXT, (along / 2, across / 2))
+
+
+def _rows(panel: Panel, text: PanelText) -> Iterator[tuple[str, ...]]:
     yield ("", "x, mm", "y, mm", Message("size, mm"), Message("what"))
     number = 0
     for hole in panel.holes:
         number += 1
-        yield str(number), _at(hole.u), _at(hole.v), f"{DIAMETER}{rounded(hole.diameter)} {hole.fit}".strip(), hole.name
+        size, name = f"{DIAMETER}{rounded(hole.diameter)}", hole.name
+        if hole.fit:
+            size += f" {hole.fit} ({limits(*deviations(f'{hole.fit}/h6', hole.diameter)[0])})"
+        if hole.fit and hole.shaft in text.zones:
+            name = Message("{hole}, exact place", hole=name)
+        yield str(number), _at(hole.u), _at(hole.v), size, name
     for feature in panel.features:
         number += 1
         size = f"{rounded(feature.along, 2)} × {rounded(feature.across, 2)}" if feature.along else Message("see DXF")
         yield str(number), _at(feature.u), _at(feature.v), size, feature.name
     for edge in panel.edge_holes:
-        size = f"{DIAMETER}{rounded(edge.diameter, 2)} × {rounded(edge.depth, 2)}"
-        yield "", _at(edge.u), _at(edge.v), size, Message("thread in the foot")
+        size = f"{text.thread} × {rounded(edge.depth, 2)}, {DIAMETER}{rounded(edge.diameter, 2)}"
+        yield "", _at(edge.u), _at(edge.v), size, Message("thread in the foot, mid-thickness")
 
 
 def _at(place: float) -> str:
     return f"{round(place, 3) + 0.0:.3f}"  # no -0
 
 
-def block_drawing(block: ForkBlock, notes: tuple[str, ...], title: Title) -> DrawingSheet:
+def block_drawing(block: ForkBlock, notes: tuple[str, ...], thread: str, title: Title) -> DrawingSheet:
     """Sheet of the fork's block: from above, and the section along the car.
+
+    The upper seat stands square to the lower face, the lower one in line with the upper, each within the width of the
+    seats' class: by so much a bearing may stand aside in its seat.
 
     Args:
         block: block.
         notes: sentences for the shop.
+        thread: name of the threads.
         title: title block.
     """
     half, across, tall, seat = block.length / 2, block.width / 2, block.height, block.bearing
@@ -166,9 +224,10 @@ def block_drawing(block: ForkBlock, notes: tuple[str, ...], title: Title) -> Dra
         Closed(_box(-half, -across, half, across)),
         ring(seat.diameter),
         ring(block.bore),
-        *(ring(block.tap, LineKind.HIDDEN, (at, 0.0)) for at in block.threads),
+        *(ring(size, LineKind.HIDDEN, (at, 0.0)) for at in block.threads for size in (block.tap, float(thread[1:]))),
         *(line for at in (0.0, *block.threads) for line in centre_cross(3.0 + seat.diameter / 4, (at, 0.0))),
     ]
+    thick = float(thread[1:]) / 2
     cut: list[Closed | Stroke] = [Closed(_box(-half, 0.0, half, tall))]
     for low, high, radius in (
         (0.0, seat.width, seat.diameter / 2),
@@ -178,45 +237,91 @@ def block_drawing(block: ForkBlock, notes: tuple[str, ...], title: Title) -> Dra
         cut.append(Closed(_box(-radius, low, radius, high)))
     for at in block.threads:
         cut.append(Closed(_box(at - block.tap / 2, 0.0, at + block.tap / 2, block.depth)))
+        cut += [
+            Stroke(np.array([[at + side, 0.0], [at + side, block.depth]]), LineKind.THIN) for side in (-thick, thick)
+        ]
         cut.append(Stroke(np.array([[at, -2.0], [at, block.depth + 2.0]]), LineKind.CENTRE))
     cut.append(Stroke(np.array([[0.0, -3.0], [0.0, tall + 3.0]]), LineKind.CENTRE))
-    fit = f" {block.fit}" if block.fit else ""
-    seat_width = LinearDimension(
-        name="seat",
-        start=(-seat.diameter / 2, tall),
-        end=(seat.diameter / 2, tall),
-        at=(0.0, tall + gap),
-        prefix=DIAMETER,
-        suffix=fit,
-        beside=scale * seat.diameter / 2 + 14.0,
+    low, high = deviations(f"{block.fit}/h6", seat.diameter)[0]
+    fit = f" {block.fit} ({limits(low, high)})"
+    beside = scale * seat.diameter / 2 + TEXT * WIDEST * (len(rounded(seat.diameter) + fit) + 1) / 2 + 2.0
+    seats = [
+        LinearDimension(
+            name=name,
+            start=(-seat.diameter / 2, z),
+            end=(seat.diameter / 2, z),
+            at=(0.0, line),
+            prefix=DIAMETER,
+            suffix=fit,
+            beside=beside,
+        )
+        for name, z, line in (("seat", tall, tall + gap), ("lower seat", 0.0, -1.8 * gap))
+    ]
+    room = Room(cut, scale)
+    for each in seats:
+        room.take(each)
+    symbols: list[Symbol] = [DatumFeature(letter="A", foot=(-half + 3.0 / scale, 0.0), angle=270.0)]
+    for characteristic, datums, each in (
+        (Characteristic.PERPENDICULARITY, ("A",), seats[0]),
+        (Characteristic.COAXIALITY, ("B",), seats[1]),
+    ):
+        # In line with the dimension, which says that the axis is meant.
+        tip = (-seat.diameter / 2, each.at[1])
+        frame = ToleranceFrame(
+            name=each.name,
+            characteristic=characteristic,
+            zone=high - low,
+            datums=datums,
+            tip=tip,
+            bend=(tip[0] - 6.0 / scale, tip[1]),
+            diametral=True,
+        )
+        symbols.append(frame)
+        if each is seats[0]:
+            symbols.append(room.hung("B", frame))
+    words = (Label(text=Message("from above"), at=(0.0, -across - 1.2 * gap), height=3.5),)
+    sizes = Room(top, scale).dimensions(
+        [
+            LinearDimension(name="length", start=(-half, across), end=(half, across), at=(0.0, across + 2 * gap)),
+            LinearDimension(
+                name="threads apart",
+                start=(block.threads[0], 0.0),
+                end=(block.threads[-1], 0.0),
+                at=(0.0, across + gap),
+            ),
+            upright("width", -half, (-across, across), -half - gap, scale),
+            DiameterDimension(name="hole between the seats", centre=(0.0, 0.0), diameter=block.bore, angle=60.0),
+            DiameterDimension(
+                name="threads",
+                centre=(block.threads[-1], 0.0),
+                diameter=2 * thick,
+                prefix=f"{len(block.threads)} × ",
+                suffix=f" × {rounded(block.depth, 2)}",
+                sign="M",
+                angle=-60.0,
+            ),
+        ],
+        words,
     )
     views = (
         View(
             place=above,
             curves=tuple(top),
-            dimensions=(
-                LinearDimension(name="length", start=(-half, across), end=(half, across), at=(0.0, across + 2 * gap)),
-                LinearDimension(
-                    name="threads apart",
-                    start=(block.threads[0], 0.0),
-                    end=(block.threads[-1], 0.0),
-                    at=(0.0, across + gap),
-                ),
-                upright("width", -half, (-across, across), -half - gap, scale),
-            ),
-            labels=(Label(text=Message("from above"), at=(0.0, -across - 1.2 * gap), height=3.5),),
+            dimensions=sizes,
+            labels=words,
         ),
         View(
             place=section,
             curves=tuple(cut),
+            symbols=tuple(symbols),
             dimensions=(
-                seat_width,
+                *seats,
                 upright("height", half, (0.0, tall), half + 2 * gap, scale),
                 upright("depth of the upper seat", half, (tall - seat.width, tall), half + gap, scale),
                 upright("depth of the lower seat", half, (0.0, seat.width), half + gap, scale),
                 upright("depth of the threads' holes", -half, (0.0, block.depth), -half - gap, scale),
             ),
-            labels=(Label(text=Message("section along the car"), at=(0.0, -1.2 * gap), height=3.5),),
+            labels=(Label(text=Message("section along the car"), at=(0.0, -2.6 * gap), height=3.5),),
         ),
     )
     return DrawingSheet(

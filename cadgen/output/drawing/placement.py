@@ -107,7 +107,14 @@ class Room:
         """Dimension that is crossed least of several, the first if none is crossed."""
         return self._best([(each, _FAR * number) for number, each in enumerate(candidates)])
 
-    def label(self, text: str, around: tuple[float, float], away: float, height: float) -> Label:
+    def label(
+        self,
+        text: str,
+        around: tuple[float, float],
+        away: float,
+        height: float,
+        extent: tuple[float, float] = (0.0, 0.0),
+    ) -> Label:
         """A label where there is room about a point of the part.
 
         Args:
@@ -115,9 +122,13 @@ class Room:
             around: the point, mm.
             away: distance of the label from it on paper, mm.
             height: height of the letters on paper, mm.
+            extent: half the width and height of what stands there, mm on paper, which the label keeps off.
         """
         angles = np.radians([45, 135, -45, -135, 0, 90, 180, -90])
-        ways = away * np.stack([np.cos(angles), np.sin(angles)], axis=1) / self._scale
+        units = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+        reaches = (away,) if extent == (0.0, 0.0) else (away, away + 2.5, away + 5.0)
+        sides = np.rint(units) * np.array(extent)
+        ways = np.concatenate([sides + reach * units for reach in reaches]) / self._scale
         every = [
             (Label(text=text, at=(around[0] + x, around[1] + y), height=height), _FAR * number)
             for number, (x, y) in enumerate(ways.tolist())

@@ -160,6 +160,7 @@ class Characteristic(StrEnum):
     LINE_PROFILE = "profile of a line"
     POSITION = "position"
     PERPENDICULARITY = "perpendicularity"
+    COAXIALITY = "coaxiality"
     RUN_OUT = "circular run-out"
 
 

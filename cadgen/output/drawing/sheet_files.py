@@ -96,6 +96,9 @@ _SYMBOLS = {
         np.array([[-0.7, 0.0], [0.7, 0.0]]),
         np.array([[0.0, -0.7], [0.0, 0.7]]),
     ),
+    Characteristic.COAXIALITY: tuple(
+        np.column_stack([radius * np.cos(2 * _HALF_TURN), radius * np.sin(2 * _HALF_TURN)]) for radius in (0.3, 0.6)
+    ),
     Characteristic.PERPENDICULARITY: (
         np.array([[-0.6, -0.5], [0.6, -0.5]]),
         np.array([[0.0, -0.5], [0.0, 0.6]]),
