@@ -43,6 +43,9 @@ _MINIMAL: Tables = {
     "follower": {"radius_mm": 2.5},
 }
 
+# Changes to packaged cars that leave them neither brake nor trim nor friction: their best cam is one against play.
+UNBRAKED = ("mechanics=", "optimize.hardware=", "tolerances.start_gap_deg=")
+
 DESIGNS = Path(__file__).parent.parent / "designs"
 TRICYCLE = Path(__file__).parent.parent / "docs" / "examples" / "cadgen-tricycle"
 

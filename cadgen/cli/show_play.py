@@ -338,6 +338,8 @@ def many_cars(run: "ToleranceRun[Cam]") -> None:
         Message("of the variance"),
     )
     title = Message("what matters most: errors at the end for a step of each tolerance")
+    if result.trimmed:
+        title = Message("what matters most: errors at the end for a step of each tolerance, after a trim")
     sheet(Sheet("sensitivities", title, heads, rows))
 
 

@@ -302,8 +302,7 @@ def trimmed(design: Design) -> bool:
 def tolerances(design: Design, forces: MechanicsBand | None = None) -> Tolerances:
     """How cars of this design may differ, also in the forces on their cams; a measured return error does not.
 
-    Cars that are trimmed after a trial run have no error of `_TRIMMED` left, but that of the setting itself:
-    the tolerances of base radius and steering zero.
+    Cars that are trimmed after a trial run have no error left that a turn of the steering takes out of every run.
     """
     law, given = design.tolerances.law, design.play
     sample: Sampler | None = None
@@ -316,15 +315,20 @@ def tolerances(design: Design, forces: MechanicsBand | None = None) -> Tolerance
         band = play_bands(design)[design.optimize.order]
         sample = ZoneSum((RETURN_ERROR.key,), np.array([band.least]), np.array([band.greatest]), law).sample
     found = Tolerances(half_widths=half_widths(design, forces), law=law, play=sample)
-    return trimmed_off(found) if trimmed(design) else found
+    return trimmed_off(design, found) if trimmed(design) else found
 
 
-def trimmed_off(before: Tolerances) -> Tolerances:
+def trimmed_off(design: Design, before: Tolerances) -> Tolerances:
     """How cars differ after a trial run, with the micrometer of the base radius set.
 
+    Laps have no end that could be met: of them `_TRIMMED` is taken out, and nothing else.
+
     Args:
+        design: design of the cars.
         before: how they differ before it.
     """
+    if not design.path.closed:
+        return replace(before, trimmed=True)
     left = {each: half for each, half in before.half_widths.items() if each not in _TRIMMED}
     return replace(before, half_widths=left)
 

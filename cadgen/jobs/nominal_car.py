@@ -8,15 +8,16 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.car.course.approach import nearest_point
-from cadgen.car.course.body import place_of
+from cadgen.car.course.body import RunPoses, place_of
 from cadgen.car.course.judge import Passage, turned_by
+from cadgen.car.course.layout import Gate
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import STEPS, turns_of
 from cadgen.car.running.mechanics import Mechanics
 from cadgen.curves.closed import ClosedCurve
 from cadgen.deviations.first_order import Expansion
 from cadgen.inference.monte_carlo.cars import Cars, Poses, nominal_cars
-from cadgen.inference.monte_carlo.course_margins import ClearanceItem, Complex, GateItem
+from cadgen.inference.monte_carlo.course_margins import ClearanceItem, Complex, FinishItem, GateItem
 from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.jobs.cam.course import CourseRun, OnCourse
 
@@ -131,7 +132,9 @@ def gate_steps(use: VariedCar) -> list[int]:
 
 
 def watching(cars: Cars, planned: CourseRun) -> Cars:
-    """Nominal car with stations at the gates, the nearest obstacles and the edge, besides its own.
+    """Nominal car with stations at the gates, the nearest obstacles, the edge and the finish, besides its own.
+
+    A finish that is meant to be met, or a line, on which no car that differs ends, is none of them.
 
     Args:
         cars: nominal car; its last station is the end of the run.
@@ -140,7 +143,7 @@ def watching(cars: Cars, planned: CourseRun) -> Cars:
     wheel = planned.run.drive_wheel[:, 0] + 1j * planned.run.drive_wheel[:, 1]
     turned = np.exp(-1j * planned.run.heading[0])
     driven, course = planned.driven, planned.on.course
-    watched: list[tuple[int, GateItem | ClearanceItem]] = []
+    watched: list[tuple[int, GateItem | ClearanceItem | FinishItem]] = []
 
     def local(points: Complex) -> Complex:
         """Points on the floor in the frame of the start."""
@@ -156,6 +159,8 @@ def watching(cars: Cars, planned: CourseRun) -> Cars:
         room = there.clearance - course.margin
         watch = ClearanceItem(0, local(np.array([point])), complex(away * turned), room, key)
         watched.append((round(there.place), watch))
+    if counts_finish(planned):
+        watched.append((len(planned.poses) - 1, _finish(planned, local)))
 
     motor = planned.run.motor[[number for number, _ in watched]]
     stations = np.union1d(cars.stations, motor)
@@ -182,15 +187,37 @@ def _gate(planned: CourseRun, passage: Passage, local: Callable[[Complex], Compl
     middle = poses.travel[number]
     around = np.searchsorted(poses.travel, np.arange(middle - _WINDOW, middle + _WINDOW, _STEP))
     around = np.unique(np.clip(around, 0, len(poses) - 1))
-    heading = None
-    if gate.heading is not None:
-        heading = float(turned_by(poses.heading[number], gate.heading)), gate.heading_tolerance
     return GateItem(
         0,
         local(np.array([complex(*point) for point in gate.place.points])),
         gate.place.reach,
         local(poses.track(place_of(gate.point, planned.on.car))[around]),
-        heading,
+        _heading(gate, poses, number),
         not passage.fault,
         gate.key,
     )
+
+
+def counts_finish(planned: CourseRun) -> bool:
+    """Whether cars are held against the finish: a disc near which the run is to end.
+
+    Args:
+        planned: planned run of the design, held against the course.
+    """
+    finish = planned.driven.finish
+    return finish is not None and len(finish.wanted.place.points) == 1 and not finish.wanted.is_exact
+
+
+def _finish(planned: CourseRun, local: Callable[[Complex], Complex]) -> FinishItem:
+    gate, poses = planned.on.course.finish, planned.poses
+    assert gate is not None
+    end = poses.track(place_of(gate.point, planned.on.car))[-1]
+    middle, stop = local(np.array([complex(*gate.place.points[0]), end]))
+    return FinishItem(0, np.array([middle]), gate.place.reach, complex(stop), _heading(gate, poses, -1), gate.key)
+
+
+def _heading(gate: Gate, poses: RunPoses, number: int) -> tuple[float, float] | None:
+    """Angle from the heading wanted to that of a pose, and the greatest allowed, rad; None if any will do."""
+    if gate.heading is None:
+        return None
+    return float(turned_by(poses.heading[number], gate.heading)), gate.heading_tolerance

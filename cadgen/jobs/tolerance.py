@@ -21,7 +21,7 @@ from cadgen.inference.monte_carlo.random_cars import CarEnds, Map, Sensitivity, 
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.steering_cam import CarUse, comparison_of, plan_cam
 from cadgen.jobs.error_budget import BudgetSheet, budget_sheet, unit_of
-from cadgen.jobs.nominal_car import gate_steps, watched_cars
+from cadgen.jobs.nominal_car import counts_finish, gate_steps, watched_cars
 from cadgen.jobs.simulation import C
 from cadgen.messages import Message
 from cadgen.output.files.publisher import Artifact, Written, folder_of, publish
@@ -132,6 +132,11 @@ class ToleranceRun(Pictured, Generic[C]):
         return float(np.mean(kept))
 
     @property
+    def trimmed(self) -> bool:
+        """Whether each car is trimmed by the end of a trial run of its own."""
+        return CarUse.of(self.cam).tolerances().trimmed
+
+    @property
     def watched(self) -> str:
         """Parts of the course that the cars must keep, in words; empty without a course."""
         course = CarUse.of(self.cam).course
@@ -145,7 +150,8 @@ class ToleranceRun(Pictured, Generic[C]):
             for kind, count in counted.items()
             if count
         ]
-        return listed([*words, *([Message("the edge")] if course.course.edge is not None else [])], "and")
+        words += [Message("the edge")] * (course.course.edge is not None)
+        return listed([*words, *[Message("the finish")] * counts_finish(course.planned)], "and")
 
     @property
     def margins(self) -> dict[float, float]:

@@ -85,11 +85,12 @@ def test_the_parts_of_the_play_have_zones_of_their_own():
     assert variation.play_zones(load_design("carbon_free_car", ("play.measured_deg=0.5",))) == {}
 
 
-def test_a_trim_takes_out_what_moves_the_rod_as_the_base_radius_does():
-    given = {"mechanics.drag_least_Nmm": 45.0, "mechanics.friction_least": 0.05, "mechanics.friction_greatest": 0.2}
-    braked = load_design("s_course", [f"{key}={value}" for key, value in given.items()])
-    trimmed = with_overrides(braked, ['optimize.hardware=["trim"]'])
-    before, after = (variation.tolerances(design).half_widths for design in (braked, trimmed))
-    assert {each.key for each in before.keys() - after.keys()} == {"profile_offset", "rod_radius"}
-    assert after.items() < before.items()
-    assert variation.half_widths(trimmed, None) == variation.half_widths(braked, None)
+def test_a_trim_is_one_of_each_car_and_of_laps_what_moves_the_rod_as_the_base_radius_does():
+    for name, taken in (("s_course", set()), ("figure_eight", {"profile_offset", "rod_radius"})):
+        braked = load_design(name, ["optimize.hardware="])
+        trimmed = with_overrides(braked, ['optimize.hardware=["trim"]'])
+        before, after = (variation.tolerances(design) for design in (braked, trimmed))
+        assert {each.key for each in before.half_widths.keys() - after.half_widths.keys()} == taken
+        assert after.half_widths.items() <= before.half_widths.items()
+        assert (before.trimmed, after.trimmed) == (False, name == "s_course")
+        assert variation.half_widths(trimmed, None) == variation.half_widths(braked, None)

@@ -6,6 +6,7 @@ from math import degrees
 import numpy as np
 import pytest
 
+from cadgen import Design
 from cadgen.car.course.judge import passages
 from cadgen.car.running.drive import STEPS
 from cadgen.check import CheckCode
@@ -16,6 +17,7 @@ from cadgen.inference.monte_carlo.cars import run_cars
 from cadgen.inference.monte_carlo.course_margins import margins_at
 from cadgen.jobs.cam.steering_cam import plan_cam
 from cadgen.jobs.nominal_car import cars_of, watching
+from tests.conftest import UNBRAKED
 
 pytestmark = pytest.mark.slow
 
@@ -26,6 +28,20 @@ OUTLINE = "car.outline={length_mm=260, width_mm=260, front_overhang_mm=60, wheel
 @pytest.fixture(scope="module")
 def plan():
     return plan_cam(load_design(None, [OUTLINE, POSTS]))
+
+
+COLUMN = {name: k for k, name in enumerate(COLUMNS)}
+
+
+def driven(plan, row, play):
+    """Exact run of a car whose play and start differ by a row of deviations from the nominal one with this play."""
+    comparison = plan.application.comparison
+    start = comparison.task.start
+    ahead = np.exp(1j * start.heading) * (row[COLUMN["start_x"]] + 1j * row[COLUMN["start_y"]])
+    heading = start.heading + row[COLUMN["start_heading"]]
+    moved = replace(start, x=start.x + ahead.real, y=start.y + ahead.imag, heading=heading)
+    task = replace(comparison.task, start=moved)
+    return plan.application.course.played(replace(comparison, task=task), play + row[COLUMN["play"]])
 
 
 def of(checks, code):
@@ -75,23 +91,18 @@ def test_many_cars_are_held_against_the_course_as_one_car_is(plan):
     """Cars that differ in play and start alone, each driven exactly and judged by the sweep."""
     comparison, planned = plan.application.comparison, plan.application.course.planned
     fleet = watching(cars_of(plan.application, plan.curve, [STEPS], None, comparison.chosen.play), planned)
-    rng, column = np.random.default_rng(1), {name: k for k, name in enumerate(COLUMNS)}
+    rng = np.random.default_rng(1)
     deviations = np.zeros((12, len(COLUMNS)))
     low, high = comparison.band.ends
-    deviations[:, column["play"]] = rng.uniform(low, high, 12) - fleet.play
+    deviations[:, COLUMN["play"]] = rng.uniform(low, high, 12) - fleet.play
     for name, size in (("start_x", 2.0), ("start_y", 5.0), ("start_heading", 0.003)):
-        deviations[:, column[name]] = rng.uniform(-size, size, 12)
+        deviations[:, COLUMN[name]] = rng.uniform(-size, size, 12)
     poses = run_cars(fleet, deviations)
     met = margins_at(fleet.items, poses.heading, poses.position, (fleet.planned.heading, fleet.planned.position))
     quick = met.margins.min(axis=0)
     exact = []
     for row in deviations:
-        start = comparison.task.start
-        ahead = np.exp(1j * start.heading) * (row[column["start_x"]] + 1j * row[column["start_y"]])
-        heading = start.heading + row[column["start_heading"]]
-        moved = replace(start, x=start.x + ahead.real, y=start.y + ahead.imag, heading=heading)
-        task = replace(comparison.task, start=moved)
-        run = plan.application.course.played(replace(comparison, task=task), fleet.play + row[column["play"]])
+        run = driven(plan, row, fleet.play)
         gates = passages(run.poses, run.on.car, run.on.course.gates[:11])
         clear = [there.clearance for _, there in run.driven.approaches]
         exact.append(min([passage.margin for passage in gates] + clear))
@@ -100,6 +111,40 @@ def test_many_cars_are_held_against_the_course_as_one_car_is(plan):
     # An exact car counts as failing where a quick one does; margins agree to what bends the track between.
     assert ((quick >= 0) == (np.array(exact) >= 0)).all()
     assert (worst <= 1.0 + 0.02 * np.abs(exact)).all()
+
+
+def test_many_cars_are_held_against_the_finish_as_one_car_is():
+    """The plan ends 14 mm within the finish: cars that start off or have another play end in it or beyond."""
+    plan = plan_cam(load_design("s_course", UNBRAKED), "actual", with_play=True)
+    comparison = plan.application.comparison
+    fleet = watching(
+        cars_of(plan.application, plan.curve, [STEPS], None, comparison.chosen.play), plan.application.course.planned
+    )
+    (number,) = (k for k, item in enumerate(fleet.items) if item.key == "course.finish")
+    rng = np.random.default_rng(1)
+    deviations = np.zeros((8, len(COLUMNS)))
+    deviations[:, COLUMN["start_x"]], deviations[:, COLUMN["start_y"]] = rng.uniform(-20.0, 20.0, (2, 8))
+    deviations[:, COLUMN["start_heading"]] = rng.uniform(-0.003, 0.003, 8)
+    deviations[:, COLUMN["play"]] = rng.uniform(*comparison.band.ends, 8) - fleet.play
+    poses = run_cars(fleet, deviations)
+    met = margins_at(fleet.items, poses.heading, poses.position, (fleet.planned.heading, fleet.planned.position))
+    exact = []
+    for row in deviations:
+        run = driven(plan, row, fleet.play)
+        exact.append(run.on.course.finish.place.reach - run.driven.finish.off)
+    print(np.round(met.margins[number], 2), np.round(exact, 2))
+    np.testing.assert_allclose(met.margins[number], exact, atol=0.05)
+    assert min(exact) < 0 < max(exact)
+
+
+def test_a_finish_that_is_meant_to_be_met_is_none_that_cars_are_counted_by():
+    """Within 5 mm nearly no car ends; and a course of such a finish alone has no share of cars."""
+    changes = ["car.drive_wheel_radius_mm=70", "course={finish={at_mm=[6703.79, 7200], radius_mm=5}}"]
+    run = Design.load(None, changes).tolerance(50, profile="actual")
+    assert (run.watched, run.passed) == ("", None)
+    wider = Design.load(None, [*changes, "course.finish.radius_mm=1300"]).tolerance(50, profile="actual")
+    assert wider.watched == "the finish"
+    assert 0 < wider.passed < 1
 
 
 def test_with_a_wheel_the_run_is_judged_to_the_finish():

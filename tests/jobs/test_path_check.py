@@ -17,6 +17,7 @@ from cadgen.design import cam_model
 from cadgen.errors import DesignError
 from cadgen.jobs.cam.path_check import MOST_OFF_PATH, cut_checks, lost_lift_reservation, path_checks, path_deviation
 from tests.car.path_truth import car_of, driven, points_of, steering
+from tests.conftest import UNBRAKED
 
 DATA = Path(__file__).parents[1] / "data" / "trials"
 DESIGNS = Path(__file__).parents[2] / "designs"
@@ -77,7 +78,7 @@ def test_a_cam_cut_for_another_lift_fails_on_what_is_cut_alone(since, passed):
 
 
 def test_the_plain_cam_is_driven_as_it_is_cut_and_one_against_play_is_not():
-    car = Design.load("s_course")
+    car = Design.load("s_course", UNBRAKED)
     assert {CheckCode.CUT_WAYPOINT, CheckCode.CUT_END} <= {check.code for check in car.cam("actual").checks}
     for profile in ("compensated", "theoretical", "published"):
         codes = {check.code for check in car.cam(profile).checks}

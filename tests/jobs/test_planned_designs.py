@@ -8,6 +8,7 @@ from scipy.interpolate import BSpline
 
 from cadgen.design.load import course_of, load_design, packaged_designs
 from cadgen.jobs.cam.steering_cam import plan_cam
+from tests.conftest import UNBRAKED
 
 PLANNED = ("figure_eight", "posts_and_walls", "s_course")
 # mm and degrees at the end of the run, worst over the band; of the figure 8 on and after the tenth lap.
@@ -16,7 +17,7 @@ WORST = {"figure_eight": (120, 9.0), "posts_and_walls": (15, 0.5), "s_course": (
 
 @pytest.fixture(scope="module", params=PLANNED)
 def plan(request):
-    return plan_cam(load_design(request.param), "compensated")  # as the optimized profile of each is
+    return plan_cam(load_design(request.param, UNBRAKED), "compensated")  # as the optimized profile is without a brake
 
 
 def poses(design):

@@ -41,6 +41,7 @@ from cadgen.jobs.cam.comparison import task_of
 from cadgen.jobs.cam.steering_cam import plan_cam
 from cadgen.output.files.xyz import write_xyz
 from tests.car.running.friction_truth import Rod
+from tests.conftest import UNBRAKED
 from tests.studies.command import PAGES, options, tell
 from tests.studies.falls_truth import Driver
 from tests.studies.journal import outcomes, share, stamp
@@ -72,7 +73,7 @@ def _draw(number: int, path: str, seed: int) -> dict[str, Any]:
         "optimize.max_lift_error_um=",
     ]
     try:
-        plan = plan_cam(load_design(path, overrides), "compensated")
+        plan = plan_cam(load_design(path, [*UNBRAKED, *overrides]), "compensated")
     except CadgenError as error:
         missed = {
             "end": np.inf,
@@ -95,7 +96,7 @@ def _draw(number: int, path: str, seed: int) -> dict[str, Any]:
         f"mechanics.friction_greatest={friction + NEAR_FRICTION!r}",
         "optimize.max_lift_error_um=",
     ]
-    for_band = _from_file(driver, plan_cam(load_design(path, band), "compensated"))
+    for_band = _from_file(driver, plan_cam(load_design(path, [*UNBRAKED, *band]), "compensated"))
     near, of_middle = (float(np.abs(driver.ends(driver.off(each, *other))).max()) for each in (for_band, cam))
     # The cells of a driver go by the play: the last turn of laps is compared at shares of it.
     sides = [
@@ -127,7 +128,7 @@ def _from_file(driver: Driver, plan: CamPlan) -> Any:
 
 @cache
 def _task(path: str) -> PlayTask:
-    design = load_design(path)
+    design = load_design(path, UNBRAKED)
     track = cam_model.track(design)
     return task_of(design, track, cam_model.lift(design, track), cam_model.leaning(design, "a study"))
 
@@ -190,7 +191,7 @@ def _bands(path: str) -> dict[str, Any]:
         ("compensated", "compensated", []),
         ("for_trim", "compensated", ['optimize.hardware=["trim"]']),
     ):
-        design: Design = load_design(path, [*overrides, *more])
+        design: Design = load_design(path, [*UNBRAKED, *overrides, *more])
         cam = _from_file(driver, plan_cam(design, profile))
         cars = [(np.radians(play), friction) for play, friction in _OTHERS]
         found[name] = max(float(np.abs(driver.ends(driver.off(cam, *car))).max()) for car in cars)

@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING, TypeVar
 if TYPE_CHECKING:
     from cadgen.arrays import Array
 
+_EXACT = 5.0  # mm; start and finish within less than this are meant to be met
+
 
 class CarPoint(StrEnum):
     """Point of the car: its fork axis, halfway between the rear wheels, or where a wheel touches the floor."""
@@ -124,6 +126,11 @@ class Gate:
     heading: float | None = None
     heading_tolerance: float = pi / 2
     free: bool = False
+
+    @property
+    def is_exact(self) -> bool:
+        """Whether start or finish are meant to be met, and not only come near to."""
+        return len(self.place.points) == 1 and self.place.reach <= _EXACT
 
 
 @dataclass(frozen=True, kw_only=True)

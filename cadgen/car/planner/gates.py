@@ -20,7 +20,6 @@ from cadgen.car.planner.path_task import PathTask, Vehicle
 _EACH = 24  # places of a span among which the nearest is looked for
 _PER_MM, _PER_RAD = 3.0, 300.0  # weights
 _INSIDE = 0.02  # mm that is kept from the edge of a gate, for rounding and what a step leaves
-_EXACT = 5.0  # mm; start and finish within less than this are meant to be met
 _SIDES = 8  # pairs of sides of the polygon that stands for the disc of a finish
 _SQUARE = 0.2  # sine of the least angle between path and segment at which the crossing is looked at
 
@@ -219,8 +218,3 @@ def least_length(task: PathTask) -> float:
         off.append(half + gate.place.reach + float(np.hypot(x, y - vehicle.path_offset)))
     legs = np.linalg.norm(np.diff(middles, axis=0), axis=1) - np.array(off[1:]) - np.array(off[:-1])
     return float(np.maximum(legs, 0.0).sum())
-
-
-def is_exact(gate: Gate) -> bool:
-    """Whether start or finish are meant to be met, and not only come near to."""
-    return len(gate.place.points) == 1 and gate.place.reach <= _EXACT

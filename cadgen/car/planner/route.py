@@ -24,7 +24,7 @@ from scipy.sparse.csgraph import dijkstra
 from cadgen.arrays import Array
 from cadgen.car.course.layout import Course, Gate, Side
 from cadgen.car.planner.barriers import Barrier, barriers_of, parts_of, polygon_holds
-from cadgen.car.planner.gates import is_exact, planned_place
+from cadgen.car.planner.gates import planned_place
 from cadgen.car.planner.kinematics import Basis, Kinematics
 from cadgen.car.planner.path_task import Vehicle
 from cadgen.errors import DesignError
@@ -145,7 +145,7 @@ def planned_end(gate: Gate | None, vehicle: Vehicle) -> End:
     if gate is None:
         return End()
     x, y = planned_place(gate, vehicle)
-    if not is_exact(gate) or (gate.heading is None and np.hypot(x, y) > 0):
+    if not gate.is_exact or (gate.heading is None and np.hypot(x, y) > 0):
         return End(heading=gate.heading)
     place = np.array(gate.place.points[0])
     if gate.heading is None:

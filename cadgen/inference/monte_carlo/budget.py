@@ -19,7 +19,7 @@ some 150 mm, 3 mm thick. The sources call them normal for it; a shop's own figur
 """
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from enum import StrEnum
 from math import radians
 
@@ -42,7 +42,7 @@ from cadgen.deviations.deviation import (
     Deviation,
 )
 from cadgen.inference.monte_carlo.cars import Cars, run_cars
-from cadgen.inference.monte_carlo.random_cars import MOST_STEERING, steering_effect
+from cadgen.inference.monte_carlo.random_cars import MOST_STEERING, at_end, steering_effect
 
 Complex = NDArray[np.complex128]
 
@@ -130,14 +130,7 @@ def error_budget(cars: Cars, half_widths: Mapping[Deviation, float], plays: Mapp
     deviations += [(place, RETURN_ERROR, half) for place, half in plays.items() if half > 0]
     if not deviations:
         return Budget(())
-    at = [cars.end]
-    cars = replace(
-        cars,
-        stations=cars.stations[at],
-        planned=replace(cars.planned, heading=cars.planned.heading[:, at], position=cars.planned.position[:, at]),
-        end=-1,
-        items=(),
-    )
+    cars = at_end(cars)
     tables = [_cases(each, half) for _, each, half in deviations]
     cases = np.concatenate(tables)
     first = np.concatenate([[0], np.cumsum([len(table) for table in tables])])[:-1]

@@ -78,11 +78,7 @@ class GateItem:
             turned: headings of the cars against the planned one, shape (m, k), rad.
         """
         margin = self._disc(places[:, 0]) if places.shape[1] == 1 else self._segment(places)
-        failed = np.full(len(margin), not self.passed)
-        if self.heading is not None:
-            off, most = self.heading
-            failed |= np.abs((off + turned + TURN / 2) % TURN - TURN / 2) > most
-        return np.asarray(np.where(failed, np.minimum(margin, _FAILED), margin))
+        return _headed(margin if self.passed else np.minimum(margin, _FAILED), self.heading, turned)
 
     def distance(self, places: Complex) -> Array:
         """Signed distance across the track, or along a segment to where it is crossed; see `CourseItem.distance`."""
@@ -143,6 +139,50 @@ class ClearanceItem:
     def distance(self, places: Complex) -> Array:
         """Signed distance away from the car; see `CourseItem.distance`."""
         return np.asarray(np.real((places[:, 0] - self.places[0]) * np.conj(self.away)))
+
+
+@dataclass(frozen=True)
+class FinishItem:
+    """The disc in which a run must end.
+
+    Attributes:
+        station: number of the end of the run.
+        places: its middle, one, mm.
+        reach: its radius, mm.
+        stop: place of the planned end of the point of the car that must come there, mm.
+        heading: angle from the heading wanted to the planned one, and the greatest allowed, rad; None if any will do.
+        key: its key in the design file.
+    """
+
+    station: int
+    places: Complex
+    reach: float
+    stop: complex
+    heading: tuple[float, float] | None = None
+    key: str = ""
+
+    def margin(self, places: Complex, turned: Array) -> Array:
+        """Radius less the distance of the car's point from the middle where its run ends.
+
+        Args:
+            places: places of the middle, x + iy, shape (m, 1), mm.
+            turned: headings of the cars against the planned one, shape (m,), rad.
+        """
+        return np.asarray(_headed(self.reach - np.abs(places[:, 0] - self.stop), self.heading, turned))
+
+    def distance(self, places: Complex) -> Array:
+        """Signed distance along the line from the planned end to the middle; see `CourseItem.distance`."""
+        away = self.places[0] - self.stop
+        return np.asarray(((places[:, 0] - self.places[0]) * np.exp(-1j * np.angle(away))).real)
+
+
+def _headed(margin: Array, heading: tuple[float, float] | None, turned: Array) -> Array:
+    """Margins of cars, less than 0 where they head in a wrong direction."""
+    if heading is None:
+        return margin
+    off, most = heading
+    wrong = np.abs((off + turned + TURN / 2) % TURN - TURN / 2) > most
+    return np.asarray(np.where(wrong, np.minimum(margin, _FAILED), margin))
 
 
 @dataclass(frozen=True)

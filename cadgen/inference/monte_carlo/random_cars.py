@@ -6,9 +6,11 @@ from functools import partial
 from math import degrees, floor, log10, radians
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
 from cadgen.deviations.deviation import (
+    BASE_RADIUS,
     COLUMNS,
     EDGE_BREAK,
     EDGE_WEAR,
@@ -49,6 +51,9 @@ MOST_STEERING = 0.004
 MOST_SHARE = 0.1  # greatest tolerance of a length, as a share of that length
 # The steps that sensitivities are stated for.
 UNITS = {"mm": 0.01, "rad": radians(0.1), "1": 0.01, "Nmm": 1.0, "N": 0.1, "K": 10.0}
+_TRIM_STEPS, _TRIM_PROBE = 2, radians(0.01)  # of the search for a trim: what it leaves is below 1e-3 of what it takes
+_TURN = np.eye(len(COLUMNS))[STEERING_ZERO.column]
+_REPEATING = [column for each in (*TOLERANCES, RETURN_ERROR) if not each.fleeting for column in each.columns]
 _FIRST = VARIED[: VARIED.index(RETURN_ERROR)]  # drawn for every car, before its play; others only where they vary
 
 
@@ -63,11 +68,14 @@ class Tolerances:
         law: distribution: `normal`, clipped at the limits, which are its 3 sigma; or `uniform`.
         play: return errors B of random cars, rad: a function of a generator and a number, such as a train's
             `sample`; or least and greatest, evenly spread. None keeps the nominal play.
+        trimmed: whether the steering of each car was set after a trial run of its own, so that the end of that was met.
+            What is fleeting was another one in the trial run; the base radius differs by how closely it was set.
     """
 
     half_widths: Mapping[Deviation, float]
     law: Law = Law.NORMAL
     play: Sampler | tuple[float, float] | None = None
+    trimmed: bool = False
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "half_widths", {tolerance(str(each)): half for each, half in self.half_widths.items()})
@@ -287,7 +295,45 @@ def _cars(cars: Cars, tolerances: Tolerances, seed: int, samples: int, number: i
     """Poses of one chunk of random cars."""
     generator = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(number,)))
     count = min(CHUNK, samples - number * CHUNK)
-    return run_cars(cars, tolerances.draw(generator, count, cars.play))
+    deviations = tolerances.draw(generator, count, cars.play)
+    if tolerances.trimmed:
+        trial = tolerances.draw(generator, count, cars.play)
+        trial[:, _REPEATING] = deviations[:, _REPEATING]
+        trial[:, BASE_RADIUS.column] = 0.0
+        deviations[:, STEERING_ZERO.column] += _trims(cars, trial)
+    return run_cars(cars, deviations)
+
+
+def _trims(cars: Cars, deviations: Array) -> Array:
+    """Turns of the steering with which cars end nearest to the end of the planned run, shape (m,), rad.
+
+    Args:
+        cars: nominal car.
+        deviations: deviations of m cars in their trial runs, shape (m, c).
+    """
+    cars = at_end(cars)
+
+    def off(turn: Array) -> NDArray[np.complex128]:
+        turned = deviations + turn[:, None] * _TURN
+        return np.asarray((run_cars(cars, turned).position - cars.planned.position)[:, 0])
+
+    ends = run_cars(cars, np.stack([0.0 * _TURN, _TRIM_PROBE * _TURN])).position[:, 0]
+    rate = complex(ends[1] - ends[0]) / _TRIM_PROBE  # that of each car is within some percent of the nominal one's
+    turn = np.zeros(len(deviations))
+    for _ in range(_TRIM_STEPS):
+        turn -= (off(turn) / rate).real
+    return turn
+
+
+def at_end(cars: Cars) -> Cars:
+    """Nominal car with the end of its run as the one station, and without a course.
+
+    Args:
+        cars: nominal car.
+    """
+    at = [cars.end]
+    ends = Poses(cars.planned.heading[:, at], cars.planned.position[:, at])
+    return replace(cars, stations=cars.stations[at], planned=ends, end=-1, items=())
 
 
 def _met(cars: Cars, poses: Poses) -> CourseMargins:
@@ -327,11 +373,20 @@ def most_moving(cars: Cars, tolerances: Tolerances, number: int) -> list[Deviati
     deviations = np.zeros((len(parts) + 1, len(COLUMNS)))  # the last car has none
     for row, (name, column) in enumerate(parts):
         deviations[row, column] = spreads[name]
-    aside = _met(cars, run_cars(cars, deviations)).distance[number]
+    aside = _met(cars, run_cars(cars, _settled(cars, tolerances, deviations))).distance[number]
     moved = dict.fromkeys(spreads, 0.0)
     for (name, _), off in zip(parts, (aside - aside[-1]).tolist(), strict=False):
         moved[name] += off**2 / len(name.columns)
     return sorted(moved, key=lambda name: -moved[name])
+
+
+def _settled(cars: Cars, tolerances: Tolerances, deviations: Array) -> Array:
+    """Deviations of cars after a trim of what repeats, where they are trimmed, shape (m, c)."""
+    if not tolerances.trimmed:
+        return deviations
+    repeating = np.zeros_like(deviations)
+    repeating[:, _REPEATING] = deviations[:, _REPEATING]
+    return np.asarray(deviations + _trims(cars, repeating)[:, None] * _TURN)
 
 
 def _spreads(cars: Cars, tolerances: Tolerances) -> dict[Deviation, float]:
@@ -423,7 +478,7 @@ def sensitivities(cars: Cars, tolerances: Tolerances) -> tuple[Sensitivity, ...]
     for row, (name, column) in enumerate(parts):
         ends = [0.0, 1.0] if name.one_sided else [-0.5, 0.5]
         deviations[2 * row : 2 * row + 2, column] = np.array(ends) * steps[row]
-    errors = errors_of_cars(cars, deviations)
+    errors = errors_of_cars(cars, _settled(cars, tolerances, deviations))
     moved = np.stack(
         [np.diff(e[:, cars.end].reshape(-1, 2))[:, 0] for e in (errors.heading, errors.along, errors.across)], axis=1
     )

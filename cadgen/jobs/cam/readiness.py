@@ -22,6 +22,7 @@ from cadgen.deviations.deviation import RETURN_ERROR
 from cadgen.errors import DesignError
 from cadgen.figures import Figure
 from cadgen.inference.monte_carlo.cars import Cars
+from cadgen.inference.monte_carlo.course_margins import FinishItem
 from cadgen.inference.monte_carlo.random_cars import Tolerances, margins_of_cars, most_moving
 from cadgen.jobs.cam.comparison import NEARER, Refused
 from cadgen.jobs.cam.wheel import DriveWheel
@@ -203,7 +204,7 @@ def _trim(use: JudgedCar, cars: Cars) -> Message | None:
     """Trim after a trial run as a cure, where a brake holds the cam and enough cars then keep the course."""
     if variation.trimmed(use.design) or not variation.braked(use.design):  # else the trim may choose another cam
         return None
-    met = margins_of_cars(cars, variation.trimmed_off(use.tolerances()), SAMPLE, seed=SEED).margins >= 0
+    met = margins_of_cars(cars, variation.trimmed_off(use.design, use.tolerances()), SAMPLE, seed=SEED).margins >= 0
     kept = 100 * float(met.all(axis=0).mean())
     if kept < GOOD_YIELD:
         return None
@@ -223,10 +224,10 @@ def _tighter(cars: Cars, tolerances: Tolerances, number: int, percent: float) ->
         number: number of the item that the fewest cars keep.
         percent: share of the cars that keep the course, %.
     """
-    room = Message(
-        "lead the path with more room past {key}",
-        key=cars.items[number].key.partition(",")[0],  # of a gate of each lap
-    )
+    key = cars.items[number].key.partition(",")[0]  # of a gate of each lap
+    room = Message("lead the path with more room past {key}", key=key)
+    if isinstance(cars.items[number], FinishItem):
+        room = Message("let the path end nearer to the middle of {key}", key=key)
     best, kept = None, percent + _WORTH
     moving = [name for name in most_moving(cars, tolerances, number) if name == RETURN_ERROR or name.tolerance_key]
     for name in moving[:_TRIED]:

@@ -16,7 +16,6 @@ from cadgen.car.course.layout import Judged
 from cadgen.car.course.refuse import refuse_course
 from cadgen.car.draws.drawn_spacing import DrawnSpacing
 from cadgen.car.path.wheel_track import Track
-from cadgen.car.planner.gates import is_exact
 from cadgen.car.planner.path_plan import PathPlan, reasons
 from cadgen.car.planner.path_plan import best_plan as planned
 from cadgen.car.planner.path_task import Margins, PathTask
@@ -269,7 +268,7 @@ def _refuse_course(design: Design) -> None:
     """Refuse a course on which the car cannot stand at its start, where the course says how it stands there."""
     course, car = layout_of(design.course), cam_model.car(design)
     start = None if course is None else course.start
-    if course is None or start is None or start.heading is None or not is_exact(start):
+    if course is None or start is None or start.heading is None or not start.is_exact:
         return
     ahead = np.exp(1j * start.heading)
     fork = complex(*start.place.points[0]) - complex(*place_of(start.point, car)) * ahead

@@ -100,7 +100,7 @@ def test_drag_that_holds_whatever_play_and_friction(task):
     assert worst(task, task.lift, weak) > 200.0
 
 
-@pytest.mark.parametrize(("name", "drag"), [("s_course", 61.8), ("posts_and_walls", 45.2)])
+@pytest.mark.parametrize(("name", "drag"), [("s_course", 61.8), ("posts_and_walls", 45.8)])
 def test_a_brake_is_for_the_driven_part_of_the_turn(name, drag):
     """The closing blends of these cams fall twice as steeply as anything before, behind the finish."""
     design = load_design(name)

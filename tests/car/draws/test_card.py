@@ -15,6 +15,7 @@ from cadgen.figures import Sheet
 from cadgen.messages import CHINESE, ENGLISH, Message, choose
 from cadgen.output.report import settings_card as settings_words
 from cadgen.verdict import Readiness
+from tests.conftest import UNBRAKED
 from tests.studies import draws
 from tests.studies import draws_truth as truth
 
@@ -116,7 +117,7 @@ def test_laps_have_the_errors_of_a_car_that_is_driven_all_of_them_by_other_code(
         },
     }
     keys = [f"{section}.{key}={value}" for section, values in settings.items() for key, value in values.items()]
-    card = Design.load("figure_eight", [*keys, "path.laps=3", "course.judged=planned"]).card("actual")
+    card = Design.load("figure_eight", [*UNBRAKED, *keys, "path.laps=3", "course.judged=planned"]).card("actual")
     assert card.passed
     assert "in 3 laps the car leaves the scaled path by at most" in card.sentences[0]
     played = [replace(each, end_with_play=each.spacing / 100) for each in card.computed.drawn]

@@ -1,6 +1,7 @@
 """The error budget: what each thing costs at the finish, before and after a trim."""
 
 from dataclasses import replace
+from math import radians
 
 import numpy as np
 import pytest
@@ -12,10 +13,14 @@ from cadgen.car.running.drive import drive
 from cadgen.car.running.mechanics import Mechanics
 from cadgen.car.running.sampled import sampled_lift
 from cadgen.deviations.deviation import (
+    BASE_RADIUS,
     COLUMNS,
     ECCENTRIC_BORE,
+    INNER_FACE,
     PROFILE_OFFSET,
     ROD_RADIUS,
+    START_HEADING,
+    STEERING_ZERO,
     TOLERANCES,
     WOBBLE,
     tolerance,
@@ -23,7 +28,7 @@ from cadgen.deviations.deviation import (
 from cadgen.errors import DesignError
 from cadgen.inference.monte_carlo.budget import HALF_WIDTHS, by_process, error_budget
 from cadgen.inference.monte_carlo.cars import nominal_cars
-from cadgen.inference.monte_carlo.random_cars import Tolerances, sensitivities, tolerance_run
+from cadgen.inference.monte_carlo.random_cars import Tolerances, errors_of_cars, sensitivities, tolerance_run
 
 GRID = np.linspace(0.0, TURN, 1800, endpoint=False)
 PLAY = np.radians(0.738)
@@ -177,3 +182,44 @@ def test_what_is_beyond_first_order_is_refused(fleet, contact, carbon_free_car, 
     )
     with pytest.raises(DesignError, match=words):
         tolerance_run(warm, Tolerances(half_widths={name: half}), 1, seed=1)
+
+
+@pytest.mark.slow
+def test_cars_of_a_run_are_trimmed_as_a_search_of_the_steering_finds(fleet):
+    """A repeating deviation leaves of each car what no other turn of its steering makes less."""
+    repeating = {STEERING_ZERO: radians(0.02), PROFILE_OFFSET: 0.01, INNER_FACE: 0.05, ECCENTRIC_BORE: 0.01}
+    cars = Tolerances(half_widths=repeating, trimmed=True)
+    ends = tolerance_run(fleet, cars, 12, seed=1).distance
+    drawn = cars.draw(np.random.default_rng(np.random.SeedSequence(1, spawn_key=(0,))), 12, fleet.play)
+    for row, end in zip(drawn, ends, strict=True):
+
+        def turned(turn, row=row):
+            one = row.copy()
+            one[STEERING_ZERO.column] += turn
+            errors = errors_of_cars(fleet, one[None, :])
+            return float(np.hypot(errors.along[0, -1], errors.across[0, -1]))
+
+        least = minimize_scalar(turned, bounds=(-5e-3, 5e-3), method="bounded", options={"xatol": 1e-9}).fun
+        assert end == pytest.approx(least, abs=0.02 + 0.002 * turned(0.0))
+    untrimmed = tolerance_run(fleet, replace(cars, trimmed=False), 12, seed=1).distance
+    assert ends.max() < 0.5 * untrimmed.max()
+
+
+@pytest.mark.slow
+def test_a_trim_takes_nothing_fleeting_out_but_adds_that_of_the_trial_run(fleet):
+    """Along the way on which a turn of the steering moves the end two runs scatter; across it, one."""
+    fleet = replace(fleet, play=0.0)
+    turned = np.zeros((2, len(COLUMNS)))
+    turned[1, STEERING_ZERO.column] = 1e-4
+    rate = np.diff(
+        [each[:, -1] for each in (errors_of_cars(fleet, turned).along, errors_of_cars(fleet, turned).across)]
+    )
+    way = complex(*rate[:, 0]) / np.hypot(*rate[:, 0])
+    for varied, runs in (({START_HEADING: radians(0.2)}, 2.0), ({BASE_RADIUS: 0.005}, 1.0)):
+        cars = Tolerances(half_widths=varied)
+        before, after = (
+            (each.along + 1j * each.across) / way
+            for each in (tolerance_run(fleet, replace(cars, trimmed=trim), 1000, seed=1) for trim in (False, True))
+        )
+        np.testing.assert_allclose(after.imag, before.imag, atol=0.1)
+        assert after.real.var() == pytest.approx(runs * before.real.var(), rel=0.1)

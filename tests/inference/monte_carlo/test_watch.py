@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cadgen.inference.monte_carlo.course_margins import ClearanceItem, GateItem
+from cadgen.inference.monte_carlo.course_margins import ClearanceItem, FinishItem, GateItem
 
 TRACK = np.arange(-600, 601, 10) * np.exp(0.3j)  # straight, by 0.3 rad, through 0
 
@@ -32,3 +32,14 @@ def test_room_grows_as_an_obstacle_goes_away():
     moved = post.places + np.array([[2.0 + 5j], [-3j]])
     np.testing.assert_allclose(post.distance(moved), [5.0, -3.0])
     np.testing.assert_allclose(post.margin(moved, np.zeros(2)), [35.0, 27.0])
+
+
+def test_at_the_finish_it_counts_where_a_car_ends_and_not_what_it_passes():
+    """The planned run ends 30 mm short of the middle of a disc of 50 mm; one that overruns it by 60 mm fails."""
+    finish = FinishItem(0, np.array([30.0 + 0j]), 50.0, 0j, (0.05, 0.1))
+    places = np.array([30.0, 50.5, -60.0, 30.0 + 45j, 30.0])[:, None]  # of the middle, as they lie to each car's end
+    turned = np.array([0.0, 0.0, 0.0, 0.0, 0.06])
+    margins = finish.margin(places, turned)
+    np.testing.assert_allclose(margins[:4], [20.0, -0.5, -10.0, 50 - np.hypot(30, 45)])
+    assert margins[4] < 0  # it heads in a wrong direction
+    np.testing.assert_allclose(finish.distance(places[:4]), [0.0, 20.5, -90.0, 0.0], atol=1e-12)
