@@ -37,6 +37,15 @@ class CheckCode(StrEnum):
     PUSHED_OUT = "rod-pushed-out"  # of every follower: the code is older than the other kinds
     FALLS_SHORT = "rod-falls-short"  # likewise
     WRONG_FACE = "wrong-face-carries"
+    CONTACT_FORMULA = "contact-formula"
+    PRESSURE_ANGLE_FORMULA = "pressure-angle-formula"
+    LIFT_FORMULA = "lift-formula"
+    PUSH_FORMULA = "push-formula"
+    RADIUS_FORMULA = "radius-formula"
+    CURVATURE_FORMULA = "curvature-formula"
+    BOUND_FORMULA = "bound-formula"
+    STANDING_FORMULA = "standing-formula"
+    NORMAL_FORMULA = "normal-formula"
     BLEND_LIFT = "blend-lift-not-given"
     BLEND_PRESSURE_ANGLE_RISE = "blend-pressure-angle-rise"
     BLEND_PRESSURE_ANGLE_RETURN = "blend-pressure-angle-return"

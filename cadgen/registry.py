@@ -91,6 +91,23 @@ def used_plugins() -> Mapping[str, str]:
     return dict(sorted(_used.items()))
 
 
+def fault_sentence(error: Exception) -> Message:
+    """Sentence on an error that no design or request should cause; it names the plug-ins whose kinds were used.
+
+    Args:
+        error: error that was not expected.
+    """
+    summary = brief(f"{type(error).__name__}: {error}", 400)
+    if not _used:
+        return Message("a fault in cadgen, please report it with your design file ({summary})", summary=summary)
+    return Message(
+        "a fault in cadgen, or in {plugins}, of which the design uses a kind: try it without that kind, and report it "
+        "with your design file to whose fault it is ({summary})",
+        plugins=joined(f"{name} {version}".strip() for name, version in used_plugins().items()),
+        summary=summary,
+    )
+
+
 class RegisteredKind(Protocol):
     """An object with a code by which a design names it."""
 

@@ -403,7 +403,7 @@ class Cam(CamPlan, Pictured, Viewed):
                 "a follower on a slide has a mass, and one on an arm a moment of inertia: give the other one"
             )
         keys, kind, seat = self.design.follower.keys, self.design.follower.registered, self.design.seat
-        roller, second, groove = kind.build(keys, seat), kind.second(keys, seat), kind.groove(keys, seat)
+        roller, second, groove = kind.follower(keys, seat), kind.second(keys, seat), kind.groove(keys, seat)
         radius, width = getattr(roller, "radius", 0.0), self.faces[1] - self.faces[0]
         line = Line(
             width=width if groove is None else groove.depth,

@@ -11,6 +11,7 @@
 | `derived_motions`| opposite of a motion, of a second follower; tangent of a steering angle         |
 | `contact`        | a follower rolled on any outline: the lift it gives (shares no code with those) |
 | `difference`     | how far two outlines lift the follower apart                                    |
+| `formulas`       | formulas of a follower, held against the outline that it has rolled on          |
 | `limits`         | what the checks allow; textbook limits of the pressure angle, by name           |
 | `cutter`         | which cutter reaches every concave part                                         |
 | `lost_lift`      | lift that is missing where the envelope is trimmed, and the change that cures it |

@@ -13,6 +13,7 @@ from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll, roll_curve
 from cadgen.cam.cutter import largest_cutter
 from cadgen.cam.follower import Contact, Follower, Loss, RolledCam, Trim, TrimKind
+from cadgen.cam.formulas import formula_checks
 from cadgen.cam.limits import CheckLimits
 from cadgen.cam.lost_lift import lost_lift
 from cadgen.check import Bound, Check, CheckCode
@@ -179,6 +180,7 @@ def check_cam(
         *_curvature(motion, follower, curve, driven, max(limits.min_convex_radius, blank.edge_break), limits),
         *_undercut(motion, follower, driven, limits),
         *_contact(follower, contact, np.where(motion.idle(theta), 0.0, contact.lift - wanted), trimmed),
+        *formula_checks(motion, follower, curve, contact, ~trimmed),
         cutter_room(cut or curve, limits.cutter_radius),
         thinnest_wall(blank, curve.outline(max(step, curve.length() / _WALL_POINTS)), limits.wall),
         seam_check(motion, 0.0),

@@ -549,9 +549,12 @@ class Follower(ABC):
             q2: its second derivative, 1/rad².
 
         Raises:
-            DesignError: as `push`.
+            DesignError: it is not worked out for this kind of follower.
         """
-        return self.push(q, q1)
+        raise DesignError(
+            "forces are not worked out for the {follower}: take a roller or a flat face, or remove [dynamics]",
+            follower=Message(self.noun),
+        )
 
     def standing(self, distance: Array) -> tuple[Array, Array]:
         """Lift of a point, mm, and its polar angle from the line, rad, where it stands so far from the camshaft.

@@ -187,7 +187,7 @@ class RoundFollower(Follower):
         """Radius of curvature of the profile at the contact, positive where convex, shape (n,), mm.
 
         The path p = z e^(i theta) of the centre has the radius |p'|^3 / Im(conj(p') p''), and the profile that less
-        the circle's.
+        the circle's, or more by it on an outer flank.
 
         Args:
             q: motion, in its unit, shape (n,).
@@ -197,7 +197,7 @@ class RoundFollower(Follower):
         z, z1, z2 = self.centre(q, q1, q2)
         first, second = z1 + 1j * z, z2 + 2j * z1 - z
         with np.errstate(divide="ignore"):
-            return np.asarray(np.abs(first) ** 3 / (first.conj() * second).imag - self.radius)
+            return np.asarray(np.abs(first) ** 3 / (first.conj() * second).imag + self.rim)
 
     def distance(self, q: Array, face: Array) -> Array:
         """How far ahead of the camshaft the centre stands, mm.

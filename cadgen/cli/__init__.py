@@ -47,6 +47,7 @@ from cadgen.cli.study_commands import explore, merge
 from cadgen.cli.verify import verify
 from cadgen.errors import CadgenError, DesignError, brief
 from cadgen.messages import LANGUAGES, Message, choose, shown
+from cadgen.registry import fault_sentence
 from cadgen.version import __version__
 
 USAGE, FILE = 2, 3
@@ -139,9 +140,7 @@ def main() -> NoReturn:
     except Exception as error:
         if os.environ.get("CADGEN_DEBUG"):
             traceback.print_exc()
-        summary = brief(f"{type(error).__name__}: {error}", 400)
-        text = Message("a fault in cadgen, please report it with your design file ({summary})", summary=summary)
-        code = _fail(text, FILE)
+        code = _fail(fault_sentence(error), FILE)
     try:  # while a failure can still be reported
         if sys.stdout:
             sys.stdout.flush()

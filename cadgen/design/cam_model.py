@@ -150,7 +150,7 @@ def as_built(design: Design) -> AsBuilt:
             values = tuple(effect.numbers[p.name] * p.scale for p in known.parameters)
             sigma = (effect.values[0].sigma or 0.0) * known.parameters[0].scale
             placed.append(Placed(known, values, effect.place, sigma, effect.kind_of_data.rod_on))
-    nominal = design.follower.registered.build(design.follower.keys, design.seat)
+    nominal = design.follower.registered.follower(design.follower.keys, design.seat)
     return AsBuilt(tuple(placed), nominal if isinstance(nominal, EdgeFollower) else None)
 
 
@@ -172,7 +172,7 @@ def follower(design: Design) -> Follower:
     Raises:
         DesignError: as built, nothing would be left of the rod, or what [as_built] says is not of this follower.
     """
-    nominal = design.follower.registered.build(design.follower.keys, design.seat)
+    nominal = design.follower.registered.follower(design.follower.keys, design.seat)
     if design.as_built is None:
         return nominal
     return as_built(design).follower(edge_follower(nominal, "what [as_built] says of a car", "remove [as_built]"))

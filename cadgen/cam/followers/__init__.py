@@ -3,6 +3,7 @@
 | module            | what it holds                                                                       |
 |-------------------|-------------------------------------------------------------------------------------|
 | `kind`            | what a kind is: its code, its keys of the design file, and how it is built           |
+| `probe`           | whether a follower that a kind has built lacks a member                              |
 | `rod`             | the leaning rod: envelope, rolling, checks, published profiles, first order          |
 | `rod_kind`        | its keys of the design file                                                          |
 | `roller`          | roller and knife edge on a slide                                                     |

@@ -51,6 +51,15 @@ class OnOuterFlank(SizedByAnother, RoundFollower):
         """
         return super().pressed(-q, normal)
 
+    def standing(self, distance: Array) -> tuple[Array, Array]:
+        """Opposite lift of the centre, mm, and its polar angle from the line, rad, by its distance from the camshaft.
+
+        Args:
+            distance: distances of the centre from the camshaft, mm, shape (n,).
+        """
+        lift, aside = super().standing(distance)
+        return -lift, aside
+
 
 @dataclass(frozen=True, kw_only=True)
 class OuterRoller(OnOuterFlank, Roller):

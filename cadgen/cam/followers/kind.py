@@ -57,7 +57,7 @@ class FollowerKind:
         keys: frozen dataclass of its keys, named as in the file, each `Annotated` with its limits and with a phrase
             for the reference; its `__post_init__` may refuse what contradicts itself by a `ValueError`, one sentence
             for the user.
-        build: function of keys and seat that returns the follower of the car as designed.
+        build: function of keys and seat that returns the follower as designed; `follower` calls it.
         unit: unit of its motion: lift in mm, swing in rad, or tangent of a car's steering angle.
         runs: whether it may run on the disc with a ball bearing: its keys then have `material`, a `RunningSurface`, and
             `width_mm` of the bearing, either None where the file does not say.
@@ -81,6 +81,20 @@ class FollowerKind:
     second: Callable[[Any, FollowerSeat], Follower | None] = lambda keys, seat: None
     groove: Callable[[Any, FollowerSeat], GrooveRollers | None] = lambda keys, seat: None
     refuse: Callable[[Any, FollowerSeat], None] = lambda keys, seat: None
+
+    def follower(self, keys: Any, seat: FollowerSeat) -> Follower:
+        """Follower as designed, of which no member is missing.
+
+        Args:
+            keys: keys of the design file.
+            seat: disc and place that it is built on.
+
+        Raises:
+            DesignError: it cannot be built, or lacks a member of `cadgen.cam.follower.Follower`.
+        """
+        from cadgen.cam.followers.probe import probed
+
+        return probed(lambda: self.build(keys, seat), self.code, self.unit)
 
     @property
     def pressure_angle_limit(self) -> PressureAngleLimitName:

@@ -32,7 +32,7 @@ def forces_of(design: MotionDesign, motion: Motion, follower: Follower) -> CamFo
     if design.dynamics is None:
         return None
     kind, keys, seat = design.follower.registered, design.follower.keys, design.seat
-    roller, second, groove = kind.build(keys, seat), kind.second(keys, seat), kind.groove(keys, seat)
+    roller, second, groove = kind.follower(keys, seat), kind.second(keys, seat), kind.groove(keys, seat)
     width = design.cam.thickness_mm if groove is None else groove.depth
     dynamics = dynamics_of(design.dynamics, kind, (roller, second or roller), design.blank.material, width)
     speed = (design.motion.speed_rpm or 0.0) * TURN / 60

@@ -14,6 +14,7 @@ from cadgen.cam.derived_motions import OppositeMotion
 from cadgen.cam.follower import Follower
 from cadgen.cam.followers.groove import GrooveRollers, groove_checks
 from cadgen.cam.forces import CamForces
+from cadgen.cam.formulas import FORMULAS
 from cadgen.cam.round_follower import RoundFollower
 from cadgen.car.against_play.profile_kinds import ACTUAL, ProfileKind, profile_of
 from cadgen.check import Check, CheckCode, failing
@@ -41,7 +42,7 @@ SECOND = "second"  # in the names of the files of the second disc
 SecondDisc = StrEnum("SecondDisc", {code.name: f"second-{code}" for code in CheckCode})  # type: ignore[misc]
 OUTER = "outer"  # in the names of the files of a groove's outer flank
 OuterFlank = StrEnum("OuterFlank", {code.name: f"outer-{code}" for code in CheckCode})  # type: ignore[misc]
-_OF_OUTER_FLANK = (*LOST_LIFT, CheckCode.PUSHED_OUT, CheckCode.FALLS_SHORT)
+_OF_OUTER_FLANK = (*LOST_LIFT, CheckCode.PUSHED_OUT, CheckCode.FALLS_SHORT, *FORMULAS)
 _BEYOND_GROOVE = 5.0  # mm that are left beyond a groove besides the least wall, where the design does not say
 # Checks that a size of the follower may cure.
 _SIZED = (CheckCode.PRESSURE_ANGLE_RISE, CheckCode.PRESSURE_ANGLE_RETURN, CheckCode.CONVEX_RADIUS_PROFILE)
@@ -291,7 +292,7 @@ def plan_motion_cam(design: MotionDesign, profile: str | None = None, progress: 
     raise DesignError(
         "no disc leads a {follower} through the rows of {key} as they are, for they have {noise:.2g} {unit} of noise "
         "by their fourth differences: set motion.smooth to true, with which it was tried",
-        follower=Message(design.follower.registered.build(design.follower.keys, design.seat).noun),
+        follower=Message(design.follower.registered.follower(design.follower.keys, design.seat).noun),
         key=design.motion.shaping_key,
         noise=noise,
         unit=unit,
@@ -338,7 +339,7 @@ def _fit(design: MotionDesign, override: str) -> _Fit:
         changed = with_overrides(design, [override])
         registered, keys = changed.follower.registered, changed.follower.keys
         motion, limits = cam_model.source_of(changed).motion(changed), cam_model.check_limits(changed)
-        rolled = [(registered.build(keys, changed.seat), motion)]
+        rolled = [(registered.follower(keys, changed.seat), motion)]
         if (second := registered.second(keys, changed.seat)) is not None:
             rolled.append((second, OppositeMotion.of(motion)))
         for follower, moved in rolled:
@@ -370,7 +371,7 @@ def _planned(design: MotionDesign, profile: str | None, progress: Progress) -> C
     groove, counter = registered.groove(keys, design.seat), registered.second(keys, design.seat)
     if groove is not None and not kind.by_axis:
         return _grooved(design, kind, motion, groove, progress)
-    first = _disc(design, kind, motion, registered.build(keys, design.seat), progress)
+    first = _disc(design, kind, motion, registered.follower(keys, design.seat), progress)
     if counter is None:
         return first
     second = replace(_disc(design, kind, OppositeMotion.of(motion), counter, progress), part=SECOND)

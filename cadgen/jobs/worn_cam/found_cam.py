@@ -265,7 +265,7 @@ def follower_with(design: MotionDesign, base: float) -> Follower:
     """
     inner, outer = design.cam.faces_mm
     seat = FollowerSeat(base_radius=base, faces=(inner, outer), carrying=(inner, outer))
-    return design.follower.registered.build(design.follower.keys, seat)
+    return design.follower.registered.follower(design.follower.keys, seat)
 
 
 def mirrored(design: MotionDesign, record: Record) -> bool:

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
-from cadgen.errors import brief
-from cadgen.messages import CHINESE, Message, shown
+from cadgen.messages import CHINESE, shown
 from cadgen.progress import Progress
+from cadgen.registry import fault_sentence
 
 
 class Stage(StrEnum):
@@ -77,9 +77,3 @@ def in_both(sentence: str) -> dict[str, str]:
 def fault(error: Exception) -> Result:
     """Result of a computation that failed in a way that is none of the design's."""
     return refusal(State.FAULT, fault_sentence(error))
-
-
-def fault_sentence(error: Exception) -> Message:
-    """Sentence on an error that no design or request should cause."""
-    summary = brief(f"{type(error).__name__}: {error}", 400)
-    return Message("a fault in cadgen, please report it with your design file ({summary})", summary=summary)

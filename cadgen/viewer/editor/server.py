@@ -39,8 +39,9 @@ from starlette.types import ASGIApp
 
 from cadgen.errors import CadgenError, DesignError, FileError
 from cadgen.messages import Message
+from cadgen.registry import fault_sentence
 from cadgen.viewer.editor.guard import Address, Guard, refused
-from cadgen.viewer.editor.job import Job, Result, Stage, State, fault_sentence
+from cadgen.viewer.editor.job import Job, Result, Stage, State
 from cadgen.viewer.editor.session import Session
 from cadgen.viewer.editor.text_changes import read_changes, read_point
 from cadgen.viewer.editor.worker import Worker
