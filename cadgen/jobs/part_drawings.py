@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
-from math import atan2, degrees
+from math import atan2
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from cadgen.gears.fits import deviations
 from cadgen.jobs.car_assembly import CarAssembly
 from cadgen.jobs.drawings import Folder, title_of
 from cadgen.messages import Message
-from cadgen.output.drawing.part_sheets import PartTexts, TurnedStep, block_drawing, turned_drawing
+from cadgen.output.drawing.part_sheets import KeySeat, PartTexts, TurnedStep, block_drawing, turned_drawing
 from cadgen.output.drawing.shaft_fit import limits
 from cadgen.output.drawing.sheet import DrawingSheet, rounded
 
@@ -81,7 +81,10 @@ def part_sheets(assembly: CarAssembly, folder: Folder) -> Iterator[tuple[str, Dr
                 TurnedStep(each.low, each.high, 2 * float(each.outline.radii[0]), _bore(each), _beside(each))
                 for each in shape.prisms
             ]
-            seats = [(seat.low, seat.high, _seat_size(seat)[0]) for seat in shape.cuts]
+            seats = [
+                KeySeat(seat.low, seat.high, *_seat_size(seat), _polar(seat) - _polar(shape.cuts[0]))
+                for seat in shape.cuts
+            ]
             through = next(((each.diameter, each.start[2]) for each in shape.drilled), None)
             yield stem, turned_drawing(steps, None, seats, _texts(part, steps, None, None), title, through=through)
         elif isinstance(shape, Block):
@@ -120,7 +123,6 @@ def _texts(
                 )
             )
     for seat in shape.cuts if isinstance(shape, Block) else ():
-        notes.append(_seat(seat, shape.cuts[0] if isinstance(shape, Block) else seat, steps))
         width = _zone(_seat_size(seat)[0], "P9")
     return PartTexts(
         notes=tuple(notes),
@@ -140,24 +142,6 @@ def _beside(prism: Prism) -> tuple[float, float]:
     """Distance of a hole beside the bore of a round prism from the axis, and its diameter, mm; zeros without one."""
     holes = (hole for hole in prism.holes if np.any(hole.centers[0]))
     return next(((float(np.hypot(*hole.centers[0])), 2 * float(hole.radii[0])) for hole in holes), (0.0, 0.0))
-
-
-def _seat(seat: Prism, first: Prism, steps: list[TurnedStep]) -> Message:
-    """Depth of a key's seat in a shaft, in words, with its angle from the first one."""
-    _, floor = _seat_size(seat)
-    depth = rounded(steps[0].diameter / 2 - floor, 2)
-    low, high = rounded(seat.low - steps[0].low, 2), rounded(seat.high - steps[0].low, 2)
-    angle = round(degrees(_polar(seat) - _polar(first)), 3) % 360
-    if not angle:
-        return Message("Seat {low} to {high}: {depth} +0.1/0 deep.", low=low, high=high, depth=depth)
-    return Message(
-        "Seat {low} to {high}: {depth} +0.1/0 deep, turned {angle:.1f}° from the first one, counterclockwise seen "
-        "from the right end.",
-        low=low,
-        high=high,
-        depth=depth,
-        angle=angle,
-    )
 
 
 def _seat_size(seat: Prism) -> tuple[float, float]:

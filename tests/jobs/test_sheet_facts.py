@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 import shapely
 
@@ -18,6 +19,7 @@ from cadgen.jobs.drawings import Folder, sheet_of, sheets_of, title_of
 from cadgen.jobs.gears.gear_train import plan_gears
 from cadgen.jobs.part_drawings import part_sheets
 from cadgen.output.drawing.assembly_sheet import assembly_drawing
+from cadgen.output.drawing.part_sheets import KeySeat, PartTexts, TurnedStep, turned_drawing
 from cadgen.output.drawing.sheet import (
     HEIGHTS,
     Characteristic,
@@ -26,6 +28,7 @@ from cadgen.output.drawing.sheet import (
     DrawingSheet,
     LinearDimension,
     SurfaceTexture,
+    Title,
     ToleranceFrame,
 )
 from cadgen.output.drawing.sheet_files import document_of
@@ -159,8 +162,33 @@ def test_plain_parts_say_fits_threads_and_positions_by_symbols(sheets: dict[str,
         # Box of each exact dimension, frame, and the boxes of both datums.
         closed = [line for line in document_of(drawn[code]).modelspace().query("LWPOLYLINE") if line.closed]
         assert sum(line.dxf.layer == "DIMENSION" for line in closed) == exact + 1 + 2
-    for code in ("rod", "shaft-1", "fork-cheek", "fork-bridge", "drive-wheel"):
+    # The seats of the camshaft are alike: one section across the shaft, d - t1 = 8 - 1.8 of a key 3 x 3 (DIN 6885-1).
+    depth = said["shaft-4"]["shaft less seat 1"]
+    assert (depth.prefix, depth.suffix) == ("2 × ", " (0/-0.1)")
+    assert drawn["shaft-4"].dimensions["shaft less seat 1"] == pytest.approx(6.2, abs=1e-9)
+    for code in ("rod", "shaft-1", "shaft-4", "fork-cheek", "fork-bridge", "drive-wheel"):
         assert not drawn[code].notes
+
+
+def test_a_section_across_a_shaft_shows_depth_and_angle_of_each_seat() -> None:
+    """The area of a section is that of the disc less its seat; what is turned says by how much."""
+    seats = [KeySeat(5.0, 12.0, 3.0, 2.2, 0.0), KeySeat(40.0, 45.0, 2.0, 2.8, 2.0)]
+    title = Title(
+        part="shaft", title="", material="", finish="", quantity=1, date="2026-01-01", design="", number="shaft"
+    )
+    sheet = turned_drawing([TurnedStep(0.0, 60.0, 8.0, 0.0)], None, seats, PartTexts(notes=()), title)
+    sections = sheet.views[1:]
+    assert len(sections) == 2
+    for seat, view in zip(seats[::-1], sections, strict=True):
+        cut = shapely.Polygon(view.hatches[0].outside)
+        side = np.sqrt(16.0 - seat.width**2 / 4)
+        segment = 16.0 * np.arcsin(seat.width / 8) + seat.width / 2 * side - seat.width * seat.floor
+        assert cut.area == pytest.approx(16.0 * np.pi - segment, rel=1e-3)
+        x, y = np.array(cut.centroid.coords[0])
+        assert np.arctan2(x, -y) == pytest.approx(seat.angle, abs=1e-6)  # away from the seat
+    assert [each.text for each in sections[0].labels] == ["seen from the right end", "114.6°"]
+    assert sheet.dimensions["shaft less seat 2"] == pytest.approx(6.8)
+    assert apart(boxes(document_of(sheet).modelspace())) == []
 
 
 def test_sheets_that_are_not_full_size_state_the_factor_of_lengths_where_readers_look(

@@ -10,12 +10,15 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
+import shapely
+from shapely.affinity import rotate
 
 from cadgen.car.assembly.car_parts import Block
 from cadgen.curves.contour import Contour
 from cadgen.messages import Message
 from cadgen.output.drawing.hole_frames import rim
 from cadgen.output.drawing.placement import Room
+from cadgen.output.drawing.section import outlines_and_hatches
 from cadgen.output.drawing.sheet import (
     DIAMETER,
     EDGE,
@@ -55,6 +58,7 @@ from cadgen.output.drawing.sheet import (
 _SIZE, _LARGER = "A4", "A3"
 _ROOM = 34.0  # mm on paper to either side of a view, for its dimensions
 _FIRST, _STEP = 9.0, 8.0  # mm on paper from a view to its first dimension line, and from one to the next
+_RAISED, _UNDER, _ASIDE = 12.0, 12.0, 18.0  # mm on paper, of a shaft with sections under it, and beside these
 _BETWEEN = 40.0  # mm on paper between two views
 _LETTER = 0.65  # mean width of the letters of a dimension, in heights
 _CHORD = 1e-5  # mm, of outlines whose extent is dimensioned
@@ -78,6 +82,24 @@ class TurnedStep(NamedTuple):
     diameter: float
     bore: float
     beside: tuple[float, float] = (0.0, 0.0)
+
+
+class KeySeat(NamedTuple):
+    """Seat of a key in a shaft.
+
+    Attributes:
+        low: height at which it begins, mm.
+        high: height at which it ends, mm.
+        width: width, mm.
+        floor: distance of its floor from the axis, mm.
+        angle: its angle from the first seat, counterclockwise seen from the right end, rad.
+    """
+
+    low: float
+    high: float
+    width: float
+    floor: float
+    angle: float
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -110,7 +132,7 @@ class PartTexts:
 def turned_drawing(
     steps: Sequence[TurnedStep],
     hole: tuple[float, float] | None,
-    seats: Sequence[tuple[float, float, float]],
+    seats: Sequence[KeySeat],
     texts: PartTexts,
     title: Title,
     *,
@@ -121,7 +143,7 @@ def turned_drawing(
     Args:
         steps: steps from the left to the right.
         hole: diameter and height of a radial hole, mm; None without one.
-        seats: low and high end and width of each seat of a key, seen from above it, mm.
+        seats: seats of keys, each seen from above it, with sections across the shaft below them.
         texts: notes, and classes of diameters.
         title: title block.
         through: diameter and height of a plain hole across the whole part, mm; None without one.
@@ -129,6 +151,8 @@ def turned_drawing(
     low, high = steps[0].low, steps[-1].high
     reach = max(step.diameter for step in steps) / 2
     size, scale, place = _placed((high - low, 2 * reach), ((low + high) / 2, 0.0), title)
+    if seats:  # the sections stand below
+        place = (place[0], place[1] + _RAISED)
     gap, step_out = _FIRST / scale, _STEP / scale
     curves: list[Closed | Stroke] = []
     hatches: list[Hatch] = []
@@ -220,14 +244,14 @@ def turned_drawing(
                 beside=scale * across / 2 + _tail(scale * across) + long / 2 + 2.5,
             ),
         ]
-    for number, (start, end, width) in enumerate(seats, 1):
+    for number, (start, end, width, *_) in enumerate(seats, 1):
         corners = np.array([[start, -width / 2], [end, -width / 2], [end, width / 2], [start, width / 2]])
         curves.append(Closed(Contour(corners, np.zeros(4))))
         at = reach + gap + 2 * (len(seats) - number) * step_out
         dimensions.append(along_axis(f"seat {number} from the left end", (low, start), reach, at + step_out))
         dimensions.append(along_axis(f"length of seat {number}", (start, end), reach, at))
-    for number, (width, end) in enumerate({round(width, 6): end for _, end, width in seats}.items()):
-        count = sum(abs(each - width) < _CHORD for *_, each in seats)
+    for number, (width, end) in enumerate({round(seat.width, 6): seat.high for seat in seats}.items()):
+        count = sum(abs(seat.width - width) < _CHORD for seat in seats)
         prefix = f"{count} × " if count > 1 else ""
         wide = across_axis(
             f"width of seats {number + 1}", end, (-width / 2, width / 2), high + gap + number * step_out, prefix
@@ -235,6 +259,12 @@ def turned_drawing(
         long = TEXT * _LETTER * len(f"{prefix}{rounded(width)}{texts.seat}") / 2
         off = scale * width / 2 + _tail(scale * width) + long + 1.5
         dimensions.append(replace(wide, suffix=texts.seat, beside=off))
+    sections = tuple(_seat_sections(steps, seats, scale, place))
+    for section in sections:
+        # In line with the seat: the section stands on the trace of its plane, which joins it to the view (ISO 128-3).
+        x = (section.place[0] - place[0]) / scale
+        end = (section.place[1] - place[1] + 3.0) / scale + reach
+        curves.append(Stroke(np.array([[x, reach], [x, end]]), LineKind.CENTRE))
     view = View(
         place=place,
         curves=tuple(curves),
@@ -242,7 +272,75 @@ def turned_drawing(
         dimensions=tuple(dimensions),
         symbols=tuple(_turned_symbols(steps, dimensions, scale, texts)),
     )
-    return _sheet(size, scale, (view,), texts, title)
+    return _sheet(size, scale, (view, *sections), texts, title)
+
+
+def _seat_sections(
+    steps: Sequence[TurnedStep], seats: Sequence[KeySeat], scale: float, place: tuple[float, float]
+) -> Iterator[View]:
+    """Section across a shaft through each seat, of like ones through the last, seen from the right end.
+
+    Args:
+        steps: steps of the shaft.
+        seats: seats of keys.
+        scale: mm on paper for a mm of the part.
+        place: place of the view of the shaft on the paper, mm.
+    """
+    reach, gap = max(step.diameter for step in steps) / 2, _FIRST / scale
+    alike: dict[tuple[float, ...], list[KeySeat]] = {}
+    for seat in seats:
+        across = next(step.diameter for step in steps if step.low <= (seat.low + seat.high) / 2 <= step.high)
+        key = tuple(round(each, 5) for each in (across, seat.width, seat.floor, seat.angle % (2 * np.pi)))
+        alike.setdefault(key, []).append(seat)
+    below = place[1] - scale * reach - _FIRST - (len(steps) - 1) * _STEP - _UNDER
+    right = np.inf  # left end of the section before, mm on paper
+    for number, ((across, width, floor, angle), group) in reversed(list(enumerate(alike.items(), 1))):
+        radius, seat = across / 2, group[-1]
+        middle = min(place[0] + scale * (seat.low + seat.high) / 2, right - scale * radius - _ASIDE)
+        right = middle - scale * radius - 4.0
+        turn = np.linspace(0.0, 2 * np.pi, 720, endpoint=False)
+        disc = shapely.Polygon(radius * np.stack([np.cos(turn), np.sin(turn)], axis=1))
+        notch = rotate(shapely.box(-width / 2, floor, width / 2, across), angle, origin=(0.0, 0.0), use_radians=True)
+        strokes, hatches = outlines_and_hatches([shapely.difference(disc, notch)])
+        along = np.array([-np.sin(angle), np.cos(angle)])
+        # The depth stands on the side away from the angle.
+        side = np.array([along[1], -along[0]]) * (-1.0 if 0.0 < angle % (2 * np.pi) <= np.pi else 1.0)
+        (x, y), (left, low), (far, high) = (
+            ((radius + 0.6 * gap) * side).tolist(),
+            (-radius * along).tolist(),
+            (floor * along).tolist(),
+        )
+        suffix = " (0/-0.1)"  # DIN 6885-1: the seat may be deeper by 0.1 mm
+        prefix = f"{len(group)} × " if len(group) > 1 else ""
+        long = TEXT * _LETTER * len(f"{prefix}{rounded(radius + floor)}{suffix}")
+        depth = LinearDimension(
+            name=f"shaft less seat {number}",
+            start=(left, low),
+            end=(far, high),
+            at=(x, y),
+            angle=90.0 + float(np.degrees(angle)),
+            prefix=prefix,
+            suffix=suffix,
+            beside=(-1 if along[1] >= 0.0 else 1)  # downwards, where no view stands
+            * (scale * (radius + floor) / 2 + _tail(scale * (radius + floor)) + long / 2 + 1.5),
+        )
+        labels = [Label(text=Message("seen from the right end"), at=(0.0, -radius - 17.0 / scale))]
+        if angle:
+            ray = np.linspace(0.0, angle if angle <= np.pi else angle - 2 * np.pi, 25)
+            arc = (radius + 3.0 / scale) * np.stack([-np.sin(ray), np.cos(ray)], axis=1)
+            strokes.append(Stroke(arc, LineKind.THIN))
+            strokes.append(Stroke(np.array([[0.0, 0.0], [0.0, radius + 5.0 / scale]]), LineKind.CENTRE))
+            at = 1.0 + 6.5 / scale / radius
+            where = at * radius * np.array([-np.sin(ray[12]), np.cos(ray[12])])
+            turned = rounded(float(np.degrees(abs(ray[-1]))), 1)
+            labels.append(Label(text=f"{turned}°", at=(float(where[0]), float(where[1]))))
+        yield View(
+            place=(middle, below - scale * radius),
+            curves=(*strokes, *centre_cross(radius + 2.0 / scale)),
+            hatches=tuple(hatches),
+            dimensions=(depth,),
+            labels=tuple(labels) if angle else (),
+        )
 
 
 def _turned_symbols(
