@@ -9,8 +9,10 @@ from math import ceil, floor
 from cadgen.car.assembly.arrangement import Gap
 from cadgen.car.assembly.carried import CarriedBody
 from cadgen.car.assembly.fork_sizes import front_radius
-from cadgen.car.assembly.frame import Frame, FrameSizes, frame_of
-from cadgen.car.assembly.frame_gaps import frame_gap, standing_gap
+from cadgen.car.assembly.frame.built_frame import Frame
+from cadgen.car.assembly.frame.frame_gaps import frame_gap, standing_gap
+from cadgen.car.assembly.frame.frame_maker import frame_of
+from cadgen.car.assembly.frame.frame_sizes import FrameSizes
 from cadgen.car.assembly.standard_parts import SCREWS
 from cadgen.check import Bound, Check, CheckCode, failing
 from cadgen.design import gear_model

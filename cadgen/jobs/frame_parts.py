@@ -7,7 +7,7 @@ import numpy as np
 from cadgen.arrays import Array
 from cadgen.car.assembly.car_parts import Block, CarPart, Group, GroupKind, Supply, turned_round
 from cadgen.car.assembly.carried import Carried
-from cadgen.car.assembly.frame import Bought, BoughtKind
+from cadgen.car.assembly.frame.bought_parts import Bought, BoughtKind
 from cadgen.car.assembly.panels import BASE_COLOUR, PLATE_COLOUR, Panel, PartPlace
 from cadgen.car.running.friction import DiscMaterial
 from cadgen.design import gear_model

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from cadgen import Design, DesignError
-from cadgen.car.assembly.frame_gaps import frame_gap
+from cadgen.car.assembly.frame.frame_gaps import frame_gap
 from cadgen.check import CheckCode, failing
 from cadgen.errors import CheckError
 from cadgen.jobs.car_frame import CarFrame, car_frame

@@ -10,9 +10,8 @@
 | `standard_parts` | ball bearings, screws, nuts and their holes by standard sizes                 |
 | `panels`      | sheets: exact outlines, and gaps to round bodies                                  |
 | `fork_sizes`  | sizes of fork, hubs and shaft ends that no design states                          |
-| `frame`       | plates, base, platform, block, brackets and shafts, by the layout                 |
+| `frame`       | plates, base, platform, block and brackets, by the layout                         |
 | `carried`     | drop weight or motor on the base: place, rods, tubes and top plate                |
-| `frame_gaps`  | gaps of the frame to what moves, and among its parts                              |
 
 The frame is that of the cam's files: the camshaft is the z axis, which points to the car's left; x points ahead, to
 the fork, and y down. The plane z = 0 is the disc's lower face.

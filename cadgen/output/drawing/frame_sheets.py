@@ -5,7 +5,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from cadgen.car.assembly.frame import ForkBlock
+from cadgen.car.assembly.frame.fork_block import ForkBlock
 from cadgen.car.assembly.panels import Feature, Panel, rectangle
 from cadgen.curves.contour import Contour
 from cadgen.gears.fits import deviations

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from cadgen.car.assembly.car_parts import Block
-from cadgen.car.assembly.frame import ForkBlock
+from cadgen.car.assembly.frame.fork_block import ForkBlock
 from cadgen.car.assembly.panels import BASE_COLOUR, PLATE_COLOUR, Panel
 from cadgen.design.machining import Machining
 from cadgen.figures import Facts

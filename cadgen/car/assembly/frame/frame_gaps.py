@@ -21,7 +21,8 @@ from cadgen.car.assembly.fork_sizes import (
     front_radius,
     hub_width,
 )
-from cadgen.car.assembly.frame import BoughtKind, Frame
+from cadgen.car.assembly.frame.bought_parts import BoughtKind
+from cadgen.car.assembly.frame.built_frame import Frame
 from cadgen.car.assembly.panels import (
     STANDING,
     ConvexPrism,
