@@ -2,7 +2,8 @@
 
 CADGEN_REPOSITORY, an address such as `https://example.org/cadgen`, is set where the distribution is built to be
 published. Then the project has its addresses, and links and pictures of the README lead there. Without it the README of
-the distribution has neither, for an index has no files beside it.
+the distribution has neither, nor what only leads to a page, for an index has no files beside it. Either tells how the
+distribution is installed by its name, for who reads it has no folder.
 """
 
 import os
@@ -17,6 +18,25 @@ except ModuleNotFoundError:  # for the tests, which have no use for a builder
 VARIABLE = "CADGEN_REPOSITORY"
 _PICTURE = re.compile(r"!\[([^]]*)\]\(((?!https?:)[^)]+)\)")
 _LINK = re.compile(r"(?<!!)\[([^]]*)\]\(((?!https?:|#)[^)]+)\)")
+_IN_FOLDER = re.compile(r"In this folder, .*?```sh\n.*?\n```\n", re.S)
+_INSTALLED = """This installs it, and makes a first cam in `exports`:
+
+```sh
+pip install cadgen-cams
+cadgen cam --profile optimized --out exports
+```
+"""
+_PLACE = r"\[[^]]*\]\([^)]*\)"
+# What only leads to pages: a whole line, a sentence, the last cell of a row; and a row whose first cell is a picture.
+_LEADS = (
+    (rf"^!?{_PLACE}\n\n", ""),
+    (rf"(?<=[.;]) {_PLACE}(?:, and {_PLACE})?\.$", ""),
+    (rf"^(?:{_PLACE} · )+", ""),
+    (rf" {_PLACE} \|$", ""),
+    (r" page \|\n\|---\|---\|---\|$", "\n|---|---|"),
+    (r"^\| \| \|\n\|---\|---\|\n", ""),
+    (rf"^\| !{_PLACE} \| (.*) \|$", r"- \1"),
+)
 
 
 def readme_for(text: str, repository: str) -> str:
@@ -26,11 +46,13 @@ def readme_for(text: str, repository: str) -> str:
         text: README of the repository, in Markdown.
         repository: address of the repository; empty where it has none.
     """
+    text = _IN_FOLDER.sub(_INSTALLED, text)
     if repository:
         text = _PICTURE.sub(rf"![\1]({repository}/raw/main/\2)", text)
         return _LINK.sub(rf"[\1]({repository}/blob/main/\2)", text)
-    text = re.sub(r"^(?:\| )?!\[[^]]*\]\([^)]*\)\n", "", text, flags=re.M)
-    return _LINK.sub(r"\1", _PICTURE.sub("", text))
+    for lead, instead in _LEADS:
+        text = re.sub(lead, instead, text, flags=re.M)
+    return _LINK.sub(r"\1", text)
 
 
 class Metadata(MetadataHookInterface):

@@ -64,23 +64,25 @@ def terms(language: str = ENGLISH) -> Mapping[str, Term]:
 
 
 def find(word: str, language: str = ENGLISH) -> list[Term]:
-    """Terms that a word names, in either language: itself, with an ending, as a word of a term, or by its last words.
+    """Terms that a word names, in either language: itself, or by words that both share, last ones first.
 
     Args:
-        word: such as `play`, `gates`, `回程误差`, `pressure` or `closing blend`.
+        word: such as `play`, `gates`, `回程误差`, `pressure`, `closing blend` or `lost lift, crossing`.
         language: language of the answer.
 
     Returns:
         The best matches, none where there is no such term.
     """
-    wanted = " ".join(word.lower().replace("_", " ").replace("-", " ").split())
-    all_terms = list(terms(language).values())
+    wanted = " ".join(re.sub("[,_-]", " ", word.lower()).split())
+    singular = " ".join(part.removesuffix("s") for part in wanted.split())
+    named = [(term, [name.replace("-", " ") for name in term.names]) for term in terms(language).values()]
     for same in (
-        lambda name: name.replace("-", " ") in (wanted, wanted.removesuffix("s")),
+        lambda name: name in (wanted, wanted.removesuffix("s")),
         lambda name: wanted in name.split(),
         lambda name: wanted.endswith(f" {name}"),
+        lambda name: f" {name} " in f" {wanted} {singular} ",
     ):
-        if found := [term for term in all_terms if any(map(same, term.names))]:
+        if found := [term for term, names in named if any(map(same, names))]:
             return found
     return []
 

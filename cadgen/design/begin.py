@@ -362,6 +362,7 @@ def begin(
     """
     if fault := name_fault(name):
         raise DesignError('the name is "{name}"; it must {fault}', name=brief(name[:80]), fault=fault)
+    given = points
     if points is None:
         example: tuple[tuple[float, float], ...] = LAP if closed else EXAMPLE
         field = field or _EXAMPLE_FIELD
@@ -388,6 +389,8 @@ def begin(
     for change in changes:
         override(document, change)
     car = document["car"]
+    if given is not None:
+        _refuse_small(given, car.get("wheelbase_mm"))
     if not any(change.replace(" ", "").startswith("path.offset_mm=") for change in changes):
         offsets = [car.get(key) for key in ("drive_wheel_offset_mm", "idle_wheel_offset_mm")]
         if all(isinstance(offset, int | float) for offset in offsets):
@@ -397,6 +400,18 @@ def begin(
     text = tomlkit.dumps(document)
     design_of(text, Path(f"{name}.toml"))
     return text
+
+
+def _refuse_small(points: Points, wheelbase: object) -> None:
+    """Refuse points that lie nearer together than the axles of their car: they are in another unit than mm."""
+    sizes = [max(column) - min(column) for column in zip(*points.places, strict=True)]
+    if isinstance(wheelbase, int | float) and max(sizes) < wheelbase:
+        raise DesignError(
+            "the points lie within {size:.3g} mm, and the car has a wheelbase of {wheelbase:g} mm: give them in mm, "
+            "which is 1000 times what they are in m",
+            size=max(sizes),
+            wheelbase=wheelbase,
+        )
 
 
 def begin_motion(name: str, table: Path | None = None, changes: Sequence[str] = (), folder: Path = Path()) -> str:

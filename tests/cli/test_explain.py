@@ -6,7 +6,10 @@ import pytest
 from click.testing import CliRunner
 
 from cadgen import glossary
+from cadgen.car.against_play import profile_kinds
 from cadgen.cli import _FIRST, cli
+from cadgen.gears.choices import Order
+from cadgen.inference.measurement.verdict import Verdict
 from tests.cli.conftest import one_sentence
 
 
@@ -38,6 +41,55 @@ def test_a_key_of_several_kinds_is_explained_for_each_and_a_section_by_its_keys(
 )
 def test_codes_of_kinds_and_a_term_with_a_word_before_it_are_explained(cadgen, word, said):
     assert said in " ".join(cadgen("explain", word, code=0).stdout.split())
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_codes_that_the_screens_show_are_terms(language):
+    """Kinds of profile, orders of a train, verdicts on measured data."""
+    codes = [*profile_kinds.codes(), *Order, *Verdict]
+    assert len(codes) > 12
+    plain = {"none", "runs disagree"}
+    parts = {part for code in codes for part in code.split("+")} - plain
+    assert not [code for code in parts if not glossary.find(code, language)]
+
+
+@pytest.mark.parametrize(
+    "shown",
+    [
+        *(
+            "blend return",
+            "scatter",
+            "slack",
+            "stations",
+            "cluster",
+            "drag",
+            "noise",
+            "left out",
+            "read back",
+            "at lift",
+        ),
+        *("watertight", "tightest", "thinnest wall", "largest cutter radius", "wrong face carries", "rod pushed out"),
+        *(
+            "lift not given, blend",
+            "convex radius, theory",
+            "lost lift, crossing",
+            "gates passed",
+            "least margin of a gate",
+        ),
+        *("waypoints on the cut cam", "edge of the field, with play", "cars that keep the course", "rod past the rim"),
+        *("bodies overlap", "teeth jam", "play - computed, as cut", "contact ratio - formula", "roller falls short"),
+        *(
+            "play in the groove, greatest",
+            "edges broken 0.1 mm more",
+            "least drive wheel",
+            "steering zero",
+            "start pose",
+        ),
+    ],
+)
+def test_lines_of_the_first_screens_lead_to_a_term(shown):
+    """As `check --all`, `cam`, `gears` and `calibrate` print them."""
+    assert glossary.find(shown)
 
 
 def test_an_unknown_word_names_the_nearest(cadgen):

@@ -162,3 +162,12 @@ def test_gates_of_the_example_lie_within_the_field(tmp_path, size, closed):
     design = load_design(tmp_path / "f.toml")
     places = [gate.at_mm for gate in design.course.gates] + list(design.path.waypoints_mm)
     assert all(0 < x < float(size[0]) and 0 < y < float(size[1]) for x, y in places)
+
+
+def test_points_in_metres_are_refused_in_one_sentence(tmp_path):
+    (tmp_path / "p.txt").write_text("0 0\n0.5 0.4\n1.2 0.9\n2.0 0.3\n")
+    refused = str(new(tmp_path, "small", "--points", str(tmp_path / "p.txt")).exception)
+    assert refused.startswith("the points lie within 2 mm, and the car has a wheelbase of 167 mm: give them in mm")
+    assert not (tmp_path / "small.toml").exists()
+    (tmp_path / "p.txt").write_text("0 0\n500 400\n1200 900\n2000 300\n")
+    assert new(tmp_path, "large", "--points", str(tmp_path / "p.txt")).exit_code == 0

@@ -417,8 +417,16 @@ def test_the_readme_of_the_distribution_leads_to_the_repository_or_nowhere() -> 
     spec = spec_from_file_location("hatch_build", ROOT / "hatch_build.py")
     builder = module_from_spec(spec)
     spec.loader.exec_module(builder)
-    assert not re.findall(r"\]\(", builder.readme_for(text, ""))
-    there = re.findall(r"\]\(([^)]+)\)", builder.readme_for(text, "https://example.org/cadgen"))
+    bare, published = (builder.readme_for(text, place) for place in ("", "https://example.org/cadgen"))
+    for readme in (bare, published):
+        assert "pip install cadgen-cams\n" in readme
+        assert "this folder" not in readme
+    assert "](" not in bare
+    # Nothing is left of what only led to a page: a cell, a sentence or a line.
+    assert not re.findall(r"\| *\||中文|, and more|\bpage \|", bare)
+    assert len(re.findall(r"^- [A-Z].*\.$", bare, re.M)) == 3
+    assert bare.rstrip().endswith("\n\nApache-2.0")
+    there = re.findall(r"\]\(([^)]+)\)", published)
     assert [re.sub(r"https://example.org/cadgen/(raw|blob)/main/", "", place) for place in there] == places
     pictures = [place for place in there if "/raw/" in place]
     assert len(pictures) == 4
