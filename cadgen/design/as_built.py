@@ -33,7 +33,7 @@ class SourceSection(DesignSection):
     """A file of measured data. One table [[as_built.sources]] for each."""
 
     file: str = Field(description="its name, without the folder")
-    kind: Kind = Field(description="of data")
+    kind: Kind = Field(description="kind of the measured data")
     sha256: str = Field(description="of the file, 64 hexadecimal digits")
     verdict: str = Field(default="", description="class of the verdict on it")
 
@@ -55,7 +55,7 @@ class EffectValue(DesignSection):
     """A number of an effect."""
 
     name: str = Field(description="of the number, with its unit at the end")
-    value: float = Field(ge=-1e6, le=1e6, description="in that unit")
+    value: float = Field(ge=-1e6, le=1e6, description="value in that unit")
     sigma: float | None = Field(default=None, ge=0, le=1e6, description="its standard deviation")
 
 

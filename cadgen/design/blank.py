@@ -171,7 +171,7 @@ class HubSection(DesignSection):
 class LighteningSection(DesignSection):
     """A ring of equal round holes."""
 
-    holes: int = Field(ge=1, le=360, description="how many")
+    holes: int = Field(ge=1, le=360, description="number of holes")
     hole_diameter_mm: Feature = Field(le=500, description="of each hole")
     circle_diameter_mm: Feature = Field(le=1000, description="of the circle that their centres lie on")
     angle_deg: float = Field(default=0.0, ge=-360, le=360, description="polar angle of the first hole")

@@ -168,7 +168,7 @@ class PostSection(DesignSection):
     """A round post. One table [[course.posts]] for each."""
 
     at_mm: Point = Field(description="[x, y] of its middle")
-    radius_mm: float = Field(gt=0, le=10_000, description="of the post")
+    radius_mm: float = Field(gt=0, le=10_000, description="radius of the post")
     height_mm: float | None = Field(
         default=None, ge=0, le=10_000, description="left out, too high for the car to pass over"
     )
@@ -203,7 +203,7 @@ class ZoneSection(DesignSection):
     """An area that no part of the car may enter: a disc, a rectangle or a polygon. One table for each."""
 
     at_mm: Point | None = Field(default=None, description="[x, y] of a disc's centre")
-    radius_mm: float | None = Field(default=None, gt=0, le=100_000, description="of a disc")
+    radius_mm: float | None = Field(default=None, gt=0, le=100_000, description="radius of a disc")
     corner_mm: Point | None = Field(default=None, description="[x, y] of a rectangle's lower left corner")
     size_mm: Size | None = Field(default=None, description="[width, height] of a rectangle")
     outline_mm: Points | None = Field(
@@ -362,7 +362,7 @@ class OutlineSection(DesignSection):
     """
 
     length_mm: float | None = Field(default=None, gt=0, le=5000, description="of the body, from its front to its rear")
-    width_mm: float | None = Field(default=None, gt=0, le=5000, description="of the body")
+    width_mm: float | None = Field(default=None, gt=0, le=5000, description="width of the body")
     front_overhang_mm: float | None = Field(
         default=None, ge=-5000, le=5000, description="fork axis to the body's front; needed with length_mm"
     )

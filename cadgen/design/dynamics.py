@@ -78,7 +78,7 @@ class DynamicsSection(DesignSection):
         max_length=MOST_ROWS,
         description="rows of the load, [cam angle, load], instead of a file; what is read from a file is kept here",
     )
-    damping_N_s_per_m: float | None = Field(default=None, ge=0, le=1e6, description="of the slide")
+    damping_N_s_per_m: float | None = Field(default=None, ge=0, le=1e6, description="damping of the slide")
     damping_Nmm_s_per_rad: float | None = Field(default=None, ge=0, le=1e9, description="of a swinging follower")
     gravity_deg: float | None = Field(
         default=None,
@@ -99,7 +99,7 @@ class DynamicsSection(DesignSection):
     guide_friction: float | None = Field(
         default=None, ge=0, le=1.5, description="sliding friction in the slide's guide"
     )
-    guide_length_mm: float | None = Field(default=None, gt=0, le=10_000, description="of that guide")
+    guide_length_mm: float | None = Field(default=None, gt=0, le=10_000, description="length of that guide")
     overhang_mm: float | None = Field(default=None, ge=0, le=10_000, description="end of the guide to the contact")
     contact_width_mm: float | None = Field(
         default=None, gt=0, le=1000, description="length of the line of contact; left out, the disc's thickness"

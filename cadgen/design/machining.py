@@ -80,7 +80,7 @@ class Machining(DesignSection):
         le=100_000,
         description="along the outline; left out, by `blank.material`, cutter and speed, or 240 without a material",
     )
-    plunge_feed_mm_per_min: float = Field(default=60.0, ge=0.1, le=100_000, description="downwards")
+    plunge_feed_mm_per_min: float = Field(default=60.0, ge=0.1, le=100_000, description="feed downwards")
     spindle_rpm: float = Field(default=8000.0, ge=1, le=200_000, description="speed of the spindle")
     step_down_mm: float = Field(default=1.0, ge=0.05, le=100, description="greatest depth of one pass")
     safe_height_mm: float = Field(

@@ -174,7 +174,9 @@ class MechanicsSection(DesignSection):
     friction_least: float | None = Field(
         default=None, ge=0, le=1.5, description="sliding friction between rod and disc; left out, by the two materials"
     )
-    friction_greatest: float | None = Field(default=None, ge=0, le=1.5, description="the most that it may be")
+    friction_greatest: float | None = Field(
+        default=None, ge=0, le=1.5, description="greatest friction that it may have"
+    )
     greased: bool = Field(default=True, description="whether rod and disc are; for the friction of their materials")
     drag_least_Nmm: float = Field(
         default=0.0, ge=0, le=100_000, description="torque of a brake or felt against the cam's motion, at its weakest"

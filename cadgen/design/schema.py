@@ -57,8 +57,8 @@ class Arena(DesignSection):
     """The field the car drives on. The figures show it; the cam does not depend on it."""
 
     corner_mm: Point = Field(default=(0.0, 0.0), description="[x, y] of the field's lower left corner")
-    size_mm: Size = Field(description="[width, height]")
-    obstacle_radius_mm: float = Field(default=50.0, gt=0, le=1000, description="of every obstacle")
+    size_mm: Size = Field(description="[width, height] of the field")
+    obstacle_radius_mm: float = Field(default=50.0, gt=0, le=1000, description="radius of every obstacle")
     obstacles_mm: Points = Field(default=(), description="[x, y] of each obstacle's centre")
 
 

@@ -30,7 +30,9 @@ class SettingsSection(DesignSection):
         description="how far the micrometer head can take the fork axis towards the camshaft, which lessens "
         "`base_radius_mm`",
     )
-    head_to_mm: float = Field(default=0.0, ge=0, le=50, description="how far it can take it away")
+    head_to_mm: float = Field(
+        default=0.0, ge=0, le=50, description="how far it can take the fork away from the camshaft"
+    )
     head_step_mm: float = Field(default=0.0, ge=0, le=1, description="division of the head that is set; 0 for any")
     wheel_radii_mm: Radii = Field(
         default=(), max_length=MOST_AT_HAND, description="radii of the drive wheels at hand; or give a range"

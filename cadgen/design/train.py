@@ -32,7 +32,7 @@ from cadgen.messages import Message
 class GearKeys(DesignSection):
     """Gear of a stage. Tolerances given here stand in for those of the standards."""
 
-    teeth: int = Field(ge=4, le=1000, description="z")
+    teeth: int = Field(ge=4, le=1000, description="z, number of teeth")
     profile_shift: float = Field(
         default=0.0,
         ge=-2,
@@ -240,7 +240,7 @@ Lengths = Annotated[tuple[Annotated[float, Gt(0), Le(500)], ...], Strict(False)]
 class GearKeyway(DesignSection):
     """A keyway in the bore, under a tooth of the larger gear."""
 
-    width_mm: Feature = Field(le=100, description="b")
+    width_mm: Feature = Field(le=100, description="b, width of the keyway")
     depth_mm: Feature = Field(le=50, description="t2: bore and keyway span the bore's diameter and this")
 
 
@@ -260,7 +260,7 @@ class GearHub(DesignSection):
     them.
     """
 
-    diameter_mm: Feature = Field(le=1000, description="outer")
+    diameter_mm: Feature = Field(le=1000, description="outer diameter of the hub")
     length_mm: FeatureOrNone = Field(default=0.0, le=200, description="how far it stands out of the face")
     set_screw_mm: FeatureOrNone = Field(
         default=0.0, le=50, description="diameter of a radial hole through it; 0 for none"
@@ -281,14 +281,14 @@ class GearHub(DesignSection):
 class GearWeb(DesignSection):
     """A thinner disc between hub and rim."""
 
-    thickness_mm: Feature = Field(le=500, description="of the disc")
+    thickness_mm: Feature = Field(le=500, description="thickness of the web")
     rim_mm: Feature = Field(le=500, description="thickness of the rim under the teeth's root")
 
 
 class GearLightening(DesignSection):
     """A ring of equal round holes midway between rim and hub."""
 
-    holes: int = Field(ge=1, le=360, description="how many")
+    holes: int = Field(ge=1, le=360, description="number of holes")
     hole_diameter_mm: Feature = Field(le=500, description="of each hole")
 
 
@@ -457,8 +457,8 @@ class SearchSection(DesignSection):
 class TrainSection(DesignSection):
     """The gear train that drives the camshaft, of spur or helical gears. `cadgen gears` needs it."""
 
-    module_mm: float = Field(gt=0, le=10, description="m_n")
-    pressure_angle_deg: float = Field(default=20.0, ge=10, le=35, description="alpha_n")
+    module_mm: float = Field(gt=0, le=10, description="m_n, normal module")
+    pressure_angle_deg: float = Field(default=20.0, ge=10, le=35, description="alpha_n, normal pressure angle")
     helix_angle_deg: float | None = Field(
         default=None,
         ge=0,
@@ -499,7 +499,7 @@ class TrainSection(DesignSection):
         le=1e4,
         description="tooth thickness deviation that all gears are cut to instead, negative for thinner teeth",
     )
-    addendum_factor: float = Field(default=1.0, gt=0, le=3, description="h_aP*, in modules")
+    addendum_factor: float = Field(default=1.0, gt=0, le=3, description="h_aP*, addendum in modules")
     dedendum_factor: float = Field(default=1.25, gt=0, le=3, description="h_fP*, of the basic rack, in modules")
     rack_tip_radius_factor: float = Field(
         default=0.38, gt=0, le=1, description="rho_fP*, of the basic rack, in modules"

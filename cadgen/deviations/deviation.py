@@ -157,8 +157,10 @@ PROFILE_OFFSET = Deviation(
 STEERING_ZERO = Deviation(
     "steering zero", "steering_zero", "rad", zone=Zone(10, "front wheel against the rod", optional=False)
 )
-WHEELBASE = Deviation("wheelbase", "wheelbase", "mm", zone=Zone(10, "L", optional=False))
-DRIVE_WHEEL_OFFSET = Deviation("drive wheel offset", "drive_wheel_offset", "mm", zone=Zone(10, "A1", optional=False))
+WHEELBASE = Deviation("wheelbase", "wheelbase", "mm", zone=Zone(10, "L, of the wheelbase", optional=False))
+DRIVE_WHEEL_OFFSET = Deviation(
+    "drive wheel offset", "drive_wheel_offset", "mm", zone=Zone(10, "A1, of the driven wheel's offset", optional=False)
+)
 # It scales the travel.
 WHEEL_RADIUS = Deviation(
     "wheel radius",

@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 class SunKeys:
     """Sun of a planetary stage."""
 
-    teeth: Annotated[int, Ge(4), Le(1000), "z_s"]
-    profile_shift: Annotated[float, Ge(-2), Le(2), "x, in modules"] = 0.0
+    teeth: Annotated[int, Ge(4), Le(1000), "z_s, teeth of the sun"]
+    profile_shift: Annotated[float, Ge(-2), Le(2), "x, profile shift in modules"] = 0.0
     width_mm: Annotated[float | None, Gt(0), Le(500), "b; left out, that of the train"] = None
     E_sn_um: Annotated[
         float | None, Ge(-1e4), Le(1e4), "thickness deviation, with those of planet and ring; left out, by the backlash"
@@ -34,9 +34,9 @@ class SunKeys:
 class PlanetKeys:
     """Planets of a planetary stage."""
 
-    teeth: Annotated[int, Ge(4), Le(1000), "z_p"]
+    teeth: Annotated[int, Ge(4), Le(1000), "z_p, teeth of a planet"]
     count: Annotated[int, Ge(1), Le(12), "N, how many there are"] = 3
-    profile_shift: Annotated[float, Ge(-2), Le(2), "x, in modules"] = 0.0
+    profile_shift: Annotated[float, Ge(-2), Le(2), "x, profile shift in modules"] = 0.0
     width_mm: Annotated[float | None, Gt(0), Le(500), "b; left out, that of the train"] = None
     E_sn_um: Annotated[
         float | None, Ge(-1e4), Le(1e4), "thickness deviation, with those of sun and ring; left out, by the backlash"
@@ -50,7 +50,7 @@ class PlanetKeys:
 class PlanetaryRingKeys:
     """Ring of a planetary stage."""
 
-    teeth: Annotated[int | None, Ge(5), Le(1000), "z_r; left out, z_s + 2 z_p"] = None
+    teeth: Annotated[int | None, Ge(5), Le(1000), "z_r, teeth of the ring; left out, z_s + 2 z_p"] = None
     profile_shift: Annotated[
         float | None, Ge(-2), Le(2), "x, in modules, by ISO 21771; left out, it follows from the centre distance"
     ] = None

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 class RackPinionKeys:
     """Pinion on a rack."""
 
-    teeth: Annotated[int, Ge(4), Le(1000), "z"]
-    profile_shift: Annotated[float, Ge(-2), Le(2), "x, in modules"] = 0.0
+    teeth: Annotated[int, Ge(4), Le(1000), "z, number of teeth"]
+    profile_shift: Annotated[float, Ge(-2), Le(2), "x, profile shift in modules"] = 0.0
     width_mm: Annotated[float | None, Gt(0), Le(500), "b; left out, that of the train"] = None
     E_sn_um: Annotated[float | None, Ge(-1e4), Le(1e4), "thickness deviation; left out, half of what the play asks"] = (
         None

@@ -38,6 +38,12 @@ def must_be_there(section: str) -> bool:
     return tables()[section].required and (not section or must_be_there(section.rpartition(".")[0]))
 
 
+def test_every_meaning_is_more_than_a_symbol() -> None:
+    """`m_n, normal module`, and not `m_n`: the reference is read by those who have not met the symbols."""
+    bare = [f"{name}.{key.name}" for name, section in tables().items() for key in section.keys if len(key.meaning) < 8]
+    assert not [name for name in bare if "left out" not in name]
+
+
 def test_the_shortest_design_of_the_page_loads(tmp_path: Path) -> None:
     (example,) = re.findall(r"```toml\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
     (tmp_path / "mine.toml").write_text(example)
