@@ -22,7 +22,7 @@ HERE = Path(__file__).parent
 FOLDER, PICTURES = HERE / "notebooks", HERE / "pictures/notebooks"
 CELL = re.compile(r"^```python\n(.*?)^```$\n?", re.M | re.S)
 _OUTPUT = re.compile(r"^\n```text\n.*?^```\n", re.M | re.S)
-_PICTURE = re.compile(r"^!\[.*\n", re.M)
+_PICTURE = re.compile(r"^!\[.*\n|^\[中文\].*\n\n", re.M)  # and the line that leads to the page in Chinese
 _DPI = 80
 
 

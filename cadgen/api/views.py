@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
@@ -24,10 +25,15 @@ from cadgen.viewer.page.page_plan import plan_motion_page
 
 if TYPE_CHECKING:
     from cadgen.jobs.calibration.sources import Source
+    from cadgen.jobs.worn_cam.compared_cam import ComparedCamPlan
     from cadgen.viewer.page.page_plan import PagePlan
 
 SAMPLES = 10_000
 _EXTRA = ("starlette", "uvicorn", "anyio", "h11")
+
+
+def _compared(design: Design, data: Data | Iterable[Data], progress: Progress) -> "ComparedCamPlan":
+    return design.compare_cam(data, progress=progress)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -63,7 +69,8 @@ class Report(Pictured):
         Args:
             design: design of the report.
             profile: profile of the cam; as of `Design.cam`.
-            data: measured data of one car, as of `Design.calibrate`; none if left out.
+            data: measured data of one car, as of `Design.calibrate`, or of one cam, as of `Design.compare_cam`; none if
+                left out.
             samples: number of random cars, 1 to 10 000 000.
             processes: number of processes that run at once, 1 to 256.
             progress: function that is called with a few words on each step.
@@ -75,9 +82,8 @@ class Report(Pictured):
         """
         values = instance("design", design, Design).values
         if isinstance(values, MotionDesign):
-            if data is not None:
-                raise DesignError("measured data are judged for a car, and the design has [motion]: leave them out")
-            return cls(plan_motion_page(values, profile, progress))
+            compare = None if data is None else partial(_compared, design, data)
+            return cls(plan_motion_page(values, profile, progress, compare=compare))
         sources: tuple[Source, ...] = ()
         unread = ""
         complete = design.complete()

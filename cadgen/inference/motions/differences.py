@@ -315,6 +315,8 @@ class CamComparison:
         worst: greatest departure that is left over some degrees, mm, negative for material that is missing, and its
             cam angle, rad.
         mirrored: whether the disc is wrong side up.
+        departures: readings less the design along the normal, with the datum that goes with what is found, mm, and
+            their cam angles, rad, shape (n,) each.
     """
 
     found: tuple[CamDifference, ...]
@@ -327,6 +329,7 @@ class CamComparison:
     travel: float
     worst: tuple[float, float]
     mirrored: bool
+    departures: tuple[Array, Array]
 
     @property
     def explained(self) -> bool:
@@ -389,6 +392,7 @@ def compared(readings: CamReadings, *, mirrored: bool = False) -> CamComparison:
         travel=readings.travel,
         worst=_worst(left, theta),
         mirrored=mirrored,
+        departures=readings.left({name: values[name] for name in readings.datum}),
     )
     if result.explained or after < _MOSTLY * before or not (found or worn):
         return result
@@ -396,8 +400,9 @@ def compared(readings: CamReadings, *, mirrored: bool = False) -> CamComparison:
     plain = {name: values[name] for name in readings.datum}
     values, _, after = _fitted(readings, (), plain)
     datum = {name: float(values[name][0]) for name in readings.datum}
-    worst = _worst(*readings.left(values))
-    return replace(result, found=(), worn=(), rivals=(), datum=datum, after=after, worst=worst)
+    departures = readings.left(values)
+    worst = _worst(*departures)
+    return replace(result, found=(), worn=(), rivals=(), datum=datum, after=after, worst=worst, departures=departures)
 
 
 @dataclass(frozen=True, eq=False)

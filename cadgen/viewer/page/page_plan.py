@@ -1,16 +1,17 @@
 """Everything that a report page shows, computed once, and what stands on the page: of a cam by its motion."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from math import degrees
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from cadgen.arrays import TURN
 from cadgen.check import Check, CheckCode
 from cadgen.design.schema import MotionDesign, TrainDesign
-from cadgen.errors import DesignError
+from cadgen.errors import DesignError, FileError
 from cadgen.figures import Cell, Facts, State, number
 from cadgen.gears.choices import Order
 from cadgen.jobs.cam.cam_plan import CamPlan
@@ -23,8 +24,12 @@ from cadgen.progress import Progress, silent
 from cadgen.verdict import Readiness
 from cadgen.viewer.page.charts import STATIONS, charts_of, marks_of
 from cadgen.viewer.page.document import Chart, LiftMark, Scene, Section
+from cadgen.viewer.page.rim import compared_rim
 from cadgen.viewer.page.scene import plain_scene
-from cadgen.viewer.page.sections import checks_section, parts_sections
+from cadgen.viewer.page.sections import checks_section, compared_section, parts_sections, refused_section
+
+if TYPE_CHECKING:
+    from cadgen.jobs.worn_cam.compared_cam import ComparedCamPlan
 
 
 class Scope(StrEnum):
@@ -149,13 +154,50 @@ class PagePlan:
         return Facts(simulation=None, remedies=[], tolerance=None, calibration=None)
 
 
-def plan_motion_page(design: MotionDesign, profile: str | None = None, progress: Progress = silent) -> PagePlan:
+@dataclass(frozen=True, kw_only=True)
+class MeasuredPage(PagePlan):
+    """Results that the page of a measured cam by its motion shows.
+
+    Attributes:
+        compared: what differs from the design; None where the record cannot be judged.
+    """
+
+    compared: "ComparedCamPlan | None"
+
+    def drawn(self) -> tuple[Scene, tuple[str, ...]]:
+        """Scene of the page with the deviations on the rim, and remarks."""
+        scene, notes = super().drawn()
+        return (scene if self.compared is None else replace(scene, rim=compared_rim(self.compared))), notes
+
+    def sections(self) -> tuple[Section, ...]:
+        """Tables of the page, those of the measurement after the checks."""
+        checks, *parts = super().sections()
+        reason = next((refusal.reason for refusal in self.refusals if refusal.part == Topic.CALIBRATION), "")
+        measured = refused_section(reason) if self.compared is None else compared_section(self.compared)
+        return checks, measured, *parts
+
+    def entry(self) -> Facts:
+        """Figures of the measurement."""
+        return super().entry() | Facts(calibration=self.compared and self.compared.entry())
+
+
+Compare = Callable[[Progress], "ComparedCamPlan"]
+
+
+def plan_motion_page(
+    design: MotionDesign,
+    profile: str | None = None,
+    progress: Progress = silent,
+    *,
+    compare: Compare | None = None,
+) -> PagePlan:
     """Compute what a report of a cam by its motion shows.
 
     Args:
         design: loaded design with [motion].
         profile: code of a profile; the actual one if left out.
         progress: function that is called with a few words on each step.
+        compare: function that reads what was measured and compares it with the design; None without a measurement.
 
     Raises:
         DesignError: no cam can be computed.
@@ -163,7 +205,16 @@ def plan_motion_page(design: MotionDesign, profile: str | None = None, progress:
     refusals: list[Refusal] = []
     cam = plan_motion_cam(design, profile, progress)
     gears = gears_of(design, plan_gears, refusals, progress)
-    return PagePlan(cam=cam, cures=find_cures(cam, progress), gears=gears, refusals=tuple(refusals))
+    if compare is None:
+        return PagePlan(cam=cam, cures=find_cures(cam, progress), gears=gears, refusals=tuple(refusals))
+    compared = None
+    try:
+        compared = compare(progress)
+    except (DesignError, FileError) as error:
+        refusals.append(Refusal(Topic.CALIBRATION, error.message, fails=True))
+    return MeasuredPage(
+        cam=cam, cures=find_cures(cam, progress), gears=gears, refusals=tuple(refusals), compared=compared
+    )
 
 
 def plan_edited_motion(

@@ -16,6 +16,7 @@ from cadgen.viewer.page.document import Rim
 
 if TYPE_CHECKING:
     from cadgen.jobs.calibration.calibration import CalibrationPlan
+    from cadgen.jobs.worn_cam.compared_cam import ComparedCamPlan
 
 _STEP = 0.1  # mm between points of an outline
 _PLACES = 720  # on the rim
@@ -31,27 +32,49 @@ def rim_of(cam: CamPlan, comparison: PlayComparison | None, calibration: "Calibr
         calibration: verdict on measured files; None without any.
     """
     outline = cam.curve.outline(_STEP)
-    polar = np.arange(_PLACES) * TURN / _PLACES
-    radius = _radius(outline, polar)
-    places = radius[:, None] * np.column_stack([np.cos(polar), np.sin(polar)])
+    polar, radius, places = _rim(outline)
     for diagnosis in () if calibration is None else calibration.diagnoses:
         if diagnosis.kind.abscissa != Abscissa.CAM_ANGLE or diagnosis.unit != "um" or diagnosis.kind.plan_view:
             continue
         angle = np.mod(diagnosis.place, TURN)
         contact = roll(outline, cam.follower_as_built, angle)
         touched = np.mod(angle + np.arcsin(np.clip(contact.across / _radius(outline, angle), -1.0, 1.0)), TURN)
-        # Means of the readings near each polar angle; between them where there are none.
-        near = np.floor(touched / TURN * len(polar)).astype(int) % len(polar)
-        count, total = (np.bincount(near, weights, len(polar)) for weights in (None, diagnosis.before))
-        known = count > 0
-        values = np.interp(polar, polar[known], total[known] / count[known], period=TURN) / UNITS["um"]
-        return Rim(Message("measured, less the design"), "µm", places, values)
+        return _of_readings(places, touched, diagnosis.before / UNITS["um"])
     if comparison is None:
         return None
     taken = 1e3 * (radius - _radius(comparison.before.cut.outline(_STEP), polar))
     if np.abs(taken).max() < 1e3 * _LEAST:
         return None
     return Rim(Message("profile, less the plain one"), "µm", places, taken)
+
+
+def compared_rim(compared: "ComparedCamPlan") -> Rim:
+    """Deviations of a measured cam by a motion from its design, along the normal, on the rim of the disc as designed.
+
+    Args:
+        compared: measured cam beside its design.
+    """
+    cam, (off, angle) = compared.cam, compared.comparison.departures
+    outline, follower = cam.curve.outline(_STEP), cam.follower_as_built
+    touched = np.mod(follower.place(roll(outline, follower, np.mod(angle, TURN))), TURN)
+    return _of_readings(_rim(outline)[2], touched, off / UNITS["um"])
+
+
+def _rim(outline: Outline) -> tuple[Array, Array, Array]:
+    """Polar angles, radii and places on an outline at which deviations are shown."""
+    polar = np.arange(_PLACES) * TURN / _PLACES
+    radius = _radius(outline, polar)
+    return polar, radius, radius[:, None] * np.column_stack([np.cos(polar), np.sin(polar)])
+
+
+def _of_readings(places: Array, touched: Array, off: Array) -> Rim:
+    """Means of the readings near each place, µm, from their polar angles; between them where there are none."""
+    polar = np.arange(_PLACES) * TURN / _PLACES
+    near = np.floor(touched / TURN * _PLACES).astype(int) % _PLACES
+    count, total = (np.bincount(near, weights, _PLACES) for weights in (None, off))
+    known = count > 0
+    values = np.interp(polar, polar[known], total[known] / count[known], period=TURN)
+    return Rim(Message("measured, less the design"), "µm", places, values)
 
 
 def _radius(outline: Outline, polar: Array) -> Array:

@@ -28,6 +28,8 @@ from cadgen.viewer.page.document import Bar, Bars, Section
 
 if TYPE_CHECKING:
     from cadgen.jobs.calibration.calibration import CalibrationPlan
+    from cadgen.jobs.worn_cam.compared_cam import ComparedCamPlan
+    from cadgen.output.report.terminal import Block
 
 _PLACES = {
     Place.CAR: Message("the car"),
@@ -493,8 +495,7 @@ def calibration_section(calibration: "CalibrationPlan | None", record: AsBuiltSe
         reason: why the measured data are left out; empty if they are not.
     """
     if reason:
-        left_out = Message("The measured data are left out: {reason}.", reason=reason)
-        return Section("calibration", Message("Calibration"), (left_out,))
+        return refused_section(reason)
     if calibration is not None:
         return _measured(calibration)
     if record is None:
@@ -539,14 +540,41 @@ def calibration_section(calibration: "CalibrationPlan | None", record: AsBuiltSe
     )
 
 
+def refused_section(reason: str) -> Section:
+    """Section of measured data that cannot be judged.
+
+    Args:
+        reason: sentence of the refusal.
+    """
+    left_out = Message("The measured data are left out: {reason}.", reason=reason)
+    return Section("calibration", Message("Calibration"), (left_out,))
+
+
+def compared_section(compared: "ComparedCamPlan") -> Section:
+    """Deviations of a measured cam by a motion from its design.
+
+    Args:
+        compared: measured cam beside its design.
+    """
+    from cadgen.jobs.worn_cam.compared_cam import compared_report
+
+    return _of_blocks(compared_report(compared))
+
+
 def _measured(calibration: "CalibrationPlan") -> Section:
     from cadgen.jobs.calibration.calibration_report import report
+
+    return _of_blocks(report(calibration))
+
+
+def _of_blocks(blocks: "Iterable[Block]") -> Section:
+    """Section of the page from the blocks of a report for a terminal."""
     from cadgen.output.report.terminal import Heading
 
     lead: list[str] = []
     tables: list[Sheet] = []
     title: str = Message("Calibration")
-    for block in report(calibration):
+    for block in blocks:
         if isinstance(block, Sheet):
             tables.append(replace(block, code=f"calibration-{len(tables) + 1}", title=title))
         elif isinstance(block, Heading):

@@ -7,6 +7,7 @@ import pytest
 from shapely import LineString, Point, Polygon
 from shapely.affinity import rotate
 
+from cadgen import Design, Report
 from cadgen.design.load import complete_of, read_design
 from cadgen.viewer.page.html import html_of
 from cadgen.viewer.page.page_plan import plan_motion_page
@@ -28,6 +29,28 @@ cam = {{ base_circle_radius_mm = 40.0, thickness_mm = 10.0 }}
 def page_of_design(text, name):
     """Page of a design by its motion."""
     return page_of(plan_motion_page(complete_of(text, Path(name))))
+
+
+def test_the_rim_of_a_measured_cam_shows_where_it_differs_from_its_design(tmp_path):
+    """Of an outline 50 um off the bore each place shows the share along its normal, found here by differences."""
+    design = Design.load("roller")
+    points = design.cam().computed.curve.outline(0.5).points[::2] + np.array([0.05, 0.0])
+    rows = "".join(f"{x:.5f},{y:.5f}\n" for x, y in points * [1.0, -1.0])
+    (tmp_path / "xy.csv").write_text(f"# seen on the outer face\nx [mm],y [mm]\n{rows}")
+    report = Report.of(design, data=tmp_path / "xy.csv")
+    page = page_of(report.computed)
+    rim = page.scene.rim
+    along = np.roll(rim.places, -1, axis=0) - np.roll(rim.places, 1, axis=0)
+    assert rim.values == pytest.approx(50.0 * along[:, 1] / np.hypot(*along.T), abs=1.5)
+    (section,) = [each for each in page.sections if each.code == "calibration"]
+    assert section.tables[0].rows[0][0] == "eccentric bore"
+
+
+def test_what_was_not_measured_on_a_cam_is_said_first_on_its_page():
+    report = Report.of(Design.load("roller"), data=Path(__file__).parents[3] / "docs/tutorial/camera.csv")
+    assert not report.passed
+    assert report.refused
+    assert page_of(report.computed).scene.rim is None
 
 
 def test_both_discs_of_a_pair_touch_their_rollers_as_the_page_turns_them():
