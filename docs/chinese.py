@@ -101,11 +101,12 @@ def _link(match: re.Match[str], folder: Path) -> str:
     place, anchor = match["place"], match["anchor"] or ""
     if match[0].startswith(_OTHER) or not place.endswith(".md"):
         return match[0]
-    translated = place if place.endswith(END) else place.removesuffix(".md") + END
-    if (folder / translated).is_file():
-        # A place within a page has another name in another language: a translator names it.
-        return f"[{match['text']}]({translated}{anchor if place == translated else ''})"
-    return f"[{match['text']}]({place}{anchor}){_MARK}"
+    english = place.replace(END, ".md")
+    translated = english.removesuffix(".md") + END
+    there = translated if (folder / translated).is_file() else english
+    # A place within a page has another name in another language: a translator names it.
+    kept = anchor if there == place else ""
+    return f"[{match['text']}]({there}{kept}){'' if there == translated else _MARK}"
 
 
 def main() -> None:

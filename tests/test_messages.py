@@ -160,6 +160,10 @@ def test_a_page_that_its_translator_forgot_is_told(tmp_path: Path) -> None:
     translated.write_text(mended)
     assert chinese.differences(english, translated) == ["page.zh-CN.md: code: lacks ['[cam]'], has []"]
     (tmp_path / "b.zh-CN.md").touch()
-    assert "[b](b.zh-CN.md)。" in chinese.mended(english, translated)
+    mended = chinese.mended(english, translated)
+    assert "[b](b.zh-CN.md)。" in mended
+    translated.write_text(mended)
+    (tmp_path / "b.zh-CN.md").unlink()
+    assert "[b](b.md)（英文）。" in chinese.mended(english, translated)
     english.write_text(english.read_text().replace("READY", "NOT READY"))
     assert "NOT READY" in chinese.mended(english, translated)
