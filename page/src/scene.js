@@ -199,14 +199,33 @@ export class Assembly {
   /** Looks from a side; `start` is from the right, where the gears of a car are, or on the face that files show. */
   view(name) {
     const from = { start: [0.62, 0.5, this.motion.scene.rod?.side ?? (this.motion.scene.car ? 1 : -1)], left: [0, 0, -1], right: [0, 0, 1], front: [1, 0, 0], top: [0, 1, -0.0001] }[name];
-    const away = (this.size * 0.86) / Math.sin((this.camera.fov * Math.PI) / 360) / Math.min(1, this.camera.aspect * 1.05 || 1);
-    this.camera.position.copy(this.middle).addScaledVector(new Vector3(...from).normalize(), away);
+    const toCamera = new Vector3(...from).normalize();
+    const half = Math.tan((this.camera.fov * Math.PI) / 360);
+    const usual = (this.size * 0.86) / Math.sin(Math.atan(half)) / Math.min(1, this.camera.aspect * 1.05 || 1);
+    const away = Math.max(usual, this.least(toCamera, half));
+    this.camera.position.copy(this.middle).addScaledVector(toCamera, away);
     this.camera.near = away / 50;
     this.camera.far = away * 4;
     this.camera.updateProjectionMatrix();
     this.controls.target.copy(this.middle);
     this.controls.update();
     this.ask();
+  }
+
+  /** Least distance of the camera from which all corners of the model are seen, with a rim of 5 %. */
+  least(toCamera, half) {
+    const right = new Vector3(0, 1, 0).cross(toCamera).normalize();
+    const up = toCamera.clone().cross(right);
+    const size = this.high.clone().sub(this.low).multiplyScalar(0.5);
+    let away = 0;
+    for (const x of [-1, 1])
+      for (const y of [-1, 1])
+        for (const z of [-1, 1]) {
+          const corner = new Vector3(x * size.x, y * size.y, z * size.z);
+          const across = Math.max(Math.abs(corner.dot(up)), Math.abs(corner.dot(right)) / (this.camera.aspect || 1));
+          away = Math.max(away, corner.dot(toCamera) + (1.05 * across) / half);
+        }
+    return away;
   }
 
   /** Turns the camera about the middle, and brings it nearer; angles in rad. */

@@ -18,6 +18,7 @@ from cadgen.jobs.car_frame import frame_in
 from cadgen.jobs.drawings import Folder, sheet_of, sheets_of, title_of
 from cadgen.jobs.gears.gear_train import plan_gears
 from cadgen.jobs.part_drawings import part_sheets
+from cadgen.output.drawing import assembly_sheet
 from cadgen.output.drawing.assembly_sheet import assembly_drawing
 from cadgen.output.drawing.part_sheets import KeySeat, PartTexts, TurnedStep, turned_drawing
 from cadgen.output.drawing.sheet import (
@@ -301,6 +302,21 @@ def test_the_sheet_of_the_car_has_every_axis_and_balloon(car: CarAssembly, sheet
     }
     assert [fact for fact, there in facts.items() if not there] == []
     assert facts.keys() == facts_of_the_page()["On the assembly's sheet and the plate's"]
+
+
+def test_balloons_of_the_lower_view_stand_below_those_of_the_upper_one(car: CarAssembly) -> None:
+    """Also where a tall part makes the scale small and the columns long: they met on the sheet of a car with weight."""
+    _, top = views_of(car, 0.0)
+    found, scale = assembly_sheet._visible(top.seen), 0.2
+    numbers = {code: number for number, code in enumerate(dict.fromkeys(each.code for each in top.seen), 1)}
+    free = assembly_sheet._balloons(top, found, numbers, scale, (np.inf, np.inf))[1]
+    sides = [sorted(label.at[1] for label in free if (label.at[0] < top.bounds[0]) == left) for left in (True, False)]
+    ceilings = (sides[0][-1] - 40.0, sides[1][-1] + 40.0)
+    _, held, lowest = assembly_sheet._balloons(top, found, numbers, scale, ceilings)
+    moved = [label.at[1] - before.at[1] for label, before in zip(held, free, strict=True)]
+    assert {round(each, 6) for each in moved} == {-40.0, 0.0}
+    assert lowest == pytest.approx((sides[0][0] - 40.0, sides[1][0]))
+    assert all(np.diff(heights).min() >= assembly_sheet._APART / scale - 1e-9 for heights in sides)
 
 
 def test_the_mounting_plan_says_order_direction_place_and_hold(car: CarAssembly) -> None:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from math import inf
 from typing import NamedTuple
 
 import numpy as np
@@ -140,12 +141,15 @@ def assembly_drawing(
         sizes = [found.size(part.code) for found in drawings]
         if part.drawn:
             drawn[part.code] = sizes.index(max(sizes))
-    made = []
+    made: list[View] = []
+    under = (inf, inf)  # greatest heights of the balloons to the left and right, below those of the view above
     for number, (view, found) in enumerate(zip(views, drawings, strict=True)):
         y = over - scale * view.bounds[3]
         over = y + scale * view.bounds[1] - _BETWEEN
         numbers = {part.code: part.number for part in parts if drawn.get(part.code) == number}
-        balloons, labels = _balloons(view, found, numbers, scale)
+        ceilings = (under[0] - y) / scale, (under[1] - y) / scale
+        balloons, labels, lowest = _balloons(view, found, numbers, scale, ceilings)
+        under = y + scale * lowest[0] - _APART, y + scale * lowest[1] - _APART
         heading = Label(
             text=view.name, at=((view.bounds[0] + view.bounds[2]) / 2, view.bounds[3] + 5.0 / scale), height=3.5
         )
@@ -208,19 +212,32 @@ def _region(rings: Sequence[Array]) -> BaseGeometry:
 
 
 def _balloons(
-    view: CarView, found: _Drawn, numbers: Mapping[str, int], scale: float
-) -> tuple[list[Closed | Stroke], list[Label]]:
-    """Balloons in a column on either side of a view, with leaders that end on their parts, broken to hidden ones."""
+    view: CarView, found: _Drawn, numbers: Mapping[str, int], scale: float, ceilings: tuple[float, float]
+) -> tuple[list[Closed | Stroke], list[Label], tuple[float, float]]:
+    """Balloons in a column on either side of a view, with leaders that end on their parts, broken to hidden ones.
+
+    Args:
+        view: view.
+        found: what is seen in it.
+        numbers: number of each part that has its balloon here.
+        scale: mm on paper for a mm of the car.
+        ceilings: greatest heights of the left and right column, mm.
+
+    Returns: curves and labels, and the least heights of both columns.
+    """
     left, low, right, high = view.bounds
     places = {code: (found.hidden | found.areas)[code].representative_point() for code in numbers}
     middle = float(np.median([place.x for place in places.values()])) if places else 0.0
     curves: list[Closed | Stroke] = []
     labels: list[Label] = []
-    for column, side in ((left - _ASIDE / scale, -1), (right + _ASIDE / scale, 1)):
+    lowest = []
+    for column, side, ceiling in zip((left - _ASIDE / scale, right + _ASIDE / scale), (-1, 1), ceilings, strict=True):
         own = [code for code, place in places.items() if (place.x < middle) == (side < 0)]
         own.sort(key=lambda code: places[code].y)
         step, wanted = _APART / scale, np.array([places[code].y for code in own])
         heights = _spread(wanted, step, (low, high))
+        heights = heights - max(heights.max(initial=-inf) - ceiling, 0.0)
+        lowest.append(float(heights.min(initial=inf)))
         for code, y in zip(own, heights.tolist(), strict=True):
             start, end = np.array([places[code].x, places[code].y]), np.array([column, y])
             way = (end - start) / max(float(np.hypot(*(end - start))), 1e-9)
@@ -229,7 +246,7 @@ def _balloons(
             curves.append(ring(0.8 / scale, LineKind.THIN, (float(start[0]), float(start[1]))))
             curves.append(ring(_BALLOON / scale, LineKind.THIN, (column, y)))
             labels.append(Label(text=str(numbers[code]), at=(column, y)))
-    return curves, labels
+    return curves, labels, (lowest[0], lowest[1])
 
 
 def _spread(wanted: Array, step: float, ends: tuple[float, float]) -> Array:
