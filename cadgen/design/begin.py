@@ -109,7 +109,7 @@ friction_least = 0.05              # steel on greased aluminium
 friction_greatest = 0.20
 {brake}
 # [drawing]                        # what cadgen draw writes into the title blocks
-# finish = "Ra 1.6, deburred"
+# finish = "Ra 1.6"
 # quantity = 1
 
 {train}""")

@@ -147,7 +147,7 @@ class DrawingText(DesignSection):
     """Texts of the title blocks of drawings, besides the material and the fits of [blank]."""
 
     title: str | None = Field(default=None, description="name of the machine; left out, the design's name")
-    finish: str | None = Field(default=None, description="finish of the parts, such as `Ra 1.6, deburred`")
+    finish: str | None = Field(default=None, description="finish of the parts, such as `Ra 1.6`")
     quantity: int = Field(default=1, ge=1, le=10_000, description="how many of each part are made")
     owner: str | None = Field(default=None, description="legal owner of the drawings, such as a school or a firm")
     drawn_by: str | None = Field(default=None, description="who made the drawings")

@@ -44,6 +44,7 @@ from cadgen.parts.face import Face
 from cadgen.progress import Progress, silent
 from cadgen.verdict import PartVerdict, Readiness
 
+_EDGES = ((3.0, 0.3), (2.0, 0.2), (0.0, 0.1))  # least module, and what may be taken off an edge of its teeth, mm
 _HASH = 12  # letters of a design's hash in a title block
 
 
@@ -194,7 +195,7 @@ def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
     noun = Message("second {cam}", cam=Message(use.noun)) if plan.part else Message(use.noun)
     name = Message("{cam}, {kind} profile", cam=noun, kind=Message(str(plan.kind)))
     title = title_of(plan.origin, making.title, name, Message(str(making.material or "")), plan.stem, folder)
-    return cam_drawing(part, replace(title, verdict=_verdict(plan)))
+    return cam_drawing(part, replace(title, verdict=_verdict(plan), edge=_EDGES[-1][1]))
 
 
 def _groove(plan: CamPlan, groove: Groove, angles: Array) -> SheetGroove:
@@ -325,7 +326,15 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
         )
         name = Message("{part}: {bodies}", part=part.name, bodies=bodies)
         title = title_of(origin, plan.title, name, made.material or "", stem, folder)
-        yield stem, gear_drawing(sheet, replace(title, quantity=count * title.quantity))
+        edge = next(
+            (
+                most
+                for module, most in _EDGES
+                if all(getattr(gear, "normal_module", 0.0) >= module for gear in part.gears)
+            ),
+            0.1,
+        )
+        yield stem, gear_drawing(sheet, replace(title, quantity=count * title.quantity, edge=edge))
     stem = f"{plan.stem}_plate"
     title = title_of(origin, plan.title, Message("plate for the axes"), plan.making.plate or "", stem, folder)
     title = replace(title, quantity=2 * title.quantity)

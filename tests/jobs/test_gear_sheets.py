@@ -127,6 +127,12 @@ def test_gears_say_run_outs_by_frames_to_their_bore(sheets) -> None:
     assert "tip circle, gear" in frames(sheets["ring"]["2_wheel"])
 
 
+def test_the_title_block_says_what_may_be_taken_off_an_edge(sheets) -> None:
+    for stem, most in (("1_pinion", "-0.1"), ("plate", "-0.3")):
+        said = [text.dxf.text for text in document_of(sheets["two stages"][stem]).modelspace().query("TEXT")]
+        assert said[said.index("edges, ISO 13715") + 1 :].count(most) == 1
+
+
 def test_holes_of_a_plate_stand_in_zones_that_keep_the_distances_of_the_axes(sheets) -> None:
     """Any three holes in their zones, the first one the datum, keep both distances within their deviations."""
     plate = sheets["two stages"]["plate"]

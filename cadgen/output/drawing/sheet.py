@@ -304,6 +304,7 @@ class Title:
         drawn_by: who made the drawing, likewise.
         approved_by: who approved it, likewise.
         verdict: verdict on the part in a line over the block; empty for a part that is ready, or is not judged.
+        edge: how much may be taken off edges that have no size of their own (ISO 13715), mm.
     """
 
     part: str
@@ -319,6 +320,7 @@ class Title:
     drawn_by: str = ""
     approved_by: str = ""
     verdict: str = ""
+    edge: float = 0.3
 
     @property
     def height(self) -> float:

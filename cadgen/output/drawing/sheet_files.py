@@ -393,7 +393,8 @@ def _frame(space: Modelspace, drawing: DrawingSheet, say: Callable[[str], str]) 
         (2, 4, 1, Message("scale"), f"{scale_text(drawing.scale)}  ({drawing.size})"),
         (0, 3, 1, Message("material"), title.material or Message("not stated")),
         (1, 3, 1, Message("surface finish"), title.finish or Message("not stated")),
-        (2, 3, 1, Message("general tolerances"), "ISO 2768-mK"),
+        (2, 3, 0.5, Message("general tolerances"), "ISO 2768-mK"),
+        (2.5, 3, 0.5, Message("edges, ISO 13715"), ""),
         (0, 2, 1, Message("legal owner"), title.owner),
         (1, 2, 1, Message("drawn by"), title.drawn_by),
         (2, 2, 1, Message("approved by"), title.approved_by),
@@ -420,6 +421,7 @@ def _frame(space: Modelspace, drawing: DrawingSheet, say: Callable[[str], str]) 
         most = 3.5 if level > 3 and span > 1 else TEXT
         room = left + span * column - 1.0 - start
         _text(space, text, (start, low + 1.4), height_within([_length(text)], [room], most))
+    _edge_symbol(space, x + 2.5 * column + 6.0, y + 3 * row + 1.2, title.edge)
     _first_angle(space, x + across - 9.0, y + 4.5 * row)
     if title.verdict:
         verdict = say(title.verdict)
@@ -431,6 +433,14 @@ def _surface_symbol(space: Modelspace, x: float, y: float) -> None:
     slope = 1 / np.sqrt(3.0)
     points = [(x, y + 1.8), (x + 1.8 * slope, y), (x + (1.8 + 3.6) * slope, y + 3.6)]
     space.add_lwpolyline(points, dxfattribs={"layer": LineKind.THIN.value})
+
+
+def _edge_symbol(space: Modelspace, x: float, y: float, off: float) -> None:
+    """The sign of an edge (ISO 13715) and how much may be taken off it; its corner at a point on the paper, mm."""
+    thin = {"layer": LineKind.THIN.value}
+    space.add_lwpolyline([(x, y + 3.6), (x, y), (x + 9.0, y)], dxfattribs=thin)
+    space.add_line((x, y), (x - 1.8, y - 0.9), dxfattribs=thin)
+    _text(space, f"-{rounded(off)}", (x + 0.9, y + 0.6), TEXT)
 
 
 def _first_angle(space: Modelspace, x: float, y: float) -> None:
