@@ -54,6 +54,7 @@ def test_directions_that_a_design_gives_are_kept():
 def test_a_train_that_falls_short_says_by_how_much():
     """Stages of 32.5 and 32.5 mm reach 65 mm of the 97 between camshaft and axle."""
     cut = ["train.stages=[{driver={teeth=30},driven={teeth=100}},{driver={teeth=30},driven={teeth=100}}]"]
+    cut.append("car.drive_wheel_radius_mm=")
     layout = laid_out(load_design("workshop_car", cut))
     short = next(check for check in layout.checks if check.code == CheckCode.AXLE_REACHED)
     assert short.value == pytest.approx(32.0)
@@ -141,6 +142,7 @@ def test_a_shaft_on_the_axis_of_the_camshaft_is_seen():
         for a, b, d in ((32, 160, 0), (95, 105, 0), (40, 120, 0), (80, 80, 180))
     )
     changes = [f"train.stages=[{stages}]", "cam.base_radius_mm=74", "layout.turned_over=true"]
+    changes.append("car.drive_wheel_radius_mm=")
     changes += [f"train.{place}.{key}=" for place in ("output", "intermediate") for key in ("lightening", "web")]
     layout = laid_out(load_design("workshop_car", changes))
     (check,) = (each for each in failing(layout.plain_checks) if each.code == CheckCode.CAR_CLEARANCE)

@@ -152,7 +152,7 @@ def test_plain_parts_say_fits_threads_and_positions_by_symbols(sheets: dict[str,
     assert said["drive-wheel"]["radial hole"].prefix == "M"
     assert said["drive-wheel"]["bore 5"].suffix == " H7 (+0.012/0)"
     wheel = said["drive-wheel"]
-    assert [each.suffix for name, each in wheel.items() if name.startswith("diameter 127")] == [" ±0.04"]
+    assert [each.suffix for name, each in wheel.items() if name.startswith("diameter 131")] == [" ±0.04"]
     assert said["shaft-4"]["width of seats 1"].suffix == " P9 (-0.006/-0.031)"
     assert said["fork-cheek"]["height"].end[1] - said["fork-cheek"]["height"].start[1] == pytest.approx(38.5, abs=1e-4)
     assert [each.value for each in symbols["rod"] if isinstance(each, SurfaceTexture)] == ["Ra 0.4 ="]
