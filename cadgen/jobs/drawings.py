@@ -299,6 +299,7 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
             mates, pair, drives = _mates(layout, every, number, part)
             data.append(gear_rows(gear, mates, pair, drives=drives))
             blanks.append(_run_outs(gear, wheel, part, pair.grades[0 if drives else 1]))
+        of_stages = [layout.train.stages[number - 1] for number in gears]
         bodies = joined(
             [
                 Message("gear of {teeth} teeth", teeth=gear.teeth)
@@ -323,6 +324,8 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
             notes=(place, *([plan.printing.note] if plan.printing else [])),
             simplified=bool(plan.title and plan.title.teeth is DrawnTeeth.SIMPLIFIED),
             run_outs=tuple(blanks),
+            pins=2 * max(getattr(stage, "pin_place", 0.0) for stage in of_stages) if _carries(part) else 0.0,
+            parallel=of_stages[-1].distance_deviation or 0.0 if is_bar(part.gears[0]) else 0.0,
         )
         name = Message("{part}: {bodies}", part=part.name, bodies=bodies)
         title = title_of(origin, plan.title, name, made.material or "", stem, folder)
@@ -342,6 +345,11 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
     plate = plate_of(plan)
     zones = seat_zones([axis.shaft for axis in plate.holed], plan.layout.train)
     yield stem, plate_drawing(plate, holes, tuple(_plate_notes(plan, bool(zones))), title, zones)
+
+
+def _carries(part: TrainPart) -> bool:
+    """Whether a part is a carrier with holes for the pins of its planets."""
+    return any(getattr(wheel, "holes", ()) for wheel in part.gears)
 
 
 def _run_outs(gear: Figures, wheel: Wheel, part: TrainPart, grade: int | None) -> tuple[float, float] | None:

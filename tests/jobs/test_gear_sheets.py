@@ -63,6 +63,7 @@ PLANETARY = (
 kind = "planetary"
 sun = { teeth = 18 }
 planet = { teeth = 27, count = 3, bore_diameter_mm = 4.0 }
+pin_place_um = 8.0
 [train.drive]
 bore_diameter_mm = 5.0
 [train.output]
@@ -125,6 +126,20 @@ def test_gears_say_run_outs_by_frames_to_their_bore(sheets) -> None:
     # Of the ring the outer circle is the datum.
     assert datums(sheets["ring"]["2_wheel"]) == "A"
     assert "tip circle, gear" in frames(sheets["ring"]["2_wheel"])
+
+
+def test_carriers_and_racks_say_their_places_by_frames(sheets) -> None:
+    """Pins within 8 µm of their places lie in zones of 16 µm; tips of a rack keep the distance of its pinion."""
+    carrier = sheets["planetary"]["2_wheel"]
+    assert (frames(carrier)["pins"].zone_text, frames(carrier)["pins"].datums) == ("Ø0.016", ("A",))
+    assert [each.name for view in carrier.views for each in view.dimensions if getattr(each, "exact", False)] == [
+        "circle of holes"
+    ]
+    rack = sheets["rack"]["2_rack"]
+    assert datums(rack) == "A"
+    tips = frames(rack)["tips"]
+    assert tips.characteristic == Characteristic.PARALLELISM
+    assert tips.zone == pytest.approx(float(centre_distance_deviation(9.5, 7)))
 
 
 def test_the_title_block_says_what_may_be_taken_off_an_edge(sheets) -> None:

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from math import atan2, degrees
+from math import atan2, degrees, radians, sin
 
 import numpy as np
 
@@ -15,7 +15,7 @@ from cadgen.gears.layout import TrainPart
 from cadgen.gears.rack import RackForm
 from cadgen.gears.stage import Stage, Wheel, is_ring, rim_diameter
 from cadgen.messages import Message
-from cadgen.output.drawing.hole_frames import edge_view, hole_frames
+from cadgen.output.drawing.hole_frames import edge_view, hole_frames, rim
 from cadgen.output.drawing.placement import Room
 from cadgen.output.drawing.section import Layer, ScrewHole, edges_behind_cut, material, outlines_and_hatches
 from cadgen.output.drawing.shaft_fit import ShaftFit, deeper, limits
@@ -26,6 +26,7 @@ from cadgen.output.drawing.sheet import (
     SHOWN,
     SIZES,
     TITLE_SIZE,
+    Characteristic,
     Closed,
     DatumFeature,
     DiameterDimension,
@@ -157,6 +158,8 @@ class GearPart:
         notes: further sentences.
         simplified: whether teeth are drawn by ISO 2203, as tip circle and thin root circle.
         run_outs: circular run-out of each gear's tip circle and of the face, mm; None where none is stated.
+        pins: zone of the places of a carrier's pin holes, mm; 0 where none is stated.
+        parallel: parallelism of a rack's tips to its back, mm; 0 where the distance of its pinion has no tolerance.
     """
 
     part: TrainPart
@@ -167,6 +170,8 @@ class GearPart:
     notes: tuple[str, ...]
     simplified: bool = False
     run_outs: tuple[tuple[float, float] | None, ...] = ()
+    pins: float = 0.0
+    parallel: float = 0.0
 
     @property
     def tip_run_outs(self) -> tuple[float | None, ...]:
@@ -180,9 +185,9 @@ class GearPart:
 
     @property
     def has_datum(self) -> bool:
-        """Whether run-outs are stated, and there is a bore or an outer circle to count them from."""
+        """Whether run-outs or places are stated, and there is a bore or an outer circle to count them from."""
         held = bool(self.part.blank.bore_diameter) or is_ring(self.part.gears[0])
-        return held and any(each is not None for each in self.run_outs)
+        return held and (bool(self.pins) or any(each is not None for each in self.run_outs))
 
 
 def gear_drawing(gear: GearPart, title: Title) -> DrawingSheet:
@@ -276,6 +281,19 @@ def _rack_drawing(gear: GearPart, rack: RackForm, title: Title) -> DrawingSheet:
         ),
         labels=(Label(text=Message("from the side"), at=(width / 2, back - 2.2 * gap), height=3.5),),
     )
+    if gear.parallel:
+        # Over the end of the rack, towards its side; the datum on the extension line of the height.
+        x, out = width / 2, _LEADER / scale
+        tips = ToleranceFrame(
+            name="tips",
+            characteristic=Characteristic.PARALLELISM,
+            zone=gear.parallel,
+            datums=("A",),
+            tip=(x, tip),
+            bend=(x - 1e-6, tip + out),
+        )
+        side = replace(side, symbols=(tips,))
+        face = replace(face, symbols=(DatumFeature(letter="A", foot=(-0.45 * gap, back), angle=270.0),))
     return DrawingSheet(
         size=size,
         scale=scale,
@@ -341,13 +359,17 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
         many = f"{len(holes)} × " if len(holes) > 1 else ""
         angle = degrees(atan2(first.imag, first.real))
         at = (first.real, first.imag)
+        between = angle + 180 / len(holes)
+        if abs(sin(radians(between))) < 0.3:  # along the plane of the section
+            between += 90 / len(holes)
         dimensions += [
             DiameterDimension(name="hole", centre=at, diameter=size, angle=angle, prefix=many),
             DiameterDimension(
                 name="circle of holes",
                 centre=(0.0, 0.0),
                 diameter=circle,
-                angle=angle + 180 / len(holes),
+                angle=between,
+                exact=bool(gear.pins),
             ),
         ]
         curves.append(ring(circle, LineKind.CENTRE))
@@ -358,12 +380,24 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     room = Room(curves, scale)
     placed = room.dimensions(dimensions, labels)
     bores = [each for each in placed if isinstance(each, DiameterDimension) and each.name == "bore"]
+    symbols: list[Symbol] = [room.datum(axis_datum("A", bore)) for bore in bores if gear.has_datum]
+    if holes and gear.pins and symbols:
+        pins = ToleranceFrame(
+            name="pins",
+            characteristic=Characteristic.POSITION,
+            zone=gear.pins,
+            datums=("A",),
+            tip=(0.0, 0.0),
+            bend=(1.0, 0.0),
+            diametral=True,
+        )
+        symbols.append(room.frame(pins, list(rim((centres[-1].real, centres[-1].imag), size / 2))))
     return View(
         place=place,
         curves=tuple(curves),
         dimensions=placed,
         labels=labels,
-        symbols=tuple(room.datum(axis_datum("A", bore)) for bore in bores if gear.has_datum),
+        symbols=tuple(symbols),
     )
 
 

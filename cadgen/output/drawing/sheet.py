@@ -124,6 +124,7 @@ class DiameterDimension:
         suffix: text after it, such as a fit.
         reach: distance of its text from the centre, mm on paper; 0 for 9 mm outside the circle.
         sign: letter before the number: `M` of a thread.
+        exact: whether it is theoretically exact, as of a length.
     """
 
     name: str
@@ -134,6 +135,7 @@ class DiameterDimension:
     suffix: str = ""
     reach: float = 0.0
     sign: str = DIAMETER
+    exact: bool = False
 
 
 Dimension = LinearDimension | DiameterDimension
@@ -159,6 +161,7 @@ class Characteristic(StrEnum):
 
     LINE_PROFILE = "profile of a line"
     POSITION = "position"
+    PARALLELISM = "parallelism"
     PERPENDICULARITY = "perpendicularity"
     COAXIALITY = "coaxiality"
     RUN_OUT = "circular run-out"

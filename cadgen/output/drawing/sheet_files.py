@@ -99,6 +99,7 @@ _SYMBOLS = {
     Characteristic.COAXIALITY: tuple(
         np.column_stack([radius * np.cos(2 * _HALF_TURN), radius * np.sin(2 * _HALF_TURN)]) for radius in (0.3, 0.6)
     ),
+    Characteristic.PARALLELISM: tuple(np.array([[start - 0.3, -0.6], [start + 0.3, 0.6]]) for start in (-0.2, 0.2)),
     Characteristic.PERPENDICULARITY: (
         np.array([[-0.6, -0.5], [0.6, -0.5]]),
         np.array([[0.0, -0.5], [0.0, 0.6]]),
@@ -323,7 +324,7 @@ class _Place:
         made.render()
         made.dimension.dxf.text = text.replace(DIAMETER, _SIGN)
         for drawn in made.dimension.get_geometry_block().query("MTEXT"):
-            if not isinstance(dimension, DiameterDimension) and dimension.exact:
+            if dimension.exact:
                 along = Vec2.from_deg_angle(float(drawn.get_rotation()))
                 across, middle = along.orthogonal() * (TEXT / 2 + 0.5), Vec2(drawn.dxf.insert)
                 along *= _length(drawn.plain_text()) * TEXT / 2 + 0.8
