@@ -161,7 +161,7 @@ def test_a_course_without_a_path(small, tmp_path):
     assert facts["kept"] > 0.99
     assert facts["kept_before"] is None
     assert "path before" not in small.sentences[0]
-    assert set(facts["scatter_mm"]) == {"course.gates.1", "course.posts.1", "course.field"}
+    assert set(facts["scatter_mm"]) == {"course.gates.1", "course.posts.1", "course.field", "course.finish"}
     entry = json.loads((tmp_path / "manifest.json").read_text())["parts"]["small_planned"]
     assert entry["passed"]
     assert entry["drive_wheel_radius_mm"] == again.values.car.drive_wheel_radius_mm

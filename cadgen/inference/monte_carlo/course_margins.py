@@ -171,9 +171,8 @@ class FinishItem:
         return np.asarray(_headed(self.reach - np.abs(places[:, 0] - self.stop), self.heading, turned))
 
     def distance(self, places: Complex) -> Array:
-        """Signed distance along the line from the planned end to the middle; see `CourseItem.distance`."""
-        away = self.places[0] - self.stop
-        return np.asarray(((places[:, 0] - self.places[0]) * np.exp(-1j * np.angle(away))).real)
+        """Distance of the ends of cars from the planned end in any direction, as a disc has edges, shape (m,)."""
+        return np.asarray(np.abs(places[:, 0] - self.places[0]))
 
 
 def _headed(margin: Array, heading: tuple[float, float] | None, turned: Array) -> Array:

@@ -42,4 +42,4 @@ def test_at_the_finish_it_counts_where_a_car_ends_and_not_what_it_passes():
     margins = finish.margin(places, turned)
     np.testing.assert_allclose(margins[:4], [20.0, -0.5, -10.0, 50 - np.hypot(30, 45)])
     assert margins[4] < 0  # it heads in a wrong direction
-    np.testing.assert_allclose(finish.distance(places[:4]), [0.0, 20.5, -90.0, 0.0], atol=1e-12)
+    np.testing.assert_allclose(finish.distance(places[:4]), [0.0, 20.5, 90.0, 45.0], atol=1e-12)
