@@ -111,7 +111,7 @@ def test_no_two_solids_overlap(car: AssembledCar, angle: float, tmp_path: Path) 
 
 def test_no_solid_overlaps_a_weight_and_its_guide(tmp_path: Path) -> None:
     weight = "drive={kind='weight', mass_kg=1.0, size_mm=[50, 50, 65], fall_mm=400, drum_mm=20}"
-    given = [weight, "mechanics.drive_energy_J=", "mechanics.rolling_resistance=0.008"]
+    given = [weight, "mechanics.drive_energy_J=", "mechanics.rolling_resistance=0.007"]
     written = Design.load("workshop_car", given).assembly("actual").write(tmp_path)
     solids = read(written.folder / "workshop_car_assembly.step")
     assert {"drop-weight", "guide-top", "tube-6-x-1-x-490-4", "drum"} <= solids.keys()
