@@ -81,6 +81,7 @@ def find(word: str, language: str = ENGLISH) -> list[Term]:
         lambda name: wanted in name.split(),
         lambda name: wanted.endswith(f" {name}"),
         lambda name: f" {name} " in f" {wanted} {singular} ",
+        lambda name: not name.isascii() and len(name) > 1 and name in wanted,
     ):
         if found := [term for term, names in named if any(map(same, names))]:
             return found

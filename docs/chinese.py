@@ -4,8 +4,8 @@
 
 A page `NAME.zh-CN.md` has the blocks of `NAME.md` in their order, for commands and what they print are tested there;
 only remarks in designs and beside commands are Chinese. Headings, rows of tables, code in the text and linked pages
-are those of the English page. The program copies blocks that differ, leads links to the Chinese page where there is
-one, and marks them 英文 where there is none. What only a translator can do it prints.
+are those of the English page; so are numbers. The program copies blocks that differ, leads links to the Chinese page
+where there is one, and marks them 英文 where there is none. What only a translator can do it prints.
 """
 
 import re

@@ -125,10 +125,19 @@ def name_studies(app: Sphinx, page: str, source: list[str]) -> None:
     source[0] = _STUDY.sub(r"\1 (`\2`)", source[0])
 
 
+_BROKEN = re.compile(r"(?<=[\u3001-\u9fff\uff01-\uff60])\n(?=[\u3001-\u9fff\uff01-\uff60])")
+
+
+def join_lines(app: Sphinx, page: str, source: list[str]) -> None:
+    """Join lines that end and begin with Chinese: a browser would show a space where they are broken."""
+    source[0] = _BROKEN.sub("", source[0])
+
+
 def setup(app: Sphinx) -> dict[str, bool]:
     """Have the pages written before the sources are read, and docstrings turned when they are."""
     app.connect("builder-inited", write_pages)
     app.connect("source-read", name_studies)
+    app.connect("source-read", join_lines)
     app.connect("autodoc-process-docstring", as_rst, priority=900)
     app.connect("autodoc-process-signature", shorten)
     app.connect("doctree-read", link_names)

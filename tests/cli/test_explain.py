@@ -92,6 +92,14 @@ def test_lines_of_the_first_screens_lead_to_a_term(shown):
     assert glossary.find(shown)
 
 
+@pytest.mark.parametrize(
+    ("shown", "term"),
+    [("压力角，过渡段回程", "压力角"), ("升程损失，轮廓自交", "轮廓自交"), ("赛道门的最小余量", "余量")],
+)
+def test_a_line_in_chinese_leads_to_the_terms_in_it(shown, term):
+    assert term in {found.name for found in glossary.find(shown, "zh")}
+
+
 def test_an_unknown_word_names_the_nearest(cadgen):
     assert "did you mean pressure angle?" in one_sentence(cadgen("explain", "presure", "angle", code=2))
 
