@@ -45,6 +45,7 @@ CALLED = {
     "design": "source",
     "no_browser": "browser",
     "course": "source",
+    "train_alone": "train_only",
     "E_sn_um": "thickness_deviation",
     "backlash_um": "backlash",
     "backlash_deg": "backlash",

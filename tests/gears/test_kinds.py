@@ -258,7 +258,7 @@ def test_what_is_for_spur_gears_alone_says_so(mixed, job, words):
         ("train.stages.1.kind=", "train.stages.1.press_N is not a key: [train.stages] takes kind, bearing_span_mm"),
         (
             "train.stages.1={centre_distance_mm = 40, driver.teeth = 20, driven.teeth = 60}",
-            "train.module_mm is missing: add it, a number in mm (m_n)",
+            "train.module_mm is missing: add it, a number in mm (m_n, normal module)",
         ),
         (
             "train.grade=5",
