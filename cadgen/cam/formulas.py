@@ -1,13 +1,15 @@
 """Formulas of a follower, held against the outline that it has rolled on and against how it rolls.
 
-None of them is used here. Let n be the outward normal of the outline at a contact, by the curve itself. The follower
-clears a point from `Follower.least` on, so a displacement of the outline along n moves it by d least / d n, and
+What is compared is found without the formula that it judges. Let n be the outward normal of the outline at a contact,
+by the curve itself. The follower clears a point from `Follower.least` on, so a displacement of the outline along n
+moves it by d least / d n, and
 
     V = 1 / (d least / d n)
 
 is how fast its touching curve moves along n, by its motion. It is the normal component of a velocity. On a slide that
 is one vector d for all contacts, V = n . d; on an arm a turn about one pivot C, V = +-n . i (p - C). Either is found
-from all contacts together by least squares, and the pressure angle is the angle from n to the velocity.
+from all contacts together by least squares, and the pressure angle is the angle from n to the velocity. Its sign is a
+kind's choice and is taken from the formula.
 """
 
 from collections.abc import Iterator
@@ -59,7 +61,7 @@ _AROUND, _SIDES = (0.02, 0.5), 8  # mm about a contact, and directions, in which
 def formula_checks(
     motion: Motion, follower: Follower, curve: ClosedCurve, contact: Contact, sound: NDArray[np.bool_]
 ) -> tuple[Check, ...]:
-    """Checks that fail where a formula of the follower is wrong; none where all are right, or cannot be told.
+    """Failing checks of the formulas of a follower; none where all are right, or where that cannot be told.
 
     Args:
         motion: motion wanted.
@@ -239,9 +241,8 @@ def _angle(follower: Follower, contact: Contact, normal: Complex, velocities: li
 
 
 def _lift(follower: Follower, contact: Contact, velocities: list[Complex]) -> Iterator[Check]:
-    """Scale of the lift, in which every error of a file is told."""
-    step = 1e-6
-    slope = (follower.lift(contact.q + step) - follower.lift(contact.q - step)) / (2 * step)
+    """Check of the scale of the lift, for errors of files are given as lift."""
+    slope = _slope(follower, contact.q)
     speed = np.abs(velocities[0])  # by the motion's unit
     ratio = float(np.median(np.abs(slope) / speed))
     ratio = max(ratio, 1 / ratio) if ratio > 0 else np.inf
@@ -311,6 +312,12 @@ def _of_forces(motion: Motion, follower: Follower, contact: Contact, rate: Array
             )
 
 
+def _slope(follower: Follower, q: Array) -> Array:
+    """Slope of the lift, mm by the motion's unit, shape (n,), by differences."""
+    step = 1e-6
+    return np.asarray((follower.lift(q + step) - follower.lift(q - step)) / (2 * step))
+
+
 def _rate(follower: Follower, contact: Contact, point: Complex, normal: Complex) -> Array:
     """How fast the touching curve moves along the normal, mm by the motion's unit, shape (n,)."""
     if follower.radius == 0:
@@ -341,13 +348,12 @@ def _way_of_point(follower: Follower, point: Complex) -> Complex:
 def _velocity(
     follower: Follower, contact: Contact, point: Complex, normal: Complex, rate: Array
 ) -> list[Complex] | None:
-    """Velocities of the points where the force may act, mm by the motion's unit; None where they cannot be told."""
+    """Velocities of the points on which the force may act, mm by the motion's unit; None where no velocity fits."""
     if not np.isfinite(rate).all():
         return None
     if follower.radius == 0:
         return [_way_of_point(follower, point)]
-    step = 1e-6  # of the motion; its lift is the way of a slide
-    slope = (follower.lift(contact.q + step) - follower.lift(contact.q - step)) / (2 * step)
+    slope = _slope(follower, contact.q)  # on a slide the lift is its way
     if follower.leans:
         # The axis of a straight rod moves level, and the force is square to it: of the outline's normal in the plane of
         # the disc the part along the ray is longer by the lean.

@@ -525,7 +525,11 @@ class TrainSection(DesignSection):
     search: SearchSection = SearchSection()
 
     def on_shafts(self, shafts: int) -> tuple[tuple[str, GearBlankSection], ...]:
-        """Place in the section and features of each of so many shafts, from the drive to the output."""
+        """Features of each shaft and their place in the section, from the drive to the output.
+
+        Args:
+            shafts: number of shafts.
+        """
         own = {each.shaft: (f"shafts.{place}", each) for place, each in enumerate(self.shafts or (), 1)}
         usual = ("intermediate", self.intermediate)
         between = (own.get(number, usual) for number in range(2, shafts))

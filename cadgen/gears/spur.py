@@ -598,7 +598,11 @@ class SpurPair(Pair, Stage):
         return replace(self, driven=replace(self.driven, form=ring))
 
     def departures(self, number: int) -> tuple[Departure, ...]:
-        """Overridden tolerances of both gears; `number` is that of the stage."""
+        """Tolerances of both gears that the design overrides.
+
+        Args:
+            number: number of the stage.
+        """
         return pair_departures(self, number)
 
     def driven_angle(self, driver_angle: float, direction: float) -> float:

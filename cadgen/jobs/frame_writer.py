@@ -97,7 +97,8 @@ class _Files:
         stem = f"{job.stem}_block"
         yield from block_files(frame.block, self.staging, stem, text)
         title = self._title(Message("block of the fork"), others, stem)
-        sheet = block_drawing(frame.block, tuple(self._block_notes()), frame.sizes.screw.thread, title)
+        seats = Message("Seats for bearings {code}, one in each end.", code=frame.block.bearing.designation)
+        sheet = block_drawing(frame.block, (seats,), frame.sizes.screw.thread, title)
         yield from write_sheet(self.staging, stem, sheet, self.omitted)
         table = StringIO()
         writer = csv.writer(table, lineterminator="\n")
@@ -167,7 +168,3 @@ class _Files:
                 way=way,
             )
         yield Message("Slots are 0.1 mm longer and wider than the tabs in them: try one first.")
-
-    def _block_notes(self) -> Iterator[Message]:
-        block = self.job.frame.block
-        yield Message("Seats for bearings {code}, one in each end.", code=block.bearing.designation)

@@ -46,7 +46,7 @@ _FINE = 40  # orders that are tried between two
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Readings:
+class TrainReadings:
     """Rows of a record of a train. Angles are rad, torque N m, arrays of shape (n,).
 
     Attributes:
@@ -75,7 +75,7 @@ class Readings:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Line:
+class OrderLine:
     """Line of the transmission error at an order.
 
     Attributes:
@@ -144,14 +144,14 @@ class TrainErrors:
         residual: what is left, shape (n,); nan where a row is not used.
     """
 
-    readings: Readings
+    readings: TrainReadings
     both: bool
     play: Estimate | None
     loaded: bool
     compliance: Estimate | None
     friction: Estimate | None
     rate: Estimate
-    lines: tuple[Line, ...]
+    lines: tuple[OrderLine, ...]
     noise: float
     likeness: float
     left: float
@@ -166,7 +166,7 @@ class TrainErrors:
         """Whether no line and nothing that repeats is left without a name."""
         return all(line.named for line in self.lines) and (self.repeats is None or self.repeats < _REPEATS)
 
-    def line_of(self, shaft: int) -> Line | None:
+    def line_of(self, shaft: int) -> OrderLine | None:
         """Line once a turn of a shaft, by its number."""
         return next((line for line in self.lines if line.shafts[:1] == ((shaft, 1),)), None)
 
@@ -181,7 +181,7 @@ class _Candidate:
     meshes: list[tuple[int, int]] = field(default_factory=list)
 
 
-def readings_of(record: Record, train: SeenTrain, widest: float) -> Readings:
+def readings_of(record: Record, train: SeenTrain, widest: float) -> TrainReadings:
     """Rows of a record, with their side and motion.
 
     Args:
@@ -203,7 +203,7 @@ def readings_of(record: Record, train: SeenTrain, widest: float) -> Readings:
         held[rows] = np.ptp(nominal[rows]) < _HELD
         motion[rows], since[rows] = _senses(torque[rows] if held[rows][0] else nominal[rows])
     since[held] = np.inf
-    readings = Readings(
+    readings = TrainReadings(
         run=run,
         nominal=nominal,
         error=output - nominal,
@@ -217,7 +217,7 @@ def readings_of(record: Record, train: SeenTrain, widest: float) -> Readings:
     return _by_load(readings, None) if np.ptp(torque) > 0 else readings
 
 
-def _by_load(readings: Readings, friction: float | None) -> Readings:
+def _by_load(readings: TrainReadings, friction: float | None) -> TrainReadings:
     """Readings whose side goes by the torque that friction leaves, where there is some.
 
     Args:
@@ -283,7 +283,7 @@ def train_errors(record: Record, train: SeenTrain, widest: float) -> TrainErrors
 
 
 def _candidates(
-    readings: Readings, train: SeenTrain
+    readings: TrainReadings, train: SeenTrain
 ) -> tuple[list[_Candidate], list[SeenShaft], list[SeenShaft | SeenMesh]]:
     """Orders that may show, those of slow shafts first; shafts too slow and parts too fast for the record."""
     used = readings.used
@@ -327,7 +327,7 @@ def _candidates(
 
 
 @dataclass(eq=False)
-class _Fit:
+class _OrderFit:
     """Least squares on whitened columns."""
 
     values: Array
@@ -343,7 +343,7 @@ def _whitened(columns: Array, start: NDArray[np.bool_], likeness: float) -> Arra
     return np.where(start[:, None], columns * np.sqrt(1 - likeness**2), columns - likeness * before)
 
 
-def _least_squares(columns: Array, values: Array) -> _Fit:
+def _least_squares(columns: Array, values: Array) -> _OrderFit:
     scale = np.linalg.norm(columns, axis=0)
     scale[scale == 0] = 1.0
     q, r = np.linalg.qr(columns / scale)
@@ -352,10 +352,10 @@ def _least_squares(columns: Array, values: Array) -> _Fit:
     free = max(len(values) - columns.shape[1], 1)
     squares = float(left @ left)
     spread = np.linalg.pinv(r) * np.sqrt(squares / free)
-    return _Fit(solved / scale, np.linalg.norm(spread, axis=1) / scale, left, squares, free)
+    return _OrderFit(solved / scale, np.linalg.norm(spread, axis=1) / scale, left, squares, free)
 
 
-def _fitted(readings: Readings, train: SeenTrain) -> TrainErrors:
+def _fitted(readings: TrainReadings, train: SeenTrain) -> TrainErrors:
     used = readings.used
     run, theta, side = readings.run[used], readings.nominal[used], readings.side[used]
     motion, torque, error = readings.motion[used], readings.torque[used], readings.error[used]
@@ -431,7 +431,7 @@ def _fitted(readings: Readings, train: SeenTrain) -> TrainErrors:
         sigma = float(np.mean(fit.sigmas[place : place + wide])) * (2**0.5 if both else 1.0)
         known = next(each for each in [*candidates, *unnamed] if each.order == order)
         lines.append(
-            Line(
+            OrderLine(
                 order=order,
                 forward=complex(c + dc, -(s + ds)),
                 backward=complex(c - dc, -(s - ds)),
@@ -469,8 +469,8 @@ def _fitted(readings: Readings, train: SeenTrain) -> TrainErrors:
 
 
 def _with_causes(
-    lines: list[Line], theta: Array, start: NDArray[np.bool_], fast: Sequence[SeenShaft | SeenMesh]
-) -> list[Line]:
+    lines: list[OrderLine], theta: Array, start: NDArray[np.bool_], fast: Sequence[SeenShaft | SeenMesh]
+) -> list[OrderLine]:
     """Lines, of which those of no part are named where they come from larger ones or from parts that pass too fast.
 
     In rows evenly spaced by the step s an order n shows at |n − k 2π/s|.

@@ -15,7 +15,7 @@ from math import cos, pi, sqrt
 import numpy as np
 
 from cadgen.inference.gearing.train_orders import SeenShaft, SeenWheel
-from cadgen.inference.gearing.transmission_error import Line
+from cadgen.inference.gearing.transmission_error import OrderLine
 
 _RIVAL = 4.0
 _EACH = 12.0  # χ² that a further part must explain: 2 numbers, and a chance of 0.25 %
@@ -54,7 +54,7 @@ class RunOut:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Alike:
+class PitchOrEncoder:
     """Error alike on both flanks: long pitch error of a wheel, or an encoder off its axis; rad at the output."""
 
     line: complex
@@ -73,9 +73,9 @@ class ShaftErrors:
     """
 
     shaft: SeenShaft
-    line: Line
-    parts: tuple[RunOut | Alike, ...]
-    rivals: tuple[tuple[RunOut | Alike, ...], ...]
+    line: OrderLine
+    parts: tuple[RunOut | PitchOrEncoder, ...]
+    rivals: tuple[tuple[RunOut | PitchOrEncoder, ...], ...]
 
     @property
     def named(self) -> bool:
@@ -83,7 +83,7 @@ class ShaftErrors:
         return bool(self.parts) and not self.rivals
 
 
-def shaft_errors(shaft: SeenShaft, line: Line, *, both: bool) -> ShaftErrors:
+def shaft_errors(shaft: SeenShaft, line: OrderLine, *, both: bool) -> ShaftErrors:
     """Parts that a line once a turn of a shaft is traced to.
 
     Args:
@@ -113,7 +113,7 @@ def shaft_errors(shaft: SeenShaft, line: Line, *, both: bool) -> ShaftErrors:
             parts = tuple(
                 RunOut(wheel=wheel, line=complex(value), sigma=sigma * float(np.linalg.norm(row)))
                 if wheel is not None
-                else Alike(line=complex(value), sigma=sigma * float(np.linalg.norm(row)))
+                else PitchOrEncoder(line=complex(value), sigma=sigma * float(np.linalg.norm(row)))
                 for (wheel, _), value, row in zip(some, values, spread, strict=True)
             )
             found.append((cost, parts))
@@ -126,7 +126,7 @@ def shaft_errors(shaft: SeenShaft, line: Line, *, both: bool) -> ShaftErrors:
     return ShaftErrors(shaft=shaft, line=line, parts=best, rivals=tuple(rivals))
 
 
-def _name(part: RunOut | Alike) -> str:
+def _name(part: RunOut | PitchOrEncoder) -> str:
     return str(part.wheel.name) if isinstance(part, RunOut) else ""
 
 
@@ -151,9 +151,9 @@ class Turning:
 def best_turning(errors: ShaftErrors) -> Turning | None:
     """Turn of a shaft's driven wheel against its driver at which their run-out cancels best; None without both.
 
-    The mean square over both sides is |A|² + |B|² + 2 cos(λ_A − λ_B) Re(A B*), least where A points against B for leans
-    that differ by less than a right angle, and along it for more. A wheel that is put on its shaft turned forward by δ
-    has its line by δ earlier: A exp(iδ).
+    The mean square over both sides is |A|² + |B|² + 2 cos(λ_A − λ_B) Re(A B*). It is least where A points against B if
+    the leans differ by less than a right angle, and along it if by more. A wheel that is put on its shaft turned
+    forward by δ has its line by δ earlier: A exp(iδ).
 
     Args:
         errors: run-out on a shaft.

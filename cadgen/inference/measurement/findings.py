@@ -273,7 +273,7 @@ class EvidenceDiagnosis(Diagnosis):
 
 
 @dataclass(frozen=True)
-class Proposal:
+class FormulaProposal:
     """Formula that predicts what repeats in logged runs, proposed and not claimed.
 
     Attributes:
@@ -305,5 +305,5 @@ class PathDiagnosis(Diagnosis):
     residual: PathError
     per_run: PathErrors
     candidates: tuple[PathCandidate, ...]
-    proposal: Proposal | None = None
+    proposal: FormulaProposal | None = None
     accepted: frozenset[str] = frozenset()

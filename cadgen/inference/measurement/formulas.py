@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import Array
 from cadgen.deviations.effect import Active, Effect
-from cadgen.inference.measurement.findings import Finding, Proposal
+from cadgen.inference.measurement.findings import Finding, FormulaProposal
 from cadgen.inference.measurement.model import Model, slopes
 from cadgen.inference.measurement.repeats import disturbances
 
@@ -46,7 +46,7 @@ _RIDGE = 1e-9  # of each column's square: some formulas are alike on some paths
 
 def proposal(
     model: Model, effects: tuple[Effect, ...], active: Active, residual: Array, paths: Sequence[Sequence[int]]
-) -> Proposal | None:
+) -> FormulaProposal | None:
     """The formula that predicts what repeats, with its gain on paths left out; None if none does.
 
     Args:
@@ -61,8 +61,8 @@ def proposal(
     columns = np.hstack([slopes(model, effects, active), slopes(model, model.formulas, active)])
     scale = np.sqrt(np.mean(columns**2, axis=0))
     columns = columns / np.where(scale > 0, scale, 1.0)
-    runs = [_Run.of(model, columns, number) for number in range(int(model.rows.run.max()) + 1)]
-    search = _Search.of(runs, paths, columns.shape[1] - len(model.formulas))
+    runs = [_LoggedRun.of(model, columns, number) for number in range(int(model.rows.run.max()) + 1)]
+    search = _FormulaSearch.of(runs, paths, columns.shape[1] - len(model.formulas))
     left = [run.registered(residual[run.rows]) for run in runs]
     base, errors = search.left_out(left)
     best = int(np.argmin(errors))
@@ -85,7 +85,7 @@ def proposal(
     value, sigma = search.fitted(left, best)
     unit = scale[search.found + best]
     alike = np.flatnonzero(base - errors >= RIVAL * (base - errors[best]))
-    return Proposal(
+    return FormulaProposal(
         finding=Finding.of(formula, np.array([value / unit]), np.array([sigma / unit]), ()),
         before=float(base),
         after=float(errors[best]),
@@ -95,7 +95,7 @@ def proposal(
 
 
 @dataclass(frozen=True)
-class _Run:
+class _LoggedRun:
     """Rows of a run and its columns registered, a basis of its start pose, and its disturbances with their inverse."""
 
     rows: NDArray[np.intp]
@@ -105,7 +105,7 @@ class _Run:
     inverse: Array
 
     @classmethod
-    def of(cls, model: Model, columns: Array, number: int) -> "_Run":
+    def of(cls, model: Model, columns: Array, number: int) -> "_LoggedRun":
         rows = np.flatnonzero(model.rows.run == number)
         offsets = model.offsets[rows]
         pose = np.linalg.qr(offsets[:, np.abs(offsets).any(axis=0)])[0]
@@ -127,7 +127,7 @@ class _Run:
 
 
 @dataclass(frozen=True)
-class _Search:
+class _FormulaSearch:
     """Fits of each formula beside the effects found, all formulas at once.
 
     Attributes:
@@ -139,7 +139,7 @@ class _Search:
         inverses: for each path, of the sum of all others: of the effects found alone, and beside each formula.
     """
 
-    runs: Sequence[_Run]
+    runs: Sequence[_LoggedRun]
     paths: Sequence[Sequence[int]]
     found: int
     numbers: NDArray[np.intp]
@@ -147,7 +147,7 @@ class _Search:
     inverses: tuple[tuple[Array, Array], ...]
 
     @classmethod
-    def of(cls, runs: Sequence[_Run], paths: Sequence[Sequence[int]], found: int) -> "_Search":
+    def of(cls, runs: Sequence[_LoggedRun], paths: Sequence[Sequence[int]], found: int) -> "_FormulaSearch":
         grams = np.array([run.columns.T @ run.columns / len(run.rows) for run in runs])
         numbers = np.array([[*range(found), n] for n in range(found, grams.shape[1])])
         inverses = []

@@ -21,11 +21,11 @@ from cadgen.arrays import Array
 from cadgen.deviations.effect import Active, Effect, activated
 from cadgen.inference.measurement.findings import (
     Finding,
+    FormulaProposal,
     PathCandidate,
     PathDiagnosis,
     PathError,
     PathErrors,
-    Proposal,
 )
 from cadgen.inference.measurement.formulas import proposal
 from cadgen.inference.measurement.hypothesis import numbers_on_bound
@@ -324,7 +324,7 @@ def diagnose_logged(record: Record, build: Callable[[Record], Model], progress: 
     )
 
 
-def _proposed(formula: Proposal, record: Record) -> Message:
+def _proposed(formula: FormulaProposal, record: Record) -> Message:
     """Proposal of a formula in words, and how to accept it."""
     (number,) = formula.finding.values
     words = Message(

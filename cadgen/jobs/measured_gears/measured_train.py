@@ -15,8 +15,15 @@ from cadgen.gears.tolerances import GRADES, flank_tolerance
 from cadgen.gears.train import Train, TrainPlay, train_play
 from cadgen.inference.gearing.record_kinds import KINDS, one_of
 from cadgen.inference.gearing.train_orders import SeenMesh, SeenShaft, SeenTrain, SeenWheel, seen
-from cadgen.inference.gearing.transmission_error import Line, TrainErrors, train_errors
-from cadgen.inference.gearing.wheel_errors import Alike, RunOut, ShaftErrors, Turning, best_turning, shaft_errors
+from cadgen.inference.gearing.transmission_error import OrderLine, TrainErrors, train_errors
+from cadgen.inference.gearing.wheel_errors import (
+    PitchOrEncoder,
+    RunOut,
+    ShaftErrors,
+    Turning,
+    best_turning,
+    shaft_errors,
+)
 from cadgen.inference.measurement.record import understood_of
 from cadgen.jobs.calibration.sources import Source
 from cadgen.jobs.measured_gears.wanted_play import WantedPlay, corrected_text, play_words, wanted_play
@@ -193,8 +200,8 @@ class MeasuredTrainPlan:
 _RATE = 2e-5  # share by which a ratio may be off: a counter's step in a turn
 
 
-def _part_facts(part: RunOut | Alike) -> Facts:
-    if isinstance(part, Alike):
+def _part_facts(part: RunOut | PitchOrEncoder) -> Facts:
+    if isinstance(part, PitchOrEncoder):
         return Facts(what="pitch-or-encoder", size_deg=degrees(abs(part.line)))
     return Facts(
         what="run-out",
@@ -362,7 +369,7 @@ def _grade(symbol: str, size: float, wheel: SeenWheel) -> tuple[str, State]:
     return str(kept[0]), State.BAD if kept[0] > wheel.grade else State.PLAIN
 
 
-def _line_row(plan: MeasuredTrainPlan, line: Line) -> tuple[Cell | str, ...]:
+def _line_row(plan: MeasuredTrainPlan, line: OrderLine) -> tuple[Cell | str, ...]:
     if line.meshes and not line.shafts:
         stage, harmonic = line.meshes[0]
         mesh = next(each for each in plan.seen.meshes if each.stage == stage)
@@ -482,7 +489,7 @@ def _twins(errors: ShaftErrors, *, both: bool) -> list[Message]:
     if errors.rivals:
         sets = [joined([_part_name(p, shaft) for p in parts], Message(" and ")) for parts in errors.rivals]
         said.append(Message("As likely on shaft {number}: {sets}.", number=shaft.number, sets=joined(sets, "; ")))
-    if shaft.read and any(isinstance(part, Alike) for part in errors.parts):
+    if shaft.read and any(isinstance(part, PitchOrEncoder) for part in errors.parts):
         said.append(
             Message(
                 "An encoder off the axis of shaft {number} looks like a long pitch error of its wheel: turn its "
@@ -502,7 +509,7 @@ def _twins(errors: ShaftErrors, *, both: bool) -> list[Message]:
     return said
 
 
-def _part_name(part: RunOut | Alike, shaft: SeenShaft) -> Message:
+def _part_name(part: RunOut | PitchOrEncoder, shaft: SeenShaft) -> Message:
     if isinstance(part, RunOut):
         return Message("run-out of the {wheel}", wheel=part.wheel.name)
     return Message("pitch error or encoder") if shaft.read else Message("long pitch error")

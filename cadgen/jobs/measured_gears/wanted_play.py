@@ -1,8 +1,8 @@
 """From the play that a train has to the play that its design has: thinner or thicker teeth, or another centre distance.
 
-Play of the last pair counts most at the output, so that the least change is made there. Of a change Δ of the play at
-the output, rad, the arc on its working pitch circles is Δ i r_w2, i the turns of its driven wheel for one of the
-output; thickness and centre distance follow from the exact play of the pair.
+Play of the last pair counts most at the output, so that the least change is made there. A change Δ of the play at
+the output, rad, is an arc of Δ i r_w2 on the pair's working pitch circles. There i is the turns of the driven wheel for
+one of the output. Thickness and centre distance follow from the exact play of the pair.
 """
 
 from collections.abc import Sequence
@@ -84,7 +84,8 @@ def wanted_play(train: Train, found: float) -> WantedPlay | None:
     wanted = play_as_made(train)
     arc = (wanted - found) * float(turns) * pair.driven_pitch_radius
     change = pair.thinning_for(arc) - pair.thinning_for(0.0)
-    base = arc * _base_by_arc(pair)
+    play = pair.backlash()
+    base = arc * (play.base / play.pitch if play.pitch else 1.0)  # along the line of action
     driver, driven = (gear.form.tooth_thickness_deviation for gear in (pair.driver, pair.driven))
     return WantedPlay(
         stage=number,
@@ -96,12 +97,6 @@ def wanted_play(train: Train, found: float) -> WantedPlay | None:
         distance=_distance(pair, base),
         now=pair.centre_distance,
     )
-
-
-def _base_by_arc(pair: SpurPair) -> float:
-    """Play along the line of action by that on the working pitch circles."""
-    play = pair.backlash()
-    return play.base / play.pitch if play.pitch else 1.0
 
 
 def _distance(pair: SpurPair, more: float) -> float | None:

@@ -497,7 +497,9 @@ def calibration_section(calibration: "CalibrationPlan | None", record: AsBuiltSe
     if reason:
         return refused_section(reason)
     if calibration is not None:
-        return _measured(calibration)
+        from cadgen.jobs.calibration.calibration_report import report
+
+        return _of_blocks(report(calibration))
     if record is None:
         return Section(
             "calibration",
@@ -559,12 +561,6 @@ def compared_section(compared: "ComparedCamPlan") -> Section:
     from cadgen.jobs.worn_cam.compared_cam import compared_report
 
     return _of_blocks(compared_report(compared))
-
-
-def _measured(calibration: "CalibrationPlan") -> Section:
-    from cadgen.jobs.calibration.calibration_report import report
-
-    return _of_blocks(report(calibration))
 
 
 def _of_blocks(blocks: "Iterable[Block]") -> Section:

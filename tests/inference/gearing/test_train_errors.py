@@ -10,7 +10,7 @@ import pytest
 from cadgen.api.design import Design
 from cadgen.api.measured import Measured
 from cadgen.errors import DesignError, FileError
-from cadgen.inference.gearing.wheel_errors import Alike, RunOut
+from cadgen.inference.gearing.wheel_errors import PitchOrEncoder, RunOut
 from cadgen.verdict import Readiness
 from tests.inference.gearing.train_truth import Stage, Wheel, table
 
@@ -69,7 +69,7 @@ def test_run_out_of_each_wheel_is_told_apart(made):
         assert abs(part.eccentricity - off) < 4 * part.eccentricity_sigma + 0.01 * off
         high = towards if place[1] else np.pi - towards
         assert abs(np.angle(np.exp(1j * (part.high - high)))) < radians(1.5)
-    assert not any(isinstance(part, Alike) for each in made.shafts for part in each.parts)
+    assert not any(isinstance(part, PitchOrEncoder) for each in made.shafts for part in each.parts)
 
 
 def test_play_and_tooth_mesh_have_their_sizes(made):
@@ -115,7 +115,7 @@ def test_an_encoder_off_its_axis_is_no_run_out():
     result = judged(columns)
     (shaft,) = result.shafts
     (part,) = shaft.parts
-    assert isinstance(part, Alike)
+    assert isinstance(part, PitchOrEncoder)
     assert degrees(abs(part.line)) == pytest.approx(0.05, rel=0.02)
     assert result.readiness == Readiness.READY
 

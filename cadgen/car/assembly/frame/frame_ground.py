@@ -152,14 +152,11 @@ class FrameGround:
         """
         if self.sizes.base_height is not None:
             return self.found.height - self.sizes.base_height - self.sizes.base
-        seats = [axis.imag + diameter / 2 + self.rim for axis, diameter in self._seats()]
+        # Of shafts that have a seat in both plates.
+        shafts = zip(self.found.axes, self.site.bearings, self.site.ending, strict=True)
+        seats = [axis.imag + diameter / 2 + self.rim for axis, diameter, ends in shafts if diameter and not ends]
         stem = platform - self.sizes.base / 2 + self.sizes.stem / 2 + self.rim
         return ceil(max(*seats, platform - _SPACERS[0], stem if self.sizes.stem else 0.0) / STEP - 1e-9) * STEP
-
-    def _seats(self) -> list[tuple[complex, float]]:
-        """Axis and diameter of the seat of each shaft that has one in both plates."""
-        every = zip(self.found.axes, self.site.bearings, self.site.ending, strict=True)
-        return [(axis, diameter) for axis, diameter, ends in every if diameter and not ends]
 
     def _dips(self) -> Iterator[shapely.Polygon]:
         """Openings of the base for bodies that reach down to it, in the base's own frame."""
