@@ -23,7 +23,11 @@ def passed(design):
 def test_posts_on_given_sides_between_turns_near_the_least_radius():
     """The witness of the course is a design of its own, which passes every check."""
     assert Design.load(TRIALS / "w0.toml").cam().passed
-    plan = passed(Design.load(TRIALS / "h0.toml", train_only=True))
+    course = Design.load(TRIALS / "h0.toml", train_only=True)
+    passed(course)
+    # With nothing kept for their scatter 52 % of the cars end in the finish: the verdict asks for the usual reserve.
+    plan = course.plan()
+    assert plan.passed
     assert Design.from_toml(plan.text, "c0").cam().passed
 
 
