@@ -85,6 +85,8 @@ def test_a_cure_is_accepted_when_it_is_put_in(change):
     assert not failing(layout_of(with_overrides(design, [override])).checks)
 
 
+@pytest.mark.slow
+@pytest.mark.long
 def test_a_cam_that_turns_the_wrong_way_is_not_ready():
     design = load_design("s_course", ["layout.turned_over=false"])
     cam = plan_cam(design, "actual")

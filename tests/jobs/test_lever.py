@@ -15,6 +15,7 @@ from cadgen.jobs.cam.steering_cam import plan_cam
 NOW = Remedy(name="now", cut_for=None, worst_end=1.0, on_way=2.0)
 
 
+@pytest.mark.long
 @pytest.mark.slow
 def test_the_cars_that_it_promises_keep_the_course():
     as_made = ["frame=", "optimize.hardware=", "car.drive_wheel_radius_mm=", "tolerances.base_radius_mm=0.005"]

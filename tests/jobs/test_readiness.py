@@ -135,6 +135,8 @@ def test_the_least_share_is_the_designs_own():
     assert GOOD_YIELD == 90.0
 
 
+@pytest.mark.slow
+@pytest.mark.long
 def test_a_tolerance_too_wide_to_count_cars_by_is_not_ready():
     """Many cars are reckoned to first order; where that does not hold, nobody knows how many keep the course."""
     verdict = Design.load("s_course").with_({"tolerances.steering_zero_deg": 5.0}).cam().verdict
@@ -247,6 +249,7 @@ def steep(tmp_path):
     return design.with_({"cam.base_radius_mm": 70})
 
 
+@pytest.mark.long
 @pytest.mark.slow
 def test_a_profile_that_loses_every_car_is_not_taken_for_a_missed_pressure_angle(steep):
     """The plain profile brings 94 % of the cars in and misses the angle by 0.7 degrees, which a cure mends."""

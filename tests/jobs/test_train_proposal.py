@@ -36,6 +36,8 @@ def test_a_lap_gets_the_wheel_of_its_outline(tmp_path):
     assert not failing(laid_out(design).checks)
 
 
+@pytest.mark.slow
+@pytest.mark.long
 def test_what_forbids_a_train_is_named(tmp_path):
     with pytest.raises(
         DesignError, match=r"fails least gap to the floor: .* mm, where 400 is asked for; raise train\.module_mm"

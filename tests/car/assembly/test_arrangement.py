@@ -158,6 +158,8 @@ def judged(site, shafts, distances, bores):
     return "laid out", abs(least - found.least.size)
 
 
+@pytest.mark.slow
+@pytest.mark.long
 def test_random_cars_are_laid_out_or_proved_impossible():
     """No two bodies come closer than is promised; where none is found a fine grid of directions finds none."""
     rng = np.random.default_rng(11)

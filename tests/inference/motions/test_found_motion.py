@@ -253,6 +253,8 @@ def test_laws_that_do_not_fit_together_are_none() -> None:
     assert not any(flank.in_table for flank in found.flanks)
 
 
+@pytest.mark.slow
+@pytest.mark.long
 def test_a_square_has_no_motion_of_the_table() -> None:
     """Its corners and sides are no wear of a law."""
     theta = np.linspace(0, TURN, 720, endpoint=False)
