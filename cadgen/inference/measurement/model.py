@@ -432,7 +432,8 @@ def slopes(model: Model, effects: tuple[Effect, ...], active: Active, known: Arr
     for effect in effects:
         rolled = model.rolled if model.rolled and effect.stage in model.rolled.stages else None
         others = [(e, v) for e, v in active if e.key != effect.key]
-        middle = np.asarray(values.get(effect.key, effect.start), dtype=float)
+        # A linearised search may have begun beyond a bound, where both sides would be the bound itself.
+        middle = np.clip(np.asarray(values.get(effect.key, effect.start), dtype=float), *effect.bounds)
         for k, step in enumerate(effect.steps):
             if rolled:
                 standing = rolled.first_order(effect, k, active, model.rows), np.array([SMALL * step])

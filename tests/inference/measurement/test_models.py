@@ -177,3 +177,14 @@ def test_tangents_of_a_profile_are_its_differences(synthetic_car, nominal):
             off = model.tangent(of[key], number, active) - difference
             assert np.linalg.norm(off) < 5e-3 * np.linalg.norm(difference), key
     assert model.tangent(model.datum[0], 0, active) is None
+
+
+def test_a_value_beyond_its_bound_has_slopes_of_numbers(synthetic_car, nominal):
+    """A search began with a phase beyond its bound, where a mirrored track left it; the slope was 0/0 there."""
+    rng = np.random.default_rng(1)
+    model = nominal.model(drive.track_record(synthetic_car, drive.Wheels(), rng, noise_mm=0.0, runs=1))
+    phase = next(effect for effect in model.catalogue if effect.name == "cam phase")
+    low, high = (float(bound[0]) for bound in phase.bounds)
+    beyond, on = (slopes(model, (phase,), [(phase, np.array([value]))]) for value in (high + 0.1 * (high - low), high))
+    assert np.isfinite(beyond).all()
+    assert beyond == pytest.approx(on)
