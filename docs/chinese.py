@@ -5,7 +5,7 @@
 A page `NAME.zh-CN.md` has the blocks of `NAME.md` in their order, for commands and what they print are tested there;
 only remarks in designs and beside commands are Chinese. Headings, rows of tables, code in the text and linked pages
 are those of the English page; so are numbers. The program copies blocks that differ, leads links to the Chinese page
-where there is one, and marks them 英文 where there is none. What only a translator can do it prints.
+and its heading where there is one, and marks them 英文 where there is none. What only a translator can do it prints.
 """
 
 import re
@@ -18,12 +18,15 @@ END = ".zh-CN.md"
 _MARK = "（英文）"
 
 _BLOCK = re.compile(r"^(?P<indent> *)```[^\n]*\n.*?^(?P=indent)```$", re.M | re.S)
+# Numbers in figures; one that belongs to a word, such as that of 3D or ISO-8859, is a word's part.
+_NUMBER = re.compile(r"(?<![A-Za-z0-9_.])\d+(?:\.\d+)?(?![A-Za-z0-9_])")
 _LINK = re.compile(rf"(?<!!)\[(?P<text>(?:`[^`]*`|[^]])*)\]\((?P<place>[^)#:]+)(?P<anchor>#[^)]*)?\)(?P<mark>{_MARK})?")
 _OTHER = ("[English](", "[中文](")  # the line below the title, which leads to the other language
 # Written in Chinese and no translations: lists of what is there in Chinese, whose links alone are looked after.
 _LISTS = {"index", "README"}
 # `cadgen explain` reads it, and tests of its own hold it to the English one.
 _GLOSSARY = "glossary"
+_PARTS = ("headings", "rows", "code", "links", "numbers")
 
 
 def pairs() -> Iterator[tuple[Path, Path]]:
@@ -59,7 +62,7 @@ def differences(english: Path, chinese: Path) -> list[str]:
     found = [] if mended(english, chinese) == other else [f"{chinese.name}: run python -m docs.chinese"]
     if english.stem in _LISTS:
         return found
-    for part, there, here in zip_longest(("headings", "rows", "code", "links"), _shared(one), _shared(other)):
+    for part, there, here in zip_longest(_PARTS, _shared(one), _shared(other)):
         if there != here:
             lacking, more = sorted(set(there) - set(here)), sorted(set(here) - set(there))
             found.append(
@@ -69,13 +72,14 @@ def differences(english: Path, chinese: Path) -> list[str]:
 
 
 def _shared(text: str) -> Iterator[list[str]]:
-    """Parts that two languages of a page share: headings and rows of tables by their number, code, linked pages."""
+    """Parts that two languages of a page share: headings and rows of tables counted, code, linked pages, numbers."""
     prose = _BLOCK.sub("", text)
     yield [f"{number} {level}" for number, level in enumerate(re.findall(r"^#+(?= )", prose, re.M), 1)]
     yield [f"row {number}" for number, _ in enumerate(re.findall(r"^\|", prose, re.M), 1)]
     yield sorted(set(re.findall(r"`([^`\n]+)`", prose)))
     lines = "\n".join(line for line in prose.splitlines() if not line.startswith(_OTHER))
     yield sorted({place.replace(END, ".md") for place in re.findall(r"\]\(([^)#]+)", lines)})
+    yield sorted(set(_NUMBER.findall(re.sub(r"\]\([^)]*\)|`[^`\n]*`", " ", prose))))
 
 
 def mended(english: Path, chinese: Path) -> str:
@@ -104,9 +108,15 @@ def _link(match: re.Match[str], folder: Path) -> str:
     english = place.replace(END, ".md")
     translated = english.removesuffix(".md") + END
     there = translated if (folder / translated).is_file() else english
-    # A place within a page has another name in another language: a translator names it.
-    kept = anchor if there == place else ""
-    return f"[{match['text']}]({there}{kept}){'' if there == translated else _MARK}"
+    if there != place and anchor:
+        anchor = dict(zip(_anchors(folder / english), _anchors(folder / there), strict=False)).get(anchor, "")
+    return f"[{match['text']}]({there}{anchor}){'' if there == translated else _MARK}"
+
+
+def _anchors(page: Path) -> list[str]:
+    """Names of the places within a page, by its headings in their order, which is that of both languages."""
+    headings = re.findall(r"^#+ (.*)", _BLOCK.sub("", page.read_text(encoding="utf-8")), re.M)
+    return ["#" + re.sub(r"[^\w\s-]", "", heading.lower()).replace(" ", "-") for heading in headings]
 
 
 def main() -> None:

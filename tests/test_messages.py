@@ -132,7 +132,7 @@ def test_a_chinese_page_has_the_commands_code_and_links_of_the_english_one(page:
     text = translated.read_text(encoding="utf-8")
     assert f"[English]({english.name})" in text
     assert f"[中文]({translated.name})" in english.read_text(encoding="utf-8")
-    links = re.findall(r"\]\(([^)#:]+)", text)
+    links = re.findall(r"\]\((?!https:)([^)#:]+)", re.sub(r"`[^`\n]+`", "", text))
     assert not [link for link in links if not (translated.parent / link).exists()]
     terms = {_anchor(term) for term in re.findall(r"^### (.*)", (DOCS / "glossary.zh-CN.md").read_text("utf-8"), re.M)}
     assert set(re.findall(r"glossary\.zh-CN\.md#([^)]+)", text)) <= terms
@@ -151,19 +151,25 @@ def test_every_chinese_page_is_listed() -> None:
 def test_a_page_that_its_translator_forgot_is_told(tmp_path: Path) -> None:
     english, translated = tmp_path / "page.md", tmp_path / "page.zh-CN.md"
     block = "```toml\n# a.toml\n[cam]  # a disc\n```\n\n```console\n$ cadgen check a.toml\nREADY\n```"
-    english.write_text(f"# A\n\n[中文](page.zh-CN.md)\n\n{block}\n\nSee `[cam]` and [b](b.md#c).\n")
-    translated.write_text("# 甲\n\n[English](page.md)\n\n```toml\n# a.toml\n[cam]  # 盘\n```\n\n见 [b](b.md)。\n")
+    english.write_text(f"# A\n\n[中文](page.zh-CN.md)\n\n{block}\n\nSee `[cam]` and [b](b.md#c-d), 2.5 mm in 3D.\n")
+    translated.write_text(
+        "# 甲\n\n[English](page.md)\n\n```toml\n# a.toml\n[cam]  # 盘\n```\n\n见 [b](b.md#c-d)，三维中 25 mm。\n"
+    )
     mended = chinese.mended(english, translated)
     assert "# 盘" in mended
     assert "$ cadgen check a.toml\nREADY" in mended
-    assert "[b](b.md)（英文）" in mended
+    assert "[b](b.md#c-d)（英文）" in mended
     translated.write_text(mended)
-    assert chinese.differences(english, translated) == ["page.zh-CN.md: code: lacks ['[cam]'], has []"]
-    (tmp_path / "b.zh-CN.md").touch()
+    assert chinese.differences(english, translated) == [
+        "page.zh-CN.md: code: lacks ['[cam]'], has []",
+        "page.zh-CN.md: numbers: lacks ['2.5'], has ['25']",
+    ]
+    (tmp_path / "b.md").write_text("# B\n\n## C d\n")
+    (tmp_path / "b.zh-CN.md").write_text("# 乙\n\n## 丙 丁\n")
     mended = chinese.mended(english, translated)
-    assert "[b](b.zh-CN.md)。" in mended
+    assert "[b](b.zh-CN.md#丙-丁)，" in mended
     translated.write_text(mended)
     (tmp_path / "b.zh-CN.md").unlink()
-    assert "[b](b.md)（英文）。" in chinese.mended(english, translated)
+    assert "[b](b.md)（英文），" in chinese.mended(english, translated)
     english.write_text(english.read_text().replace("READY", "NOT READY"))
     assert "NOT READY" in chinese.mended(english, translated)
