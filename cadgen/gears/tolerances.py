@@ -138,10 +138,10 @@ def span_pitch_deviation(diameter: ArrayLike, module: ArrayLike, pitches: int, g
 def run_outs(diameter: float, module: float, width: float, face: float, grade: int) -> tuple[float, float]:
     """Circular run-out of a blank's tip circle and of its face to the axis of the bore, mm.
 
-    A blank off its axis by e adds 2 e to the cumulative pitch, a face that runs out by t over the diameter D leans the
-    teeth by t b / D over their width. The tips are left 0.3 of F_p, which takes 5 % of it in a root sum of squares. The
-    face is left 0.2 of F_β. This gives run-outs 0.3 F_p and 0.2 (D / b) F_β. Rounded down to whole µm, but at least 5
-    µm, which a shop still measures.
+    A blank off its axis by e adds 2 e to the cumulative pitch. A face that runs out by t over the diameter D leans the
+    teeth by t b / D over their width b. The tips are left 0.3 of F_p, which takes 5 % of it in a root sum of squares.
+    The face is left 0.2 of F_β. This gives run-outs 0.3 F_p and 0.2 (D / b) F_β. Rounded down to whole µm, but at least
+    5 µm, which a shop still measures.
 
     Args:
         diameter: reference diameter d, mm.

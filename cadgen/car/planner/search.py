@@ -1,6 +1,6 @@
 """Search for the best path: a sequence of linear programmes in a trust region.
 
-Each programme finds the step of the control points that lowers cost and violations most:
+Each programme finds the step of the control points that lowers cost and violations most.
 
     minimise    z + sum calm p_j + sum weight_i e_i
     subject to  z >= sum_j f lever_j p_j + (derivative by the levers) dx

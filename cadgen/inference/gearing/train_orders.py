@@ -1,12 +1,12 @@
 """Orders of a train's shafts and meshes, and how the run-out of a wheel shows in the transmission error.
 
 Order is the number of turns, or of teeth that pass, in one turn of the output. A wheel whose teeth are off its axis by
-e (radial run-out) shifts the flanks along the line of action. Let α be the working pressure angle, r_b the base radius
-of the driven wheel of the mesh, and ψ the angle from the way to the other axis to the direction of e. A driven wheel
-that is off its axis is turned by (e/r_b) sin(ψ − α), by its other flanks by (e/r_b) sin(ψ + α). A driver that is off
-turns it by −(e/r_b) sin(ψ − α) and −(e/r_b) sin(ψ + α). So the phase differs by 2α between both flanks, with one sense
-for a driver and the other for a driven wheel: play goes round with the wheel by 2 e tan α of arc. A pitch that is off,
-or an encoder that is, shows alike on both flanks.
+e (radial run-out) shifts the flanks along the line of action. Let α be the working pressure angle and r_b the base
+radius of the driven wheel of the mesh. Let ψ be the angle from the way to the other axis to the direction of e. A
+driven wheel that is off its axis is turned by (e/r_b) sin(ψ − α), by its other flanks by (e/r_b) sin(ψ + α). A driver
+that is off turns it by −(e/r_b) sin(ψ − α) and −(e/r_b) sin(ψ + α). So the phase differs by 2α between both flanks,
+with one sense for a driver and the other for a driven wheel: play goes round with the wheel by 2 e tan α of arc. A
+pitch that is off, or an encoder that is, shows alike on both flanks.
 """
 
 from __future__ import annotations
