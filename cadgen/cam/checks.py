@@ -101,6 +101,8 @@ LOST_LIFT = (
 )
 _BETWEEN = 16  # stations more between two of them, about a peak of the pressure angle
 _FINER = 4  # times finer is the outline there: the angle errs by the square of its step, the lift by the third power
+_STILL = 1e-9  # of the greatest velocity; a smaller one is rounding of 0
+_BESIDE = 1e-6  # rad; to see what the motion does beside a place where it stands still
 _WALL_POINTS = 200_000  # on the outline, to look for the thinnest wall
 # The sharpest place of a piece is closed in on in so many rounds of so many points; mm of radius that show.
 _ZOOMS, _ZOOM, _SHOWS = 4, 33, 5e-5
@@ -113,10 +115,26 @@ def cam_angles(motion: Motion) -> Array:
     return np.unique(np.concatenate([even, motion.kinks, motion.bends]))
 
 
+def _ways(motion: Motion, theta: Array) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Whether cam angles belong to a rise or a dwell, and whether to a return, shape (n,) each.
+
+    The end of a return, where the velocity is 0, belongs to it, too: its pressure angle is the limit of those beside.
+
+    Args:
+        motion: motion wanted.
+        theta: cam angles, rad, shape (n,).
+    """
+    velocity, before, after = (motion.q((theta + side) % TURN, nu=1) for side in (0.0, -_BESIDE, _BESIDE))
+    still = _STILL * float(np.max(np.abs(velocity)))
+    falling = velocity < -still
+    ends = ~falling & (velocity <= still) & (np.minimum(before, after) < -still)
+    return ~falling, falling | ends
+
+
 def _with_peaks(motion: Motion, follower: Follower, curve: ClosedCurve, contact: Contact, step: float) -> Contact:
     """Contact at its stations and close about those of the greatest pressure angles, which lie between stations."""
-    rising, size = motion.q(contact.cam_angle, nu=1) >= 0, np.abs(contact.pressure_angle)
-    worst = {int(np.argmax(np.where(part, size, -1.0))) for part in (rising, ~rising)}
+    size = np.abs(contact.pressure_angle)
+    worst = {int(np.argmax(np.where(part, size, -1.0))) for part in _ways(motion, contact.cam_angle)}
     worst |= {int(np.argmax(contact.pressure_angle)), int(np.argmin(contact.pressure_angle))}
     near = np.linspace(-TURN, TURN, 2 * _BETWEEN + 1) / STATIONS
     theta = (contact.cam_angle[sorted(worst), None] + near).ravel() % TURN
@@ -233,7 +251,8 @@ def signed_pressure(cam: RolledCam) -> tuple[Check, ...]:
 
 
 def _pressure(motion: Motion, follower: Follower, contact: Contact, limits: CheckLimits) -> list[Check]:
-    rising, driven = motion.q(contact.cam_angle, nu=1) >= 0, ~motion.idle(contact.cam_angle)
+    rising, falling = _ways(motion, contact.cam_angle)
+    driven = ~motion.idle(contact.cam_angle)
     angle = np.degrees(np.abs(contact.pressure_angle))
     checks = []
     for code, name, of_kind, limit in (
@@ -241,7 +260,7 @@ def _pressure(motion: Motion, follower: Follower, contact: Contact, limits: Chec
         (
             CheckCode.PRESSURE_ANGLE_RETURN,
             Message("pressure angle, return"),
-            ~rising & driven,
+            falling & driven,
             limits.pressure_angle.fall,
         ),
     ):

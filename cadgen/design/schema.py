@@ -7,11 +7,13 @@ them all; their messages are sentences for the user.
 
 import hashlib
 import json
+from collections.abc import Mapping
 from typing import Annotated, Any
 
 from pydantic import (
     Field,
     SerializeAsAny,
+    ValidationError,
     ValidationInfo,
     ValidatorFunctionWrapHandler,
     field_validator,
@@ -710,8 +712,36 @@ class MotionFile(DiscFile):
             if self.lift_tolerances is not None:
                 self.lift_tolerances.refuse(self.follower.registered)
         except DesignError as error:
-            raise ValueError(error.message) from None
+            from cadgen.laws.segments import VelocityJumpError  # with numpy, for which sound designs need not wait
+
+            refused = error.tried(self._refusal_with) if isinstance(error, VelocityJumpError) else error
+            raise ValueError(refused.message) from None
         return self
+
+    def _refusal_with(self, changes: Mapping[str, object]) -> Message | None:
+        """Refusal of the design with changed keys, by its motion and by its follower; None if neither refuses it.
+
+        Args:
+            changes: new value by key; items of lists count from 1.
+        """
+        values = self.model_dump(mode="json", include=set(MotionFile.model_fields) - set(OF_A_CAR), exclude_none=True)
+        try:
+            for key, value in changes.items():
+                *sections, last = key.split(".")
+                section: Any = values
+                for part in sections:
+                    section = section[int(part) - 1 if part.isdigit() else part]
+                section[last] = value
+            changed = MotionFile.model_validate(values)
+            kind = changed.follower.registered
+            follower = kind.follower(changed.follower.keys, changed.seat)
+            follower.refuse(follower_motion(changed.motion, kind))
+        except DesignError as error:
+            return error.message
+        except ValidationError as error:
+            first = error.errors()[0]
+            return Message(str(first.get("ctx", {}).get("error", first["msg"])))
+        return None
 
 
 class TrainDesign(TrainFile):

@@ -1,6 +1,6 @@
 """A motion of rises and dwells: each segment takes an angle, and a law leads from one height to the next."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import combinations
@@ -137,6 +137,59 @@ class Seam:
     states: tuple[str, str]
     segment: int
     inside: bool
+
+
+@dataclass(frozen=True)
+class JumpCure:
+    """Change of a design that ends jumps of its motion.
+
+    Attributes:
+        changes: new value by key of a design; items of lists count from 1.
+        text: the change in words.
+    """
+
+    changes: Mapping[str, object]
+    text: str
+
+
+class VelocityJumpError(DesignError):
+    """Jumps of the velocity, with the changes that end them."""
+
+    places = unit = ""
+    cures: tuple[JumpCure, ...] = ()
+
+    @classmethod
+    def of(cls, places: str, unit: str, cures: Sequence[JumpCure]) -> "VelocityJumpError":
+        """Refusal of jumps.
+
+        Args:
+            places: cam angles of the jumps and what jumps there, in words.
+            unit: symbol of the motion's unit.
+            cures: changes that end the jumps.
+        """
+        made = cls(
+            "the velocity jumps {places} {unit}/rad, which no follower can do: {ways}",
+            places=places,
+            unit=unit,
+            ways=joined((cure.text for cure in cures), Message(", or "))
+            if cures
+            else Message("take laws that meet each other there"),
+        )
+        made.places, made.unit, made.cures = places, unit, tuple(cures)
+        return made
+
+    def tried(self, refusal_of: Callable[[Mapping[str, object]], Message | None]) -> "VelocityJumpError":
+        """The same refusal with the changes that leave a whole cam; with the first one and its refusal if none does.
+
+        Args:
+            refusal_of: function that gives the refusal of the design with changed keys, None if it is accepted.
+        """
+        refusals = [refusal_of(cure.changes) for cure in self.cures]
+        kept = [cure for cure, refusal in zip(self.cures, refusals, strict=True) if refusal is None]
+        if not kept and refusals:
+            text = Message("{change}, and then: {refusal}", change=self.cures[0].text, refusal=refusals[0])
+            kept = [JumpCure(self.cures[0].changes, text)]
+        return self.of(self.places, self.unit, kept)
 
 
 @dataclass(frozen=True)
@@ -284,8 +337,8 @@ class SegmentMotion(Motion):
         return tuple(seam for seam in self.joints if seam.order is not None and seam.order < ORDERS - 1)
 
     @property
-    def milder(self) -> str:
-        """Changes after which neither velocity nor acceleration jumps; empty if none were found."""
+    def milder(self) -> tuple[int, ...]:
+        """Numbers of the segments that become polynomials so that no acceleration jumps; empty if none were found."""
         return polynomials(self.segments[: self.count], 2)
 
     @property
@@ -437,7 +490,7 @@ def _does_not_fill(segments: Sequence[MotionSpan], whole: float, machine_turns: 
 
 def _velocity_jumps(
     segments: Sequence[MotionSpan], jumps: Sequence[Seam], unit: Unit, machine_turns: float, *, corners: bool
-) -> DesignError:
+) -> VelocityJumpError:
     """Refusal of jumps of the velocity, with the laws that meet their neighbours, which were tried."""
     places = joined(
         Message(
@@ -448,21 +501,41 @@ def _velocity_jumps(
         )
         for seam in jumps
     )
-    changes = polynomials(segments, 1)
-    ways = [Message("set {changes}, which meets its neighbours", changes=changes)] if changes else []
+    numbers = polynomials(segments, 1)
+    cures = []
+    if numbers:
+        text = Message("set {changes}, which meets its neighbours", changes=polynomial_changes(numbers))
+        cures.append(JumpCure({f"motion.segments.{number}.law": POLYNOMIAL for number in numbers}, text))
     if corners:
-        ways.append(Message("set motion.allow_velocity_jump to true for a corner there"))
-    ways += _half_laws(segments, jumps, machine_turns)
-    return DesignError(
-        "the velocity jumps {places} {unit}/rad, which no follower can do: {ways}",
-        places=places,
-        unit=unit.symbol,
-        ways=joined(ways, Message(", or ")) if ways else Message("take laws that meet each other there"),
+        text = Message("set motion.allow_velocity_jump to true for a corner there")
+        cures.append(JumpCure({"motion.allow_velocity_jump": True}, text))
+    cures += _half_laws(segments, jumps, machine_turns)
+    return VelocityJumpError.of(places, unit.symbol, cures)
+
+
+def polynomial_changes(numbers: Sequence[int]) -> str:
+    """Changes in words that make segments polynomials.
+
+    Args:
+        numbers: numbers of the segments, from 1.
+    """
+    return joined(
+        (Message('motion.segments.{number}.law to "{law}"', number=number, law=POLYNOMIAL) for number in numbers),
+        Message(" and "),
     )
 
 
-def polynomials(segments: Sequence[MotionSpan], order: int) -> str:
-    """Changes that make the fewest segments polynomials that meet their neighbours; empty if none do.
+def polynomial_overrides(numbers: Sequence[int]) -> tuple[str, ...]:
+    """Changed keys that make segments polynomials.
+
+    Args:
+        numbers: numbers of the segments, from 1.
+    """
+    return tuple(f"motion.segments.{number}.law={POLYNOMIAL}" for number in numbers)
+
+
+def polynomials(segments: Sequence[MotionSpan], order: int) -> tuple[int, ...]:
+    """Numbers of the fewest segments that as polynomials meet their neighbours, from 1; empty if none do.
 
     They are tried one by one, then together.
 
@@ -485,14 +558,8 @@ def polynomials(segments: Sequence[MotionSpan], order: int) -> str:
                 for number, span in enumerate(segments)
             ]
             if not _jumping(_completed(made), order):
-                return joined(
-                    (
-                        Message('motion.segments.{number}.law to "{law}"', number=number + 1, law=POLYNOMIAL)
-                        for number in sorted(chosen)
-                    ),
-                    Message(" and "),
-                )
-    return ""
+                return tuple(number + 1 for number in sorted(chosen))
+    return ()
 
 
 def _jumping(spans: Sequence[MotionSpan], order: int) -> set[float]:
@@ -513,12 +580,12 @@ def _straight(span: MotionSpan) -> bool:
     return span.law is not None and span.law.code == "constant_velocity"
 
 
-def _half_laws(segments: Sequence[MotionSpan], jumps: Sequence[Seam], machine_turns: float) -> list[Message]:
+def _half_laws(segments: Sequence[MotionSpan], jumps: Sequence[Seam], machine_turns: float) -> list[JumpCure]:
     """Half laws that lead from rest to a neighbour that moves, or from it to rest, which end every jump.
 
     Each takes the angle that its speed asks for, and another segment what is left of the turn.
     """
-    said: dict[str, Message] = {}
+    said: dict[str, JumpCure] = {}
     for seam in jumps:
         number = seam.segment - 1
         for mover, fixed, before in ((number - 1, number, True), (number, number - 1, False)):
@@ -532,17 +599,20 @@ def _half_laws(segments: Sequence[MotionSpan], jumps: Sequence[Seam], machine_tu
             if other is None:
                 continue
             left = segments[other].width + span.width - width
-            fits = Message(
-                'set motion.segments.{number}.law to "{code}" with motion.segments.{number}.in_deg = {angle:.12g} and '
-                "motion.segments.{other}.{key} = {left:.12g}",
-                number=mover % len(segments) + 1,
+            this, that = (f"motion.segments.{each % len(segments) + 1}" for each in (mover, other))
+            key = "in_deg" if segments[other].moves else "dwell_deg"
+            angle, remaining = (f"{degrees(each) * machine_turns:.12g}" for each in (width, left))
+            text = Message(
+                'set {this}.law to "{code}" with {this}.in_deg = {angle} and {that}.{key} = {left}',
+                this=this,
                 code=code,
-                angle=degrees(width) * machine_turns,
-                other=other + 1,
-                key="in_deg" if segments[other].moves else "dwell_deg",
-                left=degrees(left) * machine_turns,
+                angle=angle,
+                that=that,
+                key=key,
+                left=remaining,
             )
-            said[fits] = fits
+            changed = {f"{this}.law": code, f"{this}.in_deg": float(angle), f"{that}.{key}": float(remaining)}
+            said[text] = JumpCure(changed, text)
     return list(said.values())
 
 

@@ -363,3 +363,18 @@ def test_undercut_is_cured_by_its_own_keys():
     print(overrides)
     assert any(text.startswith("cam.base_circle_radius_mm=") for text in overrides)
     assert "cam.base_radius_mm" not in " ".join(check.advice for check in cam.checks)
+
+
+@pytest.mark.parametrize(("offset", "code"), [(10.89, "rise"), (-10.89, "return")])
+def test_the_pressure_angle_where_the_roller_stands_still_counts_on_both_sides(offset, code):
+    """At rest sin(alpha) = -e / R_p, which may be the greatest angle of a side that begins without a dwell."""
+    laws = ((9.85, "simple_harmonic"), (0.0, "constant_acceleration"))
+    changes = {
+        "motion.segments": [{"to_mm": to, "in_deg": 180.0, "law": law} for to, law in laws],
+        "follower.radius_mm": 11.74,
+        "follower.offset_mm": offset,
+        "cam.base_circle_radius_mm": 58.7,
+    }
+    checks = {check.code: check for check in Design.from_toml(TEXT).with_(changes).cam().checks}
+    angle = checks[f"pressure-angle-{code}"].value
+    assert angle == pytest.approx(np.degrees(np.arcsin(10.89 / 70.44)), abs=1e-4)

@@ -1,11 +1,16 @@
 """Refusals of cams by their motion that name a size: put in, it is not refused, and passes where it says so."""
 
 import re
+from math import pi
 
 import pytest
 
 from cadgen import Design
 from cadgen.errors import DesignError
+from cadgen.laws.segments import MotionSpan, SegmentMotion, VelocityJumpError
+from cadgen.laws.table import law_of
+from cadgen.laws.unit import MM
+from cadgen.messages import Message
 
 PAIR = """
 name = "pair"
@@ -156,3 +161,68 @@ def test_a_pivot_within_the_disc_is_refused_with_a_place_that_was_tried():
     changes = dict(re.findall(r"(follower\.\w+) to ([\d.]+)", said))
     assert set(changes) == {"follower.centre_distance_mm", "follower.arm_mm"}
     assert design.with_({key: float(value) for key, value in changes.items()}).cam().checks
+
+
+# Polynomials that meet their neighbours at its seams ask for more of the disc, which would cover the pivot of the face.
+FACE = """
+name = "face"
+
+[motion]
+turns = "counterclockwise"
+segments = [
+    { rise_deg = 11.86, in_deg = 42.6, law = "polynomial_2_3" },
+    { dwell_deg = 1.1 },
+    { to_deg = 18.85, in_deg = 116.6, law = "simple_harmonic" },
+    { dwell_deg = 30.7 },
+    { to_deg = 0.0, in_deg = 133.8, law = "modified_trapezoid" },
+    { dwell_deg = 35.2 },
+]
+
+[follower]
+kind = "swinging_flat"
+lifts = "with"
+centre_distance_mm = 27.7
+face_offset_mm = -2.2
+
+[cam]
+base_circle_radius_mm = 12.1
+thickness_mm = 10.6
+
+[blank]
+bore_diameter_mm = 3.6
+"""
+
+
+def test_a_law_is_proposed_only_where_the_follower_takes_it():
+    design = Design.from_toml(FACE)
+    cure = {held.code: str(held.cure) for held in design.cam().verdict.reservations}["acceleration-jumps"]
+    assert cure == "go slowly, or take laws that meet their neighbours"
+    laws = {f"motion.segments.{number}.law": "polynomial" for number in (1, 3)}
+    assert "would cover the pivot" in refusal(design.with_(laws))
+    lower = design.with_({"motion.segments.1.rise_deg": 4.0})
+    held = {held.code: str(held.cure) for held in lower.cam().verdict.reservations}["acceleration-jumps"]
+    assert held.startswith('set motion.segments.1.law to "polynomial" and motion.segments.3.law to "polynomial"')
+    assert "acceleration-jumps" not in {held.code for held in lower.with_(laws).cam().verdict.reservations}
+
+
+def test_cures_of_a_velocity_that_jumps_are_tried_with_the_follower():
+    corner = {"motion.segments.1.law": "constant_velocity"}
+    said = refusal_of_keys(corner)
+    assert said.endswith("which no follower can do: set motion.allow_velocity_jump to true for a corner there")
+    said = refusal_of_keys({**corner, "motion.segments.1.rise_deg": 4.0})
+    assert 'set motion.segments.1.law to "polynomial", which meets its neighbours, or set motion.allow' in said
+
+
+def test_a_cure_that_leads_to_another_refusal_says_so_where_none_is_better():
+    corner = MotionSpan(0.0, pi, 0.0, 4.0, law_of("constant_velocity"))
+    with pytest.raises(VelocityJumpError) as raised:
+        SegmentMotion.of([corner, MotionSpan(pi, 2 * pi, 4.0, 0.0, law_of("cycloidal"))], MM)
+    said = str(raised.value.tried(lambda changes: Message("the arm is too short")))
+    assert said.endswith(", which meets its neighbours, and then: the arm is too short")
+    assert str(raised.value.tried(lambda changes: None)) == str(raised.value)
+
+
+def refusal_of_keys(changes):
+    with pytest.raises(DesignError) as refused:
+        Design.from_toml(FACE).with_(changes)
+    return str(refused.value)

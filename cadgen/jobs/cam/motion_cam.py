@@ -29,7 +29,12 @@ from cadgen.jobs.cam.force_figures import force_checks, force_facts, force_figur
 from cadgen.jobs.cam.motion_figures import checks_of, facts_of, notes_of, reservations_of, seams_sheets, small_height
 from cadgen.laws.lift_table import TableMotion
 from cadgen.laws.motion import Motion
-from cadgen.laws.segments import SegmentMotion, polynomials
+from cadgen.laws.segments import (
+    SegmentMotion,
+    polynomial_changes,
+    polynomial_overrides,
+    polynomials,
+)
 from cadgen.laws.unit import MM, TAN
 from cadgen.messages import Message, clauses, joined
 from cadgen.output.files.manifest import Origin
@@ -156,7 +161,14 @@ class MotionUse(Application):
                 Message("give {key} a rise and a return", key=self.design.motion.shaping_key),
             )
             return PartVerdict(checks, (still,))
-        held = [*reservations_of(cam.motion, self.design), *_edges(cam)]
+        held = [
+            *reservations_of(
+                cam.motion,
+                self.design,
+                lambda overrides: _leaves_a_cam(self.design, overrides, cam.kind.code),
+            ),
+            *_edges(cam),
+        ]
         if forces is not None and self.rpm is None and (forces.dynamics.inertia or forces.dynamics.damping):
             held.append(
                 Reservation(
@@ -299,6 +311,20 @@ def plan_motion_cam(design: MotionDesign, profile: str | None = None, progress: 
     )
 
 
+def _leaves_a_cam(design: MotionDesign, overrides: Sequence[str], profile: str) -> bool:
+    """Whether a design with changed keys is not refused, its follower and its disc included.
+
+    Args:
+        design: design that is changed.
+        overrides: changed keys, as `key=value`.
+        profile: code of the profile.
+    """
+    try:
+        return _broken_wall(_planned(with_overrides(design, overrides), profile, silent)) is None
+    except CadgenError:
+        return False
+
+
 def _size_that_fits(design: MotionDesign, profile: str | None, key: str) -> tuple[float, bool] | None:
     """Larger value of a key with which a disc is left, to a tenth, and whether every check passes; None if none was.
 
@@ -392,13 +418,14 @@ def _grooved(
     """Disc with a groove: both flanks, what they leave of the disc, and the play of the roller."""
     if motion.kinks.size:
         assert isinstance(motion, SegmentMotion)  # no other has kinks
-        changes = polynomials(motion.segments[: motion.count], 1)
+        numbers = polynomials(motion.segments[: motion.count], 1)
+        accepted = bool(numbers) and _leaves_a_cam(design, polynomial_overrides(numbers), kind.code)
         raise DesignError(
             'follower.closure is "groove", and the velocity jumps at {angle:.4g} degrees of cam angle, where the outer '
             "flank would have a corner: {cure}",
             angle=degrees(float(motion.kinks[0])),
-            cure=Message("set {changes}, which meets its neighbours", changes=changes)
-            if changes
+            cure=Message("set {changes}, which meets its neighbours", changes=polynomial_changes(numbers))
+            if accepted
             else Message("take laws that meet each other there"),
         )
     if design.blank.edge_break_mm:

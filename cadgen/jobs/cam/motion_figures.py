@@ -1,5 +1,6 @@
 """Figures of a motion: greatest velocity, acceleration and jerk with their places, its seams, and its table."""
 
+from collections.abc import Callable, Sequence
 from math import degrees
 
 from cadgen.arrays import TURN
@@ -8,12 +9,10 @@ from cadgen.check import Check, CheckCode
 from cadgen.design.load import with_overrides
 from cadgen.design.motion import motion_of
 from cadgen.design.schema import MotionDesign
-from cadgen.errors import DesignError
 from cadgen.figures import Cell, Facts, Sheet, State, number
 from cadgen.laws.lift_table import TableMotion
 from cadgen.laws.motion import Motion
-from cadgen.laws.segments import Seam, SegmentMotion
-from cadgen.laws.table import POLYNOMIAL
+from cadgen.laws.segments import Seam, SegmentMotion, polynomial_changes, polynomial_overrides
 from cadgen.laws.unit import MM, Unit
 from cadgen.messages import Message, joined
 from cadgen.verdict import Reservation
@@ -138,16 +137,19 @@ def _seam_row(seam: Seam, motion: SegmentMotion) -> tuple[Cell | str, ...]:
     return place, states, _NAMES[seam.order], angle, number(seam.before, by), number(seam.after, by)
 
 
-def reservations_of(motion: Motion, design: MotionDesign) -> tuple[Reservation, ...]:
+def reservations_of(
+    motion: Motion, design: MotionDesign, accepted: Callable[[Sequence[str]], bool]
+) -> tuple[Reservation, ...]:
     """Reservations on a motion: corners, jumps of the acceleration, a table with noise.
 
     Args:
         motion: motion of the follower.
         design: design that it is from.
+        accepted: function that tells whether the design with changed keys leaves a cam.
     """
     held: list[Reservation] = []
     if isinstance(motion, SegmentMotion):
-        held += _jump_reservations(motion, design)
+        held += _jump_reservations(motion, accepted)
     if isinstance(motion, TableMotion) and motion.rough:
         smooth = motion_of(with_overrides(design, ["motion.smooth=true"]).motion, design.follower.registered)
         noise, unit = small_height(motion.noise, motion.unit)
@@ -164,24 +166,15 @@ def reservations_of(motion: Motion, design: MotionDesign) -> tuple[Reservation, 
                     **_range("least", "most", smooth.within(2) if isinstance(smooth, TableMotion) else (0.0, 0.0)),
                     per=motion.unit.symbol,
                 ),
-                Message("set motion.smooth to true"),
+                Message("set motion.smooth to true")
+                if accepted(["motion.smooth=true"])
+                else Message("measure the lift again, or smooth the rows before they are read"),
             )
         )
     return tuple(held)
 
 
-def _milder(motion: SegmentMotion, design: MotionDesign) -> str:
-    """Changes of laws that end the jumps, with which the design is read; empty if there are none."""
-    milder = motion.milder
-    numbers = [part.arguments["number"] for part in getattr(milder, "parts", ())]
-    try:
-        assert with_overrides(design, [f"motion.segments.{number}.law={POLYNOMIAL}" for number in numbers]).seat
-    except DesignError:
-        return ""
-    return milder
-
-
-def _jump_reservations(motion: SegmentMotion, design: MotionDesign) -> list[Reservation]:
+def _jump_reservations(motion: SegmentMotion, accepted: Callable[[Sequence[str]], bool]) -> list[Reservation]:
     """Reservation on the corners, and on the jumps of the acceleration, each with its places."""
     said = {
         1: (
@@ -195,7 +188,14 @@ def _jump_reservations(motion: SegmentMotion, design: MotionDesign) -> list[Rese
             Message("go slowly, or take laws that meet their neighbours"),
         ),
     }
-    milder, held = _milder(motion, design), []
+    held: list[Reservation] = []
+    if not motion.seams:
+        return held
+    numbers = motion.milder
+    if numbers and accepted(polynomial_overrides(numbers)):
+        changed = Message("set {changes}, which ends it, or go slowly", changes=polynomial_changes(numbers))
+    else:
+        changed = None
     for order, (code, text, cure) in said.items():
         jumps = [seam for seam in motion.seams if seam.order == order]
         if not jumps:
@@ -211,8 +211,9 @@ def _jump_reservations(motion: SegmentMotion, design: MotionDesign) -> list[Rese
         ]
         if len(jumps) > _MOST_PLACES:
             places.append(Message("and at {count} more", count=len(jumps) - _MOST_PLACES))
-        tried = Message("set {changes}, which ends it, or go slowly", changes=milder) if milder else cure
-        held.append(Reservation(code, Message(text.template, places=joined(places), unit=motion.unit.symbol), tried))
+        held.append(
+            Reservation(code, Message(text.template, places=joined(places), unit=motion.unit.symbol), changed or cure)
+        )
     return held
 
 
