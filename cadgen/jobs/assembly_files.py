@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from dataclasses import asdict, replace
 from functools import partial
 from io import StringIO
-from math import degrees
+from math import degrees, pi
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +16,7 @@ from cadgen.figures import Facts
 from cadgen.geometry.meshes.car_meshes import Seen, seen
 from cadgen.jobs.assembly_checks import assembly_checks, centre_of_gravity
 from cadgen.jobs.car_assembly import CarAssembly
+from cadgen.jobs.car_frame import frame_in
 from cadgen.jobs.drawings import Folder, title_of, write_sheet
 from cadgen.jobs.part_drawings import drawn_here, part_sheets, part_stem
 from cadgen.messages import Message, joined
@@ -281,11 +282,7 @@ def mounting_notes(assembly: CarAssembly) -> Iterator[Message]:
                 least=mechanics.drag_least_Nmm,
                 most=mechanics.drag_greatest_Nmm or mechanics.drag_least_Nmm,
             )
-    yield Message(
-        "Take up the slack: turn the drive wheel forward until the cam moves. The teeth leave the cam {play:.2f}° of "
-        "play, which must be used up before the start.",
-        play=degrees(assembly.train.return_error.as_cut),
-    )
+    yield from _slack_notes(assembly)
     start = degrees(assembly.fork_angle(0.0)) * site.rod_side
     yield Message(
         "Start: turn the drive forward until the ray of cam angle 0, the x axis of the disc's sheet, points to the "
@@ -296,6 +293,38 @@ def mounting_notes(assembly: CarAssembly) -> Iterator[Message]:
     yield Message(
         "Trim: after a trial run give cadgen adjust what it ended off; set the micrometer head and the rod's angle as "
         "it says, and run again."
+    )
+
+
+def _slack_notes(assembly: CarAssembly) -> Iterator[Message]:
+    """Steps before each start: the string wound, which turns the cam back, and then the slack taken up."""
+    wheel, gap = assembly.use.drive_wheel, assembly.layout.design.tolerances.start_gap_deg
+    found = assembly.layout.arrangement
+    assert found is not None  # `put_together` refuses a car without an arrangement
+    carried = frame_in(assembly.layout).frame.carried if assembly.layout.design.drive is not None else None
+    if carried is not None and carried.body.fall and wheel.radius:
+        turns = carried.body.turns
+        angle = 360.0 * turns * 2 * pi * wheel.radius / wheel.turn
+        yield Message(
+            "Knot the string with the weight at its lowest and the drive wheel {turns:.1f} turns ahead of the start, "
+            "which is {angle:.0f}° of the cam.",
+            turns=turns,
+            angle=angle,
+        )
+        yield Message(
+            "Wind the string before each start: turn the drive wheel backwards by a little more than these {turns:.1f} "
+            "turns, until the weight hangs {height:.0f} mm over the floor. The gears turn the cam back with it, by "
+            "{angle:.0f}°, and stand on the wrong side of their play in the end.",
+            turns=turns,
+            height=found.height - carried.high,
+            angle=angle,
+        )
+    yield Message(
+        "Take up the slack before each start, after the string is wound: winding it, pushing the car back or turning "
+        "the cam by hand opens the play again. Turn the drive wheel forward until the cam moves, and never back after "
+        "that. The teeth leave the cam {play:.2f}° of play, which must be used up before the start{within}.",
+        play=degrees(assembly.train.return_error.as_cut),
+        within=Message(" to within {gap:g}°", gap=gap) if gap else "",
     )
 
 

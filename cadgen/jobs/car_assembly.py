@@ -390,7 +390,7 @@ class _Parts:
             drilled: tuple[Drilled, ...] = ()
             if number == 1 and self.weight is not None and not self.weight.body.drum:
                 start = (0.0, -diameter / 2, self.weight.z - self.weight.body.winding / 2)
-                drilled = (Drilled(start, (0.0, 1.0, 0.0), self.weight.body.knot, diameter),)
+                drilled = (Drilled(start, (0.0, 1.0, 0.0), self.weight.body.knot, diameter, self.weight.body.knot),)
             if number == 1:
                 title = Message("rear axle, shaft 1")
             elif number == len(self.groups):

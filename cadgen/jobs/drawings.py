@@ -10,7 +10,7 @@ from datetime import UTC, datetime
 from itertools import chain
 from math import inf
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -43,6 +43,9 @@ from cadgen.output.files.publisher import Artifact, Written, publish, require, t
 from cadgen.parts.face import Face
 from cadgen.progress import Progress, silent
 from cadgen.verdict import PartVerdict, Readiness
+
+if TYPE_CHECKING:
+    from cadgen.output.drawing.sheet_files import SheetDocument
 
 _EDGES = ((3.0, 0.3), (2.0, 0.2), (0.0, 0.1))  # least module, and what may be taken off an edge of its teeth, mm
 _HASH = 12  # letters of a design's hash in a title block
@@ -570,12 +573,13 @@ def write_drawings(parts: Parts, out: Path, progress: Progress = silent) -> Writ
 
 def write_sheet(staging: Path, stem: str, sheet: DrawingSheet, omitted: dict[str, str]) -> Iterator[Artifact]:
     """Write a sheet and read it back; a page without a font for its letters is left out, with the reason."""
-    from cadgen.output.drawing.sheet_files import NoFontError, dxf_bytes, read_dimensions
+    from cadgen.output.drawing.sheet_files import NoFontError, SheetDocument, read_dimensions
 
+    document = SheetDocument(sheet, language())
     scale = scale_text(sheet.scale)
     look = Facts(sheet=sheet.size, scale=scale)
     name = f"{stem}_drawing.dxf"
-    (staging / name).write_bytes(dxf_bytes(sheet, language()))
+    (staging / name).write_bytes(document.dxf())
     again, drawn = read_dimensions(staging / name), sheet.dimensions
     off = [abs(again.get(key, inf) - length) for key, length in drawn.items()]
     same = again.keys() == drawn.keys() and max(off, default=0.0) <= DIMENSION_LIMIT
@@ -584,7 +588,7 @@ def write_sheet(staging: Path, stem: str, sheet: DrawingSheet, omitted: dict[str
     yield Artifact(name, look | Facts(dimensions_mm=lengths), (sheet.size, scale, str(len(lengths))))
     name = f"{stem}_drawing.pdf"
     try:
-        page = _page(sheet, omitted)
+        page = _page(document, omitted)
     except NoFontError as error:
         omitted["PDF"] = error.message
         return
@@ -594,14 +598,14 @@ def write_sheet(staging: Path, stem: str, sheet: DrawingSheet, omitted: dict[str
     yield Artifact(name, look, (sheet.size, scale, ""))
 
 
-def _page(sheet: DrawingSheet, omitted: dict[str, str]) -> bytes:
+def _page(document: "SheetDocument", omitted: dict[str, str]) -> bytes:
     """Page of a sheet in the language that is shown; in English where the system has no font for that language."""
-    from cadgen.output.drawing.sheet_files import NoFontError, pdf_bytes
+    from cadgen.output.drawing.sheet_files import NoFontError
 
     try:
-        return pdf_bytes(sheet, language())
+        return document.page()
     except NoFontError:
-        page = pdf_bytes(sheet, ENGLISH)  # raises where the title block itself has letters without a font
+        page = replace(document, language=ENGLISH).page()  # raises where the title block has letters without a font
         omitted["translated PDF"] = Message(
             "the pages are in English, for no font of this system has the letters of the language asked for: install"
             " one, such as Noto Sans CJK"

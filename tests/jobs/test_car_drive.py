@@ -7,10 +7,12 @@ from cadgen import Design, DesignError
 from cadgen.check import Check, CheckCode, failing
 from cadgen.design.load import load_design
 from cadgen.jobs.assembly_checks import verdict_on_car
+from cadgen.jobs.assembly_files import mounting_notes
 from cadgen.jobs.cam.steering_cam import plan_cam
-from cadgen.jobs.car_assembly import parts_in
+from cadgen.jobs.car_assembly import parts_in, put_together
 from cadgen.jobs.car_frame import CarFrame, car_frame, frame_in
 from cadgen.jobs.frame_parts import frame_parts
+from cadgen.jobs.gears.gear_train import plan_gears
 
 WEIGHT = "drive={kind='weight', mass_kg=1.0, size_mm=[50, 50, 65], fall_mm=400}"
 MOTOR = "drive={kind='motor', mass_kg=0.1, size_mm=[40, 30, 25]}"
@@ -106,6 +108,20 @@ def test_without_a_drum_the_axle_has_the_strings_hole(weight: CarFrame) -> None:
     assert body.turns == pytest.approx(400 / (np.pi * 6))
     assert hole.start[2] == pytest.approx(weight.frame.carried.z - body.winding / 2)
     assert body.winding >= body.turns
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_the_mounting_plan_winds_the_string_before_the_slack_is_taken_up() -> None:
+    """400 mm of string on a circle of 6 mm are 21.2 turns; by the teeth, 5 x 3 x 3, they turn the cam back by 170°."""
+    design = Design.load("workshop_car", [WEIGHT, "mechanics.drive_energy_J="]).values
+    notes = [str(note) for note in mounting_notes(put_together(plan_cam(design, "actual"), plan_gears(design)))]
+    first = [note.split()[0] for note in notes]
+    assert first.index("Knot") < first.index("Wind") < first.index("Take") < first.index("Start:")
+    turns, ratio = 400 / (np.pi * 6.0), 150 / 30 * 120 / 40 * 120 / 40
+    wind = notes[first.index("Wind")]
+    assert f"{turns:.1f} turns" in wind
+    assert f"by {360 * turns / ratio:.0f}°" in wind
 
 
 def test_cures_of_the_energy_pass_when_they_are_put_in() -> None:

@@ -329,7 +329,7 @@ def test_the_mounting_plan_says_order_direction_place_and_hold(car: CarAssembly)
         "direction": all(step.way in ("from the left", "from the right") for step in put_on),
         "place": all(re.fullmatch(r"-?[\d.]+ … -?[\d.]+ mm", step.place) for step in put_on),
         "held": all(step.remark for step in steps),
-        "slack": "Take up the slack" in notes,
+        "slack": "Take up the slack before each start, after the string is wound" in notes and "0.05°" in notes,
         "zero": "Start: turn the drive forward" in notes,
         "trim": "Trim: after a trial run" in notes,
     }

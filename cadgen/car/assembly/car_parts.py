@@ -133,12 +133,20 @@ class Drilled(NamedTuple):
         direction: direction in which it is drilled, a unit vector.
         diameter: diameter, mm.
         depth: depth, mm.
+        beyond: way by which the tool stands out at either end of a hole through a round part, mm.
     """
 
     start: tuple[float, float, float]
     direction: tuple[float, float, float]
     diameter: float
     depth: float
+    beyond: float = 0.0
+
+    @property
+    def tool(self) -> tuple[tuple[float, float, float], float]:
+        """Start and length of the tool, mm."""
+        x, y, z = (at - self.beyond * way for at, way in zip(self.start, self.direction, strict=True))
+        return (x, y, z), self.depth + 2 * self.beyond
 
 
 @dataclass(frozen=True, slots=True, eq=False)

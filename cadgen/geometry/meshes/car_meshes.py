@@ -60,9 +60,10 @@ def _drilled(hole: Drilled, chord: float) -> Manifold:
     axis = np.asarray(hole.direction)
     beside = np.cross(axis, np.eye(3)[int(np.argmin(np.abs(axis)))])
     beside /= np.linalg.norm(beside)
-    place = np.column_stack([beside, np.cross(axis, beside), axis, hole.start])
+    start, length = hole.tool
+    place = np.column_stack([beside, np.cross(axis, beside), axis, start])
     section = CrossSection([circle((0.0, 0.0), hole.diameter / 2).polygon(chord)])
-    return Manifold.extrude(section, hole.depth).transform(place)
+    return Manifold.extrude(section, length).transform(place)
 
 
 class Seen(NamedTuple):

@@ -18,6 +18,7 @@ from OCP.XCAFDoc import XCAFDoc_DocumentTool, XCAFDoc_ShapeTool
 from cadgen.arrays import Array
 from cadgen.car.assembly.car_parts import Block, BodyShape, CarPart, DiscShape, Prism, Shape
 from cadgen.errors import FileError
+from cadgen.geometry.solids.crossing import with_exact_crossings
 from cadgen.geometry.solids.disc_solid import cam_part
 from cadgen.geometry.solids.gear_solids import body_solid
 from cadgen.geometry.solids.kernel import SolidPart, boolean, contour_edges, faces, is_valid, prism, solids, volume
@@ -52,10 +53,13 @@ def _block(block: Block, name: str) -> TopoDS_Solid:
     made = boolean(BRepAlgoAPI_Fuse(), first, others, _UNJOINED) if others else first
     away = [_prism(each) for each in block.cuts]
     for hole in block.drilled:
-        axis = gp_Ax2(gp_Pnt(*hole.start), gp_Dir(*hole.direction))
-        away.append(BRepPrimAPI_MakeCylinder(axis, hole.diameter / 2, hole.depth).Shape())
+        start, length = hole.tool
+        axis = gp_Ax2(gp_Pnt(*start), gp_Dir(*hole.direction))
+        away.append(BRepPrimAPI_MakeCylinder(axis, hole.diameter / 2, length).Shape())
     if away:
         made = boolean(BRepAlgoAPI_Cut(), made, away, _UNJOINED)
+    if any(hole.beyond for hole in block.drilled):
+        made = with_exact_crossings(made)
     bodies = solids(made)
     if len(bodies) != 1 or not is_valid(bodies[0]):
         raise FileError(

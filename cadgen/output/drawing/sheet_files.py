@@ -8,7 +8,7 @@ import io
 import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 from itertools import pairwise
 from pathlib import Path
 
@@ -112,18 +112,74 @@ _SYMBOLS = {
 _DIMGAP = 0.6  # mm on paper between a dimension line and its number
 
 
-def dxf_bytes(drawing: DrawingSheet, language: str = ENGLISH) -> bytes:
-    """The DXF of a sheet: the same bytes for the same sheet and language."""
-    with fixed_dates():
-        document = document_of(drawing, language, _PLAIN)
-        for entity in document.modelspace().query("TEXT"):
-            entity.dxf.text = entity.dxf.text.replace(DIAMETER, _SIGN)
-        # Of the classes that every file has, ezdxf keeps a set, whose order is by chance.
-        document.classes.add_required_classes(document.dxfversion)
-        document.classes.classes = dict(sorted(document.classes.classes.items()))
-        text = io.StringIO()
-        document.write(text)
-    return text.getvalue().encode(document.output_encoding, errors="dxfreplace")
+@dataclass(frozen=True)
+class SheetDocument:
+    """Sheet as a document of ezdxf, made once for its DXF and its page.
+
+    Attributes:
+        drawing: sheet.
+        language: language of its texts.
+    """
+
+    drawing: DrawingSheet
+    language: str = ENGLISH
+
+    @cached_property
+    def _document(self) -> Document:
+        with fixed_dates():
+            return document_of(self.drawing, self.language)
+
+    def dxf(self) -> bytes:
+        """The DXF: the same bytes for the same sheet and language."""
+        document = self._document
+        texts = document.modelspace().query("TEXT")
+        with fixed_dates():
+            if any(letter in text.dxf.text for text in texts for letter in map(chr, _PLAIN)):
+                document = document_of(self.drawing, self.language, _PLAIN)
+                texts = document.modelspace().query("TEXT")
+            read = [text.dxf.text for text in texts]
+            for text in texts:
+                text.dxf.text = text.dxf.text.replace(DIAMETER, _SIGN)
+            # Of the classes that every file has, ezdxf keeps a set, whose order is by chance.
+            document.classes.add_required_classes(document.dxfversion)
+            document.classes.classes = dict(sorted(document.classes.classes.items()))
+            written = io.StringIO()
+            document.write(written)
+        for text, before in zip(texts, read, strict=True):
+            text.dxf.text = before
+        return written.getvalue().encode(document.output_encoding, errors="dxfreplace")
+
+    def page(self) -> bytes:
+        """The page, in its true size: the same bytes for the same sheet, language, fonts and libraries.
+
+        Raises:
+            NoFontError: the system has no font for Chinese, Japanese or Korean letters of the sheet.
+        """
+        know_font()
+        width, height = SIZES[self.drawing.size]
+        figure = Figure(figsize=(width / _INCH, height / _INCH))
+        axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
+        document = self._document
+        texts = [text.dxf for text in document.modelspace().query("TEXT")]
+        if letters := frozenset("".join(text.text for text in texts if text.style == FAR_EASTERN_STYLE)):
+            document.styles.get(FAR_EASTERN_STYLE).dxf.font = know_far_eastern(letters)
+        backend = _Backend(axes, adjust_figure=False)
+        look = Configuration(
+            background_policy=BackgroundPolicy.WHITE,
+            color_policy=ColorPolicy.BLACK,
+            lineweight_policy=LineweightPolicy.ABSOLUTE,
+            lineweight_scaling=_POINT,  # matplotlib counts points where the drawing counts mm
+            min_lineweight=_THINNEST * _POINT,
+        )
+        Frontend(RenderContext(document), backend, config=look).draw_layout(document.modelspace(), finalize=True)
+        _searchable(axes, document)
+        if letters:
+            document.styles.get(FAR_EASTERN_STYLE).dxf.font = _FAR_EASTERN_FONT
+        axes.set_aspect("equal", adjustable="box")
+        axes.axis((0.0, width, 0.0, height))
+        page = io.BytesIO()
+        figure.savefig(page, format="pdf", metadata={"CreationDate": None, "Title": self.drawing.title.number})
+        return page.getvalue()
 
 
 def document_of(drawing: DrawingSheet, language: str = ENGLISH, plain: Mapping[int, str] | None = None) -> Document:
@@ -574,37 +630,6 @@ _POINT = 72 / _INCH  # points in a mm
 _CAPITAL = 0.73  # height of a capital letter in sizes of its font
 _LATIN = Path(matplotlib.get_data_path()) / "fonts" / "ttf" / FONT
 _THINNEST = 0.13  # mm
-
-
-def pdf_bytes(drawing: DrawingSheet, language: str = ENGLISH) -> bytes:
-    """The page of a sheet, in its true size: the same bytes for the same sheet, language, fonts and libraries.
-
-    Raises:
-        NoFontError: the system has no font for Chinese, Japanese or Korean letters of the sheet.
-    """
-    know_font()
-    width, height = SIZES[drawing.size]
-    figure = Figure(figsize=(width / _INCH, height / _INCH))
-    axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
-    document = document_of(drawing, language)
-    texts = [text.dxf for text in document.modelspace().query("TEXT")]
-    if letters := frozenset("".join(text.text for text in texts if text.style == FAR_EASTERN_STYLE)):
-        document.styles.get(FAR_EASTERN_STYLE).dxf.font = know_far_eastern(letters)
-    backend = _Backend(axes, adjust_figure=False)
-    look = Configuration(
-        background_policy=BackgroundPolicy.WHITE,
-        color_policy=ColorPolicy.BLACK,
-        lineweight_policy=LineweightPolicy.ABSOLUTE,
-        lineweight_scaling=_POINT,  # matplotlib counts points where the drawing counts mm
-        min_lineweight=_THINNEST * _POINT,
-    )
-    Frontend(RenderContext(document), backend, config=look).draw_layout(document.modelspace(), finalize=True)
-    _searchable(axes, document)
-    axes.set_aspect("equal", adjustable="box")
-    axes.axis((0.0, width, 0.0, height))
-    page = io.BytesIO()
-    figure.savefig(page, format="pdf", metadata={"CreationDate": None, "Title": drawing.title.number})
-    return page.getvalue()
 
 
 def _searchable(axes: Axes, document: Document) -> None:

@@ -7,9 +7,11 @@ from OCP.BRepGProp import BRepGProp
 from OCP.GProp import GProp_GProps
 from scipy.integrate import quad
 
+from cadgen.car.assembly.car_parts import Block, Drilled, Prism
 from cadgen.curves.contour import circle
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.wheel_body import gear_body
+from cadgen.geometry.solids.car_solids import shape_solid
 from cadgen.geometry.solids.disc_solid import cam_part
 from cadgen.geometry.solids.gear_solids import body_solid
 from cadgen.geometry.solids.kernel import SolidPart, edges_on_surfaces, is_valid, solids, volume
@@ -83,3 +85,19 @@ def test_the_screw_of_a_gears_hub(tmp_path):
     exact = body.prismatic_volume - drilled(8.0, 4.0, 1.5)
     assert edges_on_surfaces(again)
     assert volume(again) == pytest.approx(exact, rel=1e-7)
+
+
+def test_a_hole_through_a_shaft_is_read_back(tmp_path):
+    """Hole of 1.5 mm for a string across an axle of 5 mm; its volume by quadrature."""
+    axle = Block(
+        (Prism(circle((0.0, 0.0), 2.5), -10.0, 10.0),),
+        drilled=(Drilled((0.0, -2.5, 0.0), (0.0, 1.0, 0.0), 1.5, 5.0, 1.5),),
+    )
+    solid = shape_solid(axle, "axle")
+    again = read_again(
+        SolidPart(solid=solid, name="axle", description="", colour=(0.5, 0.5, 0.5)), tmp_path / "axle.step"
+    )
+    assert is_valid(again)
+    assert edges_on_surfaces(solids(again)[0])
+    hole = quad(lambda y: 4 * sqrt((0.75**2 - y**2) * (2.5**2 - y**2)), -0.75, 0.75, epsabs=1e-12)[0]
+    assert volume(again) == pytest.approx(pi * 2.5**2 * 20 - hole, rel=1e-9)

@@ -249,7 +249,7 @@ def test_a_title_in_chinese_is_drawn_with_a_font_of_the_system(tmp_path, monkeyp
 
     from cadgen.jobs.drawings import write_sheet
     from cadgen.output.drawing import sheet_files
-    from cadgen.output.drawing.sheet_files import pdf_bytes
+    from cadgen.output.drawing.sheet_files import SheetDocument
 
     chinese, omitted = sheet(title="无碳小车", finish="Ra 1.6，去毛刺"), {}
     monkeypatch.setattr(sheet_files, "_far_eastern_files", lambda: ())
@@ -260,7 +260,7 @@ def test_a_title_in_chinese_is_drawn_with_a_font_of_the_system(tmp_path, monkeyp
     assert texts["d"] == "CADGEN"
     monkeypatch.undo()
     try:
-        page = pdf_bytes(chinese)
+        page = SheetDocument(chinese).page()
     except sheet_files.NoFontError:
         pytest.skip("this system has no font with Chinese letters")
     assert page.startswith(b"%PDF")
@@ -403,11 +403,11 @@ def test_no_text_of_a_sheet_lies_on_another_and_heights_are_those_of_the_series(
 @pytest.mark.parametrize("language", ["en", "zh"])
 def test_the_text_of_a_page_is_found_by_a_search(toleranced, tmp_path, language):
     """Words with ligatures, Greek letters, limits that stand upright, and Chinese ones: oblique ones it takes apart."""
-    from cadgen.output.drawing.sheet_files import NoFontError, pdf_bytes
+    from cadgen.output.drawing.sheet_files import NoFontError, SheetDocument
 
     page = tmp_path / "page.pdf"
     try:
-        page.write_bytes(pdf_bytes(toleranced[1], language))
+        page.write_bytes(SheetDocument(toleranced[1], language).page())
     except NoFontError:
         pytest.skip("this system has no font with Chinese letters")
     found = subprocess.run(["pdftotext", str(page), "-"], capture_output=True, text=True, check=True).stdout
