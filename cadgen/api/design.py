@@ -10,7 +10,7 @@ from cadgen.api.measured import Data, reading_of, sources_of
 from cadgen.api.values import instance, map_of, optional, whole, word
 from cadgen.design import load
 from cadgen.design.schema import MotionDesign
-from cadgen.errors import DesignError
+from cadgen.errors import DesignError, FileError
 from cadgen.gears.choices import Order
 from cadgen.progress import Progress, silent
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from cadgen.api.calibration import Advice, Calibration, Calibrations
     from cadgen.api.cam import Cam
     from cadgen.api.found_cam import ComparedCam, FoundCam
-    from cadgen.api.measured_gears import MeasuredTrain
+    from cadgen.api.measured_gears import MeasuredGear, MeasuredTrain
     from cadgen.api.planning import Plan
     from cadgen.api.runs import Comparison
     from cadgen.api.values import Pool
@@ -342,6 +342,58 @@ class Design(LoadedDesign):
         from cadgen.jobs.measured_gears.measured_train import judge_train
 
         sources = sources_of(data, reading_of(self.values, columns), known=KINDS, progress=progress)
+        return MeasuredTrain.of(judge_train(self.values, self.text, sources, progress))
+
+    def judge_gear(
+        self,
+        data: Data | Iterable[Data],
+        *,
+        columns: Mapping[str, str] | None = None,
+        progress: Progress = silent,
+    ) -> "MeasuredGear":
+        """Find what one measured gear of the train has: deviations by ISO 1328-1:2013, its errors, its thickness.
+
+        Args:
+            data: records of one gear, judged together: `tooth`, `flank`, and `pitch_um` or `index_um`, `roll_length_mm`
+                with `profile_um`, `face_mm` with `helix_um`; or spans, or sizes over balls; paths, or columns.
+            columns: as of `calibrate`.
+            progress: function that is called with a few words on each step.
+
+        Raises:
+            DesignError: the design has no train of pairs.
+            FileError: data cannot be read, or do not say which gear they are of.
+        """
+        from cadgen.api.measured_gears import MeasuredGear
+        from cadgen.inference.gearing.flank_kinds import GEAR_KINDS
+        from cadgen.jobs.measured_gears.measured_gear import judge_gear
+
+        sources = sources_of(data, reading_of(self.values, columns), known=GEAR_KINDS, progress=progress)
+        return MeasuredGear.of(judge_gear(self.values, self.text, sources, progress))
+
+    def judge_gears(
+        self,
+        data: Data | Iterable[Data],
+        *,
+        columns: Mapping[str, str] | None = None,
+        progress: Progress = silent,
+    ) -> "MeasuredGear | MeasuredTrain":
+        """Judge one gear or the whole train, as the columns of the data say; arguments and errors as of both."""
+        from cadgen.api.measured_gears import MeasuredGear, MeasuredTrain
+        from cadgen.inference.gearing.flank_kinds import GEAR_KINDS
+        from cadgen.inference.gearing.record_kinds import KINDS
+        from cadgen.jobs.measured_gears.measured_gear import judge_gear
+        from cadgen.jobs.measured_gears.measured_train import judge_train
+
+        both = (*KINDS, *GEAR_KINDS)
+        sources = sources_of(data, reading_of(self.values, columns), known=both, progress=progress)
+        of_gear = [source.kind in GEAR_KINDS for source in sources]
+        if any(of_gear) and not all(of_gear):
+            raise FileError(
+                "{file} is of one gear, and others are of the whole train: judge them one after the other",
+                file=sources[of_gear.index(True)].path.name,
+            )
+        if all(of_gear):
+            return MeasuredGear.of(judge_gear(self.values, self.text, sources, progress))
         return MeasuredTrain.of(judge_train(self.values, self.text, sources, progress))
 
     def next_measurement(

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from cadgen.api.calibration import Advice, Calibration, Predictions
     from cadgen.api.design import Design
     from cadgen.api.found_cam import ComparedCam, FoundCam
-    from cadgen.api.measured_gears import MeasuredTrain
+    from cadgen.api.measured_gears import MeasuredGear, MeasuredTrain
     from cadgen.progress import Progress
 
 
@@ -221,7 +221,8 @@ def calibrate(
     that is stated, what differs is found: disc, follower, phase, bore, wrong side up.
 
     With [train] alone, or with --train, FILE holds angles at the input and the output of the train, with the torque or
-    without: play, wind-up, run-out of each wheel and tooth mesh are found, and --out writes the corrected design.
+    without: play, wind-up, run-out of each wheel and tooth mesh are found, and --out writes the corrected design. Or
+    it holds pitches, profile or helix lines, spans or sizes over balls of one gear, for its class and errors.
 
     The exit code is 1 if not all that was measured is explained.
     """
@@ -316,10 +317,10 @@ def _part_alone(
     from cadgen.cli import show
     from cadgen.output.report.terminal import write
 
-    result: FoundCam | ComparedCam | MeasuredTrain
+    result: FoundCam | ComparedCam | MeasuredGear | MeasuredTrain
     with show.progress(not as_json) as progress:
         if train_alone:
-            result = loaded.judge_train(files, columns=columns, progress=progress)
+            result = loaded.judge_gears(files, columns=columns, progress=progress)
         else:
             judge = loaded.find_motion if loaded.to_be_measured else loaded.compare_cam
             result = judge(files, columns=columns, progress=progress)

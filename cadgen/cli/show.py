@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from cadgen.api.cam import Cam, Cures
     from cadgen.api.exploration import Exploration
     from cadgen.api.found_cam import ComparedCam, FoundCam
-    from cadgen.api.measured_gears import MeasuredTrain
+    from cadgen.api.measured_gears import MeasuredGear, MeasuredTrain
     from cadgen.api.planning import Plan
 
 
@@ -418,7 +418,7 @@ def explained(result: "Calibration[Design] | Calibrations[Design]", *, written: 
         verdict(result.readiness, said, Message("--out writes the as-built design, for cadgen cam"))
 
 
-def found(result: "FoundCam | ComparedCam | MeasuredTrain", *, written: bool) -> None:
+def found(result: "FoundCam | ComparedCam | MeasuredGear | MeasuredTrain", *, written: bool) -> None:
     """Print whether a measured cam or train is explained, and what to do next.
 
     Args:
@@ -428,7 +428,9 @@ def found(result: "FoundCam | ComparedCam | MeasuredTrain", *, written: bool) ->
     from cadgen.api.found_cam import ComparedCam, FoundCam
 
     if not isinstance(result, FoundCam | ComparedCam):
-        _train(result, written=written)
+        from cadgen.api.measured_gears import MeasuredGear
+
+        (_gear if isinstance(result, MeasuredGear) else _train)(result, written=written)  # type: ignore[arg-type]
         return
     if not isinstance(result, FoundCam):
         _compared(result)
@@ -461,6 +463,18 @@ def _train(result: "MeasuredTrain", *, written: bool) -> None:
         verdict(result.readiness, Message("what was measured has more than one cause"), step)
     else:
         verdict(result.readiness, Message("what was measured is explained"), step)
+
+
+def _gear(result: "MeasuredGear", *, written: bool) -> None:
+    step: str = Message("--out writes the design as built") if result.designs else ""
+    if written and result.designs:
+        step = Message("cadgen gears on {name}.toml", name=next(iter(result.designs)))
+    if result.readiness == Readiness.NOT_READY:
+        verdict(result.readiness, Message("the flanks do not keep the grade of the design"), step)
+    elif result.readiness == Readiness.RESERVATIONS:
+        verdict(result.readiness, Message("the thickness is not that of the design"), step)
+    else:
+        verdict(result.readiness, Message("the gear is as designed, within its grade"), step)
 
 
 def _compared(result: "ComparedCam") -> None:

@@ -7,6 +7,7 @@
 | `ring`            | numbers of an internal gear -> exact curves of its teeth; its pinion cutter           |
 | `internal`        | reserves of internal pairs, and how long a ring's tips may be                         |
 | `tolerances`      | ISO 1328-1, ISO 1328-2, ISO 286: grade and size -> tolerances                         |
+| `flank_tolerances` | ISO 1328-1:2013: flank tolerances by class, and the class a deviation reaches        |
 | `fits`            | fits by name (ISO 286), free angle of keys and D-flats                                |
 | `distribution`    | sum of contributions free in their zones: bounds, moments, quantiles, samples         |
 | `stage`           | what a stage is, with teeth or without: ratio, play, wheels, checks, facts            |

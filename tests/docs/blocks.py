@@ -28,6 +28,7 @@ _FILES = (
     "tests/data/measured/track_b.csv",
     "docs/examples/old_cam.csv",
     "docs/examples/reducer_angles.csv",
+    *(f"docs/examples/gear_{each}.csv" for each in ("pitch", "profile", "helix", "span")),
 )
 
 # Runs `cadgen` with arguments in a folder and returns exit code and what it prints.

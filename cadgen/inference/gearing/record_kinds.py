@@ -12,17 +12,34 @@ _LEAST_ROWS = 24
 MOST_ROWS = 20_000
 
 
-def _kind(code: str, title: str, columns: tuple[Column, ...]) -> Kind:
-    """Kind of which records are judged together, without effects to choose from."""
+def judged_together(
+    code: str,
+    title: str,
+    columns: tuple[Column, ...],
+    *,
+    reading: int = -1,
+    least_rows: int = _LEAST_ROWS,
+    most_rows: int = MOST_ROWS,
+    counts: int = 0,
+) -> Kind:
+    """Kind of which records are judged together, without effects to choose from.
+
+    Args:
+        code, title: as of a kind.
+        columns: of a file.
+        reading: place of the column that the instrument reads.
+        least_rows, most_rows, counts: as of a kind.
+    """
     return Kind(
         code=code,
         title=title,
         columns=columns,
-        readings=(columns[1].name,),
+        readings=(columns[reading].name,),
         catalogue=Catalogue(),
         datum=Datum(words=""),
-        least_rows=_LEAST_ROWS,
-        most_rows=MOST_ROWS,
+        least_rows=least_rows,
+        most_rows=most_rows,
+        counts=counts,
         nearness=0,
     )
 
@@ -30,14 +47,15 @@ def _kind(code: str, title: str, columns: tuple[Column, ...]) -> Kind:
 _ANGLES = tuple(
     Column(name=name, lower=-_MOST_DEG, upper=_MOST_DEG) for name in ("input_angle_deg", "output_angle_deg")
 )
-TRAIN = _kind("train", "Transmission of a train", _ANGLES)
-LOADED_TRAIN = _kind(
+TRAIN = judged_together("train", "Transmission of a train", _ANGLES)
+LOADED_TRAIN = judged_together(
     "loaded train",
     "Transmission of a train under load",
     (*_ANGLES, Column(name="output_torque_Nm", lower=-_MOST_NM, upper=_MOST_NM)),
+    reading=1,
 )
 # Angles by the names that a car has for them.
-MOTOR_AND_CAM = _kind(
+MOTOR_AND_CAM = judged_together(
     "train of a camshaft",
     "Transmission of a train to its camshaft",
     tuple(Column(name=name, lower=-_MOST_DEG, upper=_MOST_DEG) for name in ("motor_angle_deg", "cam_angle_deg")),

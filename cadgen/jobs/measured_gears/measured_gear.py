@@ -1,0 +1,589 @@
+"""Measured gear of a train: flank lines, pitch, span or size over balls -> its errors, class, play, and a change."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from math import degrees, pi, sin, tan
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from scipy.optimize import brentq
+
+from cadgen.design import gear_model
+from cadgen.design.load import train_of
+from cadgen.design.override import override
+from cadgen.design.schema import TrainDesign
+from cadgen.errors import DesignError, FileError
+from cadgen.figures import Cell, Facts, Sheet, State, number
+from cadgen.gears.contact import path_of_contact
+from cadgen.gears.flank_tolerances import class_reached, class_tolerance, covered
+from cadgen.gears.inspection import size_over_pins, span_over
+from cadgen.gears.spur import SpurPair
+from cadgen.gears.tooth import GearForm
+from cadgen.gears.train import Train, thinned
+from cadgen.inference.gearing.flank_kinds import (
+    BALLS,
+    GEAR_KINDS,
+    HELIX_LINES,
+    INDEX,
+    PITCH,
+    PROFILE_DIAMETERS,
+    PROFILE_LINES,
+    SPANS,
+    by_roll,
+    gear_place,
+    refuse_teeth,
+)
+from cadgen.inference.gearing.flank_lines import (
+    HelixErrors,
+    Measured,
+    PitchErrors,
+    ProfileErrors,
+    Range,
+    Sized,
+    helix_errors,
+    pitch_errors,
+    profile_errors,
+    profile_range,
+)
+from cadgen.inference.measurement.record import Record, join, understood_of
+from cadgen.jobs.calibration.sources import Source
+from cadgen.messages import Message, joined
+from cadgen.output.files.manifest import Origin
+from cadgen.output.report.terminal import Block
+from cadgen.progress import Progress, silent
+from cadgen.verdict import Readiness
+
+_UM = 1e3
+_SYMBOLS = {
+    "f_p": "f_p",
+    "F_p": "F_p",
+    "F_r": "F_r",
+    "f_Halpha": "f_Hα",
+    "f_falpha": "f_fα",
+    "F_alpha": "F_α",
+    "f_Hbeta": "f_Hβ",
+    "f_fbeta": "f_fβ",
+    "F_beta": "F_β",
+}
+_NAMES = {
+    "f_p": Message("single pitch"),
+    "F_p": Message("cumulative pitch"),
+    "F_r": Message("run-out of the teeth"),
+    "f_Halpha": Message("profile slope"),
+    "f_falpha": Message("profile form"),
+    "F_alpha": Message("profile, total"),
+    "f_Hbeta": Message("helix slope"),
+    "f_fbeta": Message("helix form"),
+    "F_beta": Message("helix, total"),
+}
+_COARSEST = 11  # class of ISO 1328-1:2013
+__all__ = ["GEAR_KINDS", "MeasuredGearPlan", "gear_report", "judge_gear"]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class MeasuredGearPlan:
+    """Measured gear beside its design. Lengths mm, angles rad.
+
+    Attributes:
+        design: design with the train.
+        text: text of its file.
+        sources: measured files.
+        train: train as it is made by the design.
+        stage: number of its stage, from 0.
+        driver: whether it is the driver.
+        pitch, profile, helix: errors; None where that was not measured.
+        thickness: deviation E_sn of its teeth by spans or balls; None where neither was measured.
+    """
+
+    design: TrainDesign
+    text: str
+    sources: tuple[Source, ...]
+    train: Train
+    stage: int
+    driver: bool
+    pitch: PitchErrors | None
+    profile: ProfileErrors | None
+    helix: HelixErrors | None
+    thickness: Sized | None
+
+    def __repr__(self) -> str:
+        return f"<MeasuredGear of {self.names}: class {self.reached}>"
+
+    @property
+    def names(self) -> str:
+        """Names of the files."""
+        return joined([source.path.name for source in self.sources], ", ")
+
+    @property
+    def pair(self) -> SpurPair:
+        """Pair of the gear, as made by the design."""
+        pair = self.train.stages[self.stage]
+        assert isinstance(pair, SpurPair)  # judged when it was made
+        return pair
+
+    @property
+    def form(self) -> GearForm:
+        """Gear as made by the design."""
+        return (self.pair.driver if self.driver else self.pair.driven).form
+
+    @property
+    def grade(self) -> int:
+        """Grade of the design."""
+        return (self.pair.driver if self.driver else self.pair.driven).grade
+
+    @property
+    def measured(self) -> tuple[Measured, ...]:
+        """Deviations by symbol."""
+        return tuple(m for part in (self.pitch, self.profile, self.helix) if part is not None for m in part.measured)
+
+    def class_of(self, each: Measured) -> int | None:
+        """Class of ISO 1328-1:2013 that a deviation reaches; None beyond all.
+
+        Args:
+            each: deviation.
+        """
+        form = self.form
+        return class_reached(each.symbol, form.reference_diameter, form.normal_module, form.width, each.worst)
+
+    @property
+    def reached(self) -> int | None:
+        """Class that all deviations reach; None where one is beyond all, or none was measured."""
+        classes = [self.class_of(each) for each in self.measured]
+        known = [each for each in classes if each is not None]
+        return max(known) if known and len(known) == len(classes) else None
+
+    @property
+    def kept(self) -> bool:
+        """Whether every deviation keeps the class with the number of the design's grade."""
+        return all((reached := self.class_of(each)) is not None and reached <= self.grade for each in self.measured)
+
+    @property
+    def play(self) -> Sized | None:
+        """Play of its pair at the driven wheel with the thickness that was measured, the other gear as designed."""
+        if self.thickness is None:
+            return None
+        return Sized(*(self._play_at(self.thickness.value), abs(self._by_thickness() * self.thickness.sigma)))
+
+    def _play_at(self, thickness: float) -> float:
+        others = [gear.form.tooth_thickness_deviation for gear in (self.pair.driver, self.pair.driven)]
+        both = (thickness, others[1]) if self.driver else (others[0], thickness)
+        return self.pair.cut_to(*both).exact_play()
+
+    def _by_thickness(self) -> float:
+        step = 1e-3
+        at = self.form.tooth_thickness_deviation
+        return (self._play_at(at + step) - self._play_at(at)) / step
+
+    @property
+    def change(self) -> float | None:
+        """Change of the thickness E_sn that the design asks for, mm: below 0, the gear can be cut again."""
+        if self.thickness is None:
+            return None
+        return self.form.tooth_thickness_deviation - self.thickness.value
+
+    @property
+    def readiness(self) -> Readiness:
+        """Whether the class and, where it was measured, the thickness are those of the design."""
+        if not self.kept:
+            return Readiness.NOT_READY
+        sized = self.thickness is None or abs(self.change or 0.0) <= max(4 * self.thickness.sigma, _SAME)
+        return Readiness.READY if sized else Readiness.RESERVATIONS
+
+    @cached_property
+    def as_built(self) -> str | None:
+        """Text of the design with the gear as it was measured; None where nothing of that has a key."""
+        import tomlkit
+
+        values: Any = tomlkit.parse(self.text)
+        for line in self.design.overrides:
+            override(values, line)
+        name = f"{self.design.name}_as_built"
+        if "name" in values:
+            values["name"] = name
+        stage = values["train"]["stages"][self.stage]
+        gear = stage["driver" if self.driver else "driven"]
+        found = {each.symbol: round(_UM * each.worst, 1) for each in self.measured}
+        keys = {"f_pt_um": found.get("f_p"), "F_r_um": found.get("F_r"), "F_beta_um": found.get("F_beta")}
+        for key, value in keys.items():
+            if value is not None:
+                gear[key] = value
+        if self.thickness is not None:
+            for key in ("backlash_um", "backlash_deg", "backlash_share"):
+                stage.pop(key, None)
+            for key in ("E_sns_um", "T_sn_um"):
+                gear.pop(key, None)
+            gear["E_sn_um"] = round(_UM * self.thickness.value, 1)
+        elif not any(value is not None for value in keys.values()):
+            return None
+        made = str(values.as_string())
+        if "name" not in values:
+            made = f'name = "{name}"\n{made}'
+        said = Message("Written by cadgen calibrate: as built by {names}.", names=self.names)
+        made = f"# {said}\n{made}"
+        try:
+            gear_model.train(train_of(made, Path(f"{name}.toml")))
+        except DesignError:
+            return None
+        return made
+
+    def entry(self) -> Facts:
+        """Everything, as in the JSON file."""
+        facts = Origin.of(self.design).entry() | Facts(
+            files=[Facts(file=s.path.name, kind=s.kind.code, sha256=s.sha256) for s in self.sources],
+            understood=[note for source in self.sources for note in source.record.notes],
+            readiness=self.readiness.value,
+            stage=self.stage + 1,
+            driver=self.driver,
+            teeth=self.form.teeth,
+            grade=self.grade,
+            reached=self.reached,
+            deviations=[
+                Facts(
+                    symbol=each.symbol,
+                    left_um=None if each.left is None else _UM * each.left,
+                    right_um=None if each.right is None else _UM * each.right,
+                    reached=self.class_of(each),
+                )
+                for each in self.measured
+            ],
+            errors=[Facts(error=code, value=value, sigma=s, unit=unit) for code, value, s, unit in self._sizes()],
+        )
+        if self.thickness is not None and self.play is not None and self.change is not None:
+            facts |= Facts(
+                E_sn_um=_UM * self.thickness.value,
+                E_sn_sigma_um=_UM * self.thickness.sigma,
+                play_deg=degrees(self.play.value),
+                change_um=_UM * self.change,
+            )
+        return facts
+
+    def _sizes(self) -> list[tuple[str, float, float, str]]:
+        found: list[tuple[str, Sized | None, float, str]] = []
+        if self.pitch is not None:
+            found += [("eccentricity", self.pitch.off, _UM, "um"), ("table", self.pitch.table, _UM, "um")]
+        if self.profile is not None:
+            found += [
+                ("pressure-angle", self.profile.tool, degrees(1), "deg"),
+                ("cutter", self.profile.cutter, _UM, "um"),
+            ]
+        if self.helix is not None:
+            found += [
+                ("helix-angle", self.helix.angle, degrees(1), "deg"),
+                ("taper", self.helix.taper, _UM, "um"),
+                ("leaning", self.helix.leaning, degrees(1), "deg"),
+            ]
+        return [(code, scale * each.value, scale * each.sigma, unit) for code, each, scale, unit in found if each]
+
+
+_SAME = 2e-3  # mm of thickness that no shop tells apart
+
+
+def judge_gear(
+    design: TrainDesign, text: str, sources: Sequence[Source], progress: Progress = silent
+) -> MeasuredGearPlan:
+    """Errors of one gear of a train.
+
+    Args:
+        design: design with a train.
+        text: text of its file.
+        sources: measured files of kinds `GEAR_KINDS`, of one gear.
+        progress: function that is called with a few words on each step.
+
+    Raises:
+        DesignError: the design has no train, or it cannot be made.
+        FileError: the records do not say which gear it is, or are not of it.
+    """
+    made = thinned(gear_model.train(design))
+    records = [source.record for source in sources]
+    pairs = [stage for stage in made.stages if isinstance(stage, SpurPair)]
+    if len(pairs) < len(made.stages):
+        raise DesignError("{name} has stages that are no pairs of gears: give a design of the pair", name=design.name)
+    stage, driver = gear_place(records, [(pair.driver.form.teeth, pair.driven.form.teeth) for pair in pairs])
+    form = (pairs[stage].driver if driver else pairs[stage].driven).form
+    if form.side < 0:
+        raise DesignError("{gear} is an internal gear: flanks of external gears alone are judged", gear=str(form))
+    for record in records:
+        refuse_teeth(record, form.teeth)
+    progress(Message("comparing"))
+
+    def of(*kinds: object) -> Record | None:
+        some = [record for record in records if record.kind in kinds]
+        return join(some) if some else None
+
+    pitch, helix = of(PITCH) or of(INDEX), of(HELIX_LINES)
+    lines = [by_roll(each, form.base_diameter) for each in records if each.kind in (PROFILE_LINES, PROFILE_DIAMETERS)]
+    profile = join(lines) if lines else None
+    return MeasuredGearPlan(
+        design=design,
+        text=text,
+        sources=tuple(sources),
+        train=made,
+        stage=stage,
+        driver=driver,
+        pitch=None if pitch is None else pitch_errors(pitch, form),
+        profile=None if profile is None else profile_errors(profile, form, _profile_range(pairs[stage], driver)),
+        helix=None if helix is None else helix_errors(helix, form),
+        thickness=_thickness(of(SPANS), of(BALLS), form),
+    )
+
+
+def _profile_range(pair: SpurPair, driver: bool) -> Range:
+    """Range of evaluation: from where contact with the other gear of the design begins to the tip."""
+    form = (pair.driver if driver else pair.driven).form
+    start, end = path_of_contact(pair)
+    first = pair.by_size[0].form is form
+    line = pair.centre_distance * sin(pair.pressure_angle(pair.centre_distance))
+    control = start if first else abs(line - end)
+    return profile_range(control, form.base_diameter / 2 * form.roll_angle(form.tip_form_diameter))
+
+
+_REACH = 0.3  # modules of E_sn on either side, within which thickness is sought
+
+
+def _thickness(spans: Record | None, balls: Record | None, form: GearForm) -> Sized | None:
+    """Thickness deviation E_sn, mm, by spans and sizes over balls."""
+    values: list[float] = []
+    for record, by, size in ((spans, "teeth_spanned", "span_mm"), (balls, "ball_diameter_mm", "over_balls_mm")):
+        if record is None:
+            continue
+        for gauge, read in zip(record[by], record[size], strict=True):
+
+            def off(deviation: float, gauge: float = gauge, read: float = read, over: Record = record) -> float:
+                cut = form.cut_to(deviation)
+                return (span_over(cut, round(gauge)) if over is spans else size_over_pins(cut, gauge)) - read
+
+            reach = _REACH * form.normal_module
+            try:
+                if off(-reach) * off(reach) > 0:
+                    raise ValueError
+                values.append(float(brentq(off, -reach, reach, xtol=1e-9)))
+            except (ValueError, DesignError):
+                raise FileError(
+                    "{file}: {size:g} mm is no size of {gear} over {gauge:g}: correct it, or the line that says which "
+                    "gear it is",
+                    file=record.source,
+                    size=read,
+                    gear=str(form),
+                    gauge=gauge,
+                ) from None
+    if not values:
+        return None
+    spread = float(np.std(values, ddof=1)) / len(values) ** 0.5 if len(values) > 1 else _READ
+    return Sized(float(np.mean(values)), max(spread, 1e-6))
+
+
+_READ = 2e-3  # mm to which a span is read
+
+
+def gear_report(plan: MeasuredGearPlan) -> list[Block]:
+    """Report of a measured gear.
+
+    Args:
+        plan: measured gear.
+    """
+    blocks: list[Block] = [understood_of(s.record) for s in plan.sources if s.record.notes]
+    which = Message("driver") if plan.driver else Message("driven wheel")
+    blocks.append(
+        Message(
+            "{files}: {which} of stage {stage}, {gear}; grade {grade} by design.",
+            files=plan.names,
+            which=which,
+            stage=plan.stage + 1,
+            gear=str(plan.form),
+            grade=plan.grade,
+        )
+    )
+    if plan.measured:
+        heads = (
+            Message("Deviation"),
+            Message("Left"),
+            Message("Right"),
+            Message("Class {grade} allows", grade=plan.grade),
+            Message("Class reached"),
+        )
+        rows = tuple(_row(plan, each) for each in plan.measured)
+        blocks.append(Sheet("gear-deviations", Message("Flanks by ISO 1328-1:2013"), heads, rows))
+    blocks += _sentences(plan)
+    return blocks
+
+
+def _row(plan: MeasuredGearPlan, each: Measured) -> tuple[Cell | str, ...]:
+    form, reached = plan.form, plan.class_of(each)
+    allowed = None
+    if covered(form.reference_diameter, form.normal_module, form.width) and plan.grade <= _COARSEST:
+        allowed = _UM * class_tolerance(
+            each.symbol, form.reference_diameter, form.normal_module, form.width, plan.grade
+        )
+    bad = reached is None or reached > plan.grade
+    name = Message("{symbol}, {name}", symbol=_SYMBOLS[each.symbol], name=_NAMES[each.symbol])
+    return (
+        name,
+        number(None if each.left is None else _UM * each.left, "µm", digits=1),
+        number(None if each.right is None else _UM * each.right, "µm", digits=1),
+        number(allowed, "µm", digits=1),
+        Cell(str(reached) if reached is not None else "–", state=State.BAD if bad else State.PLAIN),
+    )
+
+
+def _sentences(plan: MeasuredGearPlan) -> list[Message]:
+    said: list[Message] = []
+    if plan.pitch is not None:
+        said += _of_pitch(plan.pitch, plan.form)
+    if plan.profile is not None:
+        said += _of_profile(plan.profile)
+    if plan.helix is not None:
+        said += _of_helix(plan.helix)
+    if plan.thickness is not None:
+        said += _of_thickness(plan, plan.thickness)
+    return said
+
+
+def _of_pitch(pitch: PitchErrors, form: GearForm) -> list[Message]:
+    if pitch.once is not None and not pitch.once.clear:
+        return []
+    if pitch.once is not None or pitch.off is None or pitch.table is None:
+        size = 0.0 if pitch.once is None else pitch.once.value
+        return [
+            Message(
+                "Once a turn the index is off by {size:.1f} µm: run-out or the indexing of the machine; measure the "
+                "other flanks, too, to tell them apart.",
+                size=_UM * size,
+            )
+        ]
+    said = []
+    if pitch.off.clear:
+        tooth = round(pitch.towards / (2 * pi) * form.teeth) % form.teeth + 1
+        said.append(
+            Message(
+                "The teeth are {off:.1f} ± {sigma:.1f} µm off the axis and stand out at tooth {tooth}: the bore, or "
+                "the part on its arbor. Turned by half a turn on the arbor, the arbor's share changes its side.",
+                off=_UM * pitch.off.value,
+                sigma=_UM * pitch.off.sigma,
+                tooth=tooth,
+            )
+        )
+    if pitch.table.clear:
+        said.append(
+            Message(
+                "Once a turn the index is off by {size:.1f} ± {sigma:.1f} µm alike on both flanks: the indexing of the "
+                "machine that cut it, or of the one that measured it.",
+                size=_UM * pitch.table.value,
+                sigma=_UM * pitch.table.sigma,
+            )
+        )
+    return said
+
+
+def _of_profile(profile: ProfileErrors) -> list[Message]:
+    said = _range_lacks(Message("profile"), profile.covered)
+    angle = profile.tool
+    if angle.clear:
+        said.append(
+            Message(
+                "The normal pressure angle is {angle:+.4f}° ± {sigma:.4f}° off: correct the tool by {change:+.4f}°.",
+                angle=degrees(angle.value),
+                sigma=degrees(angle.sigma),
+                change=-degrees(angle.value),
+            )
+        )
+    if profile.cutter is not None and profile.cutter.clear:
+        said.append(
+            Message(
+                "The profile waves once in a base pitch, alike on all teeth: a hob of one start that is {off:.1f} ± "
+                "{sigma:.1f} µm off its axis does so. Set it truer, or grind it.",
+                off=_UM * profile.cutter.value,
+                sigma=_UM * profile.cutter.sigma,
+            )
+        )
+    if profile.between is not None and profile.between.clear:
+        said.append(
+            Message(
+                "Profiles of right and left flanks differ by {size:.1f} µm: the tool leans, or is not at the middle.",
+                size=2 * _UM * abs(profile.between.value),
+            )
+        )
+    return said
+
+
+_ENOUGH = 0.9  # part of the range of evaluation without which a class is not judged as the standard has it
+
+
+def _range_lacks(lines: Message, covered: float) -> list[Message]:
+    if covered >= _ENOUGH:
+        return []
+    return [
+        Message(
+            "The {lines} lines cover {covered:.0%} of the range that the standard evaluates: their class may be worse.",
+            lines=lines,
+            covered=covered,
+        )
+    ]
+
+
+def _of_helix(helix: HelixErrors) -> list[Message]:
+    said = _range_lacks(Message("helix"), helix.covered)
+    if helix.lead.clear:
+        said.append(
+            Message(
+                "The helix angle is {angle:+.4f}° ± {sigma:.4f}° off, {lead:.1f} µm over {length:.1f} mm: correct the "
+                "machine by {change:+.4f}°.",
+                change=-degrees(helix.angle.value),
+                angle=degrees(helix.angle.value),
+                sigma=degrees(helix.angle.sigma),
+                lead=_UM * abs(helix.lead.value),
+                length=helix.length,
+            )
+        )
+    if helix.taper is not None and helix.taper.clear:
+        said.append(
+            Message(
+                "Teeth are thicker at one end by {size:.1f} µm on each flank: the feed, or wear of the tool.",
+                size=_UM * abs(helix.taper.value),
+            )
+        )
+    if helix.leaning is not None and helix.leaning.clear:
+        said.append(
+            Message(
+                "The teeth lean by {angle:.4f}° ± {sigma:.4f}° against the axis: the face that it was clamped on, or "
+                "the part on its arbor.",
+                angle=degrees(helix.leaning.value),
+                sigma=degrees(helix.leaning.sigma),
+            )
+        )
+    return said
+
+
+def _of_thickness(plan: MeasuredGearPlan, thickness: Sized) -> list[Message]:
+    play, change = plan.play, plan.change
+    assert play is not None
+    assert change is not None
+    said = [
+        Message(
+            "E_sn is {found:.1f} ± {sigma:.1f} µm, {designed:.1f} µm by design: the pair then has {play:.4f}° of play "
+            "at the driven wheel.",
+            found=_UM * thickness.value,
+            sigma=_UM * thickness.sigma,
+            designed=_UM * plan.form.tooth_thickness_deviation,
+            play=degrees(play.value),
+        )
+    ]
+    feed = abs(change) / (2 * tan(plan.form.normal_pressure_angle))
+    if change < -max(4 * thickness.sigma, _SAME):
+        said.append(
+            Message(
+                "Cut it again, {thinner:.1f} µm thinner, {feed:.1f} µm deeper along the radius.",
+                thinner=-_UM * change,
+                feed=_UM * feed,
+            )
+        )
+    elif change > max(4 * thickness.sigma, _SAME):
+        said.append(
+            Message(
+                "It is {thinner:.1f} µm too thin: cut the next one {feed:.1f} µm less deep.",
+                thinner=_UM * change,
+                feed=_UM * feed,
+            )
+        )
+    return said
