@@ -72,10 +72,13 @@ def help_texts() -> Iterator[str]:
 
 
 def meanings() -> Iterator[str]:
-    """Meanings of the keys of a design file, which messages about a missing key repeat."""
-    from cadgen.design.keys import keys
+    """Meanings of the sections and keys of a design file, of every kind of design."""
+    from cadgen.design.keys import tables
+    from cadgen.design.reference import every_kind
 
-    yield from (key.meaning for key in keys().values() if key.meaning)
+    for kind in every_kind().values():
+        for section in tables(kind).values():
+            yield from filter(None, [section.meaning if section.name else "", *(key.meaning for key in section.keys)])
 
 
 def effect_texts() -> Iterator[str]:

@@ -1,28 +1,34 @@
-"""The schema as a page: `python -m cadgen.design.reference > docs/design-file.md`."""
+"""The schema as a page: `python -m cadgen.design.reference > docs/design-file.md`.
 
+With `zh` behind it, it is the Chinese one, `docs/design-file.zh-CN.md`.
+"""
+
+import sys
+from collections.abc import Iterable, Iterator
 from math import degrees
 
 from cadgen.cam.followers import table as followers
-from cadgen.cam.followers.kind import FollowerKind
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
-from cadgen.car.path.path_kinds import PathKind, codes, kind_of
-from cadgen.design.keys import Key, SectionKeys, keys, last, shown, tables
+from cadgen.car.path.path_kinds import codes, kind_of
+from cadgen.design.keys import Key, SectionKeys, keys, last, tables
+from cadgen.design.keys import shown as shown_value
 from cadgen.design.kinds import Kinds
 from cadgen.design.load import DEFAULT_DESIGN, packaged_designs
-from cadgen.design.section import listed
 from cadgen.gears import stage_kinds
-from cadgen.gears.stage_kind import StageKind
+from cadgen.messages import Message, joined, shown
 
-_HEAD = """\
+_HEAD = Message("""\
 # The design file
+
+[中文](design-file.zh-CN.md)
 
 A design is a TOML file in UTF-8. Lengths are in mm, angles in degrees, small errors in µm; the unit stands
 at the end of a key's name. A key that is not listed here, a number in quotes, NaN or a value outside its
 range is an error, which names the key and what is allowed.
 
 The shortest useful design of a car has a path, a car, a cam and a follower; everything else has a default. A cam for
-any other use has `[motion]` in the place of the path and the car (see how-to/followers.md). `cadgen gears` needs
-`[train]` alone.
+any other use has `[motion]` in the place of the path and the car ([followers](how-to/followers.md)).
+`cadgen gears` needs `[train]` alone.
 
 ```toml
 [path]
@@ -46,9 +52,17 @@ friction_least = 0.05
 friction_greatest = 0.20
 ```
 
-The designs {names} come with the program and go by name; without any it takes
-`{default}`.
+""")
+_PACKAGED = Message(
+    """\
+These designs come with the program and go by name; without any it takes
+`{default}`: {names}.
 
+""",
+    default=DEFAULT_DESIGN,
+    names=", ".join(f"`{name}`" for name in packaged_designs()),
+)
+_SETTING = Message("""\
 ## Changing a value from the command line
 
 `--set` changes one value, and may be given more than once; the result is the same as that of an edited file.
@@ -64,11 +78,11 @@ The designs {names} come with the program and go by name; without any it takes
 | `--set train.stages.2.centre_distance_mm=40.1` | sets a key in the second of several sections |
 
 ## Keys
-"""
+""")
 
 _BY_MOTION = ("cam",)  # sections with other keys where the design has [motion]
 
-_LIMITS = """
+_LIMITS = Message("""
 ## Limits of the pressure angle
 
 The names that `checks.pressure_angle_limit` takes. On the rise, the working stroke, the cam drives the follower
@@ -76,14 +90,14 @@ outwards; on the return the spring drives it back.
 
 | name | rise | return | source |
 |---|---|---|---|
-"""
+""")
 
 
 # Head of a table of keys.
-_TABLE = "| key | unit | must be | default | meaning |\n|---|---|---|---|---|\n"
+_TABLE = Message("| key | unit | must be | default | meaning |\n|---|---|---|---|---|\n")
 
 
-def _every_kind() -> dict[str, Kinds]:
+def every_kind() -> dict[str, Kinds]:
     """Kinds of design that have keys of their own, each by its word; the usual one by none."""
     named = {"": Kinds(), "motion": Kinds(motion=True)}
     named |= {code: Kinds(follower=followers.kind_of(code), motion=True) for code in followers.codes()[1:]}
@@ -102,7 +116,7 @@ def named_keys(name: str) -> list[tuple[str, Key]]:
         usual one and where all kinds agree.
     """
     found: dict[tuple[str, str, str], tuple[str, Key]] = {}
-    for kind, each in _every_kind().items():
+    for kind, each in every_kind().items():
         for full, key in keys(each).items():
             if name in (full, last(full)):
                 found.setdefault((full, key.meaning, key.demand), (kind, key))
@@ -116,75 +130,84 @@ def named_section(name: str) -> SectionKeys | None:
     Args:
         name: dotted name, such as `train.stages`.
     """
-    return next((all_of[name] for each in _every_kind().values() if name in (all_of := tables(each))), None)
+    return next((all_of[name] for each in every_kind().values() if name in (all_of := tables(each))), None)
 
 
-def page() -> str:
+def page() -> Message:
     """The reference page in Markdown, written from the schema."""
-    names = listed([f"`{name}`" for name in packaged_designs()], "and")
-    sections = ""
+    parts: list[str] = [_HEAD, _PACKAGED, _SETTING]
     for table in tables().values():
-        title = f"### {table.heading}\n\n{table.meaning}" if table.name else "### Before the first section"
-        optional = "" if table.required else " May be left out."
-        rows = "".join(_row(key) for key in table.keys)
-        sections += f"\n{title}{optional}\n\n{_TABLE}{rows}{_other_paths(table)}"
-    limits = "".join(
-        f"| `{name}` | {degrees(limit.rise):.0f}° | {degrees(limit.fall):.0f}° | {limit.source} |\n"
+        title = f"### {table.heading}" if table.name else Message("### Before the first section")
+        parts += ["\n", title, *(["\n\n", Message(table.meaning)] if table.name else [])]
+        parts += ["" if table.required else Message(" May be left out."), "\n\n", _table(table.keys), *_others(table)]
+    limits = [
+        joined((f"| `{name}`", f"{degrees(limit.rise):.0f}°", f"{degrees(limit.fall):.0f}°", limit.source), " | ")
         for name, limit in PRESSURE_ANGLE_LIMITS.items()
-    )
-    return _HEAD.format(names=names, default=DEFAULT_DESIGN) + sections + _LIMITS + limits
+    ]
+    return joined([*parts, _LIMITS, joined([*limits, ""], " |\n")], "")
 
 
-def _other_paths(table: SectionKeys) -> str:
-    """After the sections [path], [cam] and [follower], the keys that take the place of the usual ones."""
+def _table(rows: Iterable[Key]) -> Message:
+    return joined([_TABLE, *map(_row, rows)], "")
+
+
+def _others(table: SectionKeys) -> Iterator[str]:
+    """After some sections, tables of the keys that take the place of the usual ones."""
     if table.name in _BY_MOTION:
         keys = tables(Kinds(motion=True))[table.name].keys
-        return f"\nWith `[motion]`, instead of all these:\n\n{_TABLE}{''.join(map(_row, keys))}"
+        yield from ("\n", Message("With `[motion]`, instead of all these:"), "\n\n", _table(keys))
     if table.name == "train.stages":
-        return "".join(_stage_kind(stage_kinds.kind_of(code)) for code in stage_kinds.codes())
+        for stage in map(stage_kinds.kind_of, stage_kinds.codes()):
+            said = Message('With `kind = "{kind}"`, instead of driver and driven.', kind=stage.code)
+            own = stage.keys.__annotations__
+            yield from _kind(
+                said, stage.meaning, [key for key in _of(Kinds(stage=stage), table) if last(key.name) in own]
+            )
+            yield from _inside(Kinds(stage=stage), table)
     if table.name == "follower":
-        return "".join(_follower_kind(followers.kind_of(code)) for code in followers.codes()[1:])
-    kinds = [kind_of(code) for code in codes()] if table.name == "path" else []
+        for code in followers.codes()[1:]:
+            kinds = Kinds(follower=(follower := followers.kind_of(code)), motion=True)
+            said = Message('With `kind = "{kind}"`, instead of the keys of the rod.', kind=code)
+            yield from _kind(said, follower.meaning, [key for key in _of(kinds, table) if last(key.name) != "kind"])
+            yield from _inside(kinds, table)
     usual = {key.name for key in table.keys}
-    return "".join(_path_kind(kind, usual) for kind in kinds)
+    for path in map(kind_of, codes()) if table.name == "path" else ():
+        every = _of(Kinds(path=path), table)
+        if own_keys := [key for key in every if key.name not in usual]:
+            replaced = sorted(usual - {key.name for key in every})
+            names = ", ".join(f"`{last(name)}`" for name in replaced)
+            said = Message('With `spline = "{kind}"`, instead of {names}:', kind=path.code, names=names)
+            yield from ("\n", said, "\n\n", _table(own_keys))
 
 
-def _follower_kind(kind: FollowerKind) -> str:
-    every = tables(Kinds(follower=kind, motion=True)).values()
-    table, *below = [table for table in every if table.name.partition(".")[0] == "follower"]
-    rows = "".join(_row(key) for key in table.keys if last(key.name) != "kind")
-    inner = "".join(
-        f"\n`{part.heading}` of it. {part.meaning}\n\n{_TABLE}{''.join(map(_row, part.keys))}" for part in below
+def _kind(said: Message, meaning: str, rows: Iterable[Key]) -> Iterator[str]:
+    yield from ("\n", said, " ", Message(meaning), "\n\n", _table(rows))
+
+
+def _of(kinds: Kinds, table: SectionKeys) -> tuple[Key, ...]:
+    return tables(kinds)[table.name].keys
+
+
+def _inside(kinds: Kinds, table: SectionKeys) -> Iterator[str]:
+    """Tables of the sections within one, which a kind has by itself."""
+    for part in tables(kinds).values():
+        if part.name.startswith(f"{table.name}."):
+            said = Message("`{section}` of it.", section=last(part.name) if table.many else part.heading)
+            yield from _kind(said, part.meaning, part.keys)
+
+
+def _row(key: Key) -> Message:
+    must = joined(filter(None, [key.kinds[0], key.allowed]))
+    if inside := key.allowed_inside:
+        texts = "text" in key.kinds
+        each = Message("each of them {range}", range=inside) if texts else Message("each number {range}", range=inside)
+        must = joined((must, each), "; ")
+    default = (
+        Message("required") if key.required else "" if key.default in (None, "") else f"`{shown_value(key.default)}`"
     )
-    return f'\nWith `kind = "{kind.code}"`, instead of the keys of the rod. {kind.meaning}\n\n{_TABLE}{rows}{inner}'
-
-
-def _stage_kind(kind: StageKind) -> str:
-    every = tables(Kinds(stage=kind)).values()
-    table, *below = [part for part in every if part.name == "train.stages" or part.name.startswith("train.stages.")]
-    own = [key for key in table.keys if last(key.name) in kind.keys.__annotations__]
-    inner = "".join(
-        f"\n`{last(part.name)}` of it. {part.meaning}\n\n{_TABLE}{''.join(map(_row, part.keys))}" for part in below
-    )
-    rows = "".join(map(_row, own))
-    return f'\nWith `kind = "{kind.code}"`, instead of driver and driven. {kind.meaning}\n\n{_TABLE}{rows}{inner}'
-
-
-def _path_kind(kind: PathKind, usual: set[str]) -> str:
-    keys = {key.name: key for key in tables(Kinds(path=kind))["path"].keys}
-    if not (rows := "".join(_row(key) for name, key in keys.items() if name not in usual)):
-        return ""
-    replaced = listed([f"`{last(name)}`" for name in sorted(usual - set(keys))], "and")
-    return f'\nWith `spline = "{kind.code}"`, instead of {replaced}:\n\n{_TABLE}{rows}'
-
-
-def _row(key: Key) -> str:
-    must = ", ".join(filter(None, [key.kinds[0], key.allowed]))
-    if key.allowed_inside:
-        must += f"; each {'of them' if 'text' in key.kinds else 'number'} {key.allowed_inside}"
-    default = "required" if key.required else "" if key.default in (None, "") else f"`{shown(key.default)}`"
-    return f"| `{last(key.name)}` | {key.unit} | {must} | {default} | {key.meaning} |\n"
+    cells = (f"| `{last(key.name)}`", Message(key.unit), must, default, Message(key.meaning))
+    return joined((joined(cells, " | "), " |\n"), "")
 
 
 if __name__ == "__main__":
-    print(page(), end="")
+    print(shown(page(), *sys.argv[1:]), end="")

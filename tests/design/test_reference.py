@@ -3,6 +3,8 @@
 import re
 from pathlib import Path
 
+import pytest
+
 from cadgen.cam.followers import table as followers
 from cadgen.car.path.path_kinds import codes, kind_of
 from cadgen.design.keys import keys, last, tables
@@ -10,12 +12,16 @@ from cadgen.design.kinds import Kinds
 from cadgen.design.load import load_design
 from cadgen.design.reference import page
 from cadgen.gears import stage_kinds
+from cadgen.messages import shown
 
 PAGE = Path(__file__).parents[2] / "docs" / "design-file.md"
 
 
-def test_the_page_is_up_to_date() -> None:
-    assert PAGE.read_text(encoding="utf-8") == page(), "run: python -m cadgen.design.reference > docs/design-file.md"
+@pytest.mark.parametrize(("language", "end"), [("en", ""), ("zh", ".zh-CN")])
+def test_the_page_is_up_to_date(language: str, end: str) -> None:
+    file = PAGE.with_suffix(f"{end}.md")
+    command = f"python -m cadgen.design.reference {language} > docs/{file.name}"
+    assert file.read_text(encoding="utf-8") == shown(page(), language), f"run: {command}"
 
 
 def test_the_page_has_every_key() -> None:
