@@ -13,7 +13,7 @@ from cadgen.car.assembly.car_parts import CarPart, Content
 from cadgen.check import Check, CheckList, failing
 from cadgen.errors import CheckError
 from cadgen.figures import Facts
-from cadgen.jobs.assembly_checks import assembly_checks
+from cadgen.jobs.assembly_checks import assembly_verdict
 from cadgen.jobs.car_assembly import CarAssembly
 from cadgen.jobs.car_frame import CarFrame, checks_in_car
 from cadgen.output.files.publisher import Written, folder_of, refusal
@@ -49,7 +49,7 @@ class AssembledCar(Pictured):
     @cached_property
     def own_checks(self) -> tuple[Check, ...]:
         """Checks of the car: its parts at their places, tipping, energy."""
-        return (*checks_in_car(self.computed.layout), *assembly_checks(self.computed))
+        return (*checks_in_car(self.computed.layout), *assembly_verdict(self.computed).checks)
 
     @property
     def checks(self) -> CheckList:

@@ -530,4 +530,5 @@ def _gate(given: GateSection | StartSection, key: str, radius: float) -> Gate:
         heading=None if given.heading_deg is None else radians(given.heading_deg),
         heading_tolerance=radians(given.heading_tolerance_deg),
         free=isinstance(given, GateSection) and given.free,
+        asked=given.radius_mm is not None,
     )

@@ -1,6 +1,5 @@
 """Whether a car with all its parts stands on its wheels at its speed, and has the energy for its path."""
 
-from collections.abc import Iterator
 from math import inf
 
 import numpy as np
@@ -10,7 +9,7 @@ from cadgen.car.running.tipping import Tipping, tipping
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.errors import DesignError
 from cadgen.jobs.cam.cam_plan import CamPlan
-from cadgen.jobs.cam.mechanics import energy_checks, energy_reservations
+from cadgen.jobs.cam.mechanics import energy_verdict
 from cadgen.jobs.cam.steered_car import SteeredCar
 from cadgen.jobs.car_assembly import PlacedParts, parts_in
 from cadgen.messages import Message
@@ -26,23 +25,30 @@ def verdict_on_car(cam: CamPlan) -> PartVerdict:
         cam: cam of a car.
     """
     use = SteeredCar.of(cam)
-    held_back = energy_reservations(use.design)
+    apart: tuple[Reservation, ...] = ()
     try:
         parts = None if use.in_car is None else parts_in(use.in_car, cam)
         if parts is not None:
-            return PartVerdict(assembly_checks(parts), held_back)
+            return assembly_verdict(parts)
     except DesignError as error:
-        text = Message(
-            "the parts of the car cannot be put together, so nothing is known of its mass, tipping and energy"
-        )
-        held_back = (*held_back, Reservation("car-not-put-together", text, error.message))
-    spent = energy_checks(use.design, use.track, use.wanted, cam.follower_as_built, use.car, use.drive_wheel)
-    return PartVerdict(spent, held_back)
+        text = Message("the parts of the car cannot be put together, so nothing is known of their mass and of tipping")
+        apart = (Reservation("car-not-put-together", text, error.message),)
+    spent = energy_verdict(use.design, use.track, use.wanted, cam.follower_as_built, use.car, use.drive_wheel)
+    return PartVerdict(spent.checks, (*spent.reservations, *apart))
 
 
-def assembly_checks(assembly: PlacedParts) -> tuple[Check, ...]:
-    """Checks of a car with all its parts: tipping, and the energy by their mass where the design states none."""
-    return tuple(_checks(assembly))
+def assembly_verdict(assembly: PlacedParts) -> PartVerdict:
+    """Verdict on a car with all its parts: tipping, and the energy by their mass where the design states none."""
+    spent = energy_verdict(
+        assembly.layout.design,
+        assembly.use.track,
+        assembly.use.wanted,
+        assembly.cam.follower_as_built,
+        assembly.use.car,
+        assembly.use.drive_wheel,
+        assembly.balance().volume * 1e-3,
+    )
+    return PartVerdict((_tipping_check(assembly), *spent.checks), spent.reservations)
 
 
 def tipping_of(assembly: PlacedParts) -> Tipping:
@@ -83,7 +89,7 @@ def centre_of_gravity(assembly: PlacedParts, mass: Content) -> Message:
     )
 
 
-def _checks(assembly: PlacedParts) -> Iterator[Check]:
+def _tipping_check(assembly: PlacedParts) -> Check:
     use, found = assembly.use, tipping_of(assembly)
     keys = assembly.layout.design.mechanics
     speed = None if keys is None else keys.speed_m_per_s
@@ -96,7 +102,7 @@ def _checks(assembly: PlacedParts) -> Iterator[Check]:
             "the centre of gravity lies {off:.3g} mm outside the wheels: put the motor or a weight on the other side",
             off=-found.room,
         )
-    yield Check(
+    return Check(
         CheckCode.TIPPING_SPEED,
         Message("speed at which the car tips over"),
         found.speed * 1e-3,
@@ -105,13 +111,4 @@ def _checks(assembly: PlacedParts) -> Iterator[Check]:
         Bound.MIN,
         Message("over the {edge}, {place}", edge=_EDGES[found.edge], place=use.track.where(found.arc)),
         advice,
-    )
-    yield from energy_checks(
-        assembly.layout.design,
-        use.track,
-        use.wanted,
-        assembly.cam.follower_as_built,
-        use.car,
-        use.drive_wheel,
-        assembly.balance().volume * 1e-3,
     )

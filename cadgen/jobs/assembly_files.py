@@ -14,7 +14,7 @@ from cadgen.car.assembly.car_parts import CarPart, Content, GroupKind, Supply
 from cadgen.design.drive import DriveKind
 from cadgen.figures import Facts
 from cadgen.geometry.meshes.car_meshes import Seen, seen
-from cadgen.jobs.assembly_checks import assembly_checks, centre_of_gravity
+from cadgen.jobs.assembly_checks import assembly_verdict, centre_of_gravity
 from cadgen.jobs.car_assembly import CarAssembly
 from cadgen.jobs.car_frame import frame_in
 from cadgen.jobs.drawings import Folder, title_of, write_sheet
@@ -400,7 +400,7 @@ def assembly_facts(assembly: CarAssembly, cam_angle: float) -> Facts:
         fork_angle_deg=degrees(fork),
         mass_g=mass.volume,
         centre_of_gravity_mm=mass.centre,
-        checks=[Facts(**asdict(check), passed=check.passed) for check in assembly_checks(assembly)],
+        checks=[Facts(**asdict(check), passed=check.passed) for check in assembly_verdict(assembly).checks],
         parts=[
             Facts(
                 number=number,

@@ -134,7 +134,7 @@ def gate_steps(use: VariedCar) -> list[int]:
 def watching(cars: Cars, planned: CourseRun) -> Cars:
     """Nominal car with stations at the gates, the nearest obstacles, the edge and the finish, besides its own.
 
-    A finish that is meant to be met, or a line, on which no car that differs ends, is none of them.
+    A finish of which only the place is given, or a line, on which no car that differs ends, is none of them.
 
     Args:
         cars: nominal car; its last station is the end of the run.
@@ -199,13 +199,13 @@ def _gate(planned: CourseRun, passage: Passage, local: Callable[[Complex], Compl
 
 
 def counts_finish(planned: CourseRun) -> bool:
-    """Whether cars are held against the finish: a disc near which the run is to end.
+    """Whether cars are held against the finish: a disc of a given radius in which the run is to end.
 
     Args:
         planned: planned run of the design, held against the course.
     """
     finish = planned.driven.finish
-    return finish is not None and len(finish.wanted.place.points) == 1 and not finish.wanted.is_exact
+    return finish is not None and len(finish.wanted.place.points) == 1 and finish.wanted.asked
 
 
 def _finish(planned: CourseRun, local: Callable[[Complex], Complex]) -> FinishItem:

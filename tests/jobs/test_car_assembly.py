@@ -10,12 +10,13 @@ from cadgen.check import CheckCode
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
 from cadgen.geometry.meshes.car_meshes import shape_mesh
-from cadgen.jobs.assembly_checks import assembly_checks, verdict_on_car
+from cadgen.jobs.assembly_checks import assembly_verdict, verdict_on_car
 from cadgen.jobs.cam.steering_cam import plan_cam
 from cadgen.jobs.car_assembly import CarAssembly, put_together
 from cadgen.jobs.car_frame import frame_in
 from cadgen.jobs.car_gaps import part_gaps
 from cadgen.jobs.gears.gear_train import plan_gears
+from cadgen.verdict import PartVerdict, Reservation
 
 
 def car_of(*overrides: str) -> CarAssembly:
@@ -37,16 +38,38 @@ def test_every_part_has_a_code_a_colour_and_a_mass(car: CarAssembly) -> None:
 
 def test_check_and_assembly_say_the_same_of_the_whole_car(car: CarAssembly) -> None:
     """`check` lays the train out and measures no teeth, `assembly` plans all of it: one figure, one verdict."""
-    own = assembly_checks(car)
+    own = assembly_verdict(car).checks
     assert [check.code for check in own] == [CheckCode.TIPPING_SPEED, CheckCode.ENERGY_LEFT]
     assert set(own) <= set(car.cam.verdict.checks)
     assert car.cam.passed
 
 
 def test_a_car_too_heavy_for_its_drive_is_not_ready() -> None:
-    heavy = ["frame.material=steel", "mechanics.speed_m_per_s=4"]
+    heavy = ["frame.material=steel", "mechanics.speed_m_per_s=4", "mechanics.drive_energy_J=3.9"]
     cam = plan_cam(load_design("workshop_car", heavy), "actual", judged=False)
     assert {check.code for check in verdict_on_car(cam).failed} == {CheckCode.TIPPING_SPEED, CheckCode.ENERGY_LEFT}
+
+
+def test_what_is_left_must_carry_a_motor_or_weight_that_is_not_counted(car: CarAssembly) -> None:
+    """Put in as [drive], or stated as a mass, it leaves nothing open; a mass of nothing known is said to be none."""
+    few = "mechanics.drive_energy_J=3.9"
+
+    def judged(*changes: str) -> PartVerdict:
+        return verdict_on_car(plan_cam(load_design("workshop_car", changes), "actual", judged=False))
+
+    def held(*changes: str) -> dict[str, Reservation]:
+        return {each.code: each for each in judged(*changes).reservations}
+
+    assert not held()
+    missing = held(few)["drive-not-counted"]
+    more = float(missing.text.rpartition(" carries ")[2].split()[0])
+    assert not held(few, "mechanics.car_mass_kg=1.3")
+    assert set(held("layout=", "frame=")) == {"energy-not-judged"}
+    mass = car.balance().volume * 1e-3 + more
+    for off, passes in ((-0.002, True), (0.002, False)):
+        checks = judged(few, f"mechanics.car_mass_kg={mass + off}").checks
+        (check,) = (each for each in checks if each.code == CheckCode.ENERGY_LEFT)
+        assert check.passed is passes
 
 
 def test_parts_that_cannot_be_put_together_are_a_reservation() -> None:

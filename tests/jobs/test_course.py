@@ -137,18 +137,26 @@ def test_many_cars_are_held_against_the_finish_as_one_car_is():
     assert min(exact) < 0 < max(exact)
 
 
-def test_a_finish_that_is_meant_to_be_met_is_none_that_cars_are_counted_by():
-    """Within 5 mm nearly no car ends; and a course of such a finish alone has no share of cars."""
-    changes = ["car.drive_wheel_radius_mm=70", "course={finish={at_mm=[6703.79, 7200], radius_mm=5}}"]
+def test_a_finish_of_a_place_alone_is_none_that_cars_are_counted_by():
+    """Where only the place is given, a course of such a finish alone has no share of cars; a stated radius has one."""
+    changes = ["car.drive_wheel_radius_mm=70", "course={finish={at_mm=[6703.79, 7200]}}"]
     run = Design.load(None, changes).tolerance(50, profile="actual")
     assert (run.watched, run.passed) == ("", None)
+    within = [
+        Design.load(None, [*changes, f"course.finish.radius_mm={radius}"]).tolerance(50, profile="actual").passed
+        for radius in (3.0, 5.0, 6.0, 300.0)
+    ]
+    assert within == sorted(within)
+    assert within[0] < 1
     wider = Design.load(None, [*changes, "course.finish.radius_mm=1300"]).tolerance(50, profile="actual")
     assert wider.watched == "the finish"
     assert 0 < wider.passed < 1
 
 
 def test_with_a_wheel_the_run_is_judged_to_the_finish():
-    design = load_design(None, ["car.drive_wheel_radius_mm=70", "course.finish={at_mm=[6703.79, 7200], radius_mm=5}"])
+    design = load_design(
+        None, ["car.drive_wheel_radius_mm=70", "course.finish={at_mm=[6703.79, 7200], radius_mm=1300}"]
+    )
     plan = plan_cam(design, "actual")
     assert plan.sound
     assert plan.application.drive_wheel.blend is None

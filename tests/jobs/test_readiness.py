@@ -107,6 +107,28 @@ def test_the_cure_for_lost_cars_was_counted():
     assert check.value >= 101 - lost.cost.value
 
 
+@pytest.mark.slow
+@pytest.mark.long
+def test_the_cures_at_a_finish_were_counted():
+    """Scatter asks for a wider disc, a path that ends beside the middle for its middle, a wrong heading for that."""
+    plain = Design.load("workshop_car", ["layout=", "frame="])
+
+    def kept(x, y, **keys):
+        changed = plain.with_({"course.finish": {"at_mm": [x, y], "radius_mm": 30.0, **keys}})
+        (check,) = (each for each in changed.cam().verdict.checks if each.code == CheckCode.CARS_KEEP_COURSE)
+        return check.value, check.advice
+
+    met, wider = kept(6703.79, 7200.0)
+    said = re.search(r"raise course\.finish\.radius_mm to (\d+), with which (\S+) % keep", wider)
+    assert f"{kept(6703.79, 7200.0, radius_mm=float(said[1]))[0]:.1f}" == said[2]
+    beside, nearer = kept(6713.79, 7235.0)
+    said = re.search(r"let the path end in the middle of course\.finish.*with which (\S+) % keep", nearer)
+    assert beside < met == pytest.approx(float(said[1]), abs=1.5)
+    none, turned = kept(6703.79, 7200.0, heading_deg=180.0, heading_tolerance_deg=5.0)
+    assert none == 0
+    assert "in the direction of course.finish.heading_deg" in turned
+
+
 def test_cars_that_only_play_moves_are_told_of_the_gears():
     """With a wide band of play and no tolerance half of its spread brings cars in; the cam stays as it is."""
     design = Design.load("s_course", UNBRAKED).with_({"tolerances": None, "layout": None, "frame": None})

@@ -118,6 +118,7 @@ class Gate:
         heading: direction of travel that it must be passed in, rad; None if any will do.
         heading_tolerance: greatest angle to that direction, rad.
         free: whether it may be passed at any time; the others are passed in their order.
+        asked: whether its size is asked of every car; a finish of which only the place is given is aimed at.
     """
 
     key: str
@@ -126,6 +127,7 @@ class Gate:
     heading: float | None = None
     heading_tolerance: float = pi / 2
     free: bool = False
+    asked: bool = True
 
     @property
     def is_exact(self) -> bool:

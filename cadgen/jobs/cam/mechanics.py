@@ -27,7 +27,7 @@ from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.jobs.cam.wheel import DriveWheel
 from cadgen.messages import Message
-from cadgen.verdict import Reservation
+from cadgen.verdict import PartVerdict, Reservation
 
 _FRICTION_STEP = 0.01
 # Share of the end of the run by which inertia lessens it for each rad/s of the cam: at friction 0 and at 0.3, of the
@@ -40,6 +40,8 @@ STAGE_EFFICIENCY = 0.97  # of a pair of spur gears and its bearings, where the d
 ROLLING_RESISTANCE = 0.015  # of hard wheels on a floor with their bearings, where the design does not say
 _ENERGY_STEPS = 2000
 _SPARE = 1.01  # factor on a fall or mass that is named as a cure
+# kg; a weight of the contests, which a car whose design has no [drive] must carry besides its parts to be judged ready
+_USUAL_DRIVE = 1.0
 _TUBE, _TUBE_BORE = 6.0, 4.0  # mm, as in `cadgen.car.assembly.carried`, which loads shapely
 
 
@@ -299,7 +301,7 @@ def border_sentences(design: Design, task: PlayTask, chosen: Evaluation, band: P
     return lines
 
 
-def energy_checks(
+def energy_verdict(
     design: Design,
     track: Track,
     lift: PathMotion,
@@ -307,10 +309,11 @@ def energy_checks(
     car: Car,
     wheel: DriveWheel,
     mass: float | None = None,
-) -> tuple[Check, ...]:
-    """Energy left at the end of the path, at the greatest friction and drag; empty where no mass is known.
+) -> PartVerdict:
+    """Verdict on the energy left at the end of the path, at the greatest friction and drag.
 
-    A weight of a design without [mechanics] is judged by the values that its keys have where they are left out.
+    A weight of a design without [mechanics] is judged by the values that its keys have where they are left out. Without
+    [drive] the mass of the parts lacks motor or weight, which rolls along: what is left must carry a usual one.
 
     Args:
         design: loaded design.
@@ -323,14 +326,18 @@ def energy_checks(
     """
     assumed = _assumed(design)
     keys = MechanicsSection() if assumed else design.mechanics
-    mass = mass if keys is None or keys.car_mass_kg is None else keys.car_mass_kg
-    if keys is None or mass is None:
-        return ()
+    if keys is None:
+        return PartVerdict(())
     unwound = _unwound(design, wheel)
     falls = None if design.drive is None else design.drive.energy_of(unwound.length)
     has = falls if keys.drive_energy_J is None else min(keys.drive_energy_J, inf if falls is None else falls)
     if has is None:
-        return ()
+        return PartVerdict(())
+    mass = mass if keys.car_mass_kg is None else keys.car_mass_kg
+    if mass is None:
+        text = Message("the energy of the run is not judged, for the mass of the car is not known")
+        cure = Message("state mechanics.car_mass_kg, with motor or weight")
+        return PartVerdict((), (Reservation("energy-not-judged", text, cure),))
     band = variation.mechanics(design.model_copy(update={"mechanics": keys}), follower, lift)
     assert band is not None  # the copy has [mechanics]
     run = drive(lift, car, wheel.turn, start=start_pose(track), stop=wheel.finish, steps=_ENERGY_STEPS)
@@ -345,24 +352,34 @@ def energy_checks(
         efficiency=efficiency,
     )
     name = Message("energy left at the end of the path")
+    held_back = _by_usual_values() if assumed else ()
     if keys.car_mass_kg is None and design.drive is None:
         name = Message("energy left at the end of the path, motor or weight not counted in the mass")
+        held_back = (*held_back, *_uncounted_drive((has - spent.needed) * mass / spent.rolling))
     guide = _guide(design) if keys.car_mass_kg is None else 0.0
-    return (
-        _energy_check(
-            spent, has, falls, name, design.drive, unwound, mass, guide, stated=keys.drive_energy_J is not None
-        ),
-    )
+    stated = keys.drive_energy_J is not None
+    check = _energy_check(spent, has, falls, name, design.drive, unwound, mass, guide, stated=stated)
+    return PartVerdict((check,), held_back)
 
 
-def energy_reservations(design: Design) -> tuple[Reservation, ...]:
-    """Reservation on the energy of a weight whose run is judged without [mechanics]; empty with it.
+def _uncounted_drive(carried: float) -> tuple[Reservation, ...]:
+    """Reservation where the energy that is left carries no usual motor or weight.
 
     Args:
-        design: loaded design.
+        carried: mass that it carries, kg; less than 0 where it does not suffice for the car.
     """
-    if not _assumed(design):
+    if not 0 <= carried < _USUAL_DRIVE:
         return ()
+    text = Message(
+        "the mass of the car is without motor or weight, and the energy that is left carries {carried:.3f} kg more",
+        carried=carried,
+    )
+    cure = Message("give it a place and a mass in [drive], or state mechanics.car_mass_kg with it")
+    return (Reservation("drive-not-counted", text, cure),)
+
+
+def _by_usual_values() -> tuple[Reservation, ...]:
+    """Reservation on a weight whose run is judged without [mechanics]."""
     usual = MechanicsSection()
     text = Message(
         "there is no [mechanics], so the energy of the weight is judged with a rod force of {force:g} N, a rolling "

@@ -22,7 +22,7 @@ from cadgen.deviations.deviation import RETURN_ERROR
 from cadgen.errors import DesignError
 from cadgen.figures import Figure
 from cadgen.inference.monte_carlo.cars import Cars
-from cadgen.inference.monte_carlo.course_margins import FinishItem
+from cadgen.inference.monte_carlo.course_margins import Complex, CourseMargins, FinishItem
 from cadgen.inference.monte_carlo.random_cars import Tolerances, margins_of_cars, most_moving
 from cadgen.jobs.cam.comparison import NEARER, Refused
 from cadgen.jobs.cam.wheel import DriveWheel
@@ -118,13 +118,14 @@ def course_yield(use: JudgedCar, cut: ClosedCurve) -> CourseYield | None:
     cars = watched_cars(use, cut)
     if not cars.items:
         return None
-    kept = margins_of_cars(cars, use.tolerances(), SAMPLE, seed=SEED).margins >= 0
+    met = margins_of_cars(cars, use.tolerances(), SAMPLE, seed=SEED)
+    kept = met.margins >= 0
     each = kept.mean(axis=1)
     least = int(np.argmin(each))
     percent = 100 * float(kept.all(axis=0).mean())
     cure = ""
     if percent < GOOD_YIELD:
-        cure = _trim(use, cars) or _tighter(cars, use.tolerances(), least, percent)
+        cure = _trim(use, cars) or _tighter(cars, use.tolerances(), least, percent, _room(met, least))
     return CourseYield(percent, cars.items[least].key, 100 * float(each[least]), cure)
 
 
@@ -215,7 +216,56 @@ def _trim(use: JudgedCar, cars: Cars) -> Message | None:
     )
 
 
-def _tighter(cars: Cars, tolerances: Tolerances, number: int, percent: float) -> Message:
+def _room(met: CourseMargins, number: int) -> Message:
+    """Cure that gives cars more room at an item of the course, in a clause; at the finish it is counted.
+
+    Args:
+        met: course as the cars meet it.
+        number: number of the item that the fewest cars keep.
+    """
+    item = met.items[number]
+    if not isinstance(item, FinishItem):
+        return Message(
+            "lead the path with more room past {key}", key=item.key.partition(",")[0]
+        )  # of a gate of each lap
+    margins = met.margins
+    others = np.delete(margins, number, axis=0) >= 0
+    away = np.abs(met.places[number][:, 0] - item.stop)
+    turned = met.turned[number]
+
+    def percent(other: FinishItem, places: Complex) -> float:
+        return 100 * float(np.mean(others.all(axis=0) & (other.margin(places, turned) >= 0)))
+
+    now = percent(item, met.places[number])
+    middle = percent(replace(item, stop=complex(item.places[0])), met.places[number])
+    any_way = percent(replace(item, heading=None), met.places[number])
+    if item.heading is not None and any_way > max(now, middle) + _WORTH:
+        off, most = item.heading
+        return Message(
+            "let the path end in the direction of {key}.heading_deg, from which it is {off:.1f}° off where {most:g}° "
+            "are allowed",
+            key=item.key,
+            off=degrees(abs(off)),
+            most=degrees(most),
+        )
+    if middle > now + _WORTH:
+        return Message(
+            "let the path end in the middle of {key}, from which it is {off:.1f} mm away, with which {kept:.1f} % keep "
+            "the course",
+            key=item.key,
+            off=abs(complex(item.places[0]) - item.stop),
+            kept=middle,
+        )
+    reach = ceil(np.quantile(away, 0.005 + GOOD_YIELD / 100))
+    return Message(
+        "raise {key}.radius_mm to {reach}, with which {kept:.1f} % keep the course",
+        key=item.key,
+        reach=reach,
+        kept=percent(replace(item, reach=float(reach)), met.places[number]),
+    )
+
+
+def _tighter(cars: Cars, tolerances: Tolerances, number: int, percent: float, room: Message) -> Message:
     """Cure for cars that are lost: half of a tolerance or of the spread of the play, counted with it; else more room.
 
     Args:
@@ -223,11 +273,8 @@ def _tighter(cars: Cars, tolerances: Tolerances, number: int, percent: float) ->
         tolerances: how cars differ.
         number: number of the item that the fewest cars keep.
         percent: share of the cars that keep the course, %.
+        room: what else gives the cars more room, in a clause.
     """
-    key = cars.items[number].key.partition(",")[0]  # of a gate of each lap
-    room = Message("lead the path with more room past {key}", key=key)
-    if isinstance(cars.items[number], FinishItem):
-        room = Message("let the path end nearer to the middle of {key}", key=key)
     best, kept = None, percent + _WORTH
     moving = [name for name in most_moving(cars, tolerances, number) if name == RETURN_ERROR or name.tolerance_key]
     for name in moving[:_TRIED]:

@@ -44,7 +44,7 @@ from cadgen.jobs.cam.cam_plan import CamPlan, Making, steepest
 from cadgen.jobs.cam.car_facts import as_built_facts, comparison_facts
 from cadgen.jobs.cam.comparison import MeasuredCam, PlayComparison, ProfileChecks, against_play, known_trains, task_of
 from cadgen.jobs.cam.course import OnCourse, course_checks, floor_with, on_course
-from cadgen.jobs.cam.mechanics import energy_checks, joint_sentences, mechanics_checks, start_sentence
+from cadgen.jobs.cam.mechanics import energy_verdict, joint_sentences, mechanics_checks, start_sentence
 from cadgen.jobs.cam.path_check import cut_checks, lost_lift_check, lost_lift_reservation, path_checks
 from cadgen.jobs.cam.readiness import (
     CourseYield,
@@ -708,7 +708,7 @@ def _whole(use: CarUse, cam: CamPlan) -> PartVerdict:
     """Verdict on the car as a whole; without a layout on a stated mass alone, and nothing of its parts is loaded."""
     if use.in_car is None:
         rod = cam.follower_as_built
-        return PartVerdict(energy_checks(use.design, use.track, use.wanted, rod, use.car, use.drive_wheel))
+        return energy_verdict(use.design, use.track, use.wanted, rod, use.car, use.drive_wheel)
     from cadgen.jobs.assembly_checks import verdict_on_car
 
     return verdict_on_car(cam)

@@ -10,7 +10,7 @@ from cadgen.check import CheckCode
 from cadgen.design import cam_model
 from cadgen.design.load import load_design, with_overrides
 from cadgen.errors import DesignError
-from cadgen.jobs.cam.mechanics import energy_checks, energy_reservations
+from cadgen.jobs.cam.mechanics import energy_verdict
 from cadgen.jobs.cam.steering_cam import plan_cam
 from tests.car.running.friction_truth import Rod, contact
 
@@ -93,7 +93,7 @@ def test_a_weight_on_board_is_carried_and_just_brings_the_car_home():
     left = []
     for resistance in (0.0, 0.01):
         given = with_overrides(design, [f"mechanics.rolling_resistance={resistance}"])
-        (check,) = energy_checks(given, use.track, lift, cam.follower_as_built, use.car, use.drive_wheel)
+        (check,) = energy_verdict(given, use.track, lift, cam.follower_as_built, use.car, use.drive_wheel).checks
         assert check.name == "energy left at the end of the path"
         left.append(check.value)
     assert left[0] < 3.924
@@ -111,7 +111,7 @@ def test_a_weight_on_board_is_carried_and_just_brings_the_car_home():
 
 
 def test_a_drive_without_the_energy_is_not_ready():
-    heavy = ["mechanics.car_mass_kg=1.5", "mechanics.rolling_resistance=0.02"]
+    heavy = ["mechanics.car_mass_kg=1.5", "mechanics.rolling_resistance=0.02", "mechanics.drive_energy_J=3.9"]
     cam = plan_cam(load_design("workshop_car", heavy))
     (check,) = (check for check in cam.verdict.failed)
     assert check.code == CheckCode.ENERGY_LEFT
@@ -131,7 +131,9 @@ def test_a_weight_falls_no_farther_than_its_string_comes_off_the_axle():
         weight = f'{{kind="weight", mass_kg={mass}, size_mm=[50, 50, 65], fall_mm={fall}}}'
         design = load_design("workshop_car", [f"drive={weight}", *of_car, *more])
         use = (cam := plan_cam(design, "actual", judged=False)).application
-        (check,) = energy_checks(design, use.track, use.steering, cam.follower_as_built, use.car, use.drive_wheel)
+        (check,) = energy_verdict(
+            design, use.track, use.steering, cam.follower_as_built, use.car, use.drive_wheel
+        ).checks
         return check, use, design
 
     (check, use, design) = left(1.0, 1000.0)
@@ -160,11 +162,12 @@ def test_a_weight_without_mechanics_is_judged_by_usual_values_that_are_named():
     design = load_design("workshop_car", [f"drive={weight}", "mechanics=", "tolerances.start_gap_deg="])
     use = (cam := plan_cam(design, "actual", judged=False)).application
     of_car = (use.track, use.steering, cam.follower_as_built, use.car, use.drive_wheel, 2.4)
-    (check,) = energy_checks(design, *of_car)
+    judged = energy_verdict(design, *of_car)
+    (check,) = judged.checks
     said = with_overrides(design, ["mechanics={rod_force_N=1.0, rolling_resistance=0.015}"])
-    assert energy_checks(said, *of_car) == (check,)
-    (held,) = energy_reservations(design)
+    assert energy_verdict(said, *of_car).checks == (check,)
+    (held,) = judged.reservations
     assert "rod force of 1 N" in held.text
     assert "rolling resistance of 0.015" in held.text
     assert "[mechanics] rod_force_N" in held.cure
-    assert not energy_reservations(said)
+    assert not energy_verdict(said, *of_car).reservations
