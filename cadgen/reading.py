@@ -15,6 +15,10 @@ _KINDS = {
 }
 
 
+class TooLargeError(ValueError):
+    """File that is larger than what is read of it."""
+
+
 def read_regular(file: Path, most: int) -> bytes:
     """Bytes of a regular file. A pipe or device, which could keep the reader waiting, is refused at once.
 
@@ -24,12 +28,13 @@ def read_regular(file: Path, most: int) -> bytes:
 
     Raises:
         OSError: the file cannot be opened; `IsADirectoryError` for a folder.
-        ValueError: it is no regular file, is larger than `most`, or no file can have that name.
+        TooLargeError: it is larger than `most`.
+        ValueError: it is no regular file, or no file can have that name.
     """
     with open_regular(file) as stream:
         content = stream.read(most + 1)
     if len(content) > most:
-        raise ValueError(Message("it is larger than {most:g} MB", most=most / 1e6))
+        raise TooLargeError(Message("it is larger than {most:g} MB", most=most / 1e6))
     return content
 
 

@@ -45,6 +45,7 @@ def used() -> dict[str, str]:
     found = [(file, templates(file.read_text("utf-8"))) for file in sorted(PACKAGE.rglob("*.py"))]
     found += [(PACKAGE / room, texts) for room, texts in (("cli", help_texts()), ("design", meanings()))]
     found += [(PACKAGE / "deviations", effect_texts()), (PACKAGE / "inference", data_texts())]
+    found += [(PACKAGE / "laws", law_texts())]
     found += [
         (file, re.findall(r'\b_\("([^"]+)"\)', file.read_text("utf-8"))) for file in sorted(PACKAGE.rglob("*.html"))
     ]
@@ -98,6 +99,16 @@ def effect_texts() -> Iterator[str]:
             yield from templates_in(text)
     for each in deviation.VARIED:
         yield from (each.name, str(each).replace("_", " "))
+
+
+def law_texts() -> Iterator[str]:
+    """Meanings of the motion laws, which `cadgen explain` prints."""
+    from cadgen.laws.power_laws import POWER_LAWS
+    from cadgen.laws.scca import SCCA
+    from cadgen.laws.sine_laws import SINE_LAWS
+    from cadgen.laws.valve_lobe import VALVE_LOBE
+
+    yield from (law.meaning for law in (*POWER_LAWS, *SINE_LAWS, *SCCA, VALVE_LOBE))
 
 
 def data_texts() -> Iterator[str]:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll, roll_curve
 from cadgen.cam.cutter import largest_cutter
-from cadgen.cam.follower import Contact, Follower, Loss, RolledCam, Trim, TrimKind
+from cadgen.cam.follower import Contact, Follower, Loss, RolledCam, Trim, TrimKind, gives_nothing
 from cadgen.cam.formulas import formula_checks
 from cadgen.cam.limits import CheckLimits
 from cadgen.cam.lost_lift import lost_lift
@@ -202,7 +202,7 @@ def check_cam(
         cutter_room(cut or curve, limits.cutter_radius),
         thinnest_wall(blank, curve.outline(max(step, curve.length() / _WALL_POINTS)), limits.wall),
         seam_check(motion, 0.0),
-        *follower.checks(cam),
+        *_own_checks(follower, cam),
         *application(cam),
     )
     return tuple(sorted(rows, key=lambda check: _ORDER.get(check.code, len(_ORDER))))
@@ -231,7 +231,15 @@ def riding_checks(
         blank=blank,
         limits=limits,
     )
-    return (*_pressure(motion, follower, contact, limits), *follower.checks(cam))
+    return (*_pressure(motion, follower, contact, limits), *_own_checks(follower, cam))
+
+
+def _own_checks(follower: Follower, cam: RolledCam) -> tuple[Check, ...]:
+    """Checks that a follower adds itself; of a plug-in it may return none at all, which is refused."""
+    own: tuple[Check, ...] | None = follower.checks(cam)
+    if own is None:
+        raise gives_nothing(follower, "checks")
+    return own
 
 
 def signed_pressure(cam: RolledCam) -> tuple[Check, ...]:

@@ -148,6 +148,7 @@ class Ring:
                 place=place,
                 follower=follower.noun,
                 flatter=follower.flatter,
+                base_key=follower.base_key,  # of which a larger value is tried
             )
         radius = np.linalg.norm(outline.points, axis=1)
         sector = follower.sector(float(radius.min()), float(radius.max()))

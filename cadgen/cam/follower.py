@@ -774,3 +774,18 @@ class SizedByAnother(Follower):
 
     remedies = Follower.remedies
     sizes = Follower.sizes
+
+
+def gives_nothing(follower: Follower, member: str) -> DesignError:
+    """Refusal of a follower one of whose members returns None where it must return a value.
+
+    Args:
+        follower: follower, as a rule of a plug-in.
+        member: name of the member.
+    """
+    return DesignError(
+        "{member} of the {follower} ({name}) returns None, where its value is needed: correct this member of its kind",
+        member=member,
+        follower=follower.noun,
+        name=type(follower).__name__,
+    )

@@ -175,8 +175,9 @@ def _bound(follower: Follower, point: Complex) -> Iterator[Check]:
         for way in off * np.exp(1j * np.linspace(0.0, TURN, _SIDES, endpoint=False)):
             asked = follower.least((point + way).real, (point + way).imag)
             for bound, one in zip(bounds, asked, strict=True):
-                short = np.where(np.isfinite(one), follower.lift(one) - follower.lift(bound), 0.0)
-                worst = max(worst, float(np.nanmax(short)))
+                asking = np.isfinite(one)
+                short = follower.lift(one[asking]) - follower.lift(bound[asking])
+                worst = max(worst, float(np.nanmax(short, initial=0.0)))
     if worst > BOUND_LIMIT_MM:
         yield _wrong(
             CheckCode.BOUND_FORMULA,

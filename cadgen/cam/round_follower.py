@@ -18,7 +18,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.follower import OUTLINE_POINTS, Branch, Follower, FollowerDimension, OwnSection, Swept, span_jets
+from cadgen.cam.follower import (
+    OUTLINE_POINTS,
+    Branch,
+    Follower,
+    FollowerDimension,
+    OwnSection,
+    Swept,
+    gives_nothing,
+    span_jets,
+)
 from cadgen.curves.closed import ClosedCurve, Jet, cross
 from cadgen.curves.derived import OffsetPiece
 from cadgen.errors import DesignError
@@ -92,7 +101,10 @@ class RoundFollower(Follower):
                 base_key=self.base_key,
                 higher=motion.higher(float(angles[np.argmin(stations)])),
             )
-        for path in self.pitch_curve(motion).pieces:
+        pitch: ClosedCurve | None = self.pitch_curve(motion)  # of a plug-in it may give nothing
+        if pitch is None:
+            raise gives_nothing(self, "pitch_curve")
+        for path in pitch.pieces:
             assert isinstance(path, Centre)
             theta = np.linspace(path.start, path.stop, max(9, int(_STATIONS * (path.stop - path.start) / TURN)))
             jet = path.jet(theta)

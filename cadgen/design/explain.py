@@ -5,7 +5,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from cadgen.design.follower import fitting_kinds
+from cadgen.design.follower import fitting_kinds, kinds_with
 from cadgen.design.keys import dotted, elsewhere, is_unit_slip, keys, last, nearest, shown, tables
 from cadgen.design.kinds import USUAL, Kinds, NamedKinds, Place
 from cadgen.design.section import listed
@@ -72,6 +72,16 @@ def unknown_key(place: Place, kinds: Kinds = USUAL) -> str:
             name=name,
             right=right,
             unit=Message(keys(kinds)[right].unit),
+        )
+    owners = [] if right or parent != "follower" else kinds_with(wrong)
+    if owners:
+        return Message(
+            '{name} is a key of {owners}, and follower.kind is "{kind}", under which [follower] '
+            "takes {listed}: remove it",
+            name=name,
+            owners=listed([f'"{code}"' for code in owners], "and"),
+            kind=kinds.follower.code,
+            listed=listed(tables(kinds)[parent].names, "and"),
         )
     meant = [right] if right else elsewhere(parent, wrong, kinds)
     hint = Message("did you mean {listed}? ", listed=listed(meant, "or")) if meant else ""

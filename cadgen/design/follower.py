@@ -59,6 +59,15 @@ def fitting_kinds(*, moved: bool) -> Message:
     return listed([f'"{code}"' for code in codes() if moved or kind_of(code).unit == TAN], "or")
 
 
+def kinds_with(key: str) -> list[str]:
+    """Codes of the kinds of follower that have a key.
+
+    Args:
+        key: name of a key of [follower].
+    """
+    return [code for code in codes() if key in section_of(kind_of(code)).model_fields]
+
+
 def lifted_kinds() -> Message:
     """Kinds of follower that move by their lift or swing, and not with a fork, as they read after "to"."""
     return listed([f'"{code}"' for code in codes() if kind_of(code).unit != TAN], "or")

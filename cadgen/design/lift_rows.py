@@ -6,7 +6,7 @@ from pathlib import Path
 
 from cadgen.errors import DesignError, FileError, brief, escaped
 from cadgen.messages import Message
-from cadgen.reading import read_regular
+from cadgen.reading import TooLargeError, read_regular
 
 MOST_ROWS = 20_000
 _MOST_BYTES = 2_000_000
@@ -74,6 +74,15 @@ def _text(file: Path, name: str, key: str) -> str:
         raise DesignError("{key} is {name}, a folder: give a CSV file in it", name=name, key=key) from None
     except FileError as error:
         raise DesignError("{key}: {error}", key=key, error=error.message) from None
+    except TooLargeError:
+        raise DesignError(
+            "{key} is {name}, which is larger than {most:g} MB, the most that is read: keep two columns, with fewer "
+            "decimals, and no more than {rows} rows",
+            key=key,
+            name=name,
+            most=_MOST_BYTES / 1e6,
+            rows=MOST_ROWS,
+        ) from None
     except (OSError, ValueError) as error:
         reason = Message(str(error.strerror) if isinstance(error, OSError) else error.args[0])
         raise DesignError(

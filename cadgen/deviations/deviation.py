@@ -74,8 +74,8 @@ class Hand:
     probe: float = 0.0
 
 
-# Unit of a key in a design file, by the unit of the values.
-_ENDINGS = {"mm": "mm", "rad": "deg", "N": "N", "K": "K"}
+# End of a key in a design file, by the unit of the values.
+_ENDINGS = {"mm": "_mm", "rad": "_deg", "N": "_N", "K": "_K", "Nmm": "_Nmm", "1": ""}
 
 
 @dataclass(frozen=True)
@@ -85,7 +85,7 @@ class Deviation:
     Attributes:
         name: name in words, unique.
         key: name in tables, in JSON, and in `[tolerances]` before the unit; empty where many cars do not vary it.
-        unit: unit of its values in tables: `mm`, `rad`, `N`, `K`; `Nmm`, or `1` for a ratio, where it has no zone.
+        unit: unit of its values in tables: `mm`, `rad`, `N`, `K`, `Nmm`, or `1` for a ratio.
         directed: whether it is a size with a direction: its values are two components, towards polar angles of 0 and
             90 degrees of the disc, or towards the ground at the start and a quarter turn of the wheel later; of the
             camshaft in its frame, towards the fork axis and up; of gears, the cosine and the sine of a turn.
@@ -121,7 +121,7 @@ class Deviation:
     @property
     def tolerance_key(self) -> str:
         """Key of its tolerance in `[tolerances]`, with the unit; empty without a zone."""
-        return f"{self.key}_{_ENDINGS[self.unit]}" if self.zone else ""
+        return f"{self.key}{_ENDINGS[self.unit]}" if self.zone else ""
 
 
 BASE_RADIUS = Deviation(

@@ -130,6 +130,8 @@ def table_motion(
     step = float(np.median(np.diff(angle)))
     whole = missing < _GAP * float(np.diff(angle).max())
     closes = _closes(angle, height, missing, noise, unit)
+    if not whole and _as_radians(angle, height, step, noise, unit, period):
+        raise _in_radians(degrees(angle[-1] - angle[0]))
     if not closes and not ramps:
         raise _open(angle, height, unit, noise, key)
     if closes and whole:
@@ -186,15 +188,31 @@ def _closes(angle: Array, height: Array, missing: float, noise: float, unit: Uni
     return bool(across <= max(3.0 * np.abs(np.diff(height, 3)).max(), 8.0 * allowed))
 
 
+def _as_radians(angle: Array, height: Array, step: float, noise: float, unit: Unit, period: float) -> bool:
+    """Whether the angles, taken for radians, are those of a whole period on which the table closes."""
+    share = degrees(1.0)
+    missing = period - share * float(angle[-1] - angle[0])
+    return abs(missing) < _GAP * share * step and _closes(share * angle, height, missing, noise, unit)
+
+
+def _in_radians(reach: float) -> DesignError:
+    """Refusal of angles in radians.
+
+    Args:
+        reach: what they reach over, as degrees.
+    """
+    return DesignError(
+        "the table reaches over {reach:.4g} degrees alone, as angles in radians do, and they are degrees: multiply "
+        "each by {share:.10g}",
+        reach=reach,
+        share=degrees(1.0),
+    )
+
+
 def _open(angle: Array, height: Array, unit: Unit, noise: float, key: str) -> DesignError:
     reach = degrees(angle[-1] - angle[0])
     if _RADIANS_FROM * TURN < reach < 1.01 * TURN:
-        return DesignError(
-            "the table reaches over {reach:.4g} degrees alone, as angles in radians do, and they are degrees: multiply "
-            "each by {share:.10g}",
-            reach=reach,
-            share=degrees(1.0),
-        )
+        return _in_radians(reach)
     scale, name = (1e3, "µm") if unit == MM else (degrees(1.0), "°")
     return DesignError(
         "the table does not close: it begins {first:.4g} {unit} above the base circle, at {begin:.6g} degrees of cam "

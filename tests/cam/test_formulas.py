@@ -159,6 +159,13 @@ def test_a_member_that_is_wrong_is_named(name):
     assert not any(check.passed for check in found)
 
 
+@pytest.mark.parametrize("member", ["checks", "pitch_curve"])
+def test_a_member_that_returns_nothing_is_named(member):
+    follower = broken(**{member: lambda self, of: None})
+    with pytest.raises(DesignError, match=rf"{member} of the \w+ \(Broken\) returns None"):
+        follower.refuse(motion()) if member == "pitch_curve" else failing(follower)
+
+
 LACKING = {
     "its follower lacks least": (type("Lacking", (Leaning,), {"least": None}), {}),
     "the motion of its follower is in mm, and that of the kind in tan": (Leaning, {"unit": TAN}),

@@ -14,6 +14,7 @@ from cadgen import Design
 from cadgen.cam.followers import table
 from cadgen.cam.followers.kind import FollowerKind
 from cadgen.design.lift_rows import read_rows
+from cadgen.design.load import complete_of
 from cadgen.design.motion import MotionSection, motion_of
 from cadgen.design.override import override
 from cadgen.errors import DesignError
@@ -371,3 +372,30 @@ thickness_mm = 10.0
             design.with_({"motion.table": str(Path("none.csv"))})
     finally:
         table.remove(SLIDE)
+
+
+@pytest.mark.parametrize("key", ["closure", "radius_mm", "clearance_mm", "lifts"])
+def test_a_key_of_another_follower_is_told_with_its_kinds(key):
+    text = """
+[motion]
+turns = "clockwise"
+segments = [{ to_mm = 3, in_deg = 180, law = "cycloidal" }, { to_mm = 0, in_deg = 180, law = "cycloidal" }]
+[follower]
+kind = "flat"
+[cam]
+base_circle_radius_mm = 20
+thickness_mm = 5
+"""
+    with pytest.raises(DesignError) as refused:
+        complete_of(text.replace('"flat"', f'"flat"\n{key} = 1'), Path("cam.toml"), ())
+    said = str(refused.value)
+    assert f"follower.{key} is a key of " in said
+    assert 'and follower.kind is "flat", under which [follower] takes kind, tilt_deg' in said
+    assert said.endswith(": remove it")
+    assert "train." not in said
+
+
+def test_a_table_that_is_too_large_is_told_what_to_keep(tmp_path):
+    (tmp_path / "lobe.csv").write_text("0.000000000000000,1.000000000000000\n" * 60_000, encoding="utf-8")
+    with pytest.raises(DesignError, match=r"larger than 2 MB, the most that is read: keep two columns"):
+        read_rows(tmp_path / "lobe.csv")

@@ -121,6 +121,16 @@ def test_a_table_in_radians_is_said_to_be_one(angle):
         taken(np.radians(angle), 4 * (1 - np.cos(angle + 0.1)) + 0.1 * angle)
 
 
+@pytest.mark.parametrize("count", [360, 361])
+def test_a_closed_table_in_radians_is_no_lobe_of_six_degrees(count):
+    angle = np.radians(np.arange(float(count)))
+    with pytest.raises(DesignError, match=r"reaches over 6\.2[68]\d* degrees alone.*multiply each by 57\.29577951"):
+        taken(np.radians(angle), 4 * (1 - np.cos(angle)))
+    assert taken(np.radians(np.degrees(angle)), 4 * (1 - np.cos(angle))).covered == (0.0, TURN)
+    lobe_of_six = np.radians(np.linspace(0.0, 6.0, 61))
+    assert taken(lobe_of_six, 0.01 * (1 - np.cos(lobe_of_six * 60))).covered[1] == pytest.approx(radians(6.0))
+
+
 def test_the_first_row_again_closes_a_turn():
     theta = np.radians(np.arange(361.0))
     rows = 5 - 5 * np.cos(theta)

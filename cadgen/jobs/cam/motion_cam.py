@@ -54,7 +54,8 @@ _SIZED = (CheckCode.PRESSURE_ANGLE_RISE, CheckCode.PRESSURE_ANGLE_RETURN, CheckC
 _EDGE = radians(0.1)  # of the outline's direction; a smaller turn is no edge that is felt
 _WALLS = (CheckCode.THINNEST_WALL, SecondDisc(f"second-{CheckCode.THINNEST_WALL}"))
 SMOOTHED = "motion.smooth=true"
-_STEPS = (3, 6, 10, 15, 20, 27, 35, 45, 60, 80, 110, 200)  # in degrees or percent, by which a size is raised in turn
+# In degrees or percent, by which a size is raised in turn.
+_STEPS = (3, 6, 10, 15, 20, 27, 35, 45, 60, 80, 110, 200, 350, 600, 1000, 1800)
 _DENSE = 7201  # stations at which the travel is sought
 
 
