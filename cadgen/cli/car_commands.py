@@ -511,6 +511,8 @@ def assembly(
 def frame(design: str | None, overrides: tuple[str, ...], as_json: bool, out: Path, force: bool) -> None:
     """Make the frame of a car: bearing plates, base, fork block and brackets, as STEP, DXF, G-code and sheets.
 
+    With frame.make = "printed" base, plates and brackets are one part, as STEP, STL and 3MF.
+
     The design needs [layout], which says where the parts stand, and [frame], which may be empty. Nothing is exported
     and the exit code is 1 if a check fails, unless --force is given.
     """
@@ -536,7 +538,9 @@ def frame(design: str | None, overrides: tuple[str, ...], as_json: bool, out: Pa
         verdict(
             True,
             Message("every check holds, and each file in {out} was read back", out=out),
-            Message("cut the sheets, and mount them with the base first"),
+            Message("cut the sheets, and mount them with the base first")
+            if made.computed.frame.printed is None
+            else Message("print the parts, ream the seats, and push the shafts through the walls"),
         )
     elif written is not None:
         verdict(False, failed(made.checks), Message("do not cut these files; change the design as it is said above"))

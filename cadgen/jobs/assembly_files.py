@@ -226,13 +226,27 @@ def mounting_notes(assembly: CarAssembly) -> Iterator[Message]:
     found, mechanics = layout.arrangement, design.mechanics
     assert found is not None  # `put_together` refuses a car without an arrangement
     yield Message("Left and right are those of the car as it drives. Places are mm to the left of the fork axis.")
-    yield Message(
-        "Put the gears of each shaft on in the order of its table, then all shafts into the {side} plate, the camshaft "
-        "first, and the other plate over them. What stands outside the plates comes after that.",
-        side=Message("right") if found.place.towards < 0 else Message("left"),
-    )
     framed = any(part.group.kind == GroupKind.FRAME and part.places for part in assembly.parts)
-    if framed:
+    printed = framed and frame_in(layout).frame.printed is not None
+    if printed:
+        yield Message(
+            "The walls stand on the base, so shafts come last: hold the gears between the walls, the lowest first, and "
+            "push each shaft from the {side} through one wall, what its table has between them, and the other wall. "
+            "What stands outside the walls comes after that.",
+            side=Message("left") if site.idle_wheel < site.fork else Message("right"),
+        )
+        yield Message(
+            "Then push the bearings over the ends of the shafts into their seats from outside, flush with the face "
+            "that looks to the train, and bond them there. The rear axle goes through the wall beside the idle wheel, "
+            "too."
+        )
+    else:
+        yield Message(
+            "Put the gears of each shaft on in the order of its table, then all shafts into the {side} plate, the "
+            "camshaft first, and the other plate over them. What stands outside the plates comes after that.",
+            side=Message("right") if found.place.towards < 0 else Message("left"),
+        )
+    if framed and not printed:
         yield Message(
             "Bond the bearings into their seats in plates, bracket and block before the shafts, flush with the face "
             "that looks to the train. Set the tabs of plates and brackets into the slots of the base, and screw all "
@@ -244,6 +258,7 @@ def mounting_notes(assembly: CarAssembly) -> Iterator[Message]:
                 and not part.places
             ),
         )
+    if framed:
         drive = design.drive
         if drive is not None and drive.kind == DriveKind.MOTOR:
             yield Message("Motor: screw it to the base from below; its shaft drives the rear axle.")

@@ -48,7 +48,7 @@ from cadgen.car.assembly.fork_sizes import (
     hub_width,
 )
 from cadgen.car.assembly.site import CarSite
-from cadgen.car.assembly.standard_parts import bearing_of
+from cadgen.car.assembly.standard_parts import bearing_of, key_size
 from cadgen.car.assembly.turning_train import TurningTrain, turning_train
 from cadgen.car.running.friction import DiscMaterial
 from cadgen.curves.chamfer import chamfered_off
@@ -71,9 +71,6 @@ from cadgen.parts.loop import circle as circle_loop
 if TYPE_CHECKING:
     from cadgen.jobs.gears.gear_train import GearTrain  # it measures teeth in mesh, which a list of parts does without
 
-# Height of a parallel key and depth of its seat in the shaft by its width, mm (DIN 6885-1, ISO 773).
-_KEYS = {2.0: (2.0, 1.2), 3.0: (3.0, 1.8), 4.0: (4.0, 2.5), 5.0: (5.0, 3.0), 6.0: (6.0, 3.5), 8.0: (7.0, 4.0)}
-_SEAT_SHARE = 0.6  # of the height of a key in its shaft, where the table has none of its width
 _HUB_WALL = 4.0  # mm between a wheel's bore and the outside of its hub
 _SCREW_HOLE = 2.5  # mm, to be tapped M3
 _SCREWS_APART, _THROUGH = 12.0, 3.2
@@ -302,7 +299,7 @@ class _Parts:
     def keys(self) -> Iterator[CarPart]:
         """Parallel keys of disc and gears."""
         for code, title, key, bore, angle, (low, high), shaft in self._keyed():
-            height, seat = _key_size(key.width)
+            height, seat = key_size(key.width)
             height = min(height, seat + key.depth)
             bottom = bore / 2 - seat
             bar = _box(bottom, bottom + height, -key.width / 2, key.width / 2)
@@ -662,11 +659,6 @@ class _Parts:
         )
 
 
-def _key_size(width: float) -> tuple[float, float]:
-    """Height of a key, and depth of its seat in the shaft, mm."""
-    return _KEYS.get(width, (width, _SEAT_SHARE * width))
-
-
 def _box(left: float, right: float, low: float, high: float) -> Contour:
     return Contour(np.array([[left, low], [right, low], [right, high], [left, high]]), np.zeros(4))
 
@@ -674,7 +666,7 @@ def _box(left: float, right: float, low: float, high: float) -> Contour:
 def _seat(diameter: float, key: Keyway, angle: float) -> Contour:
     """Section of a key's seat in a shaft, out to the shaft's own circle."""
     radius, half = diameter / 2, key.width / 2
-    wall, floor = sqrt(radius**2 - half**2), radius - _key_size(key.width)[1]
+    wall, floor = sqrt(radius**2 - half**2), radius - key_size(key.width)[1]
     corners = np.array([[floor, -half], [wall, -half], [wall, half], [floor, half]])
     c, s = cos(angle), sin(angle)
     return Contour(corners @ np.array([[c, s], [-s, c]]), np.array([0.0, tan(asin(half / radius) / 2), 0.0, 0.0]))

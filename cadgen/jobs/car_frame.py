@@ -4,7 +4,7 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
-from math import ceil, floor
+from math import ceil, floor, hypot
 
 from cadgen.car.assembly.arrangement import Gap
 from cadgen.car.assembly.carried import CarriedBody
@@ -13,7 +13,9 @@ from cadgen.car.assembly.frame.built_frame import Frame
 from cadgen.car.assembly.frame.frame_gaps import frame_gap, standing_gap
 from cadgen.car.assembly.frame.frame_maker import frame_of
 from cadgen.car.assembly.frame.frame_sizes import FrameSizes
-from cadgen.car.assembly.standard_parts import SCREWS
+from cadgen.car.assembly.frame.one_piece import OnePiece
+from cadgen.car.assembly.panels import Panel
+from cadgen.car.assembly.standard_parts import SCREWS, key_size
 from cadgen.check import Bound, Check, CheckCode, failing
 from cadgen.design import gear_model
 from cadgen.design.frame import Cutting, FrameSection
@@ -22,12 +24,14 @@ from cadgen.design.schema import Design, TrainDesign, whole_design
 from cadgen.design.train import PlateSection
 from cadgen.errors import DesignError
 from cadgen.figures import Facts, JobResult
-from cadgen.jobs.car_layout import CarLayout, layout_of
+from cadgen.jobs.car_layout import CarLayout, layout_of, train_in_car
 from cadgen.messages import Message
 from cadgen.output.drawing.shaft_fit import hole_class
+from cadgen.parts.features import Keyway
 
 _SEAT = "H7"  # class of the seats of bearings where train.plate.hole_fit does not say
 CLEAR = 0.05  # mm by which the half circles of inner corners are larger than the cutter
+BRIDGE = 30.0  # mm that a wall may bridge: melted filament over a gap sags by less than a layer up to some 30 mm
 # Values of keys that are tried as a cure, the gentlest first.
 _CURES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("frame.base_height_mm", ("",)),
@@ -125,15 +129,18 @@ class CarFrame(JobResult):
             Bound.MIN,
             where,
         )
-        found, wanted = frame.joints
-        yield Check(
-            CheckCode.FRAME_JOINTS,
-            Message("tabs and screws that find room"),
-            float(found),
-            "",
-            float(wanted),
-            Bound.MIN,
-        )
+        if frame.printed is None:
+            found, wanted = frame.joints
+            yield Check(
+                CheckCode.FRAME_JOINTS,
+                Message("tabs and screws that find room"),
+                float(found),
+                "",
+                float(wanted),
+                Bound.MIN,
+            )
+        else:
+            yield from self._printed_checks(frame.printed)
         yield Check(CheckCode.FRAME_PIECES, Message("pieces of the base"), float(frame.pieces), "", 1.0)
         yield Check(
             CheckCode.FRAME_FLOOR,
@@ -172,6 +179,86 @@ class CarFrame(JobResult):
         )
 
         yield from self._drive_checks()
+
+    def _printed_checks(self, printed: OnePiece) -> Iterator[Check]:
+        """Checks of a frame in one piece: the printer's room, bridges, and shafts that are pushed through its walls."""
+        bed = self.frame.sizes.bed
+        assert bed is not None  # a printed frame has a bed
+        across, wide = sorted(printed.size[:2]), sorted(bed[:2])
+        yield Check(
+            CheckCode.FRAME_BED,
+            Message("room that the printer has besides the frame"),
+            min(wide[0] - across[0], wide[1] - across[1], bed[2] - printed.size[2]),
+            "mm",
+            0.0,
+            Bound.MIN,
+            Message(
+                "{size} mm on a bed of {bed} mm",
+                size=" x ".join(f"{each:.1f}" for each in printed.size),
+                bed=" x ".join(f"{each:g}" for each in bed),
+            ),
+            self._without_bed(printed),
+        )
+        longest = printed.bridges[0] if printed.bridges else None
+        yield Check(
+            CheckCode.FRAME_BRIDGE,
+            Message("longest bridge of a wall over an opening"),
+            0.0 if longest is None else longest.length,
+            "mm",
+            BRIDGE,
+            place="" if longest is None else longest.wall,
+        )
+        keyed = list(self._keyed())
+        if keyed:
+            room, shaft, size = min(keyed)
+            yield Check(
+                CheckCode.FRAME_KEYS,
+                Message("room for the key of a shaft that is pushed through its wall"),
+                room,
+                "mm",
+                0.0,
+                Bound.MIN,
+                Message("shaft {shaft}", shaft=shaft),
+                Message(
+                    "take a bearing of {size:.1f} mm or more for shaft {shaft} (train.plate.bearing_bores_mm)",
+                    size=size,
+                    shaft=shaft,
+                ),
+            )
+
+    def _without_bed(self, printed: OnePiece) -> Message:
+        """Bed on which a printed frame lies, and whether sheets would do."""
+        bed = ", ".join(f"{ceil(each - 1e-6)}" for each in printed.size)
+        try:
+            apart = car_frame(with_overrides(self.design, ["frame.make=", "frame.bed_mm="]))
+            sheets = apart.frame.whole and not failing((*apart.plain_checks, *apart.layout.plain_checks))
+        except DesignError:
+            sheets = False
+        if not sheets:
+            return Message("print it where there is more room: set frame.bed_mm to [{bed}] or more", bed=bed)
+        return Message(
+            "print it where there is more room: set frame.bed_mm to [{bed}] or more, or leave frame.make and "
+            "frame.bed_mm out, and the frame is made of sheets",
+            bed=bed,
+        )
+
+    def _keyed(self) -> Iterator[tuple[float, int, float]]:
+        """Room for the key of each shaft that has one in the wall through which it is pushed, shaft, and hole, mm."""
+        (wall,) = (panel for panel in self.frame.plates if panel is self.pushed_through)
+        holes = {hole.shaft: hole.diameter for hole in wall.holes}
+        for number, part in enumerate(train_in_car(self.layout).on_shafts, 1):
+            key, bore = part.blank.key, part.blank.shaft_diameter
+            if isinstance(key, Keyway) and number in holes:
+                height, seat = key_size(key.width)
+                needed = 2 * hypot(bore / 2 - seat + height, key.width / 2)
+                yield (holes[number] - needed) / 2, number, needed
+
+    @property
+    def pushed_through(self) -> Panel:
+        """Bearing plate on the side away from the idle wheel, through which the shafts of a printed frame are put."""
+        site = self.frame.site
+        side = 1.0 if site.idle_wheel < site.fork else -1.0
+        return max(self.frame.plates, key=lambda panel: side * float(panel.place.shift[2]))
 
     def _drive_checks(self) -> Iterator[Check]:
         """Checks of room for weight or motor, and of the way that a weight falls."""
@@ -272,6 +359,15 @@ class CarFrame(JobResult):
     def sentence(self) -> Message:
         """Size of the frame in words."""
         left, low, right, high = self.base_size
+        if self.frame.printed is not None:
+            return Message(
+                "printed in one piece, {size} mm, its lower face {under:.4g} mm over the floor; camshaft to fork axis "
+                "{apart:g} mm, which slots in the platform let vary by {way:g} mm to either side",
+                size=" x ".join(f"{each:.1f}" for each in self.frame.printed.size),
+                under=self.frame.under + self.frame.sizes.screw.head_height,
+                apart=self.frame.site.base_radius,
+                way=self.frame.sizes.travel / 2,
+            )
         return Message(
             "base {long:.4g} by {wide:.4g} mm, its lower face {under:.4g} mm over the floor; camshaft to fork axis "
             "{apart:g} mm, which slots in the platform let vary by {way:g} mm to either side",
@@ -313,8 +409,18 @@ class CarFrame(JobResult):
             front_wheel_room_mm=frame.wheel_room,
             parts=[
                 *(
+                    Facts(
+                        code="printed",
+                        size_mm=list(each.size),
+                        volume_mm3=each.volume,
+                        bridges_mm=[bridge.length for bridge in each.bridges],
+                    )
+                    for each in (frame.printed,)
+                    if each is not None
+                ),
+                *(
                     Facts(code=panel.code, thickness_mm=panel.thickness, volume_mm3=panel.volume)
-                    for panel in frame.panels
+                    for panel in frame.sheets
                 ),
                 Facts(
                     code="block",
@@ -381,7 +487,7 @@ def frame_in(layout: CarLayout) -> CarFrame:
             advice=Message(short.advice),
         )
     plates = gear_model.train_keys(design).plate or PlateSection()
-    mill = keys.cutting == Cutting.MILL
+    mill = keys.cutting == Cutting.MILL and not keys.printed
     sizes = FrameSizes(
         wall=keys.wall_mm,
         screw=SCREWS[keys.screws],
@@ -394,6 +500,7 @@ def frame_in(layout: CarLayout) -> CarFrame:
         drive=keys.drive_holes_mm,
         carried=_carried(design, layout.bores[0]),
         seat=hole_class(plates.hole_fit) or _SEAT,
+        bed=keys.bed_mm if keys.printed else None,
     )
     return CarFrame(design, layout, frame_of(sizes, layout.site, layout.arrangement, layout.shafts, layout.bores))
 

@@ -98,10 +98,14 @@ def _on_shafts(assembly: CarAssembly) -> Iterator[_Round]:
 
 def _to_panels(assembly: CarAssembly, bodies: Sequence[_Round]) -> Iterator[tuple[str, _Round, float]]:
     """Gaps of the frame's sheets to what moves: code of the sheet, body and gap, mm; shafts pass their own seats."""
-    layout = assembly.layout
-    for panel in frame_in(layout).frame.panels if layout.design.frame is not None else ():
+    if assembly.layout.design.frame is None:
+        return
+    frame = frame_in(assembly.layout).frame
+    for panel in frame.panels:
         borne = {hole.shaft for hole in panel.holes}
         code, standing = panel.code.replace("_", "-"), panel.place.turn is STANDING
+        if panel not in frame.sheets:
+            code = "printed-frame"
         near: dict[str, list[_Round]] = {}
         for each in bodies:
             if each.group in borne and each.code.startswith(("shaft-", "bearing")):

@@ -144,7 +144,9 @@ class CarLayout:
             )
             yield Check(
                 CheckCode.PLATE_ROOM,
-                Message("room for the train between its plates"),
+                Message("room for the train between its walls")
+                if self.printed
+                else Message("room for the train between its plates"),
                 found.place.room,
                 "mm",
                 0.0,
@@ -155,7 +157,7 @@ class CarLayout:
         if self.widest_bearing:
             yield Check(
                 CheckCode.PLATE_THICKNESS,
-                Message("plates against their bearings"),
+                Message("walls against their bearings") if self.printed else Message("plates against their bearings"),
                 site.plate,
                 "mm",
                 self.widest_bearing,
@@ -175,6 +177,11 @@ class CarLayout:
                 value=str(not self.turned_over).lower(),
             ),
         )
+
+    @property
+    def printed(self) -> bool:
+        """Whether the frame is printed in one piece, with walls in the place of plates."""
+        return self.design.frame is not None and self.design.frame.printed
 
     @property
     def span_key(self) -> str:

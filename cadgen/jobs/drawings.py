@@ -341,6 +341,8 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
             0.1,
         )
         yield stem, gear_drawing(sheet, replace(title, quantity=count * title.quantity, edge=edge))
+    if _printed(plan):
+        return
     stem = f"{plan.stem}_plate"
     title = title_of(origin, plan.title, Message("plate for the axes"), plan.making.plate or "", stem, folder)
     title = replace(title, quantity=2 * title.quantity)
@@ -398,6 +400,11 @@ def plate_of(plan: GearTrain) -> Plate:
         for part, bore in zip(parts, bores, strict=True)
     )
     return Plate(axes, making.plate_thickness)
+
+
+def _printed(plan: GearTrain) -> bool:
+    """Whether a train stands in a frame that is printed in one piece, and has no plates of its own."""
+    return plan.car is not None and plan.car.printed
 
 
 def _plate_notes(plan: GearTrain, framed: bool) -> Iterator[str]:
@@ -546,8 +553,10 @@ def write_drawings(parts: Parts, out: Path, progress: Progress = silent) -> Writ
                 stem = f"{parts.train.stem}_{part.name}"
                 outlines = gear_outlines(staging, part, stem, "_outline", drilled=False)
                 yield from (replace(each, readings=()) for each in outlines)
-            plate = f"{parts.train.stem}_plate"
-            yield from plate_files(plate_of(parts.train), staging, plate)
+            if _printed(parts.train):
+                omitted["plate"] = Message("the frame is printed in one piece, which cadgen frame draws")
+            else:
+                yield from plate_files(plate_of(parts.train), staging, f"{parts.train.stem}_plate")
         if parts.cam is not None and parts.cam.application.measured_again:
             yield text_file(staging / f"{parts.cam.stem}_inspection.csv", inspection_csv(parts.cam))
 

@@ -11,6 +11,7 @@ from cadgen.car.assembly.frame.bought_parts import Bought, BoughtKind
 from cadgen.car.assembly.panels import BASE_COLOUR, PLATE_COLOUR, Panel, PartPlace
 from cadgen.car.running.friction import DiscMaterial
 from cadgen.design import gear_model
+from cadgen.design.frame import FrameSection
 from cadgen.design.train import PlateSection
 from cadgen.jobs.cam.cam_plan import DENSITY
 from cadgen.jobs.car_frame import CarFrame
@@ -34,16 +35,32 @@ def frame_parts(frame: CarFrame) -> tuple[CarPart, ...]:
 
 def _made(frame: CarFrame) -> Iterator[CarPart]:
     plates = gear_model.train_keys(frame.design).plate or PlateSection()
-    keys = frame.design.frame
-    others = (keys.material if keys else None) or plates.material
-    for panel in frame.frame.panels:
+    others, usual = material_of(frame), DiscMaterial.ALUMINIUM
+    printed = frame.frame.printed
+    if printed is not None:
+        usual = DiscMaterial.PLA
+        name, density, assumed = known_material(others, usual)
+        yield CarPart(
+            code="printed-frame",
+            title=Message("frame in one piece"),
+            shape=printed.shape,
+            places=(_matrix(printed.place),),
+            group=_STANDS,
+            material=name,
+            density=density,
+            assumed=assumed,
+            colour=BASE_COLOUR,
+            standard=f"{frame.stem}_printed",
+            how=Message("printed on the lower face of its base"),
+        )
+    for panel in frame.frame.sheets:
         stated = plates.material if panel in frame.frame.plates else others
         colour = BASE_COLOUR if panel.code in ("base", "platform") else PLATE_COLOUR
-        yield _sheet(panel, stated, colour, f"{frame.stem}_{panel.code}")
+        yield _sheet(panel, known_material(stated, usual), colour, f"{frame.stem}_{panel.code}")
     if frame.frame.carried is not None:
         yield from _drive(frame.frame.carried)
     block = frame.frame.block
-    name, density, assumed = known_material(others, DiscMaterial.ALUMINIUM)
+    name, density, assumed = known_material(others, usual)
     yield CarPart(
         code="fork-block",
         title=Message("block of the fork"),
@@ -105,8 +122,8 @@ def _drive(carried: Carried) -> Iterator[CarPart]:
         )
 
 
-def _sheet(panel: Panel, stated: str | None, colour: tuple[float, float, float], files: str) -> CarPart:
-    name, density, assumed = known_material(stated, DiscMaterial.ALUMINIUM)
+def _sheet(panel: Panel, material: tuple[str, float, bool], colour: tuple[float, float, float], files: str) -> CarPart:
+    name, density, assumed = material
     return CarPart(
         code=panel.code.replace("_", "-"),
         title=Message(panel.name),
@@ -152,6 +169,17 @@ def _bought(frame: CarFrame) -> Iterator[CarPart]:
             mass=None if drawn else _STEEL * volume,
             further=0 if drawn else number,
         )
+
+
+def material_of(frame: CarFrame) -> str | None:
+    """Material of base, platform, block and brackets as a design states it: that of the plates is of sheets alone.
+
+    Args:
+        frame: frame of the car.
+    """
+    keys = frame.design.frame or FrameSection()
+    plates = gear_model.train_keys(frame.design).plate or PlateSection()
+    return keys.material or (None if keys.printed else plates.material)
 
 
 def known_material(stated: str | None, usual: DiscMaterial) -> tuple[str, float, bool]:

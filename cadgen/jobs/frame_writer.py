@@ -2,11 +2,16 @@
 
 import csv
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from io import StringIO
 from pathlib import Path
 
-from cadgen.car.assembly.panels import Panel
+import numpy as np
+
+from cadgen.car.assembly.car_parts import Block, Joined
+from cadgen.car.assembly.frame.one_piece import OnePiece, foot_of
+from cadgen.car.assembly.panels import Feature, Panel, rectangle
+from cadgen.curves.contour import Contour
 from cadgen.design import gear_model
 from cadgen.design.frame import Cutting, FrameSection
 from cadgen.design.machining import Machining
@@ -14,11 +19,12 @@ from cadgen.design.train import PlateSection
 from cadgen.figures import Facts
 from cadgen.jobs.car_frame import CLEAR, CarFrame
 from cadgen.jobs.drawings import Folder, distance_notes, span_notes, title_of, write_sheet
+from cadgen.jobs.frame_parts import material_of
 from cadgen.messages import Message
 from cadgen.output.drawing.frame_sheets import PanelText, block_drawing, panel_drawing
 from cadgen.output.drawing.hole_frames import seat_zones
 from cadgen.output.drawing.sheet import Title
-from cadgen.output.files.frame_files import FrameText, block_files, panel_files
+from cadgen.output.files.frame_files import FrameText, block_files, mesh_files, one_piece_files, panel_files
 from cadgen.output.files.manifest import Origin
 from cadgen.output.files.publisher import Artifact, Written, publish, text_file
 from cadgen.progress import Progress, silent
@@ -52,9 +58,13 @@ def write_frame(frame: CarFrame, out: Path, progress: Progress = silent) -> Writ
 def _not_stated(frame: CarFrame) -> dict[str, str]:
     """Facts that the sheets leave open, each with the key of the design that states it."""
     plates, keys = gear_model.train_keys(frame.design).plate or PlateSection(), frame.design.frame or FrameSection()
-    stated = {
+    materials = {
         Message("material of the plates"): ("train.plate.material", plates.material),
         Message("material of the base"): ("frame.material", keys.material or plates.material),
+    }
+    if keys.printed:
+        materials = {Message("material of the frame"): ("frame.material", keys.material)}
+    stated = materials | {
         Message("surface finish"): ("drawing.finish", frame.design.drawing and frame.design.drawing.finish),
         Message("tolerance of the base radius"): (
             "tolerances.base_radius_mm",
@@ -79,23 +89,27 @@ class _Files:
         job = self.job
         design, frame = job.design, job.frame
         keys = design.frame or FrameSection()
-        origin = Origin.of(design)
-        text = FrameText(design.name, f"frame, design {origin.content_hash[:12]}")
+        text = FrameText(design.name, f"frame, design {Origin.of(design).content_hash[:12]}")
         machining: Machining | None = None
-        if keys.cutting == Cutting.MILL:
+        if keys.cutting == Cutting.MILL and not keys.printed:
             machining = design.machining.model_copy(update={"cutter_diameter_mm": keys.cutter_diameter_mm})
         plates = gear_model.train_keys(design).plate or PlateSection()
-        of_plates = plates.material or ""
-        others = keys.material or of_plates
-        for panel in frame.panels:
+        others = material_of(job) or ""
+        if frame.printed is not None:
+            yield from self._printed(frame.printed, text, others)
+        for panel in frame.sheets:
             stem = f"{job.stem}_{panel.code}"
             self.progress(Message("writing {stem}", stem=stem))
             yield from panel_files(panel, self.staging, stem, text, machining, frame.sizes.seat)
-            material = of_plates if panel in frame.plates else others
+            if keys.printed:
+                yield from self._meshes(panel.shape, stem, text)
+            material = plates.material or "" if panel in frame.plates else others
             sheet = panel_drawing(panel, self._words(panel), self._title(panel.name, material, stem))
             yield from write_sheet(self.staging, stem, sheet, self.omitted)
         stem = f"{job.stem}_block"
         yield from block_files(frame.block, self.staging, stem, text)
+        if keys.printed:
+            yield from self._meshes(frame.block.shape, stem, text)
         title = self._title(Message("block of the fork"), others, stem)
         seats = Message("Seats for bearings {code}, one in each end.", code=frame.block.bearing.designation)
         sheet = block_drawing(frame.block, (seats,), frame.sizes.screw.thread, title)
@@ -106,6 +120,50 @@ class _Files:
         writer.writerows((code, str(name), number) for code, name, number in job.bought)
         yield text_file(self.staging / f"{job.stem}_bought.csv", table.getvalue())
 
+    def _printed(self, printed: OnePiece, text: FrameText, material: str) -> Iterator[Artifact]:
+        """Files of a frame in one piece: solid, meshes, its sheet from above, and one of each wall."""
+        frame, stem = self.job.frame, f"{self.job.stem}_printed"
+        self.progress(Message("writing {stem}", stem=stem))
+        yield from one_piece_files(printed, self.staging, stem, text)
+        yield from self._meshes(printed.shape, stem, text)
+        feet = [(wall.name, foot_of(wall).bounds) for wall in frame.standing]
+        features = tuple(
+            Feature(name, (left + right) / 2, (low + high) / 2, right - left, high - low)
+            for name, (left, low, right, high) in feet
+        )
+        walls = tuple(Contour(rectangle(*bounds), np.zeros(4)) for _, bounds in feet)
+        words = replace(self._words(frame.base), walls=walls)
+        words = replace(words, notes=(*words.notes, *self._print_notes(printed)))
+        whole = replace(frame.base, features=(*frame.base.features, *features))
+        sheet = panel_drawing(whole, words, self._title(Message("frame in one piece"), material, stem))
+        yield from write_sheet(self.staging, stem, sheet, self.omitted)
+        for wall in frame.standing:
+            title = self._title(Message("frame in one piece: {wall}", wall=wall.name), material, f"{stem}_{wall.code}")
+            sheet = panel_drawing(wall, self._words(wall), title)
+            yield from write_sheet(self.staging, f"{stem}_{wall.code}", sheet, self.omitted)
+
+    def _print_notes(self, printed: OnePiece) -> Iterator[Message]:
+        yield Message(
+            "Print it as one part on the lower face of the base: {size} mm. The list of parts counts it as solid.",
+            size=" x ".join(f"{each:.1f}" for each in printed.size),
+        )
+        if printed.bridges:
+            yield Message(
+                "Walls bridge openings of the base, the longest by {length:.1f} mm: {wall}.",
+                length=printed.bridges[0].length,
+                wall=printed.bridges[0].wall,
+            )
+        yield Message(
+            "Seats of bearings lie across the layers: print them without support, and ream all of one shaft in one go."
+        )
+        if self.job.design.export.printing is not None:
+            yield self.job.design.export.printing.note
+        yield Message("Sections of the walls: sheets {stem}_wall_near and so on.", stem=f"{self.job.stem}_printed")
+
+    def _meshes(self, shape: Block | Joined, stem: str, text: FrameText) -> Iterator[Artifact]:
+        export = self.job.design.export
+        return mesh_files(shape, self.staging, stem, text, export.printing, export.cam_chord_um * 1e-3)
+
     def _title(self, part: str, material: str, stem: str) -> Title:
         design = self.job.design
         return title_of(Origin.of(design), design.drawing, part, material, stem, self.folder)
@@ -115,7 +173,13 @@ class _Files:
         train, zones = gear_model.train(self.job.design), dict[int, float]()
         if panel in frame.plates:
             zones = seat_zones(sorted(hole.shaft for hole in panel.holes if hole.fit and hole.shaft), train)
-        notes = [] if zones else [Message("Sheet {thickness:g} mm thick.", thickness=panel.thickness)]
+        walls = () if frame.printed is None else frame.standing
+        thick = panel.thickness
+        notes = [] if zones else [Message("Sheet {thickness:g} mm thick.", thickness=thick)]
+        if panel in walls:
+            notes = [Message("Wall of the frame that is printed in one piece, {size:g} mm thick.", size=thick)]
+        elif walls and panel is frame.base:
+            notes = [Message("Base of {size:g} mm with walls on its upper face.", size=thick)]
         datum = Message("axis of the camshaft")
         between: list[tuple[str, tuple[float, float], tuple[float, float], str]] = []
         if panel is frame.base:
@@ -129,7 +193,7 @@ class _Files:
         elif panel is frame.platform or panel.code == "guide_top":
             notes.append(Message("Seen from above, the front of the car to the left."))
             datum = Message("axis of the camshaft, and inner face of the disc")
-        elif panel.code == "bracket_micrometer":
+        elif panel.code in ("bracket_micrometer", "wall_micrometer"):
             notes.append(Message("Seen from before the car."))
             datum = Message("height of the camshaft, and inner face of the disc")
         else:
@@ -167,4 +231,5 @@ class _Files:
                 apart=site.base_radius,
                 way=way,
             )
-        yield Message("Slots are 0.1 mm longer and wider than the tabs in them: try one first.")
+        if frame.printed is None:
+            yield Message("Slots are 0.1 mm longer and wider than the tabs in them: try one first.")

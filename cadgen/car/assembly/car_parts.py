@@ -30,6 +30,15 @@ class Content(NamedTuple):
     volume: float
     centre: tuple[float, float, float]
 
+    def at(self, place: Array) -> "Content":
+        """Content of the solid at a place.
+
+        Args:
+            place: turning and shift from its own frame, shape (3, 4), mm.
+        """
+        x, y, z = (place @ [*self.centre, 1.0]).tolist()
+        return Content(self.volume, (x, y, z))
+
 
 @dataclass(frozen=True, slots=True)
 class BodyShape:
@@ -176,7 +185,22 @@ class Block:
         return together(parts)
 
 
-Shape = BodyShape | DiscShape | Block
+@dataclass(frozen=True, slots=True, eq=False)
+class Joined:
+    """Blocks that make up one solid, as a frame in one piece does.
+
+    Attributes:
+        blocks: blocks, each with its place in the solid's own frame, shape (3, 4); they touch and do not overlap.
+    """
+
+    blocks: tuple[tuple[Block, Array], ...]
+
+    def content(self) -> Content:
+        """Volume and centre."""
+        return together(block.content().at(place) for block, place in self.blocks)
+
+
+Shape = BodyShape | DiscShape | Block | Joined
 
 
 class GroupKind(StrEnum):

@@ -139,6 +139,20 @@ def _screw(thread: str, pitch: float, head: tuple[float, float], hole: float, nu
     )
 
 
+# Height of a parallel key and depth of its seat in the shaft by its width, mm (DIN 6885-1, ISO 773).
+_KEYS = {2.0: (2.0, 1.2), 3.0: (3.0, 1.8), 4.0: (4.0, 2.5), 5.0: (5.0, 3.0), 6.0: (6.0, 3.5), 8.0: (7.0, 4.0)}
+_SEAT_SHARE = 0.6  # of the height of a key in its shaft, where the table has none of its width
+
+
+def key_size(width: float) -> tuple[float, float]:
+    """Height of a parallel key, and depth of its seat in the shaft, mm.
+
+    Args:
+        width: width of the key, mm.
+    """
+    return _KEYS.get(width, (width, _SEAT_SHARE * width))
+
+
 # Heads are those of knurled screws, the larger ones.
 SCREWS = {
     screw.thread: screw

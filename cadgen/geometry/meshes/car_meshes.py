@@ -8,11 +8,14 @@ import numpy as np
 from manifold3d import CrossSection, FillRule, Manifold
 
 from cadgen.arrays import Array
-from cadgen.car.assembly.car_parts import BodyShape, CarPart, DiscShape, Drilled, Prism, Shape
+from cadgen.car.assembly.car_parts import Block, BodyShape, CarPart, DiscShape, Drilled, Joined, Prism, Shape
 from cadgen.car.assembly.turning_train import Stand
 from cadgen.curves.contour import circle
 from cadgen.curves.polygon import polygon
 from cadgen.geometry.meshes.mesh import Mesh, body_mesh, cam_mesh, mesh_of
+
+# mm by which faces that are flush may differ: outlines are kept on a grid of some 1e-8 mm before they are made prisms.
+_FLUSH = 1e-6
 
 
 @lru_cache(maxsize=128)  # chord by chord until the triangles are few enough; and again while a design is edited
@@ -42,6 +45,15 @@ def shape_mesh(shape: Shape, chord: float) -> Mesh:
             return body_mesh(body, chord)
         case DiscShape(curve=curve, blank=blank, thickness=thickness):
             return cam_mesh(curve, blank, thickness, chord)
+        case Joined(blocks=blocks):
+            solid = Manifold()
+            for block, place in blocks:
+                solid += _block(block, chord).transform(place)
+            return mesh_of(solid.set_tolerance(_FLUSH))
+    return mesh_of(_block(shape, chord))
+
+
+def _block(shape: Block, chord: float) -> Manifold:
     solid = Manifold()
     for each in shape.prisms:
         solid += _prism(each, chord)
@@ -49,7 +61,7 @@ def shape_mesh(shape: Shape, chord: float) -> Mesh:
         solid -= _prism(each, chord)
     for hole in shape.drilled:
         solid -= _drilled(hole, chord)
-    return mesh_of(solid)
+    return solid
 
 
 def _prism(each: Prism, chord: float) -> Manifold:
@@ -118,6 +130,10 @@ def _pieces(shape: Shape, chord: float) -> Iterator[Manifold]:
             if boss is not None:
                 around = circle((0.0, 0.0), boss.diameter / 2).polygon(chord)
                 yield _extruded([around, blank.bore().polygon(chord)], boss.low, boss.high)
+        case Joined(blocks=blocks):
+            for block, place in blocks:
+                for each in block.prisms:
+                    yield _prism(each, chord).transform(place)
         case _:
             for each in shape.prisms:
                 yield _prism(each, chord)

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut, BRepAlgoAPI_Fuse
+from OCP.BRepBuilderAPI import BRepBuilderAPI_Transform
 from OCP.BRepPrimAPI import BRepPrimAPI_MakeCylinder
 from OCP.gp import gp_Ax2, gp_Dir, gp_Pnt, gp_Trsf
 from OCP.TCollection import TCollection_AsciiString, TCollection_ExtendedString
@@ -16,7 +17,7 @@ from OCP.TopoDS import TopoDS_Shape, TopoDS_Solid
 from OCP.XCAFDoc import XCAFDoc_DocumentTool, XCAFDoc_ShapeTool
 
 from cadgen.arrays import Array
-from cadgen.car.assembly.car_parts import Block, BodyShape, CarPart, DiscShape, Prism, Shape
+from cadgen.car.assembly.car_parts import Block, BodyShape, CarPart, DiscShape, Joined, Prism, Shape
 from cadgen.errors import FileError
 from cadgen.geometry.solids.crossing import with_exact_crossings
 from cadgen.geometry.solids.disc_solid import cam_part
@@ -45,7 +46,17 @@ def shape_solid(shape: Shape, name: str) -> TopoDS_Solid:
             return body_solid(body)
         case DiscShape(curve=curve, blank=blank, thickness=thickness):
             return cam_part(curve, blank, thickness, name=name, description="").solid
+        case Joined(blocks=blocks):
+            first, *others = (_placed(_block(block, name), place) for block, place in blocks)
+            return _whole(boolean(BRepAlgoAPI_Fuse(), first, others, _UNJOINED), name)
     return _block(shape, name)
+
+
+def _placed(solid: TopoDS_Solid, place: Array) -> TopoDS_Shape:
+    """Solid at a place, shape (3, 4)."""
+    move = gp_Trsf()
+    move.SetValues(*place.ravel().tolist())
+    return BRepBuilderAPI_Transform(solid, move, True).Shape()
 
 
 def _block(block: Block, name: str) -> TopoDS_Solid:
@@ -60,6 +71,11 @@ def _block(block: Block, name: str) -> TopoDS_Solid:
         made = boolean(BRepAlgoAPI_Cut(), made, away, _UNJOINED)
     if any(hole.beyond for hole in block.drilled):
         made = with_exact_crossings(made)
+    return _whole(made, name)
+
+
+def _whole(made: TopoDS_Shape, name: str) -> TopoDS_Solid:
+    """The only solid of a shape, which must be valid."""
     bodies = solids(made)
     if len(bodies) != 1 or not is_valid(bodies[0]):
         raise FileError(

@@ -64,6 +64,7 @@ class PanelText:
         between: further dimensions: name, first and second point on the part, mm, and text after the number.
         zones: zones of the seats of shafts by their numbers, mm; none where no distance has a tolerance.
         thread: name of the threads in the foot.
+        walls: feet of the walls that stand on the part, mm.
     """
 
     datum: str
@@ -71,6 +72,7 @@ class PanelText:
     between: tuple[tuple[str, tuple[float, float], tuple[float, float], str], ...] = ()
     zones: Mapping[int, float] = field(default_factory=dict)
     thread: str = ""
+    walls: tuple[Contour, ...] = ()
 
 
 def panel_drawing(panel: Panel, text: PanelText, title: Title) -> DrawingSheet:
@@ -102,7 +104,7 @@ def panel_drawing(panel: Panel, text: PanelText, title: Title) -> DrawingSheet:
         LEFT + 26.0 - scale * min(left, 0.0),
         EDGE + TITLE_SIZE[1] + 4.0 + (room_high - scale * extent[1]) / 2 - scale * min(low, 0.0),
     )
-    curves: list[Closed | Stroke] = [Closed(panel.outline), *(Closed(cut) for cut in panel.cuts)]
+    curves: list[Closed | Stroke] = [Closed(each) for each in (panel.outline, *panel.cuts, *text.walls)]
     for hole in panel.holes:
         at = (hole.u, hole.v)
         curves += [ring(hole.diameter, centre=at), *centre_cross(hole.diameter / 2 + 2.0 / scale, at)]

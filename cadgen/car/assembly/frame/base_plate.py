@@ -86,7 +86,7 @@ def base_plate(
     outline = rounded_corners(_corners(outer.exterior), sizes.corner, inside=False)
     base = Panel(
         code="base",
-        name=Message("base plate"),
+        name=Message("base plate") if sizes.bed is None else Message("base of the frame"),
         outline=outline,
         cuts=tuple(cuts),
         holes=tuple(holes),

@@ -13,6 +13,7 @@ from cadgen.car.assembly.fork_sizes import BRIDGE_HEIGHT, GAP
 from cadgen.car.assembly.frame.bought_parts import Bought
 from cadgen.car.assembly.frame.fork_block import ForkBlock
 from cadgen.car.assembly.frame.frame_sizes import ROUNDING, FrameSizes
+from cadgen.car.assembly.frame.one_piece import OnePiece, one_piece
 from cadgen.car.assembly.panels import Panel
 from cadgen.car.assembly.site import CarSite
 
@@ -57,9 +58,26 @@ class Frame:
 
     @property
     def panels(self) -> tuple[Panel, ...]:
-        """Every sheet."""
+        """Every sheet, and every wall of a printed frame."""
         guide = () if self.carried is None or self.carried.top is None else (self.carried.top,)
         return (*self.plates, self.base, self.platform, *self.brackets, *guide)
+
+    @property
+    def standing(self) -> tuple[Panel, ...]:
+        """Plates and brackets, which are walls of a printed frame."""
+        return (*self.plates, *self.brackets)
+
+    @cached_property
+    def printed(self) -> OnePiece | None:
+        """Base, plates and brackets as one part; None for a frame of sheets."""
+        return None if self.sizes.bed is None else one_piece(self.base, self.standing, self.top)
+
+    @property
+    def sheets(self) -> tuple[Panel, ...]:
+        """Sheets that are parts of their own."""
+        if self.sizes.bed is None:
+            return self.panels
+        return tuple(panel for panel in self.panels if panel is not self.base and panel not in self.standing)
 
     @property
     def under(self) -> float:

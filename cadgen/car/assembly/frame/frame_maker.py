@@ -55,10 +55,16 @@ def _built(ground: FrameGround) -> Frame:
     block = fork_block(ground)
     platform, spacers = fork_platform(ground, block)
     near, far = sorted(ground.low, key=lambda low: abs(low + site.plate / 2 - found.place.near))
-    plates = (
-        bearing_plate(ground, "plate_near", Message("bearing plate beside the disc"), near, platform),
-        bearing_plate(ground, "plate_far", Message("bearing plate away from the disc"), far, platform),
-    )
+    if sizes.bed is None:
+        plates = (
+            bearing_plate(ground, "plate_near", Message("bearing plate beside the disc"), near, platform),
+            bearing_plate(ground, "plate_far", Message("bearing plate away from the disc"), far, platform),
+        )
+    else:
+        plates = (
+            bearing_plate(ground, "wall_near", Message("wall beside the disc"), near, platform),
+            bearing_plate(ground, "wall_far", Message("wall away from the disc"), far, platform),
+        )
     brackets = [idle_bracket(ground)]
     if sizes.stem:
         brackets.append(micrometer_bracket(ground, platform))

@@ -25,6 +25,8 @@ class FrameSizes:
         drive: distances of the holes for motor or weight along and across the car, mm.
         carried: weight or motor; None for a car whose drive is not stated.
         seat: class of the seats of bearings.
+        bed: length, width and height of the printer that prints base, plates and brackets as one part, mm; None for a
+            frame of sheets.
     """
 
     wall: float
@@ -38,3 +40,4 @@ class FrameSizes:
     drive: tuple[float, float]
     carried: CarriedBody | None
     seat: str
+    bed: tuple[float, float, float] | None = None

@@ -10,6 +10,7 @@ import shapely
 from cadgen.car.assembly.frame.foot_joints import (
     FIT,
     FootJoint,
+    Strip,
     foot_joints,
     nut_slot_corners,
     slots_along,
@@ -102,13 +103,16 @@ def bearing_plate(ground: FrameGround, code: str, name: str, low: float, platfor
     outer = max(ground.low) == low if ground.found.place.towards < 0 else min(ground.low) == low
     flush = (low + thick if ground.found.place.towards < 0 else low) if outer else None
     joints: list[FootJoint] = []
+    printed, strip = ground.sizes.bed is not None, strip_along(ground, low, flush)
     while True:
-        joints = foot_joints(ground, span, holes, strip_along(ground, low, flush))
-        if len(joints) == 4 or (span[0] <= ahead and span[1] >= max(ends) + 40):
+        joints = [] if printed else foot_joints(ground, span, holes, strip)
+        stands = stands_at_its_ends(ground, span, strip) if printed else len(joints) == 4
+        if stands or (span[0] <= ahead and span[1] >= max(ends) + 40):
             break
         span = (max(span[0] - 5.0, min(ahead, span[0])), span[1] if span[0] > ahead else span[1] + 5.0)
     panel = _standing(ground, code, name, holes, span, joints, PartPlace(STANDING, np.array([0.0, 0.0, low])))
-    return StandingSheet.of(panel, joints, 4, lambda at: (-at, low + thick / 2), slots_along(ground, low))
+    wanted = 0 if printed else 4
+    return StandingSheet.of(panel, joints, wanted, lambda at: (-at, low + thick / 2), slots_along(ground, low))
 
 
 def idle_bracket(ground: FrameGround) -> StandingSheet:
@@ -122,11 +126,15 @@ def idle_bracket(ground: FrameGround) -> StandingSheet:
     name, size = Message("seat of shaft {shaft}", shaft=1), seat or ground.bores[0]
     holes = [SheetHole(name, middle, -ground.axle.imag, size, ground.sizes.seat, 1)]
     span = (middle - _HALF_FOOT, middle + _HALF_FOOT)
-    joints = foot_joints(ground, span, holes, strip_along(ground, low, face))
-    name = Message("bracket beside the idle wheel")
+    printed = ground.sizes.bed is not None
+    joints = [] if printed else foot_joints(ground, span, holes, strip_along(ground, low, face))
+    code, name = "bracket_idle", Message("bracket beside the idle wheel")
+    if printed:
+        code, name = "wall_idle", Message("wall beside the idle wheel")
     place = PartPlace(STANDING, np.array([0.0, 0.0, low]))
-    panel = _standing(ground, "bracket_idle", name, holes, span, joints, place)
-    return StandingSheet.of(panel, joints, 3, lambda at: (-at, low + thick / 2), slots_along(ground, low))
+    panel = _standing(ground, code, name, holes, span, joints, place)
+    wanted = 0 if printed else 3
+    return StandingSheet.of(panel, joints, wanted, lambda at: (-at, low + thick / 2), slots_along(ground, low))
 
 
 def micrometer_bracket(ground: FrameGround, platform: Panel) -> StandingSheet:
@@ -140,7 +148,8 @@ def micrometer_bracket(ground: FrameGround, platform: Panel) -> StandingSheet:
     def strip(start: float, end: float, along: float) -> shapely.Polygon:
         return shapely.box(-low - thick, -end - along, -low + sizes.wall, -start + along)
 
-    joints = foot_joints(ground, span, holes, strip)
+    printed = sizes.bed is not None
+    joints = [] if printed else foot_joints(ground, span, holes, strip)
     half = FIT / 2
 
     def cut(joint: FootJoint) -> shapely.Polygon:
@@ -149,14 +158,27 @@ def micrometer_bracket(ground: FrameGround, platform: Panel) -> StandingSheet:
 
     panel = _standing(
         ground,
-        "bracket_micrometer",
-        Message("bracket of the micrometer head"),
+        "wall_micrometer" if printed else "bracket_micrometer",
+        Message("wall of the micrometer head") if printed else Message("bracket of the micrometer head"),
         holes,
         span,
         joints,
         PartPlace(ACROSS, np.array([low, 0.0, 0.0])),
     )
-    return StandingSheet.of(panel, joints, 3, lambda at: (low + thick / 2, at), cut)
+    return StandingSheet.of(panel, joints, 0 if printed else 3, lambda at: (low + thick / 2, at), cut)
+
+
+def stands_at_its_ends(ground: FrameGround, span: tuple[float, float], strip: Strip) -> bool:
+    """Whether a foot has no opening of the base under its ends.
+
+    Args:
+        ground: places that the frame goes by.
+        span: ends of the foot, mm.
+        strip: function that gives the strip of the base under a length of the foot.
+    """
+    long, free = 2 * ground.sizes.wall, shapely.union_all(ground.openings)
+    ends = (strip(span[0], span[0] + long, 0.0), strip(span[1] - long, span[1], 0.0))
+    return not any(end.intersects(free) for end in ends)
 
 
 def _standing(
