@@ -117,6 +117,7 @@ class CheckCode(StrEnum):
     DRIVE_WHEEL_LEAST = "drive-wheel-least"
     DRIVE_WHEEL_OUTLINE = "drive-wheel-outline"
     ENERGY_LEFT = "energy-left"
+    WEIGHT_PULL = "weight-pull"
     TIPPING_SPEED = "tipping-speed"
     AXLE_REACHED = "axle-reached"
     CAR_CLEARANCE = "car-clearance"

@@ -53,6 +53,7 @@ _OF_CAR = (
     CheckCode.DRIVE_WHEEL_LEAST,
     CheckCode.DRIVE_WHEEL_OUTLINE,
     CheckCode.ENERGY_LEFT,
+    CheckCode.WEIGHT_PULL,
 )
 _IN_CAR = (
     CheckCode.AXLE_REACHED,

@@ -1,20 +1,25 @@
 """Whether a car with all its parts stands on its wheels at its speed, and has the energy for its path."""
 
+from dataclasses import replace
 from math import inf
 
 import numpy as np
 
 from cadgen.car.assembly.car_parts import Content
 from cadgen.car.running.tipping import Tipping, tipping
-from cadgen.check import Bound, Check, CheckCode
+from cadgen.check import Bound, Check, CheckCode, failing
+from cadgen.design.load import with_overrides
 from cadgen.errors import DesignError
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.mechanics import energy_verdict
 from cadgen.jobs.cam.steered_car import SteeredCar
 from cadgen.jobs.car_assembly import PlacedParts, parts_in
+from cadgen.jobs.car_frame import frame_in
+from cadgen.jobs.car_layout import layout_of
 from cadgen.messages import Message
 from cadgen.verdict import PartVerdict, Reservation
 
+_LARGER = (1.1, 1.25, 1.6, 2.0, 3.0)  # shares of drum and mass of a weight that are tried
 _EDGES = (Message("rear axle"), Message("line from idle to front wheel"), Message("line from drive to front wheel"))
 
 
@@ -39,7 +44,17 @@ def verdict_on_car(cam: CamPlan) -> PartVerdict:
 
 def assembly_verdict(assembly: PlacedParts) -> PartVerdict:
     """Verdict on a car with all its parts: tipping, and the energy by their mass where the design states none."""
-    spent = energy_verdict(
+    spent = _spent(assembly)
+    checks, wrong = spent.checks, {check.code for check in failing(spent.checks)}
+    if CheckCode.WEIGHT_PULL in wrong:
+        advice = _pull_cure(assembly, drums=CheckCode.ENERGY_LEFT not in wrong)
+        checks = tuple(replace(each, advice=advice) if each.code == CheckCode.WEIGHT_PULL else each for each in checks)
+    return PartVerdict((_tipping_check(assembly), *checks), spent.reservations)
+
+
+def _spent(assembly: PlacedParts) -> PartVerdict:
+    """Verdict on the energy of a car and on the pull of its weight, by the mass of its parts."""
+    return energy_verdict(
         assembly.layout.design,
         assembly.use.track,
         assembly.use.wanted,
@@ -48,7 +63,34 @@ def assembly_verdict(assembly: PlacedParts) -> PartVerdict:
         assembly.use.drive_wheel,
         assembly.balance().volume * 1e-3,
     )
-    return PartVerdict((_tipping_check(assembly), *spent.checks), spent.reservations)
+
+
+def _pull_cure(assembly: PlacedParts, *, drums: bool) -> Message:
+    """Drum or mass with which a weight moves its car, tried with all that stands in its way.
+
+    Args:
+        assembly: car put together.
+        drums: whether drums are tried: one gives no more energy than the fall has.
+    """
+    design, drive = assembly.layout.design, assembly.layout.design.drive
+    assert drive is not None  # the check is of a weight
+    wound = drive.wound(assembly.layout.bores[0])
+    sizes = [f"{round(2 * (wound * share - drive.string_mm)) / 2:g}" for share in _LARGER] if drums else []
+    masses = [f"{drive.mass_kg * share:.3g}" for share in _LARGER]
+    for key, values in (("drive.drum_mm", sizes), ("drive.mass_kg", masses)):
+        for value in values:
+            try:
+                layout = layout_of(with_overrides(design, [f"{key}={value}"]))
+                parts = parts_in(layout, assembly.cam)
+                if parts is None or failing(frame_in(layout).plain_checks) or failing(_spent(parts).checks):
+                    continue
+            except DesignError:
+                continue
+            return Message("set {key} to {value}", key=key, value=value)
+    return Message(
+        "no drum or mass of the weight that was tried moves it: lower the car's mass, its rolling resistance, the "
+        "brake's drag or the rod's force"
+    )
 
 
 def tipping_of(assembly: PlacedParts) -> Tipping:

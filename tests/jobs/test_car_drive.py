@@ -144,6 +144,23 @@ def test_cures_of_the_energy_pass_when_they_are_put_in() -> None:
     assert tried == {False, True}
 
 
+def test_a_weight_that_holds_its_car_up_names_a_drum_that_moves_it() -> None:
+    """Its energy suffices for the way, but the pull is too small for what is against it before the way is done."""
+    long_fall = "drive={kind='weight', mass_kg=1.0, size_mm=[50, 50, 65], fall_mm=840}"
+    given = [long_fall, "mechanics.drive_energy_J=", "mechanics.rolling_resistance=0.016"]
+
+    def checks(*more: str) -> dict[str, Check]:
+        cam = plan_cam(load_design("workshop_car", [*given, *more]), "actual", judged=False)
+        return {check.code: check for check in verdict_on_car(cam).checks}
+
+    made = checks()
+    assert made[CheckCode.ENERGY_LEFT].passed
+    assert not made[CheckCode.WEIGHT_PULL].passed
+    key, value = made[CheckCode.WEIGHT_PULL].advice.removeprefix("set ").split(" to ")
+    assert key == "drive.drum_mm"
+    assert not failing(tuple(checks(f"{key}={value}").values()))
+
+
 def test_a_small_weight_has_the_pulleys_screws_outside_its_tubes() -> None:
     small = "drive={kind='weight', mass_kg=0.1, size_mm=[10, 10, 65], fall_mm=200}"
     assert frame_of(small).passed

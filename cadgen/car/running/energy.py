@@ -5,13 +5,17 @@ gears must give the cam the torque M(theta), `mechanics.Mechanics.needed`, and t
     E = c m g S + 1/eta ∫ max(M, 0) dtheta.
 Where the rod drives the cam ahead, M is negative, and nothing of that comes back: the play is run through, and the
 shock at its end takes it. Air and the kinetic energy at the end are left aside: 0.13 J of a car of 1 kg at 0.5 m/s.
+
+What is against the car at a place is the derivative of E by the travel s of the drive wheel,
+    F(s) = c m g dS/ds + max(M, 0) / eta dtheta/ds,
+and a weight that pulls with P moves it off if P > F at the start. It keeps it moving as long as P s > ∫ F ds.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
 
-from cadgen.arrays import gauss_nodes
+from cadgen.arrays import Array, gauss_nodes
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import Run
 from cadgen.car.running.mechanics import Mechanics
@@ -40,6 +44,48 @@ class RunEnergy:
     def needed(self) -> float:
         """Energy that the drive must give, J."""
         return self.rolling + self.rod + self.drag + self.gears
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Resistance:
+    """Force against a car along its run, over n steps of it.
+
+    Attributes:
+        travel: travel of the drive wheel at the end of each step, shape (n,), m.
+        force: force against the car at the rim of its drive wheel, over each step, shape (n,), N.
+    """
+
+    travel: Array
+    force: Array
+
+    @property
+    def work(self) -> Array:
+        """Work of the force up to the end of each step, shape (n,), J."""
+        summed: Array = np.cumsum(self.force * np.diff(self.travel, prepend=0.0))
+        return summed
+
+
+def resistance(
+    lift: PathMotion, forces: Mechanics, run: Run, *, mass: float, rolling: float, efficiency: float
+) -> Resistance:
+    """Force against a car along its run; its work is the energy of the run.
+
+    Args:
+        lift: lift of the cam.
+        forces: forces on the cam.
+        run: run of the car, with the tracks of its wheels.
+        mass: mass of the car, kg.
+        rolling: rolling resistance, ratio of force and load.
+        efficiency: share of the energy that the gears pass on to the cam, 0 to 1.
+    """
+    driven, *others = (
+        np.hypot(*np.diff(track, axis=0).T) * 1e-3 for track in (run.drive_wheel, run.front_wheel, run.idle_wheel)
+    )
+    angle = np.diff(run.motor)
+    middle = (run.motor[:-1] + angle / 2) % (2 * np.pi)
+    cam = np.maximum(forces.needed(lift, middle), 0.0) * 1e-3 / efficiency * angle
+    rolled = rolling * mass * GRAVITY * (driven + sum(others)) / 3
+    return Resistance(travel=np.cumsum(driven), force=(rolled + cam) / driven)
 
 
 def run_energy(

@@ -1,6 +1,6 @@
 """Effect of friction and drag on a cam, in checks and in words; the energy of a run."""
 
-from math import ceil, degrees, inf, pi
+from math import ceil, degrees, inf, isinf, pi
 from typing import NamedTuple
 
 import numpy as np
@@ -14,7 +14,7 @@ from cadgen.car.against_play.remedies import holding, touched_width
 from cadgen.car.path.wheel_track import Track
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.drive import Run, drive, start_pose
-from cadgen.car.running.energy import GRAVITY, RunEnergy, run_energy
+from cadgen.car.running.energy import GRAVITY, Resistance, RunEnergy, resistance, run_energy
 from cadgen.car.running.friction import USUAL
 from cadgen.car.running.mechanics import MechanicsBand
 from cadgen.car.running.run_errors import run_error
@@ -39,6 +39,7 @@ _SHOWN = 1.0  # mm; less at the end is not worth a sentence
 STAGE_EFFICIENCY = 0.97  # of a pair of spur gears and its bearings, where the design does not say
 ROLLING_RESISTANCE = 0.015  # of hard wheels on a floor with their bearings, where the design does not say
 _ENERGY_STEPS = 2000
+_START = 0.01  # m in which a car must have moved off: without speed no inertia carries it over a steep place
 _SPARE = 1.01  # factor on a fall or mass that is named as a cure
 # kg; a weight of the contests, which a car whose design has no [drive] must carry besides its parts to be judged ready
 _USUAL_DRIVE = 1.0
@@ -313,7 +314,8 @@ def energy_verdict(
     """Verdict on the energy left at the end of the path, at the greatest friction and drag.
 
     A weight of a design without [mechanics] is judged by the values that its keys have where they are left out. Without
-    [drive] the mass of the parts lacks motor or weight, which rolls along: what is left must carry a usual one.
+    [drive] the mass of the parts lacks motor or weight, which rolls along: what is left must carry a usual one. A
+    weight must move the car off, too, and keep it moving until it has landed.
 
     Args:
         design: loaded design.
@@ -343,14 +345,9 @@ def energy_verdict(
     run = drive(lift, car, wheel.turn, start=start_pose(track), stop=wheel.finish, steps=_ENERGY_STEPS)
     stages = 0 if design.train is None else len(design.train.stages)
     efficiency = keys.train_efficiency or STAGE_EFFICIENCY**stages
-    spent = run_energy(
-        lift,
-        band.at(band.friction[1], band.drag[1]),
-        run,
-        mass=mass,
-        rolling=ROLLING_RESISTANCE if keys.rolling_resistance is None else keys.rolling_resistance,
-        efficiency=efficiency,
-    )
+    forces = band.at(band.friction[1], band.drag[1])
+    rolling = ROLLING_RESISTANCE if keys.rolling_resistance is None else keys.rolling_resistance
+    spent = run_energy(lift, forces, run, mass=mass, rolling=rolling, efficiency=efficiency)
     name = Message("energy left at the end of the path")
     held_back = _by_usual_values() if assumed else ()
     if keys.car_mass_kg is None and design.drive is None:
@@ -359,7 +356,48 @@ def energy_verdict(
     guide = _guide(design) if keys.car_mass_kg is None else 0.0
     stated = keys.drive_energy_J is not None
     check = _energy_check(spent, has, falls, name, design.drive, unwound, mass, guide, stated=stated)
-    return PartVerdict((check,), held_back)
+    if design.drive is None or falls is None or isinf(unwound.length):
+        return PartVerdict((check,), held_back)
+    against = resistance(lift, forces, run, mass=mass, rolling=rolling, efficiency=efficiency)
+    fallen = min(design.drive.fall_mm or 0.0, unwound.length)
+    pulls = _pull_check(against, has, float(against.travel[-1]) * fallen / unwound.length, track)
+    return PartVerdict((check, pulls), held_back)
+
+
+def _pull_check(against: Resistance, has: float, landing: float, track: Track) -> Check:
+    """Check that a weight moves its car off from rest, and keeps it moving until it has landed.
+
+    In the first centimetre its pull must beat all that is against it. Later the mean of that from the start on counts,
+    for a car that moves has what the pull gave it before.
+
+    Args:
+        against: force against the car along its run.
+        has: energy of the weight that the car gets, J.
+        landing: travel at which the weight has landed, m.
+        track: track of the drive wheel.
+    """
+    pull, travel = has / landing, against.travel
+    start = travel <= max(_START, float(travel[0]))
+    mean = np.where(start, against.force[start].max(), against.work / travel)[travel <= max(landing, _START)]
+    worst = int(np.argmax(mean))
+    place = Message("in the first {way:g} mm", way=1e3 * _START)
+    if not start[worst]:
+        place = Message("on average up to the place {place}", place=track.where(1e3 * float(travel[worst])))
+    return Check(
+        CheckCode.WEIGHT_PULL,
+        Message("pull of the weight beyond what is against it"),
+        pull - float(mean[worst]),
+        "N",
+        0.0,
+        Bound.MIN,
+        Message(
+            "{pull:.3g} N at the rim of the wheel, and {most:.3g} N against it {place}",
+            pull=pull,
+            most=mean[worst],
+            place=place,
+        ),
+        Message("give the weight more mass (drive.mass_kg), or its string a larger drum (drive.drum_mm)"),
+    )
 
 
 def _uncounted_drive(carried: float) -> tuple[Reservation, ...]:
