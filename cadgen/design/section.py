@@ -50,7 +50,8 @@ class DesignSection(BaseModel):
     The docstring of a section and the descriptions of its keys make the reference page.
     """
 
-    model_config = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False)
+    # Put off until a design of that kind is read: a command reads one, and building all of them takes 0.1 s.
+    model_config = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False, defer_build=True)
 
 
 def one_line(text: str, longest: int = LONGEST_LINE) -> str:

@@ -81,11 +81,10 @@ def levers(lift: PathMotion, follower: EdgeFollower, theta: Array) -> Levers:
     T, slope = lift.q(theta), lift.q(theta, nu=1)
     w, r = follower.contact_face(T), follower.radius
     d, growth, stretch = follower.base_radius + w * T, w * slope, 1 + T**2
-    alpha = np.arctan2(-growth, d)
+    c, s = _cosine_and_sine(d, -growth)  # of alpha
     for _ in range(_LEAN_STEPS):
-        shift = r * T * np.cos(alpha) / np.sqrt(1 + (T * np.cos(alpha)) ** 2)
-        alpha = np.arctan2(-growth * (1 - shift / w), d - T * shift)
-    c, s = np.cos(alpha), np.sin(alpha)
+        shift = r * T * c / np.sqrt(1 + (T * c) ** 2)
+        c, s = _cosine_and_sine(d - T * shift, -growth * (1 - shift / w))
     k = np.sqrt(1 + (T * c) ** 2)
     x, y = d - r * stretch * c / k, r * s / k
     # Of the rod at the contact per mm of lift, along x and w; of the disc against it per radian of the cam.
@@ -101,6 +100,12 @@ def levers(lift: PathMotion, follower: EdgeFollower, theta: Array) -> Levers:
         across=across,
         lift=np.asarray(w * T),
     )
+
+
+def _cosine_and_sine(x: Array, y: Array) -> tuple[Array, Array]:
+    """Cosine and sine of the direction of vectors (x, y), without the angle, which takes twice the time."""
+    size = np.sqrt(x**2 + y**2)
+    return x / size, y / size
 
 
 def holding_friction(lift: PathMotion, follower: EdgeFollower) -> tuple[float, float]:

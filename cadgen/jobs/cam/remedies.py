@@ -24,6 +24,7 @@ from cadgen.jobs.cam.comparison import PlayComparison, known_trains
 from cadgen.messages import Message, clauses, joined
 from cadgen.progress import Progress, silent
 
+_MET = 1.0  # mm; a car that ends within this in all of its bands needs no bearing
 _ALLOWED_END = 100.0  # mm; error allowed to a trimmed car where [optimize] has no limit
 
 
@@ -130,7 +131,8 @@ class _Sheet:
 def remedies(design: Design, comparison: PlayComparison, progress: Progress = silent) -> tuple[Remedy, ...]:
     """Every remedy for the design's car, in the worst of its plays and frictions, and the design as it is.
 
-    Remedies are compared without the brake that the design may have.
+    Remedies are compared without the brake that the design may have. A bearing is left out where the design itself ends
+    within a millimetre.
 
     Args:
         design: loaded design.
@@ -170,7 +172,8 @@ def remedies(design: Design, comparison: PlayComparison, progress: Progress = si
     rows += _compensated(sheet)
     rows += _tight_joint(sheet)
     rows += _split_wheel(sheet)
-    rows += _bearing(sheet)
+    if this.worst_end is None or this.worst_end >= _MET:  # no other rod is better, and the search for its cam is long
+        rows += _bearing(sheet)
     if holding(plain.lift, sheet.known).torque > 0:
         rows += [_trim(sheet, plain), _compensated_trim(sheet)]
         rows += _drag(sheet, plain)
