@@ -452,14 +452,18 @@ def _train(result: "MeasuredTrain", *, written: bool) -> None:
     step: str = Message("--out writes the corrected design") if result.designs else ""
     if written and result.designs:
         step = Message("cadgen gears on {name}.toml", name=next(iter(result.designs)))
-    if result.readiness == Readiness.NOT_READY:
-        verdict(
-            result.readiness,
-            Message("not all that was measured is explained"),
-            Message("look for what turns at the order that is left"),
-        )
+    if result.faults:
+        verdict(result.readiness, Message("not all that was measured is explained"), result.faults[0].step)
     elif result.within is False:
         verdict(result.readiness, Message("the play is not that of the design"), step)
+    elif result.errors.play is None:
+        verdict(
+            result.readiness, Message("the play was not seen"), Message("turn back, or load both ways, within each run")
+        )
+    elif result.noisy:
+        verdict(
+            result.readiness, Message("the noise is great beside the play"), Message("measure again with less noise")
+        )
     elif result.readiness == Readiness.RESERVATIONS:
         verdict(result.readiness, Message("what was measured has more than one cause"), step)
     else:

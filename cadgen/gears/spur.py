@@ -141,19 +141,32 @@ def has_room(pair: Pair) -> bool:
     tips = [along(form.tip_form_diameter, form) for form in (small, large)]
     roots = [along(tooth_of(form).root_form_diameter, form) for form in (small, large)]
     if pair.internal:
+        clear = roots[1] - line >= tips[0] and tips[1] - line >= roots[0]
+    else:
+        clear = line - roots[1] >= tips[0] and line - tips[1] >= roots[0]
+    return clear and roots_clear(pair, apart)
+
+
+def roots_clear(pair: Pair, apart: float) -> bool:
+    """Whether the tips of a pair keep clear of its roots, and its teeth hand over, at a distance of the axes.
+
+    Args:
+        pair: pair of gears.
+        apart: distance of the axes, mm.
+    """
+    small, large = (gear.form for gear in pair.by_size)
+    if pair.internal:
         gaps = (
             large.root_diameter / 2 - apart - small.tip_diameter / 2,
             large.tip_diameter / 2 - apart - small.root_diameter / 2,
         )
-        clear = roots[1] - line >= tips[0] and tips[1] - line >= roots[0]
     else:
         gaps = (
             apart - (small.tip_diameter + large.root_diameter) / 2,
             apart - (large.tip_diameter + small.root_diameter) / 2,
         )
-        clear = line - roots[1] >= tips[0] and line - tips[1] >= roots[0]
     wide = min(gaps) >= LEAST_ROOT_CLEARANCE * small.normal_module
-    return clear and wide and contact_ratio(pair) + pair.overlap_ratio >= LEAST_CONTACT_RATIO
+    return wide and contact_ratio(pair, apart) + pair.overlap_ratio >= LEAST_CONTACT_RATIO
 
 
 @lru_cache(maxsize=64)

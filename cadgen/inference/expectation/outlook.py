@@ -143,7 +143,8 @@ def outlook(
         # The effects, with what repeats beside them, leave no more than noise on the runs left out.
         r = track.residual
         remains = r.after if r.left_out is None else r.left_out.repeating
-        explained = track.verdict not in (Verdict.UNEXPLAINED, Verdict.RUNS_DISAGREE) and remains <= EXPLAINED * r.noise
+        quiet = bool(remains <= EXPLAINED * r.noise)
+        explained = track.verdict not in (Verdict.UNEXPLAINED, Verdict.RUNS_DISAGREE) and quiet
     return Outlook(
         old=float(np.median(old)),
         new=float(np.median(on_new)),

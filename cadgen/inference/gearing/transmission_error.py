@@ -17,7 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from math import pi
+from math import degrees, pi
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +25,7 @@ from scipy.optimize import minimize_scalar
 from scipy.stats import f as fisher
 
 from cadgen.arrays import Array
+from cadgen.errors import FileError
 from cadgen.inference.gearing.train_orders import SeenMesh, SeenShaft, SeenTrain
 from cadgen.inference.measurement.record import Record
 
@@ -37,6 +38,8 @@ _COLUMNS = 0.25  # most columns by rows
 _LOADED = 0.02  # share of the greatest torque from which on it decides the side
 _AT_FIRST = 0.25  # the same while the friction, which holds against it, is not known
 _PASSES = 3
+_LEAST_USED = 12  # rows
+_TOLD = 1e-6  # share of a column that the others do not hold
 _HELD = 1e-6  # rad at the output, within which the input is held
 _UNNAMED = 3  # lines of no part that are looked for
 _ROUNDS = 8
@@ -60,6 +63,7 @@ class TrainReadings:
         used: whether the row is used: not within the play after the motion turned.
         turned: whether the output turns against what the train's sense says.
         pressed: whether the sign of the torque was changed, for it fits the other way round.
+        ignored: whether a torque was given that shows nowhere in the angles, and that friction holds.
     """
 
     run: NDArray[np.intp]
@@ -72,6 +76,16 @@ class TrainReadings:
     used: NDArray[np.bool_]
     turned: bool
     pressed: bool = False
+    ignored: bool = False
+
+    @property
+    def turning(self) -> float:
+        """Share of the rows at which the input turns back, 0 to 1: two thirds where rows stand in any order."""
+        back = 0
+        for number in np.unique(self.run):
+            steps = np.sign(np.diff(self.nominal[self.run == number]))
+            back += int(np.count_nonzero(steps[1:] * steps[:-1] < 0))
+        return back / len(self.run)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -129,7 +143,8 @@ class TrainErrors:
     Attributes:
         readings: rows.
         both: whether both flanks were measured.
-        play: play B, with the wind-up 2h of friction where no load tells them apart; None with one side alone.
+        play: play B, with the wind-up 2h of friction where no load tells them apart; None with one side alone in
+            each run.
         loaded: whether loads tell play and friction apart.
         compliance: 1/k, rad per N m; None without load.
         friction: h; None where it shows nothing.
@@ -214,7 +229,8 @@ def readings_of(record: Record, train: SeenTrain, widest: float) -> TrainReading
         used=(since > widest) & (motion != 0),
         turned=against != (train.sense < 0),
     )
-    return _by_load(readings, None) if np.ptp(torque) > 0 else readings
+    # A steady load decides the side as one that changes does: it is not the load that changes that matters.
+    return _by_load(readings, None) if torque.any() else readings
 
 
 def _by_load(readings: TrainReadings, friction: float | None) -> TrainReadings:
@@ -259,27 +275,61 @@ def train_errors(record: Record, train: SeenTrain, widest: float) -> TrainErrors
         record: angles of input and output, and torque (`record_kinds.one_of`).
         train: train.
         widest: greatest play to expect, rad; rows within it after a turning point are left out at first.
+
+    Raises:
+        FileError: too few rows beyond the play after the turning points.
     """
-    found = _fitted(readings_of(record, train, widest), train)
+    readings = readings_of(record, train, widest)
+    if readings.used.sum() < _LEAST_USED:
+        raise FileError(
+            "{file}: after each turning point {widest:.2f}° at the output are left out, since the play is passed "
+            "there, and only {rows} rows are left: turn on by more than that each way, in smaller steps",
+            file=record.source,
+            widest=degrees(widest),
+            rows=int(readings.used.sum()),
+        )
+    found = _fitted(readings, train)
     if found.play is not None and found.play.value > 0:
         rubbed = 2 * abs(found.friction.value if found.friction else 0.0)
         near = 1.2 * (found.play.value + 4 * found.play.sigma + rubbed)
         found = _fitted(readings_of(record, train, near), train)
-    if np.ptp(found.readings.torque) == 0:
-        return found
     given = found.readings
+    if not given.torque.any():
+        return found
     senses = np.where(given.held, -given.motion, given.motion)
     back = _by_load(replace(given, torque=-given.torque, motion=senses, pressed=True), None)
     other = _fitted(back, train)
     wound = found.compliance
-    if other.left < 0.7 * found.left or (wound is not None and wound.value < 0 and wound.clear):
+    ahead = found.play is not None and found.play.value < 0 and found.play.clear
+    behind = ahead and other.play is not None and other.play.value > 0
+    if other.left < 0.7 * found.left or (wound is not None and wound.value < 0 and wound.clear) or behind:
         found = other
+    if not given.held.any() and _unmoved(found):
+        columns = record.columns | {"output_torque_Nm": np.zeros(len(record.run))}
+        found = train_errors(replace(record, columns=columns), train, widest)
+        return replace(found, readings=replace(found.readings, ignored=True))
     for _ in range(_PASSES):
         if found.friction is None or found.compliance is None or not found.compliance.value > 0:
             break
         rub = max(found.friction.value / found.compliance.value, 0.0)
         found = _fitted(_by_load(found.readings, rub), train)
     return found
+
+
+def _unmoved(found: TrainErrors) -> bool:
+    """Whether friction holds against every torque, so that the side goes by the motion, as without load.
+
+    Friction that winds the train up by h is a torque h k. It is greater than the greatest torque T where h > T/k, with
+    the greatest compliance 1/k that the readings leave. A torque that does not change within a run says that nowhere;
+    it is taken as none where play between runs with it and without it does not show.
+    """
+    rub, wound = found.friction, found.compliance
+    if rub is None or not rub.clear:
+        return False
+    if wound is None:
+        return found.play is not None and not found.play.clear
+    most = float(np.abs(found.readings.torque).max())
+    return abs(rub.value) - 4 * rub.sigma > (max(wound.value, 0.0) + 4 * wound.sigma) * most
 
 
 def _candidates(
@@ -362,17 +412,12 @@ def _fitted(readings: TrainReadings, train: SeenTrain) -> TrainErrors:
     start = np.concatenate([[True], (run[1:] != run[:-1]) | (np.diff(np.flatnonzero(used)) > 1)])
     runs = np.unique(run)
     both = bool((side > 0).any() and (side < 0).any())
-    load = bool(np.ptp(torque) > 0)
-    # Friction shows beside play where one side was passed in both senses.
-    rubs = both and any(np.unique(motion[side == each]).size > 1 for each in (-1.0, 1.0))
-    rubs = rubs or (not both and np.unique(motion).size > 1)
     base = {"zero": np.array(run[:, None] == runs, dtype=float), "rate": (theta - theta.mean())[:, None]}
-    if both:
-        base["play"] = -side[:, None] / 2
-    if load:
-        base["torque"] = torque[:, None]
-    if rubs:
-        base["friction"] = -motion[:, None]
+    # Each run has its own zero, and motion, side and torque may go together: only what is told from the others counts.
+    for name, column in (("play", -side / 2), ("torque", torque), ("friction", -motion)):
+        basis = np.linalg.qr(np.hstack(list(base.values())))[0]
+        if np.linalg.norm(column - basis @ (basis.T @ column)) > _TOLD * np.linalg.norm(column):
+            base[name] = column[:, None]
 
     def columns_of(order: float) -> Array:
         wave = np.stack([np.cos(order * theta), np.sin(order * theta)], axis=1)
@@ -446,15 +491,15 @@ def _fitted(readings: TrainReadings, train: SeenTrain) -> TrainErrors:
     bare = _least_squares(np.hstack([base["zero"], base["rate"]]), error).left
     residual = np.full(len(used), np.nan)
     residual[used] = left
-    rate = estimate("rate")
+    rate, play, friction = estimate("rate"), estimate("play"), estimate("friction")
     assert rate is not None
     return TrainErrors(
         readings=readings,
         both=both,
-        play=estimate("play"),
-        loaded=rubs and both,
+        play=play,
+        loaded=play is not None and friction is not None,
         compliance=estimate("torque"),
-        friction=estimate("friction"),
+        friction=friction,
         rate=rate,
         lines=tuple(sorted(lines, key=lambda line: (not line.named, -line.size))),
         noise=float(np.sqrt(fit.squares / fit.free / max(1 - likeness**2, 1e-3))),

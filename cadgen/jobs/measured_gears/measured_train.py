@@ -1,7 +1,8 @@
 """Measured train of gears: angles at its input and output -> errors by wheel, play, wind-up, and what to change."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from enum import StrEnum
 from functools import cached_property
 from math import degrees, hypot, pi
 
@@ -13,6 +14,7 @@ from cadgen.errors import DesignError
 from cadgen.figures import Cell, Facts, Sheet, State, number
 from cadgen.gears.tolerances import GRADES, flank_tolerance
 from cadgen.gears.train import Train, TrainPlay, train_play
+from cadgen.inference.gearing.encoder_angles import counted_on, refuse_impossible
 from cadgen.inference.gearing.record_kinds import KINDS, one_of
 from cadgen.inference.gearing.train_orders import SeenMesh, SeenShaft, SeenTrain, SeenWheel, seen
 from cadgen.inference.gearing.transmission_error import OrderLine, TrainErrors, train_errors
@@ -37,7 +39,35 @@ _UM = 1e3
 _WIDEST = 3.0  # times the greatest play of the design, up to which rows after a turning point are left out at first
 _LEAST_WIDEST = np.radians(0.3)
 _GAIN = 0.1  # of a line, that turning a wheel must take out to be worth a sentence
-__all__ = ["KINDS", "MeasuredTrainPlan", "judge_train", "train_report"]
+__all__ = ["KINDS", "MeasuredTrainPlan", "TrainFault", "judge_train", "train_report"]
+
+
+class TrainFault(StrEnum):
+    """Reason for which the record of a train is not explained. The codes stay."""
+
+    OUT_OF_ORDER = "rows-out-of-order"
+    RATE = "ratio-off"
+    LATE = "play-negative"
+    LOOSE = "play-beyond-teeth"
+    NOISE = "noise"
+    ORDER = "order-of-no-part"
+    REPEATS = "repeats-without-a-name"
+
+    @property
+    def step(self) -> Message:
+        """Next step."""
+        return _STEPS[self]
+
+
+_STEPS = {
+    TrainFault.OUT_OF_ORDER: Message("put the rows in the order in which they were read"),
+    TrainFault.RATE: Message("compare the numbers of teeth, and the steps of both encoders, with the design"),
+    TrainFault.LATE: Message("read both angles at the same moment, or turn slower, and measure again"),
+    TrainFault.LOOSE: Message("look at the units of the angles, and for a key or coupling that is loose"),
+    TrainFault.NOISE: Message("measure again with less noise"),
+    TrainFault.ORDER: Message("look for what turns at the order that is left"),
+    TrainFault.REPEATS: Message("look for what repeats at the same angle"),
+}
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -78,8 +108,8 @@ class MeasuredTrainPlan:
 
     @cached_property
     def turnings(self) -> tuple[Turning, ...]:
-        """Wheels that are worth turning on their shafts."""
-        found = (best_turning(each) for each in self.shafts)
+        """Wheels that are worth turning on their shafts; none of a record that is not explained."""
+        found = (best_turning(each) for each in ([] if self.faults else self.shafts))
         return tuple(each for each in found if each is not None and each.after < (1 - _GAIN) * each.before)
 
     @property
@@ -89,13 +119,14 @@ class MeasuredTrainPlan:
         if found is None or self.play is None:
             return None
         slack = 4 * found.sigma
-        return self.play.return_error_min - slack <= found.value <= self.play.return_error_max + slack
+        # A comparison of numpy's numbers is never the object False.
+        return bool(self.play.return_error_min - slack <= found.value <= self.play.return_error_max + slack)
 
     @cached_property
     def wanted(self) -> WantedPlay | None:
-        """Change of a wheel for the play of the design; None where it has that, or it cannot be said."""
+        """Change of a wheel for the play of the design; None where it has that, or not all is explained."""
         found = self.errors.play
-        if found is None or found.value <= 0:
+        if found is None or found.value <= 0 or self.faults:
             return None
         try:
             change = wanted_play(self.train, found.value)
@@ -107,7 +138,7 @@ class MeasuredTrainPlan:
     def corrected(self) -> str | None:
         """Text of a design whose new wheel gives the wanted play; None where nothing is to be changed or it cannot."""
         found = self.errors.play
-        if self.wanted is None or found is None:
+        if self.wanted is None or self.wanted.reach is not None or found is None:
             return None
         remarks = [
             str(line) for line in (Message("Written by cadgen calibrate: corrected by {names}.", names=self.names),)
@@ -118,20 +149,44 @@ class MeasuredTrainPlan:
         except DesignError:
             return None
 
+    @cached_property
+    def faults(self) -> tuple[TrainFault, ...]:
+        """Reasons for which the record is not explained, that which may bring the others about first."""
+        e = self.errors
+        play, noisy = e.play, self.noisy
+        # Run-out of shafts without a whole turn looks like a rate, and repeats without an order.
+        most = _SLOW_RATE if e.slow else _RATE
+        found = {
+            TrainFault.OUT_OF_ORDER: noisy and e.readings.turning > _TURNING,
+            TrainFault.RATE: e.rate.clear and abs(e.rate.value) > most,
+            TrainFault.LATE: play is not None and play.value < 0 and play.clear,
+            TrainFault.LOOSE: play is not None and self.most_play is not None and play.value > self.most_play,
+            TrainFault.NOISE: self.play is not None and e.left > self.play.return_error_max / 2,
+            TrainFault.ORDER: any(not line.named for line in e.lines),
+            TrainFault.REPEATS: not e.explained and all(line.named for line in e.lines) and not e.slow,
+        }
+        return tuple(fault for fault, is_so in found.items() if is_so)
+
     @property
-    def sound(self) -> bool:
-        """Whether play and wind-up are such as can be."""
-        play, errors = self.errors.play, self.errors
-        late = play is not None and play.value < 0 and play.clear
-        return not late and not (errors.rate.clear and abs(errors.rate.value) > _RATE)
+    def noisy(self) -> bool:
+        """Whether eight times what is left, rms, is more than the greatest play of the design."""
+        return self.play is not None and bool(_NOISY * self.errors.left > self.play.return_error_max)
+
+    @property
+    def most_play(self) -> float | None:
+        """Half a pitch of every stage at the output, rad: a gear of each has no teeth then; None of other stages."""
+        if len(self.seen.meshes) < len(self.train.stages):
+            return None
+        return sum(pi / mesh.order for mesh in self.seen.meshes)
 
     @property
     def readiness(self) -> Readiness:
         """Whether all is explained; with reservations where causes are left, or play is not that of the design."""
-        if not (self.errors.explained and self.sound):
+        if self.faults:
             return Readiness.NOT_READY
-        unclear = any(not each.named for each in self.shafts) or self.errors.slow or not self.errors.both
-        return Readiness.RESERVATIONS if unclear or self.within is False else Readiness.READY
+        unclear = any(not each.named for each in self.shafts) or self.errors.slow or self.errors.play is None
+        reserved = unclear or self.noisy or self.within is False
+        return Readiness.RESERVATIONS if reserved else Readiness.READY
 
     def entry(self) -> Facts:
         """Everything, as in the JSON file."""
@@ -140,6 +195,7 @@ class MeasuredTrainPlan:
             files=[Facts(file=s.path.name, kind=s.kind.code, sha256=s.sha256) for s in self.sources],
             understood=[note for source in self.sources for note in source.record.notes],
             readiness=self.readiness.value,
+            faults=[fault.value for fault in self.faults],
             rows=int(e.readings.used.sum()),
             noise_deg=degrees(e.noise),
             before_deg=degrees(e.before),
@@ -192,12 +248,16 @@ class MeasuredTrainPlan:
                     driven_E_sn_um=_UM * w.driven,
                     thinning_um=_UM * w.thinning,
                     centre_distance_mm=w.distance,
+                    reach_E_sn_um=None if w.reach is None else [_UM * each for each in w.reach],
                 )
             )
         return facts
 
 
 _RATE = 2e-5  # share by which a ratio may be off: a counter's step in a turn
+_SLOW_RATE = 0.01  # the same where no whole turn of a shaft was measured
+_NOISY = 8.0
+_TURNING = 0.25  # share of rows at which the input turns back, from which on rows are out of order: 2/3 if they all are
 
 
 def _part_facts(part: RunOut | PitchOrEncoder) -> Facts:
@@ -229,14 +289,16 @@ def judge_train(
         FileError: the records cannot be judged.
     """
     train = gear_model.train(design)
+    orders = seen(train)
+    sources = [replace(source, record=counted_on(source.record, orders)) for source in sources]
     record = one_of(tuple(source.record for source in sources))
     progress(Message("looking for the orders of the train"))
     try:
         play: TrainPlay | None = train_play(train)
     except DesignError:
         play = None
-    widest = max(_WIDEST * play.return_error_max if play else 0.0, _LEAST_WIDEST)
-    orders = seen(train)
+    widest = float(max(_WIDEST * play.return_error_max if play else 0.0, _LEAST_WIDEST))
+    refuse_impossible(record, orders, widest)
     return MeasuredTrainPlan(
         design=design,
         text=text,
@@ -313,12 +375,12 @@ def _rows(plan: MeasuredTrainPlan) -> list[tuple[Cell | str, ...]]:
             )
         rows.append(_row(Message("play"), e.play.value, e.play.sigma, zone, state=state))
     if e.friction is not None and e.friction.clear:
-        name = Message("hysteresis by friction")
+        name = Message("lag where the sense turns") if _steady(e) else Message("hysteresis by friction")
         rows.append(_row(name, 2 * e.friction.value, 2 * e.friction.sigma))
     if e.compliance is not None and e.compliance.clear:
         stiff = Message("{stiffness:.4g} N m/°", stiffness=1 / degrees(e.compliance.value))
         rows.append(_row(Message("wind-up for 1 N m"), e.compliance.value, e.compliance.sigma, stiff))
-    if not plan.sound and e.rate.clear:
+    if TrainFault.RATE in plan.faults:
         rows.append(
             _row(Message("ratio off, in a turn"), 2 * pi * e.rate.value, 2 * pi * e.rate.sigma, state=State.BAD)
         )
@@ -407,6 +469,37 @@ def _sentences(plan: MeasuredTrainPlan) -> list[Message]:
         )
     if e.readings.pressed:
         said.append(Message("The torque is taken with its sign changed: above 0 it is to turn the output forwards."))
+    if e.readings.ignored:
+        said.append(
+            Message(
+                "The torque shows nowhere in the angles, less than the friction: the rows are judged as without load."
+            )
+        )
+    if plan.noisy:
+        said.append(
+            Message(
+                "What is left, {left:.3f}°, is much beside the play of the design, up to {most:.3f}°: so are coarse "
+                "steps of an encoder, and rows that do not stand in the order in which they were read.",
+                left=degrees(e.left),
+                most=degrees(plan.play.return_error_max) if plan.play else 0.0,
+            )
+        )
+    if TrainFault.OUT_OF_ORDER in plan.faults:
+        said.append(
+            Message(
+                "The input turns back at {share:.0%} of the rows, as where rows were mixed or sorted: which flanks "
+                "touch cannot be told.",
+                share=e.readings.turning,
+            )
+        )
+    if TrainFault.LOOSE in plan.faults and plan.most_play is not None:
+        said.append(
+            Message(
+                "A play of more than {most:.2f}° is not that of teeth, for a gear of each stage would have none left: "
+                "the unit of an angle, or a key or a coupling.",
+                most=degrees(plan.most_play),
+            )
+        )
     if e.play is not None and e.play.value < 0 and e.play.clear:
         said.append(
             Message(
@@ -421,16 +514,29 @@ def _sentences(plan: MeasuredTrainPlan) -> list[Message]:
                 "looks like it: load both ways, or turn slower, to tell them apart."
             )
         )
-    if e.play is None:
+    if _steady(e):
+        said.append(
+            Message(
+                "The load goes one way all the time. If it is greater than the friction, the lag is wind-up, and the "
+                "play is not seen; if not, the lag holds the play: load both ways, or leave the torque out if nothing "
+                "pulled."
+            )
+        )
+    elif e.play is None and e.both:
+        said.append(
+            Message("Each run touches one side of the teeth alone: turn back, or load the other way, within one run.")
+        )
+    elif e.play is None:
         said.append(
             Message("One side of the teeth alone was measured: turn back, too, or load the other way, to see the play.")
         )
-    if not plan.sound and e.rate.clear:
+    if TrainFault.RATE in plan.faults:
         said.append(
             Message(
-                "The output turns {rate:+.4f} % faster than the ratio of the design: other numbers of teeth, or steps "
-                "of an encoder that are counted wrongly.",
-                rate=100 * e.rate.value,
+                "The output turns {rate:.4f} % {how} than the ratio of the design: other numbers of teeth, or steps of "
+                "an encoder that are counted wrongly.",
+                rate=abs(100 * e.rate.value),
+                how=Message("faster") if e.rate.value > 0 else Message("slower"),
             )
         )
     for each in plan.shafts:
@@ -462,6 +568,12 @@ def _sentences(plan: MeasuredTrainPlan) -> list[Message]:
             )
         )
     return said
+
+
+def _steady(e: TrainErrors) -> bool:
+    """Whether a load of one sense leaves open if the lag where the motion turns is friction alone or holds the play."""
+    lag, wound = e.friction, e.compliance
+    return e.play is None and lag is not None and lag.clear and not (wound is not None and wound.clear)
 
 
 def _fast_name(part: SeenShaft | SeenMesh) -> Message:

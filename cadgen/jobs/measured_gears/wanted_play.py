@@ -2,7 +2,8 @@
 
 Play of the last pair counts most at the output, so that the least change is made there. A change Δ of the play at
 the output, rad, is an arc of Δ i r_w2 on the pair's working pitch circles. There i is the turns of the driven wheel for
-one of the output. Thickness and centre distance follow from the exact play of the pair.
+one of the output. Thickness and centre distance follow from the exact play of the pair. The new wheel must be one that
+can be cut, keeps clear of the other's roots, and has play left at the least by the tolerances.
 """
 
 from collections.abc import Sequence
@@ -19,11 +20,13 @@ from cadgen.design.load import train_of
 from cadgen.design.override import override
 from cadgen.design.schema import TrainDesign
 from cadgen.errors import DesignError
-from cadgen.gears.spur import SpurPair
+from cadgen.gears.spur import SpurPair, has_room, limit_states, roots_clear
 from cadgen.gears.train import Train, thinned
 from cadgen.messages import Message
 
 _FARTHEST = 1.0  # modules by which the axes may be moved
+_WIDEST = 2.0  # modules by which no thickness changes: that is more than a whole tooth
+_REACHED = 1e-3  # mm
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -38,6 +41,8 @@ class WantedPlay:
         driver: that of the driver, which stays.
         distance: centre distance that does the same; None where none near the present one does.
         now: present centre distance.
+        reach: least and greatest E_sn of a driven wheel that can be cut and runs, if the wanted one is not among them.
+        reached: plays at the output with those.
     """
 
     stage: int
@@ -48,6 +53,8 @@ class WantedPlay:
     driver: float
     distance: float | None
     now: float
+    reach: tuple[float, float] | None = None
+    reached: tuple[float, float] | None = None
 
     @property
     def recut(self) -> bool:
@@ -87,6 +94,9 @@ def wanted_play(train: Train, found: float) -> WantedPlay | None:
     play = pair.backlash()
     base = arc * (play.base / play.pitch if play.pitch else 1.0)  # along the line of action
     driver, driven = (gear.form.tooth_thickness_deviation for gear in (pair.driver, pair.driven))
+    stage = train.stages[number - 1]
+    assert isinstance(stage, SpurPair)
+    reach = None if _runs(stage, driver, driven + change) else _reach(stage, driver, driven)
     return WantedPlay(
         stage=number,
         found=found,
@@ -96,7 +106,35 @@ def wanted_play(train: Train, found: float) -> WantedPlay | None:
         driver=driver,
         distance=_distance(pair, base),
         now=pair.centre_distance,
+        reach=reach,
+        reached=None
+        if reach is None
+        else (
+            found + (reach[1] - driven) / change * (wanted - found),
+            found + (reach[0] - driven) / change * (wanted - found),
+        ),
     )
+
+
+def _runs(pair: SpurPair, driver: float, driven: float) -> bool:
+    """Whether a pair with given thicknesses E_sn, mm, can be cut, has room at its roots, and play at the least."""
+    try:
+        cut = pair.thinned_to(driver, driven).as_cut()
+        return bool(has_room(cut) and limit_states(cut)[1].play() > 0)
+    except DesignError:
+        return False
+
+
+def _reach(pair: SpurPair, driver: float, driven: float) -> tuple[float, float]:
+    """Least and greatest thickness E_sn of a driven wheel about the present one with which the pair runs, mm."""
+    ends = []
+    for sense in (-1.0, 1.0):
+        runs, fails = 0.0, _WIDEST * pair.driver.form.normal_module
+        while fails - runs > _REACHED:
+            middle = (runs + fails) / 2
+            runs, fails = (middle, fails) if _runs(pair, driver, driven + sense * middle) else (runs, middle)
+        ends.append(driven + sense * runs)
+    return ends[0], ends[1]
 
 
 def _distance(pair: SpurPair, more: float) -> float | None:
@@ -110,9 +148,10 @@ def _distance(pair: SpurPair, more: float) -> float | None:
 
     low, high = pair.centre_distance - room, pair.centre_distance + room
     try:
-        return float(brentq(off, low, high, xtol=1e-9)) if off(low) * off(high) < 0 else None
+        apart = float(brentq(off, low, high, xtol=1e-9)) if off(low) * off(high) < 0 else None
     except DesignError:
         return None
+    return apart if apart is not None and roots_clear(pair, apart) else None
 
 
 def corrected_text(design: TrainDesign, text: str, change: WantedPlay, remarks: Sequence[str]) -> str:
@@ -164,6 +203,20 @@ def play_words(change: WantedPlay, sigma: float) -> list[Message]:
     """
     said = [
         Message(
+            "No thickness of the driven wheel of stage {stage} gives the {wanted:.4f}° of play that the design has "
+            "instead of {found:.4f}° ± {sigma:.4f}°: one that can be cut and runs has E_sn from {least:.0f} to "
+            "{most:.0f} µm, and leaves {low:.3f}° to {high:.3f}°; look for what else is loose or tight.",
+            stage=change.stage,
+            wanted=degrees(change.wanted),
+            found=degrees(change.found),
+            sigma=degrees(sigma),
+            least=1e3 * change.reach[0],
+            most=1e3 * change.reach[1],
+            low=degrees(change.reached[0]),
+            high=degrees(change.reached[1]),
+        )
+        if change.reach is not None and change.reached is not None
+        else Message(
             "For the {wanted:.4f}° of play that the design has instead of {found:.4f}° ± {sigma:.4f}°, cut the driven "
             "wheel of stage {stage} to E_sn = {driven:.0f} µm, {change:.0f} µm {how}.",
             wanted=degrees(change.wanted),

@@ -92,3 +92,23 @@ def table(stages, noise_deg, rng, runs=3, turns=1.2, step_deg=1.0):
         columns["input_angle_deg"] += np.degrees(turned).tolist()
         columns["output_angle_deg"] += (sense * np.degrees(out) + rng.uniform(-5, 5)).tolist()
     return {name: np.array(values) for name, values in columns.items()}
+
+
+def loaded(ratio, torques, play_deg, stiff, rub, noise_deg, rng, turns=1.2, step_deg=1.0):
+    """Columns of a rigid train with one play and a spring at its output, pulled by a torque while the input turns.
+
+    Friction holds against the motion; what it leaves of the torque, net, lies at one flank and winds the spring up:
+    the output is off by net/stiff + sign(net) play/2. Torques are those of each run, one number or one of each row.
+    """
+    turned = np.degrees(there_and_back(ratio, turns, step_deg))
+    motion = np.sign(np.diff(turned, prepend=turned[0] - turned[1]))
+    columns = {"run": [], "input_angle_deg": [], "output_angle_deg": [], "output_torque_Nm": []}
+    for run, torque in enumerate(torques):
+        pull = np.broadcast_to(torque, turned.shape)
+        net = pull - rub * motion
+        out = turned / ratio + net / stiff + np.sign(net) * play_deg / 2 + noise_deg * rng.standard_normal(len(turned))
+        columns["run"] += [run + 1] * len(turned)
+        columns["input_angle_deg"] += turned.tolist()
+        columns["output_angle_deg"] += (out + rng.uniform(-5, 5)).tolist()
+        columns["output_torque_Nm"] += pull.tolist()
+    return {name: np.array(values) for name, values in columns.items()}
