@@ -15,7 +15,9 @@ from cadgen.jobs.calibration.as_built_file import as_built_text
 from cadgen.jobs.calibration.calibration import CalibrationPlan
 from cadgen.jobs.calibration.calibration_report import report, summary
 from cadgen.jobs.calibration.files import calibration_facts, summary_facts, write_calibration, write_each
+from cadgen.jobs.calibration.learned_workshop import workshop_of
 from cadgen.jobs.calibration.new_cam import Built
+from cadgen.jobs.calibration.workshop import Workshop
 from cadgen.output.files.publisher import Written, folder_of
 from cadgen.output.report.notebook import Pictured, bars_picture
 from cadgen.output.report.record_pictures import record_picture
@@ -146,6 +148,11 @@ class Calibrations(Pictured, Generic[D]):
 
     each: tuple[Calibration[D], ...]
 
+    @cached_property
+    def workshop(self) -> Workshop | None:
+        """Workshop of the cars, for `tolerance` and `calibrate`; None where fewer than three tell of themselves."""
+        return workshop_of(self.each[0].design.complete(), self.each)
+
     @property
     def unclear(self) -> dict[str, str]:
         """The verdicts that leave something unexplained or undecided, by the measured file."""
@@ -174,8 +181,8 @@ class Calibrations(Pictured, Generic[D]):
 
     @property
     def report(self) -> list[Block]:
-        """Table with a row for each."""
-        return summary(self.each)
+        """Table with a row for each, and what the cars differ by."""
+        return [*summary(self.each), *([] if self.workshop is None else self.workshop.report)]
 
     def entry(self) -> Facts:
         """Everything, as in the JSON file."""
@@ -190,4 +197,4 @@ class Calibrations(Pictured, Generic[D]):
         """
         place = folder_of(folder)
         progress("writing")
-        return write_each(self.each, place)
+        return write_each(self.each, place, self.workshop)

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from cadgen.api.runs import Comparison
     from cadgen.api.values import Pool
     from cadgen.inference.monte_carlo.random_cars import Map
+    from cadgen.jobs.calibration.workshop import Workshop
     from cadgen.jobs.card import Card
     from cadgen.jobs.gears.gear_train import GearTrain
     from cadgen.jobs.lift_tolerance import LiftToleranceRun
@@ -166,6 +167,7 @@ class Design(LoadedDesign):
         profile: str = "optimized",
         budget: bool = False,
         processes: int = 1,
+        workshop: str | PathLike[str] | None = None,
         progress: Progress = silent,
     ) -> "ToleranceRun[Cam]":
         """Run random cars within the tolerances of [tolerances] and [train].
@@ -178,6 +180,7 @@ class Design(LoadedDesign):
             profile: profile that all cars have.
             budget: whether all deviations are ranked, too.
             processes: number of processes that run at once if no `map` is given, 1 to 256.
+            workshop: file of what the cars of the workshop differ by, as `calibrate_each` writes it.
             progress: function that is called with a few words on each step.
 
         Raises:
@@ -196,7 +199,7 @@ class Design(LoadedDesign):
             map_with=map_of(map),
         )
         plan = plan_cam(self.complete(), profile, progress, with_play=True)
-        return tolerance_of(Cam.of(plan), sample, progress)
+        return tolerance_of(Cam.of(plan), sample, progress, _workshop(workshop))
 
     def lift_tolerance(
         self, samples: int = 10_000, *, seed: int = 1, progress: Progress = silent
@@ -228,6 +231,7 @@ class Design(LoadedDesign):
         profile: str = "actual",
         form_error_um: float | None = None,
         columns: Mapping[str, str] | None = None,
+        workshop: str | PathLike[str] | None = None,
         progress: Progress = silent,
     ) -> "Calibration[Design]":
         """Trace measured data of one car to the effects that the design lacks.
@@ -239,6 +243,7 @@ class Design(LoadedDesign):
                 is printed by a remark of the data.
             columns: columns of a kind of data -> names that they have in the files, as `{"x_mm": "East [m]"}`, where
                 those are not understood.
+            workshop: file of what the cars of the workshop differ by, as `calibrate_each` writes it.
             progress: function that is called with a few words on each step.
 
         Raises:
@@ -250,7 +255,7 @@ class Design(LoadedDesign):
 
         error, design = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm"), self.complete()
         sources = sources_of(data, reading_of(design, columns), progress=progress)
-        computed = calibrate(design, profile, sources, error, progress)
+        computed = calibrate(design, profile, sources, error, progress, workshop=_workshop(workshop))
         return Calibration.of(computed, Design(design, self.text, self.file))
 
     def find_motion(
@@ -397,7 +402,12 @@ class Design(LoadedDesign):
         return MeasuredTrain.of(judge_train(self.values, self.text, sources, progress))
 
     def next_measurement(
-        self, *, profile: str = "actual", form_error_um: float | None = None, progress: Progress = silent
+        self,
+        *,
+        profile: str = "actual",
+        form_error_um: float | None = None,
+        workshop: str | PathLike[str] | None = None,
+        progress: Progress = silent,
     ) -> "Advice":
         """Rank what to measure first on a car of this design; `Calibration.next_measurement` does it after data.
 
@@ -406,7 +416,7 @@ class Design(LoadedDesign):
         from cadgen.jobs.calibration.advice import Advice
 
         error = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm")
-        return Advice.first(self.complete(), profile, error, progress)
+        return Advice.first(self.complete(), profile, error, progress, _workshop(workshop))
 
     def calibrate_each(
         self,
@@ -415,15 +425,19 @@ class Design(LoadedDesign):
         profile: str = "actual",
         form_error_um: float | None = None,
         columns: Mapping[str, str] | None = None,
+        workshop: str | PathLike[str] | None = None,
         progress: Progress = silent,
     ) -> "Calibrations[Design]":
-        """Judge measured data one by one, as if each came from another car; arguments and errors as in `calibrate`."""
+        """Judge measured data one by one, as if each came from another car; arguments and errors as in `calibrate`.
+
+        Of three cars and more the result has what they differ by, and its `write` a file of that, `workshop.toml`.
+        """
         from cadgen.api.calibration import Calibration, Calibrations
         from cadgen.jobs.calibration.calibration import calibrate_each
 
         error, design = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm"), self.complete()
         sources = sources_of(data, reading_of(design, columns), each=True, progress=progress)
-        computed = calibrate_each(design, profile, sources, error, progress)
+        computed = calibrate_each(design, profile, sources, error, progress, _workshop(workshop))
         return Calibrations(tuple(Calibration.of(result, Design(design, self.text, self.file)) for result in computed))
 
     def adjust(
@@ -522,3 +536,14 @@ class Design(LoadedDesign):
         design = self.complete()
         draw = draw_of(design)
         return card_of(design, Cam.of(plan_cam(design, profile, progress)), draw, progress)
+
+
+def _workshop(file: str | PathLike[str] | None) -> "Workshop | None":
+    """Workshop's file, if one is given."""
+    if file is None:
+        return None
+    from pathlib import Path
+
+    from cadgen.jobs.calibration.workshop import read_workshop
+
+    return read_workshop(Path(file))

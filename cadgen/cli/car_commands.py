@@ -19,6 +19,7 @@ from cadgen.cli.options import (
     overrides_option,
     play_profile_option,
     profile_option,
+    workshop_option,
 )
 from cadgen.figures import Sheet
 from cadgen.messages import Message, joined
@@ -96,6 +97,7 @@ def simulate(
     is_flag=True,
     help="Rank all deviations by their cost at the end of the run, before and after a trim.",
 )
+@workshop_option
 @out_option(help="Folder for a picture; without it no file is written.")
 def tolerance(
     design: str | None,
@@ -105,6 +107,7 @@ def tolerance(
     seed: int,
     processes: int,
     budget: bool,
+    workshop: Path | None,
     as_json: bool,
     out: Path | None,
 ) -> None:
@@ -123,17 +126,23 @@ def tolerance(
 
     loaded = Design.load(design, overrides)
     if loaded.by_motion:
-        if budget or out is not None:
+        if budget or out is not None or workshop is not None:
             raise click.UsageError(
                 Message(
                     "{option} is for a car, and the design has [motion]: leave it out",
-                    option="--budget" if budget else "--out",
+                    option="--budget" if budget else "--out" if out is not None else "--workshop",
                 )
             )
         _lift_tolerance(loaded, samples, seed, as_json=as_json)
     with show.progress(not as_json) as progress:
         run = loaded.tolerance(
-            samples, seed=seed, profile=profile, budget=budget, processes=processes, progress=progress
+            samples,
+            seed=seed,
+            profile=profile,
+            budget=budget,
+            processes=processes,
+            workshop=workshop,
+            progress=progress,
         )
         written = None if out is None else run.write(out, progress=progress)
     if as_json:
@@ -171,7 +180,7 @@ def tolerance(
     "--each",
     is_flag=True,
     help="Judge each file alone, as if each came from another car. Prints one table; with --out, no pictures and no "
-    "as-built design are written.",
+    "as-built design are written, but of three cars and more what they differ by, workshop.toml.",
 )
 @help.option(
     "--next",
@@ -193,6 +202,7 @@ def tolerance(
     is_flag=True,
     help="Judge the gear train alone, by angles at its input and output; set where DESIGN has no more than [train].",
 )
+@workshop_option
 @columns_option
 @overrides_option
 @help.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of the report.")
@@ -205,6 +215,7 @@ def calibrate(
     ask_next: bool,
     unseen: tuple[str, ...],
     train_alone: bool,
+    workshop: Path | None,
     columns: dict[str, str],
     overrides: tuple[str, ...],
     as_json: bool,
@@ -238,7 +249,17 @@ def calibrate(
     loaded = Design.load(design, overrides, train_only=train_alone)
     if train_alone or loaded.by_motion:
         if asked := next(
-            (name for name, given in (("--each", each), ("--next", ask_next), ("--predict", unseen)) if given), ""
+            (
+                name
+                for name, given in (
+                    ("--each", each),
+                    ("--next", ask_next),
+                    ("--predict", unseen),
+                    ("--workshop", workshop),
+                )
+                if given
+            ),
+            "",
         ):
             raise click.UsageError(
                 Message("{option} is for a car, and a train is judged alone: leave it out", option=asked)
@@ -257,7 +278,9 @@ def calibrate(
         if out is not None:
             raise click.UsageError(Message("without a measured file there is nothing to write: remove --out"))
         with show.progress(not as_json) as progress:
-            first = loaded.next_measurement(profile=profile, form_error_um=form_error_um, progress=progress)
+            first = loaded.next_measurement(
+                profile=profile, form_error_um=form_error_um, workshop=workshop, progress=progress
+            )
         if as_json:
             show.document({"next": first.facts()})
         else:
@@ -267,7 +290,14 @@ def calibrate(
     result: Calibration[Design] | Calibrations[Design]
     with show.progress(not as_json) as progress:
         judge = loaded.calibrate_each if each else loaded.calibrate
-        result = judge(files, profile=profile, form_error_um=form_error_um, columns=columns, progress=progress)
+        result = judge(
+            files,
+            profile=profile,
+            form_error_um=form_error_um,
+            columns=columns,
+            workshop=workshop,
+            progress=progress,
+        )
         more = _more(result, ask_next, unseen, columns, progress) if isinstance(result, Calibration) else {}
         written = None if out is None else result.write(out, progress=progress)
     if as_json:

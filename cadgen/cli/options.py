@@ -49,6 +49,14 @@ columns_option = help.option(
 )
 
 
+workshop_option = help.option(
+    "--workshop",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="What the cars of the workshop differ by, as calibrate --each writes it: workshop.toml.",
+)
+
+
 def design_argument(name: str = "design", **settings: Any) -> Callable[[Command], Command]:
     """The argument DESIGN, which may be left out."""
 

@@ -8,5 +8,6 @@
 | `expectation` | what a new cam, a measurement not made and a run not used will show     |
 | `monte_carlo` | many cars within the tolerances                                         |
 | `adjustment`  | trial runs -> settings of micrometer, key and start                     |
+| `workshop`    | mean and spread of deviations over the cars of a workshop               |
 | `records`     | measured data from files, each of the kind that its columns say         |
 """

@@ -18,6 +18,7 @@ from cadgen.errors import DesignError, FileError
 from cadgen.figures import Facts
 from cadgen.gears.choices import Law
 from cadgen.inference.monte_carlo.random_cars import CarEnds, Map, Sensitivity, sensitivities, tolerance_run
+from cadgen.jobs.calibration.workshop import Workshop
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.steering_cam import CarUse, comparison_of, plan_cam
 from cadgen.jobs.error_budget import BudgetSheet, budget_sheet, unit_of
@@ -285,13 +286,16 @@ def run_tolerance(
     return tolerance_of(plan, sample, progress)
 
 
-def tolerance_of(plan: C, sample: CarSample, progress: Progress = silent) -> ToleranceRun[C]:
+def tolerance_of(
+    plan: C, sample: CarSample, progress: Progress = silent, workshop: Workshop | None = None
+) -> ToleranceRun[C]:
     """Run random cars with the cam of a plan.
 
     Args:
         plan: plan of a profile that was compared under play.
         sample: random cars that are asked for.
         progress: function that is called with a few words on each step.
+        workshop: what the cars of the workshop differ by, in the place of what the design allows.
 
     Raises:
         DesignError: the profile was not compared under play, or nothing varies.
@@ -300,6 +304,8 @@ def tolerance_of(plan: C, sample: CarSample, progress: Progress = silent) -> Tol
     use, (low, high) = CarUse.of(plan), comparison_of(plan).band.ends
     tolerances = use.tolerances()
     nominal = watched_cars(use, plan.curve)
+    if workshop is not None:
+        tolerances = workshop.tolerances(tolerances, nominal.car, nominal.wheel_radius)
     progress("finding sensitivities")
     ranked = sensitivities(nominal, tolerances)
     if not ranked:

@@ -3,9 +3,8 @@
 `calibrate` is the entry: records of one car against its design give a diagnosis for each kind of data.
 """
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,7 +31,7 @@ from cadgen.inference.measurement.joint import Build, Joint, Part
 from cadgen.inference.measurement.kinds.track import TrackModel
 from cadgen.inference.measurement.model import Model, repeating, rms_by_run, slopes
 from cadgen.inference.measurement.nominal import LoggedCar, Nominal
-from cadgen.inference.measurement.record import Datum, Kind, Record, join, refuse_many_together, refuse_wrong_units
+from cadgen.inference.measurement.record import Datum, Record, join, refuse_many_together, refuse_wrong_units
 from cadgen.inference.measurement.reservations import (
     refuse_too_few,
     resolved,
@@ -87,7 +86,11 @@ class Weighed:
 
 
 def weigh(
-    records: Sequence[Record], build: Build, progress: Progress = silent, play: tuple[float, float] | None = None
+    records: Sequence[Record],
+    build: Build,
+    progress: Progress = silent,
+    play: tuple[float, float] | None = None,
+    usual: Mapping[str, tuple[float, float]] | None = None,
 ) -> Weighed:
     """Search the effects that explain records of one car, and judge them.
 
@@ -96,6 +99,7 @@ def weigh(
         build: makes the forward model of a record; called again for records with some runs left out.
         progress: function that is called with a few words on each step.
         play: return error that was measured apart, and its standard deviation, rad.
+        usual: of the workshop, as of `Nominal`.
 
     Raises:
         FileError: one run only, with too few rows to tell its noise.
@@ -110,7 +114,7 @@ def weigh(
     joint = Joint.of(parts)
     count = len(joint.core) + len(joint.members)
     progress(Message("{source}: comparing all small subsets of {count} effects", source=joint.source, count=count))
-    found = find(joint)
+    found = find(joint, usual)
     quieter = []
     for part in joint.parts:
         noise = resolved(part.record, estimate_noise(part.model, part.residual(found[0].active)))
@@ -119,7 +123,7 @@ def weigh(
     if any(new is not old for new, old in zip(quieter, joint.parts, strict=True)):
         # Runs that were taken differently differ by an effect, and not by noise alone.
         joint = replace(joint, parts=tuple(quieter))
-        found = find(joint)
+        found = find(joint, usual)
     judgement, best = judge(joint, found)
     found_alone = best = sized(joint, best)
     best, another = with_known_play(joint, best, play)
@@ -246,23 +250,15 @@ def _at_end(joint: Joint, subset: Hypothesis) -> tuple[Unnamed, ...]:
     chance = np.exp((misfit.min() - misfit) / 2) * np.tile([1 - CRABWISE, CRABWISE], int(near.sum()))
     ends = np.flatnonzero(model.rows.run == 0)
     columns, found = repeating(model)[ends[[len(ends) // 2 - 1, -1]]], []
-    orders = model.form.shape[1]
-    for number, spectrum in enumerate(grid):
-        values, own, unsure = evidence.repeating(white, number), model.discrepancy.of_frame, evidence.unsure(number)
-        # A form error beyond what is stated may be no disc's.
-        kept = slice(orders if spectrum.within else 0, None)
-        spread, stays_spread = (
-            float(np.sqrt(np.trace(columns[:, some] @ unsure[some, some] @ columns[:, some].T) / 2))
-            for some in (slice(None), kept)
-        )
-        at, stays = complex(*(columns @ values)), complex(*(columns[:, kept] @ values[kept]))
-        weight = float(chance[number] / chance.sum())
-        if own is not None and spectrum.whole_frame:
-            turned = complex(*(columns[:, own + orders] * values[own + orders]))
-            frame = Unnamed(FRAME * weight, at - turned, spread, stays - turned, stays_spread, spectrum)
-            found.append(frame)
+    for spectrum in range(len(grid)):
+        values, own = evidence.repeating(white, spectrum), model.discrepancy.of_frame
+        spread = float(np.sqrt(np.trace(columns @ evidence.unsure(spectrum) @ columns.T) / 2))
+        at, weight = complex(*(columns @ values)), float(chance[spectrum] / chance.sum())
+        if own is not None and grid[spectrum].whole_frame:
+            turned = complex(*(columns[:, own + model.form.shape[1]] * values[own + model.form.shape[1]]))
+            found.append(Unnamed(FRAME * weight, at - turned, spread, grid[spectrum]))
             weight *= 1 - FRAME
-        found.append(Unnamed(weight, at, spread, stays, stays_spread, spectrum))
+        found.append(Unnamed(weight, at, spread, grid[spectrum]))
     return tuple(found)
 
 
@@ -383,23 +379,12 @@ def calibrate(
     refuse_many_together(joined)
     for record in joined:
         refuse_wrong_units(record, nominal)
-
-    def alone(record: Record) -> Weighed:
-        if record.kind not in known:
-            known[record.kind] = weigh([record], nominal.model, progress, nominal.play)
-        return known[record.kind]
-
-    known: dict[Kind, Weighed] = {}
-    if len(joined) == 1:
-        return alone(joined[0]).diagnoses(progress)
-    # Friction acts in all records of a car, but where the rod was lifted.
-    settled = [record.kind.settled(record, partial(_shown, alone, record)) for record in joined]
-    together = _with_states(weigh(settled, nominal.model, progress, nominal.play), joined)
-    if together.judgement.verdict in SOUND:
+    together = weigh(joined, nominal.model, progress, nominal.play, nominal.usual)
+    if len(joined) == 1 or together.judgement.verdict in SOUND:
         return together.diagnoses(progress)
     # What no car of one kind shows may be of two cars, or of one in two states: then the records are likelier apart.
-    apart = [alone(record) for record in joined]
-    if together.best.score < sum(each.best.score for each in apart) + CONTRADICTED:
+    apart = [weigh([record], nominal.model, progress, nominal.play, nominal.usual) for record in joined]
+    if together.best.score < sum(alone.best.score for alone in apart) + CONTRADICTED:
         return together.diagnoses(progress)
     limit = Message(
         "the records contradict each other: they are likelier of several cars than of one, and so they were judged "
@@ -407,35 +392,9 @@ def calibrate(
     )
     return tuple(
         replace(each, judgement=replace(each.judgement, limits=(*each.judgement.limits, limit)), contradicted=True)
-        for one in apart
-        for each in one.diagnoses(progress)
+        for alone in apart
+        for each in alone.diagnoses(progress)
     )
-
-
-def _shown(alone: Callable[[Record], Weighed], record: Record) -> list[str]:
-    return [effect.name for effect in alone(record).best.effects]
-
-
-def _with_states(result: Weighed, records: Sequence[Record]) -> Weighed:
-    """The verdict that says in which state of the car records are taken to be whose files do not say, where it counts.
-
-    Args:
-        result: of the records in that state.
-        records: as their files are.
-    """
-    if not any(effect.beside for effect in result.best.effects):
-        return result
-    limits = tuple(
-        Message(
-            'no remark in {file} says where the rod was; "{state}" is taken, by what it shows: write it as a remark, '
-            "or what is true",
-            file=record.source,
-            state=remark,
-        )
-        for record, part in zip(records, result.joint.parts, strict=True)
-        for remark in part.record.remarks[len(record.remarks) :]
-    )
-    return replace(result, judgement=replace(result.judgement, limits=(*result.judgement.limits, *limits)))
 
 
 def calibrate_logged(

@@ -1,5 +1,6 @@
 """The design that data are measured against, and the forces on its cam."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from math import pi
@@ -88,6 +89,8 @@ class Nominal:
         cut: lift that the cam was cut for, by whose slope friction holds the cam or lets it go; `lift` if left out.
         mechanics: what the design says of rod force and drag; nothing if left out.
         play: return error that was measured apart, with the rod lifted, and its standard deviation, rad.
+        usual: mean and standard deviation of effects' numbers by their names over the cars of the workshop that made
+            it, internal units; empty where that is not known.
     """
 
     lift: PathMotion
@@ -102,6 +105,7 @@ class Nominal:
     cut: PathMotion | None = None
     mechanics: Mechanics | None = None
     play: tuple[float, float] | None = None
+    usual: Mapping[str, tuple[float, float]] = field(default_factory=dict)
 
     @cached_property
     def disc(self) -> Disc:

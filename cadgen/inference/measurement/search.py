@@ -8,7 +8,7 @@ best one without an anonymous shape, if that has one. At last the subsets within
 """
 
 from collections import Counter
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import chain, combinations, pairwise
@@ -169,12 +169,17 @@ class Round:
     always: Index
 
 
-def find(joint: Joint) -> list[Hypothesis]:
-    """Fit the most likely subsets exactly; best first by score, the empty one always among them."""
+def find(joint: Joint, usual: Mapping[str, tuple[float, float]] | None = None) -> list[Hypothesis]:
+    """Fit the most likely subsets exactly; best first by score, the empty one always among them.
+
+    Args:
+        joint: the records.
+        usual: mean and standard deviation of numbers by their names over a workshop's cars, internal units.
+    """
     core, named = distinguishable(joint), joint.members
     entries = Counter(e.sort for e in (*core, *named) if not (e.shape or e.parts or e.beside))
     anonymous = len(joint.shapes) + sum(e.shape for e in named)
-    search = Search(joint.rows, entries, max(anonymous, 1))
+    search = Search(joint.rows, entries, max(anonymous, 1), usual or {})
     none = fit(joint, (), [], search)
     fitted = {none.key: none}
     best = about = none

@@ -1,7 +1,7 @@
 """Random cars within a design's tolerances: ends of their runs, yield within a gate, and sensitivities."""
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from math import degrees, floor, log10, radians
 
@@ -68,6 +68,7 @@ class Tolerances:
         law: distribution: `normal`, clipped at the limits, which are its 3 sigma; or `uniform`.
         play: return errors B of random cars, rad: a function of a generator and a number, such as a train's
             `sample`; or least and greatest, evenly spread. None keeps the nominal play.
+        means: means of deviations by their columns, of cars that are not made as designed in the mean.
         trimmed: whether the steering of each car was set after a trial run of its own, so that the end of that was met.
             What is fleeting was another one in the trial run; the base radius differs by how closely it was set.
     """
@@ -76,6 +77,7 @@ class Tolerances:
     law: Law = Law.NORMAL
     play: Sampler | tuple[float, float] | None = None
     trimmed: bool = False
+    means: Mapping[int, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "half_widths", {tolerance(str(each)): half for each, half in self.half_widths.items()})
@@ -109,6 +111,8 @@ class Tolerances:
                     deviations[:, name.columns] = size[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
                 else:
                     deviations[:, name.column] = size
+        for column, mean in self.means.items():
+            deviations[:, column] += mean
         return deviations
 
     def halved(self, name: Deviation, nominal_play: float) -> "Tolerances":

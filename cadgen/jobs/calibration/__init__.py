@@ -8,6 +8,8 @@
 | `calibration`        | measured files -> one verdict for each kind of data, and what they say together   |
 | `calibration_report` | a calibration in paragraphs and tables                                            |
 | `advice`             | what to measure next; runs that were not used, predicted with what was found      |
+| `workshop`           | file of what a workshop's cars differ by; times of measurements                   |
+| `learned_workshop`   | calibrated cars -> what they differ by, claimed or not                            |
 | `as_built_file`      | the design file with what was measured at its end                                 |
 | `files`              | report, pictures, JSON and the as-built design, published together                |
 """

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from math import degrees, radians
+from math import degrees, hypot, radians
 from typing import Any
 
 import numpy as np
@@ -25,6 +25,7 @@ from cadgen.jobs.calibration.calibration import CalibrationPlan, wheelbase_of
 from cadgen.jobs.calibration.calibration_report import SIGNS
 from cadgen.jobs.calibration.cam_on_car import INCLINOMETER_DEG, nominal_of
 from cadgen.jobs.calibration.sources import Source
+from cadgen.jobs.calibration.workshop import MINUTES, Workshop, minutes_of
 from cadgen.messages import Message, joined
 from cadgen.output.report.notebook import Pictured, Plotted, bars_picture
 from cadgen.output.report.style import Drawing
@@ -44,14 +45,21 @@ class Advice(Pictured):
     Attributes:
         computed: the whole ranking.
         measured: whether something was measured already.
+        workshop: how long measurements take, and what its cars differ by; None where that is not known.
     """
 
     computed: Next
     measured: bool
+    workshop: Workshop | None = None
 
     @classmethod
     def first(
-        cls, design: Design, profile: str, form_error_um: float | None = None, progress: Progress = silent
+        cls,
+        design: Design,
+        profile: str,
+        form_error_um: float | None = None,
+        progress: Progress = silent,
+        workshop: Workshop | None = None,
     ) -> "Advice":
         """Rank the first measurement on a car of which only the design is known.
 
@@ -60,6 +68,7 @@ class Advice(Pictured):
             profile: profile of the cam on the car.
             form_error_um: stated form error of the disc, rms; that of a machined one if left out.
             progress: function that is called with a few words on each step.
+            workshop: what the cars of its workshop differ by, if that is known.
 
         Raises:
             DesignError: see `cam_on_car.nominal_of`.
@@ -67,8 +76,10 @@ class Advice(Pictured):
         nominal = nominal_of(design, profile, progress)
         floor = MACHINED_UM if form_error_um is None else form_error_um
         progress("weighing what may be measured")
-        ranking = next_measurement(replace(nominal, form_error=floor * 1e-3), [], [], _prior(design, nominal, None))
-        return cls(ranking, measured=False)
+        ranking = next_measurement(
+            replace(nominal, form_error=floor * 1e-3), [], [], prior_of(design, nominal, None, workshop)
+        )
+        return cls(ranking, measured=False, workshop=workshop)
 
     @classmethod
     def after(cls, calibration: CalibrationPlan, design: Design, progress: Progress = silent) -> "Advice":
@@ -98,7 +109,8 @@ class Advice(Pictured):
         nominal = c.nominal or replace(nominal_of(design, c.profile, progress), form_error=c.form_error_um * 1e-3)
         records = [join([s.record for s in c.files(d.kind)]) for d in diagnoses]
         progress("weighing what may be measured")
-        return cls(next_measurement(nominal, records, diagnoses, _prior(design, nominal, c)), measured=True)
+        prior = prior_of(design, nominal, c, c.workshop)
+        return cls(next_measurement(nominal, records, diagnoses, prior), measured=True, workshop=c.workshop)
 
     def __repr__(self) -> str:
         return f"<Advice: {self.ranked[0].words}>"
@@ -107,6 +119,23 @@ class Advice(Pictured):
     def ranked(self) -> tuple[Expected, ...]:
         """Measurements, best first: `words`, `runs`, `end` (its `mean`, `least` and `most`, mm), `names_sure`."""
         return self.computed.ranked
+
+    def minutes(self, measurement: Expected) -> float:
+        """Minutes that a measurement takes, by the workshop's file, or as is usual.
+
+        Args:
+            measurement: one of `ranked`.
+        """
+        times = MINUTES if self.workshop is None else self.workshop.minutes
+        return minutes_of(times, None if measurement.kind is None else measurement.kind.code, measurement.runs)
+
+    def gain_per_minute(self, measurement: Expected) -> float:
+        """Distance by which a measurement brings the end of the run nearer, mm for each minute that it takes.
+
+        Args:
+            measurement: one of `ranked`.
+        """
+        return (self.computed.now.mean - measurement.end.mean) / self.minutes(measurement)
 
     @property
     def report(self) -> list[Block]:
@@ -125,10 +154,29 @@ class Advice(Pictured):
             Sheet(
                 "next",
                 "",
-                (Message("measure"), Message("mm off"), "95 %", Message("nearer")),
-                tuple((e.words, _mm(e.end.mean), _mm(e.end.most), f"{max(n.shrinks(e), 0.0):.0%}") for e in n.ranked),
+                (Message("measure"), Message("mm off"), "95 %", Message("nearer"), Message("minutes")),
+                tuple(
+                    (
+                        e.words,
+                        _mm(e.end.mean),
+                        _mm(e.end.most),
+                        f"{max(n.shrinks(e), 0.0):.0%}",
+                        f"{self.minutes(e):.0f}",
+                    )
+                    for e in n.ranked
+                ),
             ),
         ]
+        fastest = max(n.ranked, key=self.gain_per_minute)
+        if fastest is not first and n.shrinks(fastest) >= WORTH:
+            blocks.append(
+                Message(
+                    "For its time most is gained by {words}: {gain:.2g} mm in a minute, and {other:.2g} by the first.",
+                    words=fastest.words,
+                    gain=self.gain_per_minute(fastest),
+                    other=max(self.gain_per_minute(first), 0.0),
+                )
+            )
         if n.shrinks(first) < WORTH:
             blocks.append(
                 Message(
@@ -179,6 +227,7 @@ class Advice(Pictured):
                 | _range(e.end)
                 | Facts(
                     nearer_by=n.shrinks(e),
+                    minutes=self.minutes(e),
                     names_sure=e.names_sure,
                     part_of_turn=e.part
                     and Facts(from_deg=degrees(e.part[0]), to_deg=degrees(e.part[1])) | _range(e.part[2]),
@@ -288,8 +337,17 @@ class Predictions(Plotted):
         ]
 
 
-def _prior(design: Design, nominal: Nominal, calibration: CalibrationPlan | None) -> PriorKnowledge:
-    """Knowledge without a measurement: [tolerances], the play of the train, and what was measured apart."""
+def prior_of(
+    design: Design, nominal: Nominal, calibration: CalibrationPlan | None, workshop: Workshop | None = None
+) -> PriorKnowledge:
+    """Knowledge without a measurement: [tolerances], the play of the train, and what was measured apart.
+
+    Args:
+        design: loaded design.
+        nominal: of its car.
+        calibration: what was found so far; None before any measurement.
+        workshop: what the cars of its workshop differ by, if that is known.
+    """
     bare = design.as_designed()
     forces = variation.mechanics(bare, nominal.follower, nominal.lift)
     radius = variation.wheel_radius(bare, nominal.track.length)
@@ -298,6 +356,9 @@ def _prior(design: Design, nominal: Nominal, calibration: CalibrationPlan | None
     band = variation.play_bands(bare).get(design.optimize.order)
     least, most = (0.0, 0.0) if band is None else band.ends
     play, unsure, assumed = (least + most) / 2, (most - least) / 4, most
+    if workshop is not None:
+        spread |= {name: hypot(*usual) for name, usual in workshop.usual.items()}
+        play, unsure = workshop.usual.get("return_error_deg", (play, unsure))
     zones = None if calibration is None else calibration.zones
     if design.play is not None and design.play.measured_deg is not None:
         play, unsure = radians(design.play.measured_deg), radians(INCLINOMETER_DEG)

@@ -29,6 +29,7 @@ from cadgen.inference.measurement.verdict import LEFT_OVER, Judgement, Verdict
 from cadgen.jobs.calibration.cam_on_car import nominal_of, ratios_and_teeth, refuse_laps
 from cadgen.jobs.calibration.new_cam import Built, agreed_places, expected_of, placed, with_joint_effect
 from cadgen.jobs.calibration.sources import Source, stated_form_error
+from cadgen.jobs.calibration.workshop import Workshop
 from cadgen.messages import Message, joined
 from cadgen.progress import Progress, silent
 from cadgen.verdict import Readiness
@@ -114,6 +115,7 @@ class CalibrationPlan:
         nominal: the design as data of its kinds were judged against it; None without such data.
         holds: friction from which on the cam never leads, and the cam angle that takes it, rad; None where no such data
             show a car without play.
+        workshop: what the cars of its workshop differ by; None where that is not known.
     """
 
     against: MeasuredDesign
@@ -132,6 +134,7 @@ class CalibrationPlan:
     outlook_agreed: Outlook | None = None
     no_cam: Message | None = None
     nominal: Nominal | None = None
+    workshop: Workshop | None = None
 
     @cached_property
     def built(self) -> tuple[Built, ...]:
@@ -183,6 +186,7 @@ def calibrate(
     form_error_um: float | None = None,
     progress: Progress = silent,
     nominal: Nominal | None = None,
+    workshop: Workshop | None = None,
 ) -> CalibrationPlan:
     """Judge measured files of one car against its design.
 
@@ -194,6 +198,7 @@ def calibrate(
             is printed, and else of a machined one.
         progress: function that is called with a few words on each step.
         nominal: from `nominal_of`, if that is at hand already.
+        workshop: what the cars of its workshop differ by, if that is known.
 
     Raises:
         DesignError: the design or its profile cannot be built, or it has no train for a transmission's data.
@@ -213,6 +218,8 @@ def calibrate(
     )
     if records[Method.EVIDENCE]:
         known = replace(nominal or nominal_of(design, profile, progress), form_error=floor * 1e-3)
+        if workshop is not None:
+            known = replace(known, usual=workshop.usual)
         if zones is not None and zones.judgement.claimed:
             known = replace(known, play=(radians(zones.zones.return_error_deg), radians(zones.zones.sigma_deg)))
         sources, left_out = _without_odd_runs(sources, known)
@@ -242,6 +249,7 @@ def calibrate(
         warnings=(*left_out, *_warnings(design, profile, sources)),
         holds=holds,
         nominal=known,
+        workshop=workshop,
     )
     if known is None:
         return calibration
@@ -273,10 +281,11 @@ def calibrate_each(
     sources: Sequence[Source],
     form_error_um: float | None = None,
     progress: Progress = silent,
+    workshop: Workshop | None = None,
 ) -> tuple[CalibrationPlan, ...]:
     """Judge every file alone, as if each were of a car of its own. Arguments and errors as in `calibrate`."""
     nominal = nominal_of(design, profile, progress)
-    return tuple(calibrate(design, profile, [source], form_error_um, progress, nominal) for source in sources)
+    return tuple(calibrate(design, profile, [source], form_error_um, progress, nominal, workshop) for source in sources)
 
 
 def _claims(design: Design, diagnoses: Iterable[Diagnosis], zones: ZoneMeans | None) -> list[Claim]:

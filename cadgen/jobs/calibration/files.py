@@ -14,6 +14,7 @@ from cadgen.inference.measurement.findings import Diagnosis, EvidenceDiagnosis, 
 from cadgen.jobs.calibration.as_built_file import as_built_text
 from cadgen.jobs.calibration.calibration import CalibrationPlan, ZoneMeans
 from cadgen.jobs.calibration.calibration_report import report, summary
+from cadgen.jobs.calibration.workshop import Workshop
 from cadgen.output.files.manifest import versions
 from cadgen.output.files.publisher import Artifact, Written, publish, text_file
 from cadgen.output.report.record_pictures import record_picture
@@ -119,8 +120,13 @@ def write_calibration(
     return publish(stem, out, files, facts, lambda made: Facts(files_written=list(made)))
 
 
-def write_each(each: Sequence[CalibrationPlan], out: Path) -> Written:
+def write_each(each: Sequence[CalibrationPlan], out: Path, workshop: Workshop | None = None) -> Written:
     """Write the verdicts on files judged alone, and publish them together.
+
+    Args:
+        each: verdicts, one of each car.
+        out: folder.
+        workshop: what the cars differ by; None where they are too few.
 
     Raises:
         FileError: a file cannot be written.
@@ -128,10 +134,16 @@ def write_each(each: Sequence[CalibrationPlan], out: Path) -> Written:
     stem = f"{each[0].against.name}_each"
     facts = summary_facts(each)
     text = plain(summary(each), _EACH_WIDTH)
+
+    def files(folder: Path) -> Iterator[Artifact]:
+        yield from _documents(folder, stem, facts, text)
+        if workshop is not None:
+            yield text_file(folder / "workshop.toml", workshop.text())
+
     return publish(
         stem,
         out,
-        lambda folder: _documents(folder, stem, facts, text),
+        files,
         facts,
         lambda made: Facts(files_written=list(made)),
     )
