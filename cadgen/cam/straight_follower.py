@@ -22,6 +22,7 @@ from cadgen.cam.round_follower import Complex
 from cadgen.curves.closed import Jet
 from cadgen.laws.motion import Motion
 
+_CUSP = 1e-15  # mm; in place of a radius of 0 at a cusp, at which the outline would have no direction
 _JOINT = 1e-9  # mm; two pieces that touch the face this close together meet
 
 
@@ -232,6 +233,7 @@ class FacePiece(Swept):
         (h, h1, h2), (turn, turn1, turn2) = self.follower.face_jet(*span_jets(self.motion, t, self.start, self.stop))
         rate = 1 + turn1
         slope, radius = h1 / rate, h + (h2 * rate - h1 * turn2) / rate**3
+        radius = np.where(radius == 0, _CUSP, radius)
         normal = np.exp(1j * (np.asarray(t) + self.follower.azimuth + turn))
         point, velocity = (h + 1j * slope) * normal, 1j * radius * rate * normal
         with np.errstate(divide="ignore"):  # at a cusp the curvature is infinite

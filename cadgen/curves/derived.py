@@ -132,6 +132,7 @@ def _slide(piece: Piece, at: Array, end: Array, *, from_end: bool) -> Array:
 # rad; a hollow that turns by no more than this holds no cutter up: one of radius R leaves at most R turn^2 / 8 in it,
 # and takes as little beside it: 0.03 um at 10 mm.
 SLIGHT_TURN = 5e-3
+_CUSP = 1e-15  # in place of a velocity of 0 at a cusp, at which a curve would have no direction
 _SAMPLES_PER_RADIAN = 600  # of a piece, in search of its sharpest bend
 
 
@@ -152,6 +153,7 @@ class OffsetPiece(DerivedPiece):
         """
         jet = self.piece.jet(t)
         widened = 1 + self.distance * jet.curvature
+        widened = np.where(widened == 0, _CUSP, widened)
         return Jet(
             jet.point - self.distance * left_normal(jet.velocity),
             widened[:, None] * jet.velocity,

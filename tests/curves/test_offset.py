@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from cadgen.curves.contour import circle, keyway_bore
-from cadgen.curves.derived import parallel
+from cadgen.curves.derived import OffsetPiece, parallel
 from cadgen.errors import CheckError
 from tests.curves.shapes import ellipse, lens, limacon, off_ellipse
 
@@ -60,3 +60,13 @@ def test_a_hollow_takes_no_larger_cutter_than_its_own_radius():
 def test_a_hollow_corner_is_refused_with_its_place():
     with pytest.raises(CheckError, match=r"hollow corner of \d+\.\d\d degrees at polar angle"):
         parallel(keyway_bore(20.0, 6.0, 3.0, 0.0).curve(), 0.5)
+
+
+def test_a_parallel_through_the_centre_of_curvature_keeps_its_direction():
+    """The parallel of a circle at its own radius is a point, at which each direction is that of the circle."""
+    point = OffsetPiece(circle((0.0, 0.0), 4.0).curve().pieces[0], -4.0)
+    t = np.linspace(point.start, point.stop, 9)
+    assert np.abs(point.jet(t).point).max() < 1e-12
+    out = OffsetPiece(point, 1.0).jet(t)
+    assert np.abs(np.linalg.norm(out.point, axis=1) - 1).max() < 1e-12
+    assert np.isfinite(out.curvature).all()

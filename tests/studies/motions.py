@@ -388,7 +388,8 @@ def _near(truth: Truth, q, spans) -> bool:
     lift = q(np.linspace(0, TURN, 7201))[0]
     if truth.flat:
         return float(truth.line(lift)[1].min()) <= 1e-9
-    return float(np.abs(truth.centre(lift)).min()) <= truth.radius + 1e-9
+    rim = truth.radius + truth.keys.get("clearance_mm", 0.0) / 2  # of a groove's inner flank
+    return float(np.abs(truth.centre(lift)).min()) <= rim + 1e-9
 
 
 def _overhangs(truth: Truth, q, spans) -> bool:
