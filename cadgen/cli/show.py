@@ -491,6 +491,9 @@ def _compared(result: "ComparedCam") -> None:
             Message("not all that was measured is explained"),
             Message("motion.measured = true instead of the motion finds the one that it has"),
         )
+    elif result.comparison.worn:
+        said = Message("a flank is worn") if result.comparison.surely_worn else Message("a flank may be worn")
+        verdict(result.readiness, said, Message("make the disc anew"))
     elif not result.found:
         verdict(result.readiness, Message("nothing differs from the design"))
     else:

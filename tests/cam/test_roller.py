@@ -378,3 +378,43 @@ def test_the_pressure_angle_where_the_roller_stands_still_counts_on_both_sides(o
     checks = {check.code: check for check in Design.from_toml(TEXT).with_(changes).cam().checks}
     angle = checks[f"pressure-angle-{code}"].value
     assert angle == pytest.approx(np.degrees(np.arcsin(10.89 / 70.44)), abs=1e-4)
+
+
+def _fitted(lift, half, step):
+    """Velocity and acceleration of lifts all round by quintics through the neighbours within a window, by rad."""
+    share = np.arange(-half, half + 1) / half
+    weights = np.linalg.pinv(np.vander(share, 6, increasing=True))
+    window = np.lib.stride_tricks.sliding_window_view(np.concatenate([lift[-half:], lift, lift[:half]]), 2 * half + 1)
+    return window @ weights[1] / (half * step), 2 * window @ weights[2] / (half * step) ** 2
+
+
+_LONG = [pytest.mark.slow, pytest.mark.long]
+_OTHERS = (
+    *("polynomial_2_3", "polynomial_4_5_6_7", "polynomial_5_6_7_8_9", "constant_acceleration", "unequal_parabola"),
+    *("trapezoid", "cycloidal", "cycloid_line_50", "simple_harmonic", "gutman_1_3", "freudenstein_1_3"),
+    *("freudenstein_1_3_5", "modified_sine", "modified_sine_20", "modified_sine_33", "modified_sine_66"),
+)
+
+
+@pytest.mark.parametrize(
+    "law",
+    ["polynomial_3_4_5", "modified_trapezoid", "modified_sine_50", *(pytest.param(c, marks=_LONG) for c in _OTHERS)],
+)
+def test_the_outline_gives_velocity_and_acceleration_of_the_law(law):
+    """Rolled every 0.1 degrees and fitted by quintics over 2 degrees, as the law's own lifts are.
+
+    Where the jerk jumps within a window, the fit itself is off, of the law's lifts as of the outline's.
+    """
+    moved = motion((80, 14.0, law), (50, 14.0, None), (110, 0.0, law), (120, 0.0, None))
+    roller = Roller(base=60.0, radius=9.0, offset=8.0)
+    theta = np.radians(np.arange(0.0, 360.0, 0.1))
+    contact, _ = roll_curve(actual_profile(moved, roller).curve, roller, theta)
+    exact = moved.jets(theta)
+    found, fits = (_fitted(lift, 10, radians(0.1)) for lift in (contact.lift, exact[:, 0]))
+    seams = np.array([seam.cam_angle for seam in moved.joints if seam.order is not None])
+    away = (np.abs(np.exp(1j * (theta[:, None] - seams)) - 1) > radians(1.001)).all(axis=1)
+    for order, within in ((1, 1e-4), (2, 1e-3)):
+        peak = np.abs(exact[:, order]).max()
+        assert np.abs(found[order - 1] - fits[order - 1]).max() < within / 10 * peak
+        if law != "modified_sine_66":  # whose curves of 7 degrees are too short for the window
+            assert np.abs(found[order - 1] - exact[:, order])[away].max() < within * peak

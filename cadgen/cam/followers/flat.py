@@ -177,7 +177,7 @@ class FlatFace(StraightFollower):
             return contact_run(along, theta)
         middle = float(along.max() + along.min()) / 2
         wide, least = (ceil(20 * width) / 10 for width in (np.abs(along).max(), np.ptp(along) / 2))
-        offset = round(self.offset + middle * float(np.cos(self.tilt)), 2)
+        offset = round(self.offset + middle * float(np.cos(self.tilt)), 2) + 0.0  # no -0
         # The offset is rounded to 5 um, which the width makes up for.
         central = {"offset": offset, "least": least + 0.1}
         if central["least"] <= self.width:

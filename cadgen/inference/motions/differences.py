@@ -337,6 +337,11 @@ class CamComparison:
         quiet = self.after < _LOUD * self.travel
         return quiet and abs(self.worst[0]) < _SIGMAS * self.noise and self.after < 1.5 * self.noise
 
+    @property
+    def surely_worn(self) -> bool:
+        """Whether a flank is worn by all that explains the record."""
+        return bool(self.worn) and all(WEAR in codes for codes in self.rivals)
+
 
 def compared(readings: CamReadings, *, mirrored: bool = False) -> CamComparison:
     """Deviations that explain readings.

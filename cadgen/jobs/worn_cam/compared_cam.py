@@ -205,10 +205,18 @@ def compared_report(cam: ComparedCamPlan) -> list[Block]:
         blocks.append(Message("Dimensions of the follower are those that the disc was cut for."))
     if any(each.code == BASE_CIRCLE for each in cam.found) and not cam.of_disc:
         blocks.append(Message("A larger roller lifts as a larger disc does: measure both."))
+    worn = Message(
+        "The flank from {start:.0f} to {stop:.0f} degrees of cam angle is worn: {depth:.0f} µm are missing along "
+        "the normal at {angle:.0f} degrees."
+    )
+    if not c.surely_worn:
+        worn = Message(
+            "The flank from {start:.0f} to {stop:.0f} degrees of cam angle may be worn: then {depth:.0f} µm are "
+            "missing along the normal at {angle:.0f} degrees. What is as likely without wear stands below."
+        )
     blocks += [
         Message(
-            "The flank from {start:.0f} to {stop:.0f} degrees of cam angle is worn: {depth:.0f} µm are missing along "
-            "the normal at {angle:.0f} degrees.",
+            worn.template,
             start=degrees(each.start),
             stop=degrees(each.stop),
             depth=_UM * each.depth,
