@@ -3,8 +3,9 @@
 `calibrate` is the entry: records of one car against its design give a diagnosis for each kind of data.
 """
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,7 +32,7 @@ from cadgen.inference.measurement.joint import Build, Joint, Part
 from cadgen.inference.measurement.kinds.track import TrackModel
 from cadgen.inference.measurement.model import Model, repeating, rms_by_run, slopes
 from cadgen.inference.measurement.nominal import LoggedCar, Nominal
-from cadgen.inference.measurement.record import Datum, Record, join, refuse_many_together, refuse_wrong_units
+from cadgen.inference.measurement.record import Datum, Kind, Record, join, refuse_many_together, refuse_wrong_units
 from cadgen.inference.measurement.reservations import (
     refuse_too_few,
     resolved,
@@ -379,12 +380,23 @@ def calibrate(
     refuse_many_together(joined)
     for record in joined:
         refuse_wrong_units(record, nominal)
-    together = weigh(joined, nominal.model, progress, nominal.play, nominal.usual)
-    if len(joined) == 1 or together.judgement.verdict in SOUND:
+
+    def alone(record: Record) -> Weighed:
+        if record.kind not in known:
+            known[record.kind] = weigh([record], nominal.model, progress, nominal.play, nominal.usual)
+        return known[record.kind]
+
+    known: dict[Kind, Weighed] = {}
+    if len(joined) == 1:
+        return alone(joined[0]).diagnoses(progress)
+    # Friction acts in all records of a car, but where the rod was lifted.
+    settled = [record.kind.settled(record, partial(_shown, alone, record)) for record in joined]
+    together = _with_states(weigh(settled, nominal.model, progress, nominal.play, nominal.usual), joined)
+    if together.judgement.verdict in SOUND:
         return together.diagnoses(progress)
     # What no car of one kind shows may be of two cars, or of one in two states: then the records are likelier apart.
-    apart = [weigh([record], nominal.model, progress, nominal.play, nominal.usual) for record in joined]
-    if together.best.score < sum(alone.best.score for alone in apart) + CONTRADICTED:
+    apart = [alone(record) for record in joined]
+    if together.best.score < sum(each.best.score for each in apart) + CONTRADICTED:
         return together.diagnoses(progress)
     limit = Message(
         "the records contradict each other: they are likelier of several cars than of one, and so they were judged "
@@ -392,9 +404,35 @@ def calibrate(
     )
     return tuple(
         replace(each, judgement=replace(each.judgement, limits=(*each.judgement.limits, limit)), contradicted=True)
-        for alone in apart
-        for each in alone.diagnoses(progress)
+        for one in apart
+        for each in one.diagnoses(progress)
     )
+
+
+def _shown(alone: Callable[[Record], Weighed], record: Record) -> list[str]:
+    return [effect.name for effect in alone(record).best.effects]
+
+
+def _with_states(result: Weighed, records: Sequence[Record]) -> Weighed:
+    """The verdict that says in which state of the car records are taken to be whose files do not say, where it counts.
+
+    Args:
+        result: of the records in that state.
+        records: as their files are.
+    """
+    if not any(effect.beside for effect in result.best.effects):
+        return result
+    limits = tuple(
+        Message(
+            'no remark in {file} says where the rod was; "{state}" is taken, by what it shows: write it as a remark, '
+            "or what is true",
+            file=record.source,
+            state=remark,
+        )
+        for record, part in zip(records, result.joint.parts, strict=True)
+        for remark in part.record.remarks[len(record.remarks) :]
+    )
+    return replace(result, judgement=replace(result.judgement, limits=(*result.judgement.limits, *limits)))
 
 
 def calibrate_logged(

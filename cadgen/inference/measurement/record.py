@@ -5,7 +5,7 @@ another unit than the header says, by what the design lets expect.
 """
 
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from enum import Enum, StrEnum
@@ -123,6 +123,8 @@ class Kind:
         datum: what is fitted to each run and never claimed.
         model: (record, `Nominal` or `LoggedCar`) -> the forward model of the record; None where there is none.
         check: refuses a record that cannot be, beside what is checked of all kinds.
+        settled: (record, names of the effects that it shows by itself) -> the record with a remark on the state of the
+            car in which it was taken, where its file does not say.
         spans: (record, the same) -> what betrays numbers of another unit.
         most_rows: of all files of the kind together.
         least_rows: of each run.
@@ -150,6 +152,7 @@ class Kind:
     datum: Datum
     model: Callable[["Record", Any], Model] | None = None
     check: Callable[["Record"], None] = lambda record: None
+    settled: Callable[["Record", Callable[[], Collection[str]]], "Record"] = lambda record, shown: record
     spans: Callable[["Record", Any], Iterable[Span]] = lambda record, against: ()
     most_rows: int = MOST_ROWS
     least_rows: int = LEAST_ROWS

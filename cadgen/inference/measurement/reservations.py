@@ -8,7 +8,7 @@ measured with the rod lifted, where no friction holds the cam, tells them apart.
 """
 
 from dataclasses import replace
-from itertools import chain, combinations, product
+from itertools import chain, combinations
 
 import numpy as np
 from scipy.stats import f as f_distribution
@@ -22,7 +22,7 @@ from cadgen.inference.measurement.hypothesis import Hypothesis, Search, fit
 from cadgen.inference.measurement.joint import Joint
 from cadgen.inference.measurement.model import Model, highest_order, repeating
 from cadgen.inference.measurement.record import Record, instrument
-from cadgen.inference.measurement.search import MOST_CAUSES
+from cadgen.inference.measurement.search import HOPELESS, MOST_CAUSES
 from cadgen.inference.measurement.verdict import (
     LEFT_OVER,
     RIVAL,
@@ -321,13 +321,19 @@ def with_cameras(judgement: Judgement, joint: Joint, best: Hypothesis) -> Judgem
     sizes = range(max(len(named) - 2, 0), len(named) + 1)
     rests = dict.fromkeys([(), *chain.from_iterable(combinations(named, size) for size in sizes)])
     rivals: list[Hypothesis] = []
-    for camera, rest in product(cameras, rests):
+    for rest in rests:
         if any(e.beside and e.beside not in rest for e in rest):
             continue
-        other = fit(seen, (*rest, camera), best.active, search)
-        near = RIVAL if other.parameters < found.parameters else -RIVAL
-        if other.score < found.score + near and all(left_over(part, seen, other) <= LEFT_OVER for part in parts):
-            rivals.append(other)
+        bare = fit(seen, rest, best.active, search)
+        least = found.misfit[found.within] + HOPELESS
+        for camera in cameras:
+            # A camera changes readings in proportion, so what it does beside a fitted rest is seen without a fit.
+            if bare.misfit[bare.within] - _gain(seen, bare, camera) > least:
+                continue
+            other = fit(seen, (*rest, camera), bare.active, search, level=found.score + HOPELESS)
+            near = RIVAL if other.parameters < found.parameters else -RIVAL
+            if other.score < found.score + near and all(left_over(part, seen, other) <= LEFT_OVER for part in parts):
+                rivals.append(other)
     if not rivals:
         return judgement
     first = min(rivals, key=lambda h: h.score)
@@ -344,6 +350,14 @@ def with_cameras(judgement: Judgement, joint: Joint, best: Hypothesis) -> Judgem
     names = names_of(first.effects)
     sentence = Message("Consistent with {names} ({size}): nothing is claimed of the car.", names=names, size=size)
     return replace(judgement, verdict=Verdict.AMBIGUOUS, sentence=sentence)
+
+
+def _gain(joint: Joint, fitted: Hypothesis, camera: Effect) -> float:
+    """By how much an error of the camera lessens -2 log L of a fitted subset, to first order of the residual."""
+    chosen = (*(effect for effect, _ in fitted.active if not effect.parameters[0].stepwise), camera)
+    active = [*fitted.active, (camera, camera.start)]
+    (H,), (g,) = joint.normal(chosen, active, [fitted.within])
+    return float(g @ np.linalg.lstsq(H, g, rcond=None)[0])
 
 
 def _pair(best: Hypothesis) -> tuple[Effect, Effect] | None:

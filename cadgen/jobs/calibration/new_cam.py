@@ -15,12 +15,13 @@ import numpy as np
 from cadgen.design.as_built import AsBuiltSection
 from cadgen.design.schema import Design
 from cadgen.deviations.deviation import Place
-from cadgen.inference.expectation.outlook import NextCam, Outlook, outlook
+from cadgen.inference.expectation.outlook import Name, NextCam, Outlook, outlook
 from cadgen.inference.measurement.claims import Claim, at_work
 from cadgen.inference.measurement.findings import Diagnosis, EvidenceDiagnosis, Finding, Likely, Value
 from cadgen.inference.measurement.hypothesis import on_bound
 from cadgen.inference.measurement.kinds import TRACK, kind_of
 from cadgen.inference.measurement.nominal import Nominal
+from cadgen.inference.measurement.record import Kind
 from cadgen.inference.measurement.verdict import Verdict
 from cadgen.jobs.calibration.cam_on_car import nominal_of, planned_end, unmeasured
 from cadgen.jobs.cam.steering_cam import default_profile
@@ -106,16 +107,32 @@ def expected_of(
         DesignError, CheckError: no cam can be planned for it.
     """
     judged = tuple(d for d in diagnoses if isinstance(d, EvidenceDiagnosis))
-    gone = {(c.kind.code, c.finding.effect) for c, place in placed if place == Place.PART}
+    gone = gone_with_the_disc([d.kind for d in judged], placed)
     if not gone and not any(place in _TAKEN_OUT and not claim.absent for claim, place in placed):
         return None
     progress("driving the car on the next cam")
     built = as_built_design(design, placed, profile)
     new = NextCam(
         nominal=replace(nominal_of(built, default_profile(built).code), form_error=nominal.form_error),
-        gone=frozenset(gone),
+        gone=gone,
     )
     return outlook(judged, nominal, new, planned_end(design, nominal), unmeasured(design, nominal))
+
+
+def gone_with_the_disc(kinds: Sequence[Kind], placed: Sequence[tuple[Claim, Place]]) -> frozenset[Name]:
+    """Effects that a new disc has not, by the names that they have in each kind of data.
+
+    Of records that were judged apart each may name one thing of the disc that it came with.
+
+    Args:
+        kinds: of the records.
+        placed: everything claimed, and what becomes of it.
+    """
+    parts = [claim for claim, place in placed if place == Place.PART]
+    alike = {claim.deviation for claim in parts}
+    return frozenset((claim.kind.code, claim.finding.effect) for claim in parts) | {
+        (kind.code, effect.name) for kind in kinds for effect in kind.catalogue.effects if effect.deviation in alike
+    }
 
 
 def as_built_design(design: Design, placed: Sequence[tuple[Claim, Place]], profile: str) -> Design:

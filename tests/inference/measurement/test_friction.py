@@ -12,19 +12,21 @@ from cadgen.car.running.mechanics import Mechanics, holding_friction
 from cadgen.design import cam_model, variation
 from cadgen.design.as_built import AsBuiltSection
 from cadgen.design.load import load_design
+from cadgen.errors import FileError
 from cadgen.inference.measurement.claims import no_friction
 from cadgen.inference.measurement.diagnosis import calibrate
 from cadgen.inference.measurement.kinds import kind_of
 from cadgen.inference.measurement.kinds.transmission import follow
 from cadgen.inference.measurement.nominal import Forces
+from cadgen.inference.measurement.record import join
 from cadgen.inference.measurement.reservations import with_friction_judged, with_known_play
 from cadgen.inference.measurement.verdict import Judgement
 from cadgen.jobs.cam.built_car import as_built_sentences
 from cadgen.jobs.cam.car_facts import as_built_facts
-from tests.inference.measurement.synthetic_drive import RATIOS
+from tests.inference.measurement.synthetic_drive import RATIOS, Train, transmission_record
 from tests.inference.measurement.synthetic_rod import rod_record
 from tests.studies.friction_cars import case, judged
-from tests.studies.friction_truth import STEP_DEG, World
+from tests.studies.friction_truth import STEP_DEG, FrictionCar, World
 
 TURN = 2 * np.pi
 
@@ -69,6 +71,35 @@ def test_a_transmission_with_the_rod_on_parts_them_too(world, nominal):
     assert values["friction"].value == pytest.approx(0.3, abs=0.01)
     assert 0 < values["friction"].sigma < 0.01
     assert told.residual.after < 1.02 * 0.03
+
+
+@pytest.mark.slow
+@pytest.mark.long
+@pytest.mark.parametrize("lifted", [True, False])
+def test_a_track_and_a_train_are_of_one_car_whether_the_rod_was_lifted_or_not(world, nominal, synthetic_car, lifted):
+    """With the rod lifted the train shows all of the play, and of friction nothing: the records contradicted."""
+    rng = np.random.default_rng(5)
+    track = world.record(FrictionCar(play=180, friction=0.2), rng, runs=4, noise_mm=3.0)
+    if lifted:
+        train = transmission_record(synthetic_car, Train(play=radians(180 * STEP_DEG)), rng, noise_deg=0.03)
+    else:
+        train = rod_record(world, play=180, friction=0.2, rng=rng)
+    told = calibrate([track, train], replace(nominal, ratios=RATIOS, teeth=()))
+    assert not told[0].contradicted
+    assert told[0].judgement.claimed == ("backlash", "sliding friction")
+    values = {v.name: v for f in told[0].findings for v in f.values}
+    assert values["return_error_deg"].value == pytest.approx(180 * STEP_DEG, abs=0.02)
+    assert values["friction"].value == pytest.approx(0.2, abs=0.01)
+    assert [state for state in ("rod lifted", "rod on the disc") if state in " ".join(told[0].judgement.limits)] == [
+        "rod lifted" if lifted else "rod on the disc"
+    ]
+
+
+def test_runs_with_the_rod_lifted_and_on_the_disc_are_not_one_record(synthetic_car, nominal):
+    record = transmission_record(synthetic_car, Train(), np.random.default_rng(0), noise_deg=0.03, runs=1)
+    both = join([replace(record, remarks=("Rod lifted",)), replace(record, remarks=("with the rod on the disc",))])
+    with pytest.raises(FileError, match="give files of one of the two"):
+        replace(nominal, ratios=RATIOS).model(both)
 
 
 def test_the_rod_draws_a_camshaft_as_the_generator_steps_it(world, forces):

@@ -5,12 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cadgen.deviations.deviation import RETURN_ERROR
+from cadgen.deviations.deviation import RETURN_ERROR, Place
 from cadgen.errors import FileError
 from cadgen.inference.measurement.claims import Claim, at_work, claims, no_play, shared
 from cadgen.inference.measurement.diagnosis import calibrate, diagnose
 from cadgen.inference.measurement.findings import Finding, Value
 from cadgen.inference.measurement.kinds import PROFILE, TRACK, TRANSMISSION, ZONES
+from cadgen.jobs.calibration.new_cam import gone_with_the_disc
 from tests.inference.measurement import synthetic as syn
 from tests.inference.measurement.synthetic_drive import Train, transmission_record
 
@@ -165,3 +166,13 @@ def test_of_many_runs_several_are_left_out_at_a_time(synthetic_car, nominal):
     assert left_out[-1].endswith("run 12 left out")
     assert told.per_run.held_out.shape == (12,)
     assert told.residual.left_out.rms == pytest.approx(told.residual.after, rel=0.1)
+
+
+def test_a_bore_that_track_and_profile_name_apart_goes_with_the_disc_in_both():
+    """It stayed in the track's, and cars were expected to end 188-355 mm off that ended at 27-87."""
+    numbers = (Value("x_mm", 0.03, 0.001, "mm"), Value("y_mm", 0.0, 0.001, "mm"))
+    found = [Claim(kind.code, kind, Finding("eccentric bore", numbers, (), ())) for kind in (TRACK, PROFILE)]
+    noted, part = zip(found, (Place.NOTED, Place.PART), strict=True)
+    names = {("track", "eccentric bore"), ("profile", "eccentric bore")}
+    assert gone_with_the_disc([TRACK, PROFILE], [noted, part]) == names
+    assert gone_with_the_disc([TRACK, PROFILE], [noted]) == frozenset()

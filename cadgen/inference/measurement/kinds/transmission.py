@@ -4,8 +4,8 @@ The model goes from the motor's angle through the gears and the play to the cams
 """
 
 from bisect import bisect_right
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Iterable
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
 
@@ -17,7 +17,18 @@ from cadgen.arrays import TURN, Array
 from cadgen.deviations import deviation
 from cadgen.deviations.catalogue import TRANSMISSION
 from cadgen.deviations.effect import READING, Active, Effect, key_of, through
-from cadgen.deviations.transmission import DELAY, ENCODER_LAG, MESH, PLAY, RATIO, Play, Turned, Turns, train_orders
+from cadgen.deviations.transmission import (
+    DELAY,
+    ENCODER_LAG,
+    MESH,
+    PLAY,
+    RATIO,
+    SLIDING_FRICTION,
+    Play,
+    Turned,
+    Turns,
+    train_orders,
+)
 from cadgen.errors import DesignError, FileError
 from cadgen.inference.measurement.model import (
     Cache,
@@ -89,8 +100,18 @@ class TransmissionModel(Model):
         self.resolved = highest = record.resolved or highest_order(turned[~back], run[~back])
         # Rows that were read when somebody stopped have no time between them, and at one speed a lag is a play.
         lags = self._sampled and speeds_differ(self._all, record.run)
-        effects = tuple(e for e in TRANSMISSION.effects if lags or e is not ENCODER_LAG)
-        self.catalogue = (*effects, *train_orders(ratios, nominal.teeth, highest))
+        idle = () if lags else (ENCODER_LAG,)
+        rod = _rod(record)
+        if len(rod) > 1:
+            raise FileError(
+                'of the runs in {file} some were taken with the "rod lifted" and some with the "rod on the disc"; give '
+                "files of one of the two",
+                file=record.source,
+            )
+        if LIFTED in rod:
+            idle = (*idle, SLIDING_FRICTION)
+        every = (*TRANSMISSION.effects, *train_orders(ratios, nominal.teeth, highest))
+        self.catalogue = tuple(e for e in every if not any(no is e or no in e.parts for no in idle))
         motor = np.arange(1.0, MOTOR_HARMONICS + 1.0) * float(np.prod(ratios))
         motor = np.asarray(motor[(motor > FORM_ORDERS) & (motor <= highest)], dtype=float)
         self._shape_orders = np.union1d(np.arange(1, min(SHAPE_ORDERS, highest) + 1), motor)
@@ -287,6 +308,23 @@ def _check(record: Record) -> None:
             )
 
 
+# Comment lines that say where the rod was. Where it is lifted, no friction between rod and disc holds the cam.
+LIFTED, ON_DISC = "rod lifted", "rod on the disc"
+
+
+def _rod(record: Record) -> tuple[str, ...]:
+    """States of the rod that the comment lines of a record name."""
+    return tuple(words for words in (LIFTED, ON_DISC) if any(words in remark.lower() for remark in record.remarks))
+
+
+def _settled(record: Record, shown: Callable[[], Collection[str]]) -> Record:
+    """The record with a remark on the rod: it was on the disc if friction shows, or else holds nothing."""
+    if _rod(record):
+        return record
+    state = ON_DISC if SLIDING_FRICTION.name in shown() else LIFTED
+    return replace(record, remarks=(*record.remarks, state))
+
+
 def _spans(record: Record, nominal: Nominal) -> Iterable[Span]:
     if nominal.ratios:
         expected = float(np.prod(nominal.ratios)) * float(np.ptp(record["cam_angle_deg"]))
@@ -309,6 +347,7 @@ KIND = Kind(
     ),
     model=TransmissionModel,
     check=_check,
+    settled=_settled,
     counts=8192,  # an encoder of 13 bits
     wanders=True,
     spans=_spans,
