@@ -117,21 +117,22 @@ def outlook(
     counts = rng.multinomial(DRAWS, [likely.weight for likely in likeliest])
     models = run_of(nominal), run_of(new.nominal)
     ends: tuple[list[NDArray[np.complex128]], ...] = ([], [])
-    rest = np.full(DRAWS, -planned)
+    rests = np.full((2, DRAWS), -planned)
     spectra = any_spectra(DRAWS, rng)
     for likely, first, count in zip(likeliest, np.cumsum(counts) - counts, counts.tolist(), strict=True):
         if count:
             if likely.unnamed:
                 drawn = rng.choice(len(likely.unnamed), count, p=[one.weight for one in likely.unnamed])
                 for place, one in enumerate((likely.unnamed[n] for n in drawn), first):
-                    rest[place] += one.at + one.spread * (rng.standard_normal() + 1j * rng.standard_normal())
+                    size = rng.standard_normal() + 1j * rng.standard_normal()
+                    rests[:, place] += one.at + one.spread * size, one.stays + one.stays_spread * size
                     # One shop makes both discs: the new one has the spectrum that this one shows.
                     spectra[place] = one.spectrum if one.spectrum.within else spectra[place]
             cars = _drawn(models[0], likely, count, rng, None if track else unmeasured)
             ends[0].append(_ends(models[0], cars, count))
             left = [car for car in cars if car.name not in new.gone and not car.of_disc]
             ends[1].append(_ends(models[1], left, count))
-    before, after = (np.concatenate(each) + rest for each in ends)
+    before, after = (np.concatenate(each) + rest for each, rest in zip(ends, rests, strict=True))
     if track is not None and track.verdict in (Verdict.AMBIGUOUS, Verdict.PARTIAL):
         either = rng.standard_normal(DRAWS) + 1j * rng.standard_normal(DRAWS)
         after = after + (rng.random(DRAWS) < NOT_SURE[0]) * NOT_SURE[1] * np.abs(after - before) * either

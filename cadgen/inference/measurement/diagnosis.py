@@ -251,15 +251,23 @@ def _at_end(joint: Joint, subset: Hypothesis) -> tuple[Unnamed, ...]:
     chance = np.exp((misfit.min() - misfit) / 2) * np.tile([1 - CRABWISE, CRABWISE], int(near.sum()))
     ends = np.flatnonzero(model.rows.run == 0)
     columns, found = repeating(model)[ends[[len(ends) // 2 - 1, -1]]], []
-    for spectrum in range(len(grid)):
-        values, own = evidence.repeating(white, spectrum), model.discrepancy.of_frame
-        spread = float(np.sqrt(np.trace(columns @ evidence.unsure(spectrum) @ columns.T) / 2))
-        at, weight = complex(*(columns @ values)), float(chance[spectrum] / chance.sum())
-        if own is not None and grid[spectrum].whole_frame:
-            turned = complex(*(columns[:, own + model.form.shape[1]] * values[own + model.form.shape[1]]))
-            found.append(Unnamed(FRAME * weight, at - turned, spread, grid[spectrum]))
+    orders = model.form.shape[1]
+    for number, spectrum in enumerate(grid):
+        values, own, unsure = evidence.repeating(white, number), model.discrepancy.of_frame, evidence.unsure(number)
+        # A form error beyond what is stated may be no disc's.
+        kept = slice(orders if spectrum.within else 0, None)
+        spread, stays_spread = (
+            float(np.sqrt(np.trace(columns[:, some] @ unsure[some, some] @ columns[:, some].T) / 2))
+            for some in (slice(None), kept)
+        )
+        at, stays = complex(*(columns @ values)), complex(*(columns[:, kept] @ values[kept]))
+        weight = float(chance[number] / chance.sum())
+        if own is not None and spectrum.whole_frame:
+            turned = complex(*(columns[:, own + orders] * values[own + orders]))
+            frame = Unnamed(FRAME * weight, at - turned, spread, stays - turned, stays_spread, spectrum)
+            found.append(frame)
             weight *= 1 - FRAME
-        found.append(Unnamed(weight, at, spread, grid[spectrum]))
+        found.append(Unnamed(weight, at, spread, stays, stays_spread, spectrum))
     return tuple(found)
 
 

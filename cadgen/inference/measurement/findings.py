@@ -210,12 +210,15 @@ class Unnamed:
         weight: its chance among those that may be.
         at: error, x + iy, mm.
         spread: standard deviation of each coordinate, mm.
+        stays, stays_spread: likewise without the form error of the disc, which goes with it.
         spectrum: spectrum of what repeats, the disc's form error among it, with which it is so.
     """
 
     weight: float
     at: complex
     spread: float
+    stays: complex
+    stays_spread: float
     spectrum: Spectrum
 
 

@@ -1,6 +1,7 @@
 """Expectation of the run on a new cam: which records speak for the car's run."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,12 +11,24 @@ from cadgen.design.load import load_design
 from cadgen.inference.expectation.outlook import NextCam, Outlook, Unmeasured, new_form, outlook
 from cadgen.inference.measurement.diagnosis import calibrate
 from cadgen.inference.measurement.evidence import GRID
-from cadgen.inference.measurement.kinds.track import run_of
+from cadgen.inference.measurement.findings import Likely, Unnamed
+from cadgen.inference.measurement.kinds.track import KIND, run_of
+from cadgen.inference.measurement.verdict import Verdict
 from cadgen.jobs.calibration.cam_on_car import nominal_of, planned_end
 from tests.inference.measurement import synthetic as syn
 from tests.inference.measurement import synthetic_drive as drive
 
 PLAY = 0.95 * syn.DEG
+
+
+def test_the_form_error_of_the_old_disc_is_not_on_the_new_one(nominal):
+    """Of 60 mm beside all effects 10 are the car's."""
+    likely = Likely(1.0, (), np.empty((0, 0)), (), (Unnamed(1.0, 60.0, 0.0, 10.0, 0.0, GRID[0]),))
+    residual = SimpleNamespace(after=3.0, noise=3.0, left_out=None)
+    track = SimpleNamespace(kind=KIND, verdict=Verdict.TRACED, contradicted=False, likely=(likely,), residual=residual)
+    same = NextCam(nominal=replace(nominal, form_error=1e-9), gone=frozenset())
+    expected = outlook([track], nominal, same, planned_end(load_design(), nominal), Unmeasured())
+    assert expected.old - expected.new == pytest.approx(50.0, abs=0.1)
 
 
 def end_of(nominal, **numbers):
