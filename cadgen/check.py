@@ -65,6 +65,7 @@ class CheckCode(StrEnum):
     LAP_FURTHEST_PLAY = "last-lap-off-play"
     CHANCE_WORSE = "chance-worse"
     RUNS_EXPLAINED = "runs-explained"
+    MEASURED_CAM = "measured-cam"
     EDGES_BROKEN_MORE = "edges-broken-more"
     LIFT_ERROR_WITH_PLAY = "lift-error-with-play"
     END_POSITION_WITH_PLAY = "end-position-with-play"

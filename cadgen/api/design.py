@@ -228,7 +228,7 @@ class Design(LoadedDesign):
         self,
         data: Data | Iterable[Data],
         *,
-        profile: str = "actual",
+        profile: str | None = None,
         form_error_um: float | None = None,
         columns: Mapping[str, str] | None = None,
         workshop: str | PathLike[str] | None = None,
@@ -238,7 +238,8 @@ class Design(LoadedDesign):
 
         Args:
             data: measured data, judged together: paths of CSV files, mappings of columns to arrays, `Measured`.
-            profile: profile of the cam that was measured, or was on the car.
+            profile: profile of the cam that was measured, or was on the car; left out, the one that the data's remarks
+                say, or actual, and no cam is made if the data fit another one.
             form_error_um: form error to expect on the disc, µm rms, 0.01 to 1000; if left out, 2, or 30 for a disc that
                 is printed by a remark of the data.
             columns: columns of a kind of data -> names that they have in the files, as `{"x_mm": "East [m]"}`, where
@@ -422,7 +423,7 @@ class Design(LoadedDesign):
         self,
         data: Iterable[Data],
         *,
-        profile: str = "actual",
+        profile: str | None = None,
         form_error_um: float | None = None,
         columns: Mapping[str, str] | None = None,
         workshop: str | PathLike[str] | None = None,

@@ -170,7 +170,11 @@ def tolerance(
 
 @help.command()
 @click.argument("arguments", metavar="[DESIGN] FILE...", nargs=-1)
-@car_profile_option(ACTUAL.code, "Profile of the cam that was measured, or was on the car.")
+@car_profile_option(
+    None,
+    "Profile of the cam that was measured, or was on the car; left out, the one that a file says, or actual, and no "
+    "cam is cut if the data fit another one.",
+)
 @help.option(
     "--form-error-um",
     type=Number(0.01, 1000),
@@ -209,7 +213,7 @@ def tolerance(
 @out_option(help="Folder for the report, its pictures, JSON and the as-built design; without it no file is written.")
 def calibrate(
     arguments: tuple[str, ...],
-    profile: str,
+    profile: str | None,
     form_error_um: float | None,
     each: bool,
     ask_next: bool,

@@ -125,14 +125,14 @@ def all_option(command: Command) -> Command:
     )(command)
 
 
-def car_profile_option(default: str, meaning: str) -> Callable[[Command], Command]:
+def car_profile_option(default: str | None, meaning: str) -> Callable[[Command], Command]:
     """--profile of the cam on a car that was measured."""
     return help.option(
         "--profile",
         type=click.Choice(PROFILES),
         metavar="PROFILE",
         default=default,
-        show_default=True,
+        show_default=default is not None,
         help=Message("{meaning} One of {profiles}.", meaning=Message(meaning), profiles=joined(PROFILES)),
     )
 

@@ -404,6 +404,8 @@ def explained(result: "Calibration[Design] | Calibrations[Design]", *, written: 
         said: str = Message("not all is explained ({kinds})", kinds=kinds)
         if not result.unclear:
             said = Message("what was measured is explained, but no new cam is sure to bring the car nearer")
+        if isinstance(result, Calibration) and result.cam_unknown:
+            said, step = Message("it is not sure which cam is on the car"), Message("give its --profile")
         verdict(result.readiness, said, step)
         return
     said = Message("what was measured is explained")

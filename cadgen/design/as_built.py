@@ -177,6 +177,11 @@ class AsBuiltSection(DesignSection):
         description="of the cam that was on the car when it was measured, made from this design with `cut_for` in the "
         "place of `effects`",
     )
+    other_cam: Annotated[str, OneOf(codes)] | None = Field(
+        default=None,
+        description="profile of another cam that may have been on the car, by what was measured; no cam is cut without "
+        "`--force` then",
+    )
     outlook: OutlookSection | None = Field(default=None, description="with the places that `cadgen calibrate` gave")
     outlook_agreed: OutlookSection | None = Field(
         default=None, description="with every effect that a cam can take out once you agree, by `car` as its place"

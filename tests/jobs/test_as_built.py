@@ -366,6 +366,9 @@ def test_a_cam_that_may_be_worse_is_refused_and_the_outlook_comes_first(built):
     assert [check.code for check in outlook_checks(unsure) if not check.passed] == [CheckCode.CHANCE_WORSE]
     assert [check.code for check in outlook_checks(rest) if not check.passed] == [CheckCode.RUNS_EXPLAINED]
     assert CheckCode.RUNS_EXPLAINED in [check.code for check in plan_cam(rest, "actual").failed]
+    other = built(zero.replace("[[as_built.effects]]", 'other_cam = "optimized"\n[[as_built.effects]]', 1))
+    (check,) = outlook_checks(other)
+    assert (check.code, check.passed, check.place) == (CheckCode.MEASURED_CAM, False, "actual or optimized")
 
 
 def test_the_outlook_is_of_the_places_that_the_effects_have(built):

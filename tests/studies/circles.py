@@ -139,13 +139,14 @@ class Drawn:
     stays: complex
 
 
-def draw(seed: int, number: int, *, smooth: bool = False) -> Drawn:
-    """A car by its number; a smooth one has neither friction nor a cam against play."""
+def draw(seed: int, number: int, *, smooth: bool = False, against_play: bool | None = None) -> Drawn:
+    """A car by its number; a smooth one has neither friction nor, if it is left open, a cam against play."""
     rng, other = np.random.default_rng([seed, number]), np.random.default_rng([seed, number, 2])
     built = _ground()
     second = SECONDS[number % 3]
     bare = replace(Car(), **declared(rng, 1 + number // 3 % 4, second))
-    against_play = other.random() < 1 / 2 and not smooth
+    drawn_on = other.random() < 1 / 2 and not smooth
+    against_play = drawn_on if against_play is None else against_play
     if other.random() < 2 / 3 and not smooth:
         bare = replace(bare, friction=other.uniform(0.05, 0.30))
     world, stop = World(built, _bed(against_play), drawn_form(rng)), built.lift.blend_start
@@ -227,13 +228,38 @@ def go_loop(text: str, profile: str, records: Sequence[Any], number: int) -> Loo
             return Loop(told, text, None, str(error))
 
 
-def go_round(seed: int, number: int, *, loops: int = 1, smooth: bool = False) -> Outcome:
-    """Measure a car, calibrate it, plan its cam, and run it again; in each further loop once more, on the new cam."""
+def records_of(drawn: Drawn, rng: np.random.Generator) -> list[Any]:
+    """Records of a car on the cam that it has: its track, and the second kind."""
+    world = drawn.world
+    second = {"lift": world.dial, "transmission": world.train, "profile": world.profile}[drawn.second]
+    return [world.track(drawn.car, rng), second(drawn.car, rng)]
+
+
+def go_round(
+    seed: int,
+    number: int,
+    *,
+    loops: int = 1,
+    smooth: bool = False,
+    drawn: Drawn | None = None,
+    profile: str | None = None,
+) -> Outcome:
+    """Measure a car, calibrate it, plan its cam, and run it again; in each further loop once more, on the new cam.
+
+    Args:
+        seed, number: of the car.
+        loops: how often it is measured.
+        smooth: as of `draw`.
+        drawn: the car, if that is at hand already.
+        profile: that is stated; the one on the car if left out.
+    """
     from cadgen.design.load import packaged_designs
 
-    drawn, rng = draw(seed, number, smooth=smooth), np.random.default_rng([seed, number, 1])
+    drawn = draw(seed, number, smooth=smooth) if drawn is None else drawn
+    rng = np.random.default_rng([seed, number, 1])
     world, car, built = drawn.world, drawn.car, _ground()
-    text, profile = packaged_designs()["carbon_free_car"].read_text(), "optimized" if drawn.against_play else "actual"
+    text = packaged_designs()["carbon_free_car"].read_text()
+    profile = profile or ("optimized" if drawn.against_play else "actual")
     goal = complex(*built.track.position(built.track.length * built.lift.blend_start / TURN))
     stands, rounds, later = drawn.before, [], []
     for turn in range(loops):
@@ -243,7 +269,7 @@ def go_round(seed: int, number: int, *, loops: int = 1, smooth: bool = False) ->
         if loop.cam is not None:
             on_new = World(built, _bed_of(loop.cam), form)
             after = abs(_end(on_new, drawn.on_new, loop.cam.application.wanted.blend_start) - goal)
-            if loop.told.outlook.sound:
+            if loop.told.outlook.sound and not loop.told.cam_unknown:
                 stands, world, car, text, profile = after, on_new, drawn.on_new, loop.text, "optimized"
         rounds.append((loop, form, after))
         later.append(stands)
@@ -264,7 +290,7 @@ def go_round(seed: int, number: int, *, loops: int = 1, smooth: bool = False) ->
         stays=abs(drawn.stays + rough),
         expected=outlook.new if outlook else drawn.before,
         worse=outlook.worse if outlook else 0.0,
-        refused=outlook is not None and not outlook.sound,
+        refused=outlook is not None and (told.cam_unknown or not outlook.sound),
         no_cam=first.no_cam,
         least=outlook.least if outlook else 0.0,
         most=outlook.most if outlook else 0.0,

@@ -19,6 +19,7 @@
 | `odd_runs`     | runs of another car, state or unit, which are left out and named                               |
 | `repeats`      | what repeats over logged runs of one path without a name                                       |
 | `formulas`     | a formula for that over physical inputs, proposed by paths left out                            |
+| `other_cam`    | whether the records fit another cam than the one that they were judged against                 |
 | `diagnosis`    | the entry: records of one car, judged together, with the test on runs left out                 |
 | `reference`    | the catalogues as a page of documentation                                                      |
 """

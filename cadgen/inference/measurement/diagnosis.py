@@ -383,38 +383,62 @@ def calibrate(
     Raises:
         DesignError, FileError: see `Nominal.model`, `record.join` and `units.refuse_wrong_units`.
     """
+    return weigh_together(records, nominal, progress).diagnoses(progress)
+
+
+@dataclass(frozen=True)
+class WeighedTogether:
+    """Joint verdict on records of one car, and on each alone where that is asked.
+
+    Attributes:
+        joint: the joint verdict.
+        records: as their files are, one of each kind.
+        alone: verdict on one of them.
+    """
+
+    joint: Weighed
+    records: tuple[Record, ...]
+    alone: Callable[[Record], Weighed]
+
+    def diagnoses(self, progress: Progress = silent) -> tuple[EvidenceDiagnosis, ...]:
+        """Diagnosis of each record, each by itself where they contradict each other."""
+        if len(self.records) == 1 or self.joint.judgement.verdict in SOUND:
+            return self.joint.diagnoses(progress)
+        # What no car of one kind shows may be of two cars, or of one in two states: then the records are likelier apart.
+        apart = [self.alone(record) for record in self.records]
+        if self.joint.best.score < sum(each.best.score for each in apart) + CONTRADICTED:
+            return self.joint.diagnoses(progress)
+        limit = Message(
+            "the records contradict each other: they are likelier of several cars than of one, and so they were judged "
+            "apart; make sure that they are of one car in one state"
+        )
+        return tuple(
+            replace(each, judgement=replace(each.judgement, limits=(*each.judgement.limits, limit)), contradicted=True)
+            for one in apart
+            for each in one.diagnoses(progress)
+        )
+
+
+def weigh_together(records: Sequence[Record], nominal: Nominal, progress: Progress = silent) -> WeighedTogether:
+    """Weigh several records as those of one car; arguments and errors as of `calibrate`."""
     kinds = dict.fromkeys(record.kind for record in records)
     joined = [join([record for record in records if record.kind is kind]) for kind in kinds]
     refuse_many_together(joined)
     for record in joined:
         refuse_wrong_units(record, nominal)
+    known: dict[Kind, Weighed] = {}
 
     def alone(record: Record) -> Weighed:
         if record.kind not in known:
             known[record.kind] = weigh([record], nominal.model, progress, nominal.play, nominal.usual)
         return known[record.kind]
 
-    known: dict[Kind, Weighed] = {}
     if len(joined) == 1:
-        return alone(joined[0]).diagnoses(progress)
+        return WeighedTogether(alone(joined[0]), tuple(joined), alone)
     # Friction acts in all records of a car, but where the rod was lifted.
     settled = [record.kind.settled(record, partial(_shown, alone, record)) for record in joined]
     together = _with_states(weigh(settled, nominal.model, progress, nominal.play, nominal.usual), joined)
-    if together.judgement.verdict in SOUND:
-        return together.diagnoses(progress)
-    # What no car of one kind shows may be of two cars, or of one in two states: then the records are likelier apart.
-    apart = [alone(record) for record in joined]
-    if together.best.score < sum(each.best.score for each in apart) + CONTRADICTED:
-        return together.diagnoses(progress)
-    limit = Message(
-        "the records contradict each other: they are likelier of several cars than of one, and so they were judged "
-        "apart; make sure that they are of one car in one state"
-    )
-    return tuple(
-        replace(each, judgement=replace(each.judgement, limits=(*each.judgement.limits, limit)), contradicted=True)
-        for one in apart
-        for each in one.diagnoses(progress)
-    )
+    return WeighedTogether(together, tuple(joined), alone)
 
 
 def _shown(alone: Callable[[Record], Weighed], record: Record) -> list[str]:

@@ -42,6 +42,11 @@ def _table(calibration: CalibrationPlan) -> str:
         f"[{_TABLE}]",
         "# Written by cadgen calibrate: what this car was measured to be. Every command takes it into account.",
         f'profile = "{calibration.profile}"',
+        *(
+            [f'other_cam = "{calibration.other_cam.profile}"']
+            if calibration.other_cam and calibration.cam_unknown
+            else []
+        ),
     ]
     places = [built.place for built in calibration.built]
     for name, outlook, reckoned in (

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from cadgen.car.against_play.profile_kinds import ACTUAL
 from cadgen.car.running.mechanics import holding_friction
 from cadgen.design import variation
 from cadgen.design.as_built import EffectSection
@@ -18,15 +19,20 @@ from cadgen.errors import CheckError, DesignError, FileError
 from cadgen.gears.choices import StageOrder
 from cadgen.inference.expectation.outlook import Outlook
 from cadgen.inference.measurement.claims import Claim, Shared, claims, no_friction, no_play, shared
-from cadgen.inference.measurement.diagnosis import SOUND, calibrate_logged
-from cadgen.inference.measurement.diagnosis import calibrate as judge
+from cadgen.inference.measurement.diagnosis import (
+    SOUND,
+    WeighedTogether,
+    calibrate_logged,
+    weigh_together,
+)
 from cadgen.inference.measurement.findings import Diagnosis, EvidenceDiagnosis, Finding
 from cadgen.inference.measurement.kinds.zones import Shortfall, Zones, judged, return_error, shortfall
 from cadgen.inference.measurement.nominal import Nominal
 from cadgen.inference.measurement.odd_runs import odd_runs
+from cadgen.inference.measurement.other_cam import OtherCam, other_cam
 from cadgen.inference.measurement.record import Kind, Method, Record, join, refuse_wrong_units, said
 from cadgen.inference.measurement.verdict import LEFT_OVER, Judgement, Verdict
-from cadgen.jobs.calibration.cam_on_car import nominal_of, ratios_and_teeth, refuse_laps
+from cadgen.jobs.calibration.cam_on_car import nominal_of, other_cams, ratios_and_teeth, refuse_laps
 from cadgen.jobs.calibration.new_cam import Built, agreed_places, expected_of, placed, with_joint_effect
 from cadgen.jobs.calibration.sources import Source, stated_form_error
 from cadgen.jobs.calibration.workshop import Workshop
@@ -100,6 +106,7 @@ class CalibrationPlan:
     Attributes:
         against: design that they were measured against.
         profile: profile of the cam that was measured, or on the car.
+        profile_stated: whether the caller or a file said so.
         form_error_um: stated, and `form_error_from`: by whom.
         wheelbase: of logged tracks, mm, and whether a file said it; None without such a track.
         track_length: of the design's track, mm; None if only logged tracks and zones were given.
@@ -112,6 +119,7 @@ class CalibrationPlan:
         outlook: what a new cam is expected to do; None where nothing is claimed that it could take out.
         outlook_agreed: the same once the user agrees to all that a cam can take out; None where nothing waits for that.
         no_cam: why no new cam can be planned for what is claimed; None where one can, or none is needed.
+        other_cam: another cam that the data fit as well or better; None where there is none.
         nominal: the design as data of its kinds were judged against it; None without such data.
         holds: friction from which on the cam never leads, and the cam angle that takes it, rad; None where no such data
             show a car without play.
@@ -133,6 +141,8 @@ class CalibrationPlan:
     outlook: Outlook | None = None
     outlook_agreed: Outlook | None = None
     no_cam: Message | None = None
+    other_cam: OtherCam | None = None
+    profile_stated: bool = True
     nominal: Nominal | None = None
     workshop: Workshop | None = None
 
@@ -170,7 +180,14 @@ class CalibrationPlan:
         """Whether all that was measured is explained, and with it the car: a cam made by less may end anywhere."""
         if self.unclear or self.no_cam is not None or (self.outlook is not None and not self.outlook.sound):
             return Readiness.NOT_READY
+        if self.cam_unknown:
+            return Readiness.NOT_READY
         return Readiness.RESERVATIONS if self.left > LEFT_OVER else Readiness.READY
+
+    @property
+    def cam_unknown(self) -> bool:
+        """Whether another cam was on the car by the data, or nothing says which of two that they fit alike."""
+        return self.other_cam is not None and (self.other_cam.fits_better or not self.profile_stated)
 
     def verdict(self, kind: Kind) -> Verdict:
         """Verdict on the files of a kind."""
@@ -181,24 +198,27 @@ class CalibrationPlan:
 
 def calibrate(
     design: Design,
-    profile: str,
+    profile: str | None,
     sources: Sequence[Source],
     form_error_um: float | None = None,
     progress: Progress = silent,
     nominal: Nominal | None = None,
     workshop: Workshop | None = None,
+    *,
+    alone: bool = False,
 ) -> CalibrationPlan:
     """Judge measured files of one car against its design.
 
     Args:
         design: a loaded design.
-        profile: of the cam that was measured, or on the car.
+        profile: of the cam that was measured, or on the car; None for what a file says, or the actual profile.
         sources: from `read`; files of one kind are taken together.
         form_error_um: stated form error of the disc, rms; if left out, that of a printed disc if a file says that it
             is printed, and else of a machined one.
         progress: function that is called with a few words on each step.
         nominal: from `nominal_of`, if that is at hand already.
         workshop: what the cars of its workshop differ by, if that is known.
+        alone: whether one file of several cars is judged, for which no cam is made.
 
     Raises:
         DesignError: the design or its profile cannot be built, or it has no train for a transmission's data.
@@ -206,9 +226,11 @@ def calibrate(
     """
     refuse_laps(design)
     _refuse_known(design, sources)
+    said_of_cam = [profile] if profile is not None else [code for code in map(stated_profile, sources) if code]
+    cam = said_of_cam[0] if said_of_cam else ACTUAL.code
     floor, stated = stated_form_error(sources, form_error_um)
     diagnoses: dict[Kind, Diagnosis] = {}
-    track_length, holds, known = None, None, None
+    track_length, holds, known, weighed = None, None, None, None
     left_out: list[Message] = []
     records = {method: [s.record for s in sources if s.kind.method is method] for method in Method}
     zones = (
@@ -217,7 +239,7 @@ def calibrate(
         else None
     )
     if records[Method.EVIDENCE]:
-        known = replace(nominal or nominal_of(design, profile, progress), form_error=floor * 1e-3)
+        known = replace(nominal or nominal_of(design, cam, progress), form_error=floor * 1e-3)
         if workshop is not None:
             known = replace(known, usual=workshop.usual)
         if zones is not None and zones.judgement.claimed:
@@ -225,7 +247,8 @@ def calibrate(
         sources, left_out = _without_odd_runs(sources, known)
         records[Method.EVIDENCE] = [s.record for s in sources if s.kind.method is Method.EVIDENCE]
         track_length = known.track.length
-        diagnoses |= {diagnosis.kind: diagnosis for diagnosis in judge(records[Method.EVIDENCE], known, progress)}
+        weighed = weigh_together(records[Method.EVIDENCE], known, progress)
+        diagnoses |= {diagnosis.kind: diagnosis for diagnosis in weighed.diagnoses(progress)}
         holds = holding_friction(known.cut or known.lift, known.follower)
     wheelbase = None
     if logged := records[Method.RUNS_LEFT_OUT]:
@@ -237,7 +260,8 @@ def calibrate(
         holds = None
     calibration = CalibrationPlan(
         against=MeasuredDesign.of(design),
-        profile=profile,
+        profile=cam,
+        profile_stated=bool(said_of_cam),
         form_error_um=floor,
         form_error_from=stated,
         wheelbase=wheelbase,
@@ -246,7 +270,7 @@ def calibrate(
         diagnoses=tuple(diagnoses[kind] for kind in dict.fromkeys(s.kind for s in sources) if kind in diagnoses),
         zones=zones,
         claims=tuple(found),
-        warnings=(*left_out, *_warnings(design, profile, sources)),
+        warnings=(*left_out, *_warnings(design, cam, sources)),
         holds=holds,
         nominal=known,
         workshop=workshop,
@@ -259,7 +283,7 @@ def calibrate(
     def expected(built: Sequence[Built], places: Sequence[Place]) -> Outlook | None:
         claimed = [(each.claim, place) for each, place in zip(built, places, strict=True)]
         try:
-            return expected_of(design, known, calibration.diagnoses, claimed, profile, progress)
+            return expected_of(design, known, calibration.diagnoses, claimed, cam, progress)
         except (DesignError, CheckError) as error:
             refused.append(error.message)
             return None
@@ -271,21 +295,52 @@ def calibrate(
     taken, outlook = with_joint_effect(calibration.diagnoses, found, with_claims)
     no_cam = refused[0] if refused and outlook is None else None
     calibration = replace(calibration, claims=taken, outlook=outlook, no_cam=no_cam)
+    if weighed is not None and not alone and (outlook is not None or calibration.unclear):
+        another = _other_cam(design, cam, weighed, known, progress)
+        calibration = replace(calibration, other_cam=another)
     given, agreed = [built.place for built in calibration.built], agreed_places(calibration.built)
     return calibration if agreed == given else replace(calibration, outlook_agreed=expected(calibration.built, agreed))
 
 
 def calibrate_each(
     design: Design,
-    profile: str,
+    profile: str | None,
     sources: Sequence[Source],
     form_error_um: float | None = None,
     progress: Progress = silent,
     workshop: Workshop | None = None,
 ) -> tuple[CalibrationPlan, ...]:
     """Judge every file alone, as if each were of a car of its own. Arguments and errors as in `calibrate`."""
-    nominal = nominal_of(design, profile, progress)
-    return tuple(calibrate(design, profile, [source], form_error_um, progress, nominal, workshop) for source in sources)
+    nominal = nominal_of(design, profile or ACTUAL.code, progress)
+    return tuple(
+        calibrate(design, profile, [source], form_error_um, progress, nominal, workshop, alone=True)
+        for source in sources
+    )
+
+
+def _other_cam(
+    design: Design, profile: str, weighed: WeighedTogether, known: Nominal, progress: Progress
+) -> OtherCam | None:
+    """The cam that the records fit best of those that may be on the car beside the stated one; None if none does.
+
+    Args:
+        design: loaded design.
+        profile: of the stated cam.
+        weighed: joint verdict against it.
+        known: what the records were measured against.
+        progress: function that is called with a few words on each step.
+    """
+    found: list[OtherCam] = []
+    for code, other, earlier in other_cams(design, profile):
+        try:
+            nominal = replace(
+                nominal_of(other, code, progress), form_error=known.form_error, play=known.play, usual=known.usual
+            )
+        except (DesignError, CheckError):  # a cam that cannot be made is on no car
+            continue
+        one = other_cam(weighed.joint, known, nominal, code, earlier=earlier, progress=progress)
+        found += [one] if one is not None else []
+    return max(found, key=lambda one: one.better, default=None)
 
 
 def _claims(design: Design, diagnoses: Iterable[Diagnosis], zones: ZoneMeans | None) -> list[Claim]:
@@ -394,17 +449,27 @@ def _warnings(design: Design, profile: str, sources: Sequence[Source]) -> list[s
                     design=design.name,
                 )
             )
-        made = said(source.record, r"\b(actual|theoretical|published|optimized|compensated|smoothed) profile\b")
-        if made and made[0] != profile:
+        made = stated_profile(source)
+        if made and made != profile:
             found.append(
                 Message(
                     "{source} says {made} profile, but it was judged against {profile}",
                     source=source.record.source,
-                    made=made[0],
+                    made=made,
                     profile=profile,
                 )
             )
     return found
+
+
+def stated_profile(source: Source) -> str:
+    """Code of the profile that a file says was on the car; empty if it says none.
+
+    Args:
+        source: measured file.
+    """
+    made = said(source.record, r"\b(actual|theoretical|published|optimized|compensated|smoothed) profile\b")
+    return made[0] if made else ""
 
 
 def zone_means(design: Design, record: Record, ratios: tuple[float, ...]) -> ZoneMeans:

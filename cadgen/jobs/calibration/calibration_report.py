@@ -51,7 +51,8 @@ def report(calibration: CalibrationPlan) -> list[Block]:
     """Report of a calibration, in paragraphs and tables."""
     c = calibration
     every = all(built.claim.sure for built in c.built)
-    blocks: list[Block] = [expected(c.outlook, _CLAIMED if every else _TOGETHER)] if c.outlook else []
+    blocks: list[Block] = [_doubt_of_cam(c)] if c.other_cam is not None else []
+    blocks += [expected(c.outlook, _CLAIMED if every else _TOGETHER)] if c.outlook else []
     if c.no_cam is not None:
         blocks.append(Message("No new cam can be planned for what is claimed: {reason}.", reason=c.no_cam))
     stated = {"name": c.against.name, "profile": c.profile, "error": c.form_error_um, "source": c.form_error_from}
@@ -77,6 +78,40 @@ def report(calibration: CalibrationPlan) -> list[Block]:
     blocks += _together(c)
     blocks += _built(c)
     return blocks
+
+
+def _doubt_of_cam(c: CalibrationPlan) -> Message:
+    """Sentence on another cam that the data fit as well or better, and what to do."""
+    other = c.other_cam
+    assert other is not None
+    with_other = joined(map(Message, other.effects), " and ") or Message("no effect")
+    with_stated = joined(map(Message, other.instead), " and ") or Message("no effect")
+    which = {"other": other.profile, "stated": c.profile, "with_other": with_other, "with_stated": with_stated}
+    if other.earlier:
+        which["other"] = Message("earlier {profile}", profile=other.profile)
+    cure = (
+        Message("calibrate the design without its [as_built] with --profile {profile}", profile=other.profile)
+        if other.earlier
+        else Message("calibrate with --profile {profile}", profile=other.profile)
+    )
+    if other.fits_better:
+        return Message(
+            "Do not cut a cam for this: the data fit a car with the {other} cam ({with_other}) better than one with "
+            "the {stated} cam ({with_stated}); look which cam is on the car, and if it is that one, {cure}.",
+            cure=cure,
+            **which,
+        )
+    if not c.profile_stated:
+        return Message(
+            "Do not cut a cam for this: the data fit a car with the {other} cam ({with_other}) as well as one with "
+            "the {stated} cam ({with_stated}), and nothing says which is on the car: give its --profile.",
+            **which,
+        )
+    return Message(
+        "All this holds for the {stated} cam, which is said to be on the car: the data fit a car with the {other} cam "
+        "({with_other}) as well as one with the {stated} cam ({with_stated}).",
+        **which,
+    )
 
 
 def expected(o: Outlook, made_for: str = _CLAIMED) -> Message:

@@ -1,11 +1,13 @@
 """The car as designed with a cam on it: the one that was measured, or one made for what was found of the car."""
 
+from collections.abc import Iterator
 from math import pi, radians
 
 import numpy as np
 
 from cadgen.arrays import TURN
 from cadgen.cam.contact import roll_curve
+from cadgen.car.against_play.profile_kinds import ACTUAL
 from cadgen.car.running.sampled import rolled_lift
 from cadgen.design import cam_model, gear_model, variation
 from cadgen.design.schema import Design
@@ -15,7 +17,7 @@ from cadgen.gears.synthesis import arrange
 from cadgen.inference.expectation.outlook import Unmeasured
 from cadgen.inference.measurement.nominal import Nominal
 from cadgen.jobs.cam.built_car import stop_as_designed
-from cadgen.jobs.cam.steering_cam import CarUse, plan_cam
+from cadgen.jobs.cam.steering_cam import CarUse, default_profile, plan_cam
 from cadgen.messages import Message
 from cadgen.progress import Progress, silent
 
@@ -71,6 +73,25 @@ def nominal_of(design: Design, profile: str, progress: Progress = silent) -> Nom
         ratios=ratios,
         teeth=teeth,
     )
+
+
+def other_cams(design: Design, profile: str) -> Iterator[tuple[str, Design, bool]]:
+    """Cams that may be on a car beside the stated one: profile, design that made it, whether an earlier one.
+
+    These are the actual profile and the one that a cam of the design has by default; and of a design that was
+    calibrated the cam that was measured then.
+
+    Args:
+        design: loaded design.
+        profile: of the stated cam.
+    """
+    for code in dict.fromkeys((ACTUAL.code, default_profile(design).code)):
+        if code != profile:
+            yield code, design, False
+    if (known := design.as_built) is not None:
+        cut_for = known.model_copy(update={"effects": known.cut_for, "outlook": None, "outlook_agreed": None})
+        before = design.model_copy(update={"as_built": cut_for}) if known.cut_for else design.as_designed()
+        yield known.profile, before, True
 
 
 def ratios_and_teeth(design: Design) -> tuple[tuple[float, ...], tuple[int, ...]]:

@@ -37,6 +37,16 @@ def calibration_facts(calibration: CalibrationPlan) -> Facts:
         overrides=c.against.overrides,
         design_sha256=c.against.sha256,
         profile=c.profile,
+        profile_stated=c.profile_stated,
+        other_cam=c.other_cam
+        and Facts(
+            profile=c.other_cam.profile,
+            earlier=c.other_cam.earlier,
+            better=c.other_cam.better,
+            effects=c.other_cam.effects,
+            instead=c.other_cam.instead,
+            fits_better=c.other_cam.fits_better,
+        ),
         form_error_um=c.form_error_um,
         form_error_from=c.form_error_from,
         wheelbase_mm=c.wheelbase and c.wheelbase[0],

@@ -113,8 +113,9 @@ def outlook_checks(design: Design) -> tuple[Check, ...]:
     """
     known = design.as_built and design.as_built.expected
     outlook = known or (design.as_built and design.as_built.outlook)
+    doubts = _doubts_of_cam(design)
     if not outlook:
-        return ()
+        return doubts
     # Only here: it needs the models of all kinds of data, and most designs have no outlook.
     from cadgen.inference.expectation.outlook import WORSE
 
@@ -146,7 +147,26 @@ def outlook_checks(design: Design) -> tuple[Check, ...]:
                 remedy,
             )
         )
-    return tuple(checks)
+    return (*doubts, *checks)
+
+
+def _doubts_of_cam(design: Design) -> tuple[Check, ...]:
+    """Check that fails where what was measured fits another cam than the stated one; nothing where none does."""
+    known = design.as_built
+    if known is None or known.other_cam is None:
+        return ()
+    return (
+        Check(
+            CheckCode.MEASURED_CAM,
+            Message("cams that were on the measured car, by what was measured"),
+            2.0,
+            "",
+            1.0,
+            Bound.MAX,
+            Message("{profile} or {other}", profile=known.profile, other=known.other_cam),
+            Message("look which cam was on the car, and calibrate again with its --profile"),
+        ),
+    )
 
 
 def _lead_sentences(design: Design) -> list[str]:

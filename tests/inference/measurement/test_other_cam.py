@@ -1,0 +1,47 @@
+"""Whether data fit another cam than the stated one: cars of the study of stated cams, which shares no code with it."""
+
+from pathlib import Path
+
+import pytest
+
+from cadgen.design.load import load_design
+from cadgen.jobs.calibration.calibration import calibrate, stated_profile
+from cadgen.jobs.calibration.calibration_report import report
+from cadgen.jobs.calibration.sources import read, source_of
+from cadgen.output.report.terminal import plain
+from cadgen.verdict import Readiness
+from tests.studies.stated_cams import go
+
+MEASURED = Path(__file__).parents[2] / "data" / "measured"
+
+
+@pytest.mark.slow
+@pytest.mark.long
+@pytest.mark.parametrize("right", [True, False])
+def test_a_cam_that_is_not_on_the_car_is_found_by_what_its_effects_cost(right):
+    """An eccentric bore beside a lift; against the other cam it takes play, spring and divider as well."""
+    one = go(41, 0, right=right, smooth=True)
+    assert (one["on_car"], one["stated"]) == ("actual", "actual" if right else "optimized")
+    assert one["verdict"] == ("traced" if right else "combination")
+    assert one["refused"] is not right
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_a_track_that_fits_both_cams_needs_its_cam_said():
+    """More play on the other cam does the same to the car, and nothing in a track tells the two."""
+    design, sources = load_design(), read([MEASURED / "track_b.csv"])
+    told = calibrate(design, None, sources)
+    assert (told.profile, told.cam_unknown, told.readiness) == ("actual", True, Readiness.NOT_READY)
+    assert "as well as one with the actual cam" in plain(report(told)[:1], 500)
+    stated = calibrate(design, "actual", sources)
+    assert (stated.cam_unknown, stated.readiness) == (False, Readiness.READY)
+    # Play that was measured by hand is 0.805 degrees: beside the actual cam it is 0.861, beside the other 1.5.
+    told = calibrate(design, None, read([MEASURED / "track_c.csv", MEASURED / "paper_section5.csv"]))
+    assert told.other_cam is None
+
+
+def test_a_remark_says_which_cam_was_on_the_car():
+    columns = {"direction": ["forward"] * 40, "cam_angle_deg": range(40), "lift_mm": [0.1 * k for k in range(40)]}
+    assert stated_profile(source_of(columns, ("design: mine, optimized profile",), "a lift")) == "optimized"
+    assert stated_profile(source_of(columns, ("design: mine",), "a lift")) == ""
