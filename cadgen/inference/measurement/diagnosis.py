@@ -404,7 +404,7 @@ class WeighedTogether:
         """Diagnosis of each record, each by itself where they contradict each other."""
         if len(self.records) == 1 or self.joint.judgement.verdict in SOUND:
             return self.joint.diagnoses(progress)
-        # What no car of one kind shows may be of two cars, or of one in two states: then the records are likelier apart.
+        # What no car of one kind shows may be of two cars, or of one in two states: records are likelier apart then.
         apart = [self.alone(record) for record in self.records]
         if self.joint.best.score < sum(each.best.score for each in apart) + CONTRADICTED:
             return self.joint.diagnoses(progress)
