@@ -405,7 +405,7 @@ class Design(LoadedDesign):
     def next_measurement(
         self,
         *,
-        profile: str = "actual",
+        profile: str | None = None,
         form_error_um: float | None = None,
         workshop: str | PathLike[str] | None = None,
         progress: Progress = silent,
@@ -414,10 +414,11 @@ class Design(LoadedDesign):
 
         Arguments and errors as in `calibrate`.
         """
+        from cadgen.car.against_play.profile_kinds import ACTUAL
         from cadgen.jobs.calibration.advice import Advice
 
         error = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm")
-        return Advice.first(self.complete(), profile, error, progress, _workshop(workshop))
+        return Advice.first(self.complete(), profile or ACTUAL.code, error, progress, _workshop(workshop))
 
     def calibrate_each(
         self,
