@@ -85,7 +85,7 @@ def predict_logged(record: Record, diagnosis: PathDiagnosis, wheelbase: float, u
     build = record.kind.model
     assert build is not None
     fitted, model = (build(one, LoggedCar(wheelbase, diagnosis.accepted)) for one in (record, unseen))
-    active = _probable(fitted, diagnosis.residual.after / np.sqrt(2))
+    active = probable(fitted, diagnosis)
     before, after, *logged = (
         np.sqrt(2) * rms_by_run(residual, model.rows.run)
         for residual in (
@@ -99,10 +99,20 @@ def predict_logged(record: Record, diagnosis: PathDiagnosis, wheelbase: float, u
     return Prediction(unseen.source, unseen.kind, model.unit, names, before, after, (logged[0], logged[1]))
 
 
-def _probable(model: Model, error: float) -> Active:
-    """All effects of a logged car with their most probable numbers, the start pose of each run free."""
-    effects = model.catalogue
-    spread = np.array([p.spread for e in effects for p in e.parameters])
+def probable(model: Model, diagnosis: PathDiagnosis) -> Active:
+    """All effects of a logged car with their most probable numbers, the start pose of each run free.
+
+    Each is held to a size that is usual, or to that which was found, where this is greater: a steering that was logged
+    in another scale is off by several times of itself.
+
+    Args:
+        model: of the runs that are fitted.
+        diagnosis: what they show.
+    """
+    effects, error = model.catalogue, diagnosis.residual.after / np.sqrt(2)
+    found = {value.name: value.value for finding in diagnosis.findings for value in finding.values}
+    numbers = [p for e in effects for p in e.parameters]
+    spread = np.array([max(p.spread, abs(found.get(p.name, 0.0)) * p.scale) for p in numbers])
     weight = np.sqrt(INDEPENDENT * model.rows.runs / len(model.rows.run)) / max(error, 1e-6)
     pose = np.linalg.qr(model.offsets)[0]
 
@@ -114,7 +124,7 @@ def _probable(model: Model, error: float) -> Active:
         columns = slopes(model, effects, activated(effects, values * spread)) * spread
         return np.vstack([-weight * (columns - pose @ (pose.T @ columns)), np.eye(len(values))])
 
-    start = np.concatenate([e.start for e in effects]) / spread
+    start = np.array([found.get(p.name, p.start) * p.scale for p in numbers]) / spread
     return activated(effects, least_squares(off, start, jac=tangents, ftol=1e-7, max_nfev=30).x * spread)
 
 
