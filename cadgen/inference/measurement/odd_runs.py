@@ -1,10 +1,12 @@
-"""Runs that are not of the others' car, state or unit: they are left out, and named.
+"""Runs that are not of the others' car, state or unit, or that are copies of another: they are left out, and named.
 
-One such run among several makes the noise between runs large, so that nothing is found, or the wrong thing. It is told
-by what is left of the noise without it. The majority is taken as right.
+One run of another car among several makes the noise between runs large, so that nothing is found, or the wrong thing.
+It is told by what is left of the noise without it. The majority is taken as right. A copy repeats the noise, too, and
+so makes it seem to be none, beside which every other run is odd.
 """
 
 from collections.abc import Callable
+from itertools import combinations
 
 import numpy as np
 
@@ -27,6 +29,9 @@ APART = 1.5
 MOST_OUT = 1 / 3
 # Spans of a mistaken unit agree with its factor within this ratio: all else of two cars is alike.
 NEAR = 1.15
+# A run that repeats another in each of so many rows or more is its copy, if others differ in this share of the rows:
+# an instrument of coarse steps repeats itself in all runs.
+LEAST_ROWS, DIFFER = 20, 0.1
 _STEPS = 4  # of Gauss and Newton, by which the datum of a turned start converges
 
 
@@ -37,9 +42,10 @@ def odd_runs(record: Record, build: Callable[[Record], Model]) -> dict[int, Mess
         record: of any kind that is judged by the evidence.
         build: makes the forward model of some of the runs.
     """
-    kept = np.arange(record.runs)
-    found: dict[int, Message] = {}
-    while len(kept) >= LEAST_RUNS and len(found) < max(1, int(MOST_OUT * record.runs)):
+    found = copies(record)
+    kept = np.setdiff1d(np.arange(record.runs), list(found))
+    most = len(found) + max(1, int(MOST_OUT * len(kept)))
+    while len(kept) >= LEAST_RUNS and len(found) < most:
         here = record.only(kept)
         model = build(here)
         left = _registered(model)
@@ -60,6 +66,24 @@ def odd_runs(record: Record, build: Callable[[Record], Model]) -> dict[int, Mess
         )
         kept = np.delete(kept, worst)
     return found
+
+
+def copies(record: Record) -> dict[int, Message]:
+    """Runs that repeat an earlier one to the last digit, by number from 0, where others do not repeat each other.
+
+    Args:
+        record: of any kind with runs.
+    """
+    runs = [np.stack([record[c][mine] for c in record.kind.readings]) for mine in record.parts]
+    pairs = [(a, b) for a, b in combinations(range(len(runs)), 2) if runs[a].shape == runs[b].shape]
+    differ = {(a, b): float(np.mean((runs[a] != runs[b]).any(axis=0))) for a, b in pairs}
+    if max(differ.values(), default=0.0) < DIFFER:
+        return {}
+    return {
+        later: Message("it repeats an earlier run to the last digit, noise and all: it is a copy")
+        for (_, later), share in differ.items()
+        if share == 0.0 and runs[later].shape[1] >= LEAST_ROWS
+    }
 
 
 def _registered(model: Model) -> Array:

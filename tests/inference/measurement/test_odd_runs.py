@@ -44,6 +44,17 @@ def test_a_run_of_another_car_is_named(name, other, measured, nominal):
     assert "of another car" in found[0]
 
 
+def test_a_copy_of_a_run_is_left_out_and_no_good_run_is_odd_beside_it(measured, nominal):
+    """Its noise is another's, and beside such a pair the other runs seemed to be of another car."""
+    record = load(measured / "transmission_a.csv")
+    first, last = record.only(np.array([0])), record.only(np.array([record.runs - 1]))
+    found = odd_runs(join([first, first, last]), nominal.model)
+    assert list(found) == [1]
+    assert "it is a copy" in found[1]
+    # An instrument of coarse steps repeats itself in all runs, and none of them is a copy.
+    assert odd_runs(join([first, first, first]), nominal.model) == {}
+
+
 def test_no_good_run_is_odd_however_it_was_started(synthetic_car, nominal):
     """Drawn cars, tracks among them whose runs start up to 3 degrees and centimetres apart."""
     for number in range(12):
