@@ -36,11 +36,13 @@ def processor_seconds(arguments, cwd, python=sys.executable):
     ("words", "limit"),
     [
         ("cam --out out", 1.4),
+        ("cam roller --out out", 1.3),
+        ("check roller", 0.5),
         ("gears --out out", 2.5),
         ("optimize", 0.9),
         ("tolerance --samples 10000 --out out", 0.8),
     ],
-    ids=["cam", "gears", "optimize", "tolerance"],
+    ids=["cam", "cam of a motion", "check of a motion", "gears", "optimize", "tolerance"],
 )
 def test_command_against_importing_build123d(benchmark, tmp_path, words, limit):
     command = ["-c", "from cadgen.cli import main; main()", *words.split()]
