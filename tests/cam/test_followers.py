@@ -7,13 +7,13 @@ Manufacturing Handbook, ch. 7), and its rolling against a worked example.
 
 import re
 from dataclasses import replace
-from math import radians
+from math import pi, radians
 
 import numpy as np
 import pytest
 from scipy.interpolate import PPoly
 
-from cadgen import Design
+from cadgen import Cam, Design, Flat, Motion, rise
 from cadgen.cam.checks import cam_place, check_cam
 from cadgen.cam.contact import roll, roll_curve
 from cadgen.cam.envelope import actual_profile
@@ -226,3 +226,13 @@ def test_a_kind_that_is_not_registered_is_refused():
 def test_a_code_is_unique_and_plain(code):
     with pytest.raises(DesignError, match="follower"):
         table.register(replace(SLIDING_ROLLER, code=code))
+
+
+@pytest.mark.parametrize(("lift", "base"), [(50.0, 25.0), (50.8, 38.1)])
+def test_a_flat_face_in_simple_harmonic_motion_rides_on_an_eccentric(lift, base):
+    """Published exercises: circles of 50 mm and of 2.5 in, faces of 50 mm and of 2 in, as wide as the lift is high."""
+    motion = Motion([rise(lift, pi, "simple_harmonic"), rise(-lift, pi, "simple_harmonic")])
+    cam = Cam(motion, Flat(), base_circle_radius=base, thickness=8)
+    points = cam.computed.curve.outline(0.05).points
+    assert np.abs(np.hypot(points[:, 0] + lift / 2, points[:, 1]) - (base + lift / 2)).max() < 1e-9
+    assert {check.code: check for check in cam.figures}["face-width"].value == pytest.approx(lift, abs=1e-3)
