@@ -6,7 +6,7 @@ from functools import cached_property, partial
 from math import degrees
 from os import PathLike
 from pathlib import Path
-from typing import Generic, Self
+from typing import TYPE_CHECKING, Generic, Self
 
 import numpy as np
 
@@ -18,7 +18,6 @@ from cadgen.errors import DesignError, FileError
 from cadgen.figures import Facts
 from cadgen.gears.choices import Law
 from cadgen.inference.monte_carlo.random_cars import CarEnds, Map, Sensitivity, sensitivities, tolerance_run
-from cadgen.jobs.calibration.workshop import Workshop
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.steering_cam import CarUse, comparison_of, plan_cam
 from cadgen.jobs.error_budget import BudgetSheet, budget_sheet, unit_of
@@ -32,6 +31,9 @@ from cadgen.output.report.style import Drawing, save
 from cadgen.processes import in_processes
 from cadgen.progress import Progress, silent
 from cadgen.version import __version__
+
+if TYPE_CHECKING:  # it reads the kinds of measured data, which no other command needs
+    from cadgen.jobs.calibration.workshop import Workshop
 
 QUANTILES = (0.5, 0.9, 0.95, 0.99)
 # Things on a course: one, and several of them.
@@ -287,7 +289,7 @@ def run_tolerance(
 
 
 def tolerance_of(
-    plan: C, sample: CarSample, progress: Progress = silent, workshop: Workshop | None = None
+    plan: C, sample: CarSample, progress: Progress = silent, workshop: "Workshop | None" = None
 ) -> ToleranceRun[C]:
     """Run random cars with the cam of a plan.
 
