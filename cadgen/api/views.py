@@ -12,6 +12,7 @@ from cadgen.api.loaded import overrides_of
 from cadgen.api.measured import Data, reading_of, sources_of
 from cadgen.api.values import instance, name_or_path, whole
 from cadgen.check import Check, CheckList, failing
+from cadgen.design.load import is_train_alone
 from cadgen.design.schema import MotionDesign
 from cadgen.errors import DesignError, FileError
 from cadgen.figures import Facts
@@ -22,6 +23,7 @@ from cadgen.progress import Progress, silent
 from cadgen.viewer.editor.session import Session
 from cadgen.viewer.page.car_page import plan_page
 from cadgen.viewer.page.page_plan import plan_motion_page
+from cadgen.viewer.page.train_page import TrainPage, plan_train_page
 
 if TYPE_CHECKING:
     from cadgen.jobs.calibration.sources import Source
@@ -51,7 +53,7 @@ class Report(Pictured):
         >>> files = report.write("exports")  # doctest: +SKIP
     """
 
-    computed: "PagePlan"
+    computed: "PagePlan | TrainPage"
 
     @classmethod
     def of(
@@ -81,6 +83,8 @@ class Report(Pictured):
             DesignError: as `Design.cam`.
         """
         values = instance("design", design, Design).values
+        if is_train_alone(design.text, design.file):
+            return cls(plan_train_page(values, progress))
         if isinstance(values, MotionDesign):
             compare = None if data is None else partial(_compared, design, data)
             return cls(plan_motion_page(values, profile, progress, compare=compare))
@@ -105,7 +109,7 @@ class Report(Pictured):
 
     def __repr__(self) -> str:
         verdict = "passed" if self.passed else f"failed: {', '.join(check.name for check in self.failed)}"
-        return f"<Report on {self.computed.cam.origin.name}, {verdict}>"
+        return f"<Report on {self.computed.origin.name}, {verdict}>"
 
     @property
     def checks(self) -> CheckList:
@@ -114,7 +118,9 @@ class Report(Pictured):
 
     @property
     def picture(self) -> Drawing:
-        """Outline and lift of the cam."""
+        """Outline and lift of the cam, or the gears of a train alone."""
+        if isinstance(self.computed, TrainPage):
+            return self.computed.gears.picture
         return Cam.of(self.computed.cam).picture
 
     @property
@@ -134,9 +140,7 @@ class Report(Pictured):
 
     def entry(self) -> Facts:
         """Every figure of the page, as in the manifest."""
-        from cadgen.viewer.page.report import page_facts
-
-        return page_facts(self.computed)
+        return self.computed.figures()
 
     def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
         """Write the page, also if a check fails: then it says so first.

@@ -16,7 +16,7 @@ from cadgen.messages import Message, joined
 
 if TYPE_CHECKING:
     from cadgen import GearTrain, Written
-    from cadgen.gears.train import TrainPlay, WholePlay
+    from cadgen.gears.train import TrainPlay
 
 RANKED_SHOWN = 8
 REASONS_SHOWN = 3
@@ -100,50 +100,10 @@ def _sections(train: "GearTrain") -> Message:
 
 
 def _return_errors(plan: "GearTrain") -> None:
-    """Print play and return error of every stage and of the train, as made and by the standard alone."""
+    """Print play and return error of every stage and of the train, and departures from the standard."""
     from cadgen.cli.show import Output, sheet
 
-    rows: list[tuple[str, ...]] = []
-    for number, (stage, play) in enumerate(zip(plan.layout.train.stages, plan.play.stages, strict=True), 1):
-        arc = stage.driven_pitch_radius * 1e3
-        rows.append(
-            (
-                f"{number}, {stage.label}",
-                f"{stage.centre_distance:g}",
-                f"{play.B_min * arc:.1f}{' to ' if play.B_min < 0 else '-'}{play.B_max * arc:.1f}",
-                f"{stage.free_angle() * arc:.1f}",
-                *_angles(play.B_min, (play.B_min + play.B_max) / 2, play.B_max),
-            )
-        )
-    trains: list[tuple[str, TrainPlay | WholePlay]] = [(Message("train"), plan.play)]
-    if plan.departures and plan.standard:
-        trains.append((Message("train, by the standard"), plan.standard))
-    if plan.order != Order.AS_GIVEN:
-        trains.append((Message("train, as given"), plan.designed))
-    if plan.baseline is not plan.designed:
-        trains.append((Message("as given, by the standard"), plan.baseline))
-    rows += [(label, "", "", "", *_return_error(play_of_train)) for label, play_of_train in trains]
-    for joint in plan.whole.loose:
-        middle = (joint.least + joint.greatest) / 2
-        rows.append((joint.name, "", "", "", *_angles(joint.least, middle, joint.greatest)))
-    if plan.whole.loose:
-        rows.append((Message("train with these"), "", "", "", *_return_error(plan.whole)))
-    title = Message(
-        "{name}, {order}, ratio {ratio}: return error",
-        name=plan.name,
-        order=Message(plan.order),
-        ratio=plan.play.train.ratio,
-    )
-    heads = (
-        Message("stage"),
-        Message("a, mm"),
-        Message("play, µm"),
-        Message("as cut"),
-        Message("least"),
-        Message("mean"),
-        Message("greatest"),
-    )
-    sheet(Sheet("return-errors", title, heads, tuple(rows)), gap=False)
+    sheet(plan.return_errors, gap=False)
     for departure in plan.departures:
         says = Message("no standard covers this size")
         if departure.standard is not None:
@@ -157,15 +117,6 @@ def _return_errors(plan: "GearTrain") -> None:
                 says=says,
             )
         )
-
-
-def _return_error(play: "TrainPlay | WholePlay") -> tuple[str, ...]:
-    """Least, mean and greatest return error, as texts."""
-    return _angles(play.return_error_min, play.return_error_distribution().mean, play.return_error_max)
-
-
-def _angles(*angles: float) -> tuple[str, ...]:
-    return tuple(f"{degrees(angle):.3f}°" for angle in angles)
 
 
 def _ranking(ranked: "Sequence[TrainPlay]", baseline: "TrainPlay") -> None:

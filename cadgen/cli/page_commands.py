@@ -53,7 +53,8 @@ def report(
 
     The page has the model in 3D and in plan, curves over the cam angle, every check, the methods against play,
     tolerance, an inspection sheet and the parts. FILE is a CSV file of measured data, as for
-    `cadgen calibrate`; with it the page shows the calibration, too.
+    `cadgen calibrate`; with it the page shows the calibration, too. Of gears without a cam it has the gears in mesh,
+    their checks and play, an inspection sheet and the parts.
 
     The page is written also if a check fails, with the failures on top; the exit code is then 1.
     """
@@ -61,10 +62,10 @@ def report(
     from cadgen.api.views import Report
     from cadgen.cli import show
     from cadgen.cli.show import failed, verdict
-    from cadgen.design.load import packaged_designs
+    from cadgen.design.load import is_train_alone, packaged_designs, read_design
 
     design, files = design_and_files(arguments, packaged_designs(), some=False)
-    loaded = Design.load(design, overrides)
+    loaded = Design.load(design, overrides, train_only=is_train_alone(*read_design(design)))
     with show.progress(not as_json) as progress:
         result = Report.of(loaded, profile, data=files or None, samples=samples, processes=processes, progress=progress)
         written = result.write(out, progress=progress)

@@ -44,8 +44,8 @@ def explain(error: ValidationError, most: int, named: NamedKinds) -> tuple[list[
     if absent:
         headings = listed([tables(named.at(place))[section(place)].heading for place in absent], "and")
         text = Message(
-            "the sections {headings} are missing: add them (of [train] alone `cadgen gears` and `cadgen draw` make "
-            "files and sheets)",
+            "the sections {headings} are missing: add them (of [train] alone `cadgen gears`, `draw` and `report` "
+            "make files, sheets and a page)",
             headings=headings,
         )
         sentences.append((absent[0], text))

@@ -1,12 +1,13 @@
 """Sections of the workshop: milling and drilling, and the texts in the title blocks of drawings."""
 
+import re
 from enum import StrEnum
 from typing import Annotated, Self
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import AfterValidator, Field, field_validator, model_validator
 
 from cadgen.car.running.friction import DiscMaterial
-from cadgen.design.section import LONGEST_CELL, LONGEST_LINE, WORD, DesignSection, drawn_line, one_line
+from cadgen.design.section import HERE, LONGEST_CELL, LONGEST_LINE, WORD, DesignSection, drawn_line, one_line
 from cadgen.messages import Message
 
 USUAL_FEED = 240.0  # mm/min, where the design gives neither a feed nor a material
@@ -143,11 +144,36 @@ class DrawnTeeth(StrEnum):
     SIMPLIFIED = "simplified"
 
 
+def _texture(text: str) -> str:
+    """Parameter of a surface texture and its limit.
+
+    Raises:
+        ValueError: it is none.
+    """
+    if not re.fullmatch(r"R[a-z]\d* ?\d+(\.\d+)?", text):
+        raise ValueError(
+            Message("{here} must be a parameter and its limit in µm, such as Ra 0.8, not {text}", here=HERE, text=text)
+        )
+    return text
+
+
+_Texture = Annotated[str, AfterValidator(_texture)]
+
+
 class DrawingText(DesignSection):
     """Texts of the title blocks of drawings, besides the material and the fits of [blank]."""
 
     title: str | None = Field(default=None, description="name of the machine; left out, the design's name")
     finish: str | None = Field(default=None, description="finish of the parts, such as `Ra 1.6`")
+    rim_finish: _Texture | None = Field(
+        default=None, description="texture of a cam's rim or of the flanks of its groove, by its sign, such as `Ra 0.8`"
+    )
+    flank_finish: _Texture | None = Field(
+        default=None, description="texture of the flanks of teeth, by its sign, such as `Ra 0.8`"
+    )
+    bore_finish: _Texture | None = Field(
+        default=None, description="texture of the bores of cams and gears, by its sign, such as `Ra 1.6`"
+    )
     quantity: int = Field(default=1, ge=1, le=10_000, description="how many of each part are made")
     owner: str | None = Field(default=None, description="legal owner of the drawings, such as a school or a firm")
     drawn_by: str | None = Field(default=None, description="who made the drawings")

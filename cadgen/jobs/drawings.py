@@ -194,6 +194,8 @@ def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
         ),
         timing=None if timing is None else TimingDiagram.of(timing),
         groove=None if plan.groove is None else _groove(plan, plan.groove, angles),
+        rim_texture=(making.title and making.title.rim_finish) or "",
+        bore_texture=(making.title and making.title.bore_finish) or "",
     )
     noun = Message("second {cam}", cam=Message(use.noun)) if plan.part else Message(use.noun)
     name = Message("{cam}, {kind} profile", cam=noun, kind=Message(str(plan.kind)))
@@ -325,6 +327,8 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
                 float(f"{diameter:.7g}") for gear in gears.values() if (diameter := gear.value("reference_diameter"))
             ),
             notes=(place, *([plan.printing.note] if plan.printing else [])),
+            flank_texture=(plan.title and plan.title.flank_finish) or "",
+            bore_texture=(plan.title and plan.title.bore_finish) or "",
             simplified=bool(plan.title and plan.title.teeth is DrawnTeeth.SIMPLIFIED),
             run_outs=tuple(blanks),
             pins=2 * max(getattr(stage, "pin_place", 0.0) for stage in of_stages) if _carries(part) else 0.0,

@@ -22,6 +22,7 @@ export class Motion {
   /** Lift and motion at a cam angle, rad: on a car the motion is the tangent of the steering angle. */
   lift(theta) {
     const { lift, travel, second } = this.scene;
+    if (lift.lift.length === 0) return { lift: NaN, tan: 0 }; // gears without a cam
     const place = ((((theta % TURN) + TURN) % TURN) / TURN) * (lift.lift.length - 1);
     const left = Math.min(Math.floor(place), lift.lift.length - 2);
     const share = place - left;

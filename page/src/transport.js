@@ -18,6 +18,7 @@ export function transport() {
   const state = { angle: 0, playing: false, play: true, speed: 1 };
   const listeners = new Map();
   let motion = null;
+  let alone = false; // gears without a cam
   let fields = [];
   let values = [];
 
@@ -52,13 +53,15 @@ export function transport() {
     });
     strip.replaceChildren(...titles.map(([mark]) => mark));
     strip.classList.toggle("many", marks.length > MANY);
-    const { car, unit } = motion.scene;
+    const { car, unit, drive, shafts, wheels } = motion.scene;
+    alone = wheels.length > 0;
     const degrees = (rad) => `${plain((rad * 180) / Math.PI, 2)}°`;
     fields = [
-      ["lift", both("lift"), (s) => `${plain(s.lift, 3)} mm`, unit !== "rad"],
+      ["lift", both("lift"), (s) => `${plain(s.lift, 3)} mm`, unit !== "rad" && !alone],
       ["swing", both("swing"), (s) => degrees(s.tan), unit === "rad"],
       ["steer", both("steering"), (s) => degrees(car.steering * Math.atan(s.tan)), car],
-      ["pressure", both("pressure angle"), (s) => `${plain(s.pressure, 1)}°`, true],
+      ["pressure", both("pressure angle"), (s) => `${plain(s.pressure, 1)}°`, motion.pressure],
+      ["drive", both("turn of the drive"), (s) => degrees(-shafts[drive].rate * s.phi), alone],
       ["run", both("distance run"), (s) => `${(s.run / 1000).toFixed(2)} m`, car],
       ["off", both("off the plan"), (s) => `${s.off.toFixed(1)} mm`, motion.goings.planned],
     ].filter(([, , , shown]) => shown);
@@ -88,7 +91,7 @@ export function transport() {
   }
 
   function tell(current) {
-    const words = [`${pick(both("cam angle"))} ${shown.value}`];
+    const words = [`${pick(alone ? both("angle of the output") : both("cam angle"))} ${shown.value}`];
     for (const [i, [, label]] of fields.entries()) words.push(`${pick(label)} ${fields[i][2](current)}`);
     live.textContent = words.join(pick(both(", ")));
   }

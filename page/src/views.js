@@ -10,7 +10,7 @@ export function shapeStages() {
 }
 
 export function planViews(motion, map) {
-  const views = [camView(motion)];
+  const views = [motion.scene.wheels.length ? trainView(motion) : camView(motion)];
   if (motion.scene.car) views.push(courseView(motion, map));
   shapeStages();
   return (state) => views.forEach((show) => show(state));
@@ -44,6 +44,17 @@ function camView(motion) {
     carrying = carries;
     inner.classList.toggle("far", carries === "outer");
     outer.classList.toggle("far", carries === "inner");
+  };
+}
+
+/** Gears without a cam, along their shafts. */
+function trainView(motion) {
+  const wheels = motion.scene.wheels.map((shaft) => [shaft, find(`wheel-${shaft}`)]);
+  return (state) => {
+    for (const [shaft, wheel] of wheels) {
+      const place = motion.place(shaft, state).map(short).join(" ");
+      wheel.setAttribute("transform", `translate(${place}) rotate(${short(degrees(motion.shaft(shaft, state)))})`);
+    }
   };
 }
 

@@ -14,6 +14,9 @@ from cadgen.output.drawing.sheet import (
     Characteristic,
     DatumFeature,
     DrawingSheet,
+    LineKind,
+    Stroke,
+    SurfaceTexture,
     ToleranceFrame,
 )
 from cadgen.output.drawing.sheet_files import document_of
@@ -79,6 +82,11 @@ driver = { teeth = 19 }
 rack = { teeth = 20, height_mm = 8.0 }
 [train.drive]
 bore_diameter_mm = 5.0
+hub = { diameter_mm = 12.0, length_mm = 7.0, set_screw_mm = 2.5, set_screw_thread = "M3" }
+[drawing]
+finish = "Ra 3.2"
+flank_finish = "Ra 0.8"
+bore_finish = "Ra 1.6"
 """
 )
 TRAINS = {"two stages": TWO_STAGES, "ring": RING, "planetary": PLANETARY, "rack": RACK}
@@ -178,6 +186,28 @@ def test_a_plate_without_a_tolerance_of_its_distances_says_none(tmp_path) -> Non
     assert not any("±" in note for note in plate.notes)
 
 
+def test_flanks_bores_and_the_thread_in_a_hub_have_their_signs(sheets) -> None:
+    """The leader of the flanks ends on one, at the pitch circle, where the tooth is half a pitch less its thinning."""
+    pinion, rack = sheets["rack"]["1_pinion"], sheets["rack"]["2_rack"]
+    face, section = pinion.views
+    flank, bore = (symbol for symbol in face.symbols if isinstance(symbol, SurfaceTexture))
+    assert (flank.value, bore.value) == ("Ra 0.8", "Ra 1.6")
+    assert [np.hypot(*flank.tip), np.hypot(*bore.tip)] == pytest.approx([19 / 2, 5 / 2], abs=1e-3)
+    of_middles = np.degrees(np.arctan2(*flank.tip[::-1])) % (360 / 19)  # a tooth stands on the x axis
+    assert min(of_middles, 360 / 19 - of_middles) == pytest.approx(360 / 19 / 4, abs=0.35)
+    (sign,) = (symbol for symbol in rack.views[0].symbols if isinstance(symbol, SurfaceTexture))
+    assert (sign.tip[1], sign.bend) == (0.0, None)
+    assert pinion.dimensions["set screw"] == 3.0
+    assert pinion.dimensions["set screw height"] == 3.5
+    thread = [
+        curve.points[0][0] for curve in section.curves if isinstance(curve, Stroke) and curve.line == LineKind.THIN
+    ]
+    assert thread == pytest.approx([8 + 3.5 - 1.5, 8 + 3.5 + 1.5])
+    assert not any("tapped" in note for note in pinion.notes)
+    texts = [text.dxf.text for text in document_of(pinion, "en").modelspace().query("TEXT")]
+    assert texts.count("(") == 1  # after the texture of the title block: some surfaces have their own
+
+
 @pytest.mark.parametrize("language", ["en", "zh"])
 def test_texts_and_frames_of_gear_sheets_keep_off_each_other(sheets, language) -> None:
     for train, of_train in sheets.items():
@@ -208,6 +238,11 @@ def frame_boxes(sheet: DrawingSheet) -> list:
                 left, right = sorted((near, near + symbol.side * sum(symbol.cells)))
                 box = shapely.box(left, y - FRAME_HEIGHT / 2, right, y + FRAME_HEIGHT / 2)
                 found.append((box, (symbol.zone_text, *symbol.datums)))
+            elif isinstance(symbol, SurfaceTexture) and symbol.bend is not None:
+                x, y = np.array(view.place) + sheet.scale * np.array(symbol.bend)
+                side = 1 if symbol.bend[0] > symbol.tip[0] else -1
+                left, right = sorted((x + side * LEVEL, x + side * (LEVEL + symbol.width)))
+                found.append((shapely.box(left, y, right, y + 4.0), (symbol.value,)))
             elif isinstance(symbol, DatumFeature):
                 way = np.array([np.cos(np.radians(symbol.angle)), np.sin(np.radians(symbol.angle))])
                 x, y = np.array(view.place) + sheet.scale * np.array(symbol.foot) + symbol.reach * way

@@ -11,7 +11,7 @@ from cadgen.check import CheckList
 from cadgen.design import gear_model
 from cadgen.design.schema import TrainDesign
 from cadgen.errors import DesignError
-from cadgen.figures import Facts
+from cadgen.figures import Facts, Sheet
 from cadgen.gears.choices import Order, SearchObjective, Thinning
 from cadgen.gears.distribution import quantiles
 from cadgen.gears.layout import TrainLayout
@@ -136,6 +136,11 @@ class GearTrain(Assembly):
     def baseline(self) -> TrainPlay:
         """Play that the ranked trains are compared with; for a search, of the given train by the standard alone."""
         return _baseline(self.order, self.designed, self.designed_standard)
+
+    @property
+    def return_errors(self) -> Sheet:
+        """Play and return error of every stage and of the train, on one sheet."""
+        return _return_errors(self)
 
     @property
     def stem(self) -> str:
@@ -497,3 +502,61 @@ def _notes(design: TrainDesign, designed: Train, limits: SearchLimits) -> tuple[
     if any(direction is not None for direction in gear_model.directions(design)):
         notes.append(Message("searched stages are laid out afresh, without the directions of those given"))
     return tuple(notes)
+
+
+def _return_errors(plan: GearTrain) -> Sheet:
+    """Play and return error of every stage and of the train, as made and by the standard alone.
+
+    Args:
+        plan: computed train.
+    """
+    rows: list[tuple[str, ...]] = []
+    for number, (stage, play) in enumerate(zip(plan.layout.train.stages, plan.play.stages, strict=True), 1):
+        arc = stage.driven_pitch_radius * 1e3
+        rows.append(
+            (
+                f"{number}, {stage.label}",
+                f"{stage.centre_distance:g}",
+                f"{play.B_min * arc:.1f}{' to ' if play.B_min < 0 else '-'}{play.B_max * arc:.1f}",
+                f"{stage.free_angle() * arc:.1f}",
+                *_angles(play.B_min, (play.B_min + play.B_max) / 2, play.B_max),
+            )
+        )
+    trains: list[tuple[str, TrainPlay | WholePlay]] = [(Message("train"), plan.play)]
+    if plan.departures and plan.standard:
+        trains.append((Message("train, by the standard"), plan.standard))
+    if plan.order != Order.AS_GIVEN:
+        trains.append((Message("train, as given"), plan.designed))
+    if plan.baseline is not plan.designed:
+        trains.append((Message("as given, by the standard"), plan.baseline))
+    rows += [(label, "", "", "", *_errors_of(play_of_train)) for label, play_of_train in trains]
+    for joint in plan.whole.loose:
+        middle = (joint.least + joint.greatest) / 2
+        rows.append((joint.name, "", "", "", *_angles(joint.least, middle, joint.greatest)))
+    if plan.whole.loose:
+        rows.append((Message("train with these"), "", "", "", *_errors_of(plan.whole)))
+    title = Message(
+        "{name}, {order}, ratio {ratio}: return error",
+        name=plan.name,
+        order=Message(plan.order),
+        ratio=plan.play.train.ratio,
+    )
+    heads = (
+        Message("stage"),
+        Message("a, mm"),
+        Message("play, µm"),
+        Message("as cut"),
+        Message("least"),
+        Message("mean"),
+        Message("greatest"),
+    )
+    return Sheet("return-errors", title, heads, tuple(rows))
+
+
+def _errors_of(play: TrainPlay | WholePlay) -> tuple[str, ...]:
+    """Least, mean and greatest return error, as texts."""
+    return _angles(play.return_error_min, play.return_error_distribution().mean, play.return_error_max)
+
+
+def _angles(*angles: float) -> tuple[str, ...]:
+    return tuple(f"{degrees(angle):.3f}°" for angle in angles)

@@ -10,6 +10,7 @@ import shapely
 from cadgen.arrays import TURN, Array
 from cadgen.curves.contour import Contour, circle
 from cadgen.messages import Message
+from cadgen.output.drawing.hole_frames import outline_tips
 from cadgen.output.drawing.placement import Room
 from cadgen.output.drawing.section import Layer, ScrewHole, edges_behind_cut, material, outlines_and_hatches
 from cadgen.output.drawing.shaft_fit import ShaftFit, deeper
@@ -32,6 +33,8 @@ from cadgen.output.drawing.sheet import (
     NoteColumn,
     SheetTable,
     Stroke,
+    SurfaceTexture,
+    Symbol,
     Title,
     ToleranceFrame,
     View,
@@ -62,7 +65,6 @@ _GAP = 9.0  # mm on paper from the part to a dimension line, and from line to li
 _BEFORE = 17.0  # mm on paper between frame and face
 _COLUMN = 31.0  # width of each of the tables of radii, and what is between them, mm
 _TABLES = 3 * _COLUMN
-_AROUND = sorted(range(5, 360, 10), key=lambda angle: (abs(angle % 90 - 45), angle))  # degrees
 _ARROW = 14.0  # mm on paper of the arrow at the zero mark
 _STEEP = 0.35  # of the sine of the angle between that arrow and the plane of the section
 
@@ -113,6 +115,8 @@ class CamPart:
         notes: further sentences.
         timing: timing diagram; None of a cam whose motion is a car's.
         groove: groove of which the outline is the inner flank; None for a disc whose rim is the outline.
+        rim_texture: texture of the rim, or of the flanks of the groove; empty where it is that of the title block.
+        bore_texture: texture of the bore, likewise.
     """
 
     profile: Contour
@@ -133,6 +137,8 @@ class CamPart:
     notes: tuple[str, ...]
     timing: TimingDiagram | None = None
     groove: SheetGroove | None = None
+    rim_texture: str = ""
+    bore_texture: str = ""
 
     @property
     def reach(self) -> float:
@@ -232,7 +238,10 @@ def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
         curves += strokes
         labels.append(word)
     room = Room(curves, scale)
-    dimensions = room.dimensions(_face_dimensions(cam, scale), labels)
+    every = _face_dimensions(cam, scale)
+    if screw and not screw.tapped(angle, 0.0, scale) and (tapped := screw.tapped_on_face(0.7 * gap, scale)):
+        every.append(tapped)
+    dimensions = room.dimensions(every, labels)
     return View(
         place=place,
         curves=tuple(curves),
@@ -242,10 +251,8 @@ def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     )
 
 
-def _symbols(
-    cam: CamPart, room: Room, dimensions: Sequence[Dimension], scale: float
-) -> Iterator[ToleranceFrame | DatumFeature]:
-    """Tolerance of the outline, to the axis of the bore and to the middle of its keyway or flat.
+def _symbols(cam: CamPart, room: Room, dimensions: Sequence[Dimension], scale: float) -> Iterator[Symbol]:
+    """Tolerance of the outline, to the axis of the bore and to the middle of its keyway or flat, and textures.
 
     Args:
         cam: cam.
@@ -253,8 +260,31 @@ def _symbols(
         dimensions: dimensions of that view, as they are placed.
         scale: mm on paper for a mm of the part.
     """
-    if cam.profile_tolerance is None:
-        return
+    if cam.profile_tolerance is not None:
+        yield from _profile_frames(cam, cam.profile_tolerance, room, dimensions, scale)
+    if cam.rim_texture:
+        outline = cam.profile if cam.groove is None else cam.groove.outer
+        sign = SurfaceTexture(value=cam.rim_texture, tip=(0.0, 0.0), bend=(1.0, 0.0), all_around=True)
+        yield room.frame(sign, outline_tips(outline))
+        if cam.groove is not None:
+            yield room.frame(sign, outline_tips(cam.profile))
+    if cam.bore_texture:
+        sign = SurfaceTexture(value=cam.bore_texture, tip=(0.0, 0.0), bend=(1.0, 0.0))
+        yield room.frame(sign, outline_tips(cam.blank.bore(), cam.blank.key.angle if cam.blank.key else None))
+
+
+def _profile_frames(
+    cam: CamPart, tolerance: float, room: Room, dimensions: Sequence[Dimension], scale: float
+) -> Iterator[ToleranceFrame | DatumFeature]:
+    """Datums and the tolerance of the outline, or of both flanks of a groove.
+
+    Args:
+        cam: cam.
+        tolerance: half width of its zone, mm.
+        room: room in the view of its face.
+        dimensions: dimensions of that view, as they are placed.
+        scale: mm on paper for a mm of the part.
+    """
     named = {dimension.name: dimension for dimension in dimensions}
     bore = named["bore"]
     assert isinstance(bore, DiameterDimension)
@@ -273,13 +303,13 @@ def _symbols(
         frame = ToleranceFrame(
             name=name,
             characteristic=Characteristic.LINE_PROFILE,
-            zone=2 * cam.profile_tolerance,
+            zone=2 * tolerance,
             datums=tuple(datums),
             tip=(0.0, 0.0),
             bend=(1.0, 0.0),
             all_around=True,
         )
-        yield room.frame(frame, _tips(contour))
+        yield room.frame(frame, outline_tips(contour))
 
 
 def _middle_datum(letter: str, held: LinearDimension, scale: float) -> DatumFeature:
@@ -297,19 +327,6 @@ def _middle_datum(letter: str, held: LinearDimension, scale: float) -> DatumFeat
     # An arrow that points inwards for want of room has its tail outside.
     x, y = (base + (far + (TAIL / scale if held.beside else 0.0)) * along).tolist()
     return DatumFeature(letter=letter, foot=(x, y), angle=held.angle + (0.0 if way > 0 else 180.0))
-
-
-def _tips(contour: Contour) -> list[tuple[Array, Array]]:
-    """Points of an outline at which a leader may end, each with the direction outwards, those on diagonals first."""
-    points = contour.polygon(_CHORD)
-    angles = np.arctan2(points[:, 1], points[:, 0])
-    places = [int(np.abs(np.angle(np.exp(1j * (angles - each)))).argmin()) for each in np.radians(_AROUND)]
-    found = []
-    for place in places:
-        x, y = points[(place + 1) % len(points)] - points[place - 1]
-        out = np.array([y, -x]) / float(np.hypot(x, y))
-        found.append((points[place], out if float(out @ points[place]) > 0 else -out))
-    return found
 
 
 def _sense(cam: CamPart, scale: float) -> tuple[list[Stroke], Label]:
@@ -444,9 +461,11 @@ def _section(cam: CamPart, place: tuple[float, float], scale: float) -> View:
             along_axis("hub length", (boss.low, boss.high), -half, -half - 1.6 * gap),
             axial_diameter("hub diameter", end, half, end + (2.0 if outer else -1.0) * gap),
         ]
+    if screw and (tapped := screw.tapped(angle, top + 1.7 * gap, scale)):
+        dimensions.append(tapped)
     if boss and screw:
         face, side = (thickness, 1.0) if boss.high > thickness else (0.0, -1.0)
-        dimensions.append(screw.height(face, (face + side, -boss.diameter / 2 - 0.8 * gap)))
+        dimensions.append(screw.height(face, (face + side, -boss.diameter / 2 - 0.8 * gap), scale))
     middle, under = (low + high) / 2, -cam.reach - (2.0 if cam.groove else 1.1) * gap
     labels = (
         Label(text=section_name(angle), at=(middle, under), height=3.5),
@@ -473,7 +492,7 @@ def _letters_below(cam: CamPart) -> float:
 
 def _screw(cam: CamPart) -> ScrewHole | None:
     boss = cam.blank.boss(cam.thickness)
-    return ScrewHole.of(cam.blank, boss.drill if boss else None)
+    return ScrewHole.of(cam.blank, boss.drill if boss else None, cam.fit.thread)
 
 
 def _chamfered(area: shapely.Polygon, cam: CamPart) -> shapely.Polygon:
@@ -602,12 +621,17 @@ def _notes(cam: CamPart) -> Iterator[str]:
         )
     if blank.hub and blank.hub.set_screw:
         screw = blank.hub.set_screw
-        yield Message(
-            "Radial hole Ø{diameter:g} through the hub's wall, {tapped}, {height:g} mm from the disc's face, at θ ="
-            " {angle:g}°.",
-            diameter=screw.diameter,
-            tapped=cam.fit.tapped(),
-            height=screw.height,
-            angle=degrees(screw.angle),
+        drawn = _screw(cam)
+        yield (
+            Message("Set screw at θ = {angle:g}°.", angle=degrees(screw.angle))
+            if drawn and drawn.thread
+            else Message(
+                "Radial hole Ø{diameter:g} through the hub's wall, {tapped}, {height:g} mm from the disc's face, at θ ="
+                " {angle:g}°.",
+                diameter=screw.diameter,
+                tapped=cam.fit.tapped(),
+                height=screw.height,
+                angle=degrees(screw.angle),
+            )
         )
     yield from cam.notes

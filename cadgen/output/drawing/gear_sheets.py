@@ -8,14 +8,14 @@ from math import atan2, degrees, radians, sin
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.curves.contour import Contour
+from cadgen.curves.contour import Contour, circle
 from cadgen.figures import Figures
 from cadgen.gears.fits import deviations
 from cadgen.gears.layout import TrainPart
 from cadgen.gears.rack import RackForm
 from cadgen.gears.stage import Stage, Wheel, is_ring, rim_diameter
 from cadgen.messages import Message
-from cadgen.output.drawing.hole_frames import edge_view, hole_frames, rim
+from cadgen.output.drawing.hole_frames import edge_view, hole_frames, outline_tips, rim
 from cadgen.output.drawing.placement import Room
 from cadgen.output.drawing.section import Layer, ScrewHole, edges_behind_cut, material, outlines_and_hatches
 from cadgen.output.drawing.shaft_fit import ShaftFit, deeper, limits
@@ -38,6 +38,7 @@ from cadgen.output.drawing.sheet import (
     NoteColumn,
     SheetTable,
     Stroke,
+    SurfaceTexture,
     Symbol,
     Title,
     ToleranceFrame,
@@ -160,6 +161,8 @@ class GearPart:
         run_outs: circular run-out of each gear's tip circle and of the face, mm; None where none is stated.
         pins: zone of the places of a carrier's pin holes, mm; 0 where none is stated.
         parallel: parallelism of a rack's tips to its back, mm; 0 where the distance of its pinion has no tolerance.
+        flank_texture: texture of the flanks of teeth; empty where it is that of the title block.
+        bore_texture: texture of the bore, likewise.
     """
 
     part: TrainPart
@@ -172,6 +175,8 @@ class GearPart:
     run_outs: tuple[tuple[float, float] | None, ...] = ()
     pins: float = 0.0
     parallel: float = 0.0
+    flank_texture: str = ""
+    bore_texture: str = ""
 
     @property
     def tip_run_outs(self) -> tuple[float | None, ...]:
@@ -269,6 +274,9 @@ def _rack_drawing(gear: GearPart, rack: RackForm, title: Title) -> DrawingSheet:
             upright("height to the reference line", 0.0, (back, 0.0), -gap, scale),
         ),
         labels=(Label(text=Message("from above"), at=(length / 2, back - 2.2 * gap), height=3.5),),
+        symbols=(SurfaceTexture(value=gear.flank_texture, tip=(length + 0.3 * gap, 0.0)),)
+        if gear.flank_texture
+        else (),
     )
     corners = np.array([[0.0, back], [width, back], [width, tip], [0.0, tip], [0.0, back]])
     side = View(
@@ -293,7 +301,13 @@ def _rack_drawing(gear: GearPart, rack: RackForm, title: Title) -> DrawingSheet:
             bend=(x - 1e-6, tip + out),
         )
         side = replace(side, symbols=(tips,))
-        face = replace(face, symbols=(DatumFeature(letter="A", foot=(-0.45 * gap, back), angle=270.0),))
+        face = replace(
+            face,
+            symbols=(
+                *face.symbols,
+                DatumFeature(letter="A", foot=(-0.45 * gap, back), angle=270.0),
+            ),
+        )
     return DrawingSheet(
         size=size,
         scale=scale,
@@ -331,6 +345,7 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     reach = _reach(part.body)
     curves: list[Closed | Stroke] = []
     inner = [part.body.slabs[0].rings[-1]] if is_ring(part.gears[0]) else []
+    outlines: list[Loop] = []
     for loop in dict.fromkeys([*_rims(part.body), *inner]):
         if gear.simplified and (wheel := _toothed(loop, part)):
             curves += [ring(wheel.tip_diameter), ring(wheel.root_diameter, LineKind.THIN)]
@@ -338,7 +353,8 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
         # The section at the upper end of the wall that begins with this one.
         slabs = [slab for slab in part.body.slabs if loop in slab.rings]
         turn = 0.0 if loop in inner else loop.run.angle(slabs[-1].end - slabs[0].start)
-        curves.append(_outline(loop.rotated(turn)))
+        outlines.append(loop.rotated(turn))
+    curves += map(_outline, outlines)
     # Under a wider gear they are not seen.
     holes = () if part.gears[-1].tip_diameter > part.gears[0].tip_diameter else _drilled(part)
     curves += [_outline(hole) for hole in holes]
@@ -373,7 +389,7 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
             ),
         ]
         curves.append(ring(circle, LineKind.CENTRE))
-    screw = ScrewHole.of(blank, part.body.radial_hole)
+    screw = ScrewHole.of(blank, part.body.radial_hole, gear.fit.thread)
     plane, letters = cutting_plane(0.0, reach + 0.3 * gap, scale)
     curves += [*(screw.face() if screw else ()), *plane]
     labels = (Label(text=Message("from above"), at=(0.0, -reach - gap), height=3.5), *letters)
@@ -392,6 +408,12 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
             diametral=True,
         )
         symbols.append(room.frame(pins, list(rim((centres[-1].real, centres[-1].imag), size / 2))))
+    if gear.flank_texture:
+        flanks = SurfaceTexture(value=gear.flank_texture, tip=(0.0, 0.0), bend=(1.0, 0.0))
+        symbols += [room.frame(flanks, _leftward(_flanks(outlines, each))) for each in gear.pitch_diameters]
+    if gear.bore_texture and blank.bore_diameter:
+        sign = SurfaceTexture(value=gear.bore_texture, tip=(0.0, 0.0), bend=(1.0, 0.0))
+        symbols.append(room.frame(sign, _leftward(outline_tips(blank.bore(), 0.0 if blank.key else None))))
     return View(
         place=place,
         curves=tuple(curves),
@@ -399,6 +421,36 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
         labels=labels,
         symbols=tuple(symbols),
     )
+
+
+def _leftward(tips: Sequence[tuple[Array, Array]]) -> list[tuple[Array, Array]]:
+    """Tips of leaders that lead to the left, since frames of the section stand on the right."""
+    return [(point, out) for point, out in tips if point[0] < 0.0 and out[0] < 0.0]
+
+
+def _flanks(outlines: Sequence[Loop], diameter: float) -> list[tuple[Array, Array]]:
+    """Points of flanks on a pitch circle, which stand for all of its gear's (ISO 2203), each with the way outwards.
+
+    Args:
+        outlines: outlines as they are drawn; of a gear whose teeth are not, any points of its pitch circle are given.
+        diameter: diameter of the pitch circle, mm.
+    """
+    tips = outline_tips(circle((0.0, 0.0), diameter / 2))
+    crossings = [np.zeros(0, complex)]
+    for corners in (_points(outline) @ np.array([1.0, 1.0j]) for outline in outlines):
+        ends = np.roll(corners, -1)
+        here, there = abs(corners) - diameter / 2, abs(ends) - diameter / 2
+        cut = here * there < 0.0
+        share = here[cut] / (here - there)[cut]
+        crossings.append(corners[cut] + share * (ends - corners)[cut])
+    flanks = np.concatenate(crossings)
+    if not len(flanks):
+        return tips
+    found = []
+    for point, _ in tips:
+        nearest = complex(flanks[int(np.abs(flanks - complex(*point.tolist())).argmin())])
+        found.append((np.array([nearest.real, nearest.imag]), np.array([nearest.real, nearest.imag]) / abs(nearest)))
+    return found
 
 
 def _toothed(loop: Loop, part: TrainPart) -> Wheel | None:
@@ -438,7 +490,7 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     ]
     layers = [_without_teeth(layer, part) for layer in layers]
     whole = material(layers, 0.0)
-    screw = ScrewHole.of(blank, part.body.radial_hole)
+    screw = ScrewHole.of(blank, part.body.radial_hole, gear.fit.thread)
     areas = screw.cut(whole, 0.0) if screw else whole
     strokes, hatches = outlines_and_hatches(areas)
     strokes += edges_behind_cut(layers, whole)
@@ -459,7 +511,9 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     if is_ring(part.gears[0]):
         outer = rim_diameter(part.gears[0]) / 2
         dimensions.append(axial_diameter("outer diameter", high, outer, high + 1.4 * gap))
-    dimensions += _lengths(part, low, high, gap, screw)
+    dimensions += _lengths(part, low, high, scale, screw)
+    if screw and (tapped := screw.tapped(0.0, _reach(part.body) + 1.7 * gap, scale)):
+        dimensions.append(tapped)
     if blank.key:
         more = gear.fit.bore_class if isinstance(blank.key, Flats) else gear.fit.flat_class
         if isinstance(blank.key, Keyway):
@@ -529,13 +583,13 @@ def _circle_points(diameter: float) -> Array:
     return np.asarray(diameter / 2 * np.stack([np.cos(turn), np.sin(turn)], axis=1))
 
 
-def _lengths(part: TrainPart, low: float, high: float, gap: float, screw: ScrewHole | None) -> Iterator[Dimension]:
+def _lengths(part: TrainPart, low: float, high: float, scale: float, screw: ScrewHole | None) -> Iterator[Dimension]:
     """Dimensions of screw, hub and web in the section: lengths in rows below it, the shorter ones nearer."""
-    blank, body = part.blank, part.body
+    blank, body, gap = part.blank, part.body, _GAP / scale
     reach, first = _reach(body), part.gears[0].width
     row = 0.8
     if screw:
-        yield screw.height(first, (first, -reach - row * gap))
+        yield screw.height(first, (first, -reach - row * gap), scale)
         row += 0.9
     if high - low > first:
         yield along_axis("length", (low, high), -reach, -reach - (row + 0.9) * gap)
@@ -560,7 +614,8 @@ def _notes(gear: GearPart) -> Iterator[str]:
     if not gear.files:
         yield Message("Solid: none lies in this folder: make it with cadgen gears.")
     blank = gear.part.blank
-    if blank.hub and blank.hub.set_screw:
+    drawn = ScrewHole.of(blank, gear.part.body.radial_hole, gear.fit.thread)
+    if blank.hub and blank.hub.set_screw and not (drawn and drawn.thread):
         screw = blank.hub.set_screw
         yield Message(
             "Radial hole Ø{diameter:g} through the hub's wall, {tapped}, {height:g} mm from the gear's face, {place}.",

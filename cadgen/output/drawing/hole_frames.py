@@ -9,6 +9,7 @@ from math import floor, inf
 import numpy as np
 
 from cadgen.arrays import Array
+from cadgen.curves.contour import Contour
 from cadgen.gears.train import Train
 from cadgen.output.drawing.placement import Room
 from cadgen.output.drawing.sheet import (
@@ -25,6 +26,9 @@ from cadgen.output.drawing.sheet import (
 )
 
 _AROUND = range(0, 360, 15)  # degrees
+_DIAGONALS = sorted(range(5, 360, 10), key=lambda angle: (abs(angle % 90 - 45), angle))  # degrees
+_CHORD = 0.01  # mm, of an outline to which a leader leads
+_CLEAR = 0.6  # of the cosine of the angle between such a leader and a keyway
 _LETTERS = "BC"  # of the first two holes; A is the face
 _STEPS = 1000  # in a mm, to which a zone is rounded down
 _SHOWN, _OVER = 5.0, 8.0  # mm on paper: thickness that nobody states, and from the plate to its dimension
@@ -63,6 +67,26 @@ def rim(centre: tuple[float, float], radius: float) -> Iterator[tuple[Array, Arr
     for turn in np.radians(_AROUND):
         out = np.array([np.cos(turn), np.sin(turn)])
         yield np.array(centre) + radius * out, out
+
+
+def outline_tips(contour: Contour, clear_of: float | None = None) -> list[tuple[Array, Array]]:
+    """Points of an outline at which a leader may end, each with the direction outwards, those on diagonals first.
+
+    Args:
+        contour: closed outline about the axis.
+        clear_of: polar angle of a keyway or flat, from which they keep off, rad; None without one.
+    """
+    points = contour.polygon(_CHORD)
+    angles = np.arctan2(points[:, 1], points[:, 0])
+    found = []
+    for wanted in np.radians(_DIAGONALS):
+        if clear_of is not None and np.cos(wanted - clear_of) > _CLEAR:
+            continue
+        place = int(np.abs(np.angle(np.exp(1j * (angles - wanted)))).argmin())
+        x, y = points[(place + 1) % len(points)] - points[place - 1]
+        out = np.array([y, -x]) / float(np.hypot(x, y))
+        found.append((points[place], out if float(out @ points[place]) > 0 else -out))
+    return found
 
 
 def hole_frames(holes: Sequence[tuple[str, tuple[float, float], float, float]], room: Room) -> Iterator[Symbol]:

@@ -375,7 +375,7 @@ def _turned_symbols(
             )
     if texts.texture:
         first = steps[0]
-        yield SurfaceTexture(value=texts.texture, at=(0.7 * first.low + 0.3 * first.high, first.diameter / 2))
+        yield SurfaceTexture(value=texts.texture, tip=(0.7 * first.low + 0.3 * first.high, first.diameter / 2))
 
 
 def block_drawing(block: Block, texts: PartTexts, title: Title) -> DrawingSheet:

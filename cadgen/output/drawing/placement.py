@@ -12,6 +12,7 @@ from cadgen.arrays import Array
 from cadgen.output.drawing.sheet import (
     FRAME_HEIGHT,
     LEVEL,
+    SIGN_HEIGHT,
     TEXT,
     Closed,
     DatumFeature,
@@ -21,6 +22,8 @@ from cadgen.output.drawing.sheet import (
     LinearDimension,
     LineKind,
     Stroke,
+    SurfaceTexture,
+    Symbol,
     ToleranceFrame,
     length_of,
     rounded,
@@ -40,7 +43,8 @@ _STEP = 3.0  # mm on paper between places along a dimension line
 _TURNS = (0, *(side * turn for turn in range(8, 180, 8) for side in (1, -1)))  # degrees
 
 
-Placed = TypeVar("Placed", DiameterDimension, LinearDimension, Label, ToleranceFrame, DatumFeature)
+Placed = TypeVar("Placed", DiameterDimension, LinearDimension, Label, ToleranceFrame, SurfaceTexture, DatumFeature)
+Led = TypeVar("Led", ToleranceFrame, SurfaceTexture)
 _LEADERS = (8.0, 11.0, 14.0, 18.0, 23.0)  # mm on paper from a feature to a tolerance frame
 
 
@@ -62,7 +66,7 @@ class Room:
         points = np.concatenate([shapely.get_coordinates(line) for line in heavy])
         self._reach = float(np.linalg.norm(points, axis=1).max())
 
-    def take(self, placed: Dimension | Label | ToleranceFrame | DatumFeature) -> None:
+    def take(self, placed: Dimension | Label | Symbol) -> None:
         """Let a dimension, a label or a symbol stand where it is."""
         box, lines = self._drawn(placed)
         self._texts = shapely.union(self._texts, box)
@@ -135,11 +139,11 @@ class Room:
         ]
         return self._best(every)
 
-    def frame(self, frame: ToleranceFrame, tips: Sequence[tuple[Array, Array]]) -> ToleranceFrame:
-        """A tolerance frame where there is room beside its feature.
+    def frame(self, frame: Led, tips: Sequence[tuple[Array, Array]]) -> Led:
+        """A tolerance frame, or the sign of a texture on a leader, where there is room beside its feature.
 
         Args:
-            frame: tolerance, wherever it stands.
+            frame: tolerance or texture, wherever it stands.
             tips: points of the feature, mm on the part, each with the direction that leads away from the material.
         """
         every = []
@@ -180,7 +184,7 @@ class Room:
             box, drawn = self._drawn(each[0])
             lines, air = shapely.union_all(drawn), box.buffer(_AIR)
             # A frame is wide: it may stand in the corners beside a disc.
-            order = np.inf if isinstance(each[0], ToleranceFrame) else 2
+            order = np.inf if isinstance(each[0], ToleranceFrame | SurfaceTexture) else 2
             farthest = float(np.linalg.norm(shapely.get_coordinates([box, lines]), ord=order, axis=1).max())
             outside = _OUTSIDE * max(farthest - self._reach - _FRAME, 0.0)
             text = _HEAVY * (self._heavy.intersection(air).length + self._texts.intersection(air).area)
@@ -199,9 +203,7 @@ class Room:
         self.take(placed)
         return placed
 
-    def _drawn(
-        self, placed: Dimension | Label | ToleranceFrame | DatumFeature
-    ) -> tuple[shapely.Polygon, list[shapely.Geometry]]:
+    def _drawn(self, placed: Dimension | Label | Symbol) -> tuple[shapely.Polygon, list[shapely.Geometry]]:
         """Box of the text, and the lines that are drawn with it."""
         scale = self._scale
         if isinstance(placed, ToleranceFrame):
@@ -211,6 +213,14 @@ class Room:
             box = shapely.box(ends[0], y - FRAME_HEIGHT / 2, ends[1], y + FRAME_HEIGHT / 2)
             # From off the feature by a hair: its own line is no crossing.
             return box, [shapely.LineString([tip + 0.02 * (bend - tip), bend, (near, y)])]
+        if isinstance(placed, SurfaceTexture):
+            assert placed.bend is not None
+            tip, bend = scale * np.array(placed.tip), scale * np.array(placed.bend)
+            side = 1.0 if placed.bend[0] >= placed.tip[0] else -1.0
+            near, far = sorted((bend[0] + side * LEVEL, bend[0] + side * (LEVEL + placed.width)))
+            box = shapely.box(near, bend[1] + 0.2, far, bend[1] + SIGN_HEIGHT)
+            level = bend + np.array([side * (LEVEL + placed.width), 0.0])
+            return box, [shapely.LineString([tip + 0.02 * (bend - tip), bend, level])]
         if isinstance(placed, DatumFeature):
             foot, half = scale * np.array(placed.foot), FRAME_HEIGHT / 2
             x, y = foot + placed.reach * _unit(placed.angle)

@@ -1,7 +1,8 @@
 """Section of a body through its axis, from outlines alone, and the hole of a set screw in the views of a part."""
 
+import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import zip_longest
 from math import cos, sin
 
@@ -9,7 +10,19 @@ import numpy as np
 import shapely
 
 from cadgen.arrays import Array
-from cadgen.output.drawing.sheet import Closed, Hatch, LinearDimension, LineKind, Stroke
+from cadgen.output.drawing.sheet import (
+    SHORT,
+    TAIL,
+    TEXT,
+    WIDEST,
+    Closed,
+    Hatch,
+    LinearDimension,
+    LineKind,
+    Stroke,
+    along_axis,
+    rounded,
+)
 from cadgen.parts.blank import Blank
 from cadgen.parts.body import RadialHole
 from cadgen.parts.features import DFlat, Keyway
@@ -97,29 +110,44 @@ class ScrewHole:
         hole: hole with its height and direction.
         inner: distance from the axis at which it begins, at the bore or the floor of its keyway, mm.
         outer: radius of the hub, mm.
+        thread: diameter of the thread that is tapped in it, mm; 0 where the design names no metric one.
+        pitch: what the name of the thread says after that, such as `x0.35`.
     """
 
     hole: RadialHole
     inner: float
     outer: float
+    thread: float = 0.0
+    pitch: str = ""
 
     @classmethod
-    def of(cls, blank: Blank, hole: RadialHole | None) -> "ScrewHole | None":
-        """The hole in a part with this blank; None for a part without one."""
+    def of(cls, blank: Blank, hole: RadialHole | None, thread: str | None = None) -> "ScrewHole | None":
+        """The hole in a part with this blank; None for a part without one.
+
+        Args:
+            blank: bore and hub of the part.
+            hole: hole through the wall of the hub.
+            thread: name of the thread, such as `M3`.
+        """
         if hole is None or blank.hub is None:
             return None
         inner = blank.bore_diameter / 2
         if isinstance(blank.key, Keyway | DFlat) and cos(hole.angle - blank.key.angle) > 1 - _BESIDE:
             inner += blank.key.depth if isinstance(blank.key, Keyway) else -blank.key.depth
-        return cls(hole, inner, blank.hub.diameter / 2)
+        metric = re.match(r"M ?(\d+(?:\.\d+)?)", thread or "")
+        size = float(metric[1]) if metric else 0.0
+        if not metric or size <= hole.diameter:
+            return cls(hole, inner, blank.hub.diameter / 2)
+        return cls(hole, inner, blank.hub.diameter / 2, size, metric.string[metric.end() :])
 
     def face(self) -> Iterator[Stroke]:
-        """Edges of the hole in the view along the axis, hidden in the hub's wall, and its centre line."""
+        """Edges of the hole and of its thread in the view along the axis, hidden in the hub's wall, and its centre."""
         along, half = np.array([cos(self.hole.angle), sin(self.hole.angle)]), self.hole.diameter / 2
         across = np.array([-along[1], along[0]])
-        for side in (-half, half):
-            inner, outer = (np.sqrt(max(radius**2 - half**2, 0.0)) for radius in (self.inner, self.outer))
-            yield Stroke(np.array([inner * along + side * across, outer * along + side * across]), LineKind.HIDDEN)
+        for width in (self.hole.diameter, *([self.thread] if self.thread else [])):
+            for side in (-width / 2, width / 2):
+                inner, outer = (np.sqrt(max(radius**2 - side**2, 0.0)) for radius in (self.inner, self.outer))
+                yield Stroke(np.array([inner * along + side * across, outer * along + side * across]), LineKind.HIDDEN)
         yield Stroke(np.array([self.inner * along, (self.outer + half) * along]), LineKind.CENTRE)
 
     def cut(self, areas: Sequence[shapely.Polygon], angle: float) -> list[shapely.Polygon]:
@@ -148,6 +176,10 @@ class ScrewHole:
         if self._in_plane(angle):
             for radius in (self.inner, self.outer):
                 yield Stroke(self._edge(radius, 0.0) * [1.0, np.sign(up)])
+            for side in (-1.0, 1.0) if self.thread else ():  # thin lines beside those of the core (ISO 6410-1)
+                z, off = height + side * self.thread / 2, self.thread / 2
+                deep, top = (np.sqrt(max(radius**2 - off**2, 0.0)) for radius in (self.inner, self.outer))
+                yield Stroke(np.array([[z, np.sign(up) * deep], [z, np.sign(up) * top]]), LineKind.THIN)
             ends = up * np.array([self.inner - half, self.outer + half])
             yield Stroke(np.array([[height, ends[0]], [height, ends[1]]]), LineKind.CENTRE)
             return
@@ -159,16 +191,70 @@ class ScrewHole:
         yield Stroke(np.array([[height, middle - 1.5 * half], [height, middle + 1.5 * half]]), LineKind.CENTRE)
         yield Stroke(np.array([[height - 1.5 * half, middle], [height + 1.5 * half, middle]]), LineKind.CENTRE)
 
-    def height(self, face: float, at: tuple[float, float]) -> LinearDimension:
+    def height(self, face: float, at: tuple[float, float], scale: float) -> LinearDimension:
         """Dimension of its height above the face at z = `face` (mm), the dimension line through `at`.
 
         Args:
             face: height of the face, mm.
             at: point of the dimension line, mm.
+            scale: mm on paper for a mm of the part.
         """
+        up = self.hole.height - face
+        long = TEXT * WIDEST * len(rounded(abs(up)))
+        narrow = scale * abs(up) < max(SHORT, long + 1.0)  # its number stands under the disc, where nothing else does
         return LinearDimension(
-            name="set screw height", start=(face, -self.outer), end=(self.hole.height, -self.outer), at=at
+            name="set screw height",
+            start=(face, -self.outer),
+            end=(self.hole.height, -self.outer),
+            at=at,
+            beside=-np.sign(up) * (scale * abs(up) / 2 + long / 2 + 0.8) if narrow else 0.0,
         )
+
+    def tapped(self, angle: float, at: float, scale: float) -> LinearDimension | None:
+        """Dimension of its thread in the section at `angle`; None without a thread, or where the hole is not upwards.
+
+        Args:
+            angle: polar angle of the plane, rad.
+            at: distance of the dimension line from the axis, mm.
+            scale: mm on paper for a mm of the part.
+        """
+        if not self.thread or not self._in_plane(angle) or cos(self.hole.angle - angle) < 0.0:
+            return None
+        ends = self.hole.height + self.thread / 2 * np.array([-1.0, 1.0])
+        held = along_axis("set screw", (float(ends[0]), float(ends[1])), self.outer, at)
+        return replace(held, prefix="M", suffix=self.pitch, beside=self._beside(scale))
+
+    def tapped_on_face(self, gap: float, scale: float) -> LinearDimension | None:
+        """Dimension of its thread in the view along the axis; None without a thread.
+
+        Args:
+            gap: distance of the dimension line from the hub, mm.
+            scale: mm on paper for a mm of the part.
+        """
+        if not self.thread:
+            return None
+        along = np.array([cos(self.hole.angle), sin(self.hole.angle)])
+        across = self.thread / 2 * np.array([-along[1], along[0]])
+        (x, y), (left, low), (right, high) = (
+            ((self.outer + gap) * along).tolist(),
+            (self.outer * along - across).tolist(),
+            (self.outer * along + across).tolist(),
+        )
+        return LinearDimension(
+            name="set screw",
+            start=(left, low),
+            end=(right, high),
+            at=(x, y),
+            angle=float(np.degrees(self.hole.angle)) + 90.0,
+            prefix="M",
+            suffix=self.pitch,
+            beside=self._beside(scale),
+        )
+
+    def _beside(self, scale: float) -> float:
+        """Way from the middle of the thread to its name beside the arrows, mm on paper."""
+        wide, long = scale * self.thread, TEXT * WIDEST * len(f"M{rounded(self.thread)}{self.pitch}")
+        return wide / 2 + (TAIL if wide < SHORT else 0.0) + long / 2 + 1.0
 
     def _in_plane(self, angle: float) -> bool:
         return abs(sin(self.hole.angle - angle)) < _BESIDE

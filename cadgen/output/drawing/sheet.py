@@ -22,6 +22,7 @@ ROW = 4.2  # height of a row of a table or of a note
 TEXT = 2.5  # height of letters
 HEIGHTS = (5.0, 3.5, 2.5, 1.8)  # of letters and figures (ISO 3098)
 FRAME_HEIGHT = 2 * TEXT  # of a tolerance frame and of the box of a datum (ISO 1101, ISO 5459)
+SIGN, SIGN_HEIGHT = 4.0, 5.0  # room of the sign of a texture: its width up to its value, and its height
 LEVEL = 3.0  # of the level piece of a leader before its frame
 SHORT = 5.6  # least length of a dimension line that has room for both its arrows, mm on paper
 TAIL = 5.0  # of an arrow that stands outside the width that it dimensions, with its line, mm on paper
@@ -230,15 +231,24 @@ class DatumFeature:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SurfaceTexture:
-    """Texture of a surface (ISO 21920-1): the sign on its outline, and a value.
+    """Texture of a surface (ISO 21920-1): the sign on its outline, or on a leader to it, and a value.
 
     Attributes:
         value: parameter with its limit, and the lay, such as `Ra 0.4 =` along the view.
-        at: point of the outline, mm on the part.
+        tip: point of the outline, mm on the part, at which the leader ends or the sign stands.
+        bend: where the leader bends to run on level under the sign, mm on the part; None without a leader.
+        all_around: whether it counts all around the outline, which a circle on the leader says.
     """
 
     value: str
-    at: tuple[float, float]
+    tip: tuple[float, float]
+    bend: tuple[float, float] | None = None
+    all_around: bool = False
+
+    @property
+    def width(self) -> float:
+        """Width of sign and value, mm on paper."""
+        return SIGN + TEXT * width_of(self.value)
 
 
 Symbol = ToleranceFrame | DatumFeature | SurfaceTexture

@@ -43,6 +43,7 @@ from cadgen.output.drawing.sheet import (
     LEFT,
     LEVEL,
     ROW,
+    SIGN,
     SIZES,
     TEXT,
     TITLE_SIZE,
@@ -57,6 +58,7 @@ from cadgen.output.drawing.sheet import (
     LineKind,
     SheetTable,
     Stroke,
+    SurfaceTexture,
     ToleranceFrame,
     View,
     height_within,
@@ -261,12 +263,32 @@ class _Place:
             elif isinstance(symbol, ToleranceFrame):
                 self._tolerance(symbol)
             else:
-                x, y = self._on_paper(symbol.at)
-                _surface_symbol(self.space, x, y)
-                _text(self.space, symbol.value, (x + 4.0, y + 1.6), TEXT)
+                self._texture(symbol)
         for label in self.view.labels:
             text, at = self.say(label.text), self._on_paper(label.at)
             _text(self.space, text, at, label.height, TextEntityAlignment.MIDDLE_CENTER)
+
+    def _texture(self, texture: SurfaceTexture) -> None:
+        x, y = self._on_paper(texture.tip)
+        if texture.bend is not None:
+            bend = Vec2(self._on_paper(texture.bend))
+            side = 1.0 if texture.bend[0] >= texture.tip[0] else -1.0
+            end = bend + Vec2(side * (LEVEL + texture.width), 0.0)
+            self._leader(Vec2(x, y), bend, end, circled=texture.all_around)
+            x, y = min(end.x, bend.x + side * LEVEL), bend.y
+        _surface_symbol(self.space, x, y)
+        _text(self.space, texture.value, (x + SIGN, y + 1.6), TEXT)
+
+    def _leader(self, tip: Vec2, bend: Vec2, end: Vec2, *, circled: bool) -> None:
+        """Leader with its arrow at a point, and the circle that says all around."""
+        layer = {"layer": LineKind.DIMENSION.value}
+        way = (tip - bend).normalize()
+        across = way.orthogonal() * (2.5 / 6)
+        self.space.add_lwpolyline([tip, bend, end], dxfattribs=layer)
+        back = tip - way * 2.5
+        self.space.add_solid([back + across, back - across, tip, tip], dxfattribs=layer)
+        if circled:
+            self.space.add_circle(bend, 1.25, dxfattribs=layer)
 
     def _datum(self, datum: DatumFeature) -> None:
         foot, way = Vec2(self._on_paper(datum.foot)), Vec2.from_deg_angle(datum.angle)
@@ -284,13 +306,7 @@ class _Place:
         layer = {"layer": LineKind.DIMENSION.value}
         tip, bend = Vec2(self._on_paper(tolerance.tip)), Vec2(self._on_paper(tolerance.bend))
         end = bend + Vec2(tolerance.side * LEVEL, 0.0)
-        way = (tip - bend).normalize()
-        across = way.orthogonal() * (2.5 / 6)
-        self.space.add_lwpolyline([tip, bend, end], dxfattribs=layer)
-        back = tip - way * 2.5
-        self.space.add_solid([back + across, back - across, tip, tip], dxfattribs=layer)
-        if tolerance.all_around:
-            self.space.add_circle(bend, 1.25, dxfattribs=layer)
+        self._leader(tip, bend, end, circled=tolerance.all_around)
         left = end.x - (0.0 if tolerance.side > 0 else sum(tolerance.cells))
         low, edges = end.y - FRAME_HEIGHT / 2, np.cumsum([left, *tolerance.cells]).tolist()
         corners = [(edges[0], low), (edges[-1], low), (edges[-1], low + FRAME_HEIGHT), (edges[0], low + FRAME_HEIGHT)]
@@ -462,6 +478,7 @@ def _frame(space: Modelspace, drawing: DrawingSheet, say: Callable[[str], str]) 
         (2.5, 0, 0.5, Message("sheet"), "1/1"),
     ]
     column, row = across / 3, up / 6
+    deviates = any(isinstance(symbol, SurfaceTexture) for view in drawing.views for symbol in view.symbols)
     thin = {"layer": LineKind.THIN.value}
     for at, level, span, name, text in cells:
         left, low = x + at * column, y + level * row
@@ -472,12 +489,20 @@ def _frame(space: Modelspace, drawing: DrawingSheet, say: Callable[[str], str]) 
         )
         _text(space, say(name), (left + 1.0, low + row - 2.4), HEIGHTS[-1])
         text, start = say(text), left + 1.0
-        if _ROUGHNESS.match(text):
+        rough = bool(_ROUGHNESS.match(text))
+        if rough:
             _surface_symbol(space, start, low + 1.0)
-            start += 4.0
+            start += SIGN
         most = 3.5 if level > 3 and span > 1 else TEXT
-        room = left + span * column - 1.0 - start
-        _text(space, text, (start, low + 1.4), height_within([_length(text)], [room], most))
+        aside = SIGN + 3.5 if rough and deviates else 0.0
+        room = left + span * column - 1.0 - start - aside
+        letters = height_within([_length(text)], [room], most)
+        _text(space, text, (start, low + 1.4), letters)
+        if aside:  # a sign in brackets: some surfaces on the sheet have signs of their own (ISO 21920-1)
+            after = start + letters * _length(text) + 1.0
+            _text(space, "(", (after, low + 1.4), TEXT)
+            _surface_symbol(space, after + 1.2, low + 1.0)
+            _text(space, ")", (after + SIGN + 1.0, low + 1.4), TEXT)
     _edge_symbol(space, x + 2.5 * column + 6.0, y + 3 * row + 1.2, title.edge)
     _first_angle(space, x + across - 9.0, y + 4.5 * row)
     if title.verdict:

@@ -4,6 +4,7 @@
 |-----------------|-------------------------------------------------------------------|
 | `page_plan`     | cam and gears, each computed once, and what stands on their page  |
 | `car_page`      | a car's page: runs, random cars and calibration besides           |
+| `train_page`    | the page of a train alone: what stands on it                      |
 | `document`      | content of a page: sheets, curves, meshes, motion                 |
 | `charts`        | curves over the cam angle                                         |
 | `scene`         | everything that moves: runs, course, parts and shafts in 3D       |

@@ -48,7 +48,7 @@ def _scene(scene: Scene, block: ArrayBlock) -> Facts:
         unit=scene.unit,
         lift=Facts(lift=block.add(scene.lift.lift), tan=block.add(scene.lift.q)),
         travel=travel and _travel(travel, block),
-        section=None if rod else scene.section,
+        section=None if rod or scene.wheels else scene.section,
         slide=scene.guide if isinstance(scene.guide, Slide) else None,
         arm=scene.guide if isinstance(scene.guide, Arm) else None,
         stop=scene.stop,
@@ -83,6 +83,8 @@ def _scene(scene: Scene, block: ArrayBlock) -> Facts:
             for part in scene.parts
         ],
         wheel=scene.wheel,
+        wheels=[wheel.shaft for wheel in scene.wheels],
+        drive=scene.drive,
         second=scene.second
         and Facts(
             section=scene.second.section,

@@ -407,6 +407,23 @@ class CarShape:
 
 
 @dataclass(frozen=True)
+class WheelShape:
+    """Part of a train alone, seen along its axis.
+
+    Attributes:
+        shaft: index of the shaft that it turns with.
+        outlines: its outermost outline, and what is open through the whole part, shape (n, 2) each, mm.
+        edges: further outlines that are seen, likewise.
+        label: name.
+    """
+
+    shaft: int
+    outlines: tuple[Array, ...]
+    edges: tuple[Array, ...]
+    label: str
+
+
+@dataclass(frozen=True)
 class Scene:
     """Everything that moves with the slider.
 
@@ -432,6 +449,8 @@ class Scene:
         wheel: index of the shaft, place along it and radius of the drive wheel, mm; None if it is not known.
         second: second disc of a conjugate pair; None for one disc.
         rim: deviations on the rim; None where there are none.
+        wheels: parts of a train without a cam, the last on top; then nothing of a cam is there.
+        drive: index of the shaft that drives that train.
     """
 
     outline: Array
@@ -455,6 +474,8 @@ class Scene:
     wheel: tuple[int, float, float] | None = None
     second: CompanionDisc | None = None
     rim: Rim | None = None
+    wheels: tuple[WheelShape, ...] = ()
+    drive: int = 0
 
 
 @dataclass(frozen=True)

@@ -23,7 +23,7 @@ from cadgen.messages import CHINESE, Message, catalogue, language, shown
 from cadgen.version import __version__
 from cadgen.viewer.page.data import data_of
 from cadgen.viewer.page.document import Chart, FloorShape, Page
-from cadgen.viewer.page.plan_views import cam_view, coordinate, course_view
+from cadgen.viewer.page.plan_views import cam_view, coordinate, course_view, train_view
 
 _FOLDER = files("cadgen.viewer.page")
 _THINNED = 4  # of the points of a curve, one in so many is drawn without scripts
@@ -42,14 +42,16 @@ def html_of(page: Page) -> str:
         f'<script type="application/json" id="data">{document}</script>'
         f'<script type="text/plain" id="block">{block}</script>'
     )
-    return shell(page.name, pieces_of(page), data, car=page.scene.car is not None)
+    return shell(page.name, pieces_of(page), data, car=page.scene.car is not None, train=bool(page.scene.wheels))
 
 
 def pieces_of(page: Page) -> dict[str, Markup]:
     """Everything on the page that depends on its content, by the id of the element that it fills."""
     return {
         **{code: _piece(code, page) for code in ("verdict", "links", "top", "notes", "charts", "tables", "origin")},
-        "cam-box": _piece("cam", cam_view(page.scene)),
+        "cam-box": _piece("train", train_view(page.scene))
+        if page.scene.wheels
+        else _piece("cam", cam_view(page.scene)),
         "cam-legend": _piece("cam_legend", page.scene),
         "course-box": _piece("course", course_view(page.scene.floor, page.scene.goings, page.scene.car)),
         "legend": _piece("legend", page.scene.goings),
@@ -71,7 +73,15 @@ def table_html(sheet: Sheet) -> Markup:
     return _piece("table", sheet)
 
 
-def shell(name: str, pieces: Mapping[str, str], data: str = "", *, edited: bool = False, car: bool = True) -> str:
+def shell(
+    name: str,
+    pieces: Mapping[str, str],
+    data: str = "",
+    *,
+    edited: bool = False,
+    car: bool = True,
+    train: bool = False,
+) -> str:
     """The page around its content.
 
     Args:
@@ -80,6 +90,7 @@ def shell(name: str, pieces: Mapping[str, str], data: str = "", *, edited: bool 
         data: HTML with the data of the script.
         edited: whether the design can be edited: the page then has a second script, which asks its own server.
         car: whether there is a car that the cam steers.
+        train: whether there are gears without a cam.
     """
     codes = (
         "verdict",
@@ -103,6 +114,7 @@ def shell(name: str, pieces: Mapping[str, str], data: str = "", *, edited: bool 
             data=data,
             edited=edited,
             car=car,
+            train=train,
             policy=policy(edited=edited),
             styles=[Markup(_static(f"{file}.css")) for file in _FILES[edited]],
             scripts=[Markup(_static(f"{file}.js")) for file in _FILES[edited]],

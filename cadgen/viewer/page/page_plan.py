@@ -14,14 +14,16 @@ from cadgen.design.schema import MotionDesign, TrainDesign
 from cadgen.errors import DesignError, FileError
 from cadgen.figures import Cell, Facts, State, number
 from cadgen.gears.choices import Order
+from cadgen.jobs.cam.cam_facts import cam_facts
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.cures import Cures, find_cures
 from cadgen.jobs.cam.motion_cam import plan_motion_cam
 from cadgen.jobs.gears.gear_train import GearTrain, plan_gears
 from cadgen.laws.unit import MM, TAN
 from cadgen.messages import Message
+from cadgen.output.files.manifest import Origin
 from cadgen.progress import Progress, silent
-from cadgen.verdict import Readiness
+from cadgen.verdict import Readiness, Reservation
 from cadgen.viewer.page.charts import STATIONS, charts_of, marks_of
 from cadgen.viewer.page.document import Chart, LiftMark, Scene, Section
 from cadgen.viewer.page.rim import compared_rim
@@ -86,6 +88,21 @@ class PagePlan:
     scope: Scope = Scope.REPORT
 
     @property
+    def origin(self) -> Origin:
+        """Design of the cam."""
+        return self.cam.origin
+
+    @property
+    def subtitle(self) -> str:
+        """Kind of profile."""
+        return self.cam.kind.code
+
+    @property
+    def reservations(self) -> tuple[Reservation, ...]:
+        """Reservations of the cam's verdict."""
+        return self.cam.verdict.reservations
+
+    @property
     def checks(self) -> tuple[Check, ...]:
         """Checks of cam and gears."""
         return (*self.cam.verdict.checks, *(self.gears.checks if self.gears else ()))
@@ -148,6 +165,17 @@ class PagePlan:
                 for check in angles
             ),
         )
+
+    def figures(self) -> Facts:
+        """Every figure of the page, as the other commands give them."""
+        facts = Facts(
+            profile=self.subtitle,
+            passed=self.passed,
+            refused=[Facts(part=refusal.part, reason=refusal.reason) for refusal in self.refusals],
+            cam=cam_facts(self.cam, self.cures),
+            gears=self.gears and self.gears.entry(),
+        )
+        return self.origin.entry() | facts | self.entry()
 
     def entry(self) -> Facts:
         """Figures of what the application brings."""

@@ -144,6 +144,44 @@ def rim_view(rim: Rim | None) -> tuple[tuple[int, str], ...]:
     return tuple((colour, "".join(drawn[colour])) for colour in sorted(drawn))
 
 
+@dataclass(frozen=True)
+class TrainView:
+    """Gears of a train alone, mirrored as the cam is; coordinates as text, mm.
+
+    Attributes:
+        box: frame of the drawing.
+        aspect: width over height.
+        wheels: shaft, place, angle, and paths of SVG of each part: its area, and further edges.
+    """
+
+    box: str
+    aspect: str
+    wheels: tuple[tuple[int, str, str, str, str], ...]
+
+
+def train_view(scene: Scene) -> TrainView:
+    """Gears along their axes, each about the place of its shaft."""
+    places = [np.array(scene.shafts[wheel.shaft].axis, float) for wheel in scene.wheels]
+    reaches = [max(float(np.hypot(*ring.T).max()) for ring in wheel.outlines) + _MARGIN for wheel in scene.wheels]
+    low = np.min([place - reach for place, reach in zip(places, reaches, strict=True)], axis=0)
+    high = np.max([place + reach for place, reach in zip(places, reaches, strict=True)], axis=0)
+    wide, tall = (high - low).tolist()
+    return TrainView(
+        box=f"{coordinate(-high[0])} {coordinate(low[1])} {coordinate(wide)} {coordinate(tall)}",
+        aspect=f"{wide / tall:.4f}",
+        wheels=tuple(
+            (
+                wheel.shaft,
+                f"{coordinate(place[0])} {coordinate(place[1])}",
+                coordinate(float(np.degrees(scene.shafts[wheel.shaft].angle))),
+                "".join(f"M{_points(ring)}Z" for ring in wheel.outlines),
+                "".join(f"M{_points(ring)}Z" for ring in wheel.edges),
+            )
+            for wheel, place in zip(scene.wheels, places, strict=True)
+        ),
+    )
+
+
 def cam_view(scene: Scene) -> CamView:
     """Cam and follower from the side."""
     n, rod, tan_beta = coordinate, scene.follower, float(scene.lift.q[0])

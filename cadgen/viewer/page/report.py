@@ -2,8 +2,6 @@
 
 from pathlib import Path
 
-from cadgen.figures import Facts
-from cadgen.jobs.cam.cam_facts import cam_facts
 from cadgen.messages import Message
 from cadgen.output.files.manifest import NAME as MANIFEST
 from cadgen.output.files.manifest import sound_parts, unchanged
@@ -13,22 +11,23 @@ from cadgen.version import __version__
 from cadgen.viewer.page.document import Failure, Page
 from cadgen.viewer.page.html import html_of
 from cadgen.viewer.page.page_plan import PagePlan, Scope
+from cadgen.viewer.page.train_page import TrainPage
 
 
-def page_of(plan: PagePlan, files: tuple[tuple[str, tuple[str, ...]], ...] = ()) -> Page:
+def page_of(plan: PagePlan | TrainPage, files: tuple[tuple[str, tuple[str, ...]], ...] = ()) -> Page:
     """The page of a plan.
 
     Args:
         plan: what the page shows.
         files: files of the design in the page's folder, by the names of what they are of.
     """
-    origin, (scene, notes) = plan.cam.origin, plan.drawn()
+    origin, (scene, notes) = plan.origin, plan.drawn()
     return Page(
         name=origin.name,
-        subtitle=plan.cam.kind.code,
+        subtitle=plan.subtitle,
         readiness=plan.readiness,
         failures=_failures(plan),
-        reservations=tuple(Failure(each.text, each.cure) for each in plan.cam.verdict.reservations),
+        reservations=tuple(Failure(each.text, each.cure) for each in plan.reservations),
         summary=plan.summary(),
         scene=scene,
         charts=plan.charts(),
@@ -44,7 +43,7 @@ def page_of(plan: PagePlan, files: tuple[tuple[str, tuple[str, ...]], ...] = ())
     )
 
 
-def _failures(plan: PagePlan) -> tuple[Failure, ...]:
+def _failures(plan: PagePlan | TrainPage) -> tuple[Failure, ...]:
     """Failures, each with advice, and the changes that are proved to bring lost lift within its limit."""
     refused = [Failure(refusal.reason) for refusal in plan.refusals if refusal.fails]
     failing = [check for check in plan.checks if not check.passed]
@@ -58,30 +57,18 @@ def _failures(plan: PagePlan) -> tuple[Failure, ...]:
     return (*refused, *(Failure(check.name, check.advice) for check in failing), *cures)
 
 
-def page_facts(plan: PagePlan) -> Facts:
-    """Every figure of the page, as the other commands give them."""
-    facts = Facts(
-        profile=plan.cam.kind.code,
-        passed=plan.passed,
-        refused=[Facts(part=refusal.part, reason=refusal.reason) for refusal in plan.refusals],
-        cam=cam_facts(plan.cam, plan.cures),
-        gears=plan.gears and plan.gears.entry(),
-    )
-    return plan.cam.origin.entry() | facts | plan.entry()
-
-
-def _beside(plan: PagePlan, out: Path, stem: str) -> tuple[tuple[str, tuple[str, ...]], ...]:
+def _beside(plan: PagePlan | TrainPage, out: Path, stem: str) -> tuple[tuple[str, tuple[str, ...]], ...]:
     """Files in a folder that were made of the same design, by their parts; those that are still there."""
     entries = {part: entry for part, entry in sound_parts(out / MANIFEST).items() if part != stem}
     there = {
         part: tuple(name for name, digest in entry.hashes.items() if unchanged(out / name, digest))
         for part, entry in sorted(entries.items())
-        if entry.design_sha256 == plan.cam.origin.content_hash
+        if entry.design_sha256 == plan.origin.content_hash
     }
     return tuple((part, names) for part, names in there.items() if names)
 
 
-def write_page(plan: PagePlan, out: Path, progress: Progress = silent) -> Written:
+def write_page(plan: PagePlan | TrainPage, out: Path, progress: Progress = silent) -> Written:
     """Write the page and publish it with its figures; also if a check fails, for then it says so first.
 
     Args:
@@ -92,7 +79,7 @@ def write_page(plan: PagePlan, out: Path, progress: Progress = silent) -> Writte
     Raises:
         FileError: the file cannot be written.
     """
-    stem = f"{plan.cam.origin.name}_report"
+    stem = f"{plan.origin.name}_report"
     progress("writing the page")
     html = html_of(page_of(plan, _beside(plan, out, stem)))
-    return publish(stem, out, lambda folder: [text_file(folder / f"{stem}.html", html)], page_facts(plan))
+    return publish(stem, out, lambda folder: [text_file(folder / f"{stem}.html", html)], plan.figures())

@@ -1,6 +1,6 @@
 """Everything that moves on the page: runs over the cam angle, course, car, shafts, and parts in 3D."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from math import hypot
@@ -28,6 +28,7 @@ from cadgen.curves.contour import circle
 from cadgen.design.course import layout_of
 from cadgen.design.schema import Design
 from cadgen.errors import CadgenError
+from cadgen.gears.layout import TrainPart
 from cadgen.geometry.meshes.car_meshes import shape_mesh, stood
 from cadgen.geometry.meshes.mesh import Mesh, cam_mesh, grooved_mesh
 from cadgen.jobs.cam.cam_plan import CamPlan
@@ -38,6 +39,7 @@ from cadgen.jobs.gears.gear_train import GearTrain
 from cadgen.laws.unit import MM
 from cadgen.messages import Message, joined
 from cadgen.parts.face import Face
+from cadgen.parts.loop import Loop
 from cadgen.viewer.page.charts import name_before
 from cadgen.viewer.page.document import (
     FORK,
@@ -56,6 +58,7 @@ from cadgen.viewer.page.document import (
     SceneShaft,
     Slide,
     Travel,
+    WheelShape,
 )
 
 POSITIONS = 1440  # of the motor: one each quarter of a degree, and to either side of each jump
@@ -196,6 +199,57 @@ def plain_scene(plan: CamPlan, gears: GearTrain | None) -> tuple[Scene, tuple[st
         second=second,
     )
     return scene, tuple(notes)
+
+
+def train_scene(gears: GearTrain) -> Scene:
+    """A train without a cam: its parts in mesh, turned by the angle of the output.
+
+    Args:
+        gears: plan of the train.
+    """
+    train, none = turning_train(gears.layout, 0.0, 0.0), np.empty((0, 2))
+    output, turning = train.parts[-1], (*reversed(train.parts), *train.beside)
+    shafts = [replace(_shaft(output, None, drawn=True), label=Message("output"), angle=0.0, rate=-1.0, lead=0.0)]
+    shafts += [_shaft(part, None, drawn=number > 0) for number, part in enumerate(reversed(train.parts))]
+    parts = _parts(None, train, [])
+    # What stands nearer to the reader is drawn later.
+    order = sorted(range(len(turning)), key=lambda number: turning[number].range[1])
+    return Scene(
+        outline=none,
+        openings=(),
+        follower=None,
+        noun="",
+        unit=MM.symbol,
+        section=none,
+        travel=None,
+        guide=None,
+        hint=Message("seen along the shafts; the slider turns the output"),
+        clearance=0.0,
+        base=0.0,
+        lift=SceneLift(lift=np.empty(0), q=np.empty(0)),
+        stop=TURN,
+        goings=(),
+        floor=(),
+        car=None,
+        shafts=(*shafts, *_planets(train)),
+        parts=tuple(parts),
+        wheels=tuple(WheelShape(number + 1, *_rings(turning[number].part), parts[number].label) for number in order),
+        drive=len(train.parts),
+    )
+
+
+def _rings(part: TrainPart) -> tuple[tuple[Array, ...], tuple[Array, ...]]:
+    """Outlines of a part of a train along its axis, mm: the outermost with what is open throughout, and the others."""
+    slabs = part.body.slabs
+    every = list(dict.fromkeys(loop for slab in slabs for loop in (*slab.rings, *slab.holes)))
+    outermost = max(every, key=lambda loop: loop.radii[1])
+    filled = [outermost, *(loop for loop in every if all(loop in (*slab.rings[1::2], *slab.holes) for slab in slabs))]
+
+    def seen(loops: Iterable[Loop]) -> tuple[Array, ...]:
+        corners = (loop.polygon(_COARSE / 4) for loop in loops)
+        return tuple(np.stack([each.real, (-1 if part.flipped else 1) * each.imag], axis=1) for each in corners)
+
+    return seen(filled), seen(loop for loop in every if loop not in filled)
 
 
 def _companion(plan: CamPlan, q: Array) -> CompanionDisc:
@@ -546,17 +600,18 @@ def _behind(plan: CamPlan) -> float:
     return max(CarUse.of(plan).car.wheelbase - plan.follower_as_built.base_radius, 0.0)
 
 
-def _parts(plan: CamPlan, train: TurningTrain | None, notes: list[str]) -> list[ScenePart]:
+def _parts(plan: CamPlan | None, train: TurningTrain | None, notes: list[str]) -> list[ScenePart]:
     """Meshes of all parts, by the finest chord with which they are few enough triangles, and by a coarse one."""
     turning = () if train is None else (*reversed(train.parts), *train.beside)
     meshes: list[Mesh | None] = []
     for chord in _CHORDS:
-        meshes = [_disc(plan, chord, notes), *(stood(part.stand, chord) for part in turning)]
+        disc = None if plan is None else _disc(plan, chord, notes)
+        meshes = [disc, *(stood(part.stand, chord) for part in turning)]
         if sum(len(mesh.triangles) for mesh in meshes if mesh is not None) <= MOST_TRIANGLES:
             break
-    disc, coarse = meshes[0], _disc(plan, _COARSE, notes)
+    coarse = None if plan is None else _disc(plan, _COARSE, notes)
     parts = [] if disc is None or coarse is None else [ScenePart("cam", Message("cam"), disc, coarse, 0, Colour.CAM)]
-    if plan.second is not None:
+    if plan is not None and plan.second is not None:
         up = np.array([0.0, 0.0, _height(plan.second)])
         made = [_disc(plan.second, finest, notes) for finest in (chord, _COARSE)]
         raised = [Mesh(mesh.vertices + up, mesh.triangles) for mesh in made if mesh is not None]

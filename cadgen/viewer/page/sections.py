@@ -56,6 +56,34 @@ def checks_section(cam: CamPlan, train: GearTrain | None, title: str = Message("
     )
 
 
+def train_sections(train: GearTrain) -> tuple[Section, ...]:
+    """Checks, play, inspection sheet and parts of a train without a cam."""
+    lead = Message("Each figure with its limit. A figure without a limit is shown and not judged.")
+    size = Message("Sizes to measure the parts by; write what you measure into the empty cells.")
+    sizes, rows = _gear_sizes(train.layout), tuple(_gear_rows(train.layout))
+    parts = Sheet("parts", Message("Parts"), _part_heads(), rows, words=2)
+    return (
+        Section("checks", Message("Checks"), (lead,), (_checks("gear-checks", Message("Gears"), train.checks),)),
+        Section("play", Message("Play"), (), (train.return_errors,)),
+        *([] if sizes is None else [Section("inspection", Message("Inspection sheet"), (size,), (sizes,))]),
+        Section("parts", Message("Parts list"), (), (parts, _stages(train.layout)), train.notes),
+    )
+
+
+def _part_heads(*, gears: bool = True, mass: bool = False) -> tuple[Message, ...]:
+    """Heads of a parts list, with columns of gears and of the mass where it has them."""
+    return (
+        Message("part"),
+        Message("material"),
+        Message("quantity"),
+        *((Message("teeth"), Message("module")) if gears else ()),
+        Message("bore"),
+        Message("width"),
+        Message("volume"),
+        *((Message("mass"),) if mass else ()),
+    )
+
+
 def _checks(code: str, caption: str, checks: Iterable[Check]) -> Sheet:
     rows = [_check(check) for check in sorted(checks, key=lambda check: check.passed)]
     heads = (Message("check"), Message("verdict"), Message("value"), Message("limit"), Message("where"))
@@ -423,16 +451,7 @@ def _parts(cam: CamPlan, train: GearTrain | None) -> Section:
     ]
     if train is not None:
         rows += [(*row, *(() if mass is None else (number(None),))) for row in _gear_rows(train.layout)]
-    heads = (
-        Message("part"),
-        Message("material"),
-        Message("quantity"),
-        *((Message("teeth"), Message("module")) if gears else ()),
-        Message("bore"),
-        Message("width"),
-        Message("volume"),
-        *(() if mass is None else (Message("mass"),)),
-    )
+    heads = _part_heads(gears=gears, mass=mass is not None)
     tables = [Sheet("parts", Message("Parts"), heads, tuple(rows), words=2)]
     if train is not None:
         tables.append(_stages(train.layout))

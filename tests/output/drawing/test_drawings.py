@@ -297,10 +297,11 @@ def test_a_sheet_is_said_in_the_language_that_is_shown(cam, tmp_path, monkeypatc
 def toleranced():
     """Sheets of a keyed car's cam, of a groove and of a roller's cam with a D-shaft, each with a tolerance."""
     flat = {"blank.keyway": None, "blank.d_flat": {"across_mm": 14.5, "angle_deg": 40.0}}
+    textures = {"drawing": {"rim_finish": "Ra 0.8", "bore_finish": "Ra 1.6"}}
     designs = (
         Design.load("carbon_free_car").with_({"tolerances.profile_offset_mm": 0.01}),
-        Design.load("groove").with_({"lift_tolerances.base_circle_um": 20.0}),
-        Design.load("roller").with_({"lift_tolerances.base_circle_um": 12.5, **flat}),
+        Design.load("groove").with_({"lift_tolerances.base_circle_um": 20.0, **textures}),
+        Design.load("roller").with_({"lift_tolerances.base_circle_um": 12.5, **flat, **textures}),
     )
     return [sheet_of(design.cam("actual").computed, Folder({}, "2026-01-01")) for design in designs]
 
@@ -336,21 +337,21 @@ def test_the_tolerance_of_an_outline_stands_in_a_frame_that_refers_to_marked_dat
     """The arrow stands on the outline, at right angles to it; each datum on its bore, or in line with its width."""
     import shapely
 
-    from cadgen.output.drawing.sheet import DatumFeature, ToleranceFrame
+    from cadgen.output.drawing.sheet import DatumFeature, SurfaceTexture, ToleranceFrame
 
-    zones = []
+    zones, textures = [], []
     for drawn in toleranced:
         face = drawn.views[0]
         frames = [symbol for symbol in face.symbols if isinstance(symbol, ToleranceFrame)]
         datums = {symbol.letter: symbol for symbol in face.symbols if isinstance(symbol, DatumFeature)}
         dimensions = {dimension.name: dimension for dimension in face.dimensions}
         zones += [frame.zone for frame in frames]
+        signs = [symbol for symbol in face.symbols if isinstance(symbol, SurfaceTexture)]
+        textures.append([(sign.value, sign.all_around) for sign in signs])
         outlines = [
             shapely.LinearRing(curve.contour.polygon(1e-3)) for curve in face.curves if hasattr(curve, "contour")
         ]
-        for frame in frames:
-            assert frame.all_around
-            assert frame.datums == ("A", "B")
+        for frame in (*frames, *signs):
             touched = min(outlines, key=lambda line: line.distance(shapely.Point(frame.tip)))
             assert touched.distance(shapely.Point(frame.tip)) < 2e-2
             way = np.subtract(frame.bend, frame.tip)
@@ -363,7 +364,10 @@ def test_the_tolerance_of_an_outline_stands_in_a_frame_that_refers_to_marked_dat
         along = np.array([np.cos(np.radians(width.angle)), np.sin(np.radians(width.angle))])
         assert aside @ [-along[1], along[0]] == pytest.approx(0.0, abs=1e-9)
         assert np.cos(np.radians(datums["B"].angle - width.angle)) ** 2 == pytest.approx(1.0)
+        assert {(frame.all_around, frame.datums) for frame in frames} == {(True, ("A", "B"))}
     assert zones == pytest.approx([0.02, 0.04, 0.04, 0.025])
+    rim, bore = ("Ra 0.8", True), ("Ra 1.6", False)
+    assert textures == [[], [rim, rim, bore], [rim, bore]]
 
 
 def test_a_frame_refers_to_no_datum_that_is_not_marked():
@@ -576,9 +580,12 @@ def test_what_holds_a_wheel_on_its_shaft_is_on_its_sheet(design, tmp_path):
         assert "Keyway 3 JS9: ±0.0125; key h9: 0/-0.025 mm." in notes
         assert {"%%c8 H7", "<> JS9"} <= dimensions
         assert "not stated" not in notes.replace("finish not stated", "").replace("material not stated", "")
-    assert "to be tapped M3, 4.5 mm from the disc's face" in said("carbon_free_car_actual")[0]
-    notes, _ = said("carbon_free_car_as-given_1_pinion")
-    assert "to be tapped M3 x 0.5" in notes
+    notes, dimensions = said("carbon_free_car_actual")
+    assert "Set screw at θ = 0°." in notes.replace("theta", "θ").replace("%%d", "°")
+    assert "M<>" in dimensions
+    notes, dimensions = said("carbon_free_car_as-given_1_pinion")
+    assert "tapped" not in notes
+    assert "M<> x 0.5" in dimensions
     assert "brass" in notes
     assert "POM" in said("carbon_free_car_as-given_2_cluster")[0]
     notes, _ = said("carbon_free_car_as-given_plate")
@@ -653,6 +660,27 @@ def test_the_hole_of_a_set_screw_is_in_both_views(turn, lines):
     hidden = [stroke for stroke in screw.face() if stroke.line == "HIDDEN"]
     assert len(hidden) == 2
     assert np.linalg.norm(hidden[0].points, axis=1) == pytest.approx([4.0, 12.0])
+
+
+@pytest.mark.parametrize(("name", "size", "pitch"), [("M3", 3.0, ""), ("M4x0.5", 4.0, "x0.5"), ("1/4-20 UNC", 0.0, "")])
+def test_the_thread_in_a_hub_has_thin_lines_and_its_name(name, size, pitch):
+    """ISO 6410-1: a thin line at the major diameter on either side of the core, and the name as a dimension."""
+    from cadgen.output.drawing.section import ScrewHole
+    from cadgen.parts.blank import Blank
+    from cadgen.parts.body import RadialHole
+    from cadgen.parts.features import Hub
+
+    blank = Blank(bore_diameter=8.0, hub=Hub(diameter=24.0, length=10.0))
+    screw = ScrewHole.of(blank, RadialHole(2.5, 5.0, 13.0, 0.7), name)
+    thin = [stroke.points[0, 0] for stroke in screw.section(0.7) if stroke.line == "THIN"]
+    assert thin == ([5.0 - size / 2, 5.0 + size / 2] if size else [])
+    on_section, on_face = screw.tapped(0.7, 20.0, 1.0), screw.tapped_on_face(3.0, 1.0)
+    assert (on_section is None, on_face is None) == (not size, not size)
+    assert screw.tapped(2.0, 20.0, 1.0) is None  # out of the plane: on the face
+    for made in filter(None, (on_section, on_face)):
+        assert (made.prefix, made.suffix) == ("M", pitch)
+        assert np.hypot(*np.subtract(made.end, made.start)) == pytest.approx(size)
+    assert len([stroke for stroke in screw.face() if stroke.line == "HIDDEN"]) == (4 if size else 2)
 
 
 @pytest.mark.slow

@@ -26,7 +26,7 @@ from cadgen.viewer.page.document import FloorKind, FloorShape, Travel
 from cadgen.viewer.page.html import html_of, table_html
 from cadgen.viewer.page.mesh_block import shaded
 from cadgen.viewer.page.plan_views import course_view, rim_view
-from cadgen.viewer.page.report import page_facts, page_of
+from cadgen.viewer.page.report import page_of
 from cadgen.viewer.page.scene import pivot_of, section_of, travel_of
 from cadgen.viewer.page.sections import parts_sections, tolerance_section
 from tests.cam.test_roller import SquareFace
@@ -76,7 +76,7 @@ def test_text_of_a_design_is_no_markup():
 
 @pytest.mark.slow
 def test_numbers_on_the_page_are_those_of_the_manifest(plan, html):
-    tables, facts = Tables(html), page_facts(plan).json()
+    tables, facts = Tables(html), plan.figures().json()
     checked = 0
     for name, given in (("cam-checks", facts["cam"]["checks"]), ("gear-checks", facts["gears"]["checks"])):
         wanted = [
