@@ -15,7 +15,7 @@ from cadgen.curves.closed import Outline
 from cadgen.design import cam_model, variation
 from cadgen.design.load import load_design, packaged_designs
 from cadgen.errors import DesignError
-from cadgen.jobs.calibration.cam_on_car import nominal_of
+from cadgen.jobs.calibration.cam_on_car import nominal_of, other_cams
 from cadgen.jobs.cam.built_car import as_built_sentences, outlook_checks, outlook_sentence
 from cadgen.jobs.cam.cam_files import write_cam
 from cadgen.jobs.cam.cures import find_cures
@@ -369,6 +369,18 @@ def test_a_cam_that_may_be_worse_is_refused_and_the_outlook_comes_first(built):
     other = built(zero.replace("[[as_built.effects]]", 'other_cam = "optimized"\n[[as_built.effects]]', 1))
     (check,) = outlook_checks(other)
     assert (check.code, check.passed, check.place) == (CheckCode.MEASURED_CAM, False, "actual or optimized")
+
+
+def test_the_cam_of_the_last_calibration_may_still_be_on_the_car(built):
+    """Data of a calibrated design are held against the cam that was measured then, made without its effects."""
+    zero = effect("track", "steering zero", "car", steering_zero_deg=0.3)
+    design = built(zero)
+    actual, before = other_cams(design, "optimized")
+    assert (actual[0], actual[1] is design, actual[2]) == ("actual", True, False)
+    assert (before[0], before[1].as_built, before[2]) == ("actual", None, True)
+    again = built(zero + zero.replace("as_built.effects", "as_built.cut_for"))
+    *_, (code, cut, earlier) = other_cams(again, "actual")
+    assert (code, [e.effect for e in cut.as_built.effects], earlier) == ("actual", ["steering zero"], True)
 
 
 def test_the_outlook_is_of_the_places_that_the_effects_have(built):
