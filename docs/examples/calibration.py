@@ -2,7 +2,7 @@
 
 from cadgen import Design
 
-calibration = Design.load("carbon_free_car").calibrate(["track.csv"])
+calibration = Design.load("carbon_free_car").calibrate(["track.csv"], profile="actual")
 for effect in calibration.effects:
     finding = effect.claim.finding
     print(finding.effect, {number.name: number.value for number in finding.values})
