@@ -1,4 +1,4 @@
-"""Cars that are judged against the cam that is on them, or against another: `python -m tests.studies.stated_cams`.
+"""Cars judged against the cam that is on them, or against another: `python -m tests.studies.stated_cams`.
 
 Cars, worlds and records are those of `tests.studies.circles`, which share no code with the models. Every second car has
 the cam against play on it, the others the actual one. Each is calibrated with the right profile stated and with the
