@@ -132,7 +132,7 @@ _FLAGS: tuple[tuple[tuple[str, ...], str, Callable[[str], Any], str], ...] = (
     (("--bore-diameter-mm", "--bore"), "bore", float, "Diameter of the bore, mm; 0 for none."),
     (("--bore-flats",), "flats", int, "4 for a square bore, 6 for a hexagonal one; the bore is its size across flats."),
     (("--flat-across-mm",), "across", float, "Across the flat of a D-bore, mm, from the flat to the far side."),
-    (("--grade",), "grade", int, "Tolerance grade of ISO 1328."),
+    (("--grade",), "grade", int, "Tolerance grade of ISO 1328; 7 if left out."),
     (("--tip-chamfer-mm",), "tip_chamfer", float, "Leg of the chamfer at the tips, mm."),
 )
 _RING: tuple[tuple[tuple[str, ...], str, Callable[[str], Any], str], ...] = (
@@ -435,22 +435,22 @@ def pair(
         _proposals(bare.propose_shifts(centre_distance_mm, least_land), as_json)
         return
     made = GearPair(*gears, backlash=backlash, **common)
-    play = made.plays
-    rows = {
-        "ratio": str(made.ratio),
-        "the_wheel_turns": Message("with the pinion") if made.nominal.sense > 0 else Message("against the pinion"),
-        "centre_distance_mm": made.axes_apart,
-        "working_pressure_angle_deg": degrees(made.working_pressure_angle),
-        "contact_ratio": made.contact_ratio,
-        **({"overlap_ratio": made.overlap_ratio} if made.overlap_ratio else {}),
-        "specific_sliding_pinion": made.specific_sliding[0],
-        "specific_sliding_wheel": made.specific_sliding[1],
-        "loss_factor": made.loss_factor,
-        "play_base_um": play.base * 1e3,
-        "play_normal_um": play.normal * 1e3,
-        "play_pitch_circle_um": play.pitch * 1e3,
-        "play_pinion_angle_deg": degrees(play.driver_angle),
-        "play_wheel_angle_deg": degrees(play.driven_angle),
+    play, along = made.plays, Message("with the pinion")
+    rows: Named = {
+        Message("ratio"): str(made.ratio),
+        Message("the wheel turns"): along if made.nominal.sense > 0 else Message("against the pinion"),
+        Message("centre distance, mm"): made.axes_apart,
+        Message("working pressure angle, degrees"): degrees(made.working_pressure_angle),
+        Message("contact ratio"): made.contact_ratio,
+        **({Message("overlap ratio"): made.overlap_ratio} if made.overlap_ratio else {}),
+        Message("specific sliding of the pinion"): made.specific_sliding[0],
+        Message("specific sliding of the wheel"): made.specific_sliding[1],
+        Message("loss factor"): made.loss_factor,
+        Message("play along the line of action, µm"): play.base * 1e3,
+        Message("play normal to the flanks, µm"): play.normal * 1e3,
+        Message("play on the pitch circles, µm"): play.pitch * 1e3,
+        Message("play as an angle of the pinion, degrees"): degrees(play.driver_angle),
+        Message("play as an angle of the wheel, degrees"): degrees(play.driven_angle),
     }
     _make(
         made,
@@ -552,15 +552,15 @@ def planetary(
         name=name,
     )
     error = made.return_error
-    rows = {
-        "ratio": str(made.ratio),
-        "centre_distance_mm": made.axes_apart,
-        "ring_teeth": made.ring_teeth,
-        "ring_profile_shift": made.cut.ring.form.profile_shift,
-        "neighbour_gap_mm": made.cut.neighbour_gap,
-        "play_least_deg": degrees(error.least),
-        "play_as_cut_deg": degrees(error.as_cut),
-        "play_greatest_deg": degrees(error.greatest),
+    rows: Named = {
+        Message("ratio"): str(made.ratio),
+        Message("centre distance, mm"): made.axes_apart,
+        Message("teeth of the ring"): str(made.ring_teeth),
+        Message("profile shift of the ring"): made.cut.ring.form.profile_shift,
+        Message("gap between planets, mm"): made.cut.neighbour_gap,
+        Message("least play, degrees"): degrees(error.least),
+        Message("play as cut, degrees"): degrees(error.as_cut),
+        Message("greatest play, degrees"): degrees(error.greatest),
     }
     _make(
         made,
@@ -611,7 +611,7 @@ def _make(
 
 
 def _figures(title: Message, values: Named) -> None:
-    """Print values by their keys, units at the end of the names."""
+    """Print values by their names, with their units."""
     from cadgen.cli.show import sheet
 
     rows = [

@@ -312,14 +312,14 @@ def pair_checks(pair: Pair, engage: Engage, in_set: bool = False) -> tuple[Check
         words = {"cure": thinner, "play": f"{closest_play:.1f}", "enough": str(enough)}
         if finer := _finer_grade(pair):
             thinner = Message(
-                "{cure} (the least play by the tolerances is {play} µm; backlash_um = {enough} leaves some, and so does"
-                " grade = {grade})",
+                "{cure} (the least play by the tolerances is {play} µm; a backlash of {enough} µm leaves some, and so "
+                "does grade {grade})",
                 **words,
                 grade=finer,
             )
         else:
             thinner = Message(
-                "{cure} (the least play by the tolerances is {play} µm; backlash_um = {enough} leaves some)", **words
+                "{cure} (the least play by the tolerances is {play} µm; a backlash of {enough} µm leaves some)", **words
             )
     closer = Message(
         "they pass each other freely; give centre_distance_mm = {apart:.4f}, or thin the teeth less",

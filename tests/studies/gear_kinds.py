@@ -248,7 +248,7 @@ def cured(made: Case, said: str) -> Case | None:
         return put("teeth", f"{given['teeth'].partition(',')[0]},{got[0]}")
     if got := found(r'give the driven gear hand = "(\w+)"'):
         return put("hand", got[0], stage["driven"])
-    if got := found(r"backlash_um = (\d+) leaves some"):
+    if got := found(r"a backlash of (\d+) µm leaves some"):
         if train:  # of the stage that jams, which is one of those that ask for less
             for each in given["stages"]:
                 if "backlash_um" in each:

@@ -49,6 +49,7 @@ _SOUND = 1.0  # of the noise; less wear than that is none
 _CENTRE_ROUNDS = 4
 _CENTRE_SETTLED = 2e-3  # mm; a centre that moves by less leaves the samples as they are
 _LEAST_POINTS = 90
+_LEAST_SIZE = 1.0  # mm; no cam is as small, but the points of one in m are
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -441,6 +442,11 @@ def outline_motion(points: Array, follower: Follower) -> OutlineMotion:
             "{count} points are too few to find a motion: measure at least {least} of the outline",
             count=len(points),
             least=_LEAST_POINTS,
+        )
+    size = float(np.ptp(points, axis=0).max())
+    if size < _LEAST_SIZE:
+        raise FileError(
+            "the points lie within {size:.3g} mm: give them in mm, which is 1000 times what they are in m", size=size
         )
     normals, centre = normals_of(points), centre_of(points)
     placed = centre is not None

@@ -7,9 +7,10 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from math import isfinite
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from cadgen.errors import FileError, escaped
+from cadgen.inference.records.units import heading
 from cadgen.messages import Message
 from cadgen.reading import read_regular
 
@@ -42,8 +43,8 @@ def read_points(path: Path, layer: str | None = None, *, closed: bool = False) -
     """Read the points of a path.
 
     Args:
-        path: file of rows `X Y [weight]` in mm, with spaces, tabs, commas or semicolons between, after a line of words
-            if need be; or a DXF with one polyline.
+        path: file of rows `X Y [weight]` in mm, with spaces, tabs, commas or semicolons between; or a DXF with one
+            polyline. A first line of words may say the order and the unit, such as `Y [m], X [m]`.
         layer: layer of the polyline, if the DXF has several.
         closed: whether the path is closed, and so the polyline.
 
@@ -83,7 +84,7 @@ def read_points(path: Path, layer: str | None = None, *, closed: bool = False) -
 def _rows(text: str, name: str) -> Points:
     places: list[tuple[float, float]] = []
     weights: list[float] = []
-    headed = False
+    headed, order = False, _Order()
     for number, line in enumerate(text.splitlines(), 1):
         cells = [cell for cell in re.split(r"[\s,;]+", line.partition("#")[0].strip(), maxsplit=3) if cell]
         if not cells:
@@ -92,7 +93,7 @@ def _rows(text: str, name: str) -> Points:
             values = [float(cell) for cell in cells]
         except ValueError:
             if not places and not headed:
-                headed = True
+                headed, order = True, _order(line.partition("#")[0])
                 continue
             values = []
         if len(values) not in (2, 3) or not all(map(isfinite, values)) or (len(values) == 3 and values[2] < 0):
@@ -105,9 +106,28 @@ def _rows(text: str, name: str) -> Points:
             )
         if len(places) == _MOST_POINTS:
             raise _too_many(name)
-        places.append((values[0], values[1]))
+        places.append((values[order.x] * order.x_factor, values[order.y] * order.y_factor))
         weights.append(values[2] if len(values) == 3 else 1.0)
     return _enough(Points(tuple(places), tuple(weights)), name)
+
+
+class _Order(NamedTuple):
+    """Columns of x and y, and what their numbers are to be multiplied by to be in mm."""
+
+    x: int = 0
+    y: int = 1
+    x_factor: float = 1.0
+    y_factor: float = 1.0
+
+
+def _order(header: str) -> _Order:
+    """Order and units of the columns by a header such as `Y [m], X [m]`; x before y, in mm, where it does not say."""
+    names = [heading(name) for name in re.split(r"[,;\t]" if re.search(r"[,;\t]", header) else r"\s+", header.strip())]
+    quantities = [name.quantity for name in names[:2]]
+    if sorted(quantities) != ["x", "y"]:
+        return _Order()
+    x, y = quantities.index("x"), quantities.index("y")
+    return _Order(x, y, names[x].factor("mm") or 1.0, names[y].factor("mm") or 1.0)
 
 
 def _enough(points: Points, name: str) -> Points:

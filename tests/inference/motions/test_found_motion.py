@@ -261,3 +261,10 @@ def test_a_square_has_no_motion_of_the_table() -> None:
     points = 40 * np.stack([np.cos(theta), np.sin(theta)]) / np.maximum(np.abs(np.cos(theta)), np.abs(np.sin(theta)))
     made = outline_motion(points.T, Roller(base=20.0, radius=9.0))
     assert not any(flank.in_table for flank in made.found.flanks)
+
+
+def test_an_outline_in_metres_is_refused() -> None:
+    theta = np.linspace(0, TURN, 720, endpoint=False)
+    points = 0.03 * np.stack([np.cos(theta), np.sin(theta)], axis=1)
+    with pytest.raises(FileError, match=r"within 0\.06 mm: give them in mm"):
+        outline_motion(points, Roller(base=20.0, radius=9.0))

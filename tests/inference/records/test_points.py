@@ -52,6 +52,22 @@ def drawing(tmp_path, unit, polylines):
 PATH = [(0.0, 0.0), (1.0, 0.5), (2.0, 0.0), (3.0, 0.5)]
 
 
+@pytest.mark.parametrize(
+    ("header", "first"),
+    [
+        ("Y X", (250.0, 900.0)),
+        ("y_m;x_m", (250e3, 900e3)),
+        ("X [cm], Y [in]", (9000.0, 6350.0)),
+        ("East, North", (900.0, 250.0)),
+        ("x", (900.0, 250.0)),
+    ],
+)
+def test_a_header_says_the_order_and_the_unit(header, first, tmp_path):
+    path = tmp_path / "points.csv"
+    path.write_text(f"{header}\n900, 250\n1700, -150\n2600, -300\n3400, 150\n")
+    assert read_points(path).places[0] == pytest.approx(first)
+
+
 def test_a_polyline_is_read_in_its_unit_beside_closed_ones(tmp_path):
     file = drawing(tmp_path, 6, [("PATH", PATH, False), ("FIELD", [(0, 0), (4, 0), (4, 4)], True)])
     assert read_points(file).places == ((0, 0), (1000, 500), (2000, 0), (3000, 500))
