@@ -179,7 +179,7 @@ class VelocityJumpError(DesignError):
         return made
 
     def tried(self, refusal_of: Callable[[Mapping[str, object]], Message | None]) -> "VelocityJumpError":
-        """The same refusal with the changes that leave a whole cam; with the first one and its refusal if none does.
+        """Refusal of the jump with the changes that leave a whole cam; with the first one and its refusal if none does.
 
         Args:
             refusal_of: function that gives the refusal of the design with changed keys, None if it is accepted.

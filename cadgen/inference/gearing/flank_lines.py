@@ -1,9 +1,9 @@
 """Deviations of a gear's flanks by ISO 1328-1:2013, and the errors of the part that they come from.
 
 Seen on the measured face, teeth are counted clockwise; right flanks look along the count. A deviation is positive where
-there is too much material; a pitch where it is too long. With α the transverse pressure angle, tooth k at the angle φ_k
-along the count, s = +1 for right flanks and −1 for left ones, and δ = α less half the angle of a tooth, for a flank
-stands beside the middle of its tooth:
+there is too much material; a pitch where it is too long. Let α be the transverse pressure angle and φ_k the angle of
+tooth k along the count. Let s be +1 for right flanks and −1 for left ones, and δ = α less half the angle of a tooth,
+for a flank stands beside the middle of its tooth. Then errors show so:
 
 - teeth off the axis by e towards ψ: index deviation e sin(ψ − φ_k + s δ)/cos α, along the normal e sin(s(ψ − φ_k) + δ);
 - an index that is off by the machine's table: alike on both flanks;
@@ -48,7 +48,7 @@ class Sized:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Measured:
+class FlankFigure:
     """Deviation of one symbol on both flanks, mm; None where a flank was not measured."""
 
     symbol: str
@@ -73,7 +73,7 @@ class PitchErrors:
         once: amplitude once a turn, where one flank alone was measured.
     """
 
-    measured: tuple[Measured, ...]
+    measured: tuple[FlankFigure, ...]
     off: Sized | None
     towards: float
     table: Sized | None
@@ -93,7 +93,7 @@ class ProfileErrors:
         between: half the difference of the slopes of right and left flanks, mm: a tool that leans.
     """
 
-    measured: tuple[Measured, ...]
+    measured: tuple[FlankFigure, ...]
     pressure_angle: Sized
     tool: Sized
     cutter: Sized | None
@@ -115,7 +115,7 @@ class HelixErrors:
         angle: error of the helix angle at the reference circle.
     """
 
-    measured: tuple[Measured, ...]
+    measured: tuple[FlankFigure, ...]
     lead: Sized
     taper: Sized | None
     leaning: Sized | None
@@ -124,8 +124,8 @@ class HelixErrors:
     angle: Sized
 
 
-def _both(symbol: str, values: dict[str, float]) -> Measured:
-    return Measured(symbol=symbol, left=values.get(LEFT), right=values.get(RIGHT))
+def _both(symbol: str, values: dict[str, float]) -> FlankFigure:
+    return FlankFigure(symbol=symbol, left=values.get(LEFT), right=values.get(RIGHT))
 
 
 def _sides(record: Record) -> Array:
@@ -190,7 +190,7 @@ def pitch_errors(record: Record, form: GearForm) -> PitchErrors:
     # α and half the angle of the space against the tangent at its middle.
     narrow = np.roll(index[RIGHT], 1) - index[LEFT]
     out = narrow * cos(alpha) / (2 * sin(alpha + pi / teeth - form.half_angle(form.reference_diameter)))
-    measured.append(Measured(symbol="F_r", left=float(np.ptp(out)), right=None))
+    measured.append(FlankFigure(symbol="F_r", left=float(np.ptp(out)), right=None))
     return PitchErrors(
         measured=tuple(measured),
         off=off,
@@ -339,7 +339,7 @@ def _traces(record: Record, along: str, reading: str, over: Range) -> list[_Line
     return found
 
 
-def _by_flank(lines: Sequence[_Line], slope: str, form: str, total: str) -> tuple[Measured, ...]:
+def _by_flank(lines: Sequence[_Line], slope: str, form: str, total: str) -> tuple[FlankFigure, ...]:
     slopes: dict[str, float] = {}
     forms: dict[str, float] = {}
     totals: dict[str, float] = {}

@@ -40,7 +40,7 @@ _STATIONS = 720
 
 @dataclass(frozen=True)
 class OtherCam:
-    """Another cam that may have been on the car.
+    """Cam that may have been on the car in place of the stated one.
 
     Attributes:
         profile: code of its profile.

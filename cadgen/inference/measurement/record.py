@@ -123,8 +123,8 @@ class Kind:
         datum: what is fitted to each run and never claimed.
         model: (record, `Nominal` or `LoggedCar`) -> the forward model of the record; None where there is none.
         check: refuses a record that cannot be, beside what is checked of all kinds.
-        settled: (record, names of the effects that it shows by itself) -> the record with a remark on the state of the
-            car in which it was taken, where its file does not say.
+        settled: (record, names of the effects that it shows by itself) -> the record. A remark says the state of the
+            car in which it was taken, where its file does not.
         spans: (record, the same) -> what betrays numbers of another unit.
         most_rows: of all files of the kind together.
         least_rows: of each run.

@@ -63,7 +63,7 @@ def _evidence(calibration: CalibrationPlan) -> list[EvidenceDiagnosis]:
 
 
 @dataclass(frozen=True, eq=False)
-class _Part:
+class _CarNumbers:
     """Information of one car's records, with the names of its numbers, by effect, and their scales, internal units."""
 
     names: list[tuple[str, str]]
@@ -71,7 +71,7 @@ class _Part:
     shown: Shown
 
 
-def _shown(calibration: CalibrationPlan, spread: Mapping[str, float]) -> _Part:
+def _shown(calibration: CalibrationPlan, spread: Mapping[str, float]) -> _CarNumbers:
     """Information of a car's records on the numbers that cars differ by, with all others integrated out."""
     nominal, diagnoses = calibration.nominal, _evidence(calibration)
     assert nominal is not None
@@ -105,4 +105,4 @@ def _shown(calibration: CalibrationPlan, spread: Mapping[str, float]) -> _Part:
     side = np.linalg.solve(inner, whole[np.ix_(nuisance, kept)]).T
     information = whole[np.ix_(kept, kept)] - side @ whole[np.ix_(nuisance, kept)]
     shown = Shown((information + information.T) / 2, pull[kept] - side @ pull[nuisance])
-    return _Part(names, [float(linear.scale[n]) for n in kept], shown)
+    return _CarNumbers(names, [float(linear.scale[n]) for n in kept], shown)

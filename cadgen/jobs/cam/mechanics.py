@@ -326,7 +326,8 @@ def energy_verdict(
         wheel: drive wheel that the cam is for.
         mass: mass of the car by its parts, kg, which counts where the design states none.
     """
-    assumed = _assumed(design)
+    # A weight falls, of whose run nothing is known.
+    assumed = design.mechanics is None and design.drive is not None and design.drive.fall_mm is not None
     keys = MechanicsSection() if assumed else design.mechanics
     if keys is None:
         return PartVerdict(())
@@ -427,11 +428,6 @@ def _by_usual_values() -> tuple[Reservation, ...]:
     )
     cure = Message("say in [mechanics] rod_force_N, rolling_resistance and drag_least_Nmm")
     return (Reservation("energy-by-usual-values", text, cure),)
-
-
-def _assumed(design: Design) -> bool:
-    """Whether a weight falls of which nothing is known in [mechanics]."""
-    return design.mechanics is None and design.drive is not None and design.drive.fall_mm is not None
 
 
 class _Unwound(NamedTuple):

@@ -36,8 +36,8 @@ from cadgen.inference.gearing.flank_kinds import (
     refuse_teeth,
 )
 from cadgen.inference.gearing.flank_lines import (
+    FlankFigure,
     HelixErrors,
-    Measured,
     PitchErrors,
     ProfileErrors,
     Range,
@@ -134,11 +134,11 @@ class MeasuredGearPlan:
         return (self.pair.driver if self.driver else self.pair.driven).grade
 
     @property
-    def measured(self) -> tuple[Measured, ...]:
+    def measured(self) -> tuple[FlankFigure, ...]:
         """Deviations by symbol."""
         return tuple(m for part in (self.pitch, self.profile, self.helix) if part is not None for m in part.measured)
 
-    def class_of(self, each: Measured) -> int | None:
+    def class_of(self, each: FlankFigure) -> int | None:
         """Class of ISO 1328-1:2013 that a deviation reaches; None beyond all.
 
         Args:
@@ -409,7 +409,7 @@ def gear_report(plan: MeasuredGearPlan) -> list[Block]:
     return blocks
 
 
-def _row(plan: MeasuredGearPlan, each: Measured) -> tuple[Cell | str, ...]:
+def _row(plan: MeasuredGearPlan, each: FlankFigure) -> tuple[Cell | str, ...]:
     form, reached = plan.form, plan.class_of(each)
     allowed = None
     if covered(form.reference_diameter, form.normal_module, form.width) and plan.grade <= _COARSEST:

@@ -44,7 +44,7 @@ class TrainPage:
 
     @property
     def reservations(self) -> tuple[Reservation, ...]:
-        """None: a train is judged by its checks."""
+        """Reservations, of which a train has none: it is judged by its checks."""
         return ()
 
     @property
@@ -67,11 +67,11 @@ class TrainPage:
         return train_scene(self.gears), ()
 
     def charts(self) -> tuple[Chart, ...]:
-        """None: a train has no lift."""
+        """Charts, of which a train has none: it has no lift."""
         return ()
 
     def marks(self) -> tuple[LiftMark, ...]:
-        """None: a train has no peaks."""
+        """Marks on the lift, of which a train has none."""
         return ()
 
     def sections(self) -> tuple[Section, ...]:
