@@ -57,7 +57,9 @@ class FrameSection(DesignSection):
     )
     cutter_diameter_mm: Feature = Field(default=2.0, le=20, description="of the end mill for the sheets")
     wall_mm: Feature = Field(
-        default=2.0, le=50, description="least material between two holes, and between a hole and an edge"
+        default=2.0,
+        le=50,
+        description="least material between two holes or threads, and between a hole or thread and an edge",
     )
     screws: Annotated[ScrewThread, WORD] = Field(
         default=ScrewThread.M3, description="threads of the screws between plates, base and block, ISO 4762"

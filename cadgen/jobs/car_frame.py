@@ -41,6 +41,7 @@ _CURES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("frame.base_thickness_mm", ("5", "4", "3")),
     ("train.plate.thickness_mm", ("8", "10", "6")),
     ("frame.wall_mm", ("2", "1.5", "1")),
+    ("frame.cutter_diameter_mm", ("3", "2")),
 )
 _SMALLER = (0.8, 0.6, 0.4, 0.3)  # shares of the diameter of a drum
 _WIDER = (5.0, 10.0, 20.0, 30.0, 40.0, 60.0, 80.0)  # mm by which the idle wheel is set farther out

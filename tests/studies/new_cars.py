@@ -4,6 +4,8 @@ A path is a walk of ten points, 500 to 1000 mm apart, that turns by up to 35 deg
 All other sizes are those of `cadgen new`. A car that is not ready names the check that it fails; one that is refused
 says why.
 
+The frame of a car is judged by its checks, which count the threads in the feet of its sheets; no solid is written.
+
     python -m tests.studies.new_cars [--cases 100] [--seed 1] [--record]
 """
 
@@ -75,7 +77,8 @@ def main() -> int:
             rows.append(f"| {number} | {wheel:g} | {state} | {why} |")
         print(number, state, why, flush=True)
     told = ", ".join(f"{state} {number}" for state, number in count.most_common())
-    title, text, *_ = (__doc__ or "").strip().split("\n\n")
+    title, *texts, _ = (__doc__ or "").strip().split("\n\n")
+    text = "\n\n".join(texts)
     text = (
         f"# New cars with a proposed train\n\n`python -m tests.studies.new_cars --cases {given.cases} "
         f"--seed {given.seed} --record`, cadgen {__version__}.\n\n{title}\n\n{text}\n\nOf {given.cases} cars: {told}; "

@@ -20,6 +20,7 @@ from cadgen.curves.contour import Contour, circle
 PLATE_COLOUR, BASE_COLOUR = (0.62, 0.66, 0.70), (0.50, 0.54, 0.58)
 _CHORD = 0.005  # mm, of arcs in the pieces against which gaps are measured
 _STRAIGHT = 1e-12
+_OWN = 1e-6  # mm, of what rounding leaves between a slot in a foot and its sides
 # Places of parts: directions of u, v and w in the car, as columns. Plates are seen from the left of the car, the base
 # from above, both with the front to the left; the micrometer bracket is seen from before.
 STANDING = np.array([[-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]])
@@ -126,6 +127,7 @@ class Panel:
         features: tabs, slots and openings, for its drawing.
         thickness: thickness, mm.
         place: place in the car.
+        rooms: areas that threads, or screws and nuts in slots, take in its foot.
     """
 
     code: str
@@ -137,6 +139,7 @@ class Panel:
     features: tuple[Feature, ...]
     thickness: float
     place: PartPlace
+    rooms: tuple[shapely.Polygon, ...] = ()
 
     @property
     def openings(self) -> tuple[Contour, ...]:
@@ -157,6 +160,18 @@ class Panel:
         """Exact volume, mm³."""
         area = self.outline.area() - sum(opening.area() for opening in self.openings)
         return self.thickness * area - sum(np.pi * each.diameter**2 / 4 * each.depth for each in self.edge_holes)
+
+    def beside(self, room: shapely.Polygon) -> float:
+        """Least material between what a screw takes in its foot and its sides, mm.
+
+        Args:
+            room: area that thread, or screw and nut, take.
+        """
+        corners = self.outline.polygon(0.002)
+        # The foot itself, and the tabs under it, are no sides; nor are those of a slot for screw and nut.
+        ends = np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)
+        sides = shapely.linestrings(ends[ends[:, :, 1].max(axis=1) > room.bounds[1] + _OWN])
+        return float(shapely.distance(sides[~shapely.covers(room.buffer(_OWN), sides)], room).min())
 
     def face(self, *, seats: bool = True, chord: float = _CHORD) -> shapely.Polygon:
         """Face of the sheet as a polygon with chords of its arcs.

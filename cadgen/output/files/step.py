@@ -108,13 +108,13 @@ def one_solid(file: Path, solid: SolidPart, exact: float) -> Facts:
     named = (again.name, again.description) == (solid.name, solid.description)
     if not (again.valid and again.bodies == 1 and named):
         raise FileError(
-            "{file}, read back, is not one valid solid with its name: report this gear",
+            "{file}, read back, is not one valid solid with its name: report this part",
             file=file.name,
         )
     error = abs(again.volume / exact - 1)
     if not error <= VOLUME_LIMIT:
         raise FileError(
-            "{file}, read back, misses the exact volume by {error:.1e}: report this gear", file=file.name, error=error
+            "{file}, read back, misses the exact volume by {error:.1e}: report this part", file=file.name, error=error
         )
     return Facts(volume_mm3=again.volume, volume_error_relative=error)
 

@@ -16,6 +16,7 @@ from cadgen.car.assembly.frame.frame_sizes import ROUNDING, FrameSizes
 from cadgen.car.assembly.frame.one_piece import OnePiece, one_piece
 from cadgen.car.assembly.panels import Panel
 from cadgen.car.assembly.site import CarSite
+from cadgen.messages import Message
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -107,18 +108,17 @@ class Frame:
 
     @cached_property
     def wall(self) -> tuple[float, str]:
-        """Least material between two openings of a sheet, or between one and the edge, mm; and the sheet."""
+        """Least material between openings or threads of a part, or between one and the edge, mm; and the part."""
         least = (inf, "")
         for panel in self.panels:
-            edge = shapely.LinearRing(panel.outline.polygon(0.002))
+            face = shapely.Polygon(panel.outline.polygon(0.002))
             open_ones = [shapely.Polygon(each.polygon(0.002)) for each in panel.openings]
-            drilled = [
-                shapely.box(each.u - each.diameter / 2, each.v, each.u + each.diameter / 2, each.v + each.depth)
-                for each in panel.edge_holes
-            ]
-            sizes = [one.distance(other) for one, other in combinations(open_ones, 2)]
-            sizes += [one.distance(other) for one in drilled for other in open_ones]
-            sizes += [one.distance(edge) for one in open_ones]
+            sizes = [one.distance(other) for one, other in combinations([*panel.rooms, *open_ones], 2)]
+            sizes += [one.distance(face.exterior) for one in open_ones]
+            sizes += [panel.beside(room) for room in panel.rooms]
+            if not all(each.is_valid for each in (face, *open_ones)):  # as of half circles that meet each other
+                sizes.append(0.0)
             if sizes and min(sizes) < least[0]:
                 least = (float(min(sizes)), panel.name)
-        return least
+        beside = self.block.beside(self.sizes.screw.diameter)
+        return (beside, Message("the fork's block")) if beside < least[0] else least

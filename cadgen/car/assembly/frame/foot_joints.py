@@ -1,6 +1,7 @@
 """Joints of standing sheets with the base: tabs in slots, and screws from below."""
 
 from collections.abc import Callable, Sequence
+from math import sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -51,9 +52,12 @@ def foot_joints(
     free = shapely.union_all(ground.openings)
     seats = shapely.union_all([shapely.Point(hole.u, hole.v).buffer(hole.diameter / 2 + wall, 64) for hole in holes])
     wide = ground.nut_half + wall
+    # A mill opens the corners beside a tab along the foot.
+    opened = sqrt(2.0) * sizes.corner
+    end = max(wall, opened + STEP) if opened else wall
 
     def takes(at: float, width: float) -> bool:
-        half, own = width / 2, width / 2 + wall if width else wide
+        half, own = width / 2, width / 2 + end if width else wide
         if at - own < span[0] or at + own > span[1]:
             return False
         if strip(at - half, at + half, wall + FIT if width else reach).intersects(free):
@@ -62,14 +66,14 @@ def foot_joints(
 
     places = np.arange(span[0], span[1] + 1e-9, STEP).tolist()
     screws, tabs = ([at for at in places if takes(at, width)] for width in (0.0, tab))
-    between = tab / 2 + max(wide, reach) + 0.5 * wall
+    between = tab / 2 + max(max(wide, reach) + 0.5 * wall, wide + opened)
     made: list[FootJoint] = []
     if not screws or not tabs:
         return made
     if long:
         first, last = screws[0], screws[-1]
         inside = [at for at in tabs if first + between <= at <= last - between]
-        if inside and inside[-1] - inside[0] >= tab + wall:
+        if inside and inside[-1] - inside[0] >= tab + opened + end:
             made = [
                 FootJoint(first, 0.0),
                 FootJoint(inside[0], tab),
@@ -106,6 +110,19 @@ def nut_slot_corners(ground: FrameGround, at: float) -> list[tuple[float, float]
     left = [(at - half, foot), (at - half, start), (at - wide, start), (at - wide, end), (at - half, end)]
     left.append((at - half, deep))
     return left + [(2 * at - u, v) for u, v in reversed(left)]
+
+
+def screw_room(ground: FrameGround, at: float) -> shapely.Polygon:
+    """Area of a standing sheet that a screw from below takes: its thread, or the slot for screw and nut.
+
+    Args:
+        ground: places that the frame goes by.
+        at: place along the foot, mm.
+    """
+    if not ground.sizes.tapped:
+        return shapely.Polygon(nut_slot_corners(ground, at))
+    foot, half = -ground.top, ground.nut_half
+    return shapely.box(at - half, foot, at + half, foot + ground.screw_depth - ground.sizes.wall)
 
 
 def strip_along(ground: FrameGround, low: float, flush: float | None) -> Strip:

@@ -54,6 +54,20 @@ class ForkBlock:
         drilled = self.bore**2 * self.height + seats + len(self.threads) * self.tap**2 * self.depth
         return self.length * self.width * self.height - float(np.pi) / 4 * drilled
 
+    def beside(self, thread: float) -> float:
+        """Least material beside a thread in its lower face, mm.
+
+        Args:
+            thread: diameter of the thread, mm.
+        """
+        reach = max(self.threads) + thread / 2
+        inwards = min(self.threads, key=abs)
+        return min(
+            self.length / 2 - reach,
+            abs(inwards) - (thread + self.bearing.diameter) / 2,
+            (self.width - thread) / 2,
+        )
+
     @property
     def shape(self) -> Block:
         """Block as prisms one over the other, with the holes of its threads."""
@@ -76,15 +90,15 @@ class ForkBlock:
 
 def fork_block(ground: FrameGround) -> ForkBlock:
     """Block of the fork between platform and rod."""
-    sizes, bearing = ground.sizes, ground.fork_bearing
+    sizes, bearing, screw = ground.sizes, ground.fork_bearing, ground.sizes.screw.diameter
     apart = max(
         (SPINDLE + _ROUND) / 2 + sizes.screw.hole / 2 + sizes.wall,
-        bearing.diameter / 2 + sizes.screw.tap_drill / 2 + sizes.wall,
+        bearing.diameter / 2 + screw / 2 + sizes.wall,
     )
     apart = ceil(apart / STEP) * STEP
     upper = ground.top - ground.spacer - sizes.base
     return ForkBlock(
-        length=2 * (apart + ceil(1.2 * sizes.screw.diameter / STEP) * STEP),
+        length=2 * (apart + ceil(max(1.2 * screw, screw / 2 + sizes.wall) / STEP) * STEP),
         width=bearing.diameter + 2 * ground.rim,
         height=upper - ground.ceiling,
         bore=(bearing.diameter + SPINDLE) / 2,

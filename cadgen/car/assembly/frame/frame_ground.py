@@ -142,7 +142,7 @@ class FrameGround:
     def nut_half(self) -> float:
         """Half of the width of what a screw needs in a sheet, mm."""
         screw = self.sizes.screw
-        return screw.tap_drill / 2 if self.sizes.tapped else (screw.nut_width + NUT_PLAY) / 2
+        return screw.diameter / 2 if self.sizes.tapped else (screw.nut_width + NUT_PLAY) / 2
 
     def _base_top(self, platform: float) -> float:
         """Height y of the base's upper face: as high as seats and spacers allow, or as stated.

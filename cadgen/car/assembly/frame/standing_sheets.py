@@ -13,6 +13,7 @@ from cadgen.car.assembly.frame.foot_joints import (
     Strip,
     foot_joints,
     nut_slot_corners,
+    screw_room,
     slots_along,
     strip_along,
     tab_corners,
@@ -202,6 +203,10 @@ def _standing(
             for s in (-1, 1)
             for t in (-1, 1)
         ]
+    screws = [joint.at for joint in joints if not joint.width]
+    # Material beside and behind what a screw takes, however steep the sides.
+    wide = ground.nut_half + sizes.wall
+    points += [(at + s * wide, foot + ground.screw_depth) for at in screws for s in (-1, 1)]
     hull = np.asarray(shapely.MultiPoint(np.round(points, 2)).convex_hull.exterior.coords)[:-1]
     if not shapely.LinearRing(hull).is_ccw:
         hull = hull[::-1]
@@ -216,7 +221,7 @@ def _standing(
             tab_corners(ground, joint) if joint.width else [] if sizes.tapped else nut_slot_corners(ground, joint.at)
         )
     corners = np.array([*upper, *lower])
-    drilled = [joint.at for joint in joints if not joint.width] if sizes.tapped else []
+    drilled = screws if sizes.tapped else []
     return Panel(
         code=code,
         name=name,
@@ -241,4 +246,5 @@ def _standing(
         ),
         thickness=ground.site.plate,
         place=place,
+        rooms=tuple(screw_room(ground, at) for at in screws),
     )
