@@ -78,7 +78,7 @@ def find(word: str, language: str = ENGLISH) -> list[Term]:
     named = [(term, [name.replace("-", " ") for name in term.names]) for term in terms(language).values()]
     for same in (
         lambda name: name in (wanted, wanted.removesuffix("s")),
-        lambda name: wanted in name.split(),
+        lambda name: f" {wanted} " in f" {name} ",
         lambda name: wanted.endswith(f" {name}"),
         lambda name: f" {name} " in f" {wanted} {singular} ",
         lambda name: not name.isascii() and len(name) > 1 and name in wanted,

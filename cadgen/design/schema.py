@@ -8,6 +8,7 @@ them all; their messages are sentences for the user.
 import hashlib
 import json
 from collections.abc import Mapping
+from difflib import get_close_matches
 from typing import Annotated, Any
 
 from pydantic import (
@@ -691,6 +692,12 @@ class MotionFile(DiscFile):
     @classmethod
     def _follower_is_named(cls, values: object) -> object:
         follower = values.get("follower") if isinstance(values, dict) else None
+        if follower is None and isinstance(values, dict):
+            unknown = [name for name in values if name not in cls.model_fields]
+            if misspelt := get_close_matches("follower", unknown, 1):
+                raise ValueError(
+                    Message("[{wrong}] is not a section: write {heading}", wrong=misspelt[0], heading="[follower]")
+                )
         if follower is None or (isinstance(follower, dict) and follower.get("kind") is None):
             raise ValueError(
                 Message(

@@ -3,6 +3,7 @@
 import json
 from collections.abc import Callable, Sequence
 from dataclasses import MISSING, dataclass, fields, is_dataclass
+from difflib import get_close_matches
 from enum import StrEnum
 from typing import Annotated, Any, Generic, TypeVar, get_args, get_type_hints
 
@@ -131,6 +132,15 @@ class OneOf:
 
     def _checked(self, code: str) -> str:
         if not (code in self.codes() if self.has is None else self.has(code)):
+            if near := get_close_matches(code[:80].lower(), self.codes(), 1, 0.8):
+                raise ValueError(
+                    Message(
+                        "{here} is {value}: did you mean {near}?",
+                        here=HERE,
+                        value=json.dumps(code[:80]),
+                        near=json.dumps(near[0]),
+                    )
+                )
             raise ValueError(
                 Message(
                     "{here} is {value}; it must be {allowed}",

@@ -29,11 +29,11 @@ from cadgen.jobs.car_layout import layout_of
 
 _MOST_OVER = 1.03  # of the ratio over that with which the blend begins where the path ends
 _SAME_WHEEL = 0.01  # share by which the wheel of a lap, which follows from the ratio, may differ from the outline's
-# Numbers of stages in the order in which they are tried: an odd one turns the cam against the wheel.
-_STAGES = (3, 2, 4, 1)
 _DRIVERS, _DRIVEN = (30, 32, 36, 40), tuple(range(50, 161, 5))
 _LAST_DRIVEN = (60, 160)
-_MOST_LAID_OUT = 60  # trains of each number of stages
+# Numbers of stages in the order in which they are tried, with the most trains that are laid out. An odd one turns the
+# cam against the wheel. One of four takes some 3 s, since its stages turn in many ways.
+_MOST_LAID_OUT = {3: 60, 2: 60, 4: 10, 1: 60}
 _STATIONS = 7200
 _LARGER = (0.0, 5.0, 10.0, 15.0, 20.0, 25.0, 30.0, 40.0)  # mm by which the base radius is raised
 # Keys of a frame that are tried, the sturdiest first.
@@ -78,9 +78,12 @@ def proposed(text: WithTrain, name: str) -> str:
     else:
         least = track.length / (1 - design.cam.blend_deg / 360) / around
         ratio = _Ratio(least, least * _MOST_OVER)
+    _refuse_low_axle(design, wheel)
     nearest: tuple[int, tuple[Check, ...]] | None = None
-    for count in _STAGES:
-        for teeth in islice(_trains(ratio, count), _MOST_LAID_OUT):
+    tried = 0
+    for count, most in _MOST_LAID_OUT.items():
+        for teeth in islice(_trains(ratio, count), most):
+            tried += 1
             train = ProposedTrain(teeth, None if track.closed else wheel / 2)
             try:
                 train = train._replace(base_radius=_base_radius(design_of(text(train), file)))
@@ -104,13 +107,33 @@ def proposed(text: WithTrain, name: str) -> str:
         )
     count, wrong = nearest
     raise DesignError(
-        "no train was found that fits the car; the nearest, of {count} stages, fails {name}: {value}, where {limit:g} "
-        "is asked for; raise train.module_mm, change the sizes of the car, or leave the proposal out",
+        "none of the {tried} trains that were tried fits the car; the nearest, of {count} stages, fails {name}: "
+        "{value}, where {limit:g} is asked for; raise train.module_mm, change the sizes of the car, or leave the "
+        "proposal out",
+        tried=tried,
         count=count,
         name=wrong[0].name,
         value=wrong[0].text(),
         limit=wrong[0].limit,
     )
+
+
+def _refuse_low_axle(design: Design, wheel: float) -> None:
+    """Refuse a wheel whose axle is too low for the smallest pinion: it clears the floor at no place of the train."""
+    try:
+        layout = layout_of(design)
+    except DesignError:  # said of the trains, if it is so of all
+        return
+    least = 2 * (max(gear.radius for gear in layout.gears[0]) + layout.site.floor_clearance)
+    if wheel < least:
+        raise DesignError(
+            "car.outline.wheel_diameter_mm is {wheel:g}, and the smallest pinion on its axle, of {teeth} teeth, needs "
+            "a wheel of at least {least:.4g} mm to clear the floor by {clearance:g} mm: take a larger wheel",
+            wheel=wheel,
+            teeth=_DRIVERS[0],
+            least=least,
+            clearance=layout.site.floor_clearance,
+        )
 
 
 def _far(wrong: tuple[Check, ...]) -> tuple[bool, int, float]:

@@ -8,7 +8,7 @@ import pytest
 
 from cadgen import Design
 from cadgen.cli import show
-from cadgen.errors import DesignError
+from cadgen.errors import DesignError, FileError
 from tests.studies import worn_cams_truth as truth
 
 TURN = 2 * np.pi
@@ -182,3 +182,12 @@ def test_a_record_that_is_all_noise_explains_nothing() -> None:
         cam = design.compare_cam({"cam_angle_deg": angle, "lift_mm": lift})
         assert not cam.comparison.explained
         assert cam.readiness == "not-ready"
+
+
+@pytest.mark.parametrize("mirrored", [False, True])
+def test_points_about_another_point_than_the_bore_are_refused_with_its_place(mirrored) -> None:
+    """The shift is no wear; the bore of a disc off by less than a millimetre is measured as before."""
+    points = outline(ROLLER, centre=20.0 - 7.0j, mirrored=mirrored)
+    place = r"\(20, 7\)" if mirrored else r"\(20, -7\)"
+    with pytest.raises(FileError, match=rf"the points lie about {place}, not about 0: put the bore at the origin"):
+        Design.from_toml(SLIDE, "slide").compare_cam(points)

@@ -57,7 +57,14 @@ def test_codes_that_the_screens_show_are_terms(language):
     "shown",
     [
         *(
+            "base tangent",
             "blend return",
+            "end of run",
+            "free angle",
+            "half width",
+            "quintic",
+            "thin",
+            "whole train",
             "scatter",
             "slack",
             "stations",
@@ -101,7 +108,7 @@ def test_a_line_in_chinese_leads_to_the_terms_in_it(shown, term):
 
 
 def test_an_unknown_word_names_the_nearest(cadgen):
-    assert "did you mean pressure angle?" in one_sentence(cadgen("explain", "presure", "angle", code=2))
+    assert "did you mean pressure angle" in one_sentence(cadgen("explain", "presure", "angle", code=2))
 
 
 def test_the_pages_of_the_glossary_have_the_same_terms_in_the_same_order():

@@ -399,3 +399,25 @@ def test_a_table_that_is_too_large_is_told_what_to_keep(tmp_path):
     (tmp_path / "lobe.csv").write_text("0.000000000000000,1.000000000000000\n" * 60_000, encoding="utf-8")
     with pytest.raises(DesignError, match=r"larger than 2 MB, the most that is read: keep two columns"):
         read_rows(tmp_path / "lobe.csv")
+
+
+@pytest.mark.parametrize(
+    ("wrong", "said"),
+    [
+        (("[follower]", "[folower]"), r"\[folower\] is not a section: write \[follower\]"),
+        (('law = "cycloidal" }]', 'law = "cycloidl" }]'), r'law is "cycloidl": did you mean "cycloidal"\?$'),
+    ],
+)
+def test_what_is_misspelt_is_named_with_what_was_meant(wrong, said):
+    text = """
+[motion]
+turns = "clockwise"
+segments = [{ to_mm = 3, in_deg = 180, law = "cycloidal" }, { to_mm = 0, in_deg = 180, law = "cycloidal" }]
+[follower]
+kind = "flat"
+[cam]
+base_circle_radius_mm = 20
+thickness_mm = 5
+"""
+    with pytest.raises(DesignError, match=said):
+        complete_of(text.replace(*wrong), Path("cam.toml"), ())

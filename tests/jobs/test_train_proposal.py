@@ -36,15 +36,25 @@ def test_a_lap_gets_the_wheel_of_its_outline(tmp_path):
     assert not failing(laid_out(design).checks)
 
 
+def test_a_wheel_too_small_for_its_pinion_is_refused_before_any_train_is_laid_out(tmp_path):
+    """The pinion of 30 teeth of module 0.5 reaches 8 mm, and 5 mm are kept to the floor; 26 mm were tried and do."""
+    for wheel in (1, 10):
+        with pytest.raises(
+            DesignError, match="of 30 teeth, needs a wheel of at least 26 mm to clear the floor by 5 mm"
+        ):
+            Design.new("small", tmp_path, train=True, changes={"car.outline.wheel_diameter_mm": wheel})
+
+
 @pytest.mark.slow
 @pytest.mark.long
 def test_what_forbids_a_train_is_named(tmp_path):
     with pytest.raises(
-        DesignError, match=r"fails least gap to the floor: .* mm, where 400 is asked for; raise train\.module_mm"
+        DesignError,
+        match=r"none of the \d+ trains that were tried fits the car; .* where 45 is asked for; raise train\.module_mm",
     ):
-        Design.new("high", tmp_path, train=True, changes={"layout.floor_clearance_mm": 400})
-    with pytest.raises(DesignError, match="no train of one to four stages brings a wheel of 1 mm"):
-        Design.new("small", tmp_path, train=True, changes={"car.outline.wheel_diameter_mm": 1})
+        Design.new("high", tmp_path, train=True, changes={"layout.clearance_mm": 45})
+    with pytest.raises(DesignError, match="no train of one to four stages brings a wheel of 2000 mm"):
+        Design.new("large", tmp_path, train=True, changes={"car.outline.wheel_diameter_mm": 2000})
     with pytest.raises(DesignError, match=r"car\.outline\.wheel_diameter_mm is not given"):
         Design.new("none", tmp_path, train=True, changes={"car.outline": None})
     with pytest.raises(DesignError, match="leave points, layer, field, closed and train out"):

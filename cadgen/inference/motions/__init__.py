@@ -10,5 +10,6 @@
 | `whole_degrees`   | ends of segments that a drawing had at whole degrees                                |
 | `differences`     | a measured cam beside its design: what is off                                       |
 | `disc_wear`       | wear of a disc's flanks beside deviations                                           |
+| `off_bore`        | origin of an outline beside the bore                                                |
 | `stated_motion`   | motion that was found as a design states it                                         |
 """

@@ -5,7 +5,8 @@ import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from math import isfinite
+from itertools import pairwise
+from math import dist, isfinite
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -18,6 +19,7 @@ MOST_BYTES = 32_000_000
 _MOST_DXF_BYTES = 8_000_000  # a drawing is read at some 1 MB/s
 _MOST_POINTS = 10_000  # of a file: as many as a design file has room for
 _FARTHEST = 1e7  # mm from the origin: ten kilometres
+_SAME_MM = 1e-6  # below this two points are one
 _SAG = 1.0  # mm, by which a chord may leave an arc of a polyline
 # Millimetres of a unit by $INSUNITS of a DXF; a drawing without a unit is taken to be in mm.
 _UNITS = {0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 14: 100.0}
@@ -108,7 +110,7 @@ def _rows(text: str, name: str) -> Points:
             raise _too_many(name)
         places.append((values[order.x] * order.x_factor, values[order.y] * order.y_factor))
         weights.append(values[2] if len(values) == 3 else 1.0)
-    return _enough(Points(tuple(places), tuple(weights)), name)
+    return _distinct(_enough(Points(tuple(places), tuple(weights)), name), name)
 
 
 class _Order(NamedTuple):
@@ -131,10 +133,26 @@ def _order(header: str) -> _Order:
 
 
 def _enough(points: Points, name: str) -> Points:
-    if len(points.places) < 4:
-        raise FileError(
-            "{name} has {count} points; a path needs at least 4: add more", name=name, count=len(points.places)
-        )
+    count = len(points.places)
+    if count == 1:
+        raise FileError("{name} has one point; a path needs at least 4: add more", name=name)
+    if count < 4:
+        raise FileError("{name} has {count} points; a path needs at least 4: add more", name=name, count=count)
+    return points
+
+
+def _distinct(points: Points, name: str) -> Points:
+    """The points, of which no two neighbours are the same: a path through both would stand still."""
+    for number, (one, other) in enumerate(pairwise(points.places), start=1):
+        if dist(one, other) < _SAME_MM:
+            raise FileError(
+                "{name}: points {first} and {second} are both ({x:g}, {y:g}): remove one of them",
+                name=name,
+                first=number,
+                second=number + 1,
+                x=one[0],
+                y=one[1],
+            )
     return points
 
 
@@ -201,7 +219,7 @@ def _only_polyline(drawing: Any, name: str, layer: str | None, closed: bool) -> 
             where=where,
             names=names,
         )
-    return _enough(_corners(lines[0], _UNITS[unit], name), name)
+    return _distinct(_enough(_corners(lines[0], _UNITS[unit], name), name), name)
 
 
 def _corners(line: Any, unit: float, name: str) -> Points:

@@ -7,6 +7,7 @@ import numpy as np
 
 from cadgen.cam.lift_errors import ECCENTRICITY, LiftErrors
 from cadgen.design.schema import MotionDesign
+from cadgen.errors import FileError
 from cadgen.figures import Cell, Facts, Sheet, number
 from cadgen.inference.measurement.record import understood_of
 from cadgen.inference.motions.differences import (
@@ -20,6 +21,7 @@ from cadgen.inference.motions.differences import (
     outline_readings,
     wrong_side_readings,
 )
+from cadgen.inference.motions.off_bore import off_bore
 from cadgen.inference.motions.record_kinds import lifts_of, points_of, refuse_several
 from cadgen.jobs.calibration.sources import Source
 from cadgen.jobs.cam.cam_plan import CamPlan
@@ -143,7 +145,7 @@ def compare_cam(design: MotionDesign, sources: tuple[Source, ...], progress: Pro
 
     Raises:
         DesignError: no cam can be made of the design, or its follower does not say what its dimensions do.
-        FileError: the record is none of one whole cam.
+        FileError: the record is none of one whole cam, or its points lie about another point than the bore.
     """
     record = refuse_several(tuple(source.record for source in sources))
     plan = plan_motion_cam(design, None, progress)
@@ -157,6 +159,18 @@ def compare_cam(design: MotionDesign, sources: tuple[Source, ...], progress: Pro
         if not comparison.explained:
             comparison = either_side(comparison, lambda: wrong_side_readings(readings))
     else:
+        beside = off_bore(points, plan.curve)
+        if beside is not None:
+            raise FileError(
+                "{file}: the points lie about ({x:.3g}, {y:.3g}), not about 0: put the bore at the origin; with that "
+                "shift taken out the radii are off by {after:.2g} mm rms from the design, and by {before:.2g} mm as "
+                "they are",
+                file=record.source,
+                x=beside.x,
+                y=beside.y,
+                after=beside.after,
+                before=beside.before,
+            )
         seen, other = points * [1.0, -1.0], points
         if not mirrored(design, record):
             seen, other = other, seen

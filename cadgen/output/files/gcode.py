@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from math import ceil, degrees
 from pathlib import Path
+from zlib import crc32
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +28,7 @@ SETTINGS = "G21 G90 G17 G40 G94 G91.1"  # mm, absolute, plane XY, no compensatio
 # An arc that bulges less than the rounding is a line; so none is left whose rounded ends coincide, which a
 # controller would take for a full circle.
 _STRAIGHT = 10.0**-DECIMALS / 2
+_MICRO = "µμ"  # of units, and of no name
 # The search for the farthest point: samples of a piece, then of two spans, in rounds down to about 1e-5 mm.
 _COARSE, _FINE, _ROUNDS = 1025, 33, 4
 
@@ -41,8 +43,16 @@ def words(**values: float) -> str:
 
 
 def plain(text: str) -> str:
-    """Text as it may stand in a comment."""
+    """Text as it may stand in a comment; a word that loses letters ends with a short number of what it was."""
+    text = re.sub(r"[\w-]+", lambda word: _spelled(word[0]), text)
     return re.sub(r"[^ -~]|[()]", "_", text)
+
+
+def _spelled(word: str) -> str:
+    if not any(letter.isalpha() and not letter.isascii() and letter not in _MICRO for letter in word):
+        return word
+    left = re.sub(r"[^a-zA-Z0-9-]+", "_", word).strip("_")
+    return "_".join(filter(None, (left, f"{crc32(word.encode()) & 0xFFFF:04x}")))
 
 
 def comments(sentences: list[str]) -> list[str]:

@@ -141,3 +141,17 @@ def test_a_mesh_among_polylines_is_no_path(tmp_path):
     made.modelspace().add_lwpolyline(PATH)
     made.saveas(tmp_path / "path.dxf")
     assert len(read_points(tmp_path / "path.dxf").places) == 4
+
+
+@pytest.mark.parametrize(
+    ("rows", "said"),
+    [
+        ("0 0\n900 250\n900 250\n1700 0\n2600 0\n", r"points 2 and 3 are both \(900, 250\): remove one"),
+        ("0 0\n", "has one point; a path needs at least 4"),
+    ],
+)
+def test_points_that_make_no_path_are_refused(rows, said, tmp_path):
+    path = tmp_path / "points.csv"
+    path.write_text(rows)
+    with pytest.raises(FileError, match=said):
+        read_points(path)

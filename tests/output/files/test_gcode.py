@@ -11,7 +11,7 @@ from cadgen.car.against_play.profile_kinds import profile_of
 from cadgen.curves.contour import circle
 from cadgen.design.machining import Machining
 from cadgen.errors import CheckError, FileError
-from cadgen.output.files.gcode import RaisedHub, cutter_path, write_gcode
+from cadgen.output.files.gcode import RaisedHub, cutter_path, plain, write_gcode
 from cadgen.output.files.gcode_reader import read_gcode
 from tests.curves.shapes import limacon
 
@@ -251,3 +251,10 @@ def test_every_program_says_which_face_lies_up(design, changes, face, tmp_path):
     for file in written:
         (line,) = [line for line in file.read_text().splitlines() if line.startswith("(zero")]
         assert line == f"(zero: centre of the bore, {face} face of the disc; cam angle 0 along +X, {face} face up)"
+
+
+def test_names_that_lose_their_letters_are_told_apart():
+    one, other = plain("凸轮一_actual, seen on the outer face"), plain("凸轮二_actual, seen on the outer face")
+    assert re.fullmatch(r"actual_[0-9a-f]{4}, seen on the outer face", one)
+    assert one != other
+    assert plain("my_cam-2 (5 µm)") == "my_cam-2 _5 _m_"
