@@ -477,9 +477,9 @@ def _gear(result: "MeasuredGear", *, written: bool) -> None:
     if written and result.designs:
         step = Message("cadgen gears on {name}.toml", name=next(iter(result.designs)))
     if result.readiness == Readiness.NOT_READY:
-        verdict(result.readiness, Message("the flanks do not keep the grade of the design"), step)
+        verdict(result.readiness, Message("the flanks do not keep what the design allows"), step)
     elif result.readiness == Readiness.RESERVATIONS:
-        verdict(result.readiness, Message("the thickness is not that of the design"), step)
+        verdict(result.readiness, joined(result.reservations, "; "), step)
     else:
         verdict(result.readiness, Message("the gear is as designed, within its grade"), step)
 

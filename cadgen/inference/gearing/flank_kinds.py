@@ -123,6 +123,60 @@ def by_roll(record: Record, base_diameter: float) -> Record:
     return replace(record, kind=PROFILE_LINES, columns=columns)
 
 
+def refuse_parts(record: Record, column: str) -> None:
+    """Refuse numbers of teeth that are not whole.
+
+    Args:
+        record: record with the column.
+        column: name of a column of numbers of teeth.
+
+    Raises:
+        FileError: a number is not whole.
+    """
+    parts = record[column][record[column] % 1 != 0]
+    if parts.size:
+        raise FileError(
+            "{file} has {column} {number:g}: give whole numbers of teeth",
+            file=record.source,
+            column=column,
+            number=float(parts[0]),
+        )
+
+
+_LONGER = 1.25  # by which lines may pass the end of the gear
+
+
+def refuse_lines(record: Record, column: str, reach: float, most: float, found: bool) -> None:
+    """Refuse lines that are longer than the gear, or of which nothing can be evaluated.
+
+    Args:
+        record: profile or helix lines.
+        column: name of the column of their places.
+        reach: greatest place of them, or their length, mm.
+        most: greatest that the gear has, mm.
+        found: whether a line has three points in the range of evaluation.
+
+    Raises:
+        FileError: it is so.
+    """
+    if reach > _LONGER * most:
+        raise FileError(
+            "{file}: {column} reaches {reach:.3f} mm, and the gear has {most:.3f} mm: give millimetres, no degrees or "
+            "inches, of the gear that the line says",
+            file=record.source,
+            column=column,
+            reach=reach,
+            most=most,
+        )
+    if not found:
+        raise FileError(
+            "{file} has no line of three points within the range of evaluation: measure whole lines, with {column} in "
+            "millimetres",
+            file=record.source,
+            column=column,
+        )
+
+
 def refuse_teeth(record: Record, teeth: int) -> None:
     """Refuse teeth that the gear has not, or pitches that are not those of all its teeth.
 
@@ -131,10 +185,11 @@ def refuse_teeth(record: Record, teeth: int) -> None:
         teeth: teeth of the gear.
 
     Raises:
-        FileError: a number is greater, or a flank lacks teeth.
+        FileError: a number is greater or no whole number, or a flank lacks teeth.
     """
     if "tooth" not in record.columns:
         return
+    refuse_parts(record, "tooth")
     if (most := int(record["tooth"].max())) > teeth:
         raise FileError(
             "{file} has tooth {tooth}, and the gear has {teeth}: correct the line that says which gear it is",

@@ -89,7 +89,7 @@ class ProfileErrors:
         pressure_angle: error of the transverse pressure angle.
         tool: error of the normal pressure angle, as of the tool.
         cutter: run-out of a hob of one start, from axis to axis; None where the lines are shorter than a base pitch.
-        covered: part of the evaluation range that was measured.
+        covered: part of the evaluation range that the shortest line covers.
         between: half the difference of the slopes of right and left flanks, mm: a tool that leans.
     """
 
@@ -111,8 +111,9 @@ class HelixErrors:
         taper: mean slope of one sign on both flanks, mm; None with one flank.
         leaning: angle by which the axis leans; None with fewer than three teeth.
         length: facewidth, mm.
-        covered: part of the evaluation range that was measured.
-        angle: error of the helix angle at the reference circle.
+        covered: part of the evaluation range that the shortest line covers.
+        angle: error of the helix angle at the reference circle, above 0 towards a right hand where `face_mm` grows
+            from the measured face into the gear.
     """
 
     measured: tuple[FlankFigure, ...]
@@ -178,7 +179,7 @@ def pitch_errors(record: Record, form: GearForm) -> PitchErrors:
             rows.append(np.stack([np.sin(turn), np.cos(turn), np.sin(-place), np.cos(-place)], axis=1))
             values.append(index[flank])
     columns, data = np.concatenate(rows), np.concatenate(values)
-    slow = _slow_noise(values)
+    slow = _slow_noise(values, walks=record.kind is not INDEX)
     if len(values) < 2:
         solved, sigmas = _solved(columns[:, 2:], data, slow)
         once = Sized(hypot(*solved), float(np.mean(sigmas)))
@@ -204,15 +205,22 @@ _PART = 12.0  # χ² that a further part must explain
 _SLOW = range(2, 7)  # orders by which the index errors of once a turn are judged
 
 
-def _slow_noise(index: Sequence[Array]) -> float:
+def _slow_noise(index: Sequence[Array], *, walks: bool) -> float:
     """Variance of an index whose errors all were as slow as once a turn, mm²; neighbouring teeth have much the same.
 
-    The power falls with the order at least as 1/order: faster than that of a white error, and less than of a walk.
+    The power falls with the order k at least as 1/k. Sums of single pitches walk: theirs falls as 1/sin²(π k/z).
+
+    Args:
+        index: deviations of all z teeth, mm, by flank.
+        walks: whether the index is a sum of single pitches.
     """
     powers = []
     for values in index:
         turns = np.fft.rfft(values) / len(values)
-        powers += [order * 2 * abs(turns[order]) ** 2 for order in _SLOW if order < len(turns)]
+        for order in range(2, len(turns)) if walks else _SLOW:
+            fall = (sin(pi * order / len(values)) / sin(pi / len(values))) ** 2 if walks else order
+            if order < len(turns):
+                powers.append(fall * 2 * abs(turns[order]) ** 2)
     return float(np.mean(powers)) * len(index[0]) / 2 if powers else 0.0
 
 
@@ -339,6 +347,13 @@ def _traces(record: Record, along: str, reading: str, over: Range) -> list[_Line
     return found
 
 
+def _covered(record: Record, along: str, over: Range) -> float:
+    """Part of the evaluation range that the shortest line covers."""
+    side, tooth, places = _sides(record), record["tooth"], record[along]
+    lines = sorted(set(zip(record.run.tolist(), tooth.tolist(), side.tolist(), strict=True)))
+    return min(over.covered(places[(record.run == r) & (tooth == t) & (side == s)]) for r, t, s in lines)
+
+
 def _by_flank(lines: Sequence[_Line], slope: str, form: str, total: str) -> tuple[FlankFigure, ...]:
     slopes: dict[str, float] = {}
     forms: dict[str, float] = {}
@@ -437,7 +452,7 @@ def profile_errors(record: Record, form: GearForm, over: Range) -> ProfileErrors
         pressure_angle=Sized(-middle.value * by_slope, middle.sigma * by_slope),
         tool=Sized(-middle.value * normal, middle.sigma * normal),
         cutter=off,
-        covered=over.covered(record["roll_length_mm"]),
+        covered=_covered(record, "roll_length_mm", over),
         between=between,
     )
 
@@ -478,6 +493,6 @@ def helix_errors(record: Record, form: GearForm) -> HelixErrors | None:
         taper=taper,
         leaning=leaning,
         length=over.whole,
-        covered=over.covered(record["face_mm"]),
+        covered=_covered(record, "face_mm", over),
         angle=Sized(off, lead.sigma / (cos(alpha) * over.whole) * cos(beta) ** 2),
     )

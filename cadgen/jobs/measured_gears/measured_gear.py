@@ -16,6 +16,7 @@ from cadgen.design.override import override
 from cadgen.design.schema import TrainDesign
 from cadgen.errors import DesignError, FileError
 from cadgen.figures import Cell, Facts, Sheet, State, number
+from cadgen.gears.choices import ToleranceStandard
 from cadgen.gears.contact import path_of_contact
 from cadgen.gears.flank_tolerances import class_reached, class_tolerance, covered
 from cadgen.gears.inspection import size_over_pins, span_over
@@ -33,6 +34,8 @@ from cadgen.inference.gearing.flank_kinds import (
     SPANS,
     by_roll,
     gear_place,
+    refuse_lines,
+    refuse_parts,
     refuse_teeth,
 )
 from cadgen.inference.gearing.flank_lines import (
@@ -78,6 +81,7 @@ _NAMES = {
     "f_fbeta": Message("helix form"),
     "F_beta": Message("helix, total"),
 }
+_ENOUGH = 0.9  # part of the range of evaluation without which a class is not judged as the standard has it
 _COARSEST = 11  # class of ISO 1328-1:2013
 __all__ = ["GEAR_KINDS", "MeasuredGearPlan", "gear_report", "judge_gear"]
 
@@ -154,10 +158,68 @@ class MeasuredGearPlan:
         known = [each for each in classes if each is not None]
         return max(known) if known and len(known) == len(classes) else None
 
+    def allowed(self, each: FlankFigure) -> float | None:
+        """Value that a deviation must keep, mm: that of the design's own key, else of its class; None where none is.
+
+        Args:
+            each: deviation.
+        """
+        form, gear = self.form, self.pair.driver if self.driver else self.pair.driven
+        own = {"f_p": gear.overrides.f_pt, "F_r": gear.overrides.F_r, "F_beta": gear.overrides.F_beta}.get(each.symbol)
+        free = self.design.train is not None and self.design.train.standard == ToleranceStandard.FREE
+        if own is not None and not (free and own == 0):
+            return own
+        size = form.reference_diameter, form.normal_module, form.width
+        if free or not covered(*size) or self.grade > _COARSEST:
+            return None
+        return class_tolerance(each.symbol, *size, self.grade)
+
+    def keeps(self, each: FlankFigure) -> bool | None:
+        """Whether a deviation keeps what is allowed; None where nothing is, or a slope is of too short a line.
+
+        Args:
+            each: deviation.
+        """
+        allowed = self.allowed(each)
+        short = {"f_Halpha": self.profile, "f_Hbeta": self.helix}.get(each.symbol)
+        if allowed is None or (short is not None and short.covered < _ENOUGH):
+            return None
+        return each.worst <= allowed + 1e-9
+
     @property
     def kept(self) -> bool:
-        """Whether every deviation keeps the class with the number of the design's grade."""
-        return all((reached := self.class_of(each)) is not None and reached <= self.grade for each in self.measured)
+        """Whether no deviation is beyond what the design allows."""
+        return all(self.keeps(each) is not False for each in self.measured)
+
+    @property
+    def short(self) -> bool:
+        """Whether a line covers too little of the range of evaluation."""
+        return any(part is not None and part.covered < _ENOUGH for part in (self.profile, self.helix))
+
+    @property
+    def zone(self) -> tuple[float, float]:
+        """Least and greatest thickness E_sn by the design, mm, and no narrower than is measured."""
+        play = self.pair.play()
+        gear, middle = play.driver if self.driver else play.driven, self.form.tooth_thickness_deviation
+        apart = _SAME if self.thickness is None else max(4 * self.thickness.sigma, _SAME)
+        return min(float(gear.E_sni), middle - apart), max(float(gear.E_sns), middle + apart)
+
+    @property
+    def within(self) -> bool:
+        """Whether the thickness, where it was measured, is within the zone of the design."""
+        return self.thickness is None or self.zone[0] <= self.thickness.value <= self.zone[1]
+
+    @property
+    def reservations(self) -> tuple[Message, ...]:
+        """Clauses on matters that are left open."""
+        said = []
+        if any(self.allowed(each) is None for each in self.measured):
+            said.append(Message("no class of ISO 1328-1:2013 applies to all that was measured"))
+        if self.short:
+            said.append(Message("lines cover too little of the range of evaluation"))
+        if not self.within:
+            said.append(Message("the thickness is not that of the design"))
+        return tuple(said)
 
     @property
     def play(self) -> Sized | None:
@@ -185,11 +247,10 @@ class MeasuredGearPlan:
 
     @property
     def readiness(self) -> Readiness:
-        """Whether the class and, where it was measured, the thickness are those of the design."""
+        """Whether deviations and, where it was measured, the thickness are those of the design."""
         if not self.kept:
             return Readiness.NOT_READY
-        sized = self.thickness is None or abs(self.change or 0.0) <= max(4 * self.thickness.sigma, _SAME)
-        return Readiness.READY if sized else Readiness.RESERVATIONS
+        return Readiness.RESERVATIONS if self.reservations else Readiness.READY
 
     @cached_property
     def as_built(self) -> str | None:
@@ -206,6 +267,8 @@ class MeasuredGearPlan:
         gear = stage["driver" if self.driver else "driven"]
         found = {each.symbol: round(_UM * each.worst, 1) for each in self.measured}
         keys = {"f_pt_um": found.get("f_p"), "F_r_um": found.get("F_r"), "F_beta_um": found.get("F_beta")}
+        if self.helix is not None and self.helix.covered < _ENOUGH:
+            keys["F_beta_um"] = None  # of a part of the facewidth alone
         for key, value in keys.items():
             if value is not None:
                 gear[key] = value
@@ -312,9 +375,24 @@ def judge_gear(
         some = [record for record in records if record.kind in kinds]
         return join(some) if some else None
 
-    pitch, helix = of(PITCH) or of(INDEX), of(HELIX_LINES)
+    pitch, index, helix = of(PITCH), of(INDEX), of(HELIX_LINES)
+    if pitch is not None and index is not None:
+        raise FileError(
+            "{file} has single pitch, and another file cumulative pitch of the gear: give one of them",
+            file=pitch.source,
+        )
+    pitch = pitch or index
     lines = [by_roll(each, form.base_diameter) for each in records if each.kind in (PROFILE_LINES, PROFILE_DIAMETERS)]
     profile = join(lines) if lines else None
+    of_profile = None if profile is None else profile_errors(profile, form, _profile_range(pairs[stage], driver))
+    of_helix = None if helix is None else helix_errors(helix, form)
+    if profile is not None:
+        tip = form.base_diameter / 2 * form.roll_angle(form.tip_diameter)
+        refuse_lines(
+            profile, "roll_length_mm", float(profile["roll_length_mm"].max()), tip, found=of_profile is not None
+        )
+    if helix is not None:
+        refuse_lines(helix, "face_mm", float(np.ptp(helix["face_mm"])), form.width, found=of_helix is not None)
     return MeasuredGearPlan(
         design=design,
         text=text,
@@ -323,8 +401,8 @@ def judge_gear(
         stage=stage,
         driver=driver,
         pitch=None if pitch is None else pitch_errors(pitch, form),
-        profile=None if profile is None else profile_errors(profile, form, _profile_range(pairs[stage], driver)),
-        helix=None if helix is None else helix_errors(helix, form),
+        profile=of_profile,
+        helix=of_helix,
         thickness=_thickness(of(SPANS), of(BALLS), form),
     )
 
@@ -345,6 +423,8 @@ _REACH = 0.3  # modules of E_sn on either side, within which thickness is sought
 def _thickness(spans: Record | None, balls: Record | None, form: GearForm) -> Sized | None:
     """Thickness deviation E_sn, mm, by spans and sizes over balls."""
     values: list[float] = []
+    if spans is not None:
+        refuse_parts(spans, "teeth_spanned")
     for record, by, size in ((spans, "teeth_spanned", "span_mm"), (balls, "ball_diameter_mm", "over_balls_mm")):
         if record is None:
             continue
@@ -400,7 +480,7 @@ def gear_report(plan: MeasuredGearPlan) -> list[Block]:
             Message("Deviation"),
             Message("Left"),
             Message("Right"),
-            Message("Class {grade} allows", grade=plan.grade),
+            Message("Allowed"),
             Message("Class reached"),
         )
         rows = tuple(_row(plan, each) for each in plan.measured)
@@ -410,19 +490,14 @@ def gear_report(plan: MeasuredGearPlan) -> list[Block]:
 
 
 def _row(plan: MeasuredGearPlan, each: FlankFigure) -> tuple[Cell | str, ...]:
-    form, reached = plan.form, plan.class_of(each)
-    allowed = None
-    if covered(form.reference_diameter, form.normal_module, form.width) and plan.grade <= _COARSEST:
-        allowed = _UM * class_tolerance(
-            each.symbol, form.reference_diameter, form.normal_module, form.width, plan.grade
-        )
-    bad = reached is None or reached > plan.grade
+    reached, allowed = plan.class_of(each), plan.allowed(each)
+    bad = plan.keeps(each) is False
     name = Message("{symbol}, {name}", symbol=_SYMBOLS[each.symbol], name=_NAMES[each.symbol])
     return (
         name,
         number(None if each.left is None else _UM * each.left, "µm", digits=1),
         number(None if each.right is None else _UM * each.right, "µm", digits=1),
-        number(allowed, "µm", digits=1),
+        number(None if allowed is None else _UM * allowed, "µm", digits=1),
         Cell(str(reached) if reached is not None else "–", state=State.BAD if bad else State.PLAIN),
     )
 
@@ -434,7 +509,7 @@ def _sentences(plan: MeasuredGearPlan) -> list[Message]:
     if plan.profile is not None:
         said += _of_profile(plan.profile)
     if plan.helix is not None:
-        said += _of_helix(plan.helix)
+        said += _of_helix(plan.helix, plan.form)
     if plan.thickness is not None:
         said += _of_thickness(plan, plan.thickness)
     return said
@@ -478,6 +553,8 @@ def _of_pitch(pitch: PitchErrors, form: GearForm) -> list[Message]:
 
 def _of_profile(profile: ProfileErrors) -> list[Message]:
     said = _range_lacks(Message("profile"), profile.covered)
+    if said:
+        return said
     angle = profile.tool
     if angle.clear:
         said.append(
@@ -507,9 +584,6 @@ def _of_profile(profile: ProfileErrors) -> list[Message]:
     return said
 
 
-_ENOUGH = 0.9  # part of the range of evaluation without which a class is not judged as the standard has it
-
-
 def _range_lacks(lines: Message, covered: float) -> list[Message]:
     if covered >= _ENOUGH:
         return []
@@ -522,15 +596,24 @@ def _range_lacks(lines: Message, covered: float) -> list[Message]:
     ]
 
 
-def _of_helix(helix: HelixErrors) -> list[Message]:
+def _of_helix(helix: HelixErrors, form: GearForm) -> list[Message]:
     said = _range_lacks(Message("helix"), helix.covered)
+    if said:
+        return said
     if helix.lead.clear:
+        # Above 0 is towards a right hand: more of a right-hand helix, less of a left-hand one.
+        off = -helix.angle.value if form.helix_angle < 0 else helix.angle.value
+        if form.helix_angle:
+            sense = Message("more helix") if off > 0 else Message("less helix")
+        else:
+            sense = Message("right-hand") if off > 0 else Message("left-hand")
         said.append(
             Message(
-                "The helix angle is {angle:+.4f}° ± {sigma:.4f}° off, {lead:.1f} µm over {length:.1f} mm: correct the "
-                "machine by {change:+.4f}°.",
-                change=-degrees(helix.angle.value),
-                angle=degrees(helix.angle.value),
+                "The helix angle is {angle:+.4f}° ± {sigma:.4f}° off ({sense}), {lead:.1f} µm over {length:.1f} mm: "
+                "correct the machine by {change:+.4f}°.",
+                change=-degrees(off),
+                angle=degrees(off),
+                sense=sense,
                 sigma=degrees(helix.angle.sigma),
                 lead=_UM * abs(helix.lead.value),
                 length=helix.length,
@@ -569,8 +652,10 @@ def _of_thickness(plan: MeasuredGearPlan, thickness: Sized) -> list[Message]:
             play=degrees(play.value),
         )
     ]
+    if plan.within:
+        return said
     feed = abs(change) / (2 * tan(plan.form.normal_pressure_angle))
-    if change < -max(4 * thickness.sigma, _SAME):
+    if change < 0:
         said.append(
             Message(
                 "Cut it again, {thinner:.1f} µm thinner, {feed:.1f} µm deeper along the radius.",
@@ -578,7 +663,7 @@ def _of_thickness(plan: MeasuredGearPlan, thickness: Sized) -> list[Message]:
                 feed=_UM * feed,
             )
         )
-    elif change > max(4 * thickness.sigma, _SAME):
+    else:
         said.append(
             Message(
                 "It is {thinner:.1f} µm too thin: cut the next one {feed:.1f} µm less deep.",

@@ -233,3 +233,81 @@ def test_the_gear_must_be_known():
         judged({"teeth_spanned": [7], "span_mm": [25.0]})
     with pytest.raises(FileError, match="within the base circle"):
         judged({"tooth": [1] * 3, "flank": ["left"] * 3, "diameter_mm": [28.0, 30.0, 31.0], "profile_um": [0, 1, 2]})
+
+
+def test_lines_of_which_nothing_can_be_evaluated_are_refused():
+    def helix(z, tooth=1):
+        return {"tooth": [tooth] * len(z), "flank": ["right"] * len(z), "face_mm": z, "helix_um": [0.1] * len(z)}
+
+    with pytest.raises(FileError, match="no line of three points"):
+        judged(helix([0.0]))
+    with pytest.raises(FileError, match="face_mm reaches 160"):
+        judged(helix([0.0, 40.0, 80.0, 120.0, 160.0]))
+    with pytest.raises(FileError, match="whole numbers of teeth"):
+        judged(helix([0.0, 4.0, 8.0], tooth=1.5))
+    with pytest.raises(FileError, match="whole numbers of teeth"):
+        judged({"teeth_spanned": [7.4], "span_mm": [19.958]})
+    rows = profiles()
+    rows["roll_length_mm"] = [np.degrees(each / (TEETH / 2 * cos(ALPHA))) for each in rows["roll_length_mm"]]
+    with pytest.raises(FileError, match="roll_length_mm reaches"):
+        judged(rows)
+    with pytest.raises(FileError, match="give one of them"):
+        judged(pitches(), pitches(form="pitch_um"))
+
+
+def test_a_short_line_is_a_reservation_and_corrects_nothing():
+    z = np.linspace(0, 0.08, 50)
+    rows = {"tooth": [1] * 50, "flank": ["right"] * 50, "face_mm": z, "helix_um": 0.6 * z}
+    result = judged(rows)
+    assert result.readiness == Readiness.RESERVATIONS
+    assert "correct the machine" not in str(result)
+
+
+def test_a_gear_within_its_own_zone_of_thickness_is_ready():
+    zoned = DESIGN.replace("{ teeth = 61 }", "{ teeth = 61, E_sns_um = -60, T_sn_um = 80 }")
+    involute = tan(ALPHA) - ALPHA
+    for deviation, ready in ((-0.0899, True), (-0.030, False), (-0.170, False)):
+        span = cos(ALPHA) * (6.5 * pi + TEETH * involute + deviation)
+        measured = Measured({"teeth_spanned": [7, 7], "span_mm": [span, span + 1e-5]}, (GEAR,))
+        result = Design.from_toml(zoned, train_only=True).judge_gear([measured])
+        assert (result.readiness == Readiness.READY) is ready
+        assert ("Cut it again" in str(result)) is (deviation == -0.030)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "readiness"),
+    [
+        ("width_mm = 8.0", 'width_mm = 3.0\nstandard = "free"', Readiness.RESERVATIONS),
+        ("grade = 8", "grade = 12", Readiness.RESERVATIONS),
+        ("{ teeth = 61 }", "{ teeth = 61, f_pt_um = 0.2 }", Readiness.NOT_READY),
+        ("{ teeth = 61 }", "{ teeth = 61, f_pt_um = 9, F_r_um = 50 }", Readiness.READY),
+    ],
+)
+def test_a_gear_without_a_class_is_judged_by_what_the_design_states(old, new, readiness):
+    measured = Measured(pitches(), (GEAR,))
+    assert Design.from_toml(DESIGN.replace(old, new), train_only=True).judge_gear([measured]).readiness == readiness
+
+
+def test_independent_pitches_have_no_cause():
+    named = 0
+    for seed in range(40):
+        noise = np.random.default_rng(seed).normal(0, 2, (2, TEETH)).ravel()
+        teeth = [*range(1, TEETH + 1)] * 2
+        rows = {"tooth": teeth, "flank": ["left"] * TEETH + ["right"] * TEETH, "pitch_um": noise}
+        pitch = judged(rows).pitch
+        named += pitch.off.clear or pitch.table.clear
+    assert named <= 1
+
+
+@pytest.mark.parametrize(("which", "teeth", "words"), [("driver", 20, "more helix"), ("driven", 61, "less helix")])
+def test_a_right_hand_slope_is_less_helix_of_a_left_hand_gear(which, teeth, words):
+    """A point of a right-hand tooth turns clockwise, along the count, on its way from the eye into the gear."""
+    helical = Design.from_toml(DESIGN.replace("grade = 8", "grade = 8\nhelix_angle_deg = 15"), train_only=True)
+    rows = helices(lead=radians(0.05), taper=0.0, leaning=0.0)
+    rows["tooth"] = [min(tooth, teeth) for tooth in np.array(rows["tooth"]) // 4 + 1]
+    result = helical.judge_gear([Measured(rows, (f"gear: {which} of stage 1",))])
+    form = (result.pair.driver if which == "driver" else result.pair.driven).form
+    hand = 1 if form.helix_angle > 0 else -1  # β > 0 is a right hand, which is the sense of these lines
+    assert hand == (1 if words == "more helix" else -1)
+    assert hand * result.helix.angle.value * (1 if words == "more helix" else -1) > 0
+    assert words in str(result)
