@@ -406,6 +406,13 @@ def explained(result: "Calibration[Design] | Calibrations[Design]", *, written: 
             said = Message("what was measured is explained, but no new cam is sure to bring the car nearer")
         if isinstance(result, Calibration) and result.cam_unknown:
             said, step = Message("it is not sure which cam is on the car"), Message("give its --profile")
+            if result.other_cam is not None and result.other_cam.earlier:
+                step = Message(
+                    "calibrate the design without its [as_built] with --profile {profile}",
+                    profile=result.other_cam.profile,
+                )
+            elif result.profile_stated:
+                step = Message("look which cam was on the car, and calibrate again with its --profile")
         verdict(result.readiness, said, step)
         return
     said = Message("what was measured is explained")

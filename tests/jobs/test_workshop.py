@@ -17,7 +17,7 @@ from cadgen.inference.workshop import Habit
 from cadgen.jobs.calibration.calibration import calibrate
 from cadgen.jobs.calibration.cam_on_car import nominal_of
 from cadgen.jobs.calibration.learned_workshop import workshop_of
-from cadgen.jobs.calibration.workshop import _REVERSED, Workshop, read_workshop
+from cadgen.jobs.calibration.workshop import _REVERSED, Workshop, is_known, read_workshop
 from cadgen.jobs.cam.steering_cam import CarUse, plan_cam
 from cadgen.jobs.nominal_car import watched_cars
 from tests.inference.measurement import synthetic_drive as drive
@@ -162,3 +162,22 @@ def test_a_workshop_is_learned_and_its_cars_are_foretold(carbon_free_car, planne
         float(np.median(tolerance_run(nominal_cars, each, 1000, seed=1).distance)) for each in (given, *of)
     )
     assert abs(np.log(learned / made)) < abs(np.log(default / made)), (default, learned, made)
+
+
+def test_minutes_that_are_no_table_and_no_cars_are_refused(tmp_path):
+    file = tmp_path / "workshop.toml"
+    for text in ('minutes = 3\ndesign = "x"\ncars = 3\nnumbers = []\n', 'design = "x"\ncars = -3\nnumbers = []\n'):
+        file.write_text(text)
+        with pytest.raises(FileError, match="no workshop's file"):
+            read_workshop(file)
+
+
+def test_an_effect_that_no_catalogue_has_is_in_no_file():
+    assert is_known("backlash", "return_error_deg")
+    assert not is_known("backlash (lift)", "return_error_deg")
+
+
+def test_a_number_that_two_effects_have_counts_for_neither():
+    plays = [Habit(name, "return_error_deg", 0.01, 0.01, 0.01, 0.01, 3.0) for name in ("backlash", "return error")]
+    assert replace(MADE, habits=tuple(plays)).usual == {}
+    assert "steering_zero_deg" in MADE.usual

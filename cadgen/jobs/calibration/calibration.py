@@ -311,10 +311,11 @@ def calibrate_each(
     workshop: Workshop | None = None,
 ) -> tuple[CalibrationPlan, ...]:
     """Judge every file alone, as if each were of a car of its own. Arguments and errors as in `calibrate`."""
-    nominal = nominal_of(design, profile or ACTUAL.code, progress)
+    cams = [profile or stated_profile(source) or ACTUAL.code for source in sources]
+    nominals = {cam: nominal_of(design, cam, progress) for cam in dict.fromkeys(cams)}
     return tuple(
-        calibrate(design, profile, [source], form_error_um, progress, nominal, workshop, alone=True)
-        for source in sources
+        calibrate(design, profile, [source], form_error_um, progress, nominals[cam], workshop, alone=True)
+        for source, cam in zip(sources, cams, strict=True)
     )
 
 

@@ -15,7 +15,7 @@ from cadgen.inference.workshop import Habit, Shown, learn
 from cadgen.jobs.calibration.advice import prior_of
 from cadgen.jobs.calibration.calibration import CalibrationPlan
 from cadgen.jobs.calibration.cam_on_car import nominal_of
-from cadgen.jobs.calibration.workshop import Workshop
+from cadgen.jobs.calibration.workshop import Workshop, is_known
 
 LEAST_CARS = 3  # of two, a spread is hardly more than a guess
 _SEEN = 2.0  # cars' worth below which a number is left to the tolerances of the design
@@ -38,6 +38,8 @@ def workshop_of(design: Design, calibrations: Sequence[CalibrationPlan]) -> Work
         scales["return_error_deg"] = prior.play
     parts = [_shown(each, scales) for each in told]
     names = list(dict.fromkeys(name for part in parts for name in part.names))
+    if not names:
+        return None
     scale = {name: part.scale[n] for part in parts for n, name in enumerate(part.names)}
     cars = []
     for part in parts:
@@ -46,7 +48,10 @@ def workshop_of(design: Design, calibrations: Sequence[CalibrationPlan]) -> Work
         information[np.ix_(at, at)], pull[at] = part.shown.information, part.shown.pull
         cars.append(Shown(information, pull))
     effects = list(dict.fromkeys(effect for effect, _ in names))
-    learned = learn(cars, [effects.index(effect) for effect, _ in names])
+    try:
+        learned = learn(cars, [effects.index(effect) for effect, _ in names])
+    except np.linalg.LinAlgError:  # records that tell too little leave the tolerances of the design
+        return None
     habits = []
     for n, (effect, name) in enumerate(names):
         if learned.cars[n] < _SEEN:
@@ -94,7 +99,8 @@ def _shown(calibration: CalibrationPlan, spread: Mapping[str, float]) -> _CarNum
             at[span] = active[effect.key] / linear.scale[span]
         smooth = not any(number.stepwise for number in effect.parameters)
         varied = smooth and not (effect.member or effect.shape or effect.beside or effect.instrument)
-        if varied and all(whole[n, n] > 0 for n in mine):
+        known = all(is_known(effect.name, number.name) for number in effect.parameters)
+        if varied and known and all(whole[n, n] > 0 for n in mine):
             kept += mine
             names += [(effect.name, number.name) for number in effect.parameters]
         elif effect.key in active or not effect.beside:

@@ -3,7 +3,7 @@
 import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from math import sqrt
+from math import inf, sqrt
 from pathlib import Path
 from typing import Any
 
@@ -65,8 +65,9 @@ class Workshop:
 
     @property
     def usual(self) -> dict[str, tuple[float, float]]:
-        """Mean and standard deviation of numbers by their names, internal units."""
-        return {habit.name: (habit.mean, habit.spread) for habit in self.habits}
+        """Mean and standard deviation of numbers by their names, internal units; no name twice."""
+        names = [habit.name for habit in self.habits]
+        return {habit.name: (habit.mean, habit.spread) for habit in self.habits if names.count(habit.name) == 1}
 
     def tolerances(self, given: Tolerances, car: Car, wheel_radius: float) -> Tolerances:
         """Tolerances with what the workshop does in the place of what the design allows.
@@ -172,6 +173,15 @@ class _Plays:
         return np.maximum(generator.normal(self.mean, self.spread, count), 0.0)
 
 
+def is_known(effect: str, name: str) -> bool:
+    """Whether a number of that name is in a catalogue, so that a workshop's file may have it."""
+    try:
+        _number(effect, name)
+    except KeyError:
+        return False
+    return True
+
+
 def _number(effect: str, name: str) -> tuple[Effect, Parameter]:
     """Effect and number by their names; KeyError if there is none."""
     for kind in kinds():
@@ -205,13 +215,15 @@ def read_workshop(path: Path) -> Workshop:
             if not spread > 0 or not np.all(np.isfinite([mean, spread, least, most])):
                 raise ValueError
             habits.append(Habit(entry["effect"], entry["name"], mean, spread, least, most, float(entry["cars"])))
+        if not set(values.get("minutes", {})) <= set(MINUTES) or not int(values["cars"]) > 0:
+            raise ValueError
         minutes = {code: (float(pair[0]), float(pair[1])) for code, pair in values.get("minutes", {}).items()}
-        if any(not (first >= 0 and each >= 0 and first + each > 0) for first, each in minutes.values()):
+        if any(not (first >= 0 and each >= 0 and 0 < first + each < inf) for first, each in minutes.values()):
             raise ValueError
         return Workshop(
             design=str(values["design"]), cars=int(values["cars"]), habits=tuple(habits), minutes={**MINUTES, **minutes}
         )
-    except (KeyError, TypeError, ValueError, IndexError) as error:
+    except (KeyError, TypeError, ValueError, IndexError, AttributeError, OverflowError) as error:
         raise FileError(
             "{file} is no workshop's file, or one of its numbers is none: write it anew with cadgen calibrate --each "
             "--out",

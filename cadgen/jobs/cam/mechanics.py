@@ -352,8 +352,9 @@ def energy_verdict(
     name = Message("energy left at the end of the path")
     held_back = _by_usual_values() if assumed else ()
     if keys.car_mass_kg is None and design.drive is None:
+        carried = (has - spent.needed) * mass / spent.rolling if spent.rolling > 0 else inf
         name = Message("energy left at the end of the path, motor or weight not counted in the mass")
-        held_back = (*held_back, *_uncounted_drive((has - spent.needed) * mass / spent.rolling))
+        held_back = (*held_back, *_uncounted_drive(carried if has >= spent.needed else -1.0))
     guide = _guide(design) if keys.car_mass_kg is None else 0.0
     stated = keys.drive_energy_J is not None
     check = _energy_check(spent, has, falls, name, design.drive, unwound, mass, guide, stated=stated)
