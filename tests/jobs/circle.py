@@ -86,7 +86,7 @@ def go_round(built: Built, wheels: Wheels, rng: np.random.Generator, folder: Pat
 
     measured = folder / "camera.csv"
     write_csv(track_record(SimpleNamespace(built=old), wheels, rng, noise_mm=NOISE_MM), measured)
-    cadgen("calibrate", DESIGN, str(measured), "--out", str(folder))
+    cadgen("calibrate", DESIGN, str(measured), "--profile", "actual", "--out", str(folder))
     told = json.loads((folder / f"{DESIGN}_calibration.json").read_text())
 
     cadgen("cam", str(folder / f"{DESIGN}_as_built.toml"), "--profile", "optimized", "--out", str(folder))

@@ -24,6 +24,8 @@ from cadgen.inference.measurement.record import Kind, Record
 
 # Independent numbers in the path of one run: its errors are smooth, and the start pose takes three of them.
 INDEPENDENT = 6
+# Usual sizes beyond which a number that was found is no usual deviation, but another scale.
+_BEYOND = 20.0
 
 
 @dataclass(frozen=True)
@@ -102,8 +104,8 @@ def predict_logged(record: Record, diagnosis: PathDiagnosis, wheelbase: float, u
 def probable(model: Model, diagnosis: PathDiagnosis) -> Active:
     """All effects of a logged car with their most probable numbers, the start pose of each run free.
 
-    Each is held to a size that is usual, or to that which was found, where this is greater: a steering that was logged
-    in another scale is off by several times of itself.
+    Each is held to a size that is usual. Where many times that size was found, as of a steering that was logged in
+    another scale, it is held to what was found.
 
     Args:
         model: of the runs that are fitted.
@@ -112,7 +114,9 @@ def probable(model: Model, diagnosis: PathDiagnosis) -> Active:
     effects, error = model.catalogue, diagnosis.residual.after / np.sqrt(2)
     found = {value.name: value.value for finding in diagnosis.findings for value in finding.values}
     numbers = [p for e in effects for p in e.parameters]
-    spread = np.array([max(p.spread, abs(found.get(p.name, 0.0)) * p.scale) for p in numbers])
+    sizes = np.array([abs(found.get(p.name, 0.0)) * p.scale for p in numbers])
+    usual = np.array([p.spread for p in numbers])
+    spread = np.where(sizes > _BEYOND * usual, sizes, usual)
     weight = np.sqrt(INDEPENDENT * model.rows.runs / len(model.rows.run)) / max(error, 1e-6)
     pose = np.linalg.qr(model.offsets)[0]
 
@@ -124,7 +128,7 @@ def probable(model: Model, diagnosis: PathDiagnosis) -> Active:
         columns = slopes(model, effects, activated(effects, values * spread)) * spread
         return np.vstack([-weight * (columns - pose @ (pose.T @ columns)), np.eye(len(values))])
 
-    start = np.array([found.get(p.name, p.start) * p.scale for p in numbers]) / spread
+    start = np.concatenate([e.start for e in effects]) / spread
     return activated(effects, least_squares(off, start, jac=tangents, ftol=1e-7, max_nfev=30).x * spread)
 
 
