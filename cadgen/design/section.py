@@ -115,6 +115,9 @@ def listed(items: Sequence[str], conjunction: str) -> Message:
     return joined((joined(items[:-1]), items[-1]), f" {conjunction} ")
 
 
+_READ_THROUGH = 20  # codes; of more, such as laws, the nearest is named in place of all
+
+
 @dataclass(frozen=True)
 class OneOf:
     """Text that must be one of the codes of registered objects, asked for when a design is read."""
@@ -132,7 +135,8 @@ class OneOf:
 
     def _checked(self, code: str) -> str:
         if not (code in self.codes() if self.has is None else self.has(code)):
-            if near := get_close_matches(code[:80].lower(), self.codes(), 1, 0.8):
+            many = len(self.codes()) > _READ_THROUGH
+            if many and (near := get_close_matches(code[:80].lower(), self.codes(), 1, 0.8)):
                 raise ValueError(
                     Message(
                         "{here} is {value}: did you mean {near}?",

@@ -359,7 +359,9 @@ def test_bad_followers_are_refused_with_cures_that_work(name, changes, words, cu
 
 def test_a_key_of_another_follower_is_none_of_this():
     """As a roller's radius for a flat face."""
-    with pytest.raises(DesignError, match=r"follower.radius_mm is not a key: .* kind, tilt_deg, face_offset_mm and"):
+    with pytest.raises(
+        DesignError, match=r"follower.radius_mm is a key of .*kind is \"flat\".* kind, tilt_deg, face_offset_mm and"
+    ):
         Design.from_toml(DESIGNS["flat"]).with_({"follower.radius_mm": 5.0})
 
 
