@@ -6,9 +6,9 @@ gears must give the cam the torque M(theta), `mechanics.Mechanics.needed`, and t
 Where the rod drives the cam ahead, M is negative, and nothing of that comes back: the play is run through, and the
 shock at its end takes it. Air and the kinetic energy at the end are left aside: 0.13 J of a car of 1 kg at 0.5 m/s.
 
-What is against the car at a place is the derivative of E by the travel s of the drive wheel,
-    F(s) = c m g dS/ds + max(M, 0) / eta dtheta/ds,
-and a weight that pulls with P moves it off if P > F at the start. It keeps it moving as long as P s > ∫ F ds.
+The force against the car at a place is the derivative of E by the travel s of the drive wheel.
+    F(s) = c m g dS/ds + max(M, 0) / eta dtheta/ds.
+A weight that pulls with P moves it off if P > F at the start. It keeps it moving as long as P s > ∫ F ds.
 """
 
 from dataclasses import dataclass

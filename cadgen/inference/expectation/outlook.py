@@ -1,4 +1,4 @@
-"""Ends of the runs of a car as built, on the cam that it has and on the one that would be cut next.
+"""Ends of the runs of a car as built, on its present cam and on the cam that would be cut next.
 
 Both cams are driven, with what the car has. What it has is drawn from the likely subsets, claimed or not, by their
 weights, and within each from its normal distribution about the values found:

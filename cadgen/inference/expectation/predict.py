@@ -24,7 +24,8 @@ from cadgen.inference.measurement.record import Kind, Record
 
 # Independent numbers in the path of one run: its errors are smooth, and the start pose takes three of them.
 INDEPENDENT = 6
-# Usual sizes beyond which a number that was found is no usual deviation, but another scale.
+# Usual sizes beyond which a number that was found is no usual deviation, but another scale. Chosen on recorded
+# vehicles: a steering in another scale must be beyond it, and the tricycle's slip, of seven usual sizes, must not.
 _BEYOND = 20.0
 
 

@@ -2,8 +2,8 @@
 
 Seen on the measured face, teeth are counted clockwise; right flanks look along the count. A deviation is positive where
 there is too much material; a pitch where it is too long. Let α be the transverse pressure angle and φ_k the angle of
-tooth k along the count. Let s be +1 for right flanks and −1 for left ones, and δ = α less half the angle of a tooth,
-for a flank stands beside the middle of its tooth. Then errors show so:
+tooth k along the count. Let s be +1 for right flanks and −1 for left ones. A flank stands beside the middle of its
+tooth, so let δ = α less half the angle of a tooth. Then errors show so:
 
 - teeth off the axis by e towards ψ: index deviation e sin(ψ − φ_k + s δ)/cos α, along the normal e sin(s(ψ − φ_k) + δ);
 - an index that is off by the machine's table: alike on both flanks;
@@ -225,7 +225,7 @@ def _slow_noise(index: Sequence[Array], *, walks: bool) -> float:
 
 
 def _fewest(columns: Array, data: Array, slow: float) -> tuple[Array, Array]:
-    """Coefficients of eccentricity and of the table's error, 0 of the one that is not needed, with their deviations."""
+    """Coefficients of eccentricity and of the table's error with their deviations; 0 for one that is not needed."""
     whole, _ = _solved(columns, data)
     noise = max(float(np.sum((data - columns @ whole) ** 2)) / max(len(data) - 4, 1), slow, _LEAST**2)
     best = None
@@ -259,7 +259,7 @@ _EDGE = 1e-6  # mm by which a range is wider, for points that lie on its end
 
 @dataclass(frozen=True)
 class Range:
-    """Where lines are evaluated, and over what length their slopes are told, mm.
+    """Range in which lines are evaluated, and length over which their slopes are told, mm.
 
     Attributes:
         start, end: of the evaluation.

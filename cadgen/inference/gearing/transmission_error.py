@@ -547,7 +547,7 @@ def _with_causes(
 
 
 def _likeness(columns: Array, values: Array, start: NDArray[np.bool_]) -> float:
-    """Correlation of the noise of a row with that of the row before, of what all columns leave."""
+    """Correlation of noise between neighbouring rows, by the residual of a fit of all columns."""
     left = _least_squares(columns, values).left
     inner = ~start
     inner[0] = False

@@ -1,4 +1,4 @@
-"""Whether the records of a car fit another cam than the one that they were judged against.
+"""Cams that fit the records of a car better than the stated cam, or as well.
 
 A cam is named by its user, who may be wrong: the profile against play and the plain one differ by less than the eye
 sees. Effects of the car then stand for the difference of the two, and a new cam made for them leads the car astray. So

@@ -22,7 +22,7 @@ from cadgen.deviations.deviation import RETURN_ERROR, Deviation
 from cadgen.errors import DesignError
 from cadgen.figures import Figure
 from cadgen.inference.monte_carlo.cars import Cars
-from cadgen.inference.monte_carlo.course_margins import Complex, CourseMargins, FinishItem
+from cadgen.inference.monte_carlo.course_margins import CourseMargins, FinishItem
 from cadgen.inference.monte_carlo.random_cars import Tolerances, margins_of_cars, most_moving
 from cadgen.jobs.cam.comparison import NEARER, Refused
 from cadgen.jobs.cam.wheel import DriveWheel
@@ -225,20 +225,17 @@ def _room(met: CourseMargins, number: int) -> Message:
     """
     item = met.items[number]
     if not isinstance(item, FinishItem):
-        return Message(
-            "lead the path with more room past {key}", key=item.key.partition(",")[0]
-        )  # of a gate of each lap
-    margins = met.margins
-    others = np.delete(margins, number, axis=0) >= 0
-    away = np.abs(met.places[number][:, 0] - item.stop)
-    turned = met.turned[number]
+        gate = item.key.partition(",")[0]  # of each lap
+        return Message("lead the path with more room past {key}", key=gate)
+    places, turned = met.places[number], met.turned[number]
+    others = (np.delete(met.margins, number, axis=0) >= 0).all(axis=0)
 
-    def percent(other: FinishItem, places: Complex) -> float:
-        return 100 * float(np.mean(others.all(axis=0) & (other.margin(places, turned) >= 0)))
+    def percent(finish: FinishItem) -> float:
+        return 100 * float(np.mean(others & (finish.margin(places, turned) >= 0)))
 
-    now = percent(item, met.places[number])
-    middle = percent(replace(item, stop=complex(item.places[0])), met.places[number])
-    any_way = percent(replace(item, heading=None), met.places[number])
+    now = percent(item)
+    middle = percent(replace(item, stop=complex(item.places[0])))
+    any_way = percent(replace(item, heading=None))
     if item.heading is not None and any_way > max(now, middle) + _WORTH:
         off, most = item.heading
         return Message(
@@ -256,12 +253,12 @@ def _room(met: CourseMargins, number: int) -> Message:
             off=abs(complex(item.places[0]) - item.stop),
             kept=middle,
         )
-    reach = ceil(np.quantile(away, 0.005 + GOOD_YIELD / 100))
+    reach = ceil(np.quantile(np.abs(places[:, 0] - item.stop), 0.005 + GOOD_YIELD / 100))
     return Message(
         "raise {key}.radius_mm to {reach}, with which {kept:.1f} % keep the course",
         key=item.key,
         reach=reach,
-        kept=percent(replace(item, reach=float(reach)), met.places[number]),
+        kept=percent(replace(item, reach=float(reach))),
     )
 
 

@@ -1,4 +1,4 @@
-"""Sheets that stand on the base: bearing plates, the bracket beside the idle wheel, and that of the micrometer."""
+"""Sheets that stand on the base: bearing plates, and brackets at the idle wheel and the micrometer."""
 
 from collections.abc import Callable, Sequence
 from math import sqrt
