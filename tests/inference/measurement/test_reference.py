@@ -14,10 +14,11 @@ from tests.inference.measurement.synthetic_drive import Wheels
 PAGE = Path(__file__).parents[3] / "docs" / "effects.md"
 
 
-def test_the_page_is_up_to_date():
-    assert PAGE.read_text(encoding="utf-8") == page(), (
-        "run: python -m cadgen.inference.measurement.reference > docs/effects.md"
-    )
+@pytest.mark.parametrize(("language", "end"), [("en", ""), ("zh", ".zh-CN")])
+def test_the_page_is_up_to_date(language, end):
+    file = PAGE.with_suffix(f"{end}.md")
+    command = f"python -m cadgen.inference.measurement.reference {language} > docs/{file.name}"
+    assert file.read_text(encoding="utf-8") == page(language), f"run: {command}"
 
 
 def test_every_number_has_a_meaning_and_a_signed_one_says_its_sense():

@@ -13,6 +13,7 @@ from cadgen.inference.measurement.model import CHANGE, Discrepancy, Model, Rolle
 from cadgen.inference.measurement.nominal import Nominal
 from cadgen.inference.measurement.record import Column, Datum, Direction, Kind, Record, Span, refuse_twice
 from cadgen.inference.measurement.shapes import shapes
+from cadgen.messages import Message
 
 FORM_ORDERS = 90
 SHAPE_ORDERS = range(1, 61)
@@ -75,7 +76,7 @@ def _check(record: Record) -> None:
 
 KIND = Kind(
     code="lift",
-    title="Lift",
+    title=Message("Lift"),
     columns=(
         Column(name="direction", words=tuple(Direction)),
         Column(name="cam_angle_deg", lower=-1.0, upper=361.0, least_span=10.0),

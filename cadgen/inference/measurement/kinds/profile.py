@@ -27,6 +27,7 @@ from cadgen.inference.measurement.model import (
 from cadgen.inference.measurement.nominal import Nominal
 from cadgen.inference.measurement.record import Column, Datum, Kind, Record, Span
 from cadgen.inference.measurement.shapes import shapes
+from cadgen.messages import Message
 
 FORM_ORDERS = 90
 UNDULATIONS = 120
@@ -190,7 +191,7 @@ def _clocking(
 
 KIND = Kind(
     code="profile",
-    title="Profile",
+    title=Message("Profile"),
     columns=(Column(name="x_mm", lower=-1e3, upper=1e3), Column(name="y_mm", lower=-1e3, upper=1e3)),
     readings=("x_mm", "y_mm"),
     catalogue=PROFILE,

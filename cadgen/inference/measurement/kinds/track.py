@@ -450,7 +450,7 @@ def _spans(record: Record, nominal: Nominal) -> Iterable[Span]:
 
 KIND = Kind(
     code="track",
-    title="Track",
+    title=Message("Track"),
     columns=(
         Column(name="cam_angle_deg", lower=-1.0, upper=361.0, least_span=10.0),
         Column(name="x_mm", lower=-1e6, upper=1e6),

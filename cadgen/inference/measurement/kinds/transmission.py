@@ -43,6 +43,7 @@ from cadgen.inference.measurement.model import (
 from cadgen.inference.measurement.nominal import Nominal
 from cadgen.inference.measurement.record import Column, Datum, Kind, Record, Span
 from cadgen.inference.measurement.shapes import shapes
+from cadgen.messages import Message
 
 FORM_ORDERS = 30
 SHAPE_ORDERS = 60
@@ -333,7 +334,7 @@ def _spans(record: Record, nominal: Nominal) -> Iterable[Span]:
 
 KIND = Kind(
     code="transmission",
-    title="Transmission",
+    title=Message("Transmission"),
     columns=(
         Column(name="motor_angle_deg", lower=-1e6, upper=1e6, least_span=90.0),
         Column(name="cam_angle_deg", lower=-800.0, upper=800.0, least_span=10.0),

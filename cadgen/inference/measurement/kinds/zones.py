@@ -178,7 +178,7 @@ def shortfall(zones: Zones, *, rpm: float, seconds: float, ratio: float) -> Shor
 
 KIND = Kind(
     code="zones",
-    title="Zones",
+    title=Message("Zones"),
     columns=(
         Column(name="cam_angle_deg", lower=0.0, upper=720.0),
         Column(name="std_deg", lower=1e-6, upper=90.0),
