@@ -1,11 +1,12 @@
 """Rows of a lift table from a file of two columns, angle and lift."""
 
 import re
+from collections.abc import Sequence
 from math import isfinite
 from pathlib import Path
 
 from cadgen.errors import DesignError, FileError, brief, escaped
-from cadgen.messages import Message
+from cadgen.messages import Message, joined
 from cadgen.reading import TooLargeError, read_regular
 
 MOST_ROWS = 20_000
@@ -14,34 +15,43 @@ _LONGEST_SHOWN = 60
 _MARKS = (r"\s*[;\t|]\s*", r"\s*,\s*", r"\s+")
 # Unit of the columns, and its size, that a value of `motion.table_unit` stands for.
 _STATED = {"mm": ("mm", 1.0), "inch": ("mm", 25.4), "deg": ("deg", 1.0)}
+# Units that a column may have, as messages name them.
+_IN_THEIR_WORDS = {"mm": "mm, um, in", "deg": "deg, rad", "N": "N, kN", "Nm": "N·mm, Nm"}
 
 
-def read_rows(file: Path, stated: str | None = None, key: str = "motion.table") -> tuple[list[list[float]], str | None]:
+def read_rows(
+    file: Path, stated: str | None = None, key: str = "motion.table", bases: Sequence[str] = ("mm", "deg")
+) -> tuple[list[list[float]], str | None]:
     """Rows [angle, lift] of a file, the angle in degrees, and the unit of the lift.
 
     Columns are set apart by commas, semicolons, tabs, bars or spaces; where it is not commas, decimals may have commas.
-    Lines of words before the first row, empty lines and what follows `#` are passed over. The last line of words may
-    name the units, such as `angle [deg], lift [in]`.
+    Lines of words before the first row, empty lines and what follows `#` are passed over. The last line of words that
+    has units counts, such as `angle [deg], lift [in]` or `deg; in`, or the remark above the first row if it has both.
 
     Args:
         file: path of the file.
         stated: unit of the lift, `mm`, `inch` or `deg`, that the design states; None if it does not.
         key: key of the design that names the file, for messages.
+        bases: units that the second column may have, or such as are multiples of them: mm, deg, N or Nm.
 
     Returns:
-        Rows, and the unit of their lift: the one stated, or mm or deg where the file names one; None if neither does.
+        Rows, and the unit of their lift: the one stated, or one of `bases` where the file names one; None if neither
+        does. Moments in Nm are returned in N·mm.
 
     Raises:
-        DesignError: no such file, one that cannot be read, a row that is none, too many, or another unit than stated.
+        DesignError: no such file, one that cannot be read, a row that is none, too many, a unit that is not known or
+            does not do, or another one than stated.
     """
-    name, words = brief(str(file)), ""
+    name, words, remark = brief(str(file)), [], ""
     rows: list[list[float]] = []
     for number, line in enumerate(_text(file, name, key).splitlines(), 1):
         if not (content := line.partition("#")[0].strip()):
+            remark = line.strip("# ") if line.startswith("#") and not rows else remark
             continue
         values = _numbers(content)
         if values is None and not rows and re.search(r"[^\W\d_]", content):
-            words = content
+            words.append(content)
+            remark = ""
             continue
         if values is None:
             raise DesignError(
@@ -55,7 +65,7 @@ def read_rows(file: Path, stated: str | None = None, key: str = "motion.table") 
         rows.append(values)
     if not rows:
         raise DesignError("{name} has no rows: write an angle and a lift in each", name=name)
-    return _in_their_units(rows, words, stated, name)
+    return _in_their_units(rows, _units(words, remark), stated, name, bases)
 
 
 def _text(file: Path, name: str, key: str) -> str:
@@ -109,21 +119,65 @@ def _numbers(content: str) -> list[float] | None:
 
 
 def _in_their_units(
-    rows: list[list[float]], words: str, stated: str | None, name: str
+    rows: list[list[float]], units: tuple[str, str], stated: str | None, name: str, bases: Sequence[str]
 ) -> tuple[list[list[float]], str | None]:
     """Rows with the angle in degrees, and the lift in mm or degrees where the file alone names its unit."""
-    from cadgen.inference.records.units import heading, unit_of
+    from cadgen.inference.records.units import unit_of
 
-    cells = next((cells for mark in _MARKS[:2] if len(cells := re.split(mark, words)) == 2), ["", ""])
-    angle, lift = (unit_of(heading(cell).unit) for cell in cells)
-    turn = angle[1] if angle is not None and angle[0] == "deg" else 1.0
+    of_angle, of_lift = units
+    angle, lift = unit_of(of_angle), unit_of(of_lift)
+    if of_angle and (angle is None or angle[0] != "deg"):
+        raise DesignError(
+            'the unit of the angle in {name} is "{unit}" by its first lines, which is none of angles that is known: '
+            "write deg or rad there, and the angles in it",
+            name=name,
+            unit=escaped(of_angle[:_LONGEST_SHOWN]),
+        )
+    if of_lift and (lift is None or lift[0] not in bases) and (stated is None or lift is not None):
+        raise DesignError(
+            'the unit of the second column of {name} is "{unit}" by its first lines, which does not do here: write '
+            "{known} there, and the numbers in it",
+            name=name,
+            unit=escaped(of_lift[:_LONGEST_SHOWN]),
+            known=joined([_IN_THEIR_WORDS[base] for base in bases], Message(" or ")),
+        )
+    turn = angle[1] if angle is not None else 1.0
     if lift is not None and stated is not None and lift != _STATED.get(stated, lift):
         raise DesignError(
             'the unit of the lift in {name} is "{unit}" by its first lines, and motion.table_unit is "{stated}": '
             "remove motion.table_unit (on the command line with --set motion.table_unit=)",
             name=name,
-            unit=heading(cells[1]).unit,
+            unit=of_lift,
             stated=stated,
         )
     scale, unit = (lift[1], lift[0]) if lift is not None and stated is None else (1.0, stated)
+    scale *= 1000.0 if unit == "Nm" else 1.0  # [dynamics] has moments in N·mm
     return [[turn * at, scale * height] for at, height in rows], unit
+
+
+def _units(words: Sequence[str], remark: str) -> tuple[str, str]:
+    """Units of both columns as the lines above the rows name them, empty where they do not; the last line counts."""
+    from cadgen.inference.records.units import heading, unit_of
+
+    for line in reversed(words):
+        cells = _two(line)
+        bare = (cells[0].strip("[]()"), cells[1].strip("[]()"))
+        first = unit_of(bare[0])
+        named = (heading(cells[0]).unit, heading(cells[1]).unit)
+        units = bare if first and first[0] == "deg" and unit_of(bare[1]) else named
+        if any(units):
+            return units
+    # Programs write the names as a remark, too: a line of two names with a known unit each, and nothing else.
+    cells = _two(remark) if not re.search(r"\d", remark) else ("", "")
+    units = (heading(cells[0]).unit, heading(cells[1]).unit)
+    first = unit_of(units[0])
+    return units if first and first[0] == "deg" and unit_of(units[1]) else ("", "")
+
+
+def _two(line: str) -> tuple[str, str]:
+    """Names of two columns in a line; empty if it has not two."""
+    for mark in _MARKS[:2]:
+        if len(cells := re.split(mark, line)) == 2:
+            return cells[0], cells[1]
+    match = re.fullmatch(r"(\S+)\s+(\S+)", line) or re.fullmatch(r"(.+?[\])])\s+(.+[\])])", line)
+    return (match[1], match[2]) if match else ("", "")

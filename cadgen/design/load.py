@@ -9,6 +9,7 @@ from typing import Any, TypeVar
 
 from pydantic import ValidationError
 
+from cadgen.cam.followers.table import has, kind_of
 from cadgen.car.path.path_kinds import B_SPLINE
 from cadgen.design.explain import explain
 from cadgen.design.file_names import usable_name
@@ -20,6 +21,7 @@ from cadgen.design.path import OF_ANY_PATH
 from cadgen.design.schema import OF_A_CAR, Design, DesignFile, MotionDesign, MotionFile, TrainDesign, TrainFile
 from cadgen.design.section import listed
 from cadgen.errors import DesignError, brief
+from cadgen.laws.unit import MM
 from cadgen.messages import Message, joined
 from cadgen.reading import read_regular
 
@@ -238,10 +240,20 @@ def _read_tables(values: Mapping[str, object], file: Path, changed: Sequence[Pla
             continue
         if kept not in table or (section, key) in changed:
             stated = table.get("table_unit")
-            named = f"{section}.{key}"
-            table[kept], unit = read_rows(file.parent / table[key], stated if isinstance(stated, str) else None, named)
+            named, bases = f"{section}.{key}", _bases(values) if section == "dynamics" else ("mm", "deg")
+            unit = stated if isinstance(stated, str) else None
+            table[kept], unit = read_rows(file.parent / table[key], unit, named, bases)
             if unit is not None and section == "motion":
                 table["table_unit"] = unit
+
+
+def _bases(values: Mapping[str, object]) -> tuple[str, ...]:
+    """Units of a load: of a force, or of a moment where the follower is on an arm; both where it has no known kind."""
+    follower = values.get("follower")
+    code = follower.get("kind") if isinstance(follower, dict) else None
+    if not isinstance(code, str) or not has(code):
+        return ("N", "Nm")
+    return ("N",) if kind_of(code).unit == MM else ("Nm",)
 
 
 def design_file(source: str | Path | None = None) -> Path:

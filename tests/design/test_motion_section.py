@@ -287,7 +287,7 @@ def test_a_law_for_the_top_runs_backwards_on_the_return():
         ("\ufeffWinkel;Hub\r\n0;1,5\r\n10;2,0\r\n", [[0, 1.5], [10, 2]]),
         ("# measured\n0\t1.5\n\n10\t2  # top\n", [[0, 1.5], [10, 2]]),
         ("0 1.5\n-10 2e0\n", [[0, 1.5], [-10, 2]]),
-        ("deg, mm\nangle, lift\n0, 1.5\n10 , 2\n", [[0, 1.5], [10, 2]]),
+        ("names, of\nangle, lift\n0, 1.5\n10 , 2\n", [[0, 1.5], [10, 2]]),
     ],
 )
 def test_rows_of_a_file(tmp_path, text, rows):
@@ -305,6 +305,16 @@ def test_rows_of_a_file(tmp_path, text, rows):
         ("angle,swing [deg]", None, (1.0, 1.0), "deg"),
         ("angle,lift", "inch", (1.0, 1.0), "inch"),
         ("angle,lift [in]", "inch", (1.0, 1.0), "inch"),
+        ("Nockenwinkel [°];Hub [Zoll]", None, (1.0, 25.4), "mm"),
+        ("angle_deg lift_in", None, (1.0, 25.4), "mm"),
+        ("angle (deg) lift (thou)", None, (1.0, 0.0254), "mm"),
+        ("deg, um\nangle, lift", None, (1.0, 1e-3), "mm"),
+        ("angle,lift\ndeg,in", None, (1.0, 25.4), "mm"),
+        ("angle [deg],lift [in]\nmeasured in May", None, (1.0, 25.4), "mm"),
+        ("# angle_deg,lift_in", None, (1.0, 25.4), "mm"),
+        ("# range 360 deg, resolution 1 um", None, (1.0, 1.0), None),
+        ("theta, s", None, (1.0, 1.0), None),
+        ("angle,lift [Spanne]", "inch", (1.0, 1.0), "inch"),
     ],
 )
 def test_units_of_the_head_count(tmp_path, head, stated, factors, unit):
@@ -313,6 +323,32 @@ def test_units_of_the_head_count(tmp_path, head, stated, factors, unit):
     rows, found = read_rows(file, stated)
     np.testing.assert_allclose(rows, np.array([[2, 1.5], [3, 2]]) * factors)
     assert found == unit
+
+
+@pytest.mark.parametrize(
+    ("head", "bases", "words"),
+    [
+        (
+            "angle,lift [ell]",
+            ("mm", "deg"),
+            'of lobe.csv is "ell" by its first lines, which does not do here: write mm',
+        ),
+        ("angle [gon],lift", ("mm", "deg"), 'the unit of the angle in lobe.csv is "gon" by its first lines'),
+        ("angle,load [N]", ("Nm",), 'is "N" by its first lines, which does not do here: write N·mm, Nm there'),
+    ],
+)
+def test_a_unit_that_is_not_known_is_refused(tmp_path, monkeypatch, head, bases, words):
+    monkeypatch.chdir(tmp_path)
+    Path("lobe.csv").write_text(f"{head}\n2,1.5\n3,2\n", encoding="utf-8")
+    with pytest.raises(DesignError, match=re.escape(words)):
+        read_rows(Path("lobe.csv"), bases=bases)
+
+
+@pytest.mark.parametrize(("unit", "value"), [("N·mm", 1500.0), ("Nm", 1.5)])
+def test_moments_of_a_load_are_in_newton_millimetres(tmp_path, unit, value):
+    file = tmp_path / "load.csv"
+    file.write_text(f"angle [deg],load [{unit}]\n0,{value}\n180,{value}\n", encoding="utf-8")
+    assert read_rows(file, bases=("Nm",))[0] == [[0, 1500], [180, 1500]]
 
 
 def test_another_unit_than_that_of_the_head_is_refused(tmp_path):
