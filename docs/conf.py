@@ -12,7 +12,7 @@ author = "the cadgen developers"
 release = version = cadgen.__version__
 copyright = author
 
-extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx_click", "python_pages", "mathml"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "command_pages", "python_pages", "mathml"]
 exclude_patterns = ["tutorial/*"]
 
 myst_enable_extensions = ["dollarmath", "deflist"]

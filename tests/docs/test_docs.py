@@ -17,6 +17,7 @@ from cadgen.cam.followers import table as followers
 from cadgen.cli import cli
 from cadgen.design.load import complete_of, load_design, load_train
 from cadgen.laws import table as laws
+from cadgen.messages import CHINESE, LANGUAGES
 from cadgen.studies.study_file import read_study
 from docs import make_notebooks
 from tests.docs.blocks import DOCS, INSTALL, ROOT, STUDIES, Block, Workshop, blocks, pages, same
@@ -445,6 +446,22 @@ def test_the_reference_takes_up_the_face_of_the_package(tmp_path: Path, monkeypa
     assert modules("api") == ["cadgen.api"]
     assert modules("car.running") == ["cadgen.car.running", "cadgen.car.running.drive", "cadgen.car.running.play"]
     assert modules("car.steering") == []
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_reference_of_commands_has_every_option_in_both_languages(language: str, monkeypatch) -> None:
+    pytest.importorskip("sphinx")
+    monkeypatch.syspath_prepend(DOCS / "_ext")
+    from command_pages import MARK, fill
+
+    source = [MARK]
+    fill(None, "reference/commands" + (".zh-CN" if language == CHINESE else ""), source)
+    for name, command in cli.commands.items():
+        (section,) = re.findall(rf"^#### cadgen {name}\n(.*?)(?=^###|\Z)", source[0], re.M | re.S)
+        shown = re.findall(r"^`(-.*?)[ `].*\n: (.+)", section, re.M)
+        options = [option for option in command.params if option.param_type_name == "option" and option.name != "lang"]
+        assert [name.rstrip(",") for name, _ in shown] == [option.opts[0] for option in options]
+        assert all(bool(re.search("[\u4e00-\u9fff]", text)) == (language == CHINESE) for _, text in shown)
 
 
 def test_ci_builds_the_site_and_stops_at_warnings() -> None:
