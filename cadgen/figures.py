@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 _SUFFIX = {"°": "deg", "µm": "um", "%": "percent", "N·mm": "Nmm"}
 
 
-class State(StrEnum):
+class Emphasis(StrEnum):
     """Emphasis of a cell."""
 
     PLAIN = ""
@@ -62,7 +62,7 @@ class Figure:
             return ""
         return with_unit(format(self.value, form) if form else rounded(self.value), self.unit)
 
-    def cell(self, state: State = State.PLAIN, digits: int | None = None) -> "Cell":
+    def cell(self, state: Emphasis = Emphasis.PLAIN, digits: int | None = None) -> "Cell":
         """Cell of the figure.
 
         Args:
@@ -239,10 +239,10 @@ class Cell:
     text: str
     value: float | None = None
     unit: str = ""
-    state: State = State.PLAIN
+    state: Emphasis = Emphasis.PLAIN
 
 
-def number(value: float | None, unit: str = "", state: State = State.PLAIN, digits: int | None = None) -> Cell:
+def number(value: float | None, unit: str = "", state: Emphasis = Emphasis.PLAIN, digits: int | None = None) -> Cell:
     """Cell of a number, rounded as the commands round it; of a dash for None.
 
     Args:
@@ -252,7 +252,7 @@ def number(value: float | None, unit: str = "", state: State = State.PLAIN, digi
         digits: decimals; by the size of the number if left out.
     """
     if value is None:
-        return Cell("–", None, "", state or State.MUTED)
+        return Cell("–", None, "", state or Emphasis.MUTED)
     return Cell(rounded(value, digits), float(value), unit, state)
 
 

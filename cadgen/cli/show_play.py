@@ -5,7 +5,7 @@ from math import degrees
 from typing import TYPE_CHECKING
 
 from cadgen.cli.show import Output, friction, sheet
-from cadgen.figures import Cell, Sheet, State, with_unit
+from cadgen.figures import Cell, Emphasis, Sheet, with_unit
 from cadgen.messages import Message, joined
 
 if TYPE_CHECKING:
@@ -71,11 +71,11 @@ def methods(cam: "Cam") -> None:
         if several and evaluation.train != train:
             train = evaluation.train
             for rows in (errors, costs):
-                rows.append(_row(State.MUTED, Message(train)))
+                rows.append(_row(Emphasis.MUTED, Message(train)))
         name = Message("cam as measured")
         if not evaluation.measured:
             name = Message(evaluation.profile.code.replace("smoothed+", "smoothed, "))
-        state = State.STRONG if evaluation is comparison.chosen else State.PLAIN
+        state = Emphasis.STRONG if evaluation is comparison.chosen else Emphasis.PLAIN
         first, figures, at = evaluation is comparison.before, comparison.figures(evaluation), evaluation.error.judged_at
         errors.append(
             _row(
@@ -112,7 +112,7 @@ def methods(cam: "Cam") -> None:
             f"{worst.distance:.0f} mm",
             _share(comparison.worst_gain(worst.distance)),
         )
-        errors.append(_row(State.MUTED, Message("bound, same peaks"), "", "", "", *ends))
+        errors.append(_row(Emphasis.MUTED, Message("bound, same peaks"), "", "", "", *ends))
     known: str = ""
     if measured is not None:
         known = Message(", measured {play:.3f}°", play=degrees(measured))
@@ -160,7 +160,7 @@ def methods(cam: "Cam") -> None:
         console.print(text)
 
 
-def _row(state: State, *texts: str) -> tuple[Cell | str, ...]:
+def _row(state: Emphasis, *texts: str) -> tuple[Cell | str, ...]:
     return tuple(Cell(text, state=state) for text in texts)
 
 
@@ -254,7 +254,7 @@ def _events(simulation: "Simulation[Cam]", title: str) -> None:
         for event in simulation.events
     ]
     total = degrees(sum(event.deflection for event in simulation.events))
-    rows.append(_row(State.STRONG, Message("sum"), "", "", f"{total:.4f}°"))
+    rows.append(_row(Emphasis.STRONG, Message("sum"), "", "", f"{total:.4f}°"))
     heads = (Message("event"), Message("cam angle"), Message("lift"), Message("deflection"))
     sheet(Sheet("events", title, heads, tuple(rows)), gap=False)
 

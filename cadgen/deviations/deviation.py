@@ -30,7 +30,7 @@ class Place(StrEnum):
 
 
 @dataclass(frozen=True)
-class Zone:
+class ToleranceZone:
     """Tolerance of a deviation in a design file.
 
     Attributes:
@@ -101,7 +101,7 @@ class Deviation:
     directed: bool = field(default=False, compare=False)
     one_sided: bool = field(default=False, compare=False)
     fleeting: bool = field(default=False, compare=False)
-    zone: Zone | None = field(default=None, compare=False)
+    zone: ToleranceZone | None = field(default=None, compare=False)
     hand: Hand | None = field(default=None, compare=False)
 
     def __str__(self) -> str:
@@ -129,44 +129,47 @@ BASE_RADIUS = Deviation(
     "base_radius",
     "mm",
     fleeting=True,
-    zone=Zone(10, "a, camshaft to fork axis, after adjustment", optional=False),
+    zone=ToleranceZone(10, "a, camshaft to fork axis, after adjustment", optional=False),
     hand=Hand("head", ByHand.HEAD, "head", 1.0, 5e-4),
 )
 INNER_FACE = Deviation(
     "inner face",
     "inner_face",
     "mm",
-    zone=Zone(10, "place of the disc's inner face", optional=False),
+    zone=ToleranceZone(10, "place of the disc's inner face", optional=False),
     hand=Hand("disc", ByHand.DISC, "disc"),
 )
 OUTER_FACE = Deviation(
     "outer face",
     "outer_face",
     "mm",
-    zone=Zone(10, "place of the disc's outer face", optional=False),
+    zone=ToleranceZone(10, "place of the disc's outer face", optional=False),
     hand=Hand("disc", ByHand.DISC, "disc"),
 )
-ROD_RADIUS = Deviation("rod radius", "rod_radius", "mm", zone=Zone(10, "r_t, of the rod", optional=False))
+ROD_RADIUS = Deviation("rod radius", "rod_radius", "mm", zone=ToleranceZone(10, "r_t, of the rod", optional=False))
 # The disc cut too large all round, along its normal.
 PROFILE_OFFSET = Deviation(
     "profile offset",
     "profile_offset",
     "mm",
-    zone=Zone(10, "profile cut too large or too small all round, along its normal", optional=False),
+    zone=ToleranceZone(10, "profile cut too large or too small all round, along its normal", optional=False),
 )
 STEERING_ZERO = Deviation(
-    "steering zero", "steering_zero", "rad", zone=Zone(10, "front wheel against the rod", optional=False)
+    "steering zero", "steering_zero", "rad", zone=ToleranceZone(10, "front wheel against the rod", optional=False)
 )
-WHEELBASE = Deviation("wheelbase", "wheelbase", "mm", zone=Zone(10, "L, of the wheelbase", optional=False))
+WHEELBASE = Deviation("wheelbase", "wheelbase", "mm", zone=ToleranceZone(10, "L, of the wheelbase", optional=False))
 DRIVE_WHEEL_OFFSET = Deviation(
-    "drive wheel offset", "drive_wheel_offset", "mm", zone=Zone(10, "A1, of the driven wheel's offset", optional=False)
+    "drive wheel offset",
+    "drive_wheel_offset",
+    "mm",
+    zone=ToleranceZone(10, "A1, of the driven wheel's offset", optional=False),
 )
 # It scales the travel.
 WHEEL_RADIUS = Deviation(
     "wheel radius",
     "wheel_radius",
     "mm",
-    zone=Zone(10, "R_h, of the drive wheel as it rolls under load; needs [train]", optional=False),
+    zone=ToleranceZone(10, "R_h, of the drive wheel as it rolls under load; needs [train]", optional=False),
     hand=Hand("wheel", ByHand.WHEEL, "wheel"),
 )
 # The cam set ahead on its shaft, or the run started late.
@@ -175,7 +178,7 @@ CAM_PHASE = Deviation(
     "cam_phase",
     "rad",
     fleeting=True,
-    zone=Zone(10, "cam on its shaft against the start of the run", optional=False),
+    zone=ToleranceZone(10, "cam on its shaft against the start of the run", optional=False),
     hand=Hand("key", ByHand.KEY, "", radians(5.0), radians(0.02)),
 )
 START_X = Deviation(
@@ -183,7 +186,7 @@ START_X = Deviation(
     "start_x",
     "mm",
     fleeting=True,
-    zone=Zone(100, "place at the start, along the planned heading", optional=False),
+    zone=ToleranceZone(100, "place at the start, along the planned heading", optional=False),
     hand=Hand("start_x", ByHand.START, "start", 100.0, 1.0),
 )
 START_Y = Deviation(
@@ -191,7 +194,7 @@ START_Y = Deviation(
     "start_y",
     "mm",
     fleeting=True,
-    zone=Zone(100, "place at the start, across it", optional=False),
+    zone=ToleranceZone(100, "place at the start, across it", optional=False),
     hand=Hand("start_y", ByHand.START, "start", 100.0, 1.0),
 )
 START_HEADING = Deviation(
@@ -199,7 +202,7 @@ START_HEADING = Deviation(
     "start_heading",
     "rad",
     fleeting=True,
-    zone=Zone(45, "heading at the start", optional=False),
+    zone=ToleranceZone(45, "heading at the start", optional=False),
     hand=Hand("start_heading", ByHand.START, "start_heading", radians(3.0), radians(0.02)),
 )
 # B, of the gears at the camshaft; many cars vary it within the band of [play] or [train].
@@ -208,34 +211,41 @@ RETURN_ERROR = Deviation("return error", "play", "rad")
 SLIDING_FRICTION = Deviation("sliding friction", "friction", "1")
 DRAG = Deviation("drag", "drag", "Nmm")
 ROD_FORCE = Deviation(  # at zero lift
-    "rod force", "rod_force", "N", zone=Zone(100, "of the rod, about `mechanics.rod_force_N`; needs [mechanics]")
+    "rod force",
+    "rod_force",
+    "N",
+    zone=ToleranceZone(100, "of the rod, about `mechanics.rod_force_N`; needs [mechanics]"),
 )
 EDGE_BREAK = Deviation(
     "edge break",
     "edge_break",
     "mm",
-    zone=Zone(10, "how much more or less than wanted both edges of the rim are broken"),
+    zone=ToleranceZone(10, "how much more or less than wanted both edges of the rim are broken"),
 )
 EDGE_WEAR = Deviation(
     "edge wear",
     "edge_wear",
     "mm",
     one_sided=True,
-    zone=Zone(10, "what wears off both edges at most, as a chamfer's leg; not less than 0"),
+    zone=ToleranceZone(10, "what wears off both edges at most, as a chamfer's leg; not less than 0"),
 )
 TAPER = Deviation(  # by which the outer face is cut larger than the inner one
     "taper",
     "taper",
     "mm",
-    zone=Zone(10, "by which one face is cut larger than the other, half of it on either: laser, water jet, wire"),
+    zone=ToleranceZone(
+        10, "by which one face is cut larger than the other, half of it on either: laser, water jet, wire"
+    ),
 )
-ROD_HEIGHT = Deviation("rod height", "rod_height", "mm", zone=Zone(10, "rod's axis above or below the camshaft's"))
+ROD_HEIGHT = Deviation(
+    "rod height", "rod_height", "mm", zone=ToleranceZone(10, "rod's axis above or below the camshaft's")
+)
 ECCENTRIC_BORE = Deviation(  # the disc displaced on its shaft
     "eccentric bore",
     "eccentricity",
     "mm",
     directed=True,
-    zone=Zone(
+    zone=ToleranceZone(
         10,
         "of the profile about the shaft, in any direction: the bore's place, and half the clearance of "
         "`blank.bore_fit`",
@@ -246,28 +256,32 @@ WOBBLE = Deviation(
     "wobble",
     "rad",
     directed=True,
-    zone=Zone(10, "by which the disc leans on its shaft, in any direction"),
+    zone=ToleranceZone(10, "by which the disc leans on its shaft, in any direction"),
 )
 STEERING_LOST_MOTION = Deviation(
     "steering lost motion",
     "steering_lost_motion",
     "rad",
     one_sided=True,
-    zone=Zone(10, "half of the play between rod and front wheel, by which the wheel lags in turns to either side"),
+    zone=ToleranceZone(
+        10, "half of the play between rod and front wheel, by which the wheel lags in turns to either side"
+    ),
 )
 WHEEL_RUNOUT = Deviation(
     "wheel run-out",
     "wheel_runout",
     "mm",
     directed=True,
-    zone=Zone(10, "eccentricity of the drive wheel; needs [train]"),
+    zone=ToleranceZone(10, "eccentricity of the drive wheel; needs [train]"),
 )
 TEMPERATURE = Deviation(
     "temperature",
     "temperature",
     "K",
     fleeting=True,
-    zone=Zone(100, "how far from that of the adjustment; needs `blank.material`, and goes by `frame_material`"),
+    zone=ToleranceZone(
+        100, "how far from that of the adjustment; needs `blank.material`, and goes by `frame_material`"
+    ),
 )
 # The cam of a braked car stands where it was left, and the gears have so far to turn before they reach it.
 START_GAP = Deviation(
@@ -276,7 +290,7 @@ START_GAP = Deviation(
     "rad",
     one_sided=True,
     fleeting=True,
-    zone=Zone(
+    zone=ToleranceZone(
         10,
         "between the teeth at the start of a run, at the camshaft, at most the play; a brake holds the cam there. Left "
         "out or 0 where the drive is turned forward until the cam moves",
@@ -287,14 +301,14 @@ ROD_BENDING = Deviation(  # at its contact with the disc, at zero lift
     "rod_bending",
     "mm",
     one_sided=True,
-    zone=Zone(1, "by which the rod's force bends it where it touches the disc, at zero lift"),
+    zone=ToleranceZone(1, "by which the rod's force bends it where it touches the disc, at zero lift"),
 )
 WIND_UP = Deviation(
     "wind-up",
     "wind_up",
     "rad",
     one_sided=True,
-    zone=Zone(
+    zone=ToleranceZone(
         10,
         "by which the camshaft lags its gears on the steepest part of the lift in the turn, its closing blend "
         "included: shafts that twist, and so lead on falls",
@@ -305,7 +319,7 @@ BEARING_SEATS = Deviation(
     "bearing_seats",
     "rad",
     directed=True,
-    zone=Zone(10, "by which the camshaft leans in the frame, in any direction: the seats of its bearings"),
+    zone=ToleranceZone(10, "by which the camshaft leans in the frame, in any direction: the seats of its bearings"),
 )
 # Each gear is ahead and behind once in a turn of its shaft, by its cumulative pitch and by its seat.
 GEAR_ERRORS = tuple(
@@ -318,7 +332,7 @@ SIDE_SLIP = Deviation(
     "side_slip",
     "rad",
     fleeting=True,
-    zone=Zone(
+    zone=ToleranceZone(
         10,
         "by which the slip angles of front and rear wheels together differ from run to run, with the rolling "
         "resistance of the wheels that are not driven",

@@ -195,7 +195,7 @@ class TrainLayout:
 
 
 @dataclass(frozen=True, slots=True)
-class Disc:
+class RoundBody:
     """Body of revolution about its shaft that must keep clear of others.
 
     Attributes:
@@ -220,7 +220,7 @@ class Disc:
     place: str = ""
     bore: float = 0.0
 
-    def apart_from(self, other: Disc, apart: float) -> float:
+    def apart_from(self, other: RoundBody, apart: float) -> float:
         """Gap to a body on another axis, mm; negative where they overlap.
 
         Args:
@@ -236,7 +236,7 @@ class Disc:
                 gap = max(gap, outer.inner - apart - inner.radius)
         return gap
 
-    def raised(self, by: float) -> Disc:
+    def raised(self, by: float) -> RoundBody:
         """The body at another height.
 
         Args:
@@ -244,12 +244,12 @@ class Disc:
         """
         return replace(self, low=self.low + by, high=self.high + by)
 
-    def ending(self) -> Disc:
+    def ending(self) -> RoundBody:
         """Shaft that ends at its part; any other body as it is."""
         return self if self.ended is None else replace(self, low=self.ended[0], high=self.ended[1], ended=None)
 
 
-def gears_and_hubs(train: Train, blanks: Sequence[Blank], clearance: float) -> list[list[Disc]]:
+def gears_and_hubs(train: Train, blanks: Sequence[Blank], clearance: float) -> list[list[RoundBody]]:
     """Gears and hubs of every shaft, from the drive to the output, at their heights in the train.
 
     Args:
@@ -433,12 +433,12 @@ def _made(shaft: int, place: Message, make: Callable[..., M], *arguments: Wheel 
         ) from error
 
 
-def _gears_and_hubs(parts: Sequence[TrainPart], planes: Sequence[float], train: Train) -> list[list[Disc]]:
+def _gears_and_hubs(parts: Sequence[TrainPart], planes: Sequence[float], train: Train) -> list[list[RoundBody]]:
     """Gears and hubs on every shaft, and the bodies that stand beside it."""
     on_shafts = [_gears_and_hub(part) for part in parts]
     for number, (stage, plane) in enumerate(zip(train.stages, planes, strict=True), 1):
         on_shafts[number - 1] += [
-            Disc(
+            RoundBody(
                 Message("{body} of stage {number}", body=each.wheel.noun, number=number),
                 number,
                 abs(each.axis) + rim_diameter(each.wheel) / 2,
@@ -456,7 +456,7 @@ def _discs(
     train: Train,
     ending: Sequence[bool],
     places: Sequence[str],
-) -> list[list[Disc]]:
+) -> list[list[RoundBody]]:
     """The bodies of revolution on every shaft, at the train's heights: gears, hub and the shaft itself."""
     on_shafts = _gears_and_hubs(parts, planes, train)
     low, high = (
@@ -478,7 +478,7 @@ def _discs(
             middle = (low + high) / 2
             own = sorted(part.height + (-z if part.flipped else z) for z in (0.0, part.body.slabs[-1].end))
             first, last = part.shaft == 1, part.shaft == len(parts)
-            shaft = Disc(
+            shaft = RoundBody(
                 Message("shaft {shaft} itself", shaft=part.shaft),
                 None,
                 part.blank.shaft_diameter / 2,
@@ -492,7 +492,7 @@ def _discs(
     return on_shafts
 
 
-def _turning(discs: Sequence[Sequence[Disc]], axes: Sequence[complex]) -> list[list[Disc]]:
+def _turning(discs: Sequence[Sequence[RoundBody]], axes: Sequence[complex]) -> list[list[RoundBody]]:
     """Bodies on the first shafts: those of two shafts on one axis end at their parts."""
     shared = [
         any(abs(axis - other) < ONE_AXIS for place, other in enumerate(axes) if place != number)
@@ -502,7 +502,7 @@ def _turning(discs: Sequence[Sequence[Disc]], axes: Sequence[complex]) -> list[l
 
 
 def _past_bar(
-    train: Train, part: TrainPart, discs: Sequence[Sequence[Disc]], chosen: Sequence[float], clearance: float
+    train: Train, part: TrainPart, discs: Sequence[Sequence[RoundBody]], chosen: Sequence[float], clearance: float
 ) -> Message | None:
     """First body on another shaft than the pinion's that a rack at the end of the train collides with, in words."""
     wheel, axes = part.gears[0], _axes(train, chosen)
@@ -530,11 +530,13 @@ def _past_bar(
     return None
 
 
-def _gears_and_hub(part: TrainPart) -> list[Disc]:
-    def placed(name: str, stage: int | None, diameter: float, low: float, high: float) -> Disc:
+def _gears_and_hub(part: TrainPart) -> list[RoundBody]:
+    def placed(name: str, stage: int | None, diameter: float, low: float, high: float) -> RoundBody:
         ends = sorted(part.height + (-z if part.flipped else z) for z in (low, high))
         low, high = ends
-        return Disc(Message("{body} on shaft {shaft}", body=name, shaft=part.shaft), stage, diameter / 2, low, high)
+        return RoundBody(
+            Message("{body} on shaft {shaft}", body=name, shaft=part.shaft), stage, diameter / 2, low, high
+        )
 
     bottom, top = part.gears[0], part.gears[-1]
     if is_bar(bottom):  # which `_past_bar` looks at
@@ -558,7 +560,7 @@ def _axes(train: Train, directions: Sequence[float]) -> list[complex]:
 def _clear_ways(
     train: Train,
     wanted: tuple[float | None, ...],
-    discs: Sequence[Sequence[Disc]],
+    discs: Sequence[Sequence[RoundBody]],
     clearance: float,
     chosen: tuple[float, ...] = (),
 ) -> Iterator[tuple[float, ...]]:
@@ -587,7 +589,7 @@ def _clear_ways(
 _TURNS = list(chain.from_iterable((turn, -turn) for turn in np.arange(pi, -1e-9, -DIRECTION_STEP).tolist()))
 
 
-def _collision(axes: Sequence[complex], discs: Sequence[Sequence[Disc]], clearance: float) -> Message | None:
+def _collision(axes: Sequence[complex], discs: Sequence[Sequence[RoundBody]], clearance: float) -> Message | None:
     """The first collision of the newest shaft that has one, in words; None if there is none."""
     bodies = _turning(discs, axes)
     pairs = ((a, b) for b in range(len(axes) - 1, 0, -1) for a in range(b - 1, -1, -1))
@@ -595,7 +597,7 @@ def _collision(axes: Sequence[complex], discs: Sequence[Sequence[Disc]], clearan
     return next(filter(None, said), None)
 
 
-def _between(first: Sequence[Disc], second: Sequence[Disc], apart: float, clearance: float) -> Message | None:
+def _between(first: Sequence[RoundBody], second: Sequence[RoundBody], apart: float, clearance: float) -> Message | None:
     """The first collision of the bodies on two shafts whose axes are `apart`, in words; None if there is none."""
     for body, other in product(first, second):
         in_mesh = body.stage is not None and body.stage == other.stage

@@ -20,8 +20,8 @@ from cadgen.car.assembly.car_parts import (
     Content,
     DiscShape,
     Drilled,
-    Group,
     GroupKind,
+    MovingGroup,
     Prism,
     Supply,
     along,
@@ -213,15 +213,16 @@ class _Parts:
         return self.car.site
 
     @cached_property
-    def groups(self) -> tuple[Group, ...]:
+    def groups(self) -> tuple[MovingGroup, ...]:
         """Groups of the shafts, from the drive to the camshaft."""
         return tuple(
-            Group(GroupKind.SHAFT, number, part.axis, part.rate) for number, part in enumerate(self.turning.parts, 1)
+            MovingGroup(GroupKind.SHAFT, number, part.axis, part.rate)
+            for number, part in enumerate(self.turning.parts, 1)
         )
 
     @cached_property
-    def fork_group(self) -> Group:
-        return Group(GroupKind.FORK, axis=complex(self.site.base_radius, self.site.fork))
+    def fork_group(self) -> MovingGroup:
+        return MovingGroup(GroupKind.FORK, axis=complex(self.site.base_radius, self.site.fork))
 
     @cached_property
     def weight(self) -> Carried | None:
@@ -281,7 +282,7 @@ class _Parts:
             else:
                 title = Message("{name} of stage {stage}", name=part.name.partition("_")[2], stage=part.stages[0])
                 carrier = None if turning.carrier is None else self.groups[turning.carrier]
-                group = Group(GroupKind.BESIDE, number, turning.axis, turning.rate, carrier)
+                group = MovingGroup(GroupKind.BESIDE, number, turning.axis, turning.rate, carrier)
             yield CarPart(
                 code=f"gear-{part.name}".replace("_", "-"),
                 title=title,
@@ -443,7 +444,7 @@ class _Parts:
                 title=Message("ball bearing"),
                 shape=Block((ring,)),
                 places=tuple(places),
-                group=Group(GroupKind.FRAME),
+                group=MovingGroup(GroupKind.FRAME),
                 material=_STEEL,
                 density=0.6 * DENSITY[DiscMaterial.STEEL] * 1e-3,  # the room between its rings is empty
                 colour=_DARK,

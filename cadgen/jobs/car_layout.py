@@ -28,7 +28,7 @@ from cadgen.design.schema import Design, TrainDesign, whole_design
 from cadgen.design.train import PlateSection
 from cadgen.errors import DesignError
 from cadgen.figures import Facts
-from cadgen.gears.layout import Disc, TrainLayout, gears_and_hubs, lay_out
+from cadgen.gears.layout import RoundBody, TrainLayout, gears_and_hubs, lay_out
 from cadgen.gears.stage import is_bar
 from cadgen.gears.train import Train, thinned
 from cadgen.messages import Message
@@ -69,7 +69,7 @@ class CarLayout:
     short: float
     widest_bearing: float
     sense: int
-    gears: tuple[tuple[Disc, ...], ...]
+    gears: tuple[tuple[RoundBody, ...], ...]
     bores: tuple[float, ...]
 
     @cached_property

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.car.assembly.car_parts import Block, CarPart, Group, GroupKind, Supply, turned_round
+from cadgen.car.assembly.car_parts import Block, CarPart, GroupKind, MovingGroup, Supply, turned_round
 from cadgen.car.assembly.carried import Carried
 from cadgen.car.assembly.frame.bought_parts import Bought, BoughtKind
 from cadgen.car.assembly.panels import BASE_COLOUR, PLATE_COLOUR, Panel, PartPlace
@@ -17,7 +17,7 @@ from cadgen.jobs.cam.cam_plan import DENSITY
 from cadgen.jobs.car_frame import CarFrame
 from cadgen.messages import Message
 
-_STANDS = Group(GroupKind.FRAME)
+_STANDS = MovingGroup(GroupKind.FRAME)
 _STEEL = DENSITY[DiscMaterial.STEEL] * 1e-3  # g/mm³
 _HOLLOW = 0.6  # of a bearing's ring: the room between its rings is empty
 _PULLEY, _KNOTS = 10.0, 200.0  # g of a small pulley in its bracket; mm of string for two knots and the pulley

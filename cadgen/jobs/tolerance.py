@@ -11,15 +11,13 @@ from typing import TYPE_CHECKING, Generic, Self
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.deviations.deviation import RETURN_ERROR, Deviation
 from cadgen.errors import DesignError, FileError
 from cadgen.figures import Facts
 from cadgen.gears.choices import Law
 from cadgen.inference.monte_carlo.random_cars import CarEnds, Map, Sensitivity, sensitivities, tolerance_run
-from cadgen.jobs.cam.cam_plan import CamPlan
-from cadgen.jobs.cam.steering_cam import CarUse, comparison_of, plan_cam
+from cadgen.jobs.cam.steering_cam import CarUse, comparison_of
 from cadgen.jobs.error_budget import BudgetSheet, budget_sheet, unit_of
 from cadgen.jobs.nominal_car import counts_finish, gate_steps, watched_cars
 from cadgen.jobs.simulation import C
@@ -267,25 +265,6 @@ class CarSample:
     processes: int = 1
     with_budget: bool = False
     map_with: Map | None = None
-
-
-def run_tolerance(
-    design: Design, profile: str, sample: CarSample, progress: Progress = silent
-) -> ToleranceRun[CamPlan]:
-    """Run random cars of a design.
-
-    Args:
-        design: loaded design.
-        profile: profile that all cars have: `actual`, or the code of a profile for play.
-        sample: random cars that are asked for.
-        progress: function that is called with a few words on each step.
-
-    Raises:
-        DesignError: as `plan_cam`, or nothing varies.
-        FileError: the memory does not suffice for so many cars.
-    """
-    plan = plan_cam(design, profile, progress, with_play=True)
-    return tolerance_of(plan, sample, progress)
 
 
 def tolerance_of(

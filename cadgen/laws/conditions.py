@@ -15,7 +15,6 @@ from cadgen.arrays import Array
 from cadgen.laws.form import ORDERS
 from cadgen.laws.law import MotionLaw
 
-MOST_CONDITIONS = 24  # a polynomial of a higher degree swings between its conditions
 _SINGULAR = 1e13  # condition of the matrix; beyond it the conditions contradict each other or leave something open
 _QUINTIC = 5  # degree that one piece has exactly
 _PIECES_A_DEGREE = 8

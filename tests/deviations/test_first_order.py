@@ -9,7 +9,7 @@ from cadgen.arrays import TURN
 from cadgen.cam.contact import roll
 from cadgen.car.running.drive import drive
 from cadgen.car.running.sampled import sampled_lift
-from cadgen.deviations.deviation import COLUMNS, Deviation, Zone
+from cadgen.deviations.deviation import COLUMNS, Deviation, ToleranceZone
 from cadgen.deviations.first_order import ROWS, Expansion, OtherEdge, steering_derivatives
 from cadgen.inference.monte_carlo.cars import nominal_cars, run_cars
 from tests.deviations.displaced import Disc, rest
@@ -180,4 +180,4 @@ def test_an_eccentric_wheel_moves_the_car_as_far_as_it_rolls(carbon_free_car, en
 
 @pytest.mark.parametrize(("unit", "key"), [("mm", "drag_mm"), ("rad", "drag_deg"), ("Nmm", "drag_Nmm"), ("1", "drag")])
 def test_the_key_of_a_tolerance_has_the_unit_at_its_end(unit, key):
-    assert Deviation("drag of mine", "drag", unit, zone=Zone(10, "drag")).tolerance_key == key
+    assert Deviation("drag of mine", "drag", unit, zone=ToleranceZone(10, "drag")).tolerance_key == key

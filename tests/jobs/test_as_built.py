@@ -21,7 +21,7 @@ from cadgen.jobs.cam.cam_files import write_cam
 from cadgen.jobs.cam.cures import find_cures
 from cadgen.jobs.cam.steering_cam import plan_cam
 from cadgen.jobs.simulation import simulate
-from cadgen.jobs.tolerance import CarSample, run_tolerance
+from cadgen.jobs.tolerance import CarSample, tolerance_of
 from cadgen.output.files.dxf import read_dxf
 from tests.inference.measurement.synthetic_drive import Wheels
 
@@ -292,7 +292,7 @@ def test_tolerances_are_about_the_car_as_built(built):
         effect("track", "slip with curvature", "car", slip_percent=5.0),
         effect("track", "lever gain", "car", gain_percent=2.0),
     )
-    run = run_tolerance(design, "compensated", CarSample(samples=40))
+    run = tolerance_of(plan_cam(design, "compensated", with_play=True), CarSample(samples=40))
     nominal = run.cam.application.comparison.chosen.error.end_distance
     median = run.end_position.quantiles[0.5]
     print(f"{nominal:.2f} mm, median {median:.1f} mm")

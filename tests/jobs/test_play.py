@@ -45,6 +45,12 @@ def with_play(deg, *more):
     return load_design("carbon_free_car", [f"play.measured_deg={deg}", *more])
 
 
+def predicted(design, samples):
+    """Random cars with the compensated cam of a design."""
+    plan = plan_cam(design, "compensated", with_play=True)
+    return tolerance.tolerance_of(plan, tolerance.CarSample(samples=samples))
+
+
 @pytest.fixture(scope="module")
 def compared():
     return {name: plan_cam(load_design(name), "optimized", all_trains=True) for name in CARS}
@@ -300,9 +306,7 @@ def test_a_lift_without_peaks_gets_the_actual_profile_and_it_is_said():
 @pytest.mark.slow
 def test_cars_that_hardly_differ_end_where_the_profile_was_judged_to(carbon_free_car):
     """So the fleet's cams jump and wait where the profile that is cut does, which is not where the wanted lift does."""
-    run = tolerance.run_tolerance(
-        with_play(0.74, *TINY, "tolerances.start_y_mm=1e-6"), "compensated", tolerance.CarSample(samples=3)
-    )
+    run = predicted(with_play(0.74, *TINY, "tolerances.start_y_mm=1e-6"), 3)
     exact = end_of_compensated(carbon_free_car, radians(0.74), radians(0.74))
     np.testing.assert_allclose(np.degrees(run.ends.heading), degrees(exact.end_heading), atol=0.001)
     np.testing.assert_allclose(run.ends.distance, exact.end_distance, atol=0.1)
@@ -316,11 +320,11 @@ def test_out_of_memory_for_many_cars_advises_fewer(monkeypatch):
 
     monkeypatch.setattr(tolerance, "tolerance_run", full)
     with pytest.raises(FileError, match="out of memory for 5 cars in 1 processes: lower --samples"):
-        tolerance.run_tolerance(with_play(0.74), "compensated", tolerance.CarSample(samples=5))
+        predicted(with_play(0.74), 5)
 
 
 @pytest.mark.slow
 def test_a_prediction_names_the_checks_that_fail():
-    run = tolerance.run_tolerance(load_design("appendix_car"), "compensated", tolerance.CarSample(samples=3))
+    run = predicted(load_design("appendix_car"), 3)
     assert not run.facts()["passed"]
     assert run.facts()["failed_checks"] == ["convex radius, theory", "lost lift, undercut"]

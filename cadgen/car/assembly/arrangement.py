@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from cadgen.arrays import Array
 from cadgen.car.assembly.bodies import SolidCylinder, gap
 from cadgen.car.assembly.site import STEERING_STEPS, CarSite, OnShaft, StackPlace, shaft_bodies
-from cadgen.gears.layout import Disc
+from cadgen.gears.layout import RoundBody
 from cadgen.messages import Message
 
 _MOST_TRIED = 200_000  # arrangements of a height that are set against all bodies
@@ -89,7 +89,7 @@ class _Apart(NamedTuple):
 
 def arrange(
     site: CarSite,
-    train: Sequence[Sequence[Disc]],
+    train: Sequence[Sequence[RoundBody]],
     distances: Sequence[float],
     bores: Sequence[float],
     *,
@@ -121,7 +121,7 @@ def arrange(
     return best
 
 
-def placed(site: CarSite, train: Sequence[Sequence[Disc]], towards: int) -> StackPlace:
+def placed(site: CarSite, train: Sequence[Sequence[RoundBody]], towards: int) -> StackPlace:
     """Place of a train along its shafts.
 
     Args:
@@ -136,7 +136,7 @@ def placed(site: CarSite, train: Sequence[Sequence[Disc]], towards: int) -> Stac
 
 def arranged_as(
     site: CarSite,
-    train: Sequence[Sequence[Disc]],
+    train: Sequence[Sequence[RoundBody]],
     distances: Sequence[float],
     bores: Sequence[float],
     directions: Sequence[float],
@@ -274,7 +274,7 @@ def _constraints(site: CarSite, shafts: Sequence[Sequence[OnShaft]], distances: 
             yield _Apart(i, j, one.radius + other.radius + keep, within)
 
 
-def _on_floor(number: int, body: Disc, site: CarSite) -> bool:
+def _on_floor(number: int, body: RoundBody, site: CarSite) -> bool:
     """Whether a body is one of the rear wheels, which stand on the floor."""
     return number == 0 and body.radius == site.wheel_radius
 

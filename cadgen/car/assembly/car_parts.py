@@ -213,7 +213,7 @@ class GroupKind(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Group:
+class MovingGroup:
     """Parts that move as one.
 
     Attributes:
@@ -229,7 +229,7 @@ class Group:
     number: int = 0
     axis: complex = 0j
     rate: float = 0.0
-    carrier: "Group | None" = None
+    carrier: "MovingGroup | None" = None
 
     def motion(self, cam_angle: float, fork_angle: float) -> Array:
         """Motion from cam angle 0 with the fork straight, shape (3, 4).
@@ -291,7 +291,7 @@ class CarPart:
     title: Message
     shape: Shape | None
     places: tuple[Array, ...]
-    group: Group
+    group: MovingGroup
     material: str
     density: float
     assumed: bool = False

@@ -10,7 +10,7 @@ from math import cos, sin
 from typing import NamedTuple
 
 from cadgen.car.assembly.bodies import SolidCylinder
-from cadgen.gears.layout import Disc
+from cadgen.gears.layout import RoundBody
 from cadgen.messages import Message
 
 _STANDOFF = 2.0  # clearances between the disc and the plate beside it
@@ -167,12 +167,12 @@ class OnShaft(NamedTuple):
             their own.
     """
 
-    body: Disc
+    body: RoundBody
     of_train: bool
 
 
 def shaft_bodies(
-    site: CarSite, train: Sequence[Sequence[Disc]], bores: Sequence[float], place: StackPlace
+    site: CarSite, train: Sequence[Sequence[RoundBody]], bores: Sequence[float], place: StackPlace
 ) -> list[list[OnShaft]]:
     """Round bodies on every shaft, from the drive to the camshaft, at their heights in the car.
 
@@ -191,19 +191,23 @@ def shaft_bodies(
         name = Message("shaft {shaft} itself", shaft=number + 1)
         if number == last:
             name = Message("the camshaft")
-            bodies += [OnShaft(Disc(part.name, None, part.radius, part.low, part.high), False) for part in site.disc]
+            bodies += [
+                OnShaft(RoundBody(part.name, None, part.radius, part.low, part.high), False) for part in site.disc
+            ]
             reach += [z for part in site.disc for z in (part.low, part.high)]
         elif number == 0:
             name, half = Message("the axle of the drive wheel"), site.wheel_width / 2
             wheels = ((Message("the drive wheel"), site.drive_wheel), (Message("the idle wheel"), site.idle_wheel))
-            bodies += [OnShaft(Disc(wheel, None, site.wheel_radius, z - half, z + half), False) for wheel, z in wheels]
+            bodies += [
+                OnShaft(RoundBody(wheel, None, site.wheel_radius, z - half, z + half), False) for wheel, z in wheels
+            ]
             reach += [site.drive_wheel - half, site.drive_wheel + half]
         if bore:
-            bodies.append(OnShaft(Disc(name, None, bore / 2, min(reach), max(reach)), True))
+            bodies.append(OnShaft(RoundBody(name, None, bore / 2, min(reach), max(reach)), True))
         if site.bearings[number] and not site.ending[number]:
             name, half = Message("a bearing of shaft {shaft}", shaft=number + 1), site.plate / 2
             bodies += [
-                OnShaft(Disc(name, None, site.bearings[number] / 2, z - half, z + half), False)
+                OnShaft(RoundBody(name, None, site.bearings[number] / 2, z - half, z + half), False)
                 for z in (place.near, place.far)
             ]
         on_shafts.append(bodies)

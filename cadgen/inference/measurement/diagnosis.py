@@ -60,17 +60,6 @@ MOST_FITS = 10
 SOUND = (Verdict.NONE, Verdict.TRACED, Verdict.COMBINATION)
 
 
-def diagnose(
-    records: Sequence[Record], build: Build, progress: Progress = silent, play: tuple[float, float] | None = None
-) -> tuple[EvidenceDiagnosis, ...]:
-    """Trace what records of one car show to effects, or say why not; arguments and errors as of `weigh`.
-
-    Returns:
-        What each record shows by the joint verdict.
-    """
-    return weigh(records, build, progress, play).diagnoses(progress)
-
-
 @dataclass(frozen=True)
 class Weighed:
     """The joint verdict, the subset that it is on, all that were fitted, and whether a known play is in it."""

@@ -61,7 +61,7 @@ def proposal(
     columns = np.hstack([slopes(model, effects, active), slopes(model, model.formulas, active)])
     scale = np.sqrt(np.mean(columns**2, axis=0))
     columns = columns / np.where(scale > 0, scale, 1.0)
-    runs = [_LoggedRun.of(model, columns, number) for number in range(int(model.rows.run.max()) + 1)]
+    runs = [_FormulaRun.of(model, columns, number) for number in range(int(model.rows.run.max()) + 1)]
     search = _FormulaSearch.of(runs, paths, columns.shape[1] - len(model.formulas))
     left = [run.registered(residual[run.rows]) for run in runs]
     base, errors = search.left_out(left)
@@ -95,7 +95,7 @@ def proposal(
 
 
 @dataclass(frozen=True)
-class _LoggedRun:
+class _FormulaRun:
     """Rows of a run and its columns registered, a basis of its start pose, and its disturbances with their inverse."""
 
     rows: NDArray[np.intp]
@@ -105,7 +105,7 @@ class _LoggedRun:
     inverse: Array
 
     @classmethod
-    def of(cls, model: Model, columns: Array, number: int) -> "_LoggedRun":
+    def of(cls, model: Model, columns: Array, number: int) -> "_FormulaRun":
         rows = np.flatnonzero(model.rows.run == number)
         offsets = model.offsets[rows]
         pose = np.linalg.qr(offsets[:, np.abs(offsets).any(axis=0)])[0]
@@ -139,7 +139,7 @@ class _FormulaSearch:
         inverses: for each path, of the sum of all others: of the effects found alone, and beside each formula.
     """
 
-    runs: Sequence[_LoggedRun]
+    runs: Sequence[_FormulaRun]
     paths: Sequence[Sequence[int]]
     found: int
     numbers: NDArray[np.intp]
@@ -147,7 +147,7 @@ class _FormulaSearch:
     inverses: tuple[tuple[Array, Array], ...]
 
     @classmethod
-    def of(cls, runs: Sequence[_LoggedRun], paths: Sequence[Sequence[int]], found: int) -> "_FormulaSearch":
+    def of(cls, runs: Sequence[_FormulaRun], paths: Sequence[Sequence[int]], found: int) -> "_FormulaSearch":
         grams = np.array([run.columns.T @ run.columns / len(run.rows) for run in runs])
         numbers = np.array([[*range(found), n] for n in range(found, grams.shape[1])])
         inverses = []

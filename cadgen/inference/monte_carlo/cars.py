@@ -50,7 +50,7 @@ from cadgen.deviations.deviation import (
 from cadgen.deviations.first_order import Expansion, OtherEdge, steering_derivatives
 from cadgen.errors import DesignError
 from cadgen.inference.monte_carlo.course_margins import CourseItem
-from cadgen.inference.monte_carlo.tracks import Steered, Tracks
+from cadgen.inference.monte_carlo.tracks import NominalSteering, Tracks
 
 _STEP = radians(0.1)  # between stations: the end of the run errs by less than 0.1 mm
 _HALVINGS = 30  # of a step, in the search for a change of face
@@ -250,7 +250,7 @@ class Poses:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Cars(Steered):
+class Cars(NominalSteering):
     """The nominal car, ready to be varied.
 
     Attributes:

@@ -183,14 +183,6 @@ class CarEnds:
         """Position error at the end, shape (m,), mm."""
         return np.hypot(self.along, self.across)
 
-    def yield_within(self, gate_width: float) -> float:
-        """Share of the cars that pass every station within half of gate_width (mm) to either side.
-
-        Args:
-            gate_width: width of the gates, mm.
-        """
-        return float(np.mean(self.widest <= gate_width / 2))
-
 
 @dataclass(frozen=True, kw_only=True)
 class Sensitivity:

@@ -32,7 +32,7 @@ _CELL = radians(0.8)  # by it the end of a run errs no more than by the grid: 0.
 
 
 @dataclass(frozen=True, kw_only=True)
-class Steered:
+class NominalSteering:
     """Steering and travel of the nominal car, by its cam angle.
 
     Attributes:
@@ -76,7 +76,7 @@ class _Nominal:
     position: Complex
 
     @classmethod
-    def of(cls, steered: Steered, first: float, last: float, cell: float) -> Self:
+    def of(cls, steered: NominalSteering, first: float, last: float, cell: float) -> Self:
         """The nominal track from a first cam angle to a last one, in cells of some width, rad; a step at least."""
         count = len(steered.tan_beta)
         step = TURN / count
@@ -171,7 +171,7 @@ class Tracks:
     pace: Array
 
     @classmethod
-    def of(cls, steered: Steered, deviations: Array, rate: Array, first: float, last: float) -> Self:
+    def of(cls, steered: NominalSteering, deviations: Array, rate: Array, first: float, last: float) -> Self:
         """Tracks of cars.
 
         Args:
@@ -282,7 +282,7 @@ def _raise(tangent: Array, near: NDArray[np.intp], more: Array, width: int) -> N
         tangent[:, cells] += np.add.reduceat(more[:, which] * share, begins, axis=1)
 
 
-def _rolling(steered: Steered, runout: Array, nominal: _Nominal, cells: int) -> Array:
+def _rolling(steered: NominalSteering, runout: Array, nominal: _Nominal, cells: int) -> Array:
     """Travel of an eccentric drive wheel for that of a round one, mean over each cell, shape (m, k).
 
     It goes by the cam's angle. While the cam leads, that is ahead of the motor's, which makes more of the wheel's
@@ -296,7 +296,7 @@ def _rolling(steered: Steered, runout: Array, nominal: _Nominal, cells: int) -> 
     return np.asarray(1 + low * np.cos(turned) + quarter * np.sin(turned))
 
 
-def _wheel_turns(steered: Steered) -> float:
+def _wheel_turns(steered: NominalSteering) -> float:
     """Turns of the drive wheel in one turn of the cam."""
     return steered.length / (TURN * steered.wheel_radius)
 

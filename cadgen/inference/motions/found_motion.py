@@ -37,7 +37,6 @@ _STEPS = 10
 _SETTLED = 1e-3  # of the misfit, by which a further step must lessen it
 _MOST_CENTRE = 0.01  # mm; a centre that is known less well than that is not taken off
 _CENTRED = 0.05  # of the noise, within which the centre is where it was taken to be
-_SAME_LEVEL = 4.0  # standard deviations within which levels of two rests, or two seams, are one
 _LEAST_SAMPLES = 90
 _WIDEST_GAP = radians(10.0)
 _WORN = 1 / 3  # of the greatest wear, over which a place counts as worn

@@ -9,7 +9,7 @@ from cadgen.check import Check, CheckCode
 from cadgen.design.load import with_overrides
 from cadgen.design.motion import motion_of
 from cadgen.design.schema import MotionDesign
-from cadgen.figures import Cell, Facts, Sheet, State, number
+from cadgen.figures import Cell, Emphasis, Facts, Sheet, number
 from cadgen.laws.lift_table import TableMotion
 from cadgen.laws.motion import Motion
 from cadgen.laws.segments import Seam, SegmentMotion, polynomial_changes, polynomial_overrides
@@ -132,7 +132,7 @@ def _seam_row(seam: Seam, motion: SegmentMotion) -> tuple[Cell | str, ...]:
     states = joined(dict.fromkeys(seam.states), "-")
     angle = number(degrees(seam.cam_angle), "°", digits=3)
     if seam.order is None:
-        return place, states, Cell(Message("none"), state=State.MUTED), angle, number(None), number(None)
+        return place, states, Cell(Message("none"), state=Emphasis.MUTED), angle, number(None), number(None)
     by = f"{unit}/rad{_POWERS[seam.order]}"
     return place, states, _NAMES[seam.order], angle, number(seam.before, by), number(seam.after, by)
 

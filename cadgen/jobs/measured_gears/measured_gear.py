@@ -15,7 +15,7 @@ from cadgen.design.load import train_of
 from cadgen.design.override import override
 from cadgen.design.schema import TrainDesign
 from cadgen.errors import DesignError, FileError
-from cadgen.figures import Cell, Facts, Sheet, State, number
+from cadgen.figures import Cell, Emphasis, Facts, Sheet, number
 from cadgen.gears.choices import ToleranceStandard
 from cadgen.gears.contact import path_of_contact
 from cadgen.gears.flank_tolerances import class_reached, class_tolerance, covered
@@ -226,17 +226,14 @@ class MeasuredGearPlan:
         """Play of its pair at the driven wheel with the thickness that was measured, the other gear as designed."""
         if self.thickness is None:
             return None
-        return Sized(*(self._play_at(self.thickness.value), abs(self._by_thickness() * self.thickness.sigma)))
+        at, step = self.form.tooth_thickness_deviation, 1e-3
+        by_thickness = (self._play_at(at + step) - self._play_at(at)) / step
+        return Sized(self._play_at(self.thickness.value), abs(by_thickness * self.thickness.sigma))
 
     def _play_at(self, thickness: float) -> float:
         others = [gear.form.tooth_thickness_deviation for gear in (self.pair.driver, self.pair.driven)]
         both = (thickness, others[1]) if self.driver else (others[0], thickness)
         return self.pair.cut_to(*both).exact_play()
-
-    def _by_thickness(self) -> float:
-        step = 1e-3
-        at = self.form.tooth_thickness_deviation
-        return (self._play_at(at + step) - self._play_at(at)) / step
 
     @property
     def change(self) -> float | None:
@@ -498,7 +495,7 @@ def _row(plan: MeasuredGearPlan, each: FlankFigure) -> tuple[Cell | str, ...]:
         number(None if each.left is None else _UM * each.left, "µm", digits=1),
         number(None if each.right is None else _UM * each.right, "µm", digits=1),
         number(None if allowed is None else _UM * allowed, "µm", digits=1),
-        Cell(str(reached) if reached is not None else "–", state=State.BAD if bad else State.PLAIN),
+        Cell(str(reached) if reached is not None else "–", state=Emphasis.BAD if bad else Emphasis.PLAIN),
     )
 
 

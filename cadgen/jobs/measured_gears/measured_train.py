@@ -11,7 +11,7 @@ import numpy as np
 from cadgen.design import gear_model
 from cadgen.design.schema import TrainDesign
 from cadgen.errors import DesignError
-from cadgen.figures import Cell, Facts, Sheet, State, number
+from cadgen.figures import Cell, Emphasis, Facts, Sheet, number
 from cadgen.gears.tolerances import GRADES, flank_tolerance
 from cadgen.gears.train import Train, TrainPlay, train_play
 from cadgen.inference.gearing.encoder_angles import counted_on, refuse_impossible
@@ -357,7 +357,12 @@ def train_report(plan: MeasuredTrainPlan) -> list[Block]:
 
 
 def _row(
-    name: str, angle: float, sigma: float, part: Cell | str = "", grade: Cell | str = "", state: State = State.PLAIN
+    name: str,
+    angle: float,
+    sigma: float,
+    part: Cell | str = "",
+    grade: Cell | str = "",
+    state: Emphasis = Emphasis.PLAIN,
 ) -> tuple[Cell | str, ...]:
     return (name, number(degrees(angle), "°", state, 4), number(degrees(sigma), "°", digits=4), part, grade)
 
@@ -365,7 +370,7 @@ def _row(
 def _rows(plan: MeasuredTrainPlan) -> list[tuple[Cell | str, ...]]:
     e, rows = plan.errors, []
     if e.play is not None:
-        state = State.BAD if plan.within is False else State.PLAIN
+        state = Emphasis.BAD if plan.within is False else Emphasis.PLAIN
         zone: Cell | str = ""
         if plan.play is not None:
             zone = Message(
@@ -382,7 +387,7 @@ def _rows(plan: MeasuredTrainPlan) -> list[tuple[Cell | str, ...]]:
         rows.append(_row(Message("wind-up for 1 N m"), e.compliance.value, e.compliance.sigma, stiff))
     if TrainFault.RATE in plan.faults:
         rows.append(
-            _row(Message("ratio off, in a turn"), 2 * pi * e.rate.value, 2 * pi * e.rate.sigma, state=State.BAD)
+            _row(Message("ratio off, in a turn"), 2 * pi * e.rate.value, 2 * pi * e.rate.sigma, state=Emphasis.BAD)
         )
     for shaft in plan.shafts:
         rows += _shaft_rows(shaft)
@@ -419,16 +424,16 @@ def _shaft_rows(errors: ShaftErrors) -> list[tuple[Cell | str, ...]]:
     return rows
 
 
-def _grade(symbol: str, size: float, wheel: SeenWheel) -> tuple[str, State]:
+def _grade(symbol: str, size: float, wheel: SeenWheel) -> tuple[str, Emphasis]:
     """Least grade whose tolerance holds a size, and whether it is beyond the design's."""
     try:
         values = [float(flank_tolerance(symbol, wheel.reference_diameter, wheel.module, grade)) for grade in GRADES]
     except DesignError:
-        return "–", State.MUTED
+        return "–", Emphasis.MUTED
     kept = [grade for grade, value in zip(GRADES, values, strict=True) if size <= value]
     if not kept:
-        return Message("over {grade}", grade=GRADES[-1]), State.BAD
-    return str(kept[0]), State.BAD if kept[0] > wheel.grade else State.PLAIN
+        return Message("over {grade}", grade=GRADES[-1]), Emphasis.BAD
+    return str(kept[0]), Emphasis.BAD if kept[0] > wheel.grade else Emphasis.PLAIN
 
 
 def _line_row(plan: MeasuredTrainPlan, line: OrderLine) -> tuple[Cell | str, ...]:
@@ -453,7 +458,7 @@ def _line_row(plan: MeasuredTrainPlan, line: OrderLine) -> tuple[Cell | str, ...
         name = Message("order {order:.2f}, of {one:.2f} with {other:.2f}", order=line.order, one=one, other=other)
         return _row(name, line.size, line.sigma)
     name = Message("order {order:.2f}, of no part of the design", order=line.order)
-    return _row(name, line.size, line.sigma, state=State.BAD)
+    return _row(name, line.size, line.sigma, state=Emphasis.BAD)
 
 
 def _flank(arc: float) -> Message:

@@ -10,7 +10,7 @@ import numpy as np
 from cadgen.arrays import TURN
 from cadgen.check import failing
 from cadgen.errors import DesignError
-from cadgen.figures import Cell, Facts, Sheet, State, number
+from cadgen.figures import Cell, Emphasis, Facts, Sheet, number
 from cadgen.inference.measurement.record import understood_of
 from cadgen.inference.motions.found_motion import FoundFlank
 from cadgen.jobs.worn_cam.found_cam import FoundCamPlan
@@ -134,9 +134,9 @@ def _sheet(cam: FoundCamPlan) -> Sheet:
         depth, *_ = flank.wear
         if flank.in_table:
             codes = joined([fit.candidate.code for fit in flank.rivals], Message(" or "))
-            law = Cell(codes, state=State.PLAIN if flank.named else State.STRONG)
+            law = Cell(codes, state=Emphasis.PLAIN if flank.named else Emphasis.STRONG)
         else:
-            law = Cell(Message("none of the table"), state=State.BAD)
+            law = Cell(Message("none of the table"), state=Emphasis.BAD)
         rows.append(
             (
                 law,
@@ -144,7 +144,7 @@ def _sheet(cam: FoundCamPlan) -> Sheet:
                 number(_angle(cam, flank.stop) or 360.0, "°", digits=3),
                 number(degrees(max(flank.start_sigma, flank.stop_sigma)), "°", digits=3),
                 number((flank.after - flank.before) * cam.scale, unit, digits=4),
-                number(_UM * depth, "µm", State.BAD if depth else State.PLAIN, 0),
+                number(_UM * depth, "µm", Emphasis.BAD if depth else Emphasis.PLAIN, 0),
             )
         )
     heads = (

@@ -9,7 +9,7 @@ from markupsafe import Markup
 
 from cadgen.car.draws.drawn_spacing import DrawnSpacing
 from cadgen.design.schema import Design
-from cadgen.figures import Cell, Facts, Figure, Figures, Sheet, State
+from cadgen.figures import Cell, Emphasis, Facts, Figure, Figures, Sheet
 from cadgen.messages import Message, clauses, language, shown
 
 _SAME = 1e-6  # mm
@@ -110,7 +110,7 @@ def sheet(design: Design, drawn: Sequence[DrawnSpacing]) -> Sheet:
     codes = [code for code in _FORMS if code not in left_out]
     cells = []
     for each in drawn:
-        shown, state = figures(design, each), State.BAD if each.failed else State.PLAIN
+        shown, state = figures(design, each), Emphasis.BAD if each.failed else Emphasis.PLAIN
         values = {code: shown[code].value for code in codes}
         cells.append(
             tuple(

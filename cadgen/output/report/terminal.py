@@ -16,7 +16,7 @@ from rich.segment import Segment
 from rich.table import Column, Table
 from rich.text import Text
 
-from cadgen.figures import Sheet, State, with_unit
+from cadgen.figures import Emphasis, Sheet, with_unit
 from cadgen.messages import ENGLISH, shown
 
 _GAP = 2  # columns of the terminal between two columns of the table
@@ -128,7 +128,13 @@ def _text(cell: object, style: object = "") -> Text:
     return cell if isinstance(cell, Text) else Text(str(cell), style=str(style or ""))
 
 
-_STYLES = {State.PLAIN: "", State.GOOD: "green", State.BAD: "red", State.STRONG: "bold", State.MUTED: "dim"}
+_STYLES = {
+    Emphasis.PLAIN: "",
+    Emphasis.GOOD: "green",
+    Emphasis.BAD: "red",
+    Emphasis.STRONG: "bold",
+    Emphasis.MUTED: "dim",
+}
 
 
 def table(sheet: Sheet, *, gap: bool = False, language: str | None = None) -> FittedTable:

@@ -13,7 +13,7 @@ from cadgen.messages import Message
 from cadgen.output.files.manifest import Origin
 from cadgen.progress import Progress
 from cadgen.viewer.editor.course_items import points_of
-from cadgen.viewer.editor.job import Job, Result, Stage, State, refusal
+from cadgen.viewer.editor.job import AnswerState, Job, JobStage, Result, refusal
 from cadgen.viewer.page.car_page import plan_edited, plan_preview
 from cadgen.viewer.page.data import data_of
 from cadgen.viewer.page.html import floor_html, pieces_of
@@ -53,21 +53,21 @@ def compute(job: Job, progress: Progress) -> Result:
         design = complete_of(job.text, Path(job.file))
         plan: PagePlan
         if isinstance(design, MotionDesign):
-            plan = plan_edited_motion(design, gears_of, progress, preview=job.stage == Stage.PREVIEW)
-        elif job.stage == Stage.PREVIEW:
+            plan = plan_edited_motion(design, gears_of, progress, preview=job.stage == JobStage.PREVIEW)
+        elif job.stage == JobStage.PREVIEW:
             plan = plan_preview(design, progress)
         else:
             plan = plan_edited(design, gears_of, progress)
         progress(Message("laying the page out"))
-        return Result(State.DONE, _laid_out(job, plan, progress))
+        return Result(AnswerState.DONE, _laid_out(job, plan, progress))
     except CadgenError as error:
         # A design that cannot be driven is shown by its course alone, so that its points can be moved.
         floor = None
         if isinstance(design, Design):
             floor = floor_html(floor_of(design), [(point.x, point.y) for point in points_of(design)])
-        return refusal(State.REFUSED, error.message, floor=floor)
+        return refusal(AnswerState.REFUSED, error.message, floor=floor)
     except MemoryError:
-        return refusal(State.FAULT, Message("out of memory: close other programs, or take the last change back"))
+        return refusal(AnswerState.FAULT, Message("out of memory: close other programs, or take the last change back"))
 
 
 def _laid_out(job: Job, plan: PagePlan, progress: Progress) -> bytes:
@@ -75,7 +75,7 @@ def _laid_out(job: Job, plan: PagePlan, progress: Progress) -> bytes:
     progress(Message("writing the page"))
     document, block = data_of(page, _LEVEL)
     pieces = pieces_of(page)
-    if job.stage == Stage.PREVIEW:
+    if job.stage == JobStage.PREVIEW:
         pieces = {code: pieces[code] for code in _PREVIEWED if code in pieces}
     head = json.dumps(
         {"revision": job.revision, "stage": job.stage, "pieces": pieces, "block": block}, ensure_ascii=False

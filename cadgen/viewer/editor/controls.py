@@ -81,7 +81,7 @@ class Control:
 
 
 @dataclass(frozen=True)
-class Group:
+class ControlGroup:
     """Controls under one heading."""
 
     code: str
@@ -89,7 +89,7 @@ class Group:
     controls: tuple[Control, ...]
 
 
-def groups_of(design: Design | MotionDesign, opened: Design | MotionDesign) -> tuple[Group, ...]:
+def groups_of(design: Design | MotionDesign, opened: Design | MotionDesign) -> tuple[ControlGroup, ...]:
     """All controls of a design, by groups.
 
     Args:
@@ -105,7 +105,7 @@ def groups_of(design: Design | MotionDesign, opened: Design | MotionDesign) -> t
             name = key_name(key, moved=isinstance(design, MotionDesign))
             made.setdefault(str(place[0]), []).append(_control(key, name, info, value, before.get(key, value)))
     groups = (
-        Group(code, label, tuple(control for part in parts for control in made.get(part, ())))
+        ControlGroup(code, label, tuple(control for part in parts for control in made.get(part, ())))
         for code, label, parts in GROUPS
     )
     return tuple(group for group in groups if group.controls)

@@ -123,7 +123,7 @@ def _of_item(item: object, key: str, layer: str, kind: str, number: int) -> Iter
 
 
 @dataclass(frozen=True)
-class Kind:
+class ItemKind:
     """A kind of item on the course.
 
     Attributes:
@@ -141,7 +141,7 @@ class Kind:
     alone: bool
 
 
-def kinds_of(design: Design | MotionDesign) -> tuple[Kind, ...]:
+def kinds_of(design: Design | MotionDesign) -> tuple[ItemKind, ...]:
     """All kinds of items, those among them of which there is none; a cam by its motion has no course."""
     if isinstance(design, MotionDesign):
         return ()
@@ -151,7 +151,7 @@ def kinds_of(design: Design | MotionDesign) -> tuple[Kind, ...]:
         return int(several is not None) if name in _ALONE else len(several or ())
 
     return tuple(
-        Kind(f"course.{name}", layer, NAMED_KEYS[name], count(name), name in _ALONE)
+        ItemKind(f"course.{name}", layer, NAMED_KEYS[name], count(name), name in _ALONE)
         for layer, names in ON_COURSE.items()
         for name in names
     )

@@ -11,14 +11,14 @@ from cadgen.progress import Progress
 from cadgen.registry import fault_sentence
 
 
-class Stage(StrEnum):
+class JobStage(StrEnum):
     """Stage of a computation: the actual cam alone, or all."""
 
     PREVIEW = "preview"
     WHOLE = "whole"
 
 
-class State(StrEnum):
+class AnswerState(StrEnum):
     """State of an answer.
 
     It is there; the design cannot be computed; a newer version was asked for meanwhile; or it failed in a way that is
@@ -43,7 +43,7 @@ class Job:
     """
 
     revision: int
-    stage: Stage
+    stage: JobStage
     text: str
     file: str
 
@@ -57,14 +57,14 @@ class Result:
         body: JSON.
     """
 
-    state: State
+    state: AnswerState
     body: bytes = b"{}"
 
 
 Compute = Callable[[Job, Progress], Result]
 
 
-def refusal(state: State, sentence: str, **more: Any) -> Result:
+def refusal(state: AnswerState, sentence: str, **more: Any) -> Result:
     """Result that says in a sentence why there is none."""
     return Result(state, json.dumps({**in_both(sentence), **more}, ensure_ascii=False).encode())
 
@@ -76,4 +76,4 @@ def in_both(sentence: str) -> dict[str, str]:
 
 def fault(error: Exception) -> Result:
     """Result of a computation that failed in a way that is none of the design's."""
-    return refusal(State.FAULT, fault_sentence(error))
+    return refusal(AnswerState.FAULT, fault_sentence(error))

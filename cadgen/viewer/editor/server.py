@@ -41,13 +41,13 @@ from cadgen.errors import CadgenError, DesignError, FileError
 from cadgen.messages import Message
 from cadgen.registry import fault_sentence
 from cadgen.viewer.editor.guard import Address, Guard, refused
-from cadgen.viewer.editor.job import Job, Result, Stage, State
+from cadgen.viewer.editor.job import AnswerState, Job, JobStage, Result
 from cadgen.viewer.editor.session import Session
 from cadgen.viewer.editor.text_changes import read_changes, read_point
 from cadgen.viewer.editor.worker import Worker
 from cadgen.viewer.page.html import shell
 
-_STATUS = {State.DONE: 200, State.REFUSED: 422, State.SUPERSEDED: 409, State.FAULT: 503}
+_STATUS = {AnswerState.DONE: 200, AnswerState.REFUSED: 422, AnswerState.SUPERSEDED: 409, AnswerState.FAULT: 503}
 _PATIENCE_S = 2  # for answers that are under way at the end
 _NEWER = Message("a newer version of the design is there: ask for that one")
 _MOST_LETTERS = 100  # of the name of a gesture
@@ -67,12 +67,12 @@ class Asked(NamedTuple):
 class Service:
     """A session, and the two processes that compute its versions: the preview does not wait for the whole."""
 
-    def __init__(self, session: Session, workers: dict[Stage, Worker] | None = None) -> None:
+    def __init__(self, session: Session, workers: dict[JobStage, Worker] | None = None) -> None:
         self.session = session
-        self.workers: dict[Stage, Worker] = workers or {stage: Worker() for stage in Stage}
-        self._known: dict[Stage, tuple[int, Result]] = {}
-        self._computing: set[Stage] = set()
-        self._turns: dict[Stage, Condition] = {stage: Condition() for stage in self.workers}
+        self.workers: dict[JobStage, Worker] = workers or {stage: Worker() for stage in JobStage}
+        self._known: dict[JobStage, tuple[int, Result]] = {}
+        self._computing: set[JobStage] = set()
+        self._turns: dict[JobStage, Condition] = {stage: Condition() for stage in self.workers}
 
     def start(self) -> None:
         """Begin the processes before the page asks."""
@@ -99,7 +99,7 @@ class Service:
                 turn.notify_all()
         return self.session.state()
 
-    def result(self, stage: Stage, revision: int) -> Result:
+    def result(self, stage: JobStage, revision: int) -> Result:
         """Result of a version; computed once, however many pages ask.
 
         A request that waits for its turn is answered as soon as its version is superseded: a browser has six
@@ -113,16 +113,16 @@ class Service:
                 return known[1]
             now, text, file = self.session.job()
             if now != revision:
-                return Result(State.SUPERSEDED)
+                return Result(AnswerState.SUPERSEDED)
             self._computing.add(stage)
-        result = Result(State.SUPERSEDED)
+        result = Result(AnswerState.SUPERSEDED)
         try:
             self.workers[stage].supersede(revision)
             result = self.workers[stage].run(Job(revision, stage, text, file))
         finally:
             with turn:
                 self._computing.discard(stage)
-                if result.state in (State.DONE, State.REFUSED):
+                if result.state in (AnswerState.DONE, AnswerState.REFUSED):
                     self._known[stage] = (revision, result)
                 turn.notify_all()
         return result
@@ -143,8 +143,8 @@ def application(service: Service, address: Address) -> ASGIApp:
 
     # Results have threads of their own, and all who wait for one version share one: however many wait, a change has a
     # thread at once. Of each stage one thread computes, and one waits for its turn with the newest version.
-    threads = {stage: ThreadPoolExecutor(2, f"result-{stage}") for stage in Stage}
-    awaited: dict[tuple[Stage, int], asyncio.Future[Result]] = {}
+    threads = {stage: ThreadPoolExecutor(2, f"result-{stage}") for stage in JobStage}
+    awaited: dict[tuple[JobStage, int], asyncio.Future[Result]] = {}
 
     async def result(request: Request) -> Response:
         query = request.query_params
@@ -153,7 +153,7 @@ def application(service: Service, address: Address) -> ASGIApp:
             return refused(400, Message("stage must be preview or whole, and revision a whole number"))
         if patience and not (patience.isdecimal() and len(patience) < 4 and int(patience) <= _MOST_PATIENCE_S):
             return refused(400, Message("patience must be a whole number of at most {most} s", most=_MOST_PATIENCE_S))
-        wanted = Stage(stage), int(revision)
+        wanted = JobStage(stage), int(revision)
         if wanted not in awaited:
             loop = asyncio.get_running_loop()
             awaited[wanted] = loop.run_in_executor(threads[wanted[0]], service.result, *wanted)
@@ -162,7 +162,7 @@ def application(service: Service, address: Address) -> ASGIApp:
         if not done:
             return JSONResponse({}, 202)
         found = done.pop().result()
-        if found.state == State.SUPERSEDED:
+        if found.state == AnswerState.SUPERSEDED:
             return refused(409, _NEWER)
         return Response(found.body, _STATUS[found.state], media_type="application/json")
 

@@ -12,9 +12,9 @@ from cadgen.design.parse import parse
 from cadgen.design.schema import Design, MotionDesign
 from cadgen.errors import DesignError, brief
 from cadgen.figures import Facts
-from cadgen.viewer.editor.controls import Control, Group, groups_of
+from cadgen.viewer.editor.controls import Control, ControlGroup, groups_of
 from cadgen.viewer.editor.course_items import (
-    Kind,
+    ItemKind,
     MovablePoint,
     items_of,
     kinds_of,
@@ -315,8 +315,10 @@ def _renamed(version: Version, name: str) -> Version:
     return Version(version.text, complete_of(version.text, file))
 
 
-def _shown(value: Group | Control | MovablePoint | Kind) -> Facts:
+def _shown(value: ControlGroup | Control | MovablePoint | ItemKind) -> Facts:
     """Values for the page's script, the label in both languages."""
     facts = Facts(**{field.name: getattr(value, field.name) for field in fields(value)})
-    inside = Facts(controls=[_shown(control) for control in value.controls]) if isinstance(value, Group) else Facts()
+    inside = (
+        Facts(controls=[_shown(control) for control in value.controls]) if isinstance(value, ControlGroup) else Facts()
+    )
     return facts | Facts(label=both(value.label)) | inside

@@ -14,7 +14,7 @@ from typing import Any
 from cadgen.messages import Message
 from cadgen.processes import WorkerProcess, call
 from cadgen.progress import Progress
-from cadgen.viewer.editor.job import Compute, Job, Result, State, fault, refusal
+from cadgen.viewer.editor.job import AnswerState, Compute, Job, Result, fault, refusal
 
 LIMIT_S = 120.0
 _MOST_BYTES = 6 * 2**30  # of address space, where the system can limit it
@@ -62,7 +62,7 @@ class Worker:
         """Compute a job; one after the other, and none that is superseded."""
         with self._lock:
             if self._newest.value != job.revision:
-                return Result(State.SUPERSEDED)
+                return Result(AnswerState.SUPERSEDED)
             try:
                 try:
                     future = self._begun().submit(call, job)
@@ -79,7 +79,9 @@ class Worker:
             except BrokenExecutor:
                 sentence = Message("the computation has ended by itself: take the last change back")
             self._end()
-            return Result(State.SUPERSEDED) if self._newest.value == _ENDED else refusal(State.FAULT, sentence)
+            return (
+                Result(AnswerState.SUPERSEDED) if self._newest.value == _ENDED else refusal(AnswerState.FAULT, sentence)
+            )
 
     def close(self) -> None:
         """End the process, also amid a job."""
@@ -113,7 +115,7 @@ def _answer(newest: Any, work: Compute, job: Job) -> Result:
     try:
         return work(job, step)
     except SupersededError:
-        return Result(State.SUPERSEDED)
+        return Result(AnswerState.SUPERSEDED)
     except Exception as error:
         return fault(error)
 

@@ -9,7 +9,7 @@ from cadgen.check import CheckCode
 from cadgen.design import cam_model, variation
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError, FileError
-from cadgen.figures import Cell, Facts, State, number
+from cadgen.figures import Cell, Emphasis, Facts, number
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.car_facts import remedy_facts
 from cadgen.jobs.cam.cures import Cures, find_cures
@@ -118,7 +118,7 @@ class CarPage(PagePlan):
             rows.append((Message("return error"), number(degrees(self.simulation.play), "°")))
         # The cars of the verdict, which are the same in every command, and not those of the tolerance run.
         rows += [
-            (check.name, number(check.value, check.unit, State.PLAIN if check.passed else State.BAD))
+            (check.name, number(check.value, check.unit, Emphasis.PLAIN if check.passed else Emphasis.BAD))
             for check in self.cam.verdict.checks
             if check.code == CheckCode.CARS_KEEP_COURSE
         ]

@@ -51,7 +51,7 @@ class Colour(StrEnum):
 
 
 @dataclass(frozen=True)
-class Bar:
+class ChartBar:
     """A bar with its figure.
 
     Attributes:
@@ -79,7 +79,7 @@ class Bars:
     code: str
     title: str
     unit: str
-    rows: tuple[Bar, ...]
+    rows: tuple[ChartBar, ...]
 
     @property
     def most(self) -> float:
@@ -327,7 +327,7 @@ class CompanionDisc:
 
 
 @dataclass(frozen=True)
-class Rim:
+class RimDeviations:
     """Deviations along the rim of the disc.
 
     Attributes:
@@ -473,7 +473,7 @@ class Scene:
     parts: tuple[ScenePart, ...]
     wheel: tuple[int, float, float] | None = None
     second: CompanionDisc | None = None
-    rim: Rim | None = None
+    rim: RimDeviations | None = None
     wheels: tuple[WheelShape, ...] = ()
     drive: int = 0
 

@@ -12,7 +12,7 @@ from cadgen.arrays import TURN
 from cadgen.check import Check, CheckCode
 from cadgen.design.schema import MotionDesign, TrainDesign
 from cadgen.errors import DesignError, FileError
-from cadgen.figures import Cell, Facts, State, number
+from cadgen.figures import Cell, Emphasis, Facts, number
 from cadgen.gears.choices import Order
 from cadgen.jobs.cam.cam_facts import cam_facts
 from cadgen.jobs.cam.cam_plan import CamPlan
@@ -138,7 +138,7 @@ class PagePlan:
         """Figures at the top, by name."""
         checks = self.checks
         passing = sum(check.passed for check in checks)
-        state = State.BAD if passing < len(checks) else State.GOOD
+        state = Emphasis.BAD if passing < len(checks) else Emphasis.GOOD
         rows: list[tuple[str, Cell]] = [
             (Message("checks that pass"), Cell(f"{passing} / {len(checks)}", state=state)),
             *self.results(),
@@ -161,7 +161,7 @@ class PagePlan:
             if self.cam.motion.unit != MM
             else (Message("travel of the follower"), number(travel, "mm")),
             *(
-                (check.name, number(check.value, check.unit, State.PLAIN if check.passed else State.BAD, 1))
+                (check.name, number(check.value, check.unit, Emphasis.PLAIN if check.passed else Emphasis.BAD, 1))
                 for check in angles
             ),
         )

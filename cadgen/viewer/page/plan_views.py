@@ -8,7 +8,7 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.parts.face import Face
-from cadgen.viewer.page.document import Arm, CarShape, FloorKind, FloorShape, Going, Rim, Scene, Slide
+from cadgen.viewer.page.document import Arm, CarShape, FloorKind, FloorShape, Going, RimDeviations, Scene, Slide
 
 _MARGIN = 4.0  # mm about the cam
 _PIVOT = 4.0  # mm, radius of a pivot's circle
@@ -127,7 +127,7 @@ class CamView:
     rim: tuple[tuple[int, str], ...] = ()
 
 
-def rim_view(rim: Rim | None) -> tuple[tuple[int, str], ...]:
+def rim_view(rim: RimDeviations | None) -> tuple[tuple[int, str], ...]:
     """Stretches of a rim by the number of their colour, from 0 far inside to 8 far outside.
 
     Args:

@@ -12,7 +12,7 @@ from cadgen.inference.measurement.record import Abscissa
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.comparison import PlayComparison
 from cadgen.messages import Message
-from cadgen.viewer.page.document import Rim
+from cadgen.viewer.page.document import RimDeviations
 
 if TYPE_CHECKING:
     from cadgen.jobs.calibration.calibration import CalibrationPlan
@@ -23,7 +23,9 @@ _PLACES = 720  # on the rim
 _LEAST = 1e-4  # mm; a profile that differs by less is the plain one
 
 
-def rim_of(cam: CamPlan, comparison: PlayComparison | None, calibration: "CalibrationPlan | None") -> Rim | None:
+def rim_of(
+    cam: CamPlan, comparison: PlayComparison | None, calibration: "CalibrationPlan | None"
+) -> RimDeviations | None:
     """Deviations to be shown on the rim, measured ones first; None where the disc is the plain one and unmeasured.
 
     Args:
@@ -45,10 +47,10 @@ def rim_of(cam: CamPlan, comparison: PlayComparison | None, calibration: "Calibr
     taken = 1e3 * (radius - _radius(comparison.before.cut.outline(_STEP), polar))
     if np.abs(taken).max() < 1e3 * _LEAST:
         return None
-    return Rim(Message("profile, less the plain one"), "µm", places, taken)
+    return RimDeviations(Message("profile, less the plain one"), "µm", places, taken)
 
 
-def compared_rim(compared: "ComparedCamPlan") -> Rim:
+def compared_rim(compared: "ComparedCamPlan") -> RimDeviations:
     """Deviations of a measured cam by a motion from its design, along the normal, on the rim of the disc as designed.
 
     Args:
@@ -67,14 +69,14 @@ def _rim(outline: Outline) -> tuple[Array, Array, Array]:
     return polar, radius, radius[:, None] * np.column_stack([np.cos(polar), np.sin(polar)])
 
 
-def _of_readings(places: Array, touched: Array, off: Array) -> Rim:
+def _of_readings(places: Array, touched: Array, off: Array) -> RimDeviations:
     """Means of the readings near each place, µm, from their polar angles; between them where there are none."""
     polar = np.arange(_PLACES) * TURN / _PLACES
     near = np.floor(touched / TURN * _PLACES).astype(int) % _PLACES
     count, total = (np.bincount(near, weights, _PLACES) for weights in (None, off))
     known = count > 0
     values = np.interp(polar, polar[known], total[known] / count[known], period=TURN)
-    return Rim(Message("measured, less the design"), "µm", places, values)
+    return RimDeviations(Message("measured, less the design"), "µm", places, values)
 
 
 def _radius(outline: Outline, polar: Array) -> Array:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll_curve
 from cadgen.cam.follower import EdgeFollower
-from cadgen.car.assembly.car_parts import Block, BodyShape, DiscShape, Group, GroupKind, Joined
+from cadgen.car.assembly.car_parts import Block, BodyShape, DiscShape, GroupKind, Joined, MovingGroup
 from cadgen.car.assembly.turning_train import (
     Stand,
     TurningPart,
@@ -567,7 +567,7 @@ def _placed(
     shape: BodyShape | DiscShape | Block | Joined,
     place: Array,
     index: int,
-    group: Group,
+    group: MovingGroup,
     shafts: Sequence[SceneShaft],
     chord: float,
 ) -> Mesh:

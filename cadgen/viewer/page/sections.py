@@ -10,7 +10,7 @@ import numpy as np
 from cadgen.check import Bound, Check
 from cadgen.design.as_built import AsBuiltSection
 from cadgen.deviations.deviation import Place
-from cadgen.figures import Cell, Figures, Sheet, State, number
+from cadgen.figures import Cell, Emphasis, Figures, Sheet, number
 from cadgen.gears.layout import TrainLayout
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.comparison import PlayComparison
@@ -24,7 +24,7 @@ from cadgen.messages import Message
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import Keyway
 from cadgen.viewer.page.charts import name_before
-from cadgen.viewer.page.document import Bar, Bars, Section
+from cadgen.viewer.page.document import Bars, ChartBar, Section
 
 if TYPE_CHECKING:
     from cadgen.jobs.calibration.calibration import CalibrationPlan
@@ -92,14 +92,14 @@ def _checks(code: str, caption: str, checks: Iterable[Check]) -> Sheet:
 
 def _check(check: Check) -> tuple[Cell | str, ...]:
     unit, limit = check.unit_shown, number(check.limit, check.unit_shown)
-    verdict = Cell(Message("ok"), state=State.GOOD)
+    verdict = Cell(Message("ok"), state=Emphasis.GOOD)
     if isinf(check.limit):
-        verdict, limit = Cell(Message("shown"), state=State.MUTED), number(None)
+        verdict, limit = Cell(Message("shown"), state=Emphasis.MUTED), number(None)
     else:
         limit = replace(limit, text=f"{'≤' if check.bound == Bound.MAX else '≥'} {limit.text}")
         if not check.passed:
-            verdict = Cell(Message("FAILS"), state=State.BAD)
-    value = number(check.value, unit, State.PLAIN if check.passed else State.BAD)
+            verdict = Cell(Message("FAILS"), state=Emphasis.BAD)
+    value = number(check.value, unit, Emphasis.PLAIN if check.passed else Emphasis.BAD)
     return check.name, verdict, value, limit, check.place
 
 
@@ -153,7 +153,7 @@ def play_section(
         tables.append(Sheet("remedies", Message("Remedies"), heads, rows, words=2))
     built = [remedy for remedy in remedies if remedy.worst_end is not None]
     least = min((remedy.worst_end for remedy in built if remedy.worst_end is not None), default=None)
-    bars = tuple(Bar(remedy.name, remedy.worst_end or 0.0, remedy.worst_end == least) for remedy in built)
+    bars = tuple(ChartBar(remedy.name, remedy.worst_end or 0.0, remedy.worst_end == least) for remedy in built)
     notes = (*comparison.reasons, *filter(None, [comparison.rubbing]))
     return Section(
         "play",
@@ -185,7 +185,7 @@ def _methods(comparison: PlayComparison) -> Sheet:
     rows, names = [], tuple[str, ...]()
     for evaluation in comparison.evaluations:
         chosen = evaluation is comparison.chosen
-        state = State.STRONG if chosen else State.PLAIN
+        state = Emphasis.STRONG if chosen else Emphasis.PLAIN
         figures = comparison.figures(evaluation)
         names = tuple(figures[code].name for code in compared)
         cells = {code: figures[code].cell(state) for code in compared}
@@ -196,7 +196,7 @@ def _methods(comparison: PlayComparison) -> Sheet:
             (
                 Cell(name, state=state),
                 *((Cell(evaluation.train, state=state),) if several else ()),
-                Cell(Message("chosen"), state=State.GOOD) if chosen else "",
+                Cell(Message("chosen"), state=Emphasis.GOOD) if chosen else "",
                 *cells.values(),
             )
         )
@@ -212,7 +212,7 @@ def _runs(simulation: Simulation[CamPlan]) -> Sheet:
     chosen, before = simulation.comparison.chosen, simulation.comparison.before
     runs = (
         (Cell(name_before(before)), simulation.before_error),
-        (Cell(Message("this cam, with play"), state=State.STRONG), simulation.after_error),
+        (Cell(Message("this cam, with play"), state=Emphasis.STRONG), simulation.after_error),
         (Cell(Message("this cam, without play")), chosen.deviation),
     )
     rows = tuple((name, *(figure.cell() for figure in error.figures.values())) for name, error in runs)
@@ -227,8 +227,8 @@ def _course(simulation: Simulation[CamPlan]) -> Sheet:
         (
             key,
             where,
-            number(planned[key][1], "mm", State.BAD if planned[key][1] < 0 else State.PLAIN),
-            number(room, "mm", State.BAD if room < 0 else State.PLAIN),
+            number(planned[key][1], "mm", Emphasis.BAD if planned[key][1] < 0 else Emphasis.PLAIN),
+            number(room, "mm", Emphasis.BAD if room < 0 else Emphasis.PLAIN),
         )
         for key, (where, room) in played.items()
     ]
@@ -273,9 +273,9 @@ def tolerance_section(run: ToleranceRun[CamPlan] | None, reason: str) -> Section
     table = _sensitivities(run)
     # Share of each tolerance in the variance of the ends, the small ones together.
     most, others = run.sensitivities[:_MOST_BARS], run.sensitivities[_MOST_BARS:]
-    rows = [Bar(item.name.replace("_", " "), 100 * item.share, not count) for count, item in enumerate(most)]
+    rows = [ChartBar(item.name.replace("_", " "), 100 * item.share, not count) for count, item in enumerate(most)]
     if rest := sum(100 * item.share for item in others):
-        rows.append(Bar(Message("all others"), rest))
+        rows.append(ChartBar(Message("all others"), rest))
     bars = Bars("shares", Message("What costs most of the scatter at the end"), "%", tuple(rows))
     return Section("tolerance", title, (lead,), (ends, table), bars=(bars,), folded=frozenset({table.code}))
 
@@ -469,7 +469,7 @@ def _gear_rows(layout: TrainLayout) -> list[tuple[Cell | str, ...]]:
         rows.append(
             (
                 part.name,
-                Cell("–", state=State.MUTED),
+                Cell("–", state=Emphasis.MUTED),
                 number(1, digits=0),
                 Cell(" + ".join(map(str, teeth)) or "–"),
                 Cell(" + ".join(f"{module:g}" for module in sorted(set(modules))) or "–", unit="mm" if modules else ""),

@@ -5,7 +5,7 @@ from math import degrees
 
 from cadgen.check import Check
 from cadgen.design.schema import TrainDesign
-from cadgen.figures import Cell, Facts, State, number
+from cadgen.figures import Cell, Emphasis, Facts, number
 from cadgen.gears.choices import Order
 from cadgen.jobs.cam.cures import Cures
 from cadgen.jobs.gears.gear_train import GearTrain, plan_gears
@@ -81,7 +81,7 @@ class TrainPage:
     def summary(self) -> tuple[tuple[str, Cell], ...]:
         """Figures at the top, by name."""
         passing, whole = sum(check.passed for check in self.checks), self.gears.return_error
-        state = State.GOOD if self.passed else State.BAD
+        state = Emphasis.GOOD if self.passed else Emphasis.BAD
         return (
             (Message("checks that pass"), Cell(f"{passing} / {len(self.checks)}", state=state)),
             (Message("ratio of the train"), Cell(str(self.gears.ratio))),

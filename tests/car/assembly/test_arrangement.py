@@ -11,7 +11,7 @@ import pytest
 
 from cadgen.car.assembly.arrangement import arrange, arranged_as, shortfall
 from cadgen.car.assembly.site import CarSite, OnCamshaft
-from cadgen.gears.layout import Disc
+from cadgen.gears.layout import RoundBody
 
 WIDTH, BORES = 4.0, (5.0, 3.0, 8.0)
 
@@ -51,7 +51,7 @@ def random_car(rng):
     for stage, (driver, driven) in enumerate(teeth, 1):
         low = (stage - 1) * (WIDTH + 1.0)
         for shaft, z in ((stage - 1, driver), (stage, driven)):
-            shafts[shaft].append(Disc(f"gear {z}", stage, z * 0.25 + 0.5, low, low + WIDTH))
+            shafts[shaft].append(RoundBody(f"gear {z}", stage, z * 0.25 + 0.5, low, low + WIDTH))
     distances = [(driver + driven) * 0.25 for driver, driven in teeth]
     bores = [BORES[0], *[BORES[1]] * (count - 1), BORES[2]]
     return site, shafts, distances, bores

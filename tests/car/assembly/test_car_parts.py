@@ -11,8 +11,8 @@ from cadgen.car.assembly.car_parts import (
     CarPart,
     Content,
     Drilled,
-    Group,
     GroupKind,
+    MovingGroup,
     Prism,
     along,
     at,
@@ -27,13 +27,13 @@ from cadgen.parts.loop import circle as circle_loop
 TRIANGLE = Contour(np.array([[0.0, 0.0], [6.0, 0.0], [0.0, 3.0]]), np.zeros(3))
 
 
-def part_of(shape: Block | BodyShape, *places: np.ndarray, group: Group | None = None) -> CarPart:
+def part_of(shape: Block | BodyShape, *places: np.ndarray, group: MovingGroup | None = None) -> CarPart:
     return CarPart(
         code="part",
         title=Message("part"),
         shape=shape,
         places=places or (still(),),
-        group=group or Group(GroupKind.FRAME),
+        group=group or MovingGroup(GroupKind.FRAME),
         material="steel",
         density=7.85e-3,
     )
@@ -87,17 +87,17 @@ def test_masses_add_up_at_their_common_centre() -> None:
 
 
 def test_a_shaft_turns_about_its_axis_and_the_fork_about_its_own() -> None:
-    shaft = Group(GroupKind.SHAFT, 2, 3 + 4j, -2.0)
+    shaft = MovingGroup(GroupKind.SHAFT, 2, 3 + 4j, -2.0)
     found = shaft.motion(pi / 4, 0.0) @ [4.0, 4.0, 7.0, 1.0]
     assert found == pytest.approx((3.0, 3.0, 7.0))
-    fork = Group(GroupKind.FORK, axis=70.0 - 20.0j)
+    fork = MovingGroup(GroupKind.FORK, axis=70.0 - 20.0j)
     tip = fork.motion(0.0, radians(10)) @ [70.0, 5.0, 20.0, 1.0]
     assert tip == pytest.approx((70 + 40 * sin(radians(10)), 5.0, -20 + 40 * cos(radians(10))))
 
 
 def test_a_planet_goes_round_with_its_carrier_and_spins_by_itself() -> None:
-    carrier = Group(GroupKind.SHAFT, 2, 1 + 0j, 1.0)
-    planet = Group(GroupKind.BESIDE, 5, 3 + 0j, -3.0, carrier)
+    carrier = MovingGroup(GroupKind.SHAFT, 2, 1 + 0j, 1.0)
+    planet = MovingGroup(GroupKind.BESIDE, 5, 3 + 0j, -3.0, carrier)
     motion = planet.motion(pi / 2, 0.0)
     assert motion @ [3.0, 0.0, 0.0, 1.0] == pytest.approx((1.0, 2.0, 0.0))
     assert motion[:, :3] @ [1.0, 0.0, 0.0] == pytest.approx((0.0, 1.0, 0.0))

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from cadgen.errors import FileError
-from cadgen.inference.measurement.diagnosis import calibrate, diagnose
+from cadgen.inference.measurement.diagnosis import calibrate, weigh
 from cadgen.inference.measurement.evidence import Noise
 from cadgen.inference.measurement.nominal import Nominal
 from cadgen.inference.measurement.reservations import refuse_too_few, resolved, with_reservations
@@ -102,7 +102,7 @@ def test_rows_out_of_order_claim_nothing(measured, nominal, blind):
     record = load(measured / "transmission_a.csv")
     order = np.lexsort((record["motor_angle_deg"], record.run))
     shuffled = replace(record, columns={name: values[order] for name, values in record.columns.items()})
-    (told,) = diagnose([replace(shuffled, remarks=())], nominal.model)
+    (told,) = weigh([replace(shuffled, remarks=())], nominal.model).diagnoses()
     assert (told.verdict, told.judgement.claimed) == ("unexplained", ())
     assert "in the order in which they were measured" in told.judgement.sentence
 
@@ -141,7 +141,7 @@ def test_six_effects_that_leave_more_than_noise_are_not_sure(lift, nominal):
 def test_runs_at_angles_of_their_own_still_tell_their_noise(lift, nominal):
     # Every third reading, another third in each run: no two runs have an angle in common.
     own = lift.where(lift["cam_angle_deg"] % 3 == lift.run)
-    (told,) = diagnose([own], nominal.model)
+    (told,) = weigh([own], nominal.model).diagnoses()
     assert told.verdict == "none"
     assert told.residual.noise == pytest.approx(4.0, rel=0.15)
 

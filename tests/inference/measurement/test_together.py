@@ -8,7 +8,7 @@ import pytest
 from cadgen.deviations.deviation import RETURN_ERROR, Place
 from cadgen.errors import FileError
 from cadgen.inference.measurement.claims import Claim, at_work, claims, no_play, shared
-from cadgen.inference.measurement.diagnosis import calibrate, diagnose
+from cadgen.inference.measurement.diagnosis import calibrate, weigh
 from cadgen.inference.measurement.findings import Finding, Value
 from cadgen.inference.measurement.kinds import PROFILE, TRACK, TRANSMISSION, ZONES
 from cadgen.jobs.calibration.new_cam import gone_with_the_disc
@@ -36,7 +36,7 @@ def together(records, nominal):
 @pytest.fixture(scope="module")
 def lift_alone(records, nominal):
     """The lift judged as if there were no profile."""
-    (told,) = diagnose(records[:1], nominal.model)
+    (told,) = weigh(records[:1], nominal.model).diagnoses()
     return told
 
 
@@ -116,7 +116,7 @@ def test_a_train_without_play_is_known_to_have_none_only_if_it_was_turned_both_w
     rng = np.random.default_rng(44)
     record = transmission_record(synthetic_car, Train(), rng, noise_deg=0.03)
     forward = np.tile(np.arange(721) < 361, record.runs)
-    both, one_way = (diagnose([part], nominal.model)[0] for part in (record, record.where(forward)))
+    both, one_way = (weigh([part], nominal.model).diagnoses()[0] for part in (record, record.where(forward)))
     assert (both.verdict, one_way.verdict) == ("none", "none")
     claim = no_play(both.source, both.kind, both.unnamed[RETURN_ERROR], 0.96)
     assert claim.absent
@@ -126,7 +126,7 @@ def test_a_train_without_play_is_known_to_have_none_only_if_it_was_turned_both_w
     # Against a return error that the scatter hides nothing can be said.
     assert no_play(both.source, both.kind, both.unnamed[RETURN_ERROR], 0.02) is None
     # Where play is named, or a single run names nothing, there is no such claim.
-    assert diagnose([record.only(np.array([0]))], nominal.model)[0].unnamed == {}
+    assert weigh([record.only(np.array([0]))], nominal.model).diagnoses()[0].unnamed == {}
 
 
 def test_more_rows_than_one_model_can_hold_are_refused(records, nominal):
@@ -159,7 +159,7 @@ def test_of_many_runs_several_are_left_out_at_a_time(synthetic_car, nominal):
     # Copies of runs would be runs without noise.
     record.columns["lift_mm"] = record["lift_mm"] + rng.normal(0, 4e-3, 4 * rows)
     steps: list[str] = []
-    (told,) = diagnose([record], nominal.model, steps.append)
+    (told,) = weigh([record], nominal.model).diagnoses(steps.append)
     left_out = [step for step in steps if step.endswith("left out")]
     assert (record.runs, len(left_out)) == (12, 10)
     assert left_out[0].endswith("runs 1 to 2 left out")

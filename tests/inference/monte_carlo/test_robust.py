@@ -206,14 +206,6 @@ def test_known_sensitivities(fleet, carbon_free_car):
     assert found["start_heading"].distance == pytest.approx(swing, rel=0.01)
 
 
-def test_yield(fleet):
-    run = tolerance_run(fleet, Tolerances(half_widths=HALF_WIDTHS), 500, seed=1)
-    assert run.yield_within(1e9) == 1.0
-    assert run.yield_within(0.0) == 0.0
-    width = 2 * np.quantile(run.widest, 0.8)
-    assert run.yield_within(width) == pytest.approx(0.8, abs=0.005)
-
-
 def test_without_tolerances_every_car_is_the_nominal_one(fleet):
     run = tolerance_run(fleet, Tolerances(half_widths={}), 3, seed=0)
     nominal = errors_of_cars(fleet, np.zeros((1, len(NAMES))))

@@ -11,7 +11,7 @@ from cadgen.errors import DesignError
 from cadgen.progress import silent
 from cadgen.viewer.editor.compute import compute
 from cadgen.viewer.editor.guard import Address
-from cadgen.viewer.editor.job import Job, Stage, State
+from cadgen.viewer.editor.job import AnswerState, Job, JobStage
 from cadgen.viewer.editor.server import Service, application, bound_socket
 from cadgen.viewer.editor.session import Session
 from cadgen.viewer.editor.text_changes import read_changes
@@ -241,14 +241,14 @@ law = "cycloidal"
 
 
 def test_preview_and_whole_have_model_curves_and_checks(session):
-    state, first = answer(session, Stage.PREVIEW)
-    assert state == State.DONE
+    state, first = answer(session, JobStage.PREVIEW)
+    assert state == AnswerState.DONE
     assert set(first["pieces"]) == {"cam-box", "cam-legend", "charts", "course-box", "legend"}
-    state, whole = answer(session, Stage.WHOLE)
-    assert state == State.DONE
+    state, whole = answer(session, JobStage.WHOLE)
+    assert state == AnswerState.DONE
     assert "pressure angle, rise" in whole["pieces"]["tables"]
     session.change({"dynamics.preload_N": 1.0, "motion.speed_rpm": 900.0})
-    _, weak = answer(session, Stage.WHOLE)
+    _, weak = answer(session, JobStage.WHOLE)
     assert "the follower leaves the disc from" in weak["pieces"]["top"]
     assert weak["document"]["passed"] is False
     assert [each["code"] for each in whole["document"]["charts"]][:6] == [
@@ -269,8 +269,8 @@ def test_a_motion_by_a_table_is_edited_beside_its_table(tmp_path):
     session = Session(tmp_path / "lobe.toml")
     session.change({"cam.base_circle_radius_mm": 44.0})
     assert timing_of(session.now.design).segments == ()
-    state, whole = answer(session, Stage.WHOLE)
-    assert state == State.DONE
+    state, whole = answer(session, JobStage.WHOLE)
+    assert state == AnswerState.DONE
     assert whole["document"]["passed"]
     assert "rows" not in session.now.text
 
@@ -287,7 +287,7 @@ def test_ends_are_dragged_and_a_law_is_chosen_in_the_browser(session, file):
 
     listening = bound_socket(0)
     own = Address(listening.getsockname()[1], "abc-token")
-    service = Service(session, {stage: Here() for stage in Stage})
+    service = Service(session, {stage: Here() for stage in JobStage})
     server = uvicorn.Server(uvicorn.Config(application(service, own), log_level="critical", lifespan="off"))
     thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]})
     thread.start()

@@ -34,7 +34,7 @@ from cadgen.car.assembly.panels import (
     rectangle,
 )
 from cadgen.car.assembly.site import STEERING_STEPS, OnShaft
-from cadgen.gears.layout import Disc
+from cadgen.gears.layout import RoundBody
 from cadgen.messages import Message
 
 _SAME = 1e-9  # mm
@@ -53,7 +53,7 @@ def frame_gap(frame: Frame, shafts: Sequence[Sequence[OnShaft]], bores: Sequence
     skipped: set[tuple[int, int]] = set()
     panels = frame.panels
     drum = None if frame.carried is None else frame.carried.turning
-    wound = () if drum is None else (OnShaft(Disc(Message("the drum of the string"), None, *drum), False),)
+    wound = () if drum is None else (OnShaft(RoundBody(Message("the drum of the string"), None, *drum), False),)
     for number, (axis, on, bore) in enumerate(zip(found.axes, shafts, bores, strict=True), 1):
         for body, of_train in (*on, *wound) if number == 1 else on:
             itself = of_train and body.stage is None and body.radius == bore / 2
