@@ -198,8 +198,9 @@ class Design(LoadedDesign):
             with_budget=budget,
             map_with=map_of(map),
         )
-        plan = plan_cam(self.complete(), profile, progress, with_play=True)
-        return tolerance_of(Cam.of(plan), sample, progress, _workshop(workshop))
+        design = self.complete()
+        known = _workshop(workshop, design.name)
+        return tolerance_of(Cam.of(plan_cam(design, profile, progress, with_play=True)), sample, progress, known)
 
     def lift_tolerance(
         self, samples: int = 10_000, *, seed: int = 1, progress: Progress = silent
@@ -256,7 +257,7 @@ class Design(LoadedDesign):
 
         error, design = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm"), self.complete()
         sources = sources_of(data, reading_of(design, columns), progress=progress)
-        computed = calibrate(design, profile, sources, error, progress, workshop=_workshop(workshop))
+        computed = calibrate(design, profile, sources, error, progress, workshop=_workshop(workshop, design.name))
         return Calibration.of(computed, Design(design, self.text, self.file))
 
     def find_motion(
@@ -417,8 +418,9 @@ class Design(LoadedDesign):
         from cadgen.car.against_play.profile_kinds import ACTUAL
         from cadgen.jobs.calibration.advice import Advice
 
-        error = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm")
-        return Advice.first(self.complete(), profile or ACTUAL.code, error, progress, _workshop(workshop))
+        error, design = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm"), self.complete()
+        known = _workshop(workshop, design.name)
+        return Advice.first(design, profile or ACTUAL.code, error, progress, known)
 
     def calibrate_each(
         self,
@@ -439,7 +441,7 @@ class Design(LoadedDesign):
 
         error, design = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm"), self.complete()
         sources = sources_of(data, reading_of(design, columns), each=True, progress=progress)
-        computed = calibrate_each(design, profile, sources, error, progress, _workshop(workshop))
+        computed = calibrate_each(design, profile, sources, error, progress, _workshop(workshop, design.name))
         return Calibrations(tuple(Calibration.of(result, Design(design, self.text, self.file)) for result in computed))
 
     def adjust(
@@ -540,12 +542,12 @@ class Design(LoadedDesign):
         return card_of(design, Cam.of(plan_cam(design, profile, progress)), draw, progress)
 
 
-def _workshop(file: str | PathLike[str] | None) -> "Workshop | None":
-    """Workshop's file, if one is given."""
+def _workshop(file: str | PathLike[str] | None, design: str) -> "Workshop | None":
+    """Workshop's file of a design by its name, if one is given."""
     if file is None:
         return None
     from pathlib import Path
 
     from cadgen.jobs.calibration.workshop import read_workshop
 
-    return read_workshop(Path(file))
+    return read_workshop(Path(file), design)

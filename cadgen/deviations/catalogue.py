@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from cadgen.deviations.deviation import Deviation
 from cadgen.deviations.disc import LAST_LOBE, NOSE_WIDTHS_DEG, PROFILE_EFFECTS, undulation, worn_nose
-from cadgen.deviations.effect import Effect
+from cadgen.deviations.effect import Effect, Quantity
 from cadgen.deviations.instrument import LIFT_INSTRUMENT, PROFILE_INSTRUMENT
 from cadgen.deviations.lift import LIFT_EFFECTS
 from cadgen.deviations.track import TRACK_EFFECTS
@@ -158,7 +158,7 @@ TRACK = Catalogue(*TRACK_EFFECTS)
 ZONES = Catalogue(RETURN_ERROR)
 
 
-def spreads(halves: Mapping[Deviation, float], sizes: Mapping[Deviation, float]) -> dict[str, float]:
+def spreads(halves: Mapping[Deviation, float], sizes: Mapping[Deviation, float]) -> dict[Quantity, float]:
     """Standard deviations of effects' numbers that tolerances allow: half a zone, as of twice the zone.
 
     Args:
@@ -166,12 +166,12 @@ def spreads(halves: Mapping[Deviation, float], sizes: Mapping[Deviation, float])
         sizes: nominal sizes of deviations that effects state in per cent, mm.
 
     Returns:
-        Standard deviations by the names of the numbers, internal units.
+        Standard deviations by the keys of the numbers, internal units.
     """
     return {
-        number.name: halves[known] / (sizes[known] if number.unit == "%" else 1.0)
+        key: halves[known] / (sizes[known] if number.unit == "%" else 1.0)
         for kind in (LIFT, PROFILE, TRACK)
         for effect in kind.effects
         if (known := effect.deviation) and known in halves
-        for number in effect.parameters
+        for key, number in zip(effect.quantities, effect.parameters, strict=True)
     }

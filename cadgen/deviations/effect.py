@@ -13,6 +13,9 @@ from cadgen.deviations.deviation import Deviation, Place
 
 State = TypeVar("State")
 
+# Deviation that a number is of, or the effect where it is none, and name of the number: alike in all kinds of data.
+Quantity = tuple[str, str]
+
 UM = 1e-3  # mm in a micrometre
 DEG = pi / 180
 PERCENT = 1e-2
@@ -161,6 +164,7 @@ class Effect:
         cause: what its orders and places share; the name if empty.
         one_run: True if it acts in one of the measured runs alone.
         form_of: stage at which a shape moves the car too, the lift or the disc; None if it may be the instrument's.
+        called: name in its own catalogue, where a merged one has another; empty where it is the same.
     """
 
     name: str
@@ -184,6 +188,7 @@ class Effect:
     beside: "Effect | None" = None
     looks_like: "Effect | None" = None
     parts: tuple["Effect", ...] = ()
+    called: str = ""
 
     @property
     def key(self) -> str:
@@ -194,6 +199,12 @@ class Effect:
     def sort(self) -> str:
         """Name of the cause: what all its orders and places share."""
         return self.cause or self.name
+
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """Key of each number, by which what other cars have of it is known, whatever a kind of data calls it."""
+        thing = (self.called or self.name) if self.deviation is None else self.deviation.name
+        return tuple((thing, number.name) for number in self.parameters)
 
     @property
     def instrument(self) -> bool:

@@ -27,13 +27,15 @@ class Habit:
     """Number of an effect over the cars of a workshop, internal units (mm, rad, 1).
 
     Attributes:
-        effect: name of the effect.
+        kind: code of a kind of data that shows the effect.
+        effect: name that it has there.
         name: name of the number, with its unit.
         mean, spread: of a further car.
         least, most: 90 % range of the spread over cars.
         cars: how many cars' worth is known of it.
     """
 
+    kind: str
     effect: str
     name: str
     mean: float

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from cadgen.arrays import TURN, Array
 from cadgen.deviations import deviation
 from cadgen.deviations.deviation import Deviation, Place
-from cadgen.deviations.effect import Active, Effect
+from cadgen.deviations.effect import Active, Effect, Quantity
 from cadgen.inference.measurement.diagnosis import SOUND
 from cadgen.inference.measurement.evidence import Evidence, Noise, Spectrum, estimate_noise, grid_of
 from cadgen.inference.measurement.findings import EvidenceDiagnosis
@@ -48,7 +48,7 @@ class Linear:
         models: one of each kind, the measured ones with their records.
         noises: of the measured ones.
         merged: their catalogues.
-        spread: of numbers by their names, in internal units, where the design states it.
+        spread: of numbers by their keys, in internal units, where the design states it.
         likely: what may be true, the subset reported first: weight, and the effects with their values; nothing before
             any measurement.
         traced: whether all that the records show has names.
@@ -60,7 +60,7 @@ class Linear:
     models: tuple[Model, ...]
     noises: tuple[Noise, ...]
     merged: Merged
-    spread: Mapping[str, float]
+    spread: Mapping[Quantity, float]
     likely: tuple[tuple[float, Active], ...]
     traced: bool
 
@@ -71,7 +71,7 @@ class Linear:
         records: Sequence[Record],
         diagnoses: Sequence[EvidenceDiagnosis],
         others: Mapping[Kind, Record],
-        spread: Mapping[str, float],
+        spread: Mapping[Quantity, float],
     ) -> "Linear":
         """Put together what was measured and what may be.
 
@@ -131,7 +131,8 @@ class Linear:
     @cached_property
     def scale(self) -> Array:
         """Standard deviation of each direction, internal units, shape (p,)."""
-        return np.array([self.spread.get(q.name, 0.0) or q.spread for e in self.effects for q in e.parameters])
+        numbers = [each for e in self.effects for each in zip(e.quantities, e.parameters, strict=True)]
+        return np.array([self.spread.get(key, 0.0) or number.spread for key, number in numbers])
 
     @property
     def size(self) -> int:
@@ -348,12 +349,12 @@ class PriorKnowledge:
     """Knowledge without a measurement.
 
     Attributes:
-        spread: standard deviations of numbers by their names, internal units, where the design states them.
+        spread: standard deviations of numbers by their keys, internal units, where the design states them.
         play, friction: means where there are such effects; play is 0 for a car without.
         assumed: play that a new cam is made for while nothing is known of it, rad.
     """
 
-    spread: Mapping[str, float]
+    spread: Mapping[Quantity, float]
     play: float
     friction: float
     assumed: float

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import Array
 from cadgen.deviations.deviation import Deviation
-from cadgen.deviations.effect import UNITS, Active, Effect
+from cadgen.deviations.effect import UNITS, Active, Effect, Quantity
 from cadgen.deviations.lift import Readings
 from cadgen.inference.measurement.evidence import Evidence, estimate_noise, grid_of, registered
 from cadgen.inference.measurement.findings import (
@@ -80,7 +80,7 @@ def weigh(
     build: Build,
     progress: Progress = silent,
     play: tuple[float, float] | None = None,
-    usual: Mapping[str, tuple[float, float]] | None = None,
+    usual: Mapping[Quantity, tuple[float, float]] | None = None,
 ) -> Weighed:
     """Search the effects that explain records of one car, and judge them.
 

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import Array
-from cadgen.deviations.effect import Active, Effect, activated
+from cadgen.deviations.effect import Active, Effect, Quantity, activated
 from cadgen.errors import DesignError
 from cadgen.inference.measurement.evidence import Spectrum
 from cadgen.inference.measurement.joint import Joint
@@ -194,13 +194,13 @@ class Search:
         entries: how many entries of the catalogue each sort of effect has (orders of waviness, noses); a sort is one
             cause, however many places it can show in.
         shapes: anonymous forms.
-        usual: mean and standard deviation of numbers by their names over the cars of a workshop, internal units.
+        usual: mean and standard deviation of numbers by their keys over the cars of a workshop, internal units.
     """
 
     rows: int
     entries: Mapping[str, int] = field(default_factory=dict)
     shapes: int = 1
-    usual: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    usual: Mapping[Quantity, tuple[float, float]] = field(default_factory=dict)
 
     def penalty(self, effects: tuple[Effect, ...], parameters: int) -> float:
         """Extended Bayesian information criterion (Chen and Chen 2008, gamma = 1): k ln n + 2 ln(choices).
@@ -289,7 +289,7 @@ class _Problem:
         joint: Joint,
         chosen: tuple[Effect, ...],
         known: Mapping[str, tuple[float, float]],
-        usual: Mapping[str, tuple[float, float]],
+        usual: Mapping[Quantity, tuple[float, float]],
     ) -> None:
         self._joint, self.chosen, self._prior = joint, chosen, _Prior(chosen, known, usual)
         self.bounds = np.concatenate([e.bounds for e in chosen], axis=1) if chosen else np.empty((2, 0))
@@ -419,11 +419,11 @@ class _Prior:
         self,
         chosen: tuple[Effect, ...],
         known: Mapping[str, tuple[float, float]],
-        usual: Mapping[str, tuple[float, float]],
+        usual: Mapping[Quantity, tuple[float, float]],
     ) -> None:
         starts = np.cumsum([0, *(len(e.parameters) for e in chosen)])
         of = [(int(starts[i]), *known[e.key]) for i, e in enumerate(chosen) if e.key in known]
-        of += [(column, *usual[name]) for column, name in _usual_numbers(chosen, usual)]
+        of += [(column, *usual[key]) for column, key in _usual_numbers(chosen, usual)]
         self.rows = np.zeros((len(of), int(starts[-1])))
         self.mean = np.array([mean / sigma for _, mean, sigma in of])
         for row, (column, _, sigma) in enumerate(of):
@@ -433,10 +433,12 @@ class _Prior:
         return np.asarray(self.rows @ values - self.mean)
 
 
-def _usual_numbers(chosen: Sequence[Effect], usual: Mapping[str, tuple[float, float]]) -> list[tuple[int, str]]:
-    """Columns and names of the numbers of which a workshop's cars tell what is usual."""
-    names = [p.name for e in chosen for p in e.parameters]
-    return [(column, name) for column, name in enumerate(names) if name in usual]
+def _usual_numbers(
+    chosen: Sequence[Effect], usual: Mapping[Quantity, tuple[float, float]]
+) -> list[tuple[int, Quantity]]:
+    """Columns and keys of the numbers of which a workshop's cars tell what is usual."""
+    keys = [key for e in chosen for key in e.quantities]
+    return [(column, key) for column, key in enumerate(keys) if key in usual]
 
 
 def _unusual(chosen: Sequence[Effect], values: Array, covariance: Array, search: Search) -> float:
@@ -446,8 +448,8 @@ def _unusual(chosen: Sequence[Effect], values: Array, covariance: Array, search:
     instead of ln n, where that is less: the Laplace approximation of the evidence with the prior N(μ, τ²).
     """
     more = 0.0
-    for column, name in _usual_numbers(chosen, search.usual):
-        mean, spread = search.usual[name]
+    for column, key in _usual_numbers(chosen, search.usual):
+        mean, spread = search.usual[key]
         narrowed = log(max(spread**2 / max(float(covariance[column, column]), 1e-300), 1.0))
         more += ((float(values[column]) - mean) / spread) ** 2 + min(narrowed - log(search.rows), 0.0)
     return more

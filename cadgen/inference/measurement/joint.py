@@ -60,7 +60,7 @@ class Merged:
             number = min(members, key=lambda n: nearness[n])
             effect = members[number]
             if several and taken.setdefault(effect.name, number) != number:
-                effect = replace(effect, name=f"{effect.name} ({records[number][0]})")
+                effect = replace(effect, name=f"{effect.name} ({records[number][0]})", called=effect.name)
             leaders.append((effect, number, members))
         leading = {effect.key for effect, _, _ in leaders}
         leaders = [(e, n, m) for e, n, m in leaders if all(part.key in leading for part in e.parts)]

@@ -15,6 +15,7 @@ from cadgen.car.running.mechanics import Leads, Mechanics
 from cadgen.car.steering import Car
 from cadgen.curves.closed import ClosedCurve
 from cadgen.deviations.disc import Disc, nominal_disc
+from cadgen.deviations.effect import Quantity
 from cadgen.errors import DesignError
 from cadgen.inference.measurement.model import Cache, Model, Rolled
 from cadgen.inference.measurement.record import Method, Record
@@ -89,7 +90,7 @@ class Nominal:
         cut: lift that the cam was cut for, by whose slope friction holds the cam or lets it go; `lift` if left out.
         mechanics: what the design says of rod force and drag; nothing if left out.
         play: return error that was measured apart, with the rod lifted, and its standard deviation, rad.
-        usual: mean and standard deviation of effects' numbers by their names over the cars of the workshop that made
+        usual: mean and standard deviation of effects' numbers by their keys over the cars of the workshop that made
             it, internal units; empty where that is not known.
     """
 
@@ -105,7 +106,7 @@ class Nominal:
     cut: PathMotion | None = None
     mechanics: Mechanics | None = None
     play: tuple[float, float] | None = None
-    usual: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    usual: Mapping[Quantity, tuple[float, float]] = field(default_factory=dict)
 
     @cached_property
     def disc(self) -> Disc:

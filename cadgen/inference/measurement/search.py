@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import Array
-from cadgen.deviations.effect import Active, Effect, activated, causes
+from cadgen.deviations.effect import Active, Effect, Quantity, activated, causes
 from cadgen.errors import DesignError
 from cadgen.inference.measurement.hypothesis import Hypothesis, Search, fit
 from cadgen.inference.measurement.joint import Joint
@@ -169,12 +169,12 @@ class Round:
     always: Index
 
 
-def find(joint: Joint, usual: Mapping[str, tuple[float, float]] | None = None) -> list[Hypothesis]:
+def find(joint: Joint, usual: Mapping[Quantity, tuple[float, float]] | None = None) -> list[Hypothesis]:
     """Fit the most likely subsets exactly; best first by score, the empty one always among them.
 
     Args:
         joint: the records.
-        usual: mean and standard deviation of numbers by their names over a workshop's cars, internal units.
+        usual: mean and standard deviation of numbers by their keys over a workshop's cars, internal units.
     """
     core, named = distinguishable(joint), joint.members
     entries = Counter(e.sort for e in (*core, *named) if not (e.shape or e.parts or e.beside))

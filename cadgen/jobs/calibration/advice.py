@@ -12,7 +12,8 @@ from cadgen.car.running.friction import USUAL
 from cadgen.design import variation
 from cadgen.design.schema import Design
 from cadgen.deviations.catalogue import spreads
-from cadgen.deviations.deviation import WHEEL_RADIUS, WHEELBASE
+from cadgen.deviations.deviation import RETURN_ERROR, WHEEL_RADIUS, WHEELBASE
+from cadgen.deviations.effect import Quantity
 from cadgen.errors import FileError
 from cadgen.figures import Facts, Sheet
 from cadgen.inference.expectation.linear import PriorKnowledge
@@ -36,6 +37,7 @@ from cadgen.progress import Progress, silent
 WORTH = 0.05
 _SHOWN_RIVALS = 3
 _REPORT_WIDTH = 110
+PLAY: Quantity = (RETURN_ERROR.name, "return_error_deg")  # key of its number
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -357,8 +359,8 @@ def prior_of(
     least, most = (0.0, 0.0) if band is None else band.ends
     play, unsure, assumed = (least + most) / 2, (most - least) / 4, most
     if workshop is not None:
-        spread |= {name: hypot(*usual) for name, usual in workshop.usual.items()}
-        play, unsure = workshop.usual.get("return_error_deg", (play, unsure))
+        spread |= {key: hypot(*usual) for key, usual in workshop.usual.items()}
+        play, unsure = workshop.usual.get(PLAY, (play, unsure))
     zones = None if calibration is None else calibration.zones
     if design.play is not None and design.play.measured_deg is not None:
         play, unsure = radians(design.play.measured_deg), radians(INCLINOMETER_DEG)
@@ -367,7 +369,7 @@ def prior_of(
         play, unsure = radians(zones.zones.return_error_deg), radians(zones.zones.sigma_deg)
         assumed = play
     if unsure > 0:
-        spread["return_error_deg"] = unsure
+        spread[PLAY] = unsure
     friction = USUAL if forces is None else forces.friction
     return PriorKnowledge(spread=spread, play=play, friction=float(np.mean(friction)), assumed=assumed)
 
