@@ -4,8 +4,10 @@ Every car c has deviations θ_c in p directions, of which its records say exp(�
 information H_c. Over cars they are normal, θ_c ~ N(μ, diag τ²). Directions are measured in a stated size, such as what
 the tolerances allow: beforehand μ ~ N(0, 10²), and τ is half-Cauchy with the scale 1, so that few cars do not make it
 narrow (Gelman, Bayesian Analysis 1 (2006) 515-533). As a mixture of inverse gammas (Huang and Wand, Bayesian Analysis 8
-(2013) 439-452) everything is conjugate: θ, μ, τ² and the mixing a are drawn in turn, each from its own distribution
-given the others. A car whose records say nothing of a direction counts for nothing in it.
+(2013) 439-452) everything is conjugate: μ and θ together, τ² and the mixing a are drawn in turn, each from its own
+distribution given the others. μ is drawn with θ integrated out, since else the draws creep where records tell two
+directions hardly apart: its information is H (H + T)⁻¹ T of each car, with T = diag τ⁻². A car whose records say
+nothing of a direction counts for nothing in it.
 """
 
 from collections.abc import Sequence
@@ -96,15 +98,19 @@ def learn(cars: Sequence[Shown], groups: Sequence[int], seed: int = 0) -> Learne
     count, size = pull.shape
     of = np.unique(np.asarray(groups), return_inverse=True)[1]
     per_group = count * np.bincount(of)
-    mean, variance, mixing = np.zeros(size), np.ones(of.max() + 1), np.ones(of.max() + 1)
+    variance, mixing = np.ones(of.max() + 1), np.ones(of.max() + 1)
     kept = []
     for number in range(DISCARDED + DRAWS):
         between = variance[of]
-        root = np.linalg.cholesky(information + np.diag(1 / between))
-        half = np.linalg.solve(root, (pull + mean / between)[..., None]) + rng.standard_normal((count, size, 1))
-        theta = np.linalg.solve(np.swapaxes(root, 1, 2), half)[..., 0]
-        precision = count / between + _MEAN**-2
-        mean = theta.sum(axis=0) / between / precision + rng.standard_normal(size) / np.sqrt(precision)
+        within = information + np.diag(1 / between)
+        told = np.linalg.solve(within, np.concatenate([information, pull[..., None]], axis=2)).sum(axis=0)
+        precision = told[:, :-1] / between[:, None]
+        root = np.linalg.cholesky((precision + precision.T) / 2 + np.diag(np.full(size, _MEAN**-2)))
+        half = np.linalg.solve(root, told[:, -1] / between) + rng.standard_normal(size)
+        mean = np.linalg.solve(root.T, half)
+        roots = np.linalg.cholesky(within)
+        halves = np.linalg.solve(roots, (pull + mean / between)[..., None]) + rng.standard_normal((count, size, 1))
+        theta = np.linalg.solve(np.swapaxes(roots, 1, 2), halves)[..., 0]
         squares = np.bincount(of, weights=((theta - mean) ** 2).sum(axis=0))
         variance = (squares / 2 + 1 / mixing) / rng.gamma((per_group + 1) / 2)
         variance = np.maximum(variance, _LEAST**2)

@@ -54,3 +54,16 @@ def test_what_no_record_shows_counts_for_no_car():
     found = learn(blind, [0, 1])
     assert found.cars == pytest.approx([9.6, 0.0], abs=0.1)
     assert found.spread[1] > 1
+
+
+def test_two_directions_that_records_hardly_tell_apart_are_known_as_well_as_the_records_say():
+    """Alike cars of which the sum is seen and, with a noise of 1, 0.3 times the difference: 1 / (0.6 sqrt(30)) each."""
+    rng = np.random.default_rng(0)
+    rows = np.array([[300.0, 300.0], [0.3, -0.3]])
+    cars = []
+    for _ in range(30):
+        read = rows @ (2.0 + 0.01 * rng.standard_normal(2)) + rng.standard_normal(2)
+        cars.append(Shown(rows.T @ rows, rows.T @ read))
+    found = learn(cars, [0, 1])
+    assert found.spread == pytest.approx(1 / (0.6 * np.sqrt(30)), rel=0.1)
+    assert np.all(np.abs(found.mean - 2.0) < 2 * found.spread)

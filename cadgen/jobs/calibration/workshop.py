@@ -282,8 +282,8 @@ def _workshop(values: Mapping[str, Any], design: str) -> Workshop:
     habits = [_habit(table, cars) for table in tables]
     seen: dict[Quantity, Habit] = {}
     for habit in habits:
-        key = _entry(habit).quantity
-        if (other := seen.setdefault(key, habit)) is not habit:
+        quantity = _entry(habit).quantity
+        if (other := seen.setdefault(quantity, habit)) is not habit:
             raise FileError(
                 "{name} is given twice, by {one} of kind {kind} and by {other} of kind {kind2}, which are one thing: "
                 "remove one of the two",
