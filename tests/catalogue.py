@@ -15,6 +15,7 @@ from string import Formatter
 import polib
 
 from cadgen.messages import Message
+from docs.public_names import first_line, names
 
 PACKAGE = Path(__file__).parents[1] / "cadgen"
 
@@ -45,7 +46,7 @@ def used() -> dict[str, str]:
     found = [(file, templates(file.read_text("utf-8"))) for file in sorted(PACKAGE.rglob("*.py"))]
     found += [(PACKAGE / room, texts) for room, texts in (("cli", help_texts()), ("design", meanings()))]
     found += [(PACKAGE / "deviations", effect_texts()), (PACKAGE / "inference", data_texts())]
-    found += [(PACKAGE / "laws", law_texts())]
+    found += [(PACKAGE / "laws", law_texts()), (PACKAGE / "api", (first_line(thing) for _, thing in names()))]
     found += [
         (file, re.findall(r'\b_\("([^"]+)"\)', file.read_text("utf-8"))) for file in sorted(PACKAGE.rglob("*.html"))
     ]

@@ -15,8 +15,11 @@ from sphinx.addnodes import pending_xref
 from sphinx.application import Sphinx
 
 import cadgen
+from cadgen.messages import CHINESE, ENGLISH
+from docs import public_names
 
 FOLDER = "reference/python"
+_ROOMS, _NAMES = "<!-- rooms -->", "<!-- public names -->"
 _ARRAY = re.compile(r"~?numpy\.ndarray\[tuple\[~?typing\.Any, \.\.\.\], ~?numpy\.dtype\[~?numpy\.float64\]\]")
 ROOMS = ("api", "cam", "gears", "car.path", "car.steering", "car.running")
 
@@ -36,7 +39,6 @@ def write_pages(app: Sphinx) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     rooms = [room for room in ROOMS if modules(room)]
     pages = {f"{room}.rst": _page(room, modules(room)) for room in rooms}
-    pages["rooms.txt"] = "\n".join(["```{toctree}", ":maxdepth: 1", *(f"python/{room}" for room in rooms), "```", ""])
     for old in folder.iterdir():
         if old.name not in pages:
             old.unlink()
@@ -54,6 +56,18 @@ def _page(room: str, names: list[str]) -> str:
             lines += [module, "-" * len(module), ""]
         lines += [f".. automodule:: {module}", "   :members:", ""]
     return "\n".join(lines)
+
+
+def fill(app: Sphinx, page: str, source: list[str]) -> None:
+    """Put rooms and public names where a page has the marks; the tree of the site has the rooms once, in English."""
+    rooms = [room for room in ROOMS if modules(room)]
+    if page.endswith(".zh-CN"):
+        language, listed = CHINESE, [f"- {{doc}}`cadgen.{room} <python/{room}>`" for room in rooms]
+    else:
+        language, listed = ENGLISH, ["```{toctree}", ":maxdepth: 1", *(f"python/{room}" for room in rooms), "```"]
+    for mark, text in ((_ROOMS, lambda: "\n".join(listed)), (_NAMES, lambda: public_names.page(language))):
+        if mark in source[0]:
+            source[0] = source[0].replace(mark, text())
 
 
 def as_rst(app: Sphinx, what: str, name: str, thing: Any, options: Any, lines: list[str]) -> None:
@@ -136,6 +150,7 @@ def join_lines(app: Sphinx, page: str, source: list[str]) -> None:
 def setup(app: Sphinx) -> dict[str, bool]:
     """Have the pages written before the sources are read, and docstrings turned when they are."""
     app.connect("builder-inited", write_pages)
+    app.connect("source-read", fill)
     app.connect("source-read", name_studies)
     app.connect("source-read", join_lines)
     app.connect("autodoc-process-docstring", as_rst, priority=900)
