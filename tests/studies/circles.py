@@ -12,6 +12,10 @@ of that part of it that a cam can take out: all but what the undeclared effect m
 the new cam, and the new disc's form error of 2 um rms; whether a new cam is worse than the old one; whether the outlook
 warned of it, or refused a cam that would have halved the error. A run repeats exactly: how the start is set by hand
 adds to every run alike, and is left out of the mean of fresh runs.
+
+Every second new disc has the spectrum of the old one's form error, as where one machine cuts both in one way. The
+others have one of their own, since clamping, cutter, blank and often the shop are others. None has the very form error
+of the old disc.
 """
 
 from __future__ import annotations
@@ -29,7 +33,7 @@ import numpy as np
 
 from tests.inference.measurement.synthetic import TURN
 from tests.inference.measurement.synthetic import Car as Bed
-from tests.studies.circles_truth import CELLS, UNDECLARED, Car, World, declared, drawn_form
+from tests.studies.circles_truth import CELLS, UNDECLARED, Car, World, declared, drawn_form, drawn_shop
 
 LATER = ("broken edges", "camera scale", "wobble")  # of those that no one declared, the ones that came last
 SECONDS = ("lift", "transmission", "profile")
@@ -51,6 +55,7 @@ class Outcome:
         no_cam: why none could be planned.
         friction: between rod and disc.
         against_play: whether the cam that it had was the one against play.
+        same_shop: whether the new disc's form error has the spectrum of the old one's.
         later: ends after the second and each further loop; an end repeats where no new cam was cut.
     """
 
@@ -71,6 +76,7 @@ class Outcome:
     most: float = 0.0
     friction: float = 0.0
     against_play: bool = False
+    same_shop: bool = False
     later: tuple[float, ...] = ()
 
     @property
@@ -127,7 +133,11 @@ def _end(world: World, car: Car, stop: float) -> complex:
 
 @dataclass(frozen=True)
 class Drawn:
-    """A car of the study: without and with its undeclared effect, and on the new cam; `stays` as of `Outcome`."""
+    """A car of the study: without and with its undeclared effect, and on the new cam; `stays` as of `Outcome`.
+
+    Attributes:
+        shop: spectrum that the next discs' form errors have, shape (1800,), mm^2; None if each has its own.
+    """
 
     world: World
     car: Car
@@ -137,6 +147,7 @@ class Drawn:
     against_play: bool
     before: float
     stays: complex
+    shop: np.ndarray | None = None
 
 
 def draw(seed: int, number: int, *, smooth: bool = False, against_play: bool | None = None) -> Drawn:
@@ -149,7 +160,9 @@ def draw(seed: int, number: int, *, smooth: bool = False, against_play: bool | N
     against_play = drawn_on if against_play is None else against_play
     if other.random() < 2 / 3 and not smooth:
         bare = replace(bare, friction=other.uniform(0.05, 0.30))
-    world, stop = World(built, _bed(against_play), drawn_form(rng)), built.lift.blend_start
+    form, shop = drawn_shop(rng)
+    same_shop = other.random() < 1 / 2
+    world, stop = World(built, _bed(against_play), form), built.lift.blend_start
     goal = complex(*built.track.position(built.track.length * stop / TURN))
     plain = _end(world, bare, stop)
     car, name, stays = bare, "", 0j
@@ -172,7 +185,7 @@ def draw(seed: int, number: int, *, smooth: bool = False, against_play: bool | N
     # What is of the part goes with the old disc: a dent, and a bore that a measuring machine saw in the disc.
     on_new = replace(car, dent=(0.0, 0.0), bore=(0.0, 0.0) if second == "profile" else car.bore)
     before = abs(_end(world, car, stop) - goal)
-    return Drawn(world, car, on_new, second, name, against_play, before, stays)
+    return Drawn(world, car, on_new, second, name, against_play, before, stays, shop if same_shop else None)
 
 
 def _added(car: Car, change: dict[str, Any]) -> dict[str, Any]:
@@ -264,7 +277,8 @@ def go_round(
     stands, rounds, later = drawn.before, [], []
     for turn in range(loops):
         more = {"lift": world.dial, "transmission": world.train, "profile": world.profile}[drawn.second](car, rng)
-        loop, form = go_loop(text, profile, [world.track(car, rng), more], number + _FILES * turn), drawn_form(rng)
+        loop = go_loop(text, profile, [world.track(car, rng), more], number + _FILES * turn)
+        form = drawn_form(rng, drawn.shop)
         after = stands
         if loop.cam is not None:
             on_new = World(built, _bed_of(loop.cam), form)
@@ -296,6 +310,7 @@ def go_round(
         most=outlook.most if outlook else 0.0,
         friction=drawn.car.friction,
         against_play=drawn.against_play,
+        same_shop=drawn.shop is not None,
         later=tuple(later[1:]),
     )
 
@@ -334,6 +349,7 @@ def page(outcomes: Sequence[Outcome], command: str) -> str:
         "camera and a dial, encoders or a measuring machine, calibrated, and run on the cam that is planned for the",
         "result. *Of what a cam can take out*: of the error less what stays, which is the move of the end by the",
         "undeclared effect, where it is there on the new cam too, and by the form error of the new disc.",
+        "Every second new disc has the spectrum of the old one's form error, as of one machine; the others their own.",
         "A refusal counts as 0 %; in brackets what a share may be, 95 %.",
         "",
         f"`{command}`, {stamp()}",
@@ -364,6 +380,8 @@ def page(outcomes: Sequence[Outcome], command: str) -> str:
                 ("with friction", [o for o in outcomes if o.friction]),
                 ("with the plain cam on them", [o for o in outcomes if not o.against_play]),
                 ("with the cam against play on them", [o for o in outcomes if o.against_play]),
+                ("with a new disc of the old one's spectrum", [o for o in outcomes if o.same_shop]),
+                ("with a new disc of another spectrum", [o for o in outcomes if not o.same_shop]),
             )
             if some
         ),

@@ -15,6 +15,7 @@ from cadgen.inference.measurement.kinds import LIFT, TRACK, TRANSMISSION
 from cadgen.inference.measurement.record import Record
 from tests.inference.measurement.synthetic import DEG, TURN, Bench, form_error, profile_record
 from tests.inference.measurement.synthetic import Car as Bed
+from tests.inference.measurement.synthetic import drawn_form as form_and_variance
 from tests.studies.friction_truth import holding
 
 CELLS = 7200
@@ -317,6 +318,14 @@ UNDECLARED = {
 }
 
 
-def drawn_form(rng: np.random.Generator) -> np.ndarray:
-    """A form error of the disc of 2 um rms."""
-    return form_error(rng, 2e-3)
+FORM = 2e-3  # mm rms, of each disc
+
+
+def drawn_form(rng: np.random.Generator, shop: np.ndarray | None = None) -> np.ndarray:
+    """A form error of a disc, with the spectrum of a shop, or one of its own."""
+    return form_error(rng, FORM, shop)
+
+
+def drawn_shop(rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+    """A form error of a disc, and the spectrum that discs of the shop have."""
+    return form_and_variance(rng, FORM)

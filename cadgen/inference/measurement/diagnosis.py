@@ -238,26 +238,30 @@ def _at_end(joint: Joint, subset: Hypothesis) -> tuple[Unnamed, ...]:
     # Records beside the track have the same evidence with and without.
     misfit = np.repeat((misfit - part.misfit(subset.active))[near], 2) + evidence.misfit(white)
     chance = np.exp((misfit.min() - misfit) / 2) * np.tile([1 - CRABWISE, CRABWISE], int(near.sum()))
-    ends = np.flatnonzero(model.rows.run == 0)
-    columns, found = repeating(model)[ends[[len(ends) // 2 - 1, -1]]], []
-    orders = model.form.shape[1]
+    ends, found = np.flatnonzero(model.rows.run == 0), []
+    x, y = repeating(model)[ends[[len(ends) // 2 - 1, -1]]]
+    slope = part.evidence.whiten(_slopes(part, subset))
     for number, spectrum in enumerate(grid):
-        values, own, unsure = evidence.repeating(white, number), model.discrepancy.of_frame, evidence.unsure(number)
-        # A form error beyond what is stated may be no disc's.
-        kept = slice(orders if spectrum.within else 0, None)
-        spread, stays_spread = (
-            float(np.sqrt(np.trace(columns[:, some] @ unsure[some, some] @ columns[:, some].T) / 2))
-            for some in (slice(None), kept)
-        )
-        at, stays = complex(*(columns @ values)), complex(*(columns[:, kept] @ values[kept]))
-        weight = float(chance[number] / chance.sum())
+        values, own = evidence.repeating(white, number), model.discrepancy.of_frame
+        weight, orders = float(chance[number] / chance.sum()), model.form.shape[1]
+        unsure, answer = evidence.unsure(number), -evidence.repeating(slope, number)
+        one = Unnamed(weight, values, unsure, answer, x + 1j * y, orders, spectrum)
         if own is not None and spectrum.whole_frame:
-            turned = complex(*(columns[:, own + orders] * values[own + orders]))
-            frame = Unnamed(FRAME * weight, at - turned, spread, stays - turned, stays_spread, spectrum)
-            found.append(frame)
-            weight *= 1 - FRAME
-        found.append(Unnamed(weight, at, spread, stays, stays_spread, spectrum))
+            level = np.where(np.arange(len(values)) == own + orders, 0.0, values)
+            found.append(replace(one, weight=FRAME * weight, values=level))
+            one = replace(one, weight=(1 - FRAME) * weight)
+        found.append(one)
     return tuple(found)
+
+
+def _slopes(part: Part, subset: Hypothesis) -> Array:
+    """How a record answers each parameter of a subset, shape (n, p), internal units; nothing of other records' own."""
+    columns = []
+    for effect, values, _ in subset.values():
+        here = tuple(part.names[effect.key] for _ in range(effect.key in part.names))
+        own = part.slopes(here, part.own(subset.active), part.residual(subset.active))
+        columns.append(own if here else np.zeros((len(own), len(values))))
+    return np.hstack([np.empty((len(part.model.rows.run), 0)), *columns])
 
 
 def _unnamed(part: Part, result: Weighed) -> dict[Deviation, Finding]:

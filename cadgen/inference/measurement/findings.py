@@ -204,21 +204,24 @@ class Diagnosis:
 
 @dataclass(frozen=True)
 class Unnamed:
-    """Repeating error without a name at the end of a track.
+    """Repeating error without a name in a track: coefficients of the disc's form error, and of what floor and car do.
 
     Attributes:
         weight: its chance among those that may be.
-        at: error, x + iy, mm.
-        spread: standard deviation of each coordinate, mm.
-        stays, stays_spread: likewise without the form error of the disc, which goes with it.
+        values: likeliest coefficients, shape (q + k,), as of `model.repeating`.
+        covariance: of these, shape (q + k, q + k).
+        answer: how they answer the values of the subset, as all must make up what was measured, shape (q + k, p).
+        end: the end of this track by each, x + iy, shape (q + k,), mm.
+        orders: how many of them are the form error's, q.
         spectrum: spectrum of what repeats, the disc's form error among it, with which it is so.
     """
 
     weight: float
-    at: complex
-    spread: float
-    stays: complex
-    stays_spread: float
+    values: Array
+    covariance: Array
+    answer: Array
+    end: NDArray[np.complex128]
+    orders: int
     spectrum: Spectrum
 
 

@@ -48,17 +48,24 @@ class Bench:
     form: np.ndarray = field(default_factory=lambda: np.zeros(1))
 
 
-def form_error(rng: np.random.Generator, rms: float) -> np.ndarray:
+def form_error(rng: np.random.Generator, rms: float, variance: np.ndarray | None = None) -> np.ndarray:
     """Correlated error round the turn, 3600 values: white noise smoothed over 4 to 20 degrees, or a random walk."""
-    return drawn_form(rng, rms)[0]
+    return drawn_form(rng, rms, variance)[0]
 
 
-def drawn_form(rng: np.random.Generator, rms: float) -> tuple[np.ndarray, np.ndarray]:
-    """A form error, and the variance that each order from 1 on has beforehand, shape (1800,), adding up to rms^2."""
+def drawn_form(
+    rng: np.random.Generator, rms: float, variance: np.ndarray | None = None
+) -> tuple[np.ndarray, np.ndarray]:
+    """A form error, and the variance that each order from 1 on has beforehand, shape (1800,), adding up to rms^2.
+
+    The variance is drawn, too, but where that of another disc is given.
+    """
     white = rng.standard_normal(3600)
     spectrum = np.fft.rfft(white)
     order = np.arange(len(spectrum))
-    if rng.random() < 0.5:
+    if variance is not None:
+        shape = np.append(0.0, np.sqrt(variance))
+    elif rng.random() < 0.5:
         shape = np.exp(-((order * rng.uniform(4, 20) * DEG) ** 2) / 2)
     else:
         shape = 1 / np.sqrt(1 + (order * rng.uniform(10, 30) * DEG) ** 2)

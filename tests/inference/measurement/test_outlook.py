@@ -8,11 +8,13 @@ import pytest
 
 from cadgen.design.as_built import AsBuiltSection
 from cadgen.design.load import load_design
+from cadgen.deviations.catalogue import TRACK
 from cadgen.inference.expectation.outlook import NextCam, Outlook, Unmeasured, new_form, outlook
 from cadgen.inference.measurement.diagnosis import calibrate
 from cadgen.inference.measurement.evidence import GRID
 from cadgen.inference.measurement.findings import Likely, Unnamed
 from cadgen.inference.measurement.kinds.track import KIND, run_of
+from cadgen.inference.measurement.model import repeating
 from cadgen.inference.measurement.verdict import Verdict
 from cadgen.jobs.calibration.cam_on_car import nominal_of, planned_end
 from tests.inference.measurement import synthetic as syn
@@ -21,14 +23,83 @@ from tests.inference.measurement import synthetic_drive as drive
 PLAY = 0.95 * syn.DEG
 
 
-def test_the_form_error_of_the_old_disc_is_not_on_the_new_one(nominal):
-    """Of 60 mm beside all effects 10 are the car's."""
-    likely = Likely(1.0, (), np.empty((0, 0)), (), (Unnamed(1.0, 60.0, 0.0, 10.0, 0.0, GRID[0]),))
+def looked_ahead(nominal, likely, form_error=1e-9) -> Outlook:
+    """Outlook on a cam like the one that is on the car, by what a track shows."""
     residual = SimpleNamespace(after=3.0, noise=3.0, left_out=None)
     track = SimpleNamespace(kind=KIND, verdict=Verdict.TRACED, contradicted=False, likely=(likely,), residual=residual)
-    same = NextCam(nominal=replace(nominal, form_error=1e-9), gone=frozenset())
-    expected = outlook([track], nominal, same, planned_end(load_design(), nominal), Unmeasured())
+    same = NextCam(nominal=replace(nominal, form_error=form_error), gone=frozenset())
+    return outlook([track], nominal, same, planned_end(load_design(), nominal), Unmeasured())
+
+
+def at_end(model) -> np.ndarray:
+    """Last point of the planned run by each coefficient of what repeats, x + iy, mm."""
+    x, y = repeating(model)[[len(model.form) // 2 - 1, -1]]
+    return x + 1j * y
+
+
+def moves(end: np.ndarray, by: complex) -> np.ndarray:
+    """Least coefficients that move the end so far."""
+    return np.linalg.lstsq(np.stack([end.real, end.imag]), [by.real, by.imag], rcond=None)[0]
+
+
+def rest_of(model, values: np.ndarray, *, answer: np.ndarray | None = None, turned: complex = 1.0, grid=GRID[0]):
+    """Rest without a name, known exactly, on a track that is turned and stretched against the planned one."""
+    count = len(values)
+    answer = np.empty((count, 0)) if answer is None else answer
+    orders = model.form.shape[1]
+    return Unnamed(1.0, values, np.zeros((count, count)), answer, turned * at_end(model), orders, grid)
+
+
+def test_the_form_error_of_the_old_disc_is_not_on_the_new_one(nominal):
+    """Of 60 mm beside all effects 10 are the car's."""
+    model = run_of(nominal)
+    end, orders = at_end(model), model.form.shape[1]
+    values = np.concatenate([moves(end[:orders], 50.0), moves(end[orders:], 10.0)])
+    expected = looked_ahead(nominal, Likely(1.0, (), np.empty((0, 0)), (), (rest_of(model, values),)))
     assert expected.old - expected.new == pytest.approx(50.0, abs=0.1)
+
+
+def test_a_car_creeps_across_its_heading_on_the_new_cam_too(nominal):
+    """And heads elsewhere there: the end of a track that is three times as long moved by 30 mm, and will by 10."""
+    model = run_of(nominal)
+    end, orders = at_end(model), model.form.shape[1]
+    values = np.concatenate([np.zeros(orders), moves(end[orders:], 10.0j)])
+    expected = looked_ahead(nominal, Likely(1.0, (), np.empty((0, 0)), (), (rest_of(model, values, turned=3.0j),)))
+    assert expected.old == pytest.approx(30.0, abs=0.5)
+    assert expected.new == pytest.approx(10.0, abs=0.5)
+
+
+def test_what_an_effect_makes_more_of_the_rest_makes_less_of(nominal):
+    """A wheel's radius that is not known beside a floor that creeps, both of which the measured end holds together."""
+    model, sigma = run_of(nominal), 1e-3
+    radius = next(e for e in TRACK.effects if e.name == "wheel radius")
+    found = np.array(radius.start, dtype=float)
+    end, orders = at_end(model), model.form.shape[1]
+    by = (model.finish([(radius, found + sigma)]) - model.finish([(radius, found)])) / sigma
+    answer = -np.concatenate([np.zeros(orders), moves(end[orders:], by)])[:, None]
+    effects = ((("track", radius.name), radius, found),)
+    ranges = []
+    for some in (0.0 * answer, answer):
+        one = rest_of(model, np.zeros(len(end)), answer=some)
+        likely = Likely(1.0, effects, np.array([[sigma**2]]), (frozenset({"track"}),), (one,))
+        expected = looked_ahead(nominal, likely)
+        ranges.append(expected.most - expected.least)
+    assert ranges[0] > sigma * abs(by)
+    assert ranges[1] < 0.02 * ranges[0]
+
+
+def test_the_next_disc_has_the_spectrum_of_this_one_or_any(nominal):
+    """One that hardly moves the end, as seen, is no promise: every second disc is cut in another way."""
+    model = run_of(nominal)
+    by = np.abs(at_end(model)[: len(model.order)]) ** 2
+    sizes = {s: np.sqrt(s.variance(model.order, model.floor) @ by) for s in GRID if s.within}
+    least = min(sizes, key=lambda s: sizes[s])
+    one = rest_of(model, np.zeros(len(at_end(model))), grid=least)
+    likely = Likely(1.0, (), np.empty((0, 0)), (), (one,))
+    expected = looked_ahead(nominal, likely, form_error=nominal.form_error)
+    # 95 % of ends on a line lie within 1.96 of their deviation.
+    assert 1.2 * 1.96 * sizes[least] < expected.most < 1.96 * max(sizes.values())
+    assert expected.new < max(sizes.values()) / 2
 
 
 def end_of(nominal, **numbers):
@@ -85,8 +156,9 @@ def test_runs_that_all_start_turned_are_a_car_that_goes_crabwise(synthetic_car, 
     shares = []
     for one in (record, turned):
         likely = calibrate([one], nominal)[0].likely[0]
-        shares.append(sum(each.weight for each in likely.unnamed if abs(each.at) > by / 2))
-        print(f"{by:.0f} mm; " + ", ".join(f"{each.weight:.2f} {abs(each.at):.1f}" for each in likely.unnamed))
+        ways = [(each.weight, abs(each.end @ each.values)) for each in likely.unnamed]
+        shares.append(sum(weight for weight, at in ways if at > by / 2))
+        print(f"{by:.0f} mm; " + ", ".join(f"{weight:.2f} {at:.1f}" for weight, at in ways))
     assert shares[0] < 0.05
     assert 0.6 < shares[1] < 0.8
 
