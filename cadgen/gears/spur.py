@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict, dataclass, replace
 from enum import StrEnum
 from functools import cache, lru_cache, partial
-from math import ceil, degrees, pi, sin, sqrt, tan
+from math import ceil, degrees, isclose, pi, sin, sqrt, tan
 from typing import Any, NamedTuple, Self
 
 from cadgen.check import Bound, Check, CheckCode
@@ -173,14 +173,16 @@ def roots_clear(pair: Pair, apart: float) -> bool:
 def roomier(pair: Pair, in_set: bool) -> Message | None:
     """Numbers near those of a pair whose teeth have room and hand over, in words; None where none were found.
 
-    Tried are the addendum of both, then profile shifts nearer to 0, then more teeth, at a distance that suits them.
+    Tried are the addendum of both, the distance without play where another is given, then profile shifts nearer to 0,
+    then more teeth, each at a distance that suits them, which is named where another is given.
 
     Args:
         pair: pair of gears, as cut.
         in_set: whether it is one of a planetary set, of which only the addendum is tried.
     """
 
-    def suits(at_distance: bool, driver: Mapping[str, float], driven: Mapping[str, float]) -> bool:
+    def suiting(at_distance: bool, driver: Mapping[str, float], driven: Mapping[str, float]) -> float:
+        """Distance at which they have room, mm; 0 where they have none."""
         try:
             forms = [
                 replace(gear.form, **values)  # type: ignore[arg-type]
@@ -189,35 +191,54 @@ def roomier(pair: Pair, in_set: bool) -> Message | None:
             given = (pair.driver, pair.driven)
             one, other = (replace(gear, form=form) for gear, form in zip(given, forms, strict=True))
             apart = closest(*(form.cut_to(0.0) for form in forms)) if at_distance else pair.centre_distance
-            return has_room(replace(pair, driver=one, driven=other, centre_distance=apart))
+            return apart if has_room(replace(pair, driver=one, driven=other, centre_distance=apart)) else 0.0
         except DesignError:
-            return False
+            return 0.0
+
+    def at(apart: float, cure: Message) -> Message:
+        if not stated:
+            return cure
+        return Message("{cure}, at centre_distance_mm = {apart:.4f}", cure=cure, apart=apart)
 
     forms = (pair.driver.form, pair.driven.form)
     given = min(form.addendum_factor for form in forms)
     steps = (round(0.05 * step, 2) for step in range(6, 31))
     for factor in sorted(steps, key=lambda factor: abs(factor - given)):
-        if suits(False, {"addendum_factor": factor}, {"addendum_factor": factor}):
+        if suiting(False, {"addendum_factor": factor}, {"addendum_factor": factor}):
             return Message("give both gears addendum_factor = {factor:g}", factor=factor)
     if in_set:
         return None
+    stated = _stands_apart(pair)
+    if stated and (apart := suiting(True, {}, {})):
+        return Message("give centre_distance_mm = {apart:.4f}", apart=apart)
     for share in (0.75, 0.5, 0.25, 0.0):
         shifts = [round(share * form.profile_shift, 2) for form in forms]
-        if any(form.profile_shift for form in forms) and suits(True, *({"profile_shift": shift} for shift in shifts)):
-            return Message("give the profile shifts {one:g} and {other:g}", one=shifts[0], other=shifts[1])
+        apart = suiting(True, *({"profile_shift": shift} for shift in shifts))
+        if any(form.profile_shift for form in forms) and apart:
+            return at(apart, Message("give the profile shifts {one:g} and {other:g}", one=shifts[0], other=shifts[1]))
     for share in (0.75, 0.5, 0.25, 0.0):
         shifts = [round(share * form.profile_shift, 2) for form in forms]
-        if suits(True, *({"profile_shift": shift, "addendum_factor": 1.0} for shift in shifts)):
-            return Message(
+        if apart := suiting(True, *({"profile_shift": shift, "addendum_factor": 1.0} for shift in shifts)):
+            cure = Message(
                 "give the profile shifts {one:g} and {other:g} and both gears addendum_factor = 1",
                 one=shifts[0],
                 other=shifts[1],
             )
+            return at(apart, cure)
     for more in range(1, MOST_TEETH_MORE):
         teeth = [form.teeth + more for form in forms]
-        if suits(True, *({"teeth": each} for each in teeth)):
-            return Message("give {one} and {other} teeth", one=teeth[0], other=teeth[1])
+        if apart := suiting(True, *({"teeth": each} for each in teeth)):
+            return at(apart, Message("give {one} and {other} teeth", one=teeth[0], other=teeth[1]))
     return None
+
+
+def _stands_apart(pair: Pair) -> bool:
+    """Whether the axes of a pair stand at another distance than that without play."""
+    try:
+        apart = closest(pair.driver.form.cut_to(0.0), pair.driven.form.cut_to(0.0))
+        return not isclose(pair.centre_distance, apart, rel_tol=1e-6)
+    except DesignError:
+        return True
 
 
 def freedom_checks(jam: tuple[float, str, str], hold: tuple[float, str, str]) -> tuple[Check, Check]:

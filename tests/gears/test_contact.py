@@ -165,3 +165,11 @@ def test_numbers_named_for_teeth_without_room_have_it(one, other, form):
     assert min(built.clearances()) >= 0.12 * 0.5 - 1e-9
     step = 2 * pi / cured.driver.form.teeth / 16
     assert max(built.overlap_midway(step * number) for number in range(16)) < LEAST_OVERLAP
+
+
+def test_axes_too_far_apart_are_told_the_distance():
+    """A stated distance gives way where nothing else helps, and stands beside shifts and teeth that need another."""
+    named = str(roomier(replace(pair(20, 40, thinning=-0.05), centre_distance=15.75), False))
+    assert named == "give centre_distance_mm = 15.0000"
+    named = str(roomier(replace(pair(9, 9, thinning=-0.05), centre_distance=4.9), False))
+    assert re.fullmatch(r"give \d+ and \d+ teeth, at centre_distance_mm = \d+\.\d{4}", named)
