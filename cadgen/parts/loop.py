@@ -20,6 +20,7 @@ from cadgen.arrays import gauss_nodes
 from cadgen.curves.contour import Contour
 from cadgen.curves.spacing import even_nodes, inside_spans
 from cadgen.errors import DesignError
+from cadgen.messages import Message
 from cadgen.parts.run import STRAIGHT, HelixRun
 
 Points = NDArray[np.complex128]
@@ -516,7 +517,10 @@ def bezier_poles(curve: Curve, tolerance: float) -> Points:
             return np.asarray(poles)
     raise DesignError(
         "a tooth curve cannot be drawn within {tolerance:g} µm (degree {highest_degree} leaves {deviation:g} "
-        "µm); choose a smaller module",
+        "µm); {cure}",
+        cure=Message("give the ring cutter_teeth = 0, for a root that is an arc")
+        if isinstance(curve, CutterTrochoid)
+        else Message("choose a smaller module"),
         tolerance=tolerance * 1e3,
         highest_degree=HIGHEST_DEGREE,
         deviation=deviation * 1e3,
