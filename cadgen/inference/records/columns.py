@@ -10,7 +10,7 @@ from cadgen.messages import Message, joined
 
 _CAM, _MOTOR = "camangle", "motorangle"
 # Columns beside positions that say nothing of the cam.
-_IDLE = ("z", "no", "nr", "number", "point", "points", "id", "index", "i", "n", "name", "comment", "序号", "点号", "")
+IDLE = ("z", "no", "nr", "number", "point", "points", "id", "index", "i", "n", "name", "comment", "序号", "点号", "")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -102,7 +102,7 @@ def _refuse_other(
     if reading.by_order or columns != set(match.kind.readings) or columns <= reading.columns.keys():
         return
     used = {place.index for place in match.places.values()}
-    others = [n for n, has in enumerate(headings) if n not in used and has.quantity not in _IDLE]
+    others = [n for n, has in enumerate(headings) if n not in used and has.quantity not in IDLE]
     if not others:
         return
     if all(headings[n].quantity in TIMES for n in others):

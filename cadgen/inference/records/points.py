@@ -11,7 +11,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from cadgen.errors import FileError, escaped
-from cadgen.inference.records.units import heading
+from cadgen.inference.records.columns import IDLE
+from cadgen.inference.records.units import TIMES, heading
 from cadgen.messages import Message
 from cadgen.reading import read_regular
 
@@ -20,6 +21,7 @@ _MOST_DXF_BYTES = 8_000_000  # a drawing is read at some 1 MB/s
 _MOST_POINTS = 10_000  # of a file: as many as a design file has room for
 _FARTHEST = 1e7  # mm from the origin: ten kilometres
 _SAME_MM = 1e-6  # below this two points are one
+_WEIGHTS = ("weight", "weights", "w", "gewicht", "权重")
 _SAG = 1.0  # mm, by which a chord may leave an arc of a polyline
 # Millimetres of a unit by $INSUNITS of a DXF; a drawing without a unit is taken to be in mm.
 _UNITS = {0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 14: 100.0}
@@ -46,13 +48,13 @@ def read_points(path: Path, layer: str | None = None, *, closed: bool = False) -
 
     Args:
         path: file of rows `X Y [weight]` in mm, with spaces, tabs, commas or semicolons between; or a DXF with one
-            polyline. A first line of words may say the order and the unit, such as `Y [m], X [m]`.
+            polyline. A first line of words may say columns and units, such as `Y [m], X [m]` or `no;x;y`.
         layer: layer of the polyline, if the DXF has several.
         closed: whether the path is closed, and so the polyline.
 
     Raises:
-        FileError: no such file, a row that is no point, a drawing that is damaged, not exactly one polyline, or more
-            points than a design has room for.
+        FileError: no such file, a row that is no point, a column or unit that is not understood, a drawing that is
+            damaged, not exactly one polyline, or more points than a design has room for.
     """
     name = escaped(path.name)
     is_dxf = path.suffix.lower() == ".dxf"
@@ -86,18 +88,16 @@ def read_points(path: Path, layer: str | None = None, *, closed: bool = False) -
 def _rows(text: str, name: str) -> Points:
     places: list[tuple[float, float]] = []
     weights: list[float] = []
-    headed, order = False, _Order()
-    for number, line in enumerate(text.splitlines(), 1):
-        cells = [cell for cell in re.split(r"[\s,;]+", line.partition("#")[0].strip(), maxsplit=3) if cell]
-        if not cells:
+    order: _Order | None = None
+    for number, line in enumerate(text.replace("，", ",").replace("；", ";").splitlines(), 1):
+        content = line.partition("#")[0].strip()
+        if not content:
+            order = order or (_of_remark(line.strip("# ")) if line.startswith("#") and not places else None)
             continue
-        try:
-            values = [float(cell) for cell in cells]
-        except ValueError:
-            if not places and not headed:
-                headed, order = True, _order(line.partition("#")[0])
-                continue
-            values = []
+        if not places and not _numbers(content) and (order is None or order.of_remark):
+            order = _order(content, name)
+            continue
+        values = _values(content, order or _Order())
         if len(values) not in (2, 3) or not all(map(isfinite, values)) or (len(values) == 3 and values[2] < 0):
             raise FileError(
                 "{name}, line {line}: `{text}` is no point: write x and y in mm, and a weight of 0 or more if you "
@@ -108,28 +108,93 @@ def _rows(text: str, name: str) -> Points:
             )
         if len(places) == _MOST_POINTS:
             raise _too_many(name)
-        places.append((values[order.x] * order.x_factor, values[order.y] * order.y_factor))
+        places.append((values[0], values[1]))
         weights.append(values[2] if len(values) == 3 else 1.0)
     return _distinct(_enough(Points(tuple(places), tuple(weights)), name), name)
 
 
+def _numbers(content: str) -> list[float]:
+    """Numbers of a row; none if it has other cells. Where commas do not set columns apart, decimals may have them."""
+    marks = [mark for mark in (";", "\t", "|", ",") if mark in content][:1]
+    for mark in (*marks, None):
+        cells = [cell.strip() for cell in content.split(mark)]
+        while len(cells) > 1 and not cells[-1]:
+            cells.pop()
+        try:
+            return [float(cell if mark == "," else cell.replace(",", ".")) for cell in cells]
+        except ValueError:
+            continue
+    return []
+
+
 class _Order(NamedTuple):
-    """Columns of x and y, and what their numbers are to be multiplied by to be in mm."""
+    """Columns of x, y and the weight, and what numbers of x and y are to be multiplied by to be in mm.
+
+    The weight is None where there is none; `columns` is their number, None where it is not known.
+    """
 
     x: int = 0
     y: int = 1
     x_factor: float = 1.0
     y_factor: float = 1.0
+    weight: int | None = 2
+    columns: int | None = None
+    of_remark: bool = False
 
 
-def _order(header: str) -> _Order:
-    """Order and units of the columns by a header such as `Y [m], X [m]`; x before y, in mm, where it does not say."""
-    names = [heading(name) for name in re.split(r"[,;\t]" if re.search(r"[,;\t]", header) else r"\s+", header.strip())]
-    quantities = [name.quantity for name in names[:2]]
-    if sorted(quantities) != ["x", "y"]:
+def _values(content: str, order: _Order) -> list[float]:
+    """Values x and y in mm, and a weight if there is one; none where the cells do not fit the columns."""
+    cells = _numbers(content)
+    if not max(order.x, order.y) < len(cells) <= (order.columns or 3):
+        return []
+    values = [cells[order.x] * order.x_factor, cells[order.y] * order.y_factor]
+    return [*values, cells[order.weight]] if order.weight is not None and order.weight < len(cells) else values
+
+
+def _order(header: str, name: str) -> _Order:
+    """Columns and units by a header such as `Y [m], X [m]` or `no;x;y;weight`; x before y where it does not say.
+
+    Raises:
+        FileError: a unit that is none of length, or a column beside x and y that may not be passed over.
+    """
+    text = re.sub(r"[\[(](weight|Gewicht|权重)[\])]", r"\1", header, flags=re.IGNORECASE)
+    marked = bool(re.search(r"[,;\t|]", text))
+    columns = re.split(r"[,;\t|]", text) if marked else re.sub(r"\s+(?=[\[(])", "", text).split()
+    names = [heading(column) for column in columns]
+    quantities = [column.quantity for column in names]
+    named = quantities.count("x") == quantities.count("y") == 1
+    x, y = (quantities.index("x"), quantities.index("y")) if named else (0, 1)
+    if max(x, y) >= len(names):
         return _Order()
-    x, y = quantities.index("x"), quantities.index("y")
-    return _Order(x, y, names[x].factor("mm") or 1.0, names[y].factor("mm") or 1.0)
+    factors = [names[place].factor("mm") for place in (x, y)]
+    for place, factor in zip((x, y), factors, strict=True):
+        if factor is None:
+            raise FileError(
+                "{name}: `{unit}` is no unit of length that is known: write mm, cm, m or in there, and points in it",
+                name=name,
+                unit=escaped(names[place].unit[:60]),
+            )
+    weight = next((n for n, quantity in enumerate(quantities) if quantity in _WEIGHTS), None)
+    if not named:
+        return _Order(x_factor=factors[0] or 1.0, y_factor=factors[1] or 1.0)
+    for place, quantity in enumerate(quantities):
+        if place not in (x, y, weight) and quantity not in (*IDLE, *TIMES):
+            raise FileError(
+                "{name}: the column {column} beside x and y is not understood: take it out, or call it weight",
+                name=name,
+                column=escaped(columns[place].strip()[:60]),
+            )
+    return _Order(x, y, factors[0] or 1.0, factors[1] or 1.0, weight, len(names))
+
+
+def _of_remark(remark: str) -> _Order | None:
+    """Columns and units by a remark that names x and y, as programs write them; None by any other."""
+    try:
+        order = _order(remark, "")
+    except FileError:
+        return None
+    names = {heading(column).quantity for column in re.split(r"[,;\t|\s]+", remark)}
+    return order._replace(of_remark=True) if {"x", "y"} <= names else None
 
 
 def _enough(points: Points, name: str) -> Points:

@@ -32,6 +32,9 @@ def test_rows_are_read_however_they_are_separated(name, tmp_path):
         ("0 0\n1 1 1 1\n", "line 2: `1 1 1 1` is no point"),
         ("0 0 -1\n", "line 1: `0 0 -1` is no point"),
         ("a b\nc d\n", "line 2: `c d` is no point"),
+        ("x,y\n0,0,5\n", "line 2: `0,0,5` is no point"),
+        ("x [px],y [px]\n0,0\n", "`px` is no unit of length that is known"),
+        ("x,y,speed\n0,0,5\n", "the column speed beside x and y is not understood: take it out, or call it weight"),
         ("0 0\n1 1\n", "has 2 points; a path needs at least 4"),
     ],
 )
@@ -39,6 +42,26 @@ def test_rows_that_are_no_points_are_named(text, message, tmp_path):
     (tmp_path / "p.txt").write_text(text)
     with pytest.raises(FileError, match=message):
         read_points(tmp_path / "p.txt")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "X;Y\n0;0\n450,5;120\n900;500,25\n1500;-5\n",
+        "0 0\n450,5 120\n900 500,25\n1500 -5\n",
+        "Nr\tX\tY\n1\t0\t0\n2\t450,5\t120\n3\t900\t500,25\n4\t1500\t-5\n",
+        "East [m];North [m]\n0;0\n0,4505;0,12\n0,9;0,50025\n1,5;-0,005\n",
+        "# x_cm y_cm\n0 0\n45.05 12\n90 50.025\n150 -.5\n",
+        "t,x,y,z\n0,0,0,9\n1,450.5,120,9\n2,900,500.25,9\n3,1500,-5,9\n",
+        "X Y [weight]\n0 0 1\n450.5 120\n900 500.25\n1500 -5\n",
+        "X坐标/mm，Y坐标/mm\n0，0\n450.5，120\n900，500.25\n1500，-5\n",
+    ],
+)
+def test_points_as_people_export_them(text, tmp_path):
+    (tmp_path / "p.csv").write_text(text, encoding="utf-8")
+    points = read_points(tmp_path / "p.csv")
+    assert points.places == tuple(pytest.approx(p) for p in ((0, 0), (450.5, 120), (900, 500.25), (1500, -5)))
+    assert points.weights == (1, 1, 1, 1)
 
 
 def drawing(tmp_path, unit, polylines):
