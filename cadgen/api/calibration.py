@@ -15,9 +15,10 @@ from cadgen.jobs.calibration.as_built_file import as_built_text
 from cadgen.jobs.calibration.calibration import CalibrationPlan
 from cadgen.jobs.calibration.calibration_report import report, summary
 from cadgen.jobs.calibration.files import calibration_facts, summary_facts, write_calibration, write_each
-from cadgen.jobs.calibration.learned_workshop import workshop_of
+from cadgen.jobs.calibration.learned_workshop import LEAST_CARS, workshop_of
 from cadgen.jobs.calibration.new_cam import Built
 from cadgen.jobs.calibration.workshop import Workshop
+from cadgen.messages import Message
 from cadgen.output.files.publisher import Written, folder_of
 from cadgen.output.report.notebook import Pictured, bars_picture
 from cadgen.output.report.record_pictures import record_picture
@@ -164,6 +165,11 @@ class Calibrations(Pictured, Generic[D]):
         }
 
     @property
+    def cams_unknown(self) -> tuple[str, ...]:
+        """Measured files that fit another cam than the one that was on the car, or as well."""
+        return tuple(c.sources[0].path.name for c in self.each if c.cam_unknown)
+
+    @property
     def readiness(self) -> Readiness:
         """Readiness of the file of which least is explained."""
         return max((calibration.readiness for calibration in self.each), key=list(Readiness).index)
@@ -182,7 +188,17 @@ class Calibrations(Pictured, Generic[D]):
     @property
     def report(self) -> list[Block]:
         """Table with a row for each, and what the cars differ by."""
-        return [*summary(self.each), *([] if self.workshop is None else self.workshop.report)]
+        blocks = summary(self.each)
+        if self.workshop is not None:
+            blocks += self.workshop.report
+        elif len(self.each) >= LEAST_CARS and self.cams_unknown:
+            blocks.append(
+                Message(
+                    "What the cars differ by is not learned: there are fewer than {least} of which the cam is sure.",
+                    least=LEAST_CARS,
+                )
+            )
+        return blocks
 
     def entry(self) -> Facts:
         """Everything, as in the JSON file."""

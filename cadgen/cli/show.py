@@ -404,11 +404,15 @@ def explained(result: "Calibration[Design] | Calibrations[Design]", *, written: 
         said: str = Message("not all is explained ({kinds})", kinds=kinds)
         if not result.unclear:
             said = Message("what was measured is explained, but no new cam is sure to bring the car nearer")
+        if not isinstance(result, Calibration) and result.cams_unknown and not result.unclear:
+            names = joined(result.cams_unknown, ", ")
+            said = Message("it is not sure which cam is on the car of {names}", names=names)
+            step = Message("give its --profile")
         if isinstance(result, Calibration) and result.cam_unknown:
             said, step = Message("it is not sure which cam is on the car"), Message("give its --profile")
             if result.other_cam is not None and result.other_cam.earlier:
                 step = Message(
-                    "calibrate the design without its [as_built] with --profile {profile}",
+                    "calibrate the design that the earlier cam was cut from with --profile {profile}",
                     profile=result.other_cam.profile,
                 )
             elif result.profile_stated:

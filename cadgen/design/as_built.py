@@ -169,6 +169,15 @@ class OutlookSection(DesignSection):
     )
 
 
+class EarlierCam(DesignSection):
+    """Cam with which the car was measured before. One table [[as_built.earlier]] for each, the first cam first."""
+
+    profile: Annotated[str, OneOf(codes)] = Field(description="of the cam that was on the car then")
+    cut_for: Annotated[tuple[EffectSection, ...], Strict(False)] = Field(
+        default=(), description="effects that it was made for; none for the first cam of a car"
+    )
+
+
 class AsBuiltSection(DesignSection):
     """The car as it was built and measured: written by `cadgen calibrate`, taken into account by every command."""
 
@@ -182,6 +191,9 @@ class AsBuiltSection(DesignSection):
         description="profile of another cam that may have been on the car, by what was measured; no cam is cut without "
         "`--force` then",
     )
+    other_cam_earlier: bool | None = Field(
+        default=None, description="whether `other_cam` is one that the car had before, as in `earlier`"
+    )
     outlook: OutlookSection | None = Field(default=None, description="with the places that `cadgen calibrate` gave")
     outlook_agreed: OutlookSection | None = Field(
         default=None, description="with every effect that a cam can take out once you agree, by `car` as its place"
@@ -191,6 +203,10 @@ class AsBuiltSection(DesignSection):
     cut_for: Annotated[tuple[EffectSection, ...], Strict(False)] = Field(
         default=(), description="effects that the measured cam was made for already; none for the first cam of a car"
     )
+    earlier: Annotated[tuple[EarlierCam, ...], Strict(False)] | None = Field(
+        default=None,
+        description="cams with which the car was measured before; left out where it was measured with the first alone",
+    )
 
     @property
     def expected(self) -> OutlookSection | None:
@@ -199,24 +215,30 @@ class AsBuiltSection(DesignSection):
         known = filter(None, (self.outlook, self.outlook_agreed))
         return next((outlook for outlook in known if outlook.places in ((), places)), None)
 
+    @property
+    def cams(self) -> tuple[EarlierCam, ...]:
+        """Cams with which the car was measured, the first one first."""
+        return (*(self.earlier or ()), EarlierCam(profile=self.profile, cut_for=self.cut_for))
+
     @model_validator(mode="after")
     def _each_thing_is_set_once(self) -> "AsBuiltSection":
-        for name, effects in (("effects", self.effects), ("cut_for", self.cut_for)):
+        earlier = [("earlier.cut_for", cam.cut_for) for cam in self.earlier or ()]
+        for name, effects in (("effects", self.effects), ("cut_for", self.cut_for), *earlier):
             seen: dict[tuple[str, str], EffectSection] = {}
             for effect in effects:
                 # Gears on several shafts run out, each by itself.
                 own = effect.effect if effect.place == Place.CAR and effect.known().indices else ""
                 for value in effect.values if effect.place == Place.CAR else ():
                     if (value.name, own) in seen:
-                        earlier = seen[value.name, own]
+                        before = seen[value.name, own]
                         raise ValueError(
                             Message(
                                 "as_built.{name} has {name2} of the car twice, from {effect} of kind {kind} and from "
                                 '{effect2} of kind {kind2}: set place = "noted" in one of them',
                                 name=name,
                                 name2=value.name,
-                                effect=earlier.effect,
-                                kind=earlier.kind,
+                                effect=before.effect,
+                                kind=before.kind,
                                 effect2=effect.effect,
                                 kind2=effect.kind,
                             )

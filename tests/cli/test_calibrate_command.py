@@ -138,7 +138,7 @@ def test_the_as_built_design_is_the_design_with_what_was_measured(run_of_a_track
 @pytest.mark.slow
 def test_a_run_without_out_writes_nothing_and_each_is_one_table(cadgen, tmp_path):
     files = [str(MEASURED / "paper_section5.csv"), str(MEASURED / "track_c.csv")]
-    result = cadgen("calibrate", "--each", *files, code=0)
+    result = cadgen("calibrate", "--each", "--profile", "actual", *files, code=0)
     assert list(tmp_path.iterdir()) == []
     lines = [line.split() for line in result.stdout.splitlines()]
     assert lines[0][:2] == ["file", "verdict"]
@@ -148,6 +148,15 @@ def test_a_run_without_out_writes_nothing_and_each_is_one_table(cadgen, tmp_path
     assert float(lines[2][5]) < 3.1
     assert any(line[:3] == ["track_c", "backlash:", "return_error_deg"] for line in lines)
     assert max(map(len, result.stdout.splitlines())) <= 80
+    assert "track_c.csv: All this holds for the actual cam" in result.stdout
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_each_asks_which_cam_was_on_the_car(cadgen):
+    """More play on the other cam does the same to a track, and here nothing says which was on the car."""
+    result = cadgen("calibrate", "--each", str(MEASURED / "track_c.csv"), code=1)
+    assert "NOT READY: it is not sure which cam is on the car of track_c.csv" in " ".join(result.stdout.split())
 
 
 @pytest.mark.slow

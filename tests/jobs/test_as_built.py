@@ -2,6 +2,7 @@
 
 import json
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,10 @@ from cadgen.curves.closed import Outline
 from cadgen.design import cam_model, variation
 from cadgen.design.load import load_design, packaged_designs
 from cadgen.errors import DesignError
+from cadgen.jobs.calibration.as_built_file import as_built_text
+from cadgen.jobs.calibration.calibration import calibrate
 from cadgen.jobs.calibration.cam_on_car import nominal_of, other_cams
+from cadgen.jobs.calibration.sources import read
 from cadgen.jobs.cam.built_car import as_built_sentences, outlook_checks, outlook_sentence
 from cadgen.jobs.cam.cam_files import write_cam
 from cadgen.jobs.cam.cures import find_cures
@@ -25,6 +29,7 @@ from cadgen.jobs.tolerance import CarSample, tolerance_of
 from cadgen.output.files.dxf import read_dxf
 from tests.inference.measurement.synthetic_drive import Wheels
 
+MEASURED = Path(__file__).parents[1] / "data" / "measured"
 TURN = 2 * np.pi
 COUNT = 7200  # readings of the rolled lift in the generator's table
 
@@ -381,6 +386,29 @@ def test_the_cam_of_the_last_calibration_may_still_be_on_the_car(built):
     again = built(zero + zero.replace("as_built.effects", "as_built.cut_for"))
     *_, (code, cut, earlier) = other_cams(again, "actual")
     assert (code, [e.effect for e in cut.as_built.effects], earlier) == ("actual", ["steering zero"], True)
+
+
+def test_every_cam_with_which_a_car_was_measured_is_kept(built, tmp_path):
+    """A third measurement: the second cam was cut for the first one's effects, and the first for none."""
+    zero = effect("track", "steering zero", "car", steering_zero_deg=0.3)
+    second = zero.replace("as_built.effects", "as_built.cut_for").replace("0.3", "0.2")
+    first = '[[as_built.earlier]]\nprofile = "optimized"\n'
+    design = built(zero + second + first)
+    cams = [(code, cut.as_built and cut.as_built.effects[0].numbers, old) for code, cut, old in other_cams(design, "")]
+    assert cams[-2:] == [("actual", {"steering_zero_deg": 0.2}, True), ("optimized", None, True)]
+    source = read([MEASURED / "paper_section5.csv"])
+    file = tmp_path / "third_as_built.toml"
+    file.write_text(as_built_text(calibrate(design, "actual", source), (tmp_path / "mine.toml").read_text()))
+    told = load_design(file).as_built
+    assert [(cam.profile, [e.numbers for e in cam.cut_for]) for cam in told.cams] == [
+        ("optimized", []),
+        ("actual", [{"steering_zero_deg": 0.2}]),
+        ("actual", [{"steering_zero_deg": 0.3}]),
+    ]
+    assert "earlier" not in built(zero).values()["as_built"]
+    doubt = 'other_cam = "optimized"\nother_cam_earlier = true\n[[as_built.effects]]'
+    (check,) = outlook_checks(built(zero.replace("[[as_built.effects]]", doubt, 1)))
+    assert "the design that it was cut from" in check.advice
 
 
 def test_the_outlook_is_of_the_places_that_the_effects_have(built):

@@ -2,10 +2,13 @@
 
 import ast
 import cmath
+import json
 import sys
 
 import numpy as np
 import pytest
+from scipy.integrate import trapezoid
+from scipy.stats import norm
 
 from tests.studies.benchmark import convert, make, plain, score
 
@@ -33,6 +36,7 @@ def test_a_perfect_answer_has_everything_and_no_frame():
     for name, task in score.tasks().items():
         if "truth" in task:
             assert (figures[name]["found"], figures[name]["wrong"]) == (figures[name]["of"], 0)
+            assert figures[name]["skill"] > 0.99
         else:
             assert figures[name]["rms mm"] == 0
 
@@ -41,8 +45,77 @@ def test_what_is_not_there_is_wrong_and_what_is_far_off_is_not_found():
     task = {"truth": {"a": [1.0, 0.1], "b": [2.0, 0.1], "c": [0.0, 0.1]}}
     told = score.judged_numbers(task, {"a": [1.05, 0.01], "b": [3.0, 0.01], "c": [1.0, 0.1], "d": [1.0, 0.1]})
     assert (told["found"], told["of"], told["wrong"]) == (1, 2, 2)
-    assert told["within two sigma"] == "0 of 2"
-    assert score.judged_numbers(task, {})["found"] == 0
+    assert (told["off"], told["within two sigma"]) == (1, "0 of 2")
+    nothing = score.judged_numbers(task, {})
+    assert (nothing["found"], nothing["skill"]) == (0, 0.0)
+
+
+def test_a_number_is_scored_by_the_area_between_what_is_stated_and_what_is_so():
+    """CRPS by its definition: the integral of the squared difference of both distributions."""
+    at = np.linspace(-60, 60, 400_001)
+    for mean, sigma, truth in ((0.0, 1.0, 0.0), (1.0, 0.5, 3.0), (-2.0, 4.0, 1.0), (5.0, 0.01, 5.005)):
+        below = norm.cdf(at, mean, sigma)
+        area = trapezoid((below - (at >= truth)) ** 2, at)
+        assert score.crps(mean, sigma, truth) == pytest.approx(area, rel=2e-3, abs=1e-4)
+    assert score.crps(0.0, 1.0, 1e9) == pytest.approx(1e9)
+
+
+def test_nobody_gains_by_stating_what_he_does_not_believe():
+    """Expected over what a program believes, only that scores best; and deviations without end find nothing."""
+    believed = norm(1.0, 0.3).ppf((np.arange(4000) + 0.5) / 4000)
+    expected = {
+        (mean, sigma): np.mean([score.crps(mean, sigma, truth) for truth in believed])
+        for mean in (0.0, 0.8, 1.0, 1.2)
+        for sigma in (1e-3, 0.1, 0.3, 0.9, 30.0)
+    }
+    assert min(expected, key=expected.__getitem__) == (1.0, 0.3)
+    for task in (task for task in score.tasks().values() if "truth" in task):
+        for size, sigma in ((0.0, 1e9), (1e6, 3.3e5), (1e-9, 1e-9)):
+            told = score.judged_numbers(task, {name: [size, sigma] for name in task["truth"]})
+            assert told["found"] == 0
+            assert told["skill"] <= 0
+
+
+@pytest.mark.parametrize(
+    ("answers", "said"),
+    [
+        ({"gear": {"numbers": {"taper, um": [float("nan"), 1.0]}}}, "gear, 'taper, um': give its value"),
+        ({"gear": {"numbers": {"taper, um": [4.0, float("inf")]}}}, "deviation above 0"),
+        ({"gear": {"numbers": {"taper, um": [4.0, 0.0]}}}, "deviation above 0"),
+        ({"gear": {"numbers": {"taper, um": [4.0, True]}}}, "deviation above 0"),
+        ({"gear": {"numbers": {"taper, um": [4.0, 10**400]}}}, "deviation above 0"),
+        ({"gear": {"numbers": {"taper, um": 4.0}}}, "deviation above 0"),
+        ({"gear": {"runs": {}}}, 'gear: the answer must be {"numbers": {...}}'),
+        ({"gears": {"numbers": {}}}, "there is no task 'gears'"),
+        ({"circles": {"runs": {"2": []}}}, "circles: give places for runs 2, 4, 6, 8, and for no others"),
+        ({"squares": {"runs": {"2": [[0, "1"]], "4": [], "6": []}}}, "squares, run 2: each place must be"),
+        ({"squares": {"runs": {"2": [[0, 1]], "4": [], "6": []}}}, "squares, run 2 has 1 places for"),
+        ([], "answers must be"),
+    ],
+)
+def test_an_entry_that_is_none_is_refused_in_a_sentence(tmp_path, capsys, monkeypatch, answers, said):
+    file = tmp_path / "answers.json"
+    file.write_text(json.dumps({"program": "bad", "answers": answers}))
+    monkeypatch.setattr(sys, "argv", ["score.py", str(file)])
+    assert score.main() == 2
+    told = capsys.readouterr()
+    assert said in told.err
+    assert (told.err.count("\n"), told.out) == (1, "")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *("", "{", "[]", "[" * 100_000, "\x00"),
+        *('{"program": "a\\nb", "answers": {}}', '{"answers": {}}', '{"program": "a", "program": "a"}'),
+    ],
+)
+def test_a_file_that_holds_no_answers_is_refused(tmp_path, capsys, monkeypatch, text):
+    file = tmp_path / "answers.json"
+    file.write_text(text)
+    monkeypatch.setattr(sys, "argv", ["score.py", str(file)])
+    assert score.main() == 2
+    assert capsys.readouterr().err.count("\n") == 1
 
 
 def test_the_scorer_and_the_converter_need_no_package():

@@ -36,6 +36,7 @@ SURE = 10.0
 # Two cams are the same if their lifts nowhere differ by more, as the tangent of the steering angle: 0.2 um of the lift.
 ALIKE = 1e-5
 _STATIONS = 720
+_HALF = 0.5  # standard deviations within which two findings are the same
 
 
 @dataclass(frozen=True)
@@ -72,7 +73,10 @@ def other_cam(
     earlier: bool = False,
     progress: Progress = silent,
 ) -> OtherCam | None:
-    """How well the records fit another cam; None where the stated one surely fits better, or the two are alike.
+    """How well the records fit another cam.
+
+    None where the stated one surely fits better, the two are alike, or the records show the same of the car with either
+    cam, as those of a transmission do: then a cam made for it does not ask which one was on it.
 
     Args:
         weighed: joint verdict on the records, against the stated cam.
@@ -93,10 +97,19 @@ def other_cam(
     found = find(joint, stated.usual)[0]
     # What was measured of the play apart speaks for a cam as well.
     better = float(best.score + _off(best, stated.play) - found.score - _off(found, other.play))
-    if better < -SURE:
+    if better < -SURE or (better <= SURE and _same(best, found)):
         return None
     names, instead = (tuple(e.name for e in h.effects if not e.shape) for h in (found, best))
     return OtherCam(profile, earlier, better, names, instead)
+
+
+def _same(one: Hypothesis, other: Hypothesis) -> bool:
+    """Whether two subsets have the same effects, of sizes that differ by less than half a standard deviation."""
+    first, second = ({e.key: (v, s) for e, v, s in each.values()} for each in (one, other))
+    return first.keys() == second.keys() and all(
+        bool(np.all(np.abs(first[key][0] - second[key][0]) <= _HALF * np.maximum(first[key][1], second[key][1])))
+        for key in first
+    )
 
 
 def _off(found: Hypothesis, known: tuple[float, float] | None) -> float:

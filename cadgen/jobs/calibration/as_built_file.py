@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from math import isfinite
 from typing import Any
 
+from cadgen.design.as_built import EffectSection
 from cadgen.design.override import override
 from cadgen.deviations.deviation import Place
 from cadgen.inference.expectation.outlook import Outlook
@@ -47,6 +48,11 @@ def _table(calibration: CalibrationPlan) -> str:
             if calibration.other_cam and calibration.cam_unknown
             else []
         ),
+        *(
+            ["other_cam_earlier = true"]
+            if calibration.other_cam and calibration.cam_unknown and calibration.other_cam.earlier
+            else []
+        ),
     ]
     places = [built.place for built in calibration.built]
     for name, outlook, reckoned in (
@@ -65,8 +71,11 @@ def _table(calibration: CalibrationPlan) -> str:
             f'verdict = "{calibration.verdict(source.kind)}"',
         ]
     for known in calibration.against.cut_for:
-        values = [_inline(value.name, repr(value.value), value.sigma) for value in known.values]
-        lines += _effect("cut_for", known.effect, known.kind, known.place, values)
+        lines += _known("cut_for", known)
+    for cam in calibration.against.earlier:
+        lines += ["", f"[[{_TABLE}.earlier]]", f'profile = "{cam.profile}"']
+        for known in cam.cut_for:
+            lines += _known("earlier.cut_for", known)
     for built in calibration.built:
         finding = built.claim.finding
         values = []
@@ -88,6 +97,11 @@ def _outlook(outlook: Outlook, places: Sequence[Place]) -> list[str]:
         *([] if outlook.explained is None else [f"explained = {str(outlook.explained).lower()}"]),
         f"places = [{', '.join(map(_text, places))}]",
     ]
+
+
+def _known(table: str, known: EffectSection) -> list[str]:
+    values = [_inline(value.name, repr(value.value), value.sigma) for value in known.values]
+    return _effect(table, known.effect, known.kind, known.place, values)
 
 
 def _effect(table: str, effect: str, kind: str, place: str, values: list[str], words: str = "") -> list[str]:

@@ -11,7 +11,7 @@ import numpy as np
 from cadgen.car.against_play.profile_kinds import ACTUAL
 from cadgen.car.running.mechanics import holding_friction
 from cadgen.design import variation
-from cadgen.design.as_built import EffectSection
+from cadgen.design.as_built import EarlierCam, EffectSection
 from cadgen.design.schema import Design
 from cadgen.deviations import deviation
 from cadgen.deviations.deviation import Place
@@ -49,6 +49,7 @@ class MeasuredDesign:
         name, source, overrides, sha256: which design it is.
         values: its values without [as_built].
         cut_for: effects of [as_built] that the measured cam was made for.
+        earlier: cams with which the car was measured before.
         wheelbase: of its car, mm.
         drag: greatest drag of its [mechanics], N mm.
     """
@@ -59,6 +60,7 @@ class MeasuredDesign:
     sha256: str
     values: Mapping[str, Any]
     cut_for: tuple[EffectSection, ...]
+    earlier: tuple[EarlierCam, ...]
     wheelbase: float
     drag: float
 
@@ -73,6 +75,7 @@ class MeasuredDesign:
             sha256=design.content_hash,
             values=design.as_designed().values(),
             cut_for=tuple(known for known in earlier if known.place in (Place.CAR, Place.PROCESS)),
+            earlier=design.as_built.cams if design.as_built else (),
             wheelbase=design.car.wheelbase_mm,
             drag=design.mechanics.drag_Nmm[1] if design.mechanics else 0.0,
         )
@@ -204,8 +207,7 @@ def calibrate(
     progress: Progress = silent,
     nominal: Nominal | None = None,
     workshop: Workshop | None = None,
-    *,
-    alone: bool = False,
+    made: dict[tuple[str, int], Nominal | None] | None = None,
 ) -> CalibrationPlan:
     """Judge measured files of one car against its design.
 
@@ -218,7 +220,7 @@ def calibrate(
         progress: function that is called with a few words on each step.
         nominal: from `nominal_of`, if that is at hand already.
         workshop: what the cars of its workshop differ by, if that is known.
-        alone: whether one file of several cars is judged, for which no cam is made.
+        made: designs with other cams that were made already, which is added to; see `_other_cam`.
 
     Raises:
         DesignError: the design or its profile cannot be built, or it has no train for a transmission's data.
@@ -295,8 +297,8 @@ def calibrate(
     taken, outlook = with_joint_effect(calibration.diagnoses, found, with_claims)
     no_cam = refused[0] if refused and outlook is None else None
     calibration = replace(calibration, claims=taken, outlook=outlook, no_cam=no_cam)
-    if weighed is not None and not alone and (outlook is not None or calibration.unclear):
-        another = _other_cam(design, cam, weighed, known, progress)
+    if weighed is not None and (outlook is not None or calibration.unclear):
+        another = _other_cam(design, cam, weighed, known, progress, {} if made is None else made)
         calibration = replace(calibration, other_cam=another)
     given, agreed = [built.place for built in calibration.built], agreed_places(calibration.built)
     return calibration if agreed == given else replace(calibration, outlook_agreed=expected(calibration.built, agreed))
@@ -313,14 +315,20 @@ def calibrate_each(
     """Judge every file alone, as if each were of a car of its own. Arguments and errors as in `calibrate`."""
     cams = [profile or stated_profile(source) or ACTUAL.code for source in sources]
     nominals = {cam: nominal_of(design, cam, progress) for cam in dict.fromkeys(cams)}
+    made: dict[tuple[str, int], Nominal | None] = {}
     return tuple(
-        calibrate(design, profile, [source], form_error_um, progress, nominals[cam], workshop, alone=True)
+        calibrate(design, profile, [source], form_error_um, progress, nominals[cam], workshop, made)
         for source, cam in zip(sources, cams, strict=True)
     )
 
 
 def _other_cam(
-    design: Design, profile: str, weighed: WeighedTogether, known: Nominal, progress: Progress
+    design: Design,
+    profile: str,
+    weighed: WeighedTogether,
+    known: Nominal,
+    progress: Progress,
+    made: dict[tuple[str, int], Nominal | None],
 ) -> OtherCam | None:
     """The cam that the records fit best of those that may be on the car beside the stated one; None if none does.
 
@@ -330,15 +338,20 @@ def _other_cam(
         weighed: joint verdict against it.
         known: what the records were measured against.
         progress: function that is called with a few words on each step.
+        made: the design with each of these cams, by the stated profile and the cam's number; None for one that cannot
+            be made. Those that are missing are added.
     """
     found: list[OtherCam] = []
-    for code, other, earlier in other_cams(design, profile):
-        try:
-            nominal = replace(
-                nominal_of(other, code, progress), form_error=known.form_error, play=known.play, usual=known.usual
-            )
-        except (DesignError, CheckError):  # a cam that cannot be made is on no car
+    for number, (code, other, earlier) in enumerate(other_cams(design, profile)):
+        if (profile, number) not in made:
+            try:
+                made[profile, number] = nominal_of(other, code, progress)
+            except (DesignError, CheckError):  # a cam that cannot be made is on no car
+                made[profile, number] = None
+        bare = made[profile, number]
+        if bare is None:
             continue
+        nominal = replace(bare, form_error=known.form_error, play=known.play, usual=known.usual)
         one = other_cam(weighed.joint, known, nominal, code, earlier=earlier, progress=progress)
         found += [one] if one is not None else []
     return max(found, key=lambda one: one.better, default=None)

@@ -90,7 +90,7 @@ def _doubt_of_cam(c: CalibrationPlan) -> Message:
     if other.earlier:
         which["other"] = Message("earlier {profile}", profile=other.profile)
     cure = (
-        Message("calibrate the design without its [as_built] with --profile {profile}", profile=other.profile)
+        Message("calibrate the design that it was cut from with --profile {profile}", profile=other.profile)
         if other.earlier
         else Message("calibrate with --profile {profile}", profile=other.profile)
     )
@@ -179,6 +179,11 @@ def summary(each: Sequence[CalibrationPlan]) -> list[Block]:
         Message(
             "Left out: each run with the effects fitted to the others; less form: with what the other runs say of the "
             "form error taken away too."
+        ),
+        *(
+            Message("{file}: {text}", file=c.sources[0].path.name, text=_doubt_of_cam(c))
+            for c in each
+            if c.other_cam is not None
         ),
         *(Message("Warning: {text}.", text=text) for c in each for text in c.warnings),
     ]

@@ -10,6 +10,7 @@ from cadgen.cam.contact import roll_curve
 from cadgen.car.against_play.profile_kinds import ACTUAL
 from cadgen.car.running.sampled import rolled_lift
 from cadgen.design import cam_model, gear_model, variation
+from cadgen.design.as_built import AsBuiltSection
 from cadgen.design.schema import Design
 from cadgen.gears.choices import Order
 from cadgen.gears.spur import spur_pairs
@@ -79,7 +80,7 @@ def other_cams(design: Design, profile: str) -> Iterator[tuple[str, Design, bool
     """Cams that may be on a car beside the stated one: profile, design that made it, whether an earlier one.
 
     These are the actual profile and the one that a cam of the design has by default; and of a design that was
-    calibrated the cam that was measured then.
+    calibrated every cam with which the car was measured, the last one first.
 
     Args:
         design: loaded design.
@@ -89,9 +90,9 @@ def other_cams(design: Design, profile: str) -> Iterator[tuple[str, Design, bool
         if code != profile:
             yield code, design, False
     if (known := design.as_built) is not None:
-        cut_for = known.model_copy(update={"effects": known.cut_for, "outlook": None, "outlook_agreed": None})
-        before = design.model_copy(update={"as_built": cut_for}) if known.cut_for else design.as_designed()
-        yield known.profile, before, True
+        for cam in reversed(known.cams):
+            cut_for = AsBuiltSection(effects=cam.cut_for) if cam.cut_for else None
+            yield cam.profile, design.model_copy(update={"as_built": cut_for}), True
 
 
 def ratios_and_teeth(design: Design) -> tuple[tuple[float, ...], tuple[int, ...]]:

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from math import isfinite
 from pathlib import Path
 
+from cadgen.design.as_built import EarlierCam
 from cadgen.design.load import load_design
 from cadgen.deviations import deviation
 from cadgen.errors import FileError
@@ -175,6 +176,11 @@ def _read_back(c: CalibrationPlan, file: Path) -> None:
         raise FileError(
             "{name}, read back, is not the design with what was measured: report this design", name=file.name
         )
+    before = (*c.against.earlier, EarlierCam(profile=c.profile, cut_for=c.against.cut_for))
+    if [_known(cam) for cam in as_built.cams] != [_known(cam) for cam in before]:
+        raise FileError(
+            "{name}, read back, is not the design with what was measured: report this design", name=file.name
+        )
     for built, effect in zip(c.built, as_built.effects, strict=True):
         for value in built.claim.finding.values:
             sigma = value.sigma if isfinite(value.sigma) and value.sigma > 0 else abs(value.value) * 1e-4
@@ -183,6 +189,10 @@ def _read_back(c: CalibrationPlan, file: Path) -> None:
                 raise FileError(
                     "{name}, read back, has another {number}: report this design", name=file.name, number=value.name
                 )
+
+
+def _known(cam: EarlierCam) -> tuple[str, list[tuple[str, str, str, dict[str, float]]]]:
+    return cam.profile, [(e.effect, e.kind, e.place, e.numbers) for e in cam.cut_for]
 
 
 def _record(diagnosis: Diagnosis) -> Facts:

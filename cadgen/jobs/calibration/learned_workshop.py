@@ -24,13 +24,14 @@ _SEEN = 2.0  # cars' worth below which a number is left to the tolerances of the
 
 
 def workshop_of(design: Design, calibrations: Sequence[CalibrationPlan]) -> Workshop | None:
-    """Workshop of the cars that were calibrated, one by each calibration; None with fewer than three cars.
+    """Workshop of the cars that were calibrated, one by each calibration; None with fewer than three whose cam is sure.
 
     Args:
         design: loaded design by which they were made.
         calibrations: one of each car.
     """
-    told = [each for each in calibrations if each.nominal is not None and _evidence(each)]
+    # What is found of a car by a cam that it does not have is not its own.
+    told = [c for c in calibrations if c.nominal is not None and _evidence(c) and not c.cam_unknown]
     if len(told) < LEAST_CARS:
         return None
     nominal = nominal_of(design, told[0].profile)

@@ -164,7 +164,9 @@ def _doubts_of_cam(design: Design) -> tuple[Check, ...]:
             1.0,
             Bound.MAX,
             Message("{profile} or {other}", profile=known.profile, other=known.other_cam),
-            Message("look which cam was on the car, and calibrate again with its --profile"),
+            Message("look which cam was on the car; if it is an earlier one, calibrate the design that it was cut from")
+            if known.other_cam_earlier
+            else Message("look which cam was on the car, and calibrate again with its --profile"),
         ),
     )
 
