@@ -19,7 +19,7 @@ from cadgen.jobs.drawings import Folder, sheet_of, sheets_of, title_of
 from cadgen.jobs.gears.gear_train import plan_gears
 from cadgen.jobs.part_drawings import part_sheets
 from cadgen.output.drawing import assembly_sheet
-from cadgen.output.drawing.assembly_sheet import assembly_drawing
+from cadgen.output.drawing.assembly_sheet import assembly_drawing, mounting_sheet
 from cadgen.output.drawing.part_sheets import KeySeat, PartTexts, TurnedStep, turned_drawing
 from cadgen.output.drawing.sheet import (
     HEIGHTS,
@@ -34,6 +34,7 @@ from cadgen.output.drawing.sheet import (
 )
 from cadgen.output.drawing.sheet_files import document_of
 from tests.jobs.test_gear_sheets import apart, frame_boxes
+from tests.output.drawing.table_cells import leaving
 from tests.output.drawing.test_drawings import boxes
 
 PAGE = Path(__file__).parents[2] / "docs" / "reference" / "sheets.md"
@@ -269,6 +270,20 @@ def test_texts_of_the_frame_keep_off_each_other_and_numbers_off_outlines(
         )
         for box, text in boxes(space):
             assert not (text.isdigit() and text != "0" and outlines.intersects(box.buffer(-0.2))), (stem, text)
+
+
+@pytest.mark.slow
+@pytest.mark.long
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_no_text_of_a_table_comes_up_to_the_next_cell(
+    car: CarAssembly, sheets: dict[str, DrawingSheet], language: str
+) -> None:
+    title = title_of(car.origin, None, "car", "", "car", NOWHERE)
+    whole = assembly_drawing(*views_of(car, 0.0), listed(car), tuple(sheet_notes(car, car.balance())), title)
+    steps = mounting_sheet(mountings(car), tuple(mounting_notes(car)), title)
+    for stem, sheet in {**sheets, "car": whole, "steps": steps}.items():
+        if sheet.tables:
+            assert leaving(sheet, language) == [], stem
 
 
 def test_the_list_names_what_is_bought_with_its_standard(car: CarAssembly) -> None:

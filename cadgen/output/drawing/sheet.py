@@ -33,7 +33,7 @@ BEYOND = 6.0  # mm on paper from the end of a short dimension line to the middle
 DIAMETER = "Ø"  # as ezdxf writes it
 _LETTER = 0.79  # greatest mean width of the letters of a line in heights: of one with many figures and wide letters
 WIDEST = 0.86  # the same of names with digits and underscores
-_WIDE = 1.4  # the same of Chinese, Japanese and Korean letters
+WIDE = 1.4  # the same of Chinese, Japanese and Korean letters
 _FIRST_WIDE = 0x2E80  # the first of these
 
 
@@ -666,7 +666,7 @@ def is_wide(letter: str) -> bool:
 
 def width_of(text: str) -> float:
     """Width of a text with room to spare, in heights of its letters."""
-    return sum(_WIDE if is_wide(letter) else WIDEST for letter in text)
+    return sum(WIDE if is_wide(letter) else WIDEST for letter in text)
 
 
 def height_within(lengths: Sequence[float], widths: Sequence[float], most: float) -> float:

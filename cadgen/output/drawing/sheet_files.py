@@ -9,7 +9,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property
-from itertools import pairwise
+from itertools import pairwise, zip_longest
 from pathlib import Path
 
 import ezdxf
@@ -48,6 +48,7 @@ from cadgen.output.drawing.sheet import (
     TEXT,
     TITLE_SIZE,
     TRIANGLE,
+    WIDE,
     Characteristic,
     Closed,
     DatumFeature,
@@ -66,7 +67,6 @@ from cadgen.output.drawing.sheet import (
     placed_notes,
     rounded,
     scale_text,
-    width_of,
 )
 from cadgen.output.files.dxf import fixed_dates
 
@@ -399,7 +399,7 @@ class _Place:
             if dimension.exact:
                 along = Vec2.from_deg_angle(float(drawn.get_rotation()))
                 across, middle = along.orthogonal() * (TEXT / 2 + 0.5), Vec2(drawn.dxf.insert)
-                along *= _length(drawn.plain_text()) * TEXT / 2 + 0.8
+                along *= text_length(drawn.plain_text()) * TEXT / 2 + 0.8
                 corners = [middle + x * along + y * across for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
                 self.space.add_lwpolyline(corners, close=True, dxfattribs=attributes)
             drawn.text = drawn.text.replace(DIAMETER, _SIGN)
@@ -422,12 +422,27 @@ def _text(
 
 
 @cache
-def _length(text: str) -> float:
-    """Length of a text in heights of its letters; with Chinese ones, with room to spare."""
-    if any(map(is_wide, text)):
-        return width_of(text)
+def text_length(text: str) -> float:
+    """Length of a text in heights of its letters; with room to spare for Chinese ones, whose font the system gives."""
     know_font()
-    return float(fonts.make_font(FONT, 1.0).text_width(text))
+    latin = "".join(letter for letter in text if not is_wide(letter))
+    return WIDE * (len(text) - len(latin)) + float(fonts.make_font(FONT, 1.0).text_width(latin))
+
+
+def table_widths(table: SheetTable, say: Callable[[str], str]) -> list[float]:
+    """Widths of a table's columns, mm; they are chosen for Latin letters.
+
+    In a language of wide letters a column that is too narrow takes what the others can spare.
+    """
+    columns = [[say(cell) for cell in column] for column in zip_longest(*table.rows, fillvalue="")]
+    needed = [TEXT * max(map(text_length, column)) + _BESIDE for column in columns]
+    lacking = [max(need - width, 0.0) for need, width in zip(needed, table.widths, strict=True)]
+    spare = [max(width - need, 0.0) for need, width in zip(needed, table.widths, strict=True)]
+    wide = any(is_wide(letter) for column in columns for cell in column for letter in cell)
+    if not wide or sum(lacking) > sum(spare):
+        return list(table.widths)  # letters of the next smaller height have room
+    share = sum(lacking) / (sum(spare) or 1.0)
+    return [width + lack - share * rest for width, lack, rest in zip(table.widths, lacking, spare, strict=True)]
 
 
 def _table(space: Modelspace, table: SheetTable, say: Callable[[str], str]) -> None:
@@ -436,10 +451,11 @@ def _table(space: Modelspace, table: SheetTable, say: Callable[[str], str]) -> N
         _text(space, say(table.title), (x, y - 0.7 * ROW), TEXT)
     top = y - ROW
     bottom = top - len(table.rows) * ROW
-    edges = [x + sum(table.widths[:n]) for n in range(len(table.widths) + 1)]
+    widths = table_widths(table, say)
+    edges = [x + sum(widths[:n]) for n in range(len(widths) + 1)]
     thin = {"layer": LineKind.THIN.value}
-    cells = [(say(cell), width - 1.5) for row in table.rows for cell, width in zip(row, table.widths, strict=False)]
-    height = height_within([_length(cell) for cell, _ in cells], [room for _, room in cells], TEXT)
+    cells = [(say(cell), width - _BESIDE) for row in table.rows for cell, width in zip(row, widths, strict=False)]
+    height = height_within([text_length(cell) for cell, _ in cells], [room for _, room in cells], TEXT)
     for number in range(len(table.rows) + 1):
         if number < 2 or number == len(table.rows) or not table.headed:
             space.add_line((x, top - number * ROW), (edges[-1], top - number * ROW), dxfattribs=thin)
@@ -496,10 +512,10 @@ def _frame(space: Modelspace, drawing: DrawingSheet, say: Callable[[str], str]) 
         most = 3.5 if level > 3 and span > 1 else TEXT
         aside = SIGN + 3.5 if rough and deviates else 0.0
         room = left + span * column - 1.0 - start - aside
-        letters = height_within([_length(text)], [room], most)
+        letters = height_within([text_length(text)], [room], most)
         _text(space, text, (start, low + 1.4), letters)
         if aside:  # a sign in brackets: some surfaces on the sheet have signs of their own (ISO 21920-1)
-            after = start + letters * _length(text) + 1.0
+            after = start + letters * text_length(text) + 1.0
             _text(space, "(", (after, low + 1.4), TEXT)
             _surface_symbol(space, after + 1.2, low + 1.0)
             _text(space, ")", (after + SIGN + 1.0, low + 1.4), TEXT)
@@ -507,7 +523,7 @@ def _frame(space: Modelspace, drawing: DrawingSheet, say: Callable[[str], str]) 
     _first_angle(space, x + across - 9.0, y + 4.5 * row)
     if title.verdict:
         verdict = say(title.verdict)
-        _text(space, verdict, (x + 1.0, y + up + 2.0), height_within([_length(verdict)], [across - 2.0], 3.5))
+        _text(space, verdict, (x + 1.0, y + up + 2.0), height_within([text_length(verdict)], [across - 2.0], 3.5))
 
 
 def _surface_symbol(space: Modelspace, x: float, y: float) -> None:
@@ -650,6 +666,7 @@ def _face_with(file: Path, letters: frozenset[str]) -> int | None:
     return None
 
 
+_BESIDE = 1.5  # mm of a table's column that are beside its text
 _INCH = 25.4
 _POINT = 72 / _INCH  # points in a mm
 _CAPITAL = 0.73  # height of a capital letter in sizes of its font

@@ -1,5 +1,6 @@
 """Sheets of cams by their motion: timing diagram, segments, sense; and the groove, held against closed forms."""
 
+from dataclasses import replace
 from math import pi
 
 import numpy as np
@@ -7,9 +8,12 @@ import pytest
 
 from cadgen import Design
 from cadgen.jobs.drawings import Folder, sheet_of
-from cadgen.output.drawing.sheet import LineKind, Stroke, have_room
+from cadgen.messages import LANGUAGES
+from cadgen.output.drawing.sheet import TEXT, LineKind, SheetTable, Stroke, have_room
+from cadgen.output.drawing.sheet_files import NoFontError, table_widths, text_length
 from cadgen.output.drawing.timing import TimingDiagram
 from tests.jobs.test_packaged_cams import CAMS
+from tests.output.drawing.table_cells import leaving
 
 
 def sheets(name, tmp_path, changes=()):
@@ -55,6 +59,25 @@ def test_the_curve_of_the_diagram_is_the_lift(tmp_path):
         ("3", "135 – 315", "0", "polynomial_3_4_5"),
         ("4", "315 – 360", "0", "dwell"),
     ]
+    assert_cells_hold_their_texts(sheet)
+
+
+def assert_cells_hold_their_texts(sheet):
+    try:
+        assert [leaving(sheet, language) for language in LANGUAGES] == [[], []]
+    except NoFontError as error:
+        pytest.skip(str(error))
+
+
+def test_a_column_that_lacks_room_for_wide_letters_takes_what_the_others_spare():
+    widths = (7.0, 27.0, 17.0, 40.0)
+    table = SheetTable(title="", at=(0.0, 0.0), widths=widths, rows=(("", "0", "升程，mm", "1"),))
+    lent = table_widths(table, str)
+    assert sum(lent) == pytest.approx(sum(widths))
+    assert lent[2] == pytest.approx(TEXT * text_length("升程，mm") + 1.5)
+    assert all(one < other for one, other in zip(lent[:2], widths[:2], strict=True))
+    for text in ("升" * 40, "W" * 7):  # no room in any, and Latin ones: the letters are smaller instead
+        assert table_widths(replace(table, rows=((text,) * 4,)), str) == list(widths)
 
 
 def test_both_discs_of_a_pair_show_the_motion_of_their_lever(tmp_path):
@@ -112,6 +135,7 @@ def test_the_groove_has_both_flanks_width_depth_and_the_path_of_its_roller(tmp_p
     areas = sum(_area(hatch.outside) for hatch in cut)
     # Section along the ray at 0 and 180 degrees: the disc less bore with keyway, less the groove twice.
     assert areas == pytest.approx(14 * (237 - 20 - 2.8) - 2 * 8 * 19.1, rel=1e-4)
+    assert_cells_hold_their_texts(sheet)
 
 
 def _area(corners):
