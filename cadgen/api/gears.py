@@ -128,7 +128,7 @@ class Gear(Stated, OnePart, Pictured):
         dedendum, rack_tip_radius: sizes of the basic rack, in modules.
         tip_chamfer: leg of the chamfer at the tips, mm.
         helix_angle: helix angle β at the reference circle, rad, 0 to 45°; 0 for a spur gear.
-        hand: hand of the helix: `right`, whose teeth turn counter-clockwise as they go away, or `left`.
+        hand: hand of the helix: `right`, whose teeth turn clockwise as they go away, as a screw does, or `left`.
         double: whether the helix turns back at half the width.
         internal: whether it is a ring with teeth inside; it has no bore and no hub.
         rim: wall of a ring outside its root, mm; None for 2.5 modules.

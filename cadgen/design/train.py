@@ -58,7 +58,7 @@ class GearKeys(DesignSection):
     )
     hand: Annotated[HelixHand | None, WORD] = Field(
         default=None,
-        description="of a helical gear: `right` turns counter-clockwise as it goes away; left out, `right` for the "
+        description="of a helical gear: `right` turns clockwise as it goes away; left out, `right` for the "
         "driver and what meshes with it for the driven gear",
     )
     width_mm: float | None = Field(default=None, gt=0, le=500, description="b; left out, that of the train")

@@ -19,7 +19,7 @@ class Thinning(StrEnum):
 
 
 class HelixHand(StrEnum):
-    """HelixHand of a helix: of a right-hand one, a point turns counter-clockwise as it moves away."""
+    """Hand of a helix: teeth of a right-hand one turn clockwise as they go away, as a screw does (ISO 1122-1)."""
 
     RIGHT = "right"
     LEFT = "left"

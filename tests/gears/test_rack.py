@@ -107,7 +107,7 @@ def test_a_rack_in_the_file_has_its_corners_and_its_volume(helix, tmp_path):
         (round(p.X(), 7), round(p.Y(), 7), round(p.Z(), 7))
         for p in (BRep_Tool.Pnt_s(TopoDS.Vertex(vertex)) for vertex in parts(shape, TopAbs_VERTEX))
     }
-    # As z grows the teeth lean against the hand, seen from the pinion's side.
+    # Seen from the pinion's side, where -x is to the right, right-hand teeth lean to the right as z grows.
     for corner in (each for tooth in form.corners() for each in tooth):
         for height in (0.0, form.width):
             place = np.array([corner.real - height * tan(radians(helix)), corner.imag, height])
