@@ -47,9 +47,12 @@ def sampled_lift(cam_angle: Array, tan_beta: Array, *, blend_start: float, level
     # Cut to one turn from 0; a cubic is fixed by its Taylor expansion at the left end of each piece.
     start = cam_angle[0]
     breaks = np.unique(np.concatenate([[0.0], (angle[_OVERLAP:-_OVERLAP]) % TURN, [TURN]]))
-    at = start + (breaks[:-1] - start) % TURN + _INSIDE
-    factorials = np.array([6.0, 2.0, 1.0, 1.0])
-    taylor = np.stack([curve(at, nu=order) for order in (3, 2, 1, 0)]) / factorials[:, None]
+    if start == 0:
+        taylor = curve.c[:, _OVERLAP : _OVERLAP + len(breaks) - 1]
+    else:
+        at = start + (breaks[:-1] - start) % TURN + _INSIDE
+        factorials = np.array([6.0, 2.0, 1.0, 1.0])
+        taylor = np.stack([curve(at, nu=order) for order in (3, 2, 1, 0)]) / factorials[:, None]
     return PathMotion(
         q=PPoly(taylor, breaks, extrapolate="periodic"),
         kinks=np.array([]),

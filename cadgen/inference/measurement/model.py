@@ -9,22 +9,21 @@ of the disc (`cadgen.cam.followers.rod`).
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cache
+from functools import cache, cached_property
 from typing import Any, Generic, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline, PPoly
+from scipy.interpolate import PPoly
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll
-from cadgen.cam.follower import Contact, EdgeFollower
+from cadgen.cam.follower import Contact, EdgeFollower, FirstOrder
 from cadgen.car.path_motion import PathMotion
 from cadgen.car.running.sampled import sampled_lift
 from cadgen.curves.closed import Outline
 from cadgen.deviations.disc import DISC, Disc
 from cadgen.deviations.effect import Active, Effect, Rows, Stage, key_of, through
-from cadgen.deviations.first_order import displaced
 from cadgen.deviations.lift import FOLLOWER, Seat
 from cadgen.errors import DesignError
 from cadgen.messages import Message
@@ -108,20 +107,33 @@ class _Roll:
             moved: displacement of the outline's points, shape (m, 2), mm.
             by: change of the rod's dimensions and of the wobble, mm.
         """
-        angle = self.outline.angle
         out = np.zeros(self.share.shape[1])
-        for share, contact in zip(self.share, self.contacts, strict=True):
+        for share, (first, inner, ray, point, beyond) in zip(self.share, self._touching, strict=True):
+            x, y = (moved[point] + beyond[:, None] * (moved[point + 1] - moved[point])).T
+            c, s = ray
+            face = np.where(inner, by.follower.inner, by.follower.outer) + by.wobble[0] * c + by.wobble[1] * s
+            moved_here = first.displaced(x * c + y * s, y * c - x * s)
+            out += share * (moved_here + first.face * face + first.thicker * by.follower.radius)
+        return out
+
+    @cached_property
+    def _touching(self) -> list[tuple[FirstOrder, NDArray[np.bool_], Array, NDArray[np.intp], Array]]:
+        """Where the rod touches in each contact, for whatever moves there.
+
+        Derivatives; whether by the inner face; cosine and sine of the cam angle; the outline's point before the
+        contact, and the share of the step to the next one.
+        """
+        angle, follower, out = self.outline.angle, self.setting.follower, []
+        for contact in self.contacts:
             inner = np.abs(contact.face - contact.face.min()) < np.abs(contact.face - contact.face.max())
-            theta = contact.cam_angle
-            follower = self.setting.follower
-            first = follower.first_order(contact)
+            theta, first = contact.cam_angle, follower.first_order(contact)
             ahead = follower.base_radius + contact.face * contact.q - first.height * first.root
             place = theta + np.arctan2(contact.across, ahead)
             at = angle[0] + (place - angle[0]) % TURN
-            x, y = (np.interp(at, angle, column) for column in moved.T)
-            c, s = np.cos(theta), np.sin(theta)
-            face = np.where(inner, by.follower.inner, by.follower.outer) + by.wobble[0] * c + by.wobble[1] * s
-            out += share * (displaced(first, theta, x, y) + first.face * face + first.thicker * by.follower.radius)
+            point = np.clip(np.searchsorted(angle, at, "right") - 1, 0, len(angle) - 2)
+            step = angle[point + 1] - angle[point]
+            beyond = np.clip((at - angle[point]) / np.where(step > 0, step, 1.0), 0.0, 1.0)
+            out.append((first, inner, np.stack([np.cos(theta), np.sin(theta)]), point, beyond))
         return out
 
 
@@ -239,8 +251,16 @@ class Rolled:
         return self._rolls.of(key_of(moved), rolled)
 
     def _closed(self, values: Array) -> PPoly:
-        """A periodic spline through values on the grid."""
-        return CubicSpline(np.append(self._grid, TURN), np.append(values, values[0]), bc_type="periodic")
+        """A periodic cubic spline through values on the grid.
+
+        With even steps h the slopes m of m_(i-1) + 4 m_i + m_(i+1) = 3 (y_(i+1) - y_(i-1)) / h follow wave by wave.
+        """
+        step = TURN / len(values)
+        wave = np.arange(len(values) // 2 + 1) * step
+        slope = np.fft.irfft(np.fft.rfft(values) * 3j * np.sin(wave) / (2 + np.cos(wave)), len(values)) / step
+        rise, next_slope = (np.roll(values, -1) - values) / step, np.roll(slope, -1)
+        terms = [(slope + next_slope - 2 * rise) / step**2, (3 * rise - 2 * slope - next_slope) / step, slope, values]
+        return PPoly.construct_fast(np.stack(terms), np.append(self._grid, TURN), extrapolate="periodic")
 
 
 def _plus(change: PPoly | None, slope: PPoly, by: float) -> PPoly:

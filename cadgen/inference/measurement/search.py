@@ -106,13 +106,21 @@ class Families:
     def _alike(self, width: int, which: Index) -> Alike:
         """Effects by their numbers, each of which has so many columns."""
         columns = np.array([self.spans[i].start for i in which], dtype=np.intp)[:, None] + np.arange(width)
-        own = np.einsum("nki,nkj->kij", self.white[:, columns], self.white[:, columns])
-        taken = np.einsum("gqki,gqkj->gkij", self.halves[:, :, columns], self.halves[:, :, columns])
+        own, taken = (_own_products(each[..., columns]) for each in (self.white, self.halves))
         whole = np.einsum("kii->ki", own)
         left = np.maximum(whole - np.einsum("gkii->gki", taken), 0.0)
         # What the discrepancy hides but for rounding is of no size that anything could be measured against.
         size = np.where(left > _HIDDEN * whole, np.sqrt(left), np.inf)
         return Alike(which, columns, own - taken, size)
+
+
+def _own_products(columns: Array) -> Array:
+    """Products of each member's columns with each other, from shape (..., q, k, width) to (..., k, width, width)."""
+    width = columns.shape[-1]
+    pairs = [
+        [np.einsum("...qk,...qk->...k", columns[..., i], columns[..., j]) for j in range(width)] for i in range(width)
+    ]
+    return np.stack([np.stack(row, axis=-1) for row in pairs], axis=-2)
 
 
 Start = tuple[tuple[Effect, ...], Active]  # a subset, and values to begin from
