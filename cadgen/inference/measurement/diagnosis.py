@@ -43,7 +43,7 @@ from cadgen.inference.measurement.reservations import (
     with_reservations,
 )
 from cadgen.inference.measurement.runs_left_out import diagnose_logged
-from cadgen.inference.measurement.search import find
+from cadgen.inference.measurement.search import Start, best_of, find
 from cadgen.inference.measurement.verdict import Judgement, Verdict, judge
 from cadgen.messages import Message
 from cadgen.progress import Progress, silent
@@ -81,6 +81,7 @@ def weigh(
     progress: Progress = silent,
     play: tuple[float, float] | None = None,
     usual: Mapping[Quantity, tuple[float, float]] | None = None,
+    starts: Sequence[Start] = (),
 ) -> Weighed:
     """Search the effects that explain records of one car, and judge them.
 
@@ -90,6 +91,7 @@ def weigh(
         progress: function that is called with a few words on each step.
         play: return error that was measured apart, and its standard deviation, rad.
         usual: of the workshop, as of `Nominal`.
+        starts: subsets to be fitted first, with values to begin from.
 
     Raises:
         FileError: one run only, with too few rows to tell its noise.
@@ -104,7 +106,7 @@ def weigh(
     joint = Joint.of(parts)
     count = len(joint.core) + len(joint.members)
     progress(Message("{source}: comparing all small subsets of {count} effects", source=joint.source, count=count))
-    found = find(joint, usual)
+    found = find(joint, usual, starts)
     quieter = []
     for part in joint.parts:
         noise = resolved(part.record, estimate_noise(part.model, part.residual(found[0].active)))
@@ -113,7 +115,7 @@ def weigh(
     if any(new is not old for new, old in zip(quieter, joint.parts, strict=True)):
         # Runs that were taken differently differ by an effect, and not by noise alone.
         joint = replace(joint, parts=tuple(quieter))
-        found = find(joint, usual)
+        found = find(joint, usual, starts)
     judgement, best = judge(joint, found)
     found_alone = best = sized(joint, best)
     best, another = with_known_play(joint, best, play)
@@ -387,11 +389,13 @@ class WeighedTogether:
         joint: the joint verdict.
         records: as their files are, one of each kind.
         alone: verdict on one of them.
+        together: joint verdict, from subsets to be fitted first; None if none of them is likelier than the joint one.
     """
 
     joint: Weighed
     records: tuple[Record, ...]
     alone: Callable[[Record], Weighed]
+    together: Callable[[Sequence[Start]], Weighed | None]
 
     def diagnoses(self, progress: Progress = silent) -> tuple[EvidenceDiagnosis, ...]:
         """Diagnosis of each record, each by itself where they contradict each other."""
@@ -399,8 +403,10 @@ class WeighedTogether:
             return self.joint.diagnoses(progress)
         # What no car of one kind shows may be of two cars, or of one in two states: records are likelier apart then.
         apart = [self.alone(record) for record in self.records]
-        if self.joint.best.score < sum(each.best.score for each in apart) + CONTRADICTED:
-            return self.joint.diagnoses(progress)
+        # Subsets of each record by itself may be likelier together than what was found for both.
+        joint = self.together(_starts(self.joint.joint, apart)) or self.joint
+        if joint.judgement.verdict in SOUND or joint.best.score < sum(each.best.score for each in apart) + CONTRADICTED:
+            return joint.diagnoses(progress)
         limit = Message(
             "the records contradict each other: they are likelier of several cars than of one, and so they were judged "
             "apart; make sure that they are of one car in one state"
@@ -427,11 +433,36 @@ def weigh_together(records: Sequence[Record], nominal: Nominal, progress: Progre
         return known[record.kind]
 
     if len(joined) == 1:
-        return WeighedTogether(alone(joined[0]), tuple(joined), alone)
+        return WeighedTogether(alone(joined[0]), tuple(joined), alone, lambda starts: None)
     # Friction acts in all records of a car, but where the rod was lifted.
     settled = [record.kind.settled(record, partial(_shown, alone, record)) for record in joined]
-    together = _with_states(weigh(settled, nominal.model, progress, nominal.play, nominal.usual), joined)
-    return WeighedTogether(together, tuple(joined), alone)
+
+    def weighed(starts: Sequence[Start] = ()) -> Weighed:
+        return _with_states(weigh(settled, nominal.model, progress, nominal.play, nominal.usual, starts), joined)
+
+    first = weighed()
+
+    def together(starts: Sequence[Start]) -> Weighed | None:
+        better = best_of(first.joint, nominal.usual, starts).score < first.found[0].score
+        return weighed(starts) if better else None
+
+    return WeighedTogether(first, tuple(joined), alone, together)
+
+
+def _starts(joint: Joint, apart: Sequence[Weighed]) -> list[Start]:
+    """Named effects that each record shows by itself, and all of them together, as effects of all records."""
+    effects, starts = {e.key: e for e in (*joint.core, *joint.members)}, []
+    for one in apart:
+        (alone,) = one.joint.parts
+        here = {own.key: key for part in joint.parts if part.kind is alone.kind for key, own in part.names.items()}
+        values = {here.get(alone.names[e.key].key, ""): v for e, v in one.best.active if e in one.best.effects}
+        starts.append({key: v for key, v in values.items() if key in effects and not effects[key].shape})
+    starts.append({key: v for start in starts for key, v in start.items()})
+    return [
+        (tuple(e for key, e in effects.items() if key in start), [(effects[key], v) for key, v in start.items()])
+        for start in starts
+        if start
+    ]
 
 
 def _shown(alone: Callable[[Record], Weighed], record: Record) -> list[str]:

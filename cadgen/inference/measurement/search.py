@@ -8,7 +8,7 @@ best one without an anonymous shape, if that has one. At last the subsets within
 """
 
 from collections import Counter
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import chain, combinations, pairwise
@@ -177,20 +177,22 @@ class Round:
     always: Index
 
 
-def find(joint: Joint, usual: Mapping[Quantity, tuple[float, float]] | None = None) -> list[Hypothesis]:
+def find(
+    joint: Joint, usual: Mapping[Quantity, tuple[float, float]] | None = None, starts: Sequence[Start] = ()
+) -> list[Hypothesis]:
     """Fit the most likely subsets exactly; best first by score, the empty one always among them.
 
     Args:
         joint: the records.
         usual: mean and standard deviation of numbers by their keys over a workshop's cars, internal units.
+        starts: subsets to be fitted first, with values to begin from.
     """
     core, named = distinguishable(joint), joint.members
-    entries = Counter(e.sort for e in (*core, *named) if not (e.shape or e.parts or e.beside))
-    anonymous = len(joint.shapes) + sum(e.shape for e in named)
-    search = Search(joint.rows, entries, max(anonymous, 1), usual or {})
+    search = _size(joint, core, usual or {})
     none = fit(joint, (), [], search)
     fitted = {none.key: none}
-    best = about = none
+    _fit_new(joint, list(starts), fitted, search)
+    best = about = min(fitted.values(), key=lambda h: h.score)
     # Members of families are small and many: their tangents at the bare design serve for all rounds.
     families = Families(joint, side_by_side(tangents(joint, named, none), of_shapes(joint)))
     for _ in range(ROUNDS):
@@ -210,6 +212,22 @@ def find(joint: Joint, usual: Mapping[Quantity, tuple[float, float]] | None = No
             break
     _fit_new(joint, list(_within(joint, min(fitted.values(), key=lambda h: h.score))), fitted, search)
     return sorted(fitted.values(), key=lambda h: h.score)
+
+
+def best_of(joint: Joint, usual: Mapping[Quantity, tuple[float, float]] | None, starts: Sequence[Start]) -> Hypothesis:
+    """The best by score of the empty subset and of some others, fitted from given values; arguments as of `find`."""
+    search = _size(joint, distinguishable(joint), usual or {})
+    none = fit(joint, (), [], search)
+    fitted = {none.key: none}
+    _fit_new(joint, list(starts), fitted, search)
+    return min(fitted.values(), key=lambda h: h.score)
+
+
+def _size(joint: Joint, core: tuple[Effect, ...], usual: Mapping[Quantity, tuple[float, float]]) -> Search:
+    """Size of the search among freely combining effects, members of families and shapes."""
+    entries = Counter(e.sort for e in (*core, *joint.members) if not (e.shape or e.parts or e.beside))
+    anonymous = len(joint.shapes) + sum(e.shape for e in joint.members)
+    return Search(joint.rows, entries, max(anonymous, 1), usual)
 
 
 def _within(joint: Joint, best: Hypothesis) -> Iterator[Start]:
