@@ -67,10 +67,10 @@ class PitchErrors:
 
     Attributes:
         measured: f_p, F_p, and F_r where both flanks were measured.
-        off: eccentricity of the teeth; None with one flank.
+        off: eccentricity of the teeth; None where it is not told from the table's error.
         towards: angle along the count from tooth 1 to where they stand out, rad.
-        table: amplitude of the index error that is alike on both flanks; None with one flank.
-        once: amplitude once a turn, where one flank alone was measured.
+        table: amplitude of the index error that is alike on both flanks; None where not told from an eccentricity.
+        once: amplitude once a turn, where one flank alone was measured, or both fit the table and an eccentricity.
     """
 
     measured: tuple[FlankFigure, ...]
@@ -184,7 +184,7 @@ def pitch_errors(record: Record, form: GearForm) -> PitchErrors:
         solved, sigmas = _solved(columns[:, 2:], data, slow)
         once = Sized(hypot(*solved), float(np.mean(sigmas)))
         return PitchErrors(measured=tuple(measured), off=None, towards=0.0, table=None, once=once)
-    solved, sigmas = _fewest(columns, data, slow)
+    solved, sigmas, sure = _fewest(columns, data, slow)
     off = Sized(hypot(solved[0], solved[1]) * cos(alpha), float(np.mean(sigmas[:2])) * cos(alpha))
     table = Sized(hypot(solved[2], solved[3]), float(np.mean(sigmas[2:])))
     # A ball in a space moves out where the space is narrow. Its flanks lie on neighbouring teeth; their normals lean by
@@ -192,6 +192,10 @@ def pitch_errors(record: Record, form: GearForm) -> PitchErrors:
     narrow = np.roll(index[RIGHT], 1) - index[LEFT]
     out = narrow * cos(alpha) / (2 * sin(alpha + pi / teeth - form.half_angle(form.reference_diameter)))
     measured.append(FlankFigure(symbol="F_r", left=float(np.ptp(out)), right=None))
+    if not sure:
+        alike, spread = _solved(columns[:, 2:], data, slow)
+        once = Sized(hypot(*alike), float(np.mean(spread)))
+        return PitchErrors(measured=tuple(measured), off=None, towards=0.0, table=None, once=once)
     return PitchErrors(
         measured=tuple(measured),
         off=off,
@@ -202,42 +206,53 @@ def pitch_errors(record: Record, form: GearForm) -> PitchErrors:
 
 
 _PART = 12.0  # χ² that a further part must explain
-_SLOW = range(2, 7)  # orders by which the index errors of once a turn are judged
+_TOLD = 6.0  # χ² by which one of two causes must fit better: odds of 20 to 1
+_SLOW = range(2, 9)  # orders by which the index errors of once a turn are judged
+_FALLS = np.linspace(0.0, 2.0, 11)  # exponents with which their power may fall
 
 
 def _slow_noise(index: Sequence[Array], *, walks: bool) -> float:
     """Variance of an index whose errors all were as slow as once a turn, mm²; neighbouring teeth have much the same.
 
-    The power falls with the order k at least as 1/k. Sums of single pitches walk: theirs falls as 1/sin²(π k/z).
+    Sums of single pitches walk: their power falls with the order k as 1/sin²(π k/z). So does an index that a machine
+    has added up of pitches itself; one that was read as such need not fall. So its exponent p is that of the record,
+    each from 0 to 2 weighed by its likelihood: powers P are exponential about s k^-p, with the mean of P k^p for s.
 
     Args:
         index: deviations of all z teeth, mm, by flank.
         walks: whether the index is a sum of single pitches.
     """
-    powers = []
-    for values in index:
-        turns = np.fft.rfft(values) / len(values)
-        for order in range(2, len(turns)) if walks else _SLOW:
-            fall = (sin(pi * order / len(values)) / sin(pi / len(values))) ** 2 if walks else order
-            if order < len(turns):
-                powers.append(fall * 2 * abs(turns[order]) ** 2)
-    return float(np.mean(powers)) * len(index[0]) / 2 if powers else 0.0
+    teeth = len(index[0])
+    orders = np.array([k for k in (range(2, teeth) if walks else _SLOW) if k <= teeth // 2], dtype=float)
+    if not orders.size:
+        return 0.0
+    power = np.concatenate([2 * np.abs(np.fft.rfft(each)[orders.astype(int)] / teeth) ** 2 for each in index])
+    order = np.tile(orders, len(index))
+    if walks:
+        return float(np.mean(power * (np.sin(pi * order / teeth) / sin(pi / teeth)) ** 2)) * teeth / 2
+    size = np.maximum((power * order ** _FALLS[:, None]).mean(axis=1), _LEAST**2)
+    likely = _FALLS * np.log(order).sum() - len(order) * np.log(size)
+    weight = np.exp(likely - likely.max())
+    return float(size @ weight / weight.sum()) * teeth / 2
 
 
-def _fewest(columns: Array, data: Array, slow: float) -> tuple[Array, Array]:
-    """Coefficients of eccentricity and of the table's error with their deviations; 0 for one that is not needed."""
+def _fewest(columns: Array, data: Array, slow: float) -> tuple[Array, Array, bool]:
+    """Coefficients of eccentricity and of the table's error with their deviations; 0 for one that is not needed.
+
+    Last whether the one that is needed is told from the other.
+    """
     whole, _ = _solved(columns, data)
     noise = max(float(np.sum((data - columns @ whole) ** 2)) / max(len(data) - 4, 1), slow, _LEAST**2)
-    best = None
+    found = []
     for part in (slice(0, 2), slice(2, 4), slice(0, 4)):
         solved, sigmas = _solved(columns[:, part], data, noise)
         cost = float(np.sum((data - columns[:, part] @ solved) ** 2)) / noise + _PART * (part.stop - part.start) / 2
-        if best is None or cost < best[0]:
-            values, spread = np.zeros(4), np.zeros(4)
-            values[part], spread[part] = solved, sigmas
-            best = cost, values, spread
-    assert best is not None
-    return best[1], best[2]
+        values, spread = np.zeros(4), np.zeros(4)
+        values[part], spread[part] = solved, sigmas
+        found.append((cost, values, spread))
+    costs = [cost for cost, _, _ in found]
+    best = int(np.argmin(costs))
+    return found[best][1], found[best][2], best == 2 or abs(costs[0] - costs[1]) > _TOLD
 
 
 _LEAST = 1e-6  # mm: no machine reads finer

@@ -517,6 +517,15 @@ def _of_pitch(pitch: PitchErrors, form: GearForm) -> list[Message]:
         return []
     if pitch.once is not None or pitch.off is None or pitch.table is None:
         size = 0.0 if pitch.once is None else pitch.once.value
+        if pitch.measured[0].left is not None and pitch.measured[0].right is not None:
+            return [
+                Message(
+                    "Once a turn the index is off by {size:.1f} µm, and both flanks fit run-out as well as the "
+                    "indexing of the machine: measure again with the part turned by a third on its arbor, to tell them "
+                    "apart.",
+                    size=_UM * size,
+                )
+            ]
         return [
             Message(
                 "Once a turn the index is off by {size:.1f} µm: run-out or the indexing of the machine; measure the "
