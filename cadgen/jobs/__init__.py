@@ -15,6 +15,7 @@
 | `frame_writer` | files and sheets of a frame                              |
 | `frame_parts` | parts of a frame among the parts of its car              |
 | `car_assembly` | a car put together: all parts at their places            |
+| `mounting_parts` | collars, spring, brake and what else mounting needs     |
 | `car_gaps`    | gaps of each part of a car to the nearest others         |
 | `assembly_checks` | whether a car put together stands, and has the energy  |
 | `assembly_files` | a car put together -> STEP, list of parts, sheets        |

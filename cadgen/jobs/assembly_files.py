@@ -11,7 +11,9 @@ from pathlib import Path
 import numpy as np
 
 from cadgen.car.assembly.car_parts import CarPart, Content, GroupKind, Supply
+from cadgen.design.blank import TIGHT
 from cadgen.design.drive import DriveKind
+from cadgen.design.play import Braked
 from cadgen.figures import Facts
 from cadgen.geometry.meshes.car_meshes import Seen, seen
 from cadgen.jobs.assembly_checks import assembly_verdict, centre_of_gravity
@@ -91,8 +93,8 @@ def parts_csv(assembly: CarAssembly) -> str:
                 "yes" if part.assumed else "no",
                 part.supply,
                 part_stem(assembly, part) if drawn_here(part) else part.standard,
-                f"{part.each:.3f}",
-                f"{part.each * part.quantity:.3f}",
+                f"{part.each:.3f}" if part.each else "",
+                f"{part.each * part.quantity:.3f}" if part.each else "",
             )
         )
     return text.getvalue()
@@ -189,6 +191,15 @@ def mountings(assembly: CarAssembly) -> tuple[ShaftMounting, ...]:
     return tuple(tables)
 
 
+def loose_parts(assembly: CarAssembly) -> tuple[tuple[str, str, str, str], ...]:
+    """Number in the list, name, quantity and place of every part that no view shows."""
+    return tuple(
+        (str(number), part.title, str(part.quantity), part.how)
+        for number, part in enumerate(assembly.parts, 1)
+        if not part.places
+    )
+
+
 def _remark(assembly: CarAssembly, part: CarPart) -> str:
     """Remark on a part: key, face, and what holds it."""
     left, right = Message("left"), Message("right")
@@ -213,6 +224,8 @@ def _remark(assembly: CarAssembly, part: CarPart) -> str:
         joint = assembly.train.making.shaft(part.shaft, len(assembly.train.layout.on_shafts)).fit.joint
         if gear.blank.hub is not None and gear.blank.hub.set_screw is not None:
             said.append(Message("set screw"))
+        elif joint not in TIGHT:
+            said.append(Message("a drop of adhesive against sliding"))
     else:
         return part.how
     if joint is not None:
@@ -241,27 +254,26 @@ def mounting_notes(assembly: CarAssembly) -> Iterator[Message]:
             "too."
         )
     else:
+        if framed:
+            yield Message(
+                "Bond the bearings into their seats in plates, bracket and block before the shafts, flush with the "
+                "face that looks to the train."
+            )
         yield Message(
             "Put the gears of each shaft on in the order of its table, then all shafts into the {side} plate, the "
             "camshaft first, and the other plate over them. What stands outside the plates comes after that.",
             side=Message("right") if found.place.towards < 0 else Message("left"),
         )
     if framed and not printed:
-        yield Message(
-            "Bond the bearings into their seats in plates, bracket and block before the shafts, flush with the face "
-            "that looks to the train. Set the tabs of plates and brackets into the slots of the base, and screw all "
-            "from below: {screws}.",
-            screws=joined(
-                Message("{count} of {standard}", count=part.quantity, standard=part.standard)
-                for part in assembly.parts
-                if part.code.startswith(("screw-iso-4762", "nut") if design.drive is None else "screw-iso-4762")
-                and not part.places
-            ),
-        )
+        yield Message("Set the tabs of plates and brackets into the slots of the base, and screw all from below.")
+    yield Message(
+        "Bond each shaft into the inner ring of one of its bearings, of that nearest to the disc, and leave it free in "
+        "the other one: it then cannot move along its axis."
+    )
     if framed:
         drive = design.drive
         if drive is not None and drive.kind == DriveKind.MOTOR:
-            yield Message("Motor: screw it to the base from below; its shaft drives the rear axle.")
+            yield Message("Motor: screw it to the base from below; its shaft drives the rear axle by belt or gears.")
         elif drive is not None:
             yield Message(
                 "Weight: set the tubes over their holes in the base with the threaded rods in them, put the weight "
@@ -269,9 +281,15 @@ def mounting_notes(assembly: CarAssembly) -> Iterator[Message]:
                 "pulley's bracket on the plate; {how}.",
                 how=assembly.part("drop-weight").how,
             )
+        else:
+            yield Message(
+                "Drive: screw motor or weight on the holes for it in the base, if they suit it; it drives the rear "
+                "axle."
+            )
         yield Message(
-            "Fork: screw the block on its platform, the platform on its spacers, and push the spindle through the "
-            "bearings of the block from above. Then bond the bridge on its lower end, parallel to the rod."
+            "Fork: bond the bearings into its block, screw the block on its platform, the platform on its spacers, and "
+            "push the spindle through the bearings from above. Bond it into their inner rings while they are pressed "
+            "together, then the bridge on its lower end, parallel to the rod."
         )
     else:
         yield Message("Fork: bond the spindle into its bridge, after its bearings.")
@@ -282,21 +300,38 @@ def mounting_notes(assembly: CarAssembly) -> Iterator[Message]:
     )
     deviation = design.tolerances.base_radius_mm
     within = f"± {deviation:g} mm" if deviation else Message("what the design's tolerances say")
-    yield Message(
-        "Set the fork axis {distance} mm ahead of the camshaft with the micrometer head; hold it within {within}.",
-        distance=rounded(site.base_radius, 3),
-        within=within,
-    )
-    if mechanics is not None:
+    if framed and frame_in(layout).frame.sizes.stem:
         yield Message(
-            "Hook in the spring: it presses the rod on the disc with {force:g} N.", force=mechanics.rod_force_N
+            "Bond the micrometer head into its {holder}, its spindle towards the platform. Set the fork axis "
+            "{distance} mm ahead of the camshaft with it, and tighten the screws of the platform; hold it within "
+            "{within}.",
+            holder=Message("wall") if printed else Message("bracket"),
+            distance=rounded(site.base_radius, 3),
+            within=within,
         )
-        if mechanics.drag_least_Nmm:
-            yield Message(
-                "Set the brake so that the camshaft takes {least:g} to {most:g} N·mm to turn, without the rod.",
-                least=mechanics.drag_least_Nmm,
-                most=mechanics.drag_greatest_Nmm or mechanics.drag_least_Nmm,
-            )
+    else:
+        yield Message(
+            "Set the fork axis {distance} mm ahead of the camshaft; hold it within {within}.",
+            distance=rounded(site.base_radius, 3),
+            within=within,
+        )
+    yield Message(
+        "Leg spring: push it on the journal over the head of the spindle, one leg round the rod, the other behind "
+        "{what}. It presses the rod on the disc with {force:g} N{where}.",
+        what=Message("the block") if framed else Message("the frame"),
+        force=1.0 if mechanics is None else mechanics.rod_force_N,
+        where=Message(", which the design does not state") if mechanics is None else "",
+    )
+    if mechanics is not None and mechanics.drag_least_Nmm:
+        yield Message(
+            "Brake: bond the felt {where}. Set it by pieces of felt so that the camshaft takes {least:g} to {most:g} "
+            "N·mm to turn, without the rod.",
+            where=_felt_place(mechanics.drag_on, framed=framed, printed=printed),
+            least=mechanics.drag_least_Nmm,
+            most=mechanics.drag_greatest_Nmm or mechanics.drag_least_Nmm,
+        )
+    if mechanics is None or mechanics.greased:
+        yield Message("Grease the rim of the disc and the rod.")
     yield from _slack_notes(assembly)
     start = degrees(assembly.fork_angle(0.0)) * site.rod_side
     yield Message(
@@ -309,6 +344,17 @@ def mounting_notes(assembly: CarAssembly) -> Iterator[Message]:
         "Trim: after a trial run give cadgen adjust what it ended off; set the micrometer head and the rod's angle as "
         "it says, and run again."
     )
+
+
+def _felt_place(braked: Braked, *, framed: bool, printed: bool) -> Message:
+    """Place of the brake's felt."""
+    if braked == Braked.SHAFT:
+        return Message("round the camshaft, in a clip on the frame")
+    if printed:
+        return Message("on the face of the wall that looks to the disc, where it touches no hole of it")
+    if framed:
+        return Message("on the face of the bearing plate that looks to the disc, where it touches no hole of it")
+    return Message("where it touches the face of the disc, and no hole of it")
 
 
 def _slack_notes(assembly: CarAssembly) -> Iterator[Message]:
@@ -334,10 +380,18 @@ def _slack_notes(assembly: CarAssembly) -> Iterator[Message]:
             height=found.height - carried.high,
             angle=angle,
         )
+    wound = Message(
+        "Take up the slack before each start: pushing the car back or turning the cam by hand opens the play."
+    )
+    if carried is not None and carried.body.fall:
+        wound = Message(
+            "Take up the slack before each start, after the string is wound: winding it, pushing the car back or "
+            "turning the cam by hand opens the play again."
+        )
+    yield wound
     yield Message(
-        "Take up the slack before each start, after the string is wound: winding it, pushing the car back or turning "
-        "the cam by hand opens the play again. Turn the drive wheel forward until the cam moves, and never back after "
-        "that. The teeth leave the cam {play:.2f}° of play, which must be used up before the start{within}.",
+        "Turn the drive wheel forward until the cam moves, and never back after that. The teeth leave the cam "
+        "{play:.2f}° of play, which must be used up before the start{within}.",
         play=degrees(assembly.train.return_error.as_cut),
         within=Message(" to within {gap:g}°", gap=gap) if gap else "",
     )
@@ -351,7 +405,7 @@ def sheet_notes(assembly: CarAssembly, mass: Content) -> Iterator[Message]:
             "Materials that the design does not state are usual ones: {parts}.",
             parts=joined(str(number) for number, part in enumerate(assembly.parts, 1) if part in assumed),
         )
-    yield Message("Parts without a balloon are not drawn: screws and pins are listed with their standard.")
+    yield Message("Parts without a balloon are not drawn: where they belong stands in the steps of mounting.")
 
 
 def write_assembly(assembly: CarAssembly, out: Path, cam_angle: float = 0.0, progress: Progress = silent) -> Written:
@@ -387,7 +441,7 @@ def write_assembly(assembly: CarAssembly, out: Path, cam_angle: float = 0.0, pro
                 number=mounting,
                 document=Message("assembly instructions"),
             )
-            steps = mounting_sheet(mountings(assembly), tuple(mounting_notes(assembly)), title)
+            steps = mounting_sheet(mountings(assembly), loose_parts(assembly), tuple(mounting_notes(assembly)), title)
             yield from write_sheet(staging, mounting, steps, omitted)
             for number, drawn in part_sheets(assembly, folder):
                 yield from write_sheet(staging, number, drawn, omitted)

@@ -62,6 +62,7 @@ from cadgen.jobs.car_frame import frame_in
 from cadgen.jobs.car_layout import CarLayout, train_in_car
 from cadgen.jobs.frame_parts import frame_parts, known_material
 from cadgen.jobs.gears.train_making import TrainMaking
+from cadgen.jobs.mounting_parts import Mounted, collar_room, mounting_parts
 from cadgen.messages import Message
 from cadgen.output.files.manifest import Origin
 from cadgen.parts.body import Body, RadialHole, Slab
@@ -242,6 +243,25 @@ class _Parts:
         yield from self.drum()
         yield from self.fork()
         yield from self.screws()
+        yield from mounting_parts(self.mounted)
+
+    @property
+    def mounted(self) -> Mounted:
+        """Places and sizes that collars, spring and the like go by."""
+        site, blank = self.site, self.cam.made_blank
+        assert self.car.arrangement is not None  # `put_together` refuses a car without an arrangement
+        return Mounted(
+            design=self.car.design,
+            site=site,
+            place=self.car.arrangement.place,
+            axle=self.groups[0],
+            camshaft=self.groups[-1],
+            fork=self.fork_group,
+            bores=(self.turning.parts[0].part.blank.shaft_diameter, self.turning.parts[-1].part.blank.shaft_diameter),
+            disc=(min(each.low for each in site.disc), max(each.high for each in site.disc)),
+            joint=self.cam.making.fit.joint,
+            screwed=blank.hub is not None and blank.hub.set_screw is not None,
+        )
 
     def disc(self) -> CarPart:
         """Disc of the cam on the camshaft."""
@@ -361,7 +381,10 @@ class _Parts:
         if number == 1:
             for z, side in self._rear_wheels():
                 low, high = min(low, z - half), max(high, z + half)
-                low, high = min(low, z + side * (half + WHEEL_HUB)), max(high, z + side * (half + WHEEL_HUB))
+                end = z + side * (half + WHEEL_HUB)
+                if z == site.idle_wheel:
+                    end += side * collar_room(self.turning.parts[0].part.blank.shaft_diameter)
+                low, high = min(low, end), max(high, end)
         if number == len(self.groups):
             below = place.towards > 0
             disc = (min(each.low for each in site.disc), max(each.high for each in site.disc))
@@ -635,6 +658,7 @@ class _Parts:
             supply=Supply.BOUGHT,
             standard="ISO 4762, M3 x 8",
             further=4,
+            how=Message("through the cheeks into the ends of the bridge"),
         )
 
     def screws(self) -> Iterator[CarPart]:
@@ -657,6 +681,7 @@ class _Parts:
             supply=Supply.BOUGHT,
             standard="ISO 4029, M3 x 4",
             further=count,
+            how=Message("in the hubs that are tapped for them"),
         )
 
 

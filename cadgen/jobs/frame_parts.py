@@ -1,5 +1,6 @@
 """Parts of a frame among the parts of its car."""
 
+from collections import Counter
 from collections.abc import Iterator
 
 import numpy as np
@@ -15,12 +16,13 @@ from cadgen.design.frame import FrameSection
 from cadgen.design.train import PlateSection
 from cadgen.jobs.cam.cam_plan import DENSITY
 from cadgen.jobs.car_frame import CarFrame
-from cadgen.messages import Message
+from cadgen.messages import Message, joined
 
 _STANDS = MovingGroup(GroupKind.FRAME)
 _STEEL = DENSITY[DiscMaterial.STEEL] * 1e-3  # g/mm³
 _HOLLOW = 0.6  # of a bearing's ring: the room between its rings is empty
 _PULLEY, _KNOTS = 10.0, 200.0  # g of a small pulley in its bracket; mm of string for two knots and the pulley
+_BELT = 10.0  # g of a small belt with its pulleys, or of two gears
 _DARK, _BRASS = (0.22, 0.24, 0.27), (0.78, 0.65, 0.30)
 
 
@@ -92,8 +94,9 @@ def _drive(carried: Carried) -> Iterator[CarPart]:
         supply=Supply.BOUGHT,
         standard=f"{body.along:g} x {body.tall:g}, {body.mass:g} kg" if body.fall else f"{size}, {body.mass:g} kg",
         how=Message(
-            "its string leads through the top plate, over a pulley of {size:.1f} mm, down behind the rear axle, is "
-            "wound by {turns:.1f} turns of the wheels backwards on {what}, and is knotted behind the hole in it",
+            "between its tubes; its string leads through the top plate, over a pulley of {size:.1f} mm, down behind "
+            "the rear axle, is wound by {turns:.1f} turns of the wheels backwards on {what}, and is knotted behind the "
+            "hole in it",
             size=carried.pulley,
             turns=body.turns,
             what=Message("the drum") if body.drum else Message("the axle"),
@@ -102,11 +105,27 @@ def _drive(carried: Carried) -> Iterator[CarPart]:
         else Message("screwed to the base from below; its shaft drives the rear axle"),
     )
     long = f"{body.string:g} mm x {carried.tubes + body.fall + _KNOTS:.0f} mm"
-    bought = (
-        ("pulley", Message("pulley of the string, in its bracket"), f"Ø{carried.pulley:.1f}", _PULLEY),
-        ("string", Message("string"), long, 0.5),
-    )
-    for code, title, standard, mass in bought if body.fall else ():
+    bought = [
+        (
+            "pulley",
+            Message("pulley of the string, in its bracket"),
+            f"Ø{carried.pulley:.1f}",
+            _PULLEY,
+            Message("on the top plate"),
+        ),
+        ("string", Message("string"), long, 0.5, Message("from the weight over the pulley to the rear axle")),
+    ]
+    if not body.fall:
+        bought = [
+            (
+                "motor-drive",
+                Message("belt or gears between motor and rear axle"),
+                Message("by the motor"),
+                _BELT,
+                Message("from the motor's shaft to the rear axle"),
+            )
+        ]
+    for code, title, standard, mass, how in bought:
         yield CarPart(
             code=code,
             title=title,
@@ -119,6 +138,7 @@ def _drive(carried: Carried) -> Iterator[CarPart]:
             supply=Supply.BOUGHT,
             standard=standard,
             further=1,
+            how=how,
         )
 
 
@@ -144,7 +164,7 @@ def _bought(frame: CarFrame) -> Iterator[CarPart]:
         kinds.setdefault(part.code, []).append(part)
     for code, parts in kinds.items():
         first, number = parts[0], len(parts)
-        drawn = first.kind in (BoughtKind.BEARING, BoughtKind.SPACER, BoughtKind.TUBE)
+        drawn = first.kind not in (BoughtKind.SCREW, BoughtKind.NUT)
         material = DiscMaterial.ALUMINIUM if first.kind == BoughtKind.TUBE else DiscMaterial.STEEL
         shape = None
         if drawn:
@@ -153,6 +173,8 @@ def _bought(frame: CarFrame) -> Iterator[CarPart]:
         if first.kind == BoughtKind.BEARING:  # as the car calls those in its plates
             outside, bore, _, _ = first.rounds[0]
             own = f"bearing-{bore:g}-{outside:g}"
+        elif first.kind == BoughtKind.MICROMETER:
+            own = "micrometer-head"
         volume = sum(np.pi / 4 * (outer**2 - bore**2) * (high - low) for outer, bore, low, high in first.rounds)
         yield CarPart(
             code=own.replace(".", "p"),
@@ -168,7 +190,16 @@ def _bought(frame: CarFrame) -> Iterator[CarPart]:
             standard=code,
             mass=None if drawn else _STEEL * volume,
             further=0 if drawn else number,
+            how=_where(parts),
         )
+
+
+def _where(parts: list[Bought]) -> str:
+    """Where like parts belong, with how many of them where they belong to several places."""
+    count = Counter(part.where for part in parts if part.where)
+    if len(count) <= 1:
+        return next(iter(count), "")
+    return joined(Message("{count} {where}", count=number, where=where) for where, number in count.items())
 
 
 def material_of(frame: CarFrame) -> str | None:
@@ -200,5 +231,5 @@ def _matrix(place: PartPlace) -> Array:
 def _along(part: Bought) -> Array:
     """Place whose z axis is that of a bought part."""
     way = np.asarray(part.way)
-    beside = np.array([1.0, 0.0, 0.0])
+    beside = np.array([0.0, 0.0, 1.0] if abs(way[0]) > 0.5 else [1.0, 0.0, 0.0])
     return np.column_stack([beside, np.cross(way, beside), way, np.asarray(part.start)])

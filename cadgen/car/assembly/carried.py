@@ -145,6 +145,11 @@ class Carried:
         return (self.body.reach, self.z - half, self.z + half) if self.body.drum else None
 
     @property
+    def bracket_holes(self) -> tuple[SheetHole, ...]:
+        """Holes of the pulley's bracket in the top plate, the last two that are drilled; none of a motor."""
+        return () if self.top is None else self.top.holes[-2:]
+
+    @property
     def drum(self) -> Block:
         """Drum in its own frame, whose z runs along the axle from the face of its right flange."""
         body, long = self.body, self.body.winding

@@ -2,8 +2,8 @@
 
 Sizes of bearings up to a bore of 10 mm, of screws (ISO 4762), nuts (ISO 4032), clearance holes (ISO 273) and keys are
 those of the tables of bd_warehouse 0.4.0 (Apache-2.0). Its bearings are of a maker's catalogue (SKF). 683 and 693 are
-of the table at softsolder.com/2011/02/18/miniature-ball-bearing-sizes. Bearings of 12 and 15 mm are usual catalogue
-sizes, which no table at hand held.
+of the table at softsolder.com/2011/02/18/miniature-ball-bearing-sizes. Bearings of 12 and 15 mm, and set collars
+(DIN 705), are usual catalogue sizes, which no table at hand held.
 """
 
 from dataclasses import dataclass
@@ -151,6 +151,51 @@ def key_size(width: float) -> tuple[float, float]:
         width: width of the key, mm.
     """
     return _KEYS.get(width, (width, _SEAT_SHARE * width))
+
+
+class SetCollar(NamedTuple):
+    """Set collar with its set screw (DIN 705 A).
+
+    Attributes:
+        bore: diameter of its shaft, mm.
+        diameter: outer diameter, mm.
+        width: width, mm.
+    """
+
+    bore: float
+    diameter: float
+    width: float
+
+    @property
+    def designation(self) -> str:
+        """Standard and size, as it is ordered."""
+        return f"DIN 705 A {self.bore:g}"
+
+
+# Outer diameter and width by the bore, mm.
+_COLLARS = {
+    2.0: (7.0, 5.0),
+    3.0: (7.0, 5.0),
+    4.0: (8.0, 5.0),
+    5.0: (10.0, 6.0),
+    6.0: (12.0, 8.0),
+    7.0: (12.0, 8.0),
+    8.0: (16.0, 8.0),
+    9.0: (18.0, 10.0),
+    10.0: (20.0, 10.0),
+    12.0: (22.0, 12.0),
+    14.0: (25.0, 12.0),
+    15.0: (25.0, 12.0),
+}
+
+
+def set_collar(bore: float) -> SetCollar:
+    """Set collar of a shaft; one of twice its diameter where the table has none.
+
+    Args:
+        bore: diameter of the shaft, mm.
+    """
+    return SetCollar(bore, *_COLLARS.get(bore, (2 * bore, max(5.0, bore))))
 
 
 # Heads are those of knurled screws, the larger ones.

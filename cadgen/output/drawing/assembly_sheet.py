@@ -38,7 +38,7 @@ _ASIDE = 21.0  # mm on paper between a view and its balloons, which dimensions n
 _BETWEEN = 20.0  # mm on paper between the views
 _WITHIN = 1e-3  # mm by which a covered area is made smaller, so that common edges are drawn
 _SHORT = 0.05  # mm; what is left of edges and shorter is not drawn
-_LIST_WIDTHS = (8.0, 8.0, 74.0, 20.0, 62.0, 14.0)
+_LIST_WIDTHS = (8.0, 8.0, 66.0, 20.0, 58.0, 14.0)
 
 
 class ListedPart(NamedTuple):
@@ -164,7 +164,14 @@ def assembly_drawing(
     heads = Message("no."), Message("qty"), Message("part"), Message("material"), Message("standard or files")
     rows: list[tuple[str, ...]] = [(*heads, Message("mass, g"))]
     rows += [
-        (str(part.number), str(part.quantity), part.title, part.material, part.source, f"{part.mass:.1f}")
+        (
+            str(part.number),
+            str(part.quantity),
+            part.title,
+            part.material,
+            part.source,
+            f"{part.mass:.1f}" if part.mass else "",
+        )
         for part in parts
     ]
     at = (width - EDGE - listed, height - EDGE - 2.0)
@@ -294,13 +301,17 @@ class ShaftMounting(NamedTuple):
 
 
 _STEP_WIDTHS = (7.0, 52.0, 28.0, 38.0, 82.0)
+_LOOSE_WIDTHS = (7.0, 66.0, 10.0, 124.0)
 
 
-def mounting_sheet(shafts: Sequence[ShaftMounting], notes: Sequence[str], title: Title) -> DrawingSheet:
-    """Sheet of the steps of mounting: a table for each shaft, and sentences on the whole.
+def mounting_sheet(
+    shafts: Sequence[ShaftMounting], loose: Sequence[tuple[str, ...]], notes: Sequence[str], title: Title
+) -> DrawingSheet:
+    """Sheet of the steps of mounting: a table for each shaft, one of small parts, and sentences on the whole.
 
     Args:
         shafts: steps of each shaft, in the order in which they are mounted.
+        loose: number in the list, name, quantity and place of parts that no view shows.
         notes: further steps, as sentences.
         title: title block.
     """
@@ -314,6 +325,9 @@ def mounting_sheet(shafts: Sequence[ShaftMounting], notes: Sequence[str], title:
             rows.append((str(number), step.part, step.way, step.place, step.remark))
         tables.append(SheetTable(title=shaft.title, at=(LEFT + 3.0, y), widths=_STEP_WIDTHS, rows=tuple(rows)))
         y -= tables[-1].height + 0.8 * ROW
+    heads = Message("no."), Message("part"), Message("qty"), Message("where it belongs")
+    belong = Message("parts that no view shows, by their numbers in the list")
+    tables.append(SheetTable(title=belong, at=(LEFT + 3.0, y), widths=_LOOSE_WIDTHS, rows=(heads, *loose)))
     left = LEFT + 3.0 + wide + 6.0
     column = NoteColumn(at=(left, top), width=width - EDGE - left - 2.0, height=top - EDGE - title.height - 4.0)
     return DrawingSheet(

@@ -66,8 +66,10 @@ def _built(ground: FrameGround) -> Frame:
             bearing_plate(ground, "wall_far", Message("wall away from the disc"), far, platform),
         )
     brackets = [idle_bracket(ground)]
+    micrometer = None
     if sizes.stem:
         brackets.append(micrometer_bracket(ground, platform))
+        micrometer = brackets[-1].panel
     standing = [*plates, *brackets]
     base = base_plate(ground, platform, spacers, standing)
     return Frame(
@@ -80,7 +82,7 @@ def _built(ground: FrameGround) -> Frame:
         brackets=tuple(each.panel for each in brackets),
         block=block,
         spacers=spacers,
-        bought=tuple(bought_parts(ground, block, spacers, base)),
+        bought=tuple(bought_parts(ground, block, spacers, base, micrometer)),
         pieces=base.pieces,
         joints=(sum(each.found for each in standing), sum(each.wanted for each in standing)),
         top=ground.top,

@@ -23,7 +23,7 @@ from cadgen.car.assembly.frame.frame_sizes import ROUNDING
 from cadgen.car.assembly.panels import ACROSS, STANDING, EdgeHole, Feature, Panel, PartPlace, SheetHole, rounded_corners
 from cadgen.messages import Message
 
-_BEFORE = 6.0  # mm between platform and micrometer bracket
+BEFORE = 6.0  # mm between platform and micrometer bracket
 _HALF_FOOT = 18.0  # mm, half of the foot of a bracket
 _BEYOND = 12.0  # mm of a bearing plate's foot beyond the outermost axes
 
@@ -141,7 +141,7 @@ def idle_bracket(ground: FrameGround) -> StandingSheet:
 def micrometer_bracket(ground: FrameGround, platform: Panel) -> StandingSheet:
     """Bracket of the micrometer head, before the platform."""
     site, sizes, thick = ground.site, ground.sizes, ground.site.plate
-    low = -float(platform.outline.vertices[:, 0].min()) + sizes.travel / 2 + _BEFORE
+    low = -float(platform.outline.vertices[:, 0].min()) + sizes.travel / 2 + BEFORE
     height = -(ground.top - ground.spacer - sizes.base / 2)
     holes = [SheetHole(Message("hole for the micrometer head"), site.fork, height, sizes.stem, sizes.seat)]
     span = (site.fork - _HALF_FOOT, site.fork + _HALF_FOOT)
