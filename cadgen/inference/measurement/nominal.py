@@ -92,6 +92,7 @@ class Nominal:
         play: return error that was measured apart, with the rod lifted, and its standard deviation, rad.
         usual: mean and standard deviation of effects' numbers by their keys over the cars of the workshop that made
             it, internal units; empty where that is not known.
+        blend_start: cam angle up to which tracks are judged, rad; that at which the blend of `lift` begins if left out.
     """
 
     lift: PathMotion
@@ -107,6 +108,7 @@ class Nominal:
     mechanics: Mechanics | None = None
     play: tuple[float, float] | None = None
     usual: Mapping[Quantity, tuple[float, float]] = field(default_factory=dict)
+    blend_start: float | None = None
 
     @cached_property
     def disc(self) -> Disc:

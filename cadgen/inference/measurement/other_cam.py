@@ -7,7 +7,7 @@ criterion. A wrong cam needs effects that the right one does not need, and what 
 """
 
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
@@ -91,7 +91,8 @@ def other_cam(
         return None
     progress(Message("comparing with the {profile} profile", profile=profile))
     best = min(weighed.found, key=lambda h: h.score)
-    joint = _against(weighed.joint, other)
+    # Of a car whose wheel was measured the run ends at another cam angle: both cams are judged over the same rows.
+    joint = _against(weighed.joint, replace(other, blend_start=stated.lift.blend_start))
     if weighed.judgement.verdict in SOUND and _nearest(joint, best, best.score) > best.score + NEAR:
         return None
     found = find(joint, stated.usual)[0]

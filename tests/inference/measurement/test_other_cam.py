@@ -1,15 +1,23 @@
 """Whether data fit another cam than the stated one: cars of the study of stated cams, which shares no code with it."""
 
+from dataclasses import replace
+from math import radians
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+from cadgen.car.path_motion import path_motion
+from cadgen.car.steering import steering_jets
 from cadgen.design.load import load_design
+from cadgen.inference.measurement.diagnosis import weigh_together
+from cadgen.inference.measurement.other_cam import other_cam
 from cadgen.jobs.calibration.calibration import calibrate, stated_profile
 from cadgen.jobs.calibration.calibration_report import report
 from cadgen.jobs.calibration.sources import read, source_of
 from cadgen.output.report.terminal import plain
 from cadgen.verdict import Readiness
+from tests.inference.measurement import synthetic_drive
 from tests.studies.stated_cams import go
 
 MEASURED = Path(__file__).parents[2] / "data" / "measured"
@@ -45,3 +53,13 @@ def test_a_remark_says_which_cam_was_on_the_car():
     columns = {"direction": ["forward"] * 40, "cam_angle_deg": range(40), "lift_mm": [0.1 * k for k in range(40)]}
     assert stated_profile(source_of(columns, ("design: mine, optimized profile",), "a lift")) == "optimized"
     assert stated_profile(source_of(columns, ("design: mine",), "a lift")) == ""
+
+
+def test_a_cam_whose_run_ends_elsewhere_is_judged_over_the_same_rows(nominal, synthetic_car):
+    """The wheel that a car was found to have moves the end of its run on the cam that is cut for it."""
+    track = nominal.track
+    lift = path_motion(track.arc, steering_jets(track, nominal.car), track.length, blend=radians(20.0))
+    wheels, rng = synthetic_drive.Wheels(zero=radians(0.2)), np.random.default_rng(3)
+    record = synthetic_drive.track_record(synthetic_car, wheels, rng, noise_mm=3.0, runs=2)
+    weighed = weigh_together([record], nominal).joint
+    assert other_cam(weighed, nominal, replace(nominal, lift=lift), "actual") is None  # it surely fits worse

@@ -303,7 +303,8 @@ class TrackModel(Model):
         self._grid = np.linspace(0.0, TURN, STEPS + 1)
         self._start = start_pose(track)
         # The closing blend steers no path and is made as each maker likes: it is not judged.
-        record = record.where(np.radians(record["cam_angle_deg"]) < lift.blend_start - BLEND_MARGIN)
+        start = lift.blend_start if nominal.blend_start is None else nominal.blend_start
+        record = record.where(np.radians(record["cam_angle_deg"]) < start - BLEND_MARGIN)
         motor = np.radians(record["cam_angle_deg"])
         xy = np.stack([record["x_mm"], record["y_mm"]])
         order = np.concatenate(
