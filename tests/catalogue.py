@@ -8,6 +8,7 @@ import ast
 import re
 import sys
 from collections.abc import Iterator
+from functools import cache
 from inspect import cleandoc
 from pathlib import Path
 from string import Formatter
@@ -41,6 +42,7 @@ def templates(source: str) -> Iterator[str]:
                     yield inner.value
 
 
+@cache
 def used() -> dict[str, str]:
     """Every template of the package, with a file that has it; those of the page's HTML among them."""
     found = [(file, templates(file.read_text("utf-8"))) for file in sorted(PACKAGE.rglob("*.py"))]

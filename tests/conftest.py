@@ -1,6 +1,7 @@
 """The two cars of the paper, built once per run from the files in `designs/`; and designs made of tables or text."""
 
 import os
+import signal
 
 # Threads that wait for each other over small matrices cost more than they bring, and the suite fills all cores anyway.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -83,6 +84,18 @@ def build(name: str) -> Built:
     track = offset_track(plan_path(np.array(path["waypoints_mm"]), path["spline"]), path["offset_mm"])
     lift = path_motion(track.arc, steering_jets(track, car), track.length, blend=radians(cam["blend_deg"]))
     return Built(car, track, lift, follower, actual_profile(lift, follower))
+
+
+@pytest.fixture(autouse=True)
+def signals_as_before() -> Iterator[None]:
+    """A command that is called within this process ends with its signals ignored, and from Python 3.12 on a pool
+    whose process was killed waits for ever for those that ignore them."""
+    numbers = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
+    before = {number: signal.getsignal(number) for number in numbers}
+    yield
+    for number, handler in before.items():
+        if signal.getsignal(number) is not handler:
+            signal.signal(number, handler)
 
 
 @pytest.fixture(scope="session")

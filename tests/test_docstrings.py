@@ -4,6 +4,7 @@ import ast
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -105,12 +106,15 @@ def functions(source: str, module: str) -> Iterator[Function]:
     yield from of(ast.parse(source).body, module)
 
 
-EVERY = [
-    function
-    for file in sorted((ROOT / "cadgen").rglob("*.py"))
-    for function in functions(file.read_text("utf-8"), ".".join(file.relative_to(ROOT).with_suffix("").parts))
-    if function.arguments
-]
+@cache
+def every_function() -> list[Function]:
+    """Functions of the package that take something; read by the tests alone, since each process collects them."""
+    return [
+        function
+        for file in sorted((ROOT / "cadgen").rglob("*.py"))
+        for function in functions(file.read_text("utf-8"), ".".join(file.relative_to(ROOT).with_suffix("").parts))
+        if function.arguments
+    ]
 
 
 def half_listed(every: list[Function]) -> list[str]:
@@ -136,8 +140,8 @@ def without_unit(every: list[Function]) -> list[str]:
 
 
 def test_a_list_of_arguments_has_them_all() -> None:
-    assert sum(bool(function.listed) for function in EVERY) > 300
-    assert not half_listed(EVERY), "\n".join(half_listed(EVERY))
+    assert sum(bool(function.listed) for function in every_function()) > 300
+    assert not half_listed(every_function()), "\n".join(half_listed(every_function()))
 
 
 def without_list(every: list[Function]) -> list[str]:
@@ -153,20 +157,20 @@ def without_list(every: list[Function]) -> list[str]:
 
 def test_whoever_takes_a_quantity_lists_the_arguments() -> None:
     """The commands are left out: their docstrings are their help, and each option has its own."""
-    every = [function for function in EVERY if not function.place.startswith("cadgen.cli.")]
+    every = [function for function in every_function() if not function.place.startswith("cadgen.cli.")]
     assert sum(bool(function.listed) for function in every) > 650
     assert not without_list(every), "\n".join(without_list(every))
 
 
 def test_the_face_describes_every_argument() -> None:
-    face = [function for function in EVERY if function.place.startswith(("cadgen.api.", "cadgen.parts."))]
+    face = [function for function in every_function() if function.place.startswith(("cadgen.api.", "cadgen.parts."))]
     assert len(face) > 50
     bare = [function.place for function in face if not function.listed and not ELSEWHERE.search(function.doc)]
     assert not bare, "\n".join(bare)
 
 
 def test_every_quantity_has_its_unit() -> None:
-    assert not without_unit(EVERY), "\n".join(without_unit(EVERY))
+    assert not without_unit(every_function()), "\n".join(without_unit(every_function()))
 
 
 @pytest.mark.parametrize(

@@ -239,7 +239,7 @@ def test_a_jump_of_velocity_is_refused_and_one_of_acceleration_named():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("turns", ["clockwise", "counterclockwise"])
+@pytest.mark.parametrize("turns", ["clockwise", pytest.param("counterclockwise", marks=pytest.mark.long)])
 def test_it_goes_through_every_command(tmp_path, turns):
     design = Design.from_toml(TEXT).with_({"motion.turns": turns, "blank.edge_break_mm": 0.3})
     cam = design.cam()

@@ -178,7 +178,7 @@ def test_a_new_design(chinese, cadgen, tmp_path, closed):
     "arguments",
     [
         ("tolerance", "workshop_car", "--samples", "10"),
-        ("calibrate", str(MEASURED / "lift_a.csv")),
+        pytest.param(("calibrate", str(MEASURED / "lift_a.csv")), marks=pytest.mark.long),
         ("calibrate", str(MEASURED / "track_a.csv")),
         pytest.param(("tolerance", "--samples", "10", "--budget"), marks=pytest.mark.long),
         pytest.param(("simulate",), marks=pytest.mark.long),

@@ -162,7 +162,13 @@ def test_python_runs(block: Block, forks, tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("page", make_notebooks.pages(), ids=lambda page: page.stem)
+@pytest.mark.parametrize(
+    "page",
+    [
+        pytest.param(page, marks=[pytest.mark.long] if page.stem in ("calibrate", "play") else [], id=page.stem)
+        for page in make_notebooks.pages()
+    ],
+)
 def test_notebooks_print_what_they_show_and_end_with_a_picture(page: Path) -> None:
     printed, shown = make_notebooks.run(page)
     text = page.read_text(encoding="utf-8")

@@ -12,7 +12,7 @@ from cadgen.jobs.car_layout import laid_out
 from cadgen.verdict import Readiness
 
 
-@pytest.mark.parametrize("wheel", [80, 128])
+@pytest.mark.parametrize("wheel", [pytest.param(80, marks=[pytest.mark.slow, pytest.mark.long]), 128])
 def test_a_new_car_with_a_proposed_train_is_ready(tmp_path, wheel):
     design = Design.new("mine", tmp_path, train=True, changes={"car.outline.wheel_diameter_mm": wheel}).values
     assert not failing(laid_out(design).checks)

@@ -69,6 +69,7 @@ def test_a_path_error_that_no_effect_lowers_is_unexplained(measured):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_steering_logged_in_another_scale_and_a_marker_far_off_are_found(measured):
     """The log of this tractor has a fifth of the steering; a fit of six numbers by other code leaves 83 mm."""
     record = load(measured / "forklift.csv")

@@ -28,7 +28,9 @@ def is_of(subset, case):
 @pytest.mark.parametrize(
     ("seed", "kind", "sort", "number"),
     [
-        (7001, "lift", "four", 1),  # two effects more than there are stood for them; it had to lose both at once
+        pytest.param(
+            *(7001, "lift", "four", 1), marks=[pytest.mark.slow, pytest.mark.long]
+        ),  # two effects more than there are stood for them; it had to lose both at once
         (7001, "lift", "four", 8),  # a local bump and a gain stood for a wobble and an axial offset
         (7001, "profile", "four", 8),  # axes out of square stood for a lobing of order 2, one of many orders
         (7001, "profile", "four", 9),  # a scale stood for a worn nose, one of many places

@@ -404,7 +404,7 @@ def test_no_text_of_a_sheet_lies_on_another_and_heights_are_those_of_the_series(
 
 @pytest.mark.slow
 @pytest.mark.skipif(shutil.which("pdftotext") is None, reason="needs pdftotext")
-@pytest.mark.parametrize("language", ["en", "zh"])
+@pytest.mark.parametrize("language", ["en", pytest.param("zh", marks=pytest.mark.long)])
 def test_the_text_of_a_page_is_found_by_a_search(toleranced, tmp_path, language):
     """Words with ligatures, Greek letters, limits that stand upright, and Chinese ones: oblique ones it takes apart."""
     from cadgen.output.drawing.sheet_files import NoFontError, SheetDocument

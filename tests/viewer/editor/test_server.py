@@ -325,6 +325,7 @@ def test_a_design_that_cannot_be_driven_is_told_and_its_floor_is_shown(client):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_two_hundred_random_actions_without_a_fault(client, service, session, file, monkeypatch):
     """Sensible and foolish numbers, undo, redo, save, results; each answer has its state, and the text always loads."""
     rng = random.Random(14)

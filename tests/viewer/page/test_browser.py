@@ -112,6 +112,7 @@ def test_chinese_and_back(shown):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_distance_is_measured_between_two_points(shown):
     shown.get_by_role("button", name="Measure").click()
     box = shown.locator("#scene canvas").bounding_box()
@@ -142,6 +143,7 @@ def test_axe_finds_nothing_serious(browser, address, scheme, width, locale):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_phone_needs_no_sideways_scrolling(browser, address):
     context = browser.new_context(viewport={"width": 390, "height": 844}, locale="en-GB")
     page = context.new_page()
@@ -157,6 +159,7 @@ def test_a_phone_needs_no_sideways_scrolling(browser, address):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_it_prints_on_a4(shown, tmp_path):
     content = shown.pdf(format="A4", prefer_css_page_size=True)
     assert content.startswith(b"%PDF")
@@ -164,6 +167,7 @@ def test_it_prints_on_a4(shown, tmp_path):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_without_webgl_a_sentence_and_the_rest(browser, address):
     page = browser.new_page(viewport={"width": 1280, "height": 720})
     page.add_init_script(
@@ -189,6 +193,7 @@ def test_without_scripts_the_tables_read(browser, address):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_the_page_of_a_motion_moves(browser, feeder, tmp_path):
     """Disc and follower by the slider and by the button, in the picture and in 3D; with curves, and without scripts."""
     file = tmp_path / "page.html"
@@ -252,6 +257,7 @@ PLACE = """([x, y, id]) => {
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_the_course_is_brought_nearer_moved_and_shown_as_a_whole(shown):
     slide(shown, 100.0)
     shown.locator("#course-box").scroll_into_view_if_needed()
