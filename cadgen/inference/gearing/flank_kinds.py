@@ -146,6 +146,16 @@ def refuse_parts(record: Record, column: str) -> None:
 _LONGER = 1.25  # by which lines may pass the end of the gear
 
 
+def to_tip(record: Record, side: int) -> Record:
+    """Profile lines whose places grow to the tip: those of a ring by the length of roll below 0.
+
+    Args:
+        record: profile lines by the length of roll.
+        side: -1 for an internal gear.
+    """
+    return replace(record, columns={**record.columns, "roll_length_mm": side * record["roll_length_mm"]})
+
+
 def refuse_lines(record: Record, column: str, reach: float, most: float, found: bool) -> None:
     """Refuse lines that are longer than the gear, or of which nothing can be evaluated.
 

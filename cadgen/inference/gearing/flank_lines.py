@@ -9,6 +9,8 @@ tooth, so let δ = α less half the angle of a tooth. Then errors show so:
 - an index that is off by the machine's table: alike on both flanks;
 - base radius r_b off by Δr_b: profile slope L Δr_b/r_b on both flanks, pressure angle off by −f_Hα/(L tan α);
 - a hob of one start off its axis by e: e sin α, once in each base pitch of the length of roll, alike on all teeth;
+- a ring: right flanks look along the count, too, δ = −(α + half the angle of a tooth), and its lines run from root to
+  tip, so that slopes have the sign above;
 - lead off: helix slopes of opposite sign on both flanks; taper: of one sign; an axis that leans by τ: helix slope
   τ b sin(s(ψ − φ_k) + δ).
 
@@ -135,7 +137,9 @@ def _sides(record: Record) -> Array:
 
 def _lean(form: GearForm) -> float:
     """Angle δ by which an eccentric gear's right flanks lead its teeth, rad."""
-    return form.transverse_pressure_angle - form.half_angle(form.reference_diameter)
+    alpha, half = form.transverse_pressure_angle, form.half_angle(form.reference_diameter)
+    # Of a ring that is half a space, and normals point inwards.
+    return alpha - half if form.side > 0 else half - pi / form.teeth - alpha
 
 
 def pitch_errors(record: Record, form: GearForm) -> PitchErrors:
@@ -188,9 +192,11 @@ def pitch_errors(record: Record, form: GearForm) -> PitchErrors:
     off = Sized(hypot(solved[0], solved[1]) * cos(alpha), float(np.mean(sigmas[:2])) * cos(alpha))
     table = Sized(hypot(solved[2], solved[3]), float(np.mean(sigmas[2:])))
     # A ball in a space moves out where the space is narrow. Its flanks lie on neighbouring teeth; their normals lean by
-    # α and half the angle of the space against the tangent at its middle.
+    # α and half the angle of the space against the tangent at its middle. In a ring it moves in, and they lean by the
+    # difference of the two.
     narrow = np.roll(index[RIGHT], 1) - index[LEFT]
-    out = narrow * cos(alpha) / (2 * sin(alpha + pi / teeth - form.half_angle(form.reference_diameter)))
+    half = form.half_angle(form.reference_diameter)
+    out = narrow * cos(alpha) / (2 * sin(alpha + pi / teeth - half if form.side > 0 else alpha - half))
     measured.append(FlankFigure(symbol="F_r", left=float(np.ptp(out)), right=None))
     if not sure:
         alike, spread = _solved(columns[:, 2:], data, slow)
@@ -432,7 +438,7 @@ def profile_errors(record: Record, form: GearForm, over: Range) -> ProfileErrors
     """Errors of the profile of a gear; None without a line of three points.
 
     Args:
-        record: profile lines by the length of roll.
+        record: profile lines by the length of roll, of a ring by that below 0, which grows to its tip.
         form: gear.
         over: range of evaluation.
     """
@@ -444,7 +450,8 @@ def profile_errors(record: Record, form: GearForm, over: Range) -> ProfileErrors
     slopes = _pooled(np.array([line.slope for line in lines]), sides, noise)
     pitch = pi * form.base_diameter / form.teeth
     off, cutter = None, None
-    if all(np.unique(line.x).size > 6 and np.ptp(line.x) > pitch for line in lines):
+    # No hob cuts a ring.
+    if form.side > 0 and all(np.unique(line.x).size > 6 and np.ptp(line.x) > pitch for line in lines):
         wave, without = _cutter(lines, pitch, over.whole, sides)
         alpha = form.transverse_pressure_angle
         off, cutter = Sized(wave.value / sin(alpha), wave.sigma / sin(alpha)), without

@@ -21,7 +21,7 @@ from cadgen.gears.contact import path_of_contact
 from cadgen.gears.flank_tolerances import class_reached, class_tolerance, covered
 from cadgen.gears.inspection import size_over_pins, span_over
 from cadgen.gears.spur import SpurPair
-from cadgen.gears.tooth import GearForm
+from cadgen.gears.tooth import GearForm, tooth_of
 from cadgen.gears.train import Train, thinned
 from cadgen.inference.gearing.flank_kinds import (
     BALLS,
@@ -37,6 +37,7 @@ from cadgen.inference.gearing.flank_kinds import (
     refuse_lines,
     refuse_parts,
     refuse_teeth,
+    to_tip,
 )
 from cadgen.inference.gearing.flank_lines import (
     FlankFigure,
@@ -362,8 +363,6 @@ def judge_gear(
         raise DesignError("{name} has stages that are no pairs of gears: give a design of the pair", name=design.name)
     stage, driver = gear_place(records, [(pair.driver.form.teeth, pair.driven.form.teeth) for pair in pairs])
     form = (pairs[stage].driver if driver else pairs[stage].driven).form
-    if form.side < 0:
-        raise DesignError("{gear} is an internal gear: flanks of external gears alone are judged", gear=str(form))
     for record in records:
         refuse_teeth(record, form.teeth)
     progress(Message("comparing"))
@@ -381,12 +380,19 @@ def judge_gear(
     pitch = pitch or index
     lines = [by_roll(each, form.base_diameter) for each in records if each.kind in (PROFILE_LINES, PROFILE_DIAMETERS)]
     profile = join(lines) if lines else None
-    of_profile = None if profile is None else profile_errors(profile, form, _profile_range(pairs[stage], driver))
+    longest = form.tip_diameter
+    if profile is not None and form.side < 0:
+        longest = tooth_of(form).root_form_diameter
+    of_profile = (
+        None
+        if profile is None
+        else profile_errors(to_tip(profile, form.side), form, _profile_range(pairs[stage], driver))
+    )
     of_helix = None if helix is None else helix_errors(helix, form)
     if profile is not None:
-        tip = form.base_diameter / 2 * form.roll_angle(form.tip_diameter)
+        most = form.base_diameter / 2 * form.roll_angle(longest)
         refuse_lines(
-            profile, "roll_length_mm", float(profile["roll_length_mm"].max()), tip, found=of_profile is not None
+            profile, "roll_length_mm", float(profile["roll_length_mm"].max()), most, found=of_profile is not None
         )
     if helix is not None:
         refuse_lines(helix, "face_mm", float(np.ptp(helix["face_mm"])), form.width, found=of_helix is not None)
@@ -410,8 +416,10 @@ def _profile_range(pair: SpurPair, driver: bool) -> Range:
     start, end = path_of_contact(pair)
     first = pair.by_size[0].form is form
     line = pair.centre_distance * sin(pair.pressure_angle(pair.centre_distance))
-    control = start if first else abs(line - end)
-    return profile_range(control, form.base_diameter / 2 * form.roll_angle(form.tip_form_diameter))
+    control = start if first else abs(line - form.side * end)
+    return profile_range(
+        form.side * control, form.side * form.base_diameter / 2 * form.roll_angle(form.tip_form_diameter)
+    )
 
 
 _REACH = 0.3  # modules of E_sn on either side, within which thickness is sought
