@@ -10,7 +10,8 @@ from cadgen.car.running.friction import DiscMaterial
 from cadgen.design.section import HERE, LONGEST_CELL, LONGEST_LINE, WORD, DesignSection, drawn_line, one_line
 from cadgen.messages import Message
 
-USUAL_FEED = 240.0  # mm/min, where the design gives neither a feed nor a material
+USUAL_FEED = 240.0  # mm/min at most, where the design gives neither a feed nor a material
+ASSUMED = DiscMaterial.ALUMINIUM  # as which such a disc is fed
 APPROACH_MM = 1.0  # above the work, to which a tool goes down at rapid speed
 # Feed per tooth by the cutter's diameter, at the slow end of published charts, since it runs in a full slot, often on a
 # light machine: the parameter sheet of HIT Tooling has 0.004-0.009 in aluminium and 0.003-0.011 in steel (carbide),
@@ -79,7 +80,8 @@ class Machining(DesignSection):
         default=None,
         ge=0.1,
         le=100_000,
-        description="along the outline; left out, by `blank.material`, cutter and speed, or 240 without a material",
+        description="along the outline; left out, by `blank.material`, cutter and speed, or without a material as for "
+        "aluminium, at most 240",
     )
     plunge_feed_mm_per_min: float = Field(default=60.0, ge=0.1, le=100_000, description="feed downwards")
     spindle_rpm: float = Field(default=8000.0, ge=1, le=200_000, description="speed of the spindle")
@@ -108,12 +110,32 @@ class Machining(DesignSection):
         return min(APPROACH_MM, self.safe_height_mm)
 
     def feed(self, material: DiscMaterial | None) -> float:
-        """Feed along the outline, mm/min: the design's, or that of a material, or the usual one."""
+        """Feed along the outline, mm/min: the design's, or that of a material; without one no more than the usual."""
         if self.feed_mm_per_min is not None:
             return self.feed_mm_per_min
         if material is None:
-            return USUAL_FEED
+            return min(USUAL_FEED, self.feed(ASSUMED))
         return round(self.feed_per_tooth(material) * (self.cutter_teeth or 2) * self.spindle_rpm, 1)
+
+    def assumption(self, material: DiscMaterial | None, key: str = "blank.material") -> Message | None:
+        """Sentence on a feed that goes by a material which nobody has stated; None where the design says it.
+
+        Args:
+            material: material of the work; None if it is not known.
+            key: key that states it.
+        """
+        if material is not None or self.feed_mm_per_min is not None:
+            return None
+        feed, slowest = self.feed(None), min(DiscMaterial, key=self.feed)
+        fed = Message("fed for {assumed} at {feed:g} mm/min", assumed=Message(ASSUMED.value), feed=feed)
+        if self.feed(slowest) < feed:
+            fed = Message(
+                "{fed}, where {slowest} takes {least:g}",
+                fed=fed,
+                slowest=Message(slowest.value),
+                least=self.feed(slowest),
+            )
+        return Message("material not stated: {fed}; state {key}, or machining.feed_mm_per_min", fed=fed, key=key)
 
     def feed_per_tooth(self, material: DiscMaterial) -> float:
         """Feed of each tooth in a full slot of a material, mm."""

@@ -1,5 +1,6 @@
 """Parts of a frame among the parts of its car."""
 
+import re
 from collections import Counter
 from collections.abc import Iterator
 
@@ -213,6 +214,16 @@ def material_of(frame: CarFrame) -> str | None:
     return keys.material or (None if keys.printed else plates.material)
 
 
+def named_material(stated: str | None) -> DiscMaterial | None:
+    """Material that a design's words name, such as steel in `steel C45`; None where they name none that is known.
+
+    Args:
+        stated: material as a design states it; None where it does not.
+    """
+    words = re.findall(r"[^\W\d_]+", (stated or "").lower())
+    return next((each for each in DiscMaterial if each.lower() in words), None)
+
+
 def known_material(stated: str | None, usual: DiscMaterial) -> tuple[str, float, bool]:
     """Material in words, its density, g/mm³, and whether either is assumed.
 
@@ -220,7 +231,7 @@ def known_material(stated: str | None, usual: DiscMaterial) -> tuple[str, float,
         stated: material as a design states it; None where it does not.
         usual: material that is taken where nothing is known.
     """
-    known = next((each for each in DENSITY if stated and each.lower() in stated.lower()), None)
+    known = named_material(stated)
     return stated or Message(str(usual)), DENSITY[known or usual] * 1e-3, known is None
 
 

@@ -19,7 +19,7 @@ from cadgen.design.train import PlateSection
 from cadgen.figures import Facts
 from cadgen.jobs.car_frame import CLEAR, CarFrame
 from cadgen.jobs.drawings import Folder, distance_notes, span_notes, title_of, write_sheet
-from cadgen.jobs.frame_parts import material_of
+from cadgen.jobs.frame_parts import material_of, named_material
 from cadgen.messages import Message
 from cadgen.output.drawing.frame_sheets import PanelText, block_drawing, panel_drawing
 from cadgen.output.drawing.hole_frames import seat_zones
@@ -100,10 +100,11 @@ class _Files:
         for panel in frame.sheets:
             stem = f"{job.stem}_{panel.code}"
             self.progress(Message("writing {stem}", stem=stem))
-            yield from panel_files(panel, self.staging, stem, text, machining, frame.sizes.seat)
+            material = plates.material or "" if panel in frame.plates else others
+            known = named_material(material)
+            yield from panel_files(panel, self.staging, stem, text, machining, frame.sizes.seat, known)
             if keys.printed:
                 yield from self._meshes(panel.shape, stem, text)
-            material = plates.material or "" if panel in frame.plates else others
             sheet = panel_drawing(panel, self._words(panel), self._title(panel.name, material, stem))
             yield from write_sheet(self.staging, stem, sheet, self.omitted)
         stem = f"{job.stem}_block"

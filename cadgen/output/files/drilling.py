@@ -7,6 +7,7 @@ from pathlib import Path
 
 from cadgen.car.running.friction import DiscMaterial
 from cadgen.design.machining import Drilling, Machining
+from cadgen.messages import Message
 from cadgen.output.files.gcode import SETTINGS, comments, words, zero_note
 from cadgen.parts.blank import Blank
 from cadgen.parts.face import Face
@@ -22,7 +23,7 @@ _SPEEDS = {
     DiscMaterial.PLA: 20.0,
     DiscMaterial.POM: 30.0,
 }
-_SLOWEST = min(_SPEEDS.values())  # for a material that is not known
+_SLOWEST = DiscMaterial.STEEL  # for a material that is not known
 _FEED_PER_TURN = 0.01  # of the diameter; the same manual has 0.025-0.05 mm below 3.2 mm and 0.05-0.1 mm up to 6.4 mm
 _SPELLED = 4  # digits of a diameter in the name of a file
 
@@ -109,9 +110,27 @@ def drill_feed(diameter: float, drilling: Drilling, material: DiscMaterial | Non
         drilling: keys of the drills.
         material: material of the disc; None if it is not known.
     """
-    speed = _SLOWEST if material is None else _SPEEDS[material]
+    speed = _SPEEDS[material or _SLOWEST]
     spindle = drilling.spindle_rpm or round(1000 * speed / (pi * diameter))
     return spindle, drilling.feed_mm_per_min or round(_FEED_PER_TURN * diameter * spindle, 1)
+
+
+def drill_assumption(diameter: float, drilling: Drilling, material: DiscMaterial | None) -> Message | None:
+    """Sentence on the speed of a drill for a material that nobody has stated; None where the design says it.
+
+    Args:
+        diameter: diameter of the drill, mm.
+        drilling: keys of the drills.
+        material: material of the disc; None if it is not known.
+    """
+    if material is not None or drilling.spindle_rpm is not None:
+        return None
+    return Message(
+        "material not stated: drilled as {assumed}, the slowest, at {spindle:g} turns a minute; state blank.material, "
+        "or machining.drilling.spindle_rpm",
+        assumed=Message(_SLOWEST.value),
+        spindle=drill_feed(diameter, drilling, material)[0],
+    )
 
 
 def pecks(top: float, bottom: float, peck: float) -> list[float]:
@@ -156,6 +175,7 @@ def write_drilling(
     """
     diameter = drill.diameter
     spindle, feed = drill_feed(diameter, drilling, material)
+    assumed = drill_assumption(diameter, drilling, material)
     top = max(hole.top for hole in drill.holes)
     height = machining.safe_height_mm + top
     below = point_length(diameter, drilling) + machining.break_through_mm
@@ -163,6 +183,7 @@ def write_drilling(
     lines = [
         *comments(
             [
+                *([assumed] if assumed else []),
                 f"{name}: {drill.purpose}, {count} {'hole' if count == 1 else 'holes'}",
                 *notes,
                 f"drill of {diameter:g} mm, point {drilling.point_angle_deg:g} degrees; "

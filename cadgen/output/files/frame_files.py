@@ -10,6 +10,7 @@ from cadgen.car.assembly.car_parts import Block, Joined
 from cadgen.car.assembly.frame.fork_block import ForkBlock
 from cadgen.car.assembly.frame.one_piece import OnePiece
 from cadgen.car.assembly.panels import BASE_COLOUR, PLATE_COLOUR, Panel
+from cadgen.car.running.friction import DiscMaterial
 from cadgen.curves.contour import Contour, circle
 from cadgen.design.machining import Machining
 from cadgen.figures import Facts
@@ -39,7 +40,13 @@ class FrameText:
 
 
 def panel_files(
-    panel: Panel, folder: Path, stem: str, text: FrameText, machining: Machining | None, seat: str
+    panel: Panel,
+    folder: Path,
+    stem: str,
+    text: FrameText,
+    machining: Machining | None,
+    seat: str,
+    material: DiscMaterial | None = None,
 ) -> Iterator[Artifact]:
     """Outline as DXF, solid as STEP, and for a mill the program.
 
@@ -50,6 +57,7 @@ def panel_files(
         text: words of the design.
         machining: cutter, speeds and heights; None for a laser.
         seat: class of the seats of bearings.
+        material: material of the sheet, for the feed of the mill; None if it is not known.
 
     Raises:
         DesignError: the cutter is too large for it.
@@ -78,7 +86,7 @@ def panel_files(
     if machining is not None:
         from cadgen.output.files.sheet_nc import sheet_program
 
-        yield sheet_program(panel, folder, stem, machining, text.design, seat)
+        yield sheet_program(panel, folder, stem, machining, text.design, seat, material)
 
 
 def block_files(block: ForkBlock, folder: Path, stem: str, text: FrameText) -> Iterator[Artifact]:

@@ -251,7 +251,9 @@ def _head(
     held = f"hold the part by its bore, the last pass of {passes} cuts it free"
     if tabs:
         held = f"clamp the plate outside the outline, {tabs_note(tabs)} hold the part until M0"
+    assumed = machining.assumption(material)
     lines = [
+        *([assumed] if assumed else []),
         f"{name}: outline of the cam, milled from outside",
         *notes,
         *(f"{word}: {text}" for word, text in (("stock", machining.stock), ("fixture", machining.fixture)) if text),

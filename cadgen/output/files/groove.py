@@ -14,6 +14,7 @@ from cadgen.figures import Facts
 from cadgen.messages import Message
 from cadgen.output.files.dxf import SPLINE_TOLERANCE, read_curves, write_curves
 from cadgen.output.files.groove_nc import read_groove, rounds_of, write_groove
+from cadgen.output.files.nc import assumed_in
 from cadgen.output.files.publisher import Artifact, require
 from cadgen.output.files.step import whole_part
 from cadgen.output.files.stl import as_printed, for_printing, read_stl, stl_bytes, whole_mesh
@@ -109,8 +110,9 @@ def groove_programs(cam: GrooveExport, folder: Path) -> Iterator[Artifact]:
     inner, machining = cam.inner, cam.inner.machining
     tolerance = inner.export.arc_tolerance_um * 1e-3
     rounds = rounds_of(inner.curve, cam.width, machining.cutter_diameter_mm / 2, tolerance)
-    name, feed = f"{cam.stem}_groove.nc", machining.feed(inner.material)
-    write_groove(folder / name, rounds, cam.depth, machining, name=cam.stem, feed=feed, notes=inner.notes)
-    flanks = read_groove(folder / name, machining, cam.depth, feed, cam.step)
+    name, material = f"{cam.stem}_groove.nc", inner.material
+    write_groove(folder / name, rounds, cam.depth, machining, name=cam.stem, material=material, notes=inner.notes)
+    flanks = read_groove(folder / name, machining, cam.depth, machining.feed(material), cam.step)
     facts = Facts(rounds=len(rounds), cutter_diameter_mm=machining.cutter_diameter_mm)
+    facts |= assumed_in(machining.assumption(material))
     yield cam.judged(name, [flanks], _NC_LIMIT_UM, facts)

@@ -24,6 +24,7 @@ from cadgen.output.files.gcode import DECIMALS, comments, height_notes, opening,
 from cadgen.output.files.gcode_machine import Move, Work, run_program
 
 if TYPE_CHECKING:
+    from cadgen.car.running.friction import DiscMaterial
     from cadgen.design.machining import Machining
 
 # Distance of neighbouring rounds, by the cutter's diameter: they overlap by a fifth.
@@ -72,7 +73,7 @@ def write_groove(
     machining: Machining,
     *,
     name: str,
-    feed: float,
+    material: DiscMaterial | None = None,
     above: float = 0.0,
     notes: Sequence[str] = (),
 ) -> None:
@@ -84,17 +85,19 @@ def write_groove(
         depth: depth of the groove, mm.
         machining: cutter, speeds and heights.
         name: name of the cam, for the first comment.
-        feed: feed along the path, mm/min.
+        material: material of the disc, for the feed; None if none is given.
         above: height of a hub above the face, mm.
         notes: further comments for the shop.
     """
     count = ceil(depth / machining.step_down_mm - 1e-9)
     levels = [-depth * number / count for number in range(1, count + 1)]
     height = machining.safe_height_mm + above
+    feed, assumed = machining.feed(material), machining.assumption(material)
     said = "one round of the groove's width" if len(rounds) == 1 else f"{len(rounds)} rounds from flank to flank"
     lines = [
         *comments(
             [
+                *([assumed] if assumed else []),
                 f"{name}: groove of the cam, {depth:g} mm deep, {said} at each of {count} depths",
                 *notes,
                 f"cutter diameter {machining.cutter_diameter_mm:g} mm, no radius compensation at the machine",

@@ -127,9 +127,11 @@ def write_hole_milling(
     """
     height = machining.safe_height_mm + max(hole.top for size in holes for hole in size.holes)
     count = sum(len(size.holes) for size in holes)
+    assumed = machining.assumption(material)
     lines = [
         *comments(
             [
+                *([assumed] if assumed else []),
                 f"{name}: {count} {'hole' if count == 1 else 'holes'}, milled from their middles outwards",
                 *(f"{size.purpose}: {len(size.holes)} of {size.diameter:g} mm" for size in holes),
                 f"cutter diameter {machining.cutter_diameter_mm:g} mm, no radius compensation at the machine",

@@ -13,7 +13,8 @@ from cadgen.car.running.friction import DiscMaterial
 from cadgen.curves.closed import Outline
 from cadgen.design.machining import Machining
 from cadgen.figures import Facts
-from cadgen.output.files.drilling import drill_feed, drills_of, pecks, point_length, write_drilling
+from cadgen.messages import Message
+from cadgen.output.files.drilling import drill_assumption, drill_feed, drills_of, pecks, point_length, write_drilling
 from cadgen.output.files.dxf import edges_note
 from cadgen.output.files.gcode import RaisedHub, cutter_path, levels_of, write_gcode
 from cadgen.output.files.gcode_reader import RoundHole, read_drilling, read_gcode, read_hole_milling
@@ -74,7 +75,8 @@ def programs(cam: CamExport, folder: Path, step: float) -> Iterator[tuple[Artifa
     )
     height = above.height if above else 0.0
     milled = read_gcode(outline, machining, cam.thickness, step, material=cam.material, hub_height=height)
-    facts = Facts(arcs=len(centre.bulges), cutter_diameter_mm=machining.cutter_diameter_mm)
+    assumed = assumed_in(machining.assumption(cam.material))
+    facts = Facts(arcs=len(centre.bulges), cutter_diameter_mm=machining.cutter_diameter_mm) | assumed
     if milled.tabs:
         facts |= Facts(
             tabs=[
@@ -93,7 +95,7 @@ def programs(cam: CamExport, folder: Path, step: float) -> Iterator[tuple[Artifa
             place_error_um=off * 1e3,
             diameter_error_um=wrong * 1e3,
         )
-        yield Artifact(holes.name, said), None
+        yield Artifact(holes.name, said | assumed), None
     for drill in drills:
         assert drilling is not None
         path = folder / drill.file_name(cam.stem)
@@ -108,13 +110,18 @@ def programs(cam: CamExport, folder: Path, step: float) -> Iterator[tuple[Artifa
             thickness=cam.thickness,
             hub=hub,
         )
-        yield (
-            Artifact(
-                path.name,
-                Facts(drill_diameter_mm=drill.diameter, holes=len(drill.holes), place_error_um=off * 1e3),
-            ),
-            None,
-        )
+        facts = Facts(drill_diameter_mm=drill.diameter, holes=len(drill.holes), place_error_um=off * 1e3)
+        assumed = assumed_in(drill_assumption(drill.diameter, drilling, cam.material))
+        yield Artifact(path.name, facts | assumed), None
+
+
+def assumed_in(sentence: Message | None) -> Facts:
+    """Assumption of a program on the material, for its entry in the manifest; nothing where the design states it.
+
+    Args:
+        sentence: assumption, in words.
+    """
+    return Facts() if sentence is None else Facts(assumed=sentence)
 
 
 def milling_minutes(length: float, machining: Machining, thickness: float, material: DiscMaterial | None) -> float:

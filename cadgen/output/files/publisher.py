@@ -215,8 +215,9 @@ class Written(Sequence[WrittenFile]):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Sentences on the gain that files give away."""
-        return tuple(self.entry.get("warnings", ()))
+        """Sentences on the gain that files give away, and on what programs assume of the material."""
+        assumed = (file.facts["assumed"] for file in self.files if "assumed" in file.facts)
+        return tuple(dict.fromkeys((*self.entry.get("warnings", ()), *assumed)))
 
     @property
     def omitted(self) -> Mapping[str, str]:

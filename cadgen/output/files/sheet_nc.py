@@ -14,6 +14,7 @@ from scipy.spatial import cKDTree
 
 from cadgen.arrays import Array
 from cadgen.car.assembly.panels import Panel
+from cadgen.car.running.friction import DiscMaterial
 from cadgen.curves.contour import Contour
 from cadgen.design.machining import Machining, Tabs
 from cadgen.errors import DesignError
@@ -32,8 +33,10 @@ from cadgen.output.files.gcode import (
 )
 from cadgen.output.files.gcode_machine import Work, run_program
 from cadgen.output.files.hole_milling import LEAST_PATH, hole_lines, turns_of
+from cadgen.output.files.nc import assumed_in
 from cadgen.output.files.publisher import Artifact, require
 
+_MATERIAL = "train.plate.material or frame.material"  # keys that state it
 _SAME_WAY = 1e-9  # rad between two sides that meet without a corner
 _FINE = 2e-4  # mm, chords of the polygon that is compared
 _OFF_MM = 1e-3  # of the cutter's flank from the part: rounding, chords and steps
@@ -86,7 +89,15 @@ def _right(way: Array) -> Array:
     return np.array([way[1], -way[0]])
 
 
-def sheet_program(panel: Panel, folder: Path, stem: str, machining: Machining, name: str, seat: str) -> Artifact:
+def sheet_program(
+    panel: Panel,
+    folder: Path,
+    stem: str,
+    machining: Machining,
+    name: str,
+    seat: str,
+    material: DiscMaterial | None = None,
+) -> Artifact:
     """Write the program of a sheet and run it: it must cut the part out and spare it.
 
     Args:
@@ -96,21 +107,25 @@ def sheet_program(panel: Panel, folder: Path, stem: str, machining: Machining, n
         machining: cutter, speeds, heights and tabs.
         name: name of the design, for the first comment.
         seat: class of the seats, which the last pass is to reach.
+        material: material of the sheet, for the feed; None if it is not known.
 
     Raises:
         DesignError: a hollow is too narrow for the cutter, or the tabs have no room.
         FileError: the file cannot be written, or cuts something else when it is run.
     """
     file = folder / f"{stem}.nc"
-    file.write_text("\n".join(_lines(panel, machining, name, seat)) + "\n", encoding="ascii", newline="\n")
-    return Artifact(file.name, _cut(panel, file, machining))
+    lines = _lines(panel, machining, name, seat, material)
+    file.write_text("\n".join(lines) + "\n", encoding="ascii", newline="\n")
+    return Artifact(file.name, _cut(panel, file, machining) | assumed_in(machining.assumption(material, _MATERIAL)))
 
 
-def _lines(panel: Panel, machining: Machining, name: str, seat: str) -> Iterator[str]:
+def _lines(panel: Panel, machining: Machining, name: str, seat: str, material: DiscMaterial | None) -> Iterator[str]:
+    assumed = machining.assumption(material, _MATERIAL)
     tabs = machining.tabs or Tabs()
     height, levels = machining.safe_height_mm, levels_of(machining, panel.thickness)
     yield from comments(
         [
+            *([assumed] if assumed else []),
             f"{name}: {panel.code}, sheet {panel.thickness:g} mm thick",
             f"cutter diameter {machining.cutter_diameter_mm:g} mm, cutting at its centre, no radius compensation",
             "zero: datum of the drawing, upper face of the sheet",
@@ -129,22 +144,26 @@ def _lines(panel: Panel, machining: Machining, name: str, seat: str) -> Iterator
     yield from opening(machining, height)
     for hole in panel.holes:
         yield f"(hole {hole.diameter:g} mm)"
-        yield from _hole_lines(Hole((hole.u, hole.v), 0.0, -panel.thickness), hole.diameter, machining, height)
+        yield from _hole_lines(
+            Hole((hole.u, hole.v), 0.0, -panel.thickness), hole.diameter, machining, height, material
+        )
     radius = machining.cutter_diameter_mm / 2
     for number, cut in enumerate(panel.cuts, 1):
         yield f"(opening {number})"
         path = path_beside(cut.reversed(), radius)
-        yield from _rounds(path, [False] * len(path.bulges), levels, 0.0, machining)
+        yield from _rounds(path, [False] * len(path.bulges), levels, 0.0, machining, material)
     yield "(outline)"
     whole = machining.model_copy(update={"tabs": tabs, "lead_radius_mm": radius})
     slotted = slot_with_tabs(_begun_on_a_line(path_beside(panel.outline, radius)), whole)
     top = tabs.height_mm - panel.thickness
-    yield from _rounds(slotted.centre, slotted.lifted.tolist(), levels, top, machining)
+    yield from _rounds(slotted.centre, slotted.lifted.tolist(), levels, top, machining, material)
     yield "M5"
     yield "M30"
 
 
-def _hole_lines(hole: Hole, diameter: float, machining: Machining, height: float) -> Iterator[str]:
+def _hole_lines(
+    hole: Hole, diameter: float, machining: Machining, height: float, material: DiscMaterial | None
+) -> Iterator[str]:
     """Turns of the cutter in a hole, which must be wider than the cutter."""
     cutter = machining.cutter_diameter_mm
     if diameter < cutter + 2 * LEAST_PATH:
@@ -154,7 +173,7 @@ def _hole_lines(hole: Hole, diameter: float, machining: Machining, height: float
             hole=diameter,
             most=diameter - 2 * LEAST_PATH,
         )
-    yield from hole_lines(hole, turns_of(hole, diameter, machining, None), machining, height)
+    yield from hole_lines(hole, turns_of(hole, diameter, machining, material), machining, height)
 
 
 def _begun_on_a_line(path: Contour) -> Contour:
@@ -166,7 +185,12 @@ def _begun_on_a_line(path: Contour) -> Contour:
 
 
 def _rounds(
-    path: Contour, lifted: Sequence[bool], levels: Sequence[float], top: float, machining: Machining
+    path: Contour,
+    lifted: Sequence[bool],
+    levels: Sequence[float],
+    top: float,
+    machining: Machining,
+    material: DiscMaterial | None,
 ) -> Iterator[str]:
     """Rounds along a path, one for each level; over the tabs no deeper than their top."""
     vertices = path.vertices.round(DECIMALS)
@@ -174,7 +198,7 @@ def _rounds(
     to_centre, length = rounded.centers - vertices, np.linalg.norm(rounded.chords, axis=1)
     straight = np.abs(rounded.bulges) * length / 2 < 10.0**-DECIMALS / 2
     following = np.roll(vertices, -1, axis=0)
-    plunge, feed = f"F{machining.plunge_feed_mm_per_min:g}", f"F{machining.feed(None):g}"
+    plunge, feed = f"F{machining.plunge_feed_mm_per_min:g}", f"F{machining.feed(material):g}"
     x, y = vertices[0].tolist()
     yield f"G0 {words(X=x, Y=y)}"
     floor = 0.0

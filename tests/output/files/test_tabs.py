@@ -6,10 +6,12 @@ import numpy as np
 import pytest
 import shapely
 
+from cadgen import Design
 from cadgen.cam.cutter import largest_cutter
 from cadgen.curves.contour import circle
 from cadgen.design.machining import Machining, Tabs
 from cadgen.errors import DesignError, FileError
+from cadgen.messages import shown
 from cadgen.output.files.gcode import cutter_path, write_gcode
 from cadgen.output.files.gcode_reader import read_gcode
 from tests.curves.shapes import limacon
@@ -209,5 +211,31 @@ def test_the_feed_goes_by_the_material_where_the_design_gives_none(tmp_path):
     path, centre = tmp_path / "cam.nc", cutter_path(circle((0, 0), 20).curve(), 2.0, largest_cutter(CURVE), 1e-3)
     write_gcode(path, centre, Machining(), THICKNESS, name="fed", material="steel")
     assert "(feed for steel: 0.008 mm a tooth, 2 teeth, 8000 turns a minute)" in path.read_text()
-    assert " F128\n" in path.read_text()
-    read_gcode(path, Machining(), THICKNESS, material="steel")
+
+
+def test_a_material_that_nobody_stated_is_told_with_what_is_assumed():
+    """Fed for aluminium whatever the cutter: never faster than there, and what steel takes where that is less."""
+    for diameter, feed, steel in ((1.0, 64.0, 32.0), (2.0, 128.0, 64.0), (4.0, 240.0, 128.0)):
+        machining = Machining(cutter_diameter_mm=diameter)
+        assert machining.feed(None) == feed <= machining.feed("aluminium")
+        assert f"aluminium at {feed:g} mm/min, where steel takes {steel:g};" in machining.assumption(None)
+    wide = Machining(cutter_diameter_mm=16.0)
+    assert wide.feed(None) == 240.0 < wide.feed("steel")
+    assert "steel" not in wide.assumption(None)
+    assert Machining().assumption("steel") is None
+    assert Machining(feed_mm_per_min=300.0).assumption(None) is None
+
+
+def test_the_first_line_of_a_program_and_the_command_say_what_is_assumed(tmp_path):
+    holes = {"machining.drilling.bore_diameter_mm": 7.8, "machining.cutter_diameter_mm": 3.0}
+    design = Design.load("roller", holes)
+    written = design.cam().write(tmp_path, formats="nc")
+    firsts = [file.path.read_text("ascii").partition("\n")[0] for file in written]
+    assert [line.strip("()") for line in firsts] == [file.facts["assumed"] for file in written]
+    fed, drilled = written.warnings
+    assert "fed for aluminium at 192 mm/min, where steel takes 96; state blank.material" in fed
+    assert "drilled as steel, the slowest, at 816 turns" in drilled
+    assert "按铝取进给速度" in shown(fed, "zh")
+    stated = design.with_({"blank.material": "steel"}).cam().write(tmp_path, formats="nc")
+    assert stated.warnings == ()
+    assert not any(file.path.read_text("ascii").startswith("(material") for file in stated)
