@@ -23,7 +23,7 @@ _NUMBER = re.compile(r"(?<![A-Za-z0-9_.])\d+(?:\.\d+)?(?![A-Za-z0-9_])")
 _LINK = re.compile(rf"(?<!!)\[(?P<text>(?:`[^`]*`|[^]])*)\]\((?P<place>[^)#:]+)(?P<anchor>#[^)]*)?\)(?P<mark>{_MARK})?")
 _OTHER = ("[English](", "[中文](")  # the line below the title, which leads to the other language
 # Written in Chinese and no translations: lists of what is there in Chinese, whose links alone are looked after.
-_LISTS = {"index", "README"}
+_LISTS = {HERE / "index.md", HERE / "theory" / "index.md", HERE.parent / "README.md"}
 # `cadgen explain` reads it, and tests of its own hold it to the English one.
 _GLOSSARY = "glossary"
 _PARTS = ("headings", "rows", "code", "links", "numbers")
@@ -60,7 +60,7 @@ def differences(english: Path, chinese: Path) -> list[str]:
     """
     one, other = (page.read_text(encoding="utf-8") for page in (english, chinese))
     found = [] if mended(english, chinese) == other else [f"{chinese.name}: run python -m docs.chinese"]
-    if english.stem in _LISTS:
+    if english in _LISTS:
         return found
     for part, there, here in zip_longest(_PARTS, _shared(one), _shared(other)):
         if there != here:
@@ -92,7 +92,7 @@ def mended(english: Path, chinese: Path) -> str:
     text = chinese.read_text(encoding="utf-8")
     there = [match[0] for match in _BLOCK.finditer(english.read_text(encoding="utf-8"))]
     here = [match[0] for match in _BLOCK.finditer(text)]
-    if english.stem not in _LISTS:
+    if english not in _LISTS:
         here = [one if bare(one) == bare(other) else other for one, other in zip(here, there, strict=False)] + [
             f"\n{block}\n" for block in there[len(here) :]
         ]
