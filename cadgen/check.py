@@ -136,6 +136,7 @@ class CheckCode(StrEnum):
     FRAME_EDGE = "frame-edge"
     FRAME_BED = "frame-bed"
     FRAME_BRIDGE = "frame-bridge"
+    FRAME_OVERHANG = "frame-overhang"
     FRAME_KEYS = "frame-keys"
     FRONT_WHEEL_ROOM = "front-wheel-room"
     DRIVE_ROOM = "drive-room"

@@ -1,7 +1,7 @@
 """Frame of a car: its parts by the layout, their checks with cures that were tried, and their files and sheets."""
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from math import ceil, floor, hypot
@@ -31,6 +31,7 @@ from cadgen.parts.features import Keyway
 
 _SEAT = "H7"  # class of the seats of bearings where train.plate.hole_fit does not say
 CLEAR = 0.05  # mm by which the half circles of inner corners are larger than the cutter
+OVERHANG = 1.0  # mm by which a layer may stand out over nothing with a free end: two lines of a nozzle of 0.4 mm
 BRIDGE = 30.0  # mm that a wall may bridge: melted filament over a gap sags by less than a layer up to some 30 mm
 # Values of keys that are tried as a cure, the gentlest first.
 _CURES: tuple[tuple[str, tuple[str, ...]], ...] = (
@@ -44,6 +45,7 @@ _CURES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("frame.cutter_diameter_mm", ("3", "2")),
 )
 _SMALLER = (0.8, 0.6, 0.4, 0.3)  # shares of the diameter of a drum
+_HIGHER = (5.0, 10.0, 15.0, 20.0, 30.0, 40.0)  # mm by which the camshaft is raised, so that the train folds otherwise
 _WIDER = (5.0, 10.0, 20.0, 30.0, 40.0, 60.0, 80.0)  # mm by which the idle wheel is set farther out
 
 
@@ -88,7 +90,11 @@ class CarFrame(JobResult):
     def own_checks(self) -> tuple[Check, ...]:
         """The frame's own checks, with their limits and a cure that was tried."""
         wrong = {check.code for check in failing(self.plain_checks) if not check.advice}
-        cure = _cure(self.design, narrow=CheckCode.DRIVE_ROOM in wrong) if wrong else None
+        cure = None
+        if wrong & {CheckCode.FRAME_CLEARANCE, CheckCode.FRAME_APART}:
+            cure = _tried(self.design, [("layout.camshaft_height_mm", self._higher)])
+        if wrong and cure is None:
+            cure = _cure(self.design, narrow=CheckCode.DRIVE_ROOM in wrong)
         advice = cure or Message(
             "none of the values that were tried gives a frame: change [frame], or the layout by layout.clearance_mm"
         )
@@ -98,6 +104,12 @@ class CarFrame(JobResult):
     def passed(self) -> bool:
         """Whether every check holds."""
         return not failing(self.checks)
+
+    @property
+    def _higher(self) -> tuple[str, ...]:
+        """Heights of the camshaft that are tried where the train meets fork and platform, as text, mm."""
+        height = self.frame.arrangement.height
+        return tuple(f"{ceil(height + more)}" for more in _HIGHER)
 
     def _checks(self) -> Iterator[Check]:
         frame, site = self.frame, self.frame.site
@@ -200,7 +212,8 @@ class CarFrame(JobResult):
             ),
             self._without_bed(printed),
         )
-        longest = printed.bridges[0] if printed.bridges else None
+        longest = next((bridge for bridge in printed.bridges if bridge.held), None)
+        loose = next((bridge for bridge in printed.bridges if not bridge.held), None)
         yield Check(
             CheckCode.FRAME_BRIDGE,
             Message("longest bridge of a wall over an opening"),
@@ -208,6 +221,14 @@ class CarFrame(JobResult):
             "mm",
             BRIDGE,
             place="" if longest is None else longest.wall,
+        )
+        yield Check(
+            CheckCode.FRAME_OVERHANG,
+            Message("longest overhang of a wall with a free end"),
+            0.0 if loose is None else loose.length,
+            "mm",
+            OVERHANG,
+            place="" if loose is None else loose.wall,
         )
         keyed = list(self._keyed())
         if keyed:
@@ -534,7 +555,17 @@ def _cure(design: Design, *, narrow: bool) -> Message | None:
     wider = [f"{design.car.idle_wheel_offset_mm + more:g}" for more in _WIDER] if narrow else []
     drum = 0.0 if design.drive is None else design.drive.drum_mm or 0.0
     smaller = [f"{round(drum * share):g}" for share in _SMALLER] if narrow and drum else []
-    for key, values in (("car.idle_wheel_offset_mm", wider), ("drive.drum_mm", smaller), *_CURES):
+    return _tried(design, [("car.idle_wheel_offset_mm", wider), ("drive.drum_mm", smaller), *_CURES])
+
+
+def _tried(design: Design, changes: Iterable[tuple[str, Sequence[str]]]) -> Message | None:
+    """First change of one key with which every check of layout and frame holds; None if none helps.
+
+    Args:
+        design: design of the car.
+        changes: keys with the values that are tried, the gentlest first.
+    """
+    for key, values in changes:
         for value in values:
             if key == "frame.base_height_mm" and (design.frame is None or design.frame.base_height_mm is None):
                 continue

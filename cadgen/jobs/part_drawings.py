@@ -30,6 +30,13 @@ _FITS: dict[str, tuple[str, str]] = {
 _NOTES = {
     "fork-spindle": Message("The lower end is bonded into the bridge; the upper end runs in the bearings."),
 }
+_LENGTHS = {"front-wheel": " (-0.1/-0.2)"}  # limits of whole lengths: the hub turns between the cheeks
+# Notes on diameters whose tolerance the design does not state.
+_UNTOLD = {
+    "drive-wheel": Message(
+        "The diameter decides the length of the path. Its tolerance is not stated (tolerances.wheel_radius_mm)."
+    )
+}
 # Textures of outer surfaces by the code of the part: of the rod, which rides on the disc, with the lay along it.
 _TEXTURES = {"rod": "Ra 0.4 ="}
 _FREE = 3.1  # mm; holes of a plate from this size on that are no fits are clearance holes of screws
@@ -75,6 +82,8 @@ def part_sheets(assembly: CarAssembly, folder: Folder) -> Iterator[tuple[str, Dr
             if within := diameters.get(part.code):
                 widest = max(step.diameter for step in steps)
                 texts = replace(texts, fits=(*texts.fits, (widest, f" ±{within:g}")))
+            elif untold := _UNTOLD.get(part.code):
+                texts = replace(texts, notes=(*texts.notes, untold))
             yield stem, turned_drawing(steps, hole, (), texts, title)
         elif isinstance(shape, Block) and shape.prisms[0].outline.is_circle:
             steps = [
@@ -130,6 +139,7 @@ def _texts(
         run_out=run_out,
         seat=width,
         texture=_TEXTURES.get(part.code, ""),
+        length=_LENGTHS.get(part.code, ""),
     )
 
 

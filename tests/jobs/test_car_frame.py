@@ -13,6 +13,7 @@ from cadgen.check import CheckCode, failing
 from cadgen.errors import CheckError
 from cadgen.jobs.car_frame import CarFrame, car_frame
 
+LONG = [pytest.mark.slow, pytest.mark.long]
 CARS = ("workshop_car", "s_course", "posts_and_walls", "figure_eight")
 
 
@@ -119,6 +120,12 @@ def test_a_hub_as_large_as_a_bearing_is_measured(workshop: CarFrame) -> None:
     [
         ("frame.base_height_mm=60", CheckCode.FRAME_WALL, "leave frame.base_height_mm out"),
         ("frame.screws=M5", CheckCode.FRAME_EDGE, "frame.screws"),
+        # The train of a short car folds, and its largest gear meets platform or block of the fork.
+        ("car.wheelbase_mm=90", CheckCode.FRAME_CLEARANCE, "layout.camshaft_height_mm"),
+        *(
+            pytest.param(f"car.wheelbase_mm={size}", CheckCode.FRAME_CLEARANCE, "layout.camshaft_height_mm", marks=LONG)
+            for size in (75, 80, 85, 95, 105, 110, 120)
+        ),
     ],
 )
 def test_a_frame_that_fails_names_a_cure_that_helps(override: str, code: CheckCode, cure: str) -> None:

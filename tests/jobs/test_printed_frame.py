@@ -1,5 +1,6 @@
 """Frame that is printed in one piece: geometry, checks with their cures, refusals, parts, files and mounting."""
 
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -9,7 +10,7 @@ import shapely
 import trimesh
 
 from cadgen import Design, DesignError
-from cadgen.car.assembly.frame.one_piece import one_piece
+from cadgen.car.assembly.frame.one_piece import Bridge, one_piece
 from cadgen.car.assembly.panels import LYING, STANDING, Panel, PartPlace, rectangle
 from cadgen.check import CheckCode, failing
 from cadgen.curves.contour import Contour
@@ -126,6 +127,20 @@ def test_a_wall_over_an_opening_is_a_bridge() -> None:
         ("ends", pytest.approx(10.0), False),
     ]
     assert made.size == pytest.approx((60.0, 60.0, 46.0))
+
+
+@pytest.mark.parametrize(("length", "wrong"), [(20.0, []), (31.0, ["frame-bridge"])])
+def test_an_overhang_with_a_free_end_has_a_limit_of_its_own(
+    workshop: CarFrame, length: float, wrong: list[str]
+) -> None:
+    def failed(*bridges: Bridge) -> list[str]:
+        made = replace(workshop.frame.printed, bridges=tuple(sorted(bridges, key=lambda each: -each.length)))
+        return [str(check.code) for check in failing(tuple(workshop._printed_checks(made)))]
+
+    bridge = Bridge(wall="wall", length=length, held=True)
+    assert failed(bridge) == wrong
+    assert failed(bridge, Bridge(wall="free", length=0.9, held=False)) == wrong
+    assert failed(bridge, Bridge(wall="free", length=1.1, held=False)) == [*wrong, "frame-overhang"]
 
 
 def test_a_shaft_with_its_key_passes_the_seat_through_which_it_is_pushed(workshop: CarFrame) -> None:

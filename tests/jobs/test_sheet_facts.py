@@ -137,7 +137,8 @@ def of_part(part: CarPart, sheet: DrawingSheet) -> dict[str, bool]:
         "sizes": len(sizes) >= 2 or gear,
         "datum": gear
         or any(words in whole for words in DATUMS)
-        or any(isinstance(symbol, DatumFeature) for view in sheet.views for symbol in view.symbols),
+        or any(isinstance(symbol, DatumFeature) for view in sheet.views for symbol in view.symbols)
+        or from_one_end(sheet),
         "fit": bool(re.search(r"[HhF]\d", whole)),
     }
     if part.code in WITHOUT_FITS:
@@ -152,6 +153,35 @@ def of_part(part: CarPart, sheet: DrawingSheet) -> dict[str, bool]:
     if disc:
         facts["tolerance"] = bool(re.search(r"±|tolerance", whole, re.IGNORECASE))
     return facts
+
+
+def from_one_end(sheet: DrawingSheet) -> bool:
+    """Whether the lengths of a turned part count from its left end."""
+    lengths = [
+        each.start[0]
+        for each in sheet.views[0].dimensions
+        if isinstance(each, LinearDimension) and (each.name == "length" or each.name.endswith("from the left end"))
+    ]
+    return len(lengths) > 0 and np.ptp(lengths) == 0
+
+
+def test_a_frame_refers_to_every_datum_and_leaning_sides_have_their_ends(sheets: dict[str, DrawingSheet]) -> None:
+    for stem, sheet in sheets.items():
+        symbols = [symbol for view in sheet.views for symbol in view.symbols]
+        drawn = {each.letter for each in symbols if isinstance(each, DatumFeature)}
+        assert drawn == {each for frame in symbols if isinstance(frame, ToleranceFrame) for each in frame.datums}, stem
+        if "_frame_" not in stem or not sheet.tables:
+            continue
+        told = {(row[1], row[2]) for row in sheet.tables[0].rows if row[4] == "corner of the outline"}
+        outline = next(curve.contour for curve in sheet.views[0].curves if isinstance(curve, Closed))
+        for (x, y), (u, v), bulge in zip(
+            outline.vertices, np.roll(outline.vertices, -1, axis=0), outline.bulges, strict=True
+        ):
+            if not bulge and min(abs(u - x), abs(v - y)) > 0.5:
+                assert {(f"{x:.3f}", f"{y:.3f}"), (f"{u:.3f}", f"{v:.3f}")} <= told, stem
+    assert (
+        len([row for row in sheets["workshop_car_frame_plate_near"].tables[0].rows if row[4].startswith("corner")]) > 3
+    )
 
 
 def test_every_part_that_is_made_has_a_sheet_that_says_all_of_it(
@@ -183,6 +213,7 @@ def test_plain_parts_say_fits_threads_and_positions_by_symbols(sheets: dict[str,
     assert said["drive-wheel"]["bore 5"].suffix == " H7 (+0.012/0)"
     wheel = said["drive-wheel"]
     assert [each.suffix for name, each in wheel.items() if name.startswith("diameter 131")] == [" ±0.04"]
+    assert said["front-wheel"]["length"].suffix == " (-0.1/-0.2)"  # it turns between cheeks as far apart as it is long
     assert said["shaft-4"]["width of seats 1"].suffix == " P9 (-0.006/-0.031)"
     assert said["fork-cheek"]["height"].end[1] - said["fork-cheek"]["height"].start[1] == pytest.approx(38.5, abs=1e-4)
     assert [each.value for each in symbols["rod"] if isinstance(each, SurfaceTexture)] == ["Ra 0.4 ="]

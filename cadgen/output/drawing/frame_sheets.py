@@ -51,6 +51,7 @@ from cadgen.output.drawing.sheet import (
 _GAP = 9.0  # mm on paper from the part to a dimension line, and from line to line
 _WIDTHS = (9.0, 18.0, 18.0, 36.0, 58.0)  # of the columns of a sheet part's table, mm
 _WITHIN = 8.0  # mm on paper, least width and height with room for a number
+_LEANS = 0.1  # mm by which both ends of a leaning side are apart either way
 _NUMBER = 3.0  # mm on paper from a hole to its number
 
 
@@ -134,6 +135,10 @@ def panel_drawing(panel: Panel, text: PanelText, title: Title) -> DrawingSheet:
         _number(room, str(number), feature, scale)
         for number, feature in enumerate(panel.features, len(panel.holes) + 1)
     ]
+    labels += [
+        room.label(str(number), corner, _NUMBER, TEXT)
+        for number, corner in enumerate(slanted_corners(panel), len(panel.holes) + len(panel.features) + 1)
+    ]
     seats = [hole for hole in panel.holes if hole.fit and hole.shaft in text.zones]
     seats.sort(key=lambda hole: hole.shaft)
     framed = [
@@ -196,6 +201,24 @@ def _rows(panel: Panel, text: PanelText) -> Iterator[tuple[str, ...]]:
     for edge in panel.edge_holes:
         size = f"{text.thread} × {rounded(edge.depth, 2)}, {DIAMETER}{rounded(edge.diameter, 2)}"
         yield "", _at(edge.u), _at(edge.v), size, Message("thread in the foot, mid-thickness")
+    for x, y in slanted_corners(panel):
+        number += 1
+        yield str(number), _at(x), _at(y), "", Message("corner of the outline")
+
+
+def slanted_corners(panel: Panel) -> list[tuple[float, float]]:
+    """Ends of the straight sides that lean, from which alone such a side can be sawn or milled by hand, mm.
+
+    Args:
+        panel: sheet part.
+    """
+    points, bulges = panel.outline.vertices, panel.outline.bulges
+    found: list[tuple[float, float]] = []
+    for start, end, bulge in zip(points.tolist(), np.roll(points, -1, axis=0).tolist(), bulges.tolist(), strict=True):
+        along, across = abs(end[0] - start[0]), abs(end[1] - start[1])
+        if not bulge and min(along, across) > _LEANS:
+            found += [(x, y) for x, y in (start, end) if (x, y) not in found]
+    return found
 
 
 def _at(place: float) -> str:

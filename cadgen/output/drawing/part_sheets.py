@@ -112,6 +112,7 @@ class PartTexts:
         run_out: circular run-out of the widest step about the bore, mm; None where the design states none.
         seat: class of the width of a key's seat with its limits, with a blank before it.
         texture: texture of the outer surface; empty where it is that of the title block.
+        length: limits of the whole length, with a blank before them; empty for the general tolerance.
     """
 
     notes: tuple[str, ...]
@@ -119,6 +120,7 @@ class PartTexts:
     run_out: float | None = None
     seat: str = ""
     texture: str = ""
+    length: str = ""
 
     def fit(self, diameter: float) -> str:
         """Class of a diameter, with a blank before it; empty without one.
@@ -184,7 +186,13 @@ def turned_drawing(
     ends = [step.high for step in steps]
     for number, end in enumerate(ends, 1):
         name = "length" if number == len(ends) else f"step {number} from the left end"
-        dimensions.append(along_axis(name, (low, end), -reach, -reach - gap - (number - 1) * step_out))
+        extent_along = along_axis(name, (low, end), -reach, -reach - gap - (number - 1) * step_out)
+        if number == len(ends) and texts.length:
+            words = TEXT * _LETTER * len(f"{rounded(end - low)}{texts.length}")
+            room = scale * (end - low)
+            off = 0.0 if words < room - 4.0 else room / 2 + _tail(room) + words / 2 + 1.5
+            extent_along = replace(extent_along, suffix=texts.length, beside=off)
+        dimensions.append(extent_along)
     ends_of = {f"bore {step.bore:g}": (low, step.bore, 0) for step in steps if step.bore}
     for step in sorted(steps, key=lambda each: each.diameter):
         right = int((step.low + step.high) / 2 > (low + high) / 2)
@@ -346,12 +354,11 @@ def _seat_sections(
 def _turned_symbols(
     steps: Sequence[TurnedStep], dimensions: Sequence[Dimension], scale: float, texts: PartTexts
 ) -> Iterator[Symbol]:
-    """Datum A, which is the axis of the bore or of the first fit, with run-out and texture where they are stated."""
+    """Run-out of the rim about datum A, the axis of the bore, and texture, where they are stated."""
     named = {each.name: each for each in dimensions if isinstance(each, LinearDimension)}
     bores = sorted({step.bore for step in steps if step.bore})
-    outside = [step.diameter for step in steps if texts.fit(step.diameter)]
-    name = f"bore {bores[0]:g}" if bores else f"diameter {outside[0]:g}" if outside else ""
-    if held := named.get(name):
+    if texts.run_out and bores:
+        held = named[f"bore {bores[0]:g}"]
         # In line with the dimension, below its number, which reads upwards and stands over the middle of its line.
         half = scale * length_of(held) / 2
         half += _tail(2 * half)
@@ -359,20 +366,19 @@ def _turned_symbols(
         foot = (held.at[0], -half / scale)
         yield DatumFeature(letter="A", foot=foot, angle=270.0, reach=max(8.0, long - half + 5.0))
         widest = max(steps, key=lambda step: step.diameter)
-        if texts.run_out and bores:
-            # On the lower extension line of its diameter, where no length stands.
-            rim = named[f"diameter {widest.diameter:g}"]
-            side = 1.0 if rim.at[0] > rim.start[0] else -1.0
-            tip = (rim.start[0] + side * 4.0 / scale, -widest.diameter / 2)
-            bend = (tip[0] + side * 1e-6, tip[1] - 10.0 / scale)
-            yield ToleranceFrame(
-                name="rim",
-                characteristic=Characteristic.RUN_OUT,
-                zone=texts.run_out,
-                datums=("A",),
-                tip=tip,
-                bend=bend,
-            )
+        # On the lower extension line of its diameter, where no length stands.
+        rim = named[f"diameter {widest.diameter:g}"]
+        side = 1.0 if rim.at[0] > rim.start[0] else -1.0
+        tip = (rim.start[0] + side * 4.0 / scale, -widest.diameter / 2)
+        bend = (tip[0] + side * 1e-6, tip[1] - 10.0 / scale)
+        yield ToleranceFrame(
+            name="rim",
+            characteristic=Characteristic.RUN_OUT,
+            zone=texts.run_out,
+            datums=("A",),
+            tip=tip,
+            bend=bend,
+        )
     if texts.texture:
         first = steps[0]
         yield SurfaceTexture(value=texts.texture, tip=(0.7 * first.low + 0.3 * first.high, first.diameter / 2))
