@@ -1,3 +1,3 @@
 """The version, in its one place: the package, its files and its build read it here."""
 
-__version__ = "0.2.0"
+__version__ = "0.3.0"
