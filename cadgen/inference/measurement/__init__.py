@@ -6,6 +6,7 @@
 | `record`       | a kind of data as an object, a record of it with runs, and what no record may be               |
 | `nominal`      | the design that data are measured against, and the forces on its cam                           |
 | `shapes`       | forms without a name that compete with the catalogue                                           |
+| `camera_frame` | frame of a track: axes turned by quarters of a turn, shifted, or in a mirror                   |
 | `kinds`        | the kinds of data with their models, one file each, and their table                            |
 | `evidence`     | likelihood of a residual with noise, datum and form error accounted for                        |
 | `joint`        | records of one car as one: shared effects, one evidence                                        |

@@ -20,7 +20,9 @@ from cadgen.inference.measurement.evidence import Evidence
 from cadgen.inference.measurement.hypothesis import Hypothesis, Search, fit
 from cadgen.inference.measurement.joint import Joint, Part
 from cadgen.inference.measurement.nominal import Nominal
+from cadgen.inference.measurement.reservations import DWARFED
 from cadgen.inference.measurement.search import find
+from cadgen.inference.measurement.verdict import left_over
 from cadgen.messages import Message
 from cadgen.progress import Progress, silent
 
@@ -76,7 +78,8 @@ def other_cam(
     """How well the records fit another cam.
 
     None where the stated one surely fits better, the two are alike, or the records show the same of the car with either
-    cam, as those of a transmission do: then a cam made for it does not ask which one was on it.
+    cam, as those of a transmission do: then a cam made for it does not ask which one was on it. None, too, where the
+    other cam leaves as much of the records unexplained as dwarfs every effect.
 
     Args:
         weighed: joint verdict on the records, against the stated cam.
@@ -99,6 +102,9 @@ def other_cam(
     # What was measured of the play apart speaks for a cam as well.
     better = float(best.score + _off(best, stated.play) - found.score - _off(found, other.play))
     if better < -SURE or (better <= SURE and _same(best, found)):
+        return None
+    # Where neither cam comes near the records, that one of them is nearer says nothing.
+    if max(left_over(part, joint, found) for part in joint.parts) > DWARFED:
         return None
     names, instead = (tuple(e.name for e in h.effects if not e.shape) for h in (found, best))
     return OtherCam(profile, earlier, better, names, instead)

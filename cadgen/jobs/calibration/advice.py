@@ -22,7 +22,7 @@ from cadgen.inference.expectation.predict import Prediction, predict, predict_lo
 from cadgen.inference.measurement.findings import EvidenceDiagnosis, PathDiagnosis
 from cadgen.inference.measurement.nominal import MACHINED_UM, LoggedCar, Nominal
 from cadgen.inference.measurement.record import Method, Record, join, refuse_wrong_units
-from cadgen.jobs.calibration.calibration import CalibrationPlan, wheelbase_of
+from cadgen.jobs.calibration.calibration import CalibrationPlan, in_frame, wheelbase_of
 from cadgen.jobs.calibration.calibration_report import SIGNS
 from cadgen.jobs.calibration.cam_on_car import INCLINOMETER_DEG, nominal_of
 from cadgen.jobs.calibration.sources import Source
@@ -275,6 +275,8 @@ class Predictions(Plotted):
             progress(Message("predicting {source}", source=source.record.source))
             if source.kind.method not in by_method:
                 raise FileError("{file}: mean turns over zones are not predicted: give runs", file=source.record.source)
+            if calibration.nominal is not None:
+                source = in_frame(source, calibration.nominal)
             out.append(by_method[source.kind.method](calibration, source.record))
         return cls(tuple(out))
 

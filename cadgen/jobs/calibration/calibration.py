@@ -18,6 +18,7 @@ from cadgen.deviations.deviation import Place
 from cadgen.errors import CheckError, DesignError, FileError
 from cadgen.gears.choices import StageOrder
 from cadgen.inference.expectation.outlook import Outlook
+from cadgen.inference.measurement.camera_frame import in_design_frame
 from cadgen.inference.measurement.claims import Claim, Shared, claims, no_friction, no_play, shared
 from cadgen.inference.measurement.diagnosis import (
     SOUND,
@@ -26,6 +27,7 @@ from cadgen.inference.measurement.diagnosis import (
     weigh_together,
 )
 from cadgen.inference.measurement.findings import Diagnosis, EvidenceDiagnosis, Finding
+from cadgen.inference.measurement.kinds import TRACK
 from cadgen.inference.measurement.kinds.zones import Shortfall, Zones, judged, return_error, shortfall
 from cadgen.inference.measurement.nominal import Nominal
 from cadgen.inference.measurement.odd_runs import odd_runs
@@ -246,7 +248,7 @@ def calibrate(
             known = replace(known, usual=workshop.usual)
         if zones is not None and zones.judgement.claimed:
             known = replace(known, play=(radians(zones.zones.return_error_deg), radians(zones.zones.sigma_deg)))
-        sources, left_out = _without_odd_runs(sources, known)
+        sources, left_out = _without_odd_runs([in_frame(source, known) for source in sources], known)
         records[Method.EVIDENCE] = [s.record for s in sources if s.kind.method is Method.EVIDENCE]
         track_length = known.track.length
         weighed = weigh_together(records[Method.EVIDENCE], known, progress)
@@ -416,6 +418,18 @@ def _refuse_known(design: Design, sources: Sequence[Source]) -> None:
                 name=design.name,
                 known=known[source.sha256],
             )
+
+
+def in_frame(source: Source, known: Nominal) -> Source:
+    """File whose places are in the frame of the design; others as they are.
+
+    Args:
+        source: measured file.
+        known: the design.
+    """
+    if source.kind is not TRACK:
+        return source
+    return replace(source, record=in_design_frame(source.record, known.track))
 
 
 def _without_odd_runs(sources: Sequence[Source], known: Nominal) -> tuple[list[Source], list[Message]]:
