@@ -17,7 +17,7 @@ from cadgen.deviations.effect import Effect, Quantity
 from cadgen.deviations.instrument import LIFT_INSTRUMENT, PROFILE_INSTRUMENT
 from cadgen.deviations.lift import LIFT_EFFECTS
 from cadgen.deviations.track import TRACK_EFFECTS
-from cadgen.deviations.transmission import RETURN_ERROR, TRAIN_EFFECTS, runout, tooth_mesh
+from cadgen.deviations.transmission import RETURN_ERROR, TRAIN_EFFECTS, eccentric_encoder, runout, tooth_mesh
 from cadgen.messages import Message
 from cadgen.registry import load_plugins, used
 
@@ -124,9 +124,15 @@ def _look_for_plugins() -> None:
         load_plugins(group, EffectOf, lambda brought: brought.catalogue.register(brought.effect))
 
 
-def _runout(match: re.Match[str], indices: Mapping[str, float]) -> Effect:
-    shaft = Message("shaft {number}", number=int(match[2])) if match[2] else match[1]
-    return runout(shaft, float(indices.get("turns_per_turn", 1.0)))
+def _of_shafts(make: Callable[[str, float], Effect], words: str) -> Family:
+    """Effects of one sort, one for each shaft of a train: its order stands in the indices."""
+
+    def member(match: re.Match[str], indices: Mapping[str, float]) -> Effect:
+        shaft = Message("shaft {number}", number=int(match[2])) if match[2] else match[1]
+        return make(shaft, float(indices.get("turns_per_turn", 1.0)))
+
+    pattern = re.compile(rf"{words} (the motor shaft|the camshaft|shaft (\d{{1,2}}))")
+    return Family((make("the camshaft", 1.0),), pattern, member)
 
 
 _NOSES = Family(
@@ -140,11 +146,8 @@ _UNDULATIONS = Family(
     lambda match, indices: undulation(int(match[1])),
 )
 # Orders are those of the train; what is only noted does not need them.
-_RUNOUTS = Family(
-    (runout("the camshaft", 1.0),),
-    re.compile(r"runout of (the motor shaft|the camshaft|shaft (\d{1,2}))"),
-    _runout,
-)
+_RUNOUTS = _of_shafts(runout, "runout of")
+_ENCODERS = _of_shafts(eccentric_encoder, "eccentric encoder on")
 _MESHES = Family(
     (tooth_mesh(1, 1.0),),
     re.compile(r"tooth mesh of stage (\d{1,2})"),
@@ -153,7 +156,7 @@ _MESHES = Family(
 
 LIFT = Catalogue(*LIFT_EFFECTS, *LIFT_INSTRUMENT, families=(_NOSES,))
 PROFILE = Catalogue(*PROFILE_EFFECTS, *PROFILE_INSTRUMENT, families=(_NOSES, _UNDULATIONS))
-TRANSMISSION = Catalogue(*TRAIN_EFFECTS, families=(_RUNOUTS, _MESHES))
+TRANSMISSION = Catalogue(*TRAIN_EFFECTS, families=(_RUNOUTS, _ENCODERS, _MESHES))
 TRACK = Catalogue(*TRACK_EFFECTS)
 ZONES = Catalogue(RETURN_ERROR)
 

@@ -147,7 +147,8 @@ def runout(shaft: str, order: float) -> Effect:
         shaft: name of the shaft.
         order: turns of the shaft for one turn of the cam.
     """
-    twins: tuple[str, ...] = (Message("eccentric encoder on {shaft}", shaft=Message(shaft)),)
+    encoder = Message("eccentric encoder on {shaft}", shaft=Message(shaft))
+    twins: tuple[str, ...] = (encoder,)
     apart = "put a dial on the gear's rim, or turn the encoder on its shaft and measure again"
     if order == 1:
         twins = (*twins, Message("twist under a weight that turns with the camshaft"))
@@ -166,6 +167,28 @@ def runout(shaft: str, order: float) -> Effect:
         twins=twins,
         confused_with="an eccentric encoder on the same shaft",
         separated_by=apart,
+    )
+
+
+def eccentric_encoder(shaft: str, order: float) -> Effect:
+    """An encoder off centre on a shaft: its readings are those of a runout, and the car does not move by it.
+
+    Args:
+        shaft, order: as of `runout`.
+    """
+    gear = runout(shaft, order)
+    return replace(
+        gear,
+        name=gear.twins[0],
+        parameters=(
+            _deg("encoder_cos_deg", "+: the camshaft is read ahead where that shaft has turned by 0°", 5.0, 0.03),
+            _deg("encoder_sin_deg", "+: where it has turned by 90°", 5.0, 0.03),
+        ),
+        places=(Place.NOTED,),
+        looks_like=gear,
+        twins=(),
+        confused_with="a gear off centre on the same shaft",
+        separated_by="turn the encoder on its shaft and measure again; or measure the track, which it leaves alone",
     )
 
 
@@ -204,6 +227,8 @@ def train_orders(ratios: tuple[float, ...], teeth: tuple[int, ...], highest: int
     orders = [round(float(np.prod(ratios[k:])), 9) for k in range(len(ratios) + 1)]
     names = ["the motor shaft", *(Message("shaft {number}", number=k) for k in range(1, len(ratios))), "the camshaft"]
     effects = [rubbing(RETURN_ERROR, SLIDING_FRICTION, start) for start in (0.0, *FRICTIONS)]
-    effects += [runout(n, o) for n, o in zip(names, orders, strict=True) if o <= highest]
+    effects += [
+        make(n, o) for make in (runout, eccentric_encoder) for n, o in zip(names, orders, strict=True) if o <= highest
+    ]
     meshes = [(k + 1, z * orders[k + 1]) for k, z in enumerate(teeth)]
     return tuple(effects + [tooth_mesh(stage, order) for stage, order in meshes if order <= highest])

@@ -18,6 +18,7 @@
 | `claims`       | what is claimed, each deviation at work once, where data that are judged apart show it too     |
 | `runs_left_out` | diagnosis of logged runs by their path error on runs left out, where errors accumulate        |
 | `odd_runs`     | runs of another car, state or unit, which are left out and named                               |
+| `odd_logs`     | logged runs of another vehicle, state or unit, likewise                                        |
 | `repeats`      | what repeats over logged runs of one path without a name                                       |
 | `formulas`     | a formula for that over physical inputs, proposed by paths left out                            |
 | `other_cam`    | whether the records fit another cam than the one that they were judged against                 |

@@ -32,6 +32,7 @@ NEAR = 1.15
 # A run that repeats another in each of so many rows or more is its copy, if others differ in this share of the rows:
 # an instrument of coarse steps repeats itself in all runs.
 LEAST_ROWS, DIFFER = 20, 0.1
+OTHERS_CAR = Message("it is of another car, or of this one in another state, or something slipped in it")
 _STEPS = 4  # of Gauss and Newton, by which the datum of a turned start converges
 
 
@@ -120,4 +121,4 @@ def _why(record: Record, odd: int) -> Message:
     for other, factor in SLIPS.get(unit, {}).items():
         if factor / NEAR < ratio < factor * NEAR:
             return Message("it seems to be in {other} and not in {unit}", other=other, unit=unit)
-    return Message("it is of another car, or of this one in another state, or something slipped in it")
+    return OTHERS_CAR

@@ -55,14 +55,16 @@ from cadgen.progress import Progress, silent
 # All subsets of so many effects are tried; larger ones only beyond the best of those with one effect less.
 TRIED_SUBSET, LARGEST_SUBSET = 3, 6
 GROWN = 4
-# Places over the range of a number at which its search begins: a steering that was logged in another unit is off by
-# several times, from where no search comes down from nothing.
+# Sizes at which the search of a single number begins on each side, from the usual one to the greatest, in equal
+# ratios: a steering that was logged in another scale is off by several or by hundred times, which no search reaches
+# from nothing.
 STARTS = 25
 LEAST_RUNS = 4
 # A smaller subset must predict at least this many standard errors worse to be given up.
 STANDARD_ERRORS = 1.0
-# Path errors within this share of each other are the same, however steadily they differ: models err by more.
-SAME = 0.05
+# Path errors within this share of each other are the same, however steadily they differ: models err by as much, and
+# what takes away less is not named.
+SAME = 0.1
 # Share of a run's extent that a path error may have: measured cars keep to 3 to 6 % once they are calibrated, and are
 # 26 to 43 % off before.
 LEFT_OF_EXTENT = 0.15
@@ -124,7 +126,7 @@ def leave_runs_out(record: Record, build: Callable[[Record], Model]) -> LeftOut:
 
     Fewer than `LEAST_RUNS` runs say nothing sure; with one run, that run is judged as it was fitted.
     """
-    runs = [_LoggedRun.of(build(record.only(np.array([k])))) for k in range(record.runs)]
+    runs = [LoggedRun.of(build(record.only(np.array([k])))) for k in range(record.runs)]
     catalogue = runs[0].model.catalogue
     before = np.array([run.error([]) for run in runs])
     sigmas = sigmas_of(len(runs) - 1, len(catalogue))
@@ -163,14 +165,15 @@ def _as_good(trial: LeftOutFit, best: LeftOutFit) -> bool:
 
 
 @dataclass(frozen=True)
-class _LoggedRun:
+class LoggedRun:
     """Run with its model and a basis of its start pose's columns."""
 
     model: Model
     pose: Array
 
     @classmethod
-    def of(cls, model: Model) -> "_LoggedRun":
+    def of(cls, model: Model) -> "LoggedRun":
+        """Take the model of one run."""
         return cls(model, np.linalg.qr(model.offsets)[0])
 
     def registered(self, columns: Array) -> Array:
@@ -178,9 +181,11 @@ class _LoggedRun:
         return np.asarray(columns - self.pose @ (self.pose.T @ columns))
 
     def residual(self, active: Active) -> Array:
+        """Residual less the start pose, mm."""
         return self.registered(self.model.residual(active))
 
     def tangents(self, effects: tuple[Effect, ...], active: Active) -> Array:
+        """Change of the path for each number of some effects, less the start pose."""
         return -self.registered(slopes(self.model, effects, active))
 
     @property
@@ -201,8 +206,11 @@ def _starts(effects: tuple[Effect, ...], smaller: Sequence[LeftOutFit]) -> list[
         start = np.asarray(effect.start, dtype=float)
         if len(start) > 1:
             return [start]
-        low, high = effect.bounds
-        return [start, *(low + (high - low) * (np.arange(STARTS)[:, None] + 0.5) / STARTS)]
+        (low,), (high,) = effect.bounds
+        usual = effect.parameters[0].spread
+        sides = [bound for bound in (low, high) if bound]
+        sizes = np.concatenate([np.geomspace(np.sign(b) * min(usual, abs(b)), b, STARTS) for b in sides])
+        return [start, *sizes[:, None]]
     starts = []
     for fit in smaller:
         if set(fit.effects) < set(effects):
@@ -211,8 +219,13 @@ def _starts(effects: tuple[Effect, ...], smaller: Sequence[LeftOutFit]) -> list[
     return starts or [np.concatenate([effect.start for effect in effects])]
 
 
+def single_fit(runs: list[LoggedRun], effect: Effect) -> Array:
+    """Values of one effect fitted to all runs, internal units."""
+    return _trial(runs, (effect,), (), 0.0).values
+
+
 def _trial(
-    runs: list[_LoggedRun], effects: tuple[Effect, ...], smaller: Sequence[LeftOutFit], sigmas: float
+    runs: list[LoggedRun], effects: tuple[Effect, ...], smaller: Sequence[LeftOutFit], sigmas: float
 ) -> LeftOutFit:
     bounds = np.concatenate([e.bounds for e in effects], axis=1)
 
@@ -291,8 +304,11 @@ def diagnose_logged(record: Record, build: Callable[[Record], Model], progress: 
     if judgement.verdict is Verdict.NONE:
         again = repeats(paths, _along(before, model.rows.run))
         again = [r for r in again if r.rms > LEAST_REPEATED * left_out.extent]
-    driven = len(one_path(paths)[0]) >= LEAST_ALIKE
-    judgement = _with_what_repeats(judgement, again, driven=driven)
+    groups = one_path(paths)
+    judgement = _with_what_repeats(judgement, again, driven=len(groups[0]) >= LEAST_ALIKE)
+    if again and len(groups) == 1:
+        why = Message("on one path an effect is not told from what repeats there; drive another path, too")
+        judgement = unclaimed(judgement, judgement.claimed, why)
     judgement = replace(judgement, limits=(*judgement.limits, *model.notes))
     formula = proposal(model, chosen.effects, active, after, one_path(paths)) if again else None
     if formula is not None:

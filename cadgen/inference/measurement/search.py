@@ -280,8 +280,12 @@ def distinguishable(joint: Joint) -> tuple[Effect, ...]:
         if not other:
             continue
         mine, others = response(effect), response(other)
-        if np.linalg.norm(mine - others @ (others.T @ mine), 2) < APART:
-            del kept[effect.key]
+        if np.linalg.norm(mine - others @ (others.T @ mine), 2) >= APART:
+            # What no record of its kind alone tells apart, one beside it does.
+            kept[other.key] = replace(other, twins=tuple(twin for twin in other.twins if twin != effect.name))
+            continue
+        del kept[effect.key]
+        if effect.name not in other.twins:
             by = Message(
                 "{first}; {name}: {second}",
                 first=Message(other.separated_by),

@@ -1,6 +1,6 @@
 """Calibration of a car: measured files -> one verdict for each kind of data, and what they say together."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import degrees, radians
@@ -29,7 +29,8 @@ from cadgen.inference.measurement.diagnosis import (
 from cadgen.inference.measurement.findings import Diagnosis, EvidenceDiagnosis, Finding
 from cadgen.inference.measurement.kinds import TRACK
 from cadgen.inference.measurement.kinds.zones import Shortfall, Zones, judged, return_error, shortfall
-from cadgen.inference.measurement.nominal import Nominal
+from cadgen.inference.measurement.nominal import LoggedCar, Nominal
+from cadgen.inference.measurement.odd_logs import odd_logs
 from cadgen.inference.measurement.odd_runs import odd_runs
 from cadgen.inference.measurement.other_cam import OtherCam, other_cam
 from cadgen.inference.measurement.record import Kind, Method, Record, join, refuse_wrong_units, said
@@ -248,7 +249,15 @@ def calibrate(
             known = replace(known, usual=workshop.usual)
         if zones is not None and zones.judgement.claimed:
             known = replace(known, play=(radians(zones.zones.return_error_deg), radians(zones.zones.sigma_deg)))
-        sources, left_out = _without_odd_runs([in_frame(source, known) for source in sources], known)
+        against = known
+
+        def odd_of(whole: Record) -> dict[int, Message]:
+            refuse_wrong_units(whole, against)
+            return odd_runs(whole, against.model)
+
+        sources, left_out = _without_odd_runs(
+            [in_frame(source, against) for source in sources], Method.EVIDENCE, odd_of
+        )
         records[Method.EVIDENCE] = [s.record for s in sources if s.kind.method is Method.EVIDENCE]
         track_length = known.track.length
         weighed = weigh_together(records[Method.EVIDENCE], known, progress)
@@ -257,7 +266,12 @@ def calibrate(
     wheelbase = None
     if logged := records[Method.RUNS_LEFT_OUT]:
         wheelbase = wheelbase_of(design.car.wheelbase_mm, logged)
-        diagnosis = calibrate_logged(logged, wheelbase[0], progress, accepted_formulas(design, logged[0].kind))
+        accepted = accepted_formulas(design, logged[0].kind)
+        vehicle = LoggedCar(wheelbase[0], accepted)
+        sources, more = _without_odd_runs(sources, Method.RUNS_LEFT_OUT, lambda whole: odd_logs(whole, vehicle))
+        left_out += more
+        logged = [s.record for s in sources if s.kind.method is Method.RUNS_LEFT_OUT]
+        diagnosis = calibrate_logged(logged, wheelbase[0], progress, accepted)
         diagnoses[diagnosis.kind] = diagnosis
     found = _claims(design, diagnoses.values(), zones)
     if not any(c.absent and c.deviation == deviation.RETURN_ERROR and c.kind.rod_on for c in found):
@@ -432,17 +446,23 @@ def in_frame(source: Source, known: Nominal) -> Source:
     return replace(source, record=in_design_frame(source.record, known.track))
 
 
-def _without_odd_runs(sources: Sequence[Source], known: Nominal) -> tuple[list[Source], list[Message]]:
-    """Files less the runs that are not of the others' car, and a sentence on each of these."""
+def _without_odd_runs(
+    sources: Sequence[Source], method: Method, odd_of: Callable[[Record], dict[int, Message]]
+) -> tuple[list[Source], list[Message]]:
+    """Files less the runs that are not of the others' car, and a sentence on each of these.
+
+    Args:
+        sources: all files.
+        method: by which the kinds are judged that are looked at.
+        odd_of: finds those runs in the joined record of a kind, with what is off about each.
+    """
     kept, words = [], []
     odd: dict[Kind, dict[int, Message]] = {}
     before: dict[Kind, int] = {}
     for source in sources:
         kind, runs = source.kind, source.record.runs
-        if kind.method is Method.EVIDENCE and kind not in odd:
-            whole = join([other.record for other in sources if other.kind is kind])
-            refuse_wrong_units(whole, known)
-            odd[kind] = odd_runs(whole, known.model)
+        if kind.method is method and kind not in odd:
+            odd[kind] = odd_of(join([other.record for other in sources if other.kind is kind]))
         first = before.get(kind, 0)
         before[kind] = first + runs
         mine = {number - first: why for number, why in odd.get(kind, {}).items() if first <= number < first + runs}

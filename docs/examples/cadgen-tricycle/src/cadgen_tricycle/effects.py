@@ -69,20 +69,33 @@ def _mm(name: str, meaning: str) -> Parameter:
 
 
 def scaled(effects: tuple[Effect, ...], wheelbase: float) -> tuple[Effect, ...]:
-    """Effects of a vehicle of a wheelbase, mm: its markers are no farther from the axle than half of that."""
-    limit = _MARKER_SHARE * wheelbase
+    """Effects of a vehicle of a wheelbase, mm, whose markers' offsets are shares of that."""
+    limit, usual, step = (share * wheelbase for share in (MARKER_SHARE, _USUAL_SHARE, _STEP_SHARE))
     return tuple(
-        replace(effect, parameters=tuple(replace(p, lower=-limit, upper=limit) for p in effect.parameters))
+        replace(
+            effect,
+            parameters=tuple(replace(p, lower=-limit, upper=limit, usual=usual, step=step) for p in effect.parameters),
+        )
         if effect.stage is MARKER
         else effect
         for effect in effects
     )
 
 
-_MARKER_SHARE = 0.5
+# Markers sit between the axles or a little beyond the front one.
+MARKER_SHARE, _USUAL_SHARE, _STEP_SHARE = 1.25, 0.02, 0.001
 ON_THE_SPOT = "turn on the spot with the wheel at 90 degrees: there the rate of turning is the wheelbase's alone"
 
 EFFECTS = (
+    Effect(
+        name="steering gain",
+        stage=STEERING,
+        # A log in another scale is off by several or by hundred times; below -100 % its sign is the other one.
+        parameters=(_percent("gain_percent", "+: the wheel turns more than was logged", 9900.0),),
+        act=_times,
+        confused_with="wheelbase, as long as the wheel turns little",
+        separated_by=ON_THE_SPOT,
+    ),
     Effect(
         name="steering zero",
         stage=STEERING,
@@ -102,15 +115,6 @@ EFFECTS = (
         separated_by="push the car straight and read the steering",
     ),
     Effect(
-        name="steering gain",
-        stage=STEERING,
-        # A log in other units than it says is off by several times; below -100 % its sign is the other one.
-        parameters=(_percent("gain_percent", "+: the wheel turns more than was logged", 900.0),),
-        act=_times,
-        confused_with="wheelbase, as long as the wheel turns little",
-        separated_by=ON_THE_SPOT,
-    ),
-    Effect(
         name="wheelbase",
         stage=WHEELBASE,
         parameters=(_percent("wheelbase_percent", "+: longer than said", 30.0, 3.0),),
@@ -121,7 +125,10 @@ EFFECTS = (
     Effect(
         name="wheel radius",
         stage=TRAVEL,
-        parameters=(_percent("wheel_radius_percent", "+: the car goes further than was logged", 10.0),),
+        # An odometer whose counts were taken for other lengths is off by several times.
+        parameters=(
+            replace(_percent("wheel_radius_percent", "+: the car goes further than was logged", 900.0), lower=-95.0),
+        ),
         act=_times,
         twins=("scale of the odometer",),
         separated_by="roll the car ten turns of the wheel along a rule",
