@@ -18,7 +18,7 @@ STEP_S = 0.01
 
 @dataclass(frozen=True)
 class Vehicle:
-    """What a vehicle is and what its log says of it.
+    """Vehicle, and errors of its log.
 
     Attributes:
         wheelbase: mm.
