@@ -177,11 +177,15 @@ class LoggedRun:
         return cls(model, np.linalg.qr(model.offsets)[0])
 
     def registered(self, columns: Array) -> Array:
-        """Columns less the start pose."""
+        """Take the start pose out of columns.
+
+        Args:
+            columns: changes of the coordinates of all rows, shape (n, ...), mm.
+        """
         return np.asarray(columns - self.pose @ (self.pose.T @ columns))
 
     def residual(self, active: Active) -> Array:
-        """Residual less the start pose, mm."""
+        """Residual with some effects less the start pose, shape (n,), mm."""
         return self.registered(self.model.residual(active))
 
     def tangents(self, effects: tuple[Effect, ...], active: Active) -> Array:
