@@ -9,6 +9,7 @@ than the others is not odd: the joint fit knows its effects.
 from itertools import pairwise
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
 from cadgen.arrays import Array
@@ -52,7 +53,7 @@ def odd_logs(record: Record, logged: LoggedCar) -> dict[int, Message]:
         worst = int(np.argmax(errors))
         if errors[worst] < APART * float(np.delete(errors, worst).max()):
             break
-        others = np.delete(kept, worst)
+        others = np.delete(kept, worst).astype(np.intp)
         chosen = leave_runs_out(record.only(others), build).chosen
         odd, rest = int(kept[worst]), float(chosen.held_out.max())
         size = LoggedRun.of(models[odd]).error(activated(chosen.effects, chosen.values))
@@ -111,7 +112,7 @@ def _together(models: list[Model]) -> Array:
     return min((errors(fit(values)) for values in (start, best)), key=lambda e: float(e.sum()))
 
 
-def _why(record: Record, odd: int, others: Array, logged: LoggedCar) -> Message:
+def _why(record: Record, odd: int, others: NDArray[np.intp], logged: LoggedCar) -> Message:
     """Reason that may be: another unit, if what is measured spans as much less or more than in the other runs."""
 
     def spans(run: int) -> list[tuple[str, float]]:
