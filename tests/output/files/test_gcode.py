@@ -75,7 +75,9 @@ def test_an_outline_that_is_no_part_says_so_at_the_top(tmp_path, profile):
     curve = circle((4.0, 3.0), 30.0).curve()
     centre = cutter_path(curve, 2.0, largest_cutter(curve), 2e-4)
     write_gcode(tmp_path / "disc.nc", centre, MACHINING, THICKNESS, name="disc", notes=[profile_of(profile).note])
-    assert (tmp_path / "disc.nc").read_text().splitlines()[1].startswith("(NOT THE OUTLINE OF A PART TO USE: ")
+    lines = (tmp_path / "disc.nc").read_text().splitlines()
+    assert lines[0].startswith("(material not stated: ")
+    assert lines[2].startswith("(NOT THE OUTLINE OF A PART TO USE: ")
     read_gcode(tmp_path / "disc.nc", MACHINING, THICKNESS)
 
 
@@ -102,7 +104,7 @@ def test_the_program_says_what_the_shop_must_know(disc):
         "+X",
     ):
         assert fact in head
-    assert lines[8:11] == ["G21 G90 G17 G40 G94 G91.1", "S8000 M3", "G0 Z5.0000"]
+    assert lines[9:12] == ["G21 G90 G17 G40 G94 G91.1", "S8000 M3", "G0 Z5.0000"]
     assert lines[-3:] == ["G0 Z5.0000", "M5", "M30"]
     depths = [float(z) for z in re.findall(r"G1 Z(-[\d.]+) F60", text)]
     assert depths == pytest.approx([-0.825, -1.65, -2.475, -3.3])
