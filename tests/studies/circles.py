@@ -20,7 +20,7 @@ of the old disc.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, replace
 from functools import cache
 from itertools import pairwise
@@ -31,6 +31,7 @@ from typing import Any
 
 import numpy as np
 
+from cadgen.inference.measurement.record import Record
 from tests.inference.measurement.synthetic import TURN
 from tests.inference.measurement.synthetic import Car as Bed
 from tests.studies.circles_truth import CELLS, UNDECLARED, Car, World, declared, drawn_form, drawn_shop
@@ -256,6 +257,9 @@ def go_round(
     smooth: bool = False,
     drawn: Drawn | None = None,
     profile: str | None = None,
+    spoil: Callable[[Record], Record] = lambda record: record,
+    noise: float = 1.0,
+    look: Callable[[Any], None] = lambda told: None,
 ) -> Outcome:
     """Measure a car, calibrate it, plan its cam, and run it again; in each further loop once more, on the new cam.
 
@@ -265,6 +269,9 @@ def go_round(
         smooth: as of `draw`.
         drawn: the car, if that is at hand already.
         profile: that is stated; the one on the car if left out.
+        spoil: what is done to each record before it is calibrated.
+        noise: of the camera, as a factor of the usual.
+        look: is shown each calibration.
     """
     from cadgen.design.load import packaged_designs
 
@@ -277,7 +284,9 @@ def go_round(
     stands, rounds, later = drawn.before, [], []
     for turn in range(loops):
         more = {"lift": world.dial, "transmission": world.train, "profile": world.profile}[drawn.second](car, rng)
-        loop = go_loop(text, profile, [world.track(car, rng), more], number + _FILES * turn)
+        records = [spoil(world.track(car, rng, noise_mm=3.0 * noise)), spoil(more)]
+        loop = go_loop(text, profile, records, number + _FILES * turn)
+        look(loop.told)
         form = drawn_form(rng, drawn.shop)
         after = stands
         if loop.cam is not None:
