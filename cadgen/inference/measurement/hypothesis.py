@@ -475,5 +475,17 @@ def _overlap(covariance: Array, effects: tuple[Effect, ...], price: float) -> fl
     return float(np.clip(saved, 0.0, (len(spans) - 1) * (price - LEAST_PRICE))) if np.isfinite(saved) else 0.0
 
 
+def least_penalty(search: Search, effects: tuple[Effect, ...], parameters: int) -> float:
+    """Least penalty that a subset can have: all named effects but one are near twins.
+
+    Args:
+        search: size of the search.
+        effects: the subset.
+        parameters: how many numbers it has.
+    """
+    twins = max(sum(not e.shape for e in effects) - 1, 0)
+    return search.penalty(effects, parameters) - twins * max(log(search.rows) - LEAST_PRICE, 0.0)
+
+
 def _least(misfit: Array, among: NDArray[np.bool_]) -> int:
     return int(np.argmin(np.where(among, misfit, np.inf)))

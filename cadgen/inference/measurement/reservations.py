@@ -7,10 +7,12 @@ the way does nearly the same to the car: of the paper's car that is so from a fr
 measured with the rod lifted, where no friction holds the cam, tells them apart.
 """
 
+from collections.abc import Sequence
 from dataclasses import replace
-from itertools import chain, combinations
+from itertools import chain, combinations, pairwise
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.stats import f as f_distribution
 
 from cadgen.arrays import Array
@@ -18,11 +20,11 @@ from cadgen.deviations.effect import UNITS, Effect, causes
 from cadgen.deviations.return_error import MEASURE_FRICTION, NO_FRICTION
 from cadgen.errors import FileError
 from cadgen.inference.measurement.evidence import Evidence, Noise, Spectrum
-from cadgen.inference.measurement.hypothesis import Hypothesis, Search, fit
+from cadgen.inference.measurement.hypothesis import Hypothesis, Search, fit, least_penalty
 from cadgen.inference.measurement.joint import Joint
 from cadgen.inference.measurement.model import Model, highest_order, repeating
 from cadgen.inference.measurement.record import Record, instrument
-from cadgen.inference.measurement.search import HOPELESS, MOST_CAUSES
+from cadgen.inference.measurement.search import MOST_CAUSES
 from cadgen.inference.measurement.verdict import (
     LEFT_OVER,
     RIVAL,
@@ -304,6 +306,11 @@ def with_friction_judged(judgement: Judgement, best: Hypothesis, *, play_known: 
     return replace(judgement, limits=(*judgement.limits, limit))
 
 
+# What a camera's error gains beside a fitted rest is known to first order: so many times that, and so much more in
+# -2 log L, it gains at most.
+_FIRST_ORDER, _UNSURE = 1.5, 20.0
+
+
 def with_cameras(judgement: Judgement, joint: Joint, best: Hypothesis) -> Judgement:
     """Judgement that claims nothing which an error of the camera explains as well, and names that error.
 
@@ -318,22 +325,32 @@ def with_cameras(judgement: Judgement, joint: Joint, best: Hypothesis) -> Judgem
     seen, search = replace(joint, parts=parts), Search(joint.rows)
     found = fit(seen, best.effects, best.active, search)
     named = tuple(e for e in best.effects if not e.shape)
-    sizes = range(max(len(named) - 2, 0), len(named) + 1)
-    rests = dict.fromkeys([(), *chain.from_iterable(combinations(named, size) for size in sizes)])
+    sizes = range(len(named), max(len(named) - 2, 0) - 1, -1)
+    rests = dict.fromkeys([*chain.from_iterable(combinations(named, size) for size in sizes), ()])
     rivals: list[Hypothesis] = []
+    known: dict[Effect, list[tuple[set[Effect], float]]] = {camera: [] for camera in cameras}
     for rest in rests:
-        if any(e.beside and e.beside not in rest for e in rest):
+        # With fewer names at least as much is left.
+        left = [
+            camera
+            for camera in cameras
+            if all(misfit <= _most(found, search, (*rest, camera)) for more, misfit in known[camera] if more >= {*rest})
+        ]
+        if not left or any(e.beside and e.beside not in rest for e in rest):
             continue
-        bare = fit(seen, rest, best.active, search)
-        least = found.misfit[found.within] + HOPELESS
-        for camera in cameras:
-            # A camera changes readings in proportion, so what it does beside a fitted rest is seen without a fit.
-            if bare.misfit[bare.within] - _gain(seen, bare, camera) > least:
-                continue
-            other = fit(seen, (*rest, camera), bare.active, search, level=found.score + HOPELESS)
-            near = RIVAL if other.parameters < found.parameters else -RIVAL
-            if other.score < found.score + near and all(left_over(part, seen, other) <= LEFT_OVER for part in parts):
-                rivals.append(other)
+        bare = found if rest == best.effects else fit(seen, rest, best.active, search)
+        for camera, gain in zip(left, _gains(seen, bare, left), strict=True):
+            effects = (*rest, camera)
+            most, least = _most(found, search, effects), bare.misfit[bare.within] - _FIRST_ORDER * gain - _UNSURE
+            if least <= most:
+                other = fit(seen, effects, bare.active, search, level=most)
+                least = other.misfit[other.within] - _UNSURE
+                near = _near(found, other.parameters)
+                if other.score < found.score + near and all(
+                    left_over(part, seen, other) <= LEFT_OVER for part in parts
+                ):
+                    rivals.append(other)
+            known[camera].append(({*rest}, least))
     if not rivals:
         return judgement
     first = min(rivals, key=lambda h: h.score)
@@ -352,12 +369,31 @@ def with_cameras(judgement: Judgement, joint: Joint, best: Hypothesis) -> Judgem
     return replace(judgement, verdict=Verdict.AMBIGUOUS, sentence=sentence)
 
 
-def _gain(joint: Joint, fitted: Hypothesis, camera: Effect) -> float:
-    """By how much an error of the camera lessens -2 log L of a fitted subset, to first order of the residual."""
-    chosen = (*(effect for effect, _ in fitted.active if not effect.parameters[0].stepwise), camera)
-    active = [*fitted.active, (camera, camera.start)]
-    (H,), (g,) = joint.normal(chosen, active, [fitted.within])
-    return float(g @ np.linalg.lstsq(H, g, rcond=None)[0])
+def _near(found: Hypothesis, parameters: int) -> float:
+    """How much worse than the best subset by the criterion one with so many numbers may be, and explain as well."""
+    return RIVAL if parameters < found.parameters else -RIVAL
+
+
+def _most(found: Hypothesis, search: Search, effects: tuple[Effect, ...]) -> float:
+    """-2 log L above which a subset is no rival of the best one, at the least penalty that it can have."""
+    parameters = sum(len(e.parameters) for e in effects)
+    least = least_penalty(search, effects, parameters)
+    return found.score + _near(found, parameters) - least
+
+
+def _gains(joint: Joint, fitted: Hypothesis, cameras: Sequence[Effect]) -> list[float]:
+    """By how much each error of the camera lessens -2 log L of a fitted subset, to first order of the residual."""
+    even = tuple(effect for effect, _ in fitted.active if not effect.parameters[0].stepwise)
+    active = [*fitted.active, *((camera, camera.start) for camera in cameras)]
+    (H,), (g,) = joint.normal((*even, *cameras), active, [fitted.within])
+    ends = np.cumsum([sum(len(e.parameters) for e in even), *(len(camera.parameters) for camera in cameras)])
+
+    def gain(columns: NDArray[np.intp]) -> float:
+        here = g[columns]
+        return float(here @ np.linalg.lstsq(H[np.ix_(columns, columns)], here, rcond=None)[0])
+
+    every = np.arange(len(g))
+    return [gain(np.append(every[: ends[0]], every[a:b])) for a, b in pairwise(ends)]
 
 
 def _pair(best: Hypothesis) -> tuple[Effect, Effect] | None:
