@@ -53,5 +53,5 @@ def page(language: str) -> str:
         if inspect.isclass(thing) or (inspect.isfunction(thing) and last in cadgen.__all__):
             lines += ["", f"{{py:obj}}`{last} <{full}>`", f": {said}", ""]
         else:
-            lines.append(f"  - {{py:obj}}`{last} <{full}>`: {said}")
+            lines.append(f"  - {{py:obj}}`{last} <{full}>`{shown(': ', language)}{said}")
     return "\n".join(lines)
