@@ -28,7 +28,10 @@ _FITS: dict[str, tuple[str, str]] = {
 }
 # Further notes by the code of the part.
 _NOTES = {
-    "fork-spindle": Message("The lower end is bonded into the bridge; the upper end runs in the bearings."),
+    "fork-spindle": Message(
+        "The lower end, on the left, runs in the bearings and is bonded into the bridge; the upper one bears the leg "
+        "spring."
+    ),
 }
 _LENGTHS = {"front-wheel": " (-0.1/-0.2)"}  # limits of whole lengths: the hub turns between the cheeks
 # Notes on diameters whose tolerance the design does not state.
