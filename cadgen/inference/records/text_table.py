@@ -10,10 +10,11 @@ import zipfile
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from io import BytesIO, StringIO
+from typing import Any
 
 from cadgen.errors import FileError, brief
 from cadgen.inference.records.units import unit_of
-from cadgen.messages import Message
+from cadgen.messages import Message, joined
 
 # Of a file's comment lines, and of the characters of any line: they are searched for words on the instrument.
 MOST_REMARKS, LONGEST_LINE = 200, 1000
@@ -72,7 +73,7 @@ def text_of(content: bytes, name: str, known: Callable[[str], int]) -> tuple[str
         FileError: it is no text, or a sheet that cannot be read.
     """
     if content.startswith(b"PK\x03\x04"):
-        return _sheet_text(content, name)
+        return _sheet_text(content, name, known)
     if content.startswith((b"\xff\xfe", b"\xfe\xff")):
         tried = ["utf-16"]
     elif b"\0" in (start := content[:200]):
@@ -96,8 +97,8 @@ def text_of(content: bytes, name: str, known: Callable[[str], int]) -> tuple[str
     return text, (Message("its letters are {encoding}", encoding=encoding),)
 
 
-def _sheet_text(content: bytes, name: str) -> tuple[str, tuple[Message, ...]]:
-    """First sheet of a workbook that has rows, as text with tabs."""
+def _sheet_text(content: bytes, name: str, known: Callable[[str], int]) -> tuple[str, tuple[Message, ...]]:
+    """Sheet of a workbook with most of the columns that are known, the first of several, as text with tabs."""
     try:
         import openpyxl
     except ImportError:
@@ -117,24 +118,40 @@ def _sheet_text(content: bytes, name: str) -> tuple[str, tuple[Message, ...]]:
                 most=MOST_UNPACKED / 1e6,
             )
         book = openpyxl.load_workbook(BytesIO(content), read_only=True, data_only=True)
-        for sheet in book.worksheets:
-            rows = [
-                ["" if cell is None else repr(cell) if isinstance(cell, float) else str(cell) for cell in row]
-                for row in sheet.iter_rows(values_only=True)
-            ]
-            rows = [row for row in rows if any(row)]
-            if rows:
-                break
-        else:
+        texts = {brief(sheet.title): text for sheet in book.worksheets if (text := _rows_text(sheet))}
+        if not texts:
             raise FileError("{name}: no sheet of it has a row; add what was measured", name=name)
     except FileError:
         raise
     except Exception:  # the library fails on damaged files with any error
         raise FileError("{name} is no workbook that can be read: save the sheet as CSV", name=name) from None
+    counts = {title: known(text) for title, text in texts.items()}
+    read = max(counts, key=counts.__getitem__)
+    # Sheets with as many of them may be further runs.
+    others = [title for title, count in counts.items() if title != read and count and count == counts[read]]
+    if others:
+        note = Message(
+            "sheet {title} alone is read, and not {others}: save each sheet as a file of its own",
+            title=read,
+            others=joined(others, ", "),
+        )
+        return texts[read], (note,)
+    return texts[read], (Message("sheet {title}", title=read),)
+
+
+def _rows_text(sheet: Any) -> str:
+    """Rows of a sheet as text with tabs; empty without one."""
+    cells = [
+        ["" if cell is None else repr(cell) if isinstance(cell, float) else str(cell) for cell in row]
+        for row in sheet.iter_rows(values_only=True)
+    ]
+    rows = [row for row in cells if any(row)]
+    if not rows:
+        return ""
     width = max(len(row) - next((n for n, cell in enumerate(reversed(row)) if cell), len(row)) for row in rows)
     out = StringIO()
     csv.writer(out, delimiter="\t", lineterminator="\n").writerows(row[:width] for row in rows)
-    return out.getvalue(), (Message("sheet {title}", title=brief(sheet.title)),)
+    return out.getvalue()
 
 
 def head_of(text: str, name: str, known: Callable[[Sequence[str]], int]) -> Head:

@@ -197,6 +197,24 @@ def test_a_workbook_is_read_by_its_first_sheet_with_rows(tmp_path):
     assert "sheet data" in record.notes
 
 
+def test_of_several_sheets_that_with_the_data_is_read_and_others_like_it_are_named(tmp_path):
+    """A cover before the data, and a run on each of two sheets."""
+    openpyxl = pytest.importorskip("openpyxl")
+    book = openpyxl.Workbook()
+    book.active.append(["Test of the car", "by hand"])
+    path = tmp_path / "track.xlsx"
+    for title in ("run 1", "run 2"):
+        sheet = book.create_sheet(title)
+        sheet.append(["Run", "Cam angle [deg]", "X [m]", "Y [m]"])
+        for row in zip(ANGLES.tolist(), (X / 1e3).tolist(), (Y / 1e3).tolist(), strict=True):
+            sheet.append([1, *row])
+        book.save(path)
+        record = load(path)
+        np.testing.assert_allclose(record["x_mm"], X, atol=1e-6)
+        assert any(note == "sheet run 1" for note in record.notes) == (title == "run 1")
+    assert "sheet run 1 alone is read, and not run 2: save each sheet as a file of its own" in record.notes
+
+
 def test_a_workbook_that_is_damaged_or_a_bomb_is_refused(tmp_path):
     pytest.importorskip("openpyxl")
     path = tmp_path / "track.xlsx"
