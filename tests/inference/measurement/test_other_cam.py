@@ -55,11 +55,17 @@ def test_a_remark_says_which_cam_was_on_the_car():
     assert stated_profile(source_of(columns, ("design: mine",), "a lift")) == ""
 
 
+@pytest.mark.slow
+@pytest.mark.long
 def test_a_cam_whose_run_ends_elsewhere_is_judged_over_the_same_rows(nominal, synthetic_car):
     """The wheel that a car was found to have moves the end of its run on the cam that is cut for it."""
     track = nominal.track
-    lift = path_motion(track.arc, steering_jets(track, nominal.car), track.length, blend=radians(20.0))
+    longer = replace(nominal.car, wheelbase=1.01 * nominal.car.wheelbase)
+    lift = path_motion(track.arc, steering_jets(track, longer), track.length, blend=radians(20.0))
     wheels, rng = synthetic_drive.Wheels(zero=radians(0.2)), np.random.default_rng(3)
     record = synthetic_drive.track_record(synthetic_car, wheels, rng, noise_mm=3.0, runs=2)
     weighed = weigh_together([record], nominal).joint
-    assert other_cam(weighed, nominal, replace(nominal, lift=lift), "actual") is None  # it surely fits worse
+    found = other_cam(weighed, nominal, replace(nominal, lift=lift), "actual")
+    assert found is not None
+    assert found.better < 0
+    assert (found.effects, found.instead) == (("steering zero", "lever gain"), ("steering zero",))
