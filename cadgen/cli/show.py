@@ -16,6 +16,7 @@ from rich.text import Text
 
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.cli.output import hush
+from cadgen.errors import escaped
 from cadgen.figures import Sheet, rounded, with_unit
 from cadgen.messages import Message, joined, sentence, shown
 from cadgen.output.report.terminal import FittedConsole, table
@@ -604,6 +605,30 @@ def files(written: "Written", out: Path) -> None:
     _not_stated(written)
     for warning in written.warnings:
         Output().print(Text.assemble((shown(Message("Warning")), "yellow"), f"{shown(': ')}{shown(warning)}."))
+    _of_earlier_versions(out, os.path.commonprefix([Path(file.name).stem for file in written]))  # noqa: RUF071 (of names)
+
+
+def of_earlier_version(design: str, names: Sequence[str]) -> Text:
+    """Warning of files that an earlier version of a design has left.
+
+    Args:
+        design: name of the design.
+        names: of the files.
+    """
+    said = Message(
+        "of an earlier version of {design} than other files in this folder: {names}",
+        names=joined(names),
+        design=escaped(design),
+    )
+    return Text.assemble((shown(Message("Warning")), "yellow"), f"{shown(': ')}{shown(said)}.")
+
+
+def _of_earlier_versions(out: Path, stem: str) -> None:
+    from cadgen.output.files.manifest import NAME, older_files, sound_parts
+
+    older = {name: of for name, of in older_files(sound_parts(out / NAME)).items() if name.startswith(stem)}
+    for design in dict.fromkeys(older.values()):
+        Output().print(of_earlier_version(design, [escaped(name) for name, of in older.items() if of == design]))
 
 
 def size(count: int) -> str:

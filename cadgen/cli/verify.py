@@ -40,6 +40,7 @@ def verify(folder: Path, restore: bool, as_json: bool) -> None:
 
 
 def _report(folder: Path, state: "FolderState") -> None:
+    from cadgen.cli import show
     from cadgen.cli.show import Output, sheet, verdict
     from cadgen.output.files.folder import State
 
@@ -67,6 +68,9 @@ def _report(folder: Path, state: "FolderState") -> None:
         console.print(
             Message("A run that was killed has left {name}: the next command that writes here removes it.", name=name)
         )
+    for design in sorted(set(state.older.values())):
+        names = [escaped(name) for name, of in state.older.items() if of == design]
+        console.print(show.of_earlier_version(design, names))
     wrong = sum(file.state not in (State.AS_LISTED, State.NOT_LISTED) for file in state.files)
     listed = sum(bool(file.part) for file in state.files)
     if wrong:
@@ -79,7 +83,7 @@ def _report(folder: Path, state: "FolderState") -> None:
         verdict(
             True,
             Message("all {listed} listed files are the ones that were read back", listed=listed),
-            Message("use them"),
+            Message("export those that you use from one version of the design") if state.older else Message("use them"),
         )
     else:
         verdict(

@@ -20,7 +20,7 @@ import secrets
 import shutil
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 from pathlib import Path
 from typing import NoReturn
@@ -36,6 +36,7 @@ from cadgen.output.files.manifest import (
     is_file,
     is_plain_name,
     manifest_text,
+    older_files,
     read_parts,
     sound_parts,
     unchanged,
@@ -363,12 +364,14 @@ class FolderState:
         half_moved: staging folders of runs that were killed while they moved their files into place.
         left: staging folders of runs that were killed before that.
         restored: files that were put back first.
+        older: files of an earlier version of their design than others in the folder, with its name.
     """
 
     files: tuple[FileState, ...]
     half_moved: tuple[str, ...]
     left: tuple[str, ...]
     restored: tuple[str, ...] = ()
+    older: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def is_true(self) -> bool:
@@ -384,6 +387,7 @@ class FolderState:
             left=self.left,
             files=self.files,
             restored=self.restored,
+            older=tuple(self.older),
         )
 
 
@@ -425,7 +429,9 @@ def folder_state(folder: Path) -> FolderState:
         files += [FileState(name, part, _state(folder, name, digest)) for name, digest in entry.hashes.items()]
     known = {file.name for file in files} | {MANIFEST, LOCK}
     files += [FileState(name, "", State.NOT_LISTED) for name in present if name not in known]
-    return FolderState(tuple(files), tuple(folder.name for folder in half), tuple(folder.name for folder in left))
+    older = older_files({part: entry for part, entry in parts.items() if entry is not None})
+    moved, begun = (tuple(folder.name for folder in folders) for folders in (half, left))
+    return FolderState(tuple(files), moved, begun, older=older)
 
 
 def _state(folder: Path, name: str, digest: str) -> State:

@@ -107,6 +107,9 @@ def manifest_text(parts: Mapping[str, object]) -> str:
     return json.dumps({"format": FORMAT, "parts": parts}, indent=2, allow_nan=False) + "\n"
 
 
+_MADE_FROM = (".step", ".stl", ".3mf", ".dxf", ".nc", ".xyz", ".pdf")
+
+
 @dataclass(frozen=True)
 class ManifestEntry:
     """Entry of a part in a manifest that was read.
@@ -153,6 +156,26 @@ def sound_parts(manifest: Path) -> dict[str, ManifestEntry]:
     except (OSError, ValueError):
         return {}
     return {name: entry for name, entry in entries.items() if entry is not None and entry.is_sound}
+
+
+def older_files(parts: Mapping[str, ManifestEntry]) -> dict[str, str]:
+    """Files to make parts from that are of an earlier version of their design than others, with its name.
+
+    Args:
+        parts: entries of a manifest by their parts, the last written last.
+    """
+    made = {
+        part: [name for name in entry.hashes if Path(name).suffix in _MADE_FROM]
+        for part, entry in parts.items()
+        if entry.design_sha256 and isinstance(entry.content.get("design"), str)
+    }
+    last = {parts[part].content["design"]: parts[part].design_sha256 for part, names in made.items() if names}
+    return {
+        name: design
+        for part, names in made.items()
+        for name in names
+        if last[design := parts[part].content["design"]] != parts[part].design_sha256
+    }
 
 
 def read_parts(manifest: Path) -> dict[str, ManifestEntry | None]:

@@ -47,6 +47,17 @@ def put(folder, part, **files):
         write_manifest(staging, part, Facts(files={name: file_facts(staging / name) for name in files}))
 
 
+def test_files_of_an_earlier_version_of_a_design_are_named(tmp_path):
+    for sha256, suffixes in (("a1", ("step", "nc", "json")), ("b2", ("step",))):
+        names = [f"cam.{suffix}" for suffix in suffixes]
+        with publishing(tmp_path) as staging:
+            for name in names:
+                (staging / name).write_text(sha256)
+            facts = {name: file_facts(staging / name) for name in names}
+            write_manifest(staging, f"cam_{sha256}", Facts(design="cam", design_sha256=sha256, files=facts))
+    assert folder_state(tmp_path).older == {"cam.nc": "cam"}
+
+
 def states(folder):
     return {file.name: file.state for file in folder_state(folder).files}
 
