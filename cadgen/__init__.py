@@ -51,7 +51,7 @@ _HOMES = {
     "Cam": "api.cam",
     "CheckError": "errors",
     "Card": "jobs.card",
-    "Comparison": "api.runs",
+    "Comparison": "api.comparison",
     "Design": "api.design",
     "DesignError": "errors",
     "Editor": "api.views",
@@ -99,6 +99,7 @@ if TYPE_CHECKING:
     from cadgen.api.adjustment import Adjustment
     from cadgen.api.calibration import Calibration
     from cadgen.api.cam import Cam
+    from cadgen.api.comparison import Comparison
     from cadgen.api.design import Design
     from cadgen.api.drawing import draw
     from cadgen.api.exploration import Exploration, explore, merge
@@ -118,7 +119,6 @@ if TYPE_CHECKING:
     from cadgen.api.planetary import Planetary
     from cadgen.api.planning import Plan
     from cadgen.api.rack import Rack
-    from cadgen.api.runs import Comparison
     from cadgen.api.views import Editor, Report
     from cadgen.errors import CadgenError, CheckError, DesignError, FileError
     from cadgen.jobs.card import Card

@@ -5,7 +5,8 @@
 | `values`   | checks of a caller's numbers and words, with one sentence a refusal        |
 | `cam`      | a cam that has been computed: figures, picture, solid, files               |
 | `motion_cam` | a motion, a follower, and the cam of both without a design file          |
-| `runs`     | the methods against play, compared                                         |
+| `comparison` | the methods against play, compared                                       |
+| `runs`     | what a simulation, random cars and a budget of errors give                 |
 | `assembly` | a car put together: masses, checks, files                                 |
 | `drawing`  | drawings of cams and trains                                                |
 | `measured` | measured data, as files or as arrays                                       |

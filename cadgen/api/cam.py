@@ -13,14 +13,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from cadgen.api.loaded import overrides_of
-from cadgen.api.motion_cam import AnyFollower, Motion, Spring, cam_toml
 from cadgen.api.values import numbers, real, whole
 from cadgen.arrays import TURN, Array
-from cadgen.cam.forces import CamForces, Dynamics, Line, joint_modulus
 from cadgen.car.path_motion import PathMotion
 from cadgen.check import CheckCode, CheckList
 from cadgen.design import load
-from cadgen.design.dynamics import STEEL, closed_by_form
 from cadgen.design.override import KeyChange
 from cadgen.design.schema import Design as DesignValues
 from cadgen.design.schema import MotionDesign
@@ -30,7 +27,6 @@ from cadgen.jobs.cam.cam_facts import cam_facts
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.cures import Cures as Cures
 from cadgen.jobs.cam.cures import find_cures
-from cadgen.jobs.cam.motion_cam import plan_motion_cam
 from cadgen.laws.unit import MM
 from cadgen.output.files.publisher import Written, folder_of, refusal
 from cadgen.output.report.notebook import Pictured, Plotted, Viewed, lines_picture
@@ -38,6 +34,8 @@ from cadgen.output.report.shape_pictures import Filled, shapes_picture
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
+    from cadgen.api.motion_cam import AnyFollower, Motion, Spring
+    from cadgen.cam.forces import CamForces
     from cadgen.geometry.solids.kernel import Solid
     from cadgen.jobs.cam.comparison import PlayComparison
     from cadgen.jobs.cam.steering_cam import CarUse
@@ -182,7 +180,7 @@ class FollowerForces(Plotted):
         computed: forces as functions of the motion.
     """
 
-    computed: CamForces
+    computed: "CamForces"
 
     def __repr__(self) -> str:
         return f"<FollowerForces, {self.normal.least:.4g} to {self.normal.greatest:.4g} N on the disc>"
@@ -273,8 +271,8 @@ class Cam(CamPlan, Pictured, Viewed):
 
     def __init__(
         self,
-        motion: Motion,
-        follower: AnyFollower,
+        motion: "Motion",
+        follower: "AnyFollower",
         *,
         base_circle_radius: float | None = None,
         pressure_angle: float | None = None,
@@ -283,6 +281,9 @@ class Cam(CamPlan, Pictured, Viewed):
         name: str = "cam",
         changes: Mapping[str, Any] = MappingProxyType({}),
     ) -> None:
+        from cadgen.api.motion_cam import cam_toml
+        from cadgen.jobs.cam.motion_cam import plan_motion_cam
+
         text = cam_toml(motion, follower, base_circle_radius, pressure_angle, thickness, bore, name)
         design = load.complete_of(text, Path(f"{name}.toml"), tuple(map(KeyChange, overrides_of(changes))))
         assert isinstance(design, MotionDesign)  # it has [motion]
@@ -380,7 +381,7 @@ class Cam(CamPlan, Pictured, Viewed):
         *,
         mass: float = 0.0,
         inertia: float = 0.0,
-        spring: Spring | None = None,
+        spring: "Spring | None" = None,
         load: float = 0.0,
         damping: float = 0.0,
     ) -> FollowerForces:
@@ -397,6 +398,10 @@ class Cam(CamPlan, Pictured, Viewed):
         Raises:
             DesignError: a number out of its range, a mass of an arm, or a follower whose forces are not worked out.
         """
+        from cadgen.api.motion_cam import Spring
+        from cadgen.cam.forces import CamForces, Dynamics, Line, joint_modulus
+        from cadgen.design.dynamics import STEEL, closed_by_form
+
         slides, spring = self.motion.unit == MM, spring or Spring()
         if (inertia if slides else mass) != 0:
             raise DesignError(

@@ -19,10 +19,10 @@ if TYPE_CHECKING:
     from cadgen.api.assembly import AssembledCar, FramedCar
     from cadgen.api.calibration import Advice, Calibration, Calibrations
     from cadgen.api.cam import Cam
+    from cadgen.api.comparison import Comparison
     from cadgen.api.found_cam import ComparedCam, FoundCam
     from cadgen.api.measured_gears import MeasuredGear, MeasuredTrain
     from cadgen.api.planning import Plan
-    from cadgen.api.runs import Comparison
     from cadgen.api.values import Pool
     from cadgen.inference.monte_carlo.random_cars import Map
     from cadgen.jobs.calibration.workshop import Workshop
@@ -149,7 +149,7 @@ class Design(LoadedDesign):
             DesignError: nothing is known of the play.
         """
         from cadgen.api.cam import Cam
-        from cadgen.api.runs import Comparison
+        from cadgen.api.comparison import Comparison
         from cadgen.jobs.cam.lever import remedies_of
         from cadgen.jobs.cam.steering_cam import comparison_of, plan_cam
 

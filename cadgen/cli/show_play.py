@@ -58,7 +58,7 @@ def comparison(cam: "Cam") -> None:
 
 def methods(cam: "Cam") -> None:
     """Print every method compared, the bound, and the reasons."""
-    from cadgen.api.runs import PAPER_PERCENT
+    from cadgen.api.comparison import PAPER_PERCENT
 
     comparison = cam.comparison
     assert comparison is not None

@@ -3,12 +3,12 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from cadgen.cam.checks import LOST_LIFT
 from cadgen.cam.follower import Contact, Follower, Trim
-from cadgen.cam.forces import CamForces
 from cadgen.cam.limits import CheckLimits
 from cadgen.car.against_play.profile_kinds import ProfileKind
 from cadgen.car.running.friction import DiscMaterial
@@ -26,6 +26,9 @@ from cadgen.output.files.manifest import Origin
 from cadgen.parts.blank import Blank
 from cadgen.parts.face import Face
 from cadgen.verdict import PartVerdict
+
+if TYPE_CHECKING:
+    from cadgen.cam.forces import CamForces
 
 # g/cm3: handbooks' tables, such as those that The Engineering ToolBox collects; PLA by makers of filament.
 DENSITY: dict[DiscMaterial, float] = {
@@ -149,7 +152,7 @@ class Application:
         """
         return None
 
-    def forces(self, cam: "CamPlan") -> CamForces | None:
+    def forces(self, cam: "CamPlan") -> "CamForces | None":
         """Forces on the follower and its camshaft; None where nothing is said of them.
 
         Args:

@@ -12,7 +12,6 @@ from cadgen.arrays import Array
 from cadgen.cam.contact import roll_curve
 from cadgen.cam.difference import Exact, dense_stations
 from cadgen.cam.follower import Contact, Follower
-from cadgen.cam.forces import CamForces
 from cadgen.car.running.friction import DiscMaterial
 from cadgen.curves.chamfer import chamfered_off
 from cadgen.curves.closed import ClosedCurve, Outline
@@ -31,6 +30,7 @@ from cadgen.parts.face import Face
 from cadgen.parts.print_compensation import PrintCompensation
 
 if TYPE_CHECKING:
+    from cadgen.cam.forces import CamForces
     from cadgen.geometry.meshes.mesh import Mesh
     from cadgen.geometry.meshes.printing import HoleOutline
     from cadgen.geometry.solids.kernel import SolidPart

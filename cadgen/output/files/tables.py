@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll, roll_curve
 from cadgen.cam.follower import Contact, Follower
-from cadgen.cam.forces import CamForces
 from cadgen.curves.closed import ClosedCurve, Outline, cross, left_normal
 from cadgen.curves.polygon import polyline
 from cadgen.errors import FileError
@@ -26,6 +25,7 @@ from cadgen.messages import Message
 from cadgen.output.files.publisher import Artifact, require
 
 if TYPE_CHECKING:
+    from cadgen.cam.forces import CamForces
     from cadgen.car.running.drive import Run
     from cadgen.output.files.exports import CamExport, TrainExport
 
