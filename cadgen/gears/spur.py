@@ -174,7 +174,7 @@ def roomier(pair: Pair, in_set: bool) -> Message | None:
     """Numbers near those of a pair whose teeth have room and hand over, in words; None where none were found.
 
     Tried are the addendum of both, the distance without play where another is given, then profile shifts nearer to 0,
-    then more teeth, each at a distance that suits them, which is named where another is given.
+    then more teeth. Each is tried at a distance that suits it, which is named where another is given.
 
     Args:
         pair: pair of gears, as cut.

@@ -1,9 +1,9 @@
 """Logged runs that are not of the others' vehicle, state or unit: they are left out, and named.
 
 Errors of logged runs add up along the path and differ from run to run, so that no noise tells an odd one. It is told by
-what the vehicle can do: all effects of the catalogue are fitted to all runs so that a few odd ones do not pull them,
-and a run is odd that stays far off there, and that the runs without it do not predict either. A run on another path
-than the others is not odd: the joint fit knows its effects.
+what the vehicle can do. All effects of the catalogue are fitted to all runs so that a few odd ones do not pull them.
+A run is odd that stays far off there, and that the runs without it do not predict either. A run on another path than
+the others is not odd: the joint fit knows its effects.
 """
 
 from itertools import pairwise
