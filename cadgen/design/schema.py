@@ -725,6 +725,19 @@ class MotionFile(DiscFile):
             raise ValueError(refused.message) from None
         return self
 
+    @model_validator(mode="after")
+    def _programs_are_made(self) -> "MotionFile":
+        given = [key for key in ("tabs", "drilling") if getattr(self.machining, key) is not None]
+        if given and getattr(self.follower.keys, "closure", None) == Closure.GROOVE:
+            raise ValueError(
+                Message(
+                    "machining.{key} is of the programs of an outline, and a groove has one that mills the groove "
+                    "alone: remove it (on the command line with --set machining.{key}=)",
+                    key=given[0],
+                )
+            )
+        return self
+
     def _refusal_with(self, changes: Mapping[str, object]) -> Message | None:
         """Refusal of the design with changed keys, by its motion and by its follower; None if neither refuses it.
 

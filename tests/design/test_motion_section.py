@@ -14,7 +14,7 @@ from cadgen import Design
 from cadgen.cam.followers import table
 from cadgen.cam.followers.kind import FollowerKind
 from cadgen.design.lift_rows import read_rows
-from cadgen.design.load import complete_of
+from cadgen.design.load import complete_of, design_file
 from cadgen.design.motion import MotionSection, motion_of
 from cadgen.design.override import override
 from cadgen.errors import DesignError
@@ -457,3 +457,12 @@ thickness_mm = 5
 """
     with pytest.raises(DesignError, match=said):
         complete_of(text.replace(*wrong), Path("cam.toml"), ())
+
+
+@pytest.mark.parametrize("key", ["tabs", "drilling"])
+def test_programs_that_a_groove_has_not_are_refused(key):
+    file = design_file("groove")
+    text = file.read_text(encoding="utf-8")
+    with pytest.raises(DesignError, match=rf"machining\.{key} is of the programs of an outline, .* remove it"):
+        complete_of(text, file, [f"machining.{key}={{}}"])
+    complete_of(text, file, [f"machining.{key}={{}}", f"machining.{key}="])
