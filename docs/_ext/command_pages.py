@@ -54,8 +54,9 @@ def _command(command: click.Command, name: str) -> Iterator[str]:
 
 
 def _plain(text: str) -> str:
-    """Text in which nothing outside of code means a mark of Markdown."""
-    parts = re.split(r"(`[^`]*`)", text)
+    """Text in which nothing outside of code means a mark of Markdown; options are code, or `--` would be a dash."""
+    marked = re.sub(r"(`[^`]*`)|--[a-z][\w-]*", lambda found: found[1] or f"`{found[0]}`", text)
+    parts = re.split(r"(`[^`]*`)", marked)
     return "".join(part if part.startswith("`") else re.sub(r"([\\*_<\[])", r"\\\1", part) for part in parts)
 
 
