@@ -169,6 +169,7 @@ def touching(one: str, other: str) -> bool:
     groups = {"rod": "fork", "front-wheel": "fork", "front-pin": "fork", "cam-disc": "4", "key-cam-disc": "4"}
     groups |= {"shaft-1": "1", "gear-1-pinion": "1", "drive-wheel": "1", "idle-wheel": "1"}
     groups |= {"shaft-4": "4", "gear-4-wheel": "4", "key-shaft-4": "4"}
+    groups |= {"sleeve-disc": "4", "collar-disc": "4", "sleeve-idle": "1", "collar-idle": "1"}
 
     def group(name: str) -> str:
         return "fork" if name.startswith("fork") else groups.get(name, name)
