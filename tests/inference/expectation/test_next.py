@@ -85,7 +85,7 @@ def test_what_has_no_name_is_asked_of_the_kind_of_data_that_shows_it(design, car
 def test_tolerances_of_the_design_come_before_what_is_usual(design):
     nominal = nominal_of(design, "actual")
     prior = advice.prior_of(design, nominal, None)
-    assert prior.spread["steering_zero_deg"] == pytest.approx(np.radians(0.02))
+    assert prior.spread["steering zero", "steering_zero_deg"] == pytest.approx(np.radians(0.02))
     least, most = variation.play_bands(design)["as-given"].ends
     assert prior.play == pytest.approx((least + most) / 2)
     assert prior.assumed == most

@@ -83,7 +83,7 @@ def test_of_few_runs_more_standard_deviations_are_asked_for():
 def test_numbers_on_their_bounds_are_not_claimed():
     made = log(logged=0.0, true=0.0, seed=2)
     told = calibrate_logged(
-        [replace(made, columns=made.columns | {"distance_mm": 0.87 * made["distance_mm"]})], WHEELBASE
+        [replace(made, columns=made.columns | {"distance_mm": 0.09 * made["distance_mm"]})], WHEELBASE
     )
     assert "wheel radius" not in told.judgement.claimed
     assert "wheel_radius_percent of wheel radius is on the bound of what can be" in " ".join(told.judgement.limits)
