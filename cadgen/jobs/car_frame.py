@@ -1,7 +1,7 @@
 """Frame of a car: its parts by the layout, their checks with cures that were tried, and their files and sheets."""
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from math import ceil, floor, hypot
@@ -41,11 +41,12 @@ _CURES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("frame.slot_mm", ("3", "2", "1")),
     ("frame.base_thickness_mm", ("5", "4", "3")),
     ("train.plate.thickness_mm", ("8", "10", "6")),
-    ("frame.wall_mm", ("2", "1.5", "1")),
     ("frame.cutter_diameter_mm", ("3", "2")),
 )
+_LESS_WALL = "frame.wall_mm", ("2", "1.5", "1")  # lowers a limit: tried last
 _SMALLER = (0.8, 0.6, 0.4, 0.3)  # shares of the diameter of a drum
 _HIGHER = (5.0, 10.0, 15.0, 20.0, 30.0, 40.0)  # mm by which the camshaft is raised, so that the train folds otherwise
+_FARTHER = (1.0, 2.0, 3.0)  # mm that parts of the layout stand farther apart
 _WIDER = (5.0, 10.0, 20.0, 30.0, 40.0, 60.0, 80.0)  # mm by which the idle wheel is set farther out
 
 
@@ -90,11 +91,7 @@ class CarFrame(JobResult):
     def own_checks(self) -> tuple[Check, ...]:
         """The frame's own checks, with their limits and a cure that was tried."""
         wrong = {check.code for check in failing(self.plain_checks) if not check.advice}
-        cure = None
-        if wrong & {CheckCode.FRAME_CLEARANCE, CheckCode.FRAME_APART}:
-            cure = _tried(self.design, [("layout.camshaft_height_mm", self._higher)])
-        if wrong and cure is None:
-            cure = _cure(self.design, narrow=CheckCode.DRIVE_ROOM in wrong)
+        cure = _tried(self.design, self._changes(wrong)) if wrong else None
         advice = cure or Message(
             "none of the values that were tried gives a frame: change [frame], or the layout by layout.clearance_mm"
         )
@@ -105,11 +102,26 @@ class CarFrame(JobResult):
         """Whether every check holds."""
         return not failing(self.checks)
 
-    @property
-    def _higher(self) -> tuple[str, ...]:
-        """Heights of the camshaft that are tried where the train meets fork and platform, as text, mm."""
-        height = self.frame.arrangement.height
-        return tuple(f"{ceil(height + more)}" for more in _HIGHER)
+    def _changes(self, wrong: Collection[CheckCode]) -> Iterator[tuple[str, Sequence[str]]]:
+        """Keys with the values that are tried as a cure, the gentlest first.
+
+        Args:
+            wrong: checks that fail.
+        """
+        height, car, clearance = self.frame.arrangement.height, self.design.car, self.frame.site.clearance
+        higher = "layout.camshaft_height_mm", [f"{ceil(height + more)}" for more in _HIGHER]
+        meets = bool({CheckCode.FRAME_CLEARANCE, CheckCode.FRAME_APART} & set(wrong))
+        if meets:
+            yield higher
+        if CheckCode.DRIVE_ROOM in wrong:
+            drum = self.frame.sizes.carried.drum if self.frame.sizes.carried else 0.0
+            yield "car.idle_wheel_offset_mm", [f"{car.idle_wheel_offset_mm + more:g}" for more in _WIDER]
+            yield "drive.drum_mm", [f"{round(drum * share):g}" for share in _SMALLER] if drum else []
+        yield from _CURES
+        yield "layout.clearance_mm", [f"{clearance + more:g}" for more in _FARTHER]
+        if not meets:
+            yield higher
+        yield _LESS_WALL
 
     def _checks(self) -> Iterator[Check]:
         frame, site = self.frame, self.frame.site
@@ -548,14 +560,6 @@ def _carried(design: Design, axle: float) -> CarriedBody | None:
 def _rounding(value: float, limit: float) -> float:
     """Difference of a figure from its limit that is rounding alone."""
     return limit - value if 0 < limit - value < 1e-6 else 0.0
-
-
-def _cure(design: Design, *, narrow: bool) -> Message | None:
-    """Change of one key with which every check of the frame holds, tried; None if none helps."""
-    wider = [f"{design.car.idle_wheel_offset_mm + more:g}" for more in _WIDER] if narrow else []
-    drum = 0.0 if design.drive is None else design.drive.drum_mm or 0.0
-    smaller = [f"{round(drum * share):g}" for share in _SMALLER] if narrow and drum else []
-    return _tried(design, [("car.idle_wheel_offset_mm", wider), ("drive.drum_mm", smaller), *_CURES])
 
 
 def _tried(design: Design, changes: Iterable[tuple[str, Sequence[str]]]) -> Message | None:

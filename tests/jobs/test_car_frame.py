@@ -12,6 +12,7 @@ from cadgen.car.assembly.frame.frame_gaps import frame_gap
 from cadgen.check import CheckCode, failing
 from cadgen.errors import CheckError
 from cadgen.jobs.car_frame import CarFrame, car_frame
+from tests.forks import Forks
 
 LONG = [pytest.mark.slow, pytest.mark.long]
 CARS = ("workshop_car", "s_course", "posts_and_walls", "figure_eight")
@@ -137,6 +138,23 @@ def test_a_frame_that_fails_names_a_cure_that_helps(override: str, code: CheckCo
     if "set" in check.advice:
         key, value = check.advice.removeprefix("set ").split(" to ")
         assert frame_of("workshop_car", override, f"{key}={value}").passed
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_the_frame_of_a_proposed_train_is_cured_by_more_room_between_the_parts(forks: Forks, tmp_path: Path) -> None:
+    """A proposed car, driven at its right, whose base has too little material beside a hole at a clearance of 2 mm."""
+    points = [(0, 0), (450, 125), (950, 550), (1500, 620), (2050, 200), (2550, -280), (3100, -300), (3650, 150)]
+    (tmp_path / "points.csv").write_text("x,y\n" + "".join(f"{x},{y}\n" for x, y in points))
+    wheels = [f"car.{key}_mm={size}" for key, size in (("drive_wheel_offset", -60), ("idle_wheel_offset", -150))]
+    settings = [text for each in ("car.wheelbase_mm=180", *wheels) for text in ("--set", each)]
+    command = ["new", "car", "--points", str(tmp_path / "points.csv"), "--train", *settings]
+    assert forks.run("from cadgen.cli import main; main()", *command, cwd=tmp_path).returncode == 0
+    (tmp_path / "car.toml").write_text((tmp_path / "car.toml").read_text() + "\n[frame]\n")
+    design = str(tmp_path / "car.toml")
+    (wrong,) = failing(frame_of(design).own_checks)
+    assert (wrong.code, wrong.advice) == (CheckCode.FRAME_WALL, "set layout.clearance_mm to 3")
+    assert frame_of(design, "layout.clearance_mm=3").passed
 
 
 def test_a_failing_frame_is_not_written(tmp_path: Path) -> None:
