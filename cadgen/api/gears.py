@@ -306,7 +306,9 @@ class Gear(Stated, OnePart, Pictured):
         return tooth_of(self.form).undercut
 
     def entry(self) -> Facts:
-        """The gear, with span over teeth and size over pins, as it is cut."""
+        """The gear, with span over teeth and size over pins, or over balls where it is helical or internal."""
+        gauge = "ball" if self.internal or self.form.helix_angle else "pin"
+        across = "between" if self.internal else "over"
         deviation = self.form.tooth_thickness_deviation
         sizes = inspection_of(self.form, deviation, deviation)
         return (
@@ -319,8 +321,10 @@ class Gear(Stated, OnePart, Pictured):
                 teeth_spanned=sizes.span.teeth_spanned if sizes.span else None,
                 span_mm=sizes.span.span.upper if sizes.span else None,
                 span_width_needed_mm=sizes.span.width_needed if sizes.span else sizes.span_needs,
-                pin_diameter_mm=sizes.pins.pin_diameter if sizes.pins else None,
-                over_pins_mm=sizes.pins.over_pins.upper if sizes.pins else None,
+                **{
+                    f"{gauge}_diameter_mm": sizes.pins.pin_diameter if sizes.pins else None,
+                    f"{across}_{gauge}s_mm": sizes.pins.over_pins.upper if sizes.pins else None,
+                },
                 volume_mm3=self.part.volume,
             )
         )

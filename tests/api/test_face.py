@@ -249,6 +249,15 @@ def tooth_corners(form):
 
 
 @pytest.mark.slow
+def test_the_size_of_a_gear_is_named_by_what_it_is_measured_with():
+    """Of a helical gear with odd teeth two pins read more than two balls."""
+    helical = Gear(teeth=13, module=2, width=20, helix_angle=radians(17))
+    names = [gear.entry().json() for gear in (Gear(teeth=13, module=2, width=8), helical)]
+    assert {"pin_diameter_mm", "over_pins_mm"} <= set(names[0])
+    assert {"ball_diameter_mm", "over_balls_mm"} <= set(names[1])
+    assert "over_pins_mm" not in names[1]
+
+
 def test_gears_and_trains_are_written_and_proved(tmp_path, capfd):
     small = Gear(
         teeth=12, module=1.0, profile_shift=0.3, width=5.0, bore=4.0, hub=Hub(diameter=8.0, length=4.0), name="small"

@@ -420,13 +420,13 @@ def _gear_sizes(layout: TrainLayout) -> Sheet | None:
         Message("teeth spanned"),
         Message("span, least"),
         Message("span, greatest"),
-        Message("pin diameter"),
-        Message("over pins, least"),
-        Message("over pins, greatest"),
+        Message("pins, of helical gears and rings balls"),
+        Message("size over them, least"),
+        Message("size over them, greatest"),
         Message("measured"),
     )
     return (
-        Sheet("gear-sizes", Message("Gears: base tangent length and size over pins"), heads, tuple(rows))
+        Sheet("gear-sizes", Message("Gears: base tangent length and size over pins or balls"), heads, tuple(rows))
         if rows
         else None
     )
