@@ -240,20 +240,23 @@ def _read_tables(values: Mapping[str, object], file: Path, changed: Sequence[Pla
             continue
         if kept not in table or (section, key) in changed:
             stated = table.get("table_unit")
-            named, bases = f"{section}.{key}", _bases(values) if section == "dynamics" else ("mm", "deg")
+            named, bases = (
+                f"{section}.{key}",
+                _bases(values, *(("N", "Nm") if section == "dynamics" else ("mm", "deg"))),
+            )
             unit = stated if isinstance(stated, str) else None
             table[kept], unit = read_rows(file.parent / table[key], unit, named, bases)
             if unit is not None and section == "motion":
                 table["table_unit"] = unit
 
 
-def _bases(values: Mapping[str, object]) -> tuple[str, ...]:
-    """Units of a load: of a force, or of a moment where the follower is on an arm; both where it has no known kind."""
+def _bases(values: Mapping[str, object], of_slide: str, of_arm: str) -> tuple[str, ...]:
+    """Units of a column by the follower: of one that slides, or of an arm; both where it has no known kind."""
     follower = values.get("follower")
     code = follower.get("kind") if isinstance(follower, dict) else None
     if not isinstance(code, str) or not has(code):
-        return ("N", "Nm")
-    return ("N",) if kind_of(code).unit == MM else ("Nm",)
+        return of_slide, of_arm
+    return (of_slide,) if kind_of(code).unit == MM else (of_arm,)
 
 
 def design_file(source: str | Path | None = None) -> Path:

@@ -344,6 +344,18 @@ def test_a_unit_that_is_not_known_is_refused(tmp_path, monkeypatch, head, bases,
         read_rows(Path("lobe.csv"), bases=bases)
 
 
+def test_a_lift_in_mm_is_refused_where_an_arm_turns(tmp_path):
+    """The head of the file says the unit, so no key can be named that changes it."""
+    (tmp_path / "lobe.csv").write_text("angle;lift [mm]\n2;1,5\n3;2\n")
+    (tmp_path / "lever.toml").write_text(
+        '[motion]\nturns = "clockwise"\ntable = "lobe.csv"\n'
+        '[follower]\nkind = "swinging_roller"\nradius_mm = 8\narm_mm = 70\ncentre_distance_mm = 90\nlifts = "with"\n'
+        "[cam]\nthickness_mm = 8\nbase_circle_radius_mm = 40\n"
+    )
+    with pytest.raises(DesignError, match=r'lobe.csv is "mm" by its first lines, .* write deg, rad there'):
+        Design.load(tmp_path / "lever.toml")
+
+
 @pytest.mark.parametrize(("unit", "value"), [("N·mm", 1500.0), ("Nm", 1.5)])
 def test_moments_of_a_load_are_in_newton_millimetres(tmp_path, unit, value):
     file = tmp_path / "load.csv"
