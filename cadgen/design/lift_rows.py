@@ -159,13 +159,14 @@ def _units(words: Sequence[str], remark: str) -> tuple[str, str]:
     """Units of both columns as the lines above the rows name them, empty where they do not; the last line counts."""
     from cadgen.inference.records.units import heading, unit_of
 
-    for line in reversed(words):
+    for number, line in enumerate(reversed(words)):
         cells = _two(line)
         bare = (cells[0].strip("[]()"), cells[1].strip("[]()"))
         first = unit_of(bare[0])
         named = (heading(cells[0]).unit, heading(cells[1]).unit)
         units = bare if first and first[0] == "deg" and unit_of(bare[1]) else named
-        if any(units):
+        # Brackets of a title above the names of the columns are no units.
+        if any(units) and (number == 0 or all(unit_of(unit) for unit in units if unit)):
             return units
     # Programs write the names as a remark, too: a line of two names with a known unit each, and nothing else.
     cells = _two(remark) if not re.search(r"\d", remark) else ("", "")

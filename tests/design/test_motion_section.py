@@ -315,6 +315,7 @@ def test_rows_of_a_file(tmp_path, text, rows):
         ("# range 360 deg, resolution 1 um", None, (1.0, 1.0), None),
         ("theta, s", None, (1.0, 1.0), None),
         ("angle,lift [Spanne]", "inch", (1.0, 1.0), "inch"),
+        ("Cam 2 (intake), rev. B\nangle,lift", None, (1.0, 1.0), None),
     ],
 )
 def test_units_of_the_head_count(tmp_path, head, stated, factors, unit):

@@ -2,7 +2,7 @@
 
 A camera has its own axes. The way from the start tells how they lie: on its first part the car's own errors do little.
 Let e be the place by design and m what was measured, as x + iy about their means over those rows. Then the angle of
-Σ m ē says by how much the axes are turned. A path of the other hand fits m̄ instead.
+Σ m ē says by how much the path is turned in the camera's axes. A path of the other hand fits m̄ instead.
 """
 
 from dataclasses import replace
@@ -63,9 +63,9 @@ def in_design_frame(record: Record, track: Track) -> Record:
     shift = complex(np.mean([np.mean(found[rows[:LEAST_ROWS]] - planned[rows[:LEAST_ROWS]]) for rows in first]))
     if not quarters and abs(shift) < FAR_MM:
         return record
-    found = found - shift
+    found, shift = found - shift, shift * 1j ** (quarters % 4)
     note = Message(
-        "its axes are turned by {angle}°, and its origin is shifted by ({x:.0f}, {y:.0f}) mm against the design's",
+        "in its axes the path is turned by {angle}° against the design's, and shifted by ({x:.0f}, {y:.0f}) mm",
         angle=90 * (quarters % 4),
         x=shift.real,
         y=shift.imag,

@@ -92,7 +92,7 @@ def _rows(text: str, name: str) -> Points:
     for number, line in enumerate(text.replace("，", ",").replace("；", ";").splitlines(), 1):
         content = line.partition("#")[0].strip()
         if not content:
-            order = order or (_of_remark(line.strip("# ")) if line.startswith("#") and not places else None)
+            order = order or (_of_remark(line.strip("# "), name) if line.startswith("#") and not places else None)
             continue
         if not places and not _numbers(content) and (order is None or order.of_remark):
             order = _order(content, name)
@@ -155,11 +155,10 @@ def _order(header: str, name: str) -> _Order:
     """Columns and units by a header such as `Y [m], X [m]` or `no;x;y;weight`; x before y where it does not say.
 
     Raises:
-        FileError: a unit that is none of length, or a column beside x and y that may not be passed over.
+        FileError: a unit that is none of length or stands at one column alone, or a column beside x and y that may
+            not be passed over.
     """
-    text = re.sub(r"[\[(](weight|Gewicht|权重)[\])]", r"\1", header, flags=re.IGNORECASE)
-    marked = bool(re.search(r"[,;\t|]", text))
-    columns = re.split(r"[,;\t|]", text) if marked else re.sub(r"\s+(?=[\[(])", "", text).split()
+    columns = _columns(header)
     names = [heading(column) for column in columns]
     quantities = [column.quantity for column in names]
     named = quantities.count("x") == quantities.count("y") == 1
@@ -174,6 +173,12 @@ def _order(header: str, name: str) -> _Order:
                 name=name,
                 unit=escaped(names[place].unit[:60]),
             )
+    if factors[0] != factors[1] and not (names[x].unit and names[y].unit):
+        raise FileError(
+            "{name}: the unit {unit} stands at one of the two columns alone: write one at both, such as x [m], y [m]",
+            name=name,
+            unit=escaped((names[x].unit or names[y].unit)[:60]),
+        )
     weight = next((n for n, quantity in enumerate(quantities) if quantity in _WEIGHTS), None)
     if not named:
         return _Order(x_factor=factors[0] or 1.0, y_factor=factors[1] or 1.0)
@@ -187,11 +192,28 @@ def _order(header: str, name: str) -> _Order:
     return _Order(x, y, factors[0] or 1.0, factors[1] or 1.0, weight, len(names))
 
 
-def _of_remark(remark: str) -> _Order | None:
-    """Columns and units by a remark that names x and y, as programs write them; None by any other."""
+def _columns(header: str) -> list[str]:
+    """Names of columns in a line."""
+    text = re.sub(r"[\[(](weight|Gewicht|权重)[\])]", r"\1", header, flags=re.IGNORECASE)
+    if re.search(r"[,;\t|]", text):
+        return re.split(r"[,;\t|]", text)
+    return re.sub(r"\s+(?=[\[(])", "", text).split()
+
+
+def _of_remark(remark: str, name: str) -> _Order | None:
+    """Columns and units by a remark that names x and y, as programs write them; None by any other.
+
+    Raises:
+        FileError: it says another order or unit than x before y in mm, and has what is not understood.
+    """
     try:
-        order = _order(remark, "")
+        order = _order(remark, name)
     except FileError:
+        columns = [heading(column) for column in _columns(remark)]
+        quantities = [column.quantity for column in columns]
+        units = {column.factor("mm") for column in columns if column.quantity in ("x", "y")} - {None, 1.0}
+        if quantities.count("x") == quantities.count("y") == 1 and (units or quantities[:2] != ["x", "y"]):
+            raise
         return None
     names = {heading(column).quantity for column in re.split(r"[,;\t|\s]+", remark)}
     return order._replace(of_remark=True) if {"x", "y"} <= names else None

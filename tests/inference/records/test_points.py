@@ -35,6 +35,10 @@ def test_rows_are_read_however_they_are_separated(name, tmp_path):
         ("x,y\n0,0,5\n", "line 2: `0,0,5` is no point"),
         ("x [px],y [px]\n0,0\n", "`px` is no unit of length that is known"),
         ("x,y,speed\n0,0,5\n", "the column speed beside x and y is not understood: take it out, or call it weight"),
+        ("# x [m], y [m], speed\n0 0 5\n", "the column speed beside x and y is not understood"),
+        ("# y, x, by hand\n0 0\n", "the column by hand beside x and y is not understood"),
+        ("x, y [m]\n0,0\n", "the unit m stands at one of the two columns alone: write one at both"),
+        ("Path of car 3, in m\n0,0\n", "the unit m stands at one of the two columns alone"),
         ("0 0\n1 1\n", "has 2 points; a path needs at least 4"),
     ],
 )
