@@ -5,7 +5,7 @@
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cached_property, partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -397,15 +397,21 @@ class WeighedTogether:
     alone: Callable[[Record], Weighed]
     together: Callable[[Sequence[Start]], Weighed | None]
 
+    @cached_property
+    def likeliest(self) -> Weighed:
+        """Joint verdict; where it is not sound, from what each record shows by itself if that is likelier for all."""
+        if len(self.records) == 1 or self.joint.judgement.verdict in SOUND:
+            return self.joint
+        return self.together(_starts(self.joint.joint, [self.alone(record) for record in self.records])) or self.joint
+
     def diagnoses(self, progress: Progress = silent) -> tuple[EvidenceDiagnosis, ...]:
         """Diagnosis of each record, each by itself where they contradict each other."""
-        if len(self.records) == 1 or self.joint.judgement.verdict in SOUND:
-            return self.joint.diagnoses(progress)
+        joint = self.likeliest
+        if len(self.records) == 1 or joint.judgement.verdict in SOUND:
+            return joint.diagnoses(progress)
         # What no car of one kind shows may be of two cars, or of one in two states: records are likelier apart then.
         apart = [self.alone(record) for record in self.records]
-        # Subsets of each record by itself may be likelier together than what was found for both.
-        joint = self.together(_starts(self.joint.joint, apart)) or self.joint
-        if joint.judgement.verdict in SOUND or joint.best.score < sum(each.best.score for each in apart) + CONTRADICTED:
+        if joint.best.score < sum(each.best.score for each in apart) + CONTRADICTED:
             return joint.diagnoses(progress)
         limit = Message(
             "the records contradict each other: they are likelier of several cars than of one, and so they were judged "

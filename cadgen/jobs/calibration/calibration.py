@@ -368,7 +368,7 @@ def _other_cam(
         if bare is None:
             continue
         nominal = replace(bare, form_error=known.form_error, play=known.play, usual=known.usual)
-        one = other_cam(weighed.joint, known, nominal, code, earlier=earlier, progress=progress)
+        one = other_cam(weighed.likeliest, known, nominal, code, earlier=earlier, progress=progress)
         found += [one] if one is not None else []
     return max(found, key=lambda one: one.better, default=None)
 
