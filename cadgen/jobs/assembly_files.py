@@ -210,8 +210,11 @@ def _remark(assembly: CarAssembly, part: CarPart) -> str:
         said: list[str] = [Message("face shown on its sheet to the {side}", side=side)]
         if isinstance(plan.made_blank.key, Keyway):
             said.append(Message("on its key"))
-        if any(each.code == "collar-disc" for each in assembly.parts):
-            said.append(Message("between sleeve and set collar"))
+        holders = {each.code for each in assembly.parts} & {"sleeve-disc", "collar-disc"}
+        if holders:
+            said.append(
+                Message("between sleeve and set collar") if len(holders) == 2 else Message("held by a set collar")
+            )
         joint = plan.making.fit.joint
     elif part.code.startswith("gear-"):
         gear = assembly.train.layout.on_shafts[part.shaft - 1]

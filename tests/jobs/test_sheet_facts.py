@@ -394,6 +394,14 @@ def test_what_the_mounting_page_speaks_of_is_in_the_list_of_parts(car: CarAssemb
         assert lacking(without), code
 
 
+def test_a_disc_without_a_bearing_beside_it_is_not_said_to_have_a_sleeve(car: CarAssembly) -> None:
+    without = replace(car, parts=tuple(part for part in car.parts if part.code != "sleeve-disc"))
+    between = "between sleeve and set collar"
+    assert between in str(mountings(car))
+    assert between not in str(mountings(without))
+    assert "held by a set collar" in str(mountings(without))
+
+
 @pytest.mark.slow
 @pytest.mark.long
 @pytest.mark.parametrize(
