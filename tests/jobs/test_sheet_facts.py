@@ -62,8 +62,8 @@ NO_PARTS = frozenset(
     design doe down drawn each edge either ended energy face fall find first floor flush for forward frame free
     from gap give goe gravity ha hand height hold hole inner into it itself last lead least leave left lie line
     little longest look lower lowest mas material more mounting move must nearest never not nowhere off one open
-    opening order other outside outward over parallel part path piece place play point pres presse pressed printer
-    pull push pushed pushing put ray right rolling room round run say sheet short shown side slack speed stand
+    opening order other outside outward over overhang parallel part path piece place play point pres presse pressed
+    printer pull push pushed pushing put ray right rolling room round run say sheet short shown side slack speed stand
     start state step suit table take than that the their them then there these they those through tip together too
     touche toward train trial trim turn turning two under until used usual wall way waypoint what where which
     while with within without wrong
@@ -340,7 +340,7 @@ def test_no_text_of_a_table_comes_up_to_the_next_cell(
 ) -> None:
     title = title_of(car.origin, None, "car", "", "car", NOWHERE)
     whole = assembly_drawing(*views_of(car, 0.0), listed(car), tuple(sheet_notes(car, car.balance())), title)
-    steps = mounting_sheet(mountings(car), tuple(mounting_notes(car)), title)
+    steps = mounting_sheet(mountings(car), loose_parts(car), tuple(mounting_notes(car)), title)
     for stem, sheet in {**sheets, "car": whole, "steps": steps}.items():
         if sheet.tables:
             assert leaving(sheet, language) == [], stem
