@@ -75,12 +75,12 @@ def find(word: str, language: str = ENGLISH) -> list[Term]:
     """
     wanted = " ".join(re.sub("[,_-]", " ", word.lower()).split())
     singular = " ".join(part.removesuffix("s") for part in wanted.split())
-    named = [(term, [name.replace("-", " ") for name in term.names]) for term in terms(language).values()]
+    named = [(term, [re.sub("[_-]", " ", name) for name in term.names]) for term in terms(language).values()]
     for same in (
         lambda name: name in (wanted, wanted.removesuffix("s")),
         lambda name: f" {wanted} " in f" {name} ",
-        lambda name: wanted.endswith(f" {name}"),
-        lambda name: f" {name} " in f" {wanted} {singular} ",
+        lambda name: len(name) > 1 and wanted.endswith(f" {name}"),
+        lambda name: len(name) > 1 and f" {name} " in f" {wanted} {singular} ",
         lambda name: not name.isascii() and len(name) > 1 and name in wanted,
     ):
         if found := [term for term, names in named if any(map(same, names))]:

@@ -92,6 +92,8 @@ def test_codes_that_the_screens_show_are_terms(language):
             "steering zero",
             "start pose",
         ),
+        *("state (VDI 2143)", "closure", "outer face", "h_aP, h_fP, rho_fP", "thickness E_sns / E_sni", "span W_k, mm"),
+        *("ball diameter D_M", "root form diameter", "sun", "planet", "ring", "carrier", "keyway"),
     ],
 )
 def test_lines_of_the_first_screens_lead_to_a_term(shown):
