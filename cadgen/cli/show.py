@@ -226,8 +226,9 @@ def summary(cam: "Cam", *, drawn: PartVerdict | None = None) -> Iterator[Text]:
 
 def _heading(cam: "Cam", ruling: PartVerdict) -> Text:
     """Name of a cam with the verdict."""
+    named = Message("{name}, {profile} profile", name=cam.origin.name, profile=Message(str(cam.profile)))
     return Text.assemble(
-        f"{shown(Message('{name}, {profile} profile', name=cam.origin.name, profile=cam.profile))}{shown(': ')}",
+        f"{shown(named)}{shown(': ')}",
         (shown(ruling.readiness.words), f"bold {_COLOURS[ruling.readiness]}"),
     )
 
@@ -303,7 +304,9 @@ def friction(cam: "Cam") -> None:
 def failures(cam: "Cam") -> None:
     """Print the checks that fail, with their advice; nothing if all pass."""
     if cam.failed:
-        title = Message("{name}: the {profile} profile fails its checks", name=cam.origin.name, profile=cam.profile)
+        title = Message(
+            "{name}: the {profile} profile fails its checks", name=cam.origin.name, profile=Message(str(cam.profile))
+        )
         figures(title, cam.failed, gap=True)
 
 

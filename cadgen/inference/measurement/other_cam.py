@@ -92,7 +92,7 @@ def other_cam(
     angle = np.linspace(0.0, TURN, _STATIONS)
     if np.abs(stated.lift.jets(angle)[0] - other.lift.jets(angle)[0]).max() < ALIKE:
         return None
-    progress(Message("comparing with the {profile} profile", profile=profile))
+    progress(Message("comparing with the {profile} profile", profile=Message(profile)))
     best = min(weighed.found, key=lambda h: h.score)
     # Of a car whose wheel was measured the run ends at another cam angle: both cams are judged over the same rows.
     joint = _against(weighed.joint, replace(other, blend_start=stated.lift.blend_start))

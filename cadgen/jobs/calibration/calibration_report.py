@@ -55,11 +55,16 @@ def report(calibration: CalibrationPlan) -> list[Block]:
     blocks += [expected(c.outlook, _CLAIMED if every else _TOGETHER)] if c.outlook else []
     if c.no_cam is not None:
         blocks.append(Message("No new cam can be planned for what is claimed: {reason}.", reason=c.no_cam))
-    stated = {"name": c.against.name, "profile": c.profile, "error": c.form_error_um, "source": c.form_error_from}
+    stated = {
+        "name": c.against.name,
+        "profile": Message(c.profile),
+        "error": c.form_error_um,
+        "source": c.form_error_from,
+    }
     blocks.append(
         Message("{name}, {profile} profile; form error of the disc {error:g} µm rms ({source}).", **stated)
         if c.track_length
-        else Message("{name}, {profile} profile.", name=c.against.name, profile=c.profile)
+        else Message("{name}, {profile} profile.", name=c.against.name, profile=Message(c.profile))
     )
     if c.wheelbase is not None:
         by = Message("a file says so") if c.wheelbase[1] else Message("the design's, since no file says it")

@@ -379,7 +379,7 @@ def _face_dimensions(cam: CamPart, scale: float) -> list[Dimension]:
                 centre=blank.mark.centre,
                 diameter=blank.mark.diameter,
                 angle=degrees(blank.mark.angle),
-                suffix=" mark",
+                suffix=Message(" mark"),
             )
         )
     if cam.groove:

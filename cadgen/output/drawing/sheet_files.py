@@ -162,8 +162,11 @@ class SheetDocument:
         figure = Figure(figsize=(width / _INCH, height / _INCH))
         axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
         document = self._document
-        texts = [text.dxf for text in document.modelspace().query("TEXT")]
-        if letters := frozenset("".join(text.text for text in texts if text.style == FAR_EASTERN_STYLE)):
+        texts = [(text.dxf.style, text.dxf.text) for text in document.modelspace().query("TEXT")]
+        for dimension in document.modelspace().query("DIMENSION"):
+            numbers = dimension.get_geometry_block().query("MTEXT")
+            texts += [(number.dxf.style, "".join(filter(is_wide, number.plain_text()))) for number in numbers]
+        if letters := frozenset("".join(text for style, text in texts if style == FAR_EASTERN_STYLE)):
             document.styles.get(FAR_EASTERN_STYLE).dxf.font = know_far_eastern(letters)
         backend = _Backend(axes, adjust_figure=False)
         look = Configuration(
@@ -354,8 +357,9 @@ class _Place:
     def _dimension(self, dimension: Dimension) -> None:
         # Of "<>" in a diameter some readers make its sign, and some do not.
         number = f"{dimension.sign}{rounded(dimension.diameter)}" if isinstance(dimension, DiameterDimension) else "<>"
-        text = f"{dimension.prefix}{number}{dimension.suffix}"
+        text = f"{dimension.prefix}{number}{self.say(dimension.suffix)}"
         attributes = {"layer": LineKind.DIMENSION.value}
+        letters = {"dimtxsty": _style(self.space, text)} if any(map(is_wide, text)) else {}
         made: ezdxf.entities.DimStyleOverride
         if isinstance(dimension, DiameterDimension):
             # The text stands outside the circle, on the dimension line's own side.
@@ -367,7 +371,7 @@ class _Place:
                 angle=dimension.angle,
                 text=text,
                 dimstyle=_STYLE,
-                override={"dimtad": 1, "dimtofl": 1, "dimtmove": 0},
+                override={"dimtad": 1, "dimtofl": 1, "dimtmove": 0, **letters},
                 location=Vec2(centre) + Vec2.from_deg_angle(dimension.angle, reach),
                 dxfattribs=attributes,
             )
@@ -390,7 +394,7 @@ class _Place:
                 angle=upright,
                 text=text,
                 dimstyle=_STYLE,
-                override={"dimtmove": 2, "dimtofl": 1} if dimension.beside else {},
+                override={**({"dimtmove": 2, "dimtofl": 1} if dimension.beside else {}), **letters},
                 dxfattribs=attributes,
             )
         made.render()
@@ -414,11 +418,17 @@ def _text(
     align: TextEntityAlignment = TextEntityAlignment.LEFT,
 ) -> None:
     plain = text.replace("^", "^ ").replace("%%", "% %")  # of a TEXT both begin codes
-    style = FAR_EASTERN_STYLE if any(map(is_wide, plain)) else _STYLE
-    if style not in space.doc.styles:
-        space.doc.styles.add(style, font=_FAR_EASTERN_FONT)
+    style = _style(space, plain)
     drawn = space.add_text(plain, height=height, dxfattribs={"layer": LineKind.TEXT.value, "style": style})
     drawn.set_placement(at, align=align)
+
+
+def _style(space: Modelspace, text: str) -> str:
+    """Style that has the letters of a text; that for Chinese ones is added to the sheet where it is first used."""
+    style = FAR_EASTERN_STYLE if any(map(is_wide, text)) else _STYLE
+    if style not in space.doc.styles:
+        space.doc.styles.add(style, font=_FAR_EASTERN_FONT)
+    return style
 
 
 @cache
@@ -491,7 +501,7 @@ def _frame(space: Modelspace, drawing: DrawingSheet, say: Callable[[str], str]) 
         (2, 1, 1, Message("date"), title.date),
         (0, 0, 2, Message("number of the drawing"), title.number),
         (2, 0, 0.5, Message("quantity"), str(title.quantity)),
-        (2.5, 0, 0.5, Message("sheet"), "1/1"),
+        (2.5, 0, 0.5, Message("sheet "), "1/1"),
     ]
     column, row = across / 3, up / 6
     deviates = any(isinstance(symbol, SurfaceTexture) for view in drawing.views for symbol in view.symbols)
@@ -503,7 +513,7 @@ def _frame(space: Modelspace, drawing: DrawingSheet, say: Callable[[str], str]) 
             close=True,
             dxfattribs=thin,
         )
-        _text(space, say(name), (left + 1.0, low + row - 2.4), HEIGHTS[-1])
+        _text(space, say(name).rstrip(), (left + 1.0, low + row - 2.4), HEIGHTS[-1])
         text, start = say(text), left + 1.0
         rough = bool(_ROUGHNESS.match(text))
         if rough:
@@ -712,7 +722,9 @@ def _searchable(axes: Axes, document: Document) -> None:
     for dimension in space.query("DIMENSION"):
         for number in dimension.get_geometry_block().query("MTEXT"):
             turn = float(number.get_rotation())
-            write(number.plain_text().replace(_SIGN, DIAMETER), number.dxf.insert, TEXT, _STYLE, "center", turn)
+            write(
+                number.plain_text().replace(_SIGN, DIAMETER), number.dxf.insert, TEXT, number.dxf.style, "center", turn
+            )
 
 
 class _Backend(MatplotlibBackend):  # type: ignore[misc]
