@@ -375,7 +375,7 @@ def test_the_chinese_readme_has_the_same_commands() -> None:
         for page in (english, translated)
     ]
     assert named[0] == named[1]
-    assert len(named[0]) == 6
+    assert len(named[0]) == 7
 
 
 def test_the_readme_of_the_distribution_leads_to_the_repository_or_nowhere() -> None:

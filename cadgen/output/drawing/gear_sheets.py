@@ -100,7 +100,7 @@ def gear_rows(gear: Figures, mates: Sequence[str], stage: Stage, *, drives: bool
         (Message("h_aP, h_fP") if ring else Message("h_aP, h_fP, rho_fP"), ", ".join(filter(None, rack))),
         (Message("helix angle, hand"), "" if helix is None else f"{abs(helix):g}° {hand}"),
         (Message("lead"), mm("lead")),
-        (Message("pitch diameter d"), mm("reference_diameter")),
+        (Message("reference diameter d"), mm("reference_diameter")),
         (Message("profile shift x"), plain("profile_shift")),
         (Message("tooth depth h"), mm("tooth_depth")),
         (Message("tip diameter"), mm("tip_diameter")),

@@ -58,7 +58,7 @@ def test_order_of_the_table(tables):
         "h_aP, h_fP, rho_fP",
         "helix angle, hand",
         "lead",
-        "pitch diameter d",
+        "reference diameter d",
         "profile shift x",
         "tooth depth h",
         "tip diameter",
