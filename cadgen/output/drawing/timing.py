@@ -181,9 +181,9 @@ class TimingDiagram:
         for number, each in enumerate(self.segments, 1):
             if each.stop < 360.0 - 1e-9:
                 curves.append(line(np.array([[x(each.stop), 0.0], [x(each.stop), high]]), LineKind.HIDDEN))
-            room, text = x(each.stop - each.start), f"{number} {each.law}"
+            room, text = x(each.stop - each.start), Message("{number} {law}", number=number, law=each.law)
             if width_of(text) * HEIGHTS[-1] > room:
-                text = f"{number}"
+                text = Message("{number}", number=number)
             if width_of(text) * HEIGHTS[-1] <= room:
                 labels.append(label(text, (x(each.start) + room / 2, high + 2.4)))
         return View(place=(LEFT + _LEFT, EDGE + _BELOW), curves=tuple(curves), labels=tuple(labels))
