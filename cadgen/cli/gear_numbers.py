@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import sys
 import tomllib
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from math import degrees, radians
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -410,32 +410,39 @@ def pair(
         if standard == ToleranceStandard.FREE
         else None
     )
-    gears = [
-        Gear(teeth=count, internal=number == ring, hand=of, double=double, tolerances=free, **each)
-        for number, (count, of, each) in enumerate(zip(counts, hands, arguments, strict=True))
-    ]
-    if toml:
-        text = _pair_toml(gears, backlash_um, backlash_deg, centre_distance_mm, bearing_span_mm)
-        click.echo(text.replace("[train]\n", '[train]\nstandard = "free"\n', 1) if free else text, nl=False)
-        return
-    if backlash_um is not None and backlash_deg is not None:
-        raise click.UsageError(Message("--backlash-um and --backlash-deg are both given; give one of them"))
     common: Named = {
         "centre_distance": centre_distance_mm,
         "bearing_span": 60.0 if bearing_span_mm is None else bearing_span_mm,
         "centre_distance_deviation": 0.0 if free else None,
         "name": name,
     }
-    backlash = None if backlash_um is None else backlash_um * 1e-3
-    if backlash_deg is not None:
-        nominal = GearPair(*gears, **common).nominal
-        backlash = radians(backlash_deg) * nominal.driven_pitch_radius
+    teeth_of = [
+        {"teeth": count, "internal": number == ring, "hand": of, "double": double, "tolerances": free}
+        for number, (count, of) in enumerate(zip(counts, hands, strict=True))
+    ]
+    try:
+        gears = [Gear(**own, **each) for own, each in zip(teeth_of, arguments, strict=True)]
+    except DesignError:
+        bare = [{name: value for name, value in each.items() if name not in ("bore", "keyway")} for each in arguments]
+        solid = [Gear(**own, **each) for own, each in zip(teeth_of, bare, strict=True)]
+        _refuse_as_cut(
+            GearPair(*solid, backlash=_backlash(solid, backlash_um, backlash_deg, common), **common), arguments
+        )
+        raise
+    if toml:
+        text = _pair_toml(gears, backlash_um, backlash_deg, centre_distance_mm, bearing_span_mm)
+        click.echo(text.replace("[train]\n", '[train]\nstandard = "free"\n', 1) if free else text, nl=False)
+        return
+    if backlash_um is not None and backlash_deg is not None:
+        raise click.UsageError(Message("--backlash-um and --backlash-deg are both given; give one of them"))
+    backlash = _backlash(gears, backlash_um, backlash_deg, common)
     if propose_shifts:
         bare = GearPair(*gears, backlash=backlash, **common | {"centre_distance": None})
         _proposals(bare.propose_shifts(centre_distance_mm, least_land), as_json)
         return
     made = GearPair(*gears, backlash=backlash, **common)
     play, along = made.plays, Message("with the pinion")
+    (zone,), arc = made.computed.play.stages, made.cut.driven_pitch_radius * 1e3
     rows: Named = {
         Message("ratio"): str(made.ratio),
         Message("the wheel turns"): along if made.nominal.sense > 0 else Message("against the pinion"),
@@ -448,7 +455,9 @@ def pair(
         Message("loss factor"): made.loss_factor,
         Message("play along the line of action, µm"): play.base * 1e3,
         Message("play normal to the flanks, µm"): play.normal * 1e3,
-        Message("play on the pitch circles, µm"): play.pitch * 1e3,
+        Message("least play on the pitch circles, µm"): zone.B_min * arc,
+        Message("play on the pitch circles as cut, µm"): play.pitch * 1e3,
+        Message("greatest play on the pitch circles, µm"): zone.B_max * arc,
         Message("play as an angle of the pinion, degrees"): degrees(play.driver_angle),
         Message("play as an angle of the wheel, degrees"): degrees(play.driven_angle),
     }
@@ -572,6 +581,39 @@ def planetary(
         force,
         as_json,
     )
+
+
+def _backlash(gears: Sequence[Gear], in_um: float | None, in_deg: float | None, common: Named) -> float | None:
+    """Backlash of a pair on the pitch circles, mm; None where it is left to the tolerances.
+
+    Args:
+        gears: pinion and wheel.
+        in_um: backlash as asked for, µm.
+        in_deg: free angle of the wheel as asked for, degrees.
+        common: other arguments of the pair.
+    """
+    from cadgen import GearPair
+
+    if in_deg is None:
+        return None if in_um is None else in_um * 1e-3
+    return radians(in_deg) * GearPair(*gears, **common).nominal.driven_pitch_radius
+
+
+def _refuse_as_cut(solid: GearPair, arguments: Sequence[Named]) -> None:
+    """Refuse bores by the teeth as cut, whose roots lie deeper by their thinning.
+
+    Args:
+        solid: pair without bores.
+        arguments: arguments of its gears, with their bores.
+
+    Raises:
+        DesignError: a bore or its keyway does not fit.
+    """
+    from cadgen.gears.wheel_body import gear_body
+    from cadgen.parts.blank import Blank
+
+    for gear, each in zip((solid.cut.driver, solid.cut.driven), arguments, strict=True):
+        gear_body(gear.form, Blank(bore_diameter=each.get("bore", 0.0), key=each.get("keyway")))
 
 
 def _make(

@@ -295,7 +295,7 @@ def _check_bore(blank: Blank, form: Wheel) -> None:
             usual=round(0.9 * bore, 2),
         )
     largest = form.root_diameter - 2 * form.least_rim
-    if bore and not _reach(blank) <= largest:  # without a bore nothing is taken from a solid gear
+    if bore and not _reach(blank) <= largest + 1e-9:  # without a bore nothing is taken from a solid gear
         if largest <= 0:
             raise DesignError(
                 "{gear} is too small for a bore: its root of {root:.4g} mm leaves none within a rim of {rim:.4g} mm; "
@@ -307,12 +307,12 @@ def _check_bore(blank: Blank, form: Wheel) -> None:
             )
         raise DesignError(
             "{gear} has a {feature} that reaches to {reach:.4g} mm diameter under its root of {root:.4g} mm; keep it"
-            " within {largest:.4g} mm",
+            " within {largest:g} mm",
             gear=str(form),
             feature=Message("keyway") if isinstance(key, Keyway) and bore <= largest else Message("bore"),
             reach=_reach(blank),
             root=form.root_diameter,
-            largest=largest,
+            largest=floor((largest + 1e-9) * 100) / 100,
         )
 
 

@@ -86,6 +86,33 @@ def test_a_bore_without_room_names_teeth_that_were_tried(tmp_path):
     assert run(*asked, "--teeth", 10).exit_code == 0
 
 
+@pytest.mark.parametrize("backlash", [(), ("--backlash-um", "80"), ("--backlash-deg", "0.4")])
+def test_the_largest_bore_of_a_pair_is_that_of_the_teeth_as_cut(tmp_path, backlash):
+    asked = ("pair", "--teeth", "20,40", *SIZES, *backlash, "--formats", "csv", "--out", tmp_path)
+    with pytest.raises(DesignError, match="keep it within") as refused:
+        run(*asked, "--bore", "16,8")
+    largest = float(re.search(r"keep it within ([\d.]+) mm", str(refused.value))[1])
+    assert largest < 15.25  # that of teeth that are not thinned
+    assert run(*asked, "--bore", f"{largest},8").exit_code == 0
+    with pytest.raises(DesignError, match="keep it within"):
+        run(*asked, "--bore", f"{largest + 0.01:.2f},8")
+
+
+def test_a_pair_says_the_range_of_its_play_as_its_design_file_does(tmp_path):
+    flags = ("pair", "--teeth", "20,40", *SIZES, "--backlash-um", "80")
+    ending = ("--formats", "csv", "--out", tmp_path)
+    said = run(*flags, *ending).output
+    ends = [
+        float(re.search(rf"{end}play on the pitch circles{how}, µm +([\d.]+)", said)[1])
+        for end, how in (("least ", ""), ("", " as cut"), ("greatest ", ""))
+    ]
+    (tmp_path / "pair.toml").write_text(run(*flags, "--toml").output)
+    least, greatest, cut = re.search(
+        r"([\d.]+)-([\d.]+) +([\d.]+)", run("gears", tmp_path / "pair.toml", *ending).output
+    ).groups()
+    assert [f"{end:.1f}" for end in ends] == [least, cut, greatest]
+
+
 def test_the_design_file_of_a_pair_makes_the_files_of_the_pair(tmp_path):
     flags = ("pair", "--teeth", "20,60", *SIZES, "--backlash-um", "100")
     ending = ("--formats", "csv", "--out", tmp_path / "out")
