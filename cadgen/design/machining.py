@@ -137,6 +137,22 @@ class Machining(DesignSection):
             )
         return Message("material not stated: {fed}; state {key}, or machining.feed_mm_per_min", fed=fed, key=key)
 
+    def assumptions(self, material: DiscMaterial | None, key: str = "blank.material") -> Message | None:
+        """Sentence on all that a program goes by and nobody has stated, feed and cutter; None where nothing is.
+
+        Args:
+            material: material of the work; None if it is not known.
+            key: key that states it.
+        """
+        fed = self.assumption(material, key)
+        if "cutter_diameter_mm" in self.model_fields_set:
+            return fed
+        cutter = Message(
+            "cutter not stated: the path is for one of {diameter:g} mm; state machining.cutter_diameter_mm",
+            diameter=self.cutter_diameter_mm,
+        )
+        return Message("{material}; {cutter}", material=fed, cutter=cutter) if fed else cutter
+
     def feed_per_tooth(self, material: DiscMaterial) -> float:
         """Feed of each tooth in a full slot of a material, mm."""
         return _FEED_PER_TOOTH[material] * self.cutter_diameter_mm

@@ -114,5 +114,5 @@ def groove_programs(cam: GrooveExport, folder: Path) -> Iterator[Artifact]:
     write_groove(folder / name, rounds, cam.depth, machining, name=cam.stem, material=material, notes=inner.notes)
     flanks = read_groove(folder / name, machining, cam.depth, machining.feed(material), cam.step)
     facts = Facts(rounds=len(rounds), cutter_diameter_mm=machining.cutter_diameter_mm)
-    facts |= assumed_in(machining.assumption(material))
+    facts |= assumed_in(machining.assumptions(material))
     yield cam.judged(name, [flanks], _NC_LIMIT_UM, facts)

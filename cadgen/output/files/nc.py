@@ -75,7 +75,7 @@ def programs(cam: CamExport, folder: Path, step: float) -> Iterator[tuple[Artifa
     )
     height = above.height if above else 0.0
     milled = read_gcode(outline, machining, cam.thickness, step, material=cam.material, hub_height=height)
-    assumed = assumed_in(machining.assumption(cam.material))
+    assumed = assumed_in(machining.assumptions(cam.material))
     facts = Facts(arcs=len(centre.bulges), cutter_diameter_mm=machining.cutter_diameter_mm) | assumed
     if milled.tabs:
         facts |= Facts(

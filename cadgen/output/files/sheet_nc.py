@@ -116,7 +116,7 @@ def sheet_program(
     file = folder / f"{stem}.nc"
     lines = _lines(panel, machining, name, seat, material)
     file.write_text("\n".join(lines) + "\n", encoding="ascii", newline="\n")
-    return Artifact(file.name, _cut(panel, file, machining) | assumed_in(machining.assumption(material, _MATERIAL)))
+    return Artifact(file.name, _cut(panel, file, machining) | assumed_in(machining.assumptions(material, _MATERIAL)))
 
 
 def _lines(panel: Panel, machining: Machining, name: str, seat: str, material: DiscMaterial | None) -> Iterator[str]:

@@ -226,6 +226,20 @@ def test_a_material_that_nobody_stated_is_told_with_what_is_assumed():
     assert Machining(feed_mm_per_min=300.0).assumption(None) is None
 
 
+def test_a_cutter_that_nobody_stated_is_told_beside_the_material():
+    """The outline of a program is that of the cutter's centre, whose diameter must not be taken in silence."""
+    said = "cutter not stated: the path is for one of 4 mm; state machining.cutter_diameter_mm"
+    assert said == Machining().assumptions("steel") == Machining(feed_mm_per_min=300.0).assumptions(None)
+    assert Machining().assumptions(None) == f"{Machining().assumption(None)}; {said}"
+    assert Machining(cutter_diameter_mm=4.0).assumptions("steel") is None
+    assert Machining(cutter_diameter_mm=4.0).assumptions(None) == Machining().assumption(None)
+
+
+def test_the_command_names_the_cutter_that_it_assumed(tmp_path):
+    written = Design.load("roller").cam().write(tmp_path, formats="nc")
+    assert any("the path is for one of 4 mm" in warning for warning in written.warnings)
+
+
 def test_the_first_line_of_a_program_and_the_command_say_what_is_assumed(tmp_path):
     holes = {"machining.drilling.bore_diameter_mm": 7.8, "machining.cutter_diameter_mm": 3.0}
     design = Design.load("roller", holes)
