@@ -284,7 +284,8 @@ def _pressure(motion: Motion, follower: Follower, contact: Contact, limits: Chec
                 Bound.MAX,
                 cam_place(contact.cam_angle[worst]),
                 Message(
-                    "{softer}, raise {base_key}, or choose another checks.pressure_angle_limit (now {source})",
+                    "{softer}, raise {base_key}, or choose another checks.pressure_angle_limit; the present limit "
+                    "is from {source}",
                     softer=motion.softer(float(contact.cam_angle[worst]), limits.motion_key),
                     base_key=follower.base_key,
                     source=limits.pressure_angle.source,

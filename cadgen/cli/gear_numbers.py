@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from cadgen.gears.shifts import Shifts
 
 Command = Callable[..., Any]
+_NOTHING = 1e-12  # a figure that is as near to zero is printed as 0
 Named = dict[str, Any]  # arguments or figures by their names
 
 
@@ -657,7 +658,7 @@ def _figures(title: Message, values: Named) -> None:
     from cadgen.cli.show import sheet
 
     rows = [
-        (key, f"{value:.6g}" if isinstance(value, float) else str(value))
+        (key, f"{value if abs(value) > _NOTHING else 0.0:.6g}" if isinstance(value, float) else str(value))
         for key, value in values.items()
         if value is not None and not isinstance(value, dict | list)
     ]

@@ -164,6 +164,7 @@ def draw(
     from cadgen.cli import show
     from cadgen.cli.show import command, failed, verdict
     from cadgen.design.load import is_train_alone, read_design
+    from cadgen.output.drawing.sheet import scale_text
 
     if only is None and is_train_alone(*read_design(design)):
         only = "train"
@@ -193,7 +194,12 @@ def draw(
         )
     else:
         show.drawings(written, out)
-        look = Message("print the PDF at 100 %, and lay the part on it")
+        look = Message("measure the part by the dimensions of its sheet")
+        pages = [file for file in written if file.name.endswith(".pdf")]
+        if full := [file.name for file in pages if file.readings[1:2] == (scale_text(1.0),)]:
+            look = Message("print {pages} at 100 %, and lay the part on it", pages=joined(full))
+            if len(full) == len(pages):
+                look = Message("print the PDF at 100 %, and lay the part on it")
         if "PDF" in written.omitted:
             look = Message("open the DXF in a CAD program")
         if ready:

@@ -20,6 +20,8 @@ from cadgen.gears.spur import SpurPair
 from cadgen.gears.tooth import GearForm, involute
 from cadgen.messages import Message, joined
 
+# A profile shift that is rounding of the numbers that it follows from, in modules.
+_NO_SHIFT = 1e-12
 # Most planets that are tried for the counts that work, and held by a set.
 MOST_PLANETS = 12
 # Greatest profile shift of a ring, in modules: with more its teeth number too few or too many.
@@ -66,14 +68,19 @@ class PlanetarySet:
             )
         self.meshes  # noqa: B018
         if self.equal and not self.spaced_equally(self.planets):
-            raise DesignError(
+            said = Message(
                 "{planets} planets do not fit at equal angles between a sun of {sun} and a ring of {ring} teeth; give "
-                'planets (planet.count) = {counts}, or spacing = "nearest" (--unequal) for the nearest angles, '
-                "{angles}",
+                "planets (planet.count) = {counts}",
                 planets=self.planets,
                 sun=self.sun.form.teeth,
                 ring=self.ring.form.teeth,
                 counts=joined([str(count) for count in self.counts or (1,)], " or "),
+            )
+            if not self.neighbour_gap >= self.clearance:  # at the nearest angles, too
+                raise DesignError(said)
+            raise DesignError(
+                '{said}, or spacing = "nearest" (--unequal) for the nearest angles, {angles}',
+                said=said,
                 angles=joined([f"{degrees(angle):.4f}°" for angle in self.orbits], ", "),
             )
         if not self.neighbour_gap >= self.clearance:
@@ -281,7 +288,7 @@ def ring_for(sun: GearForm, planet: GearForm, ring: GearForm, centre_distance: f
             sun=sun.teeth,
             usual=sun.teeth + 2 * planet.teeth,
         )
-    return shift
+    return shift if abs(shift) > _NO_SHIFT else 0.0
 
 
 def fitted_ring(sun: GearForm, planet: GearForm, ring: RingForm, centre_distance: float) -> RingForm:

@@ -63,6 +63,22 @@ def test_a_planetary_set(tmp_path):
     assert json.loads(run(*unequal, "--json", "--formats", "csv", "--out", tmp_path).output)["passed"]
 
 
+def test_a_shift_that_is_rounding_is_none(tmp_path):
+    flags = ("planetary", "--sun", 18, "--planet", 27, *SIZES, "--formats", "csv", "--out", tmp_path)
+    assert re.search(r"profile shift of the ring +0\n", run(*flags).output)
+    assert '"ring_profile_shift": 0.0' in (tmp_path / "manifest.json").read_text()
+
+
+def test_a_part_is_laid_on_a_sheet_of_its_own_size_alone(tmp_path):
+    (tmp_path / "pair.toml").write_text(run("pair", "--teeth", "12,45", "--module", 1, "--width", 6, "--toml").output)
+    said = " ".join(run("draw", tmp_path / "pair.toml", "--out", tmp_path).output.split())
+    scales = dict(re.findall(r"(\w+)_drawing\.pdf \w+ (\d+:\d+)", said))
+    full = [f"pair{name}_drawing.pdf" for name, scale in scales.items() if scale == "1:1"]
+    print(scales)
+    assert 0 < len(full) < len(scales)
+    assert f"next: print {', '.join(full)} at 100 %, and lay the part on it" in said
+
+
 def test_a_pair_that_jams_is_not_exported(tmp_path):
     done = run("pair", "--teeth", "20,60", *SIZES, "--backlash-um", 0, "--out", tmp_path)
     assert done.exit_code == 1

@@ -41,6 +41,15 @@ def test_planets_that_do_not_space_are_refused_with_counts_that_do(said, members
         assert PlanetarySet(**members, centre_distance=said["design"]["a"], planets=count).counts == (2, 3)
 
 
+def test_unequal_angles_are_offered_only_where_neighbours_clear(said, members):
+    """Seven planets overlap at any angles: the flag that lets them stand unequally would be refused."""
+    apart = said["design"]["a"]
+    with pytest.raises(DesignError, match=r"give planets \(planet\.count\) = 2 or 3$"):
+        PlanetarySet(**members, centre_distance=apart, planets=7)
+    with pytest.raises(DesignError, match="near to each other"):
+        PlanetarySet(**members, centre_distance=apart, planets=7, equal=False)
+
+
 def test_angles_ratios_and_plays_are_those_of_another_program(said, members):
     unequal = PlanetarySet(**members, centre_distance=said["design"]["a"], planets=4, equal=False)
     expected = said["expected"]
