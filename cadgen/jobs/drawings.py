@@ -4,6 +4,7 @@ A sheet's title block names the design by its hash, and its notes name the files
 """
 
 import os
+import shlex
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass, replace
 from datetime import UTC, datetime
@@ -17,6 +18,7 @@ import numpy as np
 from cadgen.arrays import TURN, Array
 from cadgen.curves.biarc import arcs
 from cadgen.design.keys import unit_of, without_unit
+from cadgen.design.load import packaged_designs
 from cadgen.design.machining import DrawingText, DrawnTeeth
 from cadgen.errors import DesignError, FileError
 from cadgen.figures import Facts, Figures, with_unit
@@ -259,8 +261,14 @@ def _verdict(plan: CamPlan) -> str:
                 return Message("NOT READY: {check} and {count} more", check=first, count=len(others))
             return Message("NOT READY: {check}", check=first)
         case Readiness.RESERVATIONS:
-            return Message("ready with reservations, see cadgen check {name}", name=plan.origin.name)
+            return Message("ready with reservations, see cadgen check {name}", name=_as_given(plan.origin))
     return ""
+
+
+def _as_given(origin: Origin) -> str:
+    """Name by which a command takes a design: that of its file, or of one that comes with cadgen."""
+    name = Path(origin.source).stem
+    return shlex.quote(name if name in packaged_designs() else origin.source or origin.name)
 
 
 def inspection_csv(plan: CamPlan) -> str:

@@ -78,6 +78,7 @@ def test_pressure_angle_is_that_of_the_pitch_curve(carbon_free_car):
     checks = run(carbon_free_car)
     assert checks["pressure angle, rise"].value == pytest.approx(angle.max(), abs=0.6)
     assert checks["pressure angle, return"].value == pytest.approx(-angle.min(), abs=0.6)
+    assert "; the present limit is from R. L. Norton, " in checks["pressure angle, rise"].advice
 
 
 @pytest.mark.parametrize(

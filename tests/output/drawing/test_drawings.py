@@ -15,10 +15,11 @@ import trimesh
 
 from cadgen import Design, draw
 from cadgen.errors import CheckError, DesignError, FileError
-from cadgen.jobs.drawings import Folder, sheet_of
+from cadgen.jobs.drawings import Folder, _as_given, sheet_of
 from cadgen.output.drawing.shaft_fit import deeper, fit_limits, limits
 from cadgen.output.drawing.sheet import DrawingSheet, LinearDimension, Title, View
 from cadgen.output.drawing.sheet_files import document_of, read_dimensions
+from cadgen.output.files.manifest import Origin
 
 CLOSE = 1e-4  # mm
 LIBRECAD_FONT = Path("/usr/share/librecad/fonts/standard.lff")
@@ -428,6 +429,15 @@ def test_two_dimensions_of_a_sheet_have_two_names():
     assert sheet(views[:1]).dimensions == {"width": 5.0}
     with pytest.raises(ValueError, match="two dimensions of a sheet are named width"):
         sheet(views)
+
+
+@pytest.mark.parametrize(
+    ("source", "name"),
+    [("my_car.toml", "my_car.toml"), ("my car.toml", "'my car.toml'"), ("roller.toml", "roller"), ("", "my_title")],
+)
+def test_a_sheet_names_the_design_as_a_command_takes_it(source, name):
+    """By its file: `cadgen check my_car` of a file my_car.toml is refused."""
+    assert _as_given(Origin("my_title", source, (), "0" * 64)) == name
 
 
 @pytest.mark.slow
