@@ -424,8 +424,10 @@ def pair(
     try:
         gears = [Gear(**own, **each) for own, each in zip(teeth_of, arguments, strict=True)]
     except DesignError:
-        bare = [{name: value for name, value in each.items() if name not in ("bore", "keyway")} for each in arguments]
-        solid = [Gear(**own, **each) for own, each in zip(teeth_of, bare, strict=True)]
+        bodiless = [
+            {name: value for name, value in each.items() if name not in ("bore", "keyway")} for each in arguments
+        ]
+        solid = [Gear(**own, **each) for own, each in zip(teeth_of, bodiless, strict=True)]
         _refuse_as_cut(
             GearPair(*solid, backlash=_backlash(solid, backlash_um, backlash_deg, common), **common), arguments
         )
