@@ -102,7 +102,7 @@ class CarFrame(JobResult):
         """Whether every check holds."""
         return not failing(self.checks)
 
-    def _changes(self, wrong: Collection[CheckCode]) -> Iterator[tuple[str, Sequence[str]]]:
+    def _changes(self, wrong: Collection[str]) -> Iterator[tuple[str, Sequence[str]]]:
         """Keys with the values that are tried as a cure, the gentlest first.
 
         Args:
