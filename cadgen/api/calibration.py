@@ -166,7 +166,7 @@ class Calibrations(Pictured, Generic[D]):
 
     @property
     def cams_unknown(self) -> tuple[str, ...]:
-        """Measured files that fit another cam than the one that was on the car, or as well."""
+        """Names of the measured files that do not tell which cam was on the car."""
         return tuple(c.sources[0].path.name for c in self.each if c.cam_unknown)
 
     @property

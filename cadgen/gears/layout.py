@@ -61,7 +61,7 @@ class Blanks:
     own: tuple[tuple[int, Blank, bool], ...] = ()
 
     def by_shaft(self, shafts: int) -> tuple[Blank, ...]:
-        """Blank of each of so many shafts, from the drive to the output."""
+        """Blanks of all shafts, from the drive to the output."""
         own = {number: blank for number, blank, _ in self.own}
         between = (own.get(number, self.intermediate) for number in range(2, shafts))
         return (self.drive, *between, self.output)
@@ -73,7 +73,7 @@ class Blanks:
         return (first, *(own.get(number, between) for number in range(2, shafts)), last)
 
     def places(self, shafts: int) -> tuple[str, ...]:
-        """Place of each of so many shafts in the section [train] of a design, from the drive to the output."""
+        """Places of all shafts in the section [train] of a design, from the drive to the output."""
         own = {number: f"shafts.{place}" for place, (number, *_) in enumerate(self.own, 1)}
         return ("drive", *(own.get(number, "intermediate") for number in range(2, shafts)), "output")
 
@@ -124,7 +124,7 @@ class TrainPart:
 
     @property
     def volume(self) -> float:
-        """Exact volume in mm³: that of the prisms, less the set screw's hole through the hub's wall.
+        """Exact volume, mm³: the prisms' volume less the set screw's hole through the hub's wall.
 
         Across the hole, at the distance y from its axis, its chord is 2 √(ρ² − y²) long. The wall reaches from the
         bore or the keyway's floor to the hub's circle.
@@ -356,7 +356,7 @@ def _beside(each: Standing, stage: int, axis: complex, plane: float, shaft: int)
 
 
 def collar_length(clearance: float) -> float:
-    """Length in mm of a collar that is not given, between gears as wide as those that they mesh with.
+    """Length of a collar where none is stated, mm, between gears as wide as their mates.
 
     Args:
         clearance: least gap between bodies, mm.

@@ -110,16 +110,13 @@ def _disc_holders(car: Mounted) -> Iterator[CarPart]:
             shaft=car.camshaft.number,
             how=Message("against the inner ring of the bearing"),
         )
-    collar = set_collar(bore)
-    ends = (high, high + collar.width) if towards < 0 else (low - collar.width, low)
-    yield _ring(
+    yield _collar(
         "collar-disc",
         Message("set collar, clamp of the disc"),
-        (bore, collar.diameter),
-        ends,
+        bore,
+        (high, 1) if towards < 0 else (low, -1),
         car.camshaft,
         shaft=car.camshaft.number,
-        standard=collar.designation,
         how=Message("pressed on the disc while its screw is tightened"),
     )
 
@@ -127,7 +124,7 @@ def _disc_holders(car: Mounted) -> Iterator[CarPart]:
 def _idle_holders(car: Mounted) -> Iterator[CarPart]:
     """Sleeve and set collars between which the idle wheel runs."""
     site, side, bore = car.site, car.idle_side, car.bores[0]
-    half, collar = site.wheel_width / 2, set_collar(bore)
+    half = site.wheel_width / 2
     inner, outer = site.idle_wheel - side * half, site.idle_wheel + side * (half + WHEEL_HUB + _SLACK)
     if car.design.frame is not None:
         ends = sorted((inner, inner - side * 2 * site.clearance))
@@ -141,28 +138,41 @@ def _idle_holders(car: Mounted) -> Iterator[CarPart]:
             how=Message("against the inner ring of the bearing"),
         )
     else:
-        ends = sorted((inner, inner - side * collar.width))
-        yield _ring(
+        yield _collar(
             "collar-idle-inside",
             Message("set collar inside the idle wheel"),
-            (bore, collar.diameter),
-            (ends[0], ends[1]),
+            bore,
+            (inner, -side),
             car.axle,
             shaft=1,
-            standard=collar.designation,
             how=Message("screw tightened"),
         )
-    ends = sorted((outer, outer + side * collar.width))
-    yield _ring(
+    yield _collar(
         "collar-idle",
         Message("set collar of the idle wheel"),
-        (bore, collar.diameter),
-        (ends[0], ends[1]),
+        bore,
+        (outer, side),
         car.axle,
         shaft=1,
-        standard=collar.designation,
         how=Message("leaves the wheel {slack:g} mm of play", slack=_SLACK),
     )
+
+
+def _collar(
+    code: str,
+    title: Message,
+    bore: float,
+    face: tuple[float, float],
+    group: MovingGroup,
+    *,
+    shaft: int,
+    how: Message,
+) -> CarPart:
+    """Set collar on a shaft from a face on, whose place along the shaft and sense away from it are `face`."""
+    collar, (at, sense) = set_collar(bore), face
+    low, high = sorted((at, at + sense * collar.width))
+    sizes = bore, collar.diameter
+    return _ring(code, title, sizes, (low, high), group, shaft=shaft, standard=collar.designation, how=how)
 
 
 def _ring(
