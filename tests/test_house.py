@@ -179,7 +179,7 @@ OTHER_WORDS = {
     "cadgen.output.report.terminal": {"right"},  # of rich
     "cadgen.output.report.study_pictures": {"deg"},  # a unit
     "cadgen.inference.measurement.reference": {"deg"},
-    "cadgen.design.lift_rows": {"deg"},
+    "cadgen.design.lift_rows": {"deg", "mm"},
 }
 
 

@@ -17,6 +17,8 @@ _MARKS = (r"\s*[;\t|]\s*", r"\s*,\s*", r"\s+")
 _STATED = {"mm": ("mm", 1.0), "inch": ("mm", 25.4), "deg": ("deg", 1.0)}
 # Units that a column may have, as messages name them.
 _IN_THEIR_WORDS = {"mm": "mm, um, in", "deg": "deg, rad", "N": "N, kN", "Nm": "N·mm, Nm"}
+_RADIUS = ("radius", "radii", "rayon", "halbmesser", "半径", "向径", "矢径", "极径")
+_ALSO_WORDS = ("in", "m", "ft")  # of languages, or letters, which in a sentence are no units
 
 
 def read_rows(
@@ -27,6 +29,7 @@ def read_rows(
     Columns are set apart by commas, semicolons, tabs, bars or spaces; where it is not commas, decimals may have commas.
     Lines of words before the first row, empty lines and what follows `#` are passed over. The last line of words that
     has units counts, such as `angle [deg], lift [in]` or `deg; in`, or the remark above the first row if it has both.
+    A title that says inches, where nothing states the unit of the lift, is refused, and so is a column of radii.
 
     Args:
         file: path of the file.
@@ -40,11 +43,14 @@ def read_rows(
 
     Raises:
         DesignError: no such file, one that cannot be read, a row that is none, too many, a unit that is not known or
-            does not do, or another one than stated.
+            does not do, or another one than stated; radii in place of lifts, or a unit in a title alone.
     """
     name, words, remark = brief(str(file)), [], ""
     rows: list[list[float]] = []
+    titles: list[str] = []
     for number, line in enumerate(_text(file, name, key).splitlines(), 1):
+        if not rows:
+            titles.append(line.strip("# "))
         if not (content := line.partition("#")[0].strip()):
             remark = line.strip("# ") if line.startswith("#") and not rows else remark
             continue
@@ -65,7 +71,45 @@ def read_rows(
         rows.append(values)
     if not rows:
         raise DesignError("{name} has no rows: write an angle and a lift in each", name=name)
-    return _in_their_units(rows, _units(words, remark), stated, name, bases)
+    units = _units(words, remark)
+    if "mm" in bases:
+        _refuse_radii(words[-1] if words else remark, name)
+        if not units[1] and stated is None:
+            _refuse_titles(titles, name)
+    return _in_their_units(rows, units, stated, name, bases)
+
+
+def _refuse_radii(names: str, name: str) -> None:
+    """Refuse a second column that is called a radius: as lifts its values would stand on the base circle."""
+    called = _two(names)[1].strip('" ')
+    if any(word in called.lower() for word in _RADIUS):
+        raise DesignError(
+            'the second column of {name} is called "{called}", and lifts are needed: subtract from each row the '
+            "distance of the follower at lift 0, and call the column lift",
+            name=name,
+            called=escaped(called[:_LONGEST_SHOWN]),
+        )
+
+
+def _refuse_titles(titles: Sequence[str], name: str) -> None:
+    """Refuse a title or remark that says another unit than mm, where neither a column nor the design states one."""
+    from cadgen.inference.records.units import unit_of
+
+    for number, title in enumerate(titles, 1):
+        plain = re.sub(r'"([^"]*)"', r"\1", title)
+        # What stands behind a number is a size, such as that of a roller, and not the unit of a column.
+        said = [match[1] for match in re.finditer(r"(?<![\w.])(?<!\d )(?<!\d-)([^\W\d_]+)", plain)]
+        said += re.findall(r"英寸|厘米|微米", plain) + re.findall(r'[^\W\d_]\s*(["″])\s*(?:[,;\t|)]|$)', plain)
+        units = {word: unit_of(word) for word in said if word.lower() not in _ALSO_WORDS}
+        if "mm" in said or not (other := [word for word, unit in units.items() if unit and unit[0] == "mm"]):
+            continue
+        raise DesignError(
+            "{name}, line {line}, says {unit}, and no column has a unit: write it beside the name of its column, as "
+            'in "angle [deg], lift [in]"',
+            name=name,
+            line=number,
+            unit=other[0],
+        )
 
 
 def _text(file: Path, name: str, key: str) -> str:

@@ -316,6 +316,10 @@ def test_rows_of_a_file(tmp_path, text, rows):
         ("theta, s", None, (1.0, 1.0), None),
         ("angle,lift [Spanne]", "inch", (1.0, 1.0), "inch"),
         ("Cam 2 (intake), rev. B\nangle,lift", None, (1.0, 1.0), None),
+        ("Cam with sizes in mm and no inches\nangle,lift", None, (1.0, 1.0), None),
+        ("# roller of 1 inch, lift at 0.05-inch, all in all\nangle,lift", None, (1.0, 1.0), None),
+        ('"angle","lift"', None, (1.0, 1.0), None),
+        ("all dimensions in inches\nangle,lift", "inch", (1.0, 1.0), "inch"),
     ],
 )
 def test_units_of_the_head_count(tmp_path, head, stated, factors, unit):
@@ -335,6 +339,12 @@ def test_units_of_the_head_count(tmp_path, head, stated, factors, unit):
             'of lobe.csv is "ell" by its first lines, which does not do here: write mm',
         ),
         ("angle [gon],lift", ("mm", "deg"), 'the unit of the angle in lobe.csv is "gon" by its first lines'),
+        ("Cam 7 all dimensions in inches\nangle,lift", ("mm",), "lobe.csv, line 1, says inches, and no column has"),
+        ("# lift in Inches", ("mm", "deg"), "lobe.csv, line 1, says Inches, and no column has a unit: write it beside"),
+        ('angle,lift"', ("mm",), 'lobe.csv, line 1, says ", and no column has a unit'),
+        ("凸轮7单位为英寸\n转角,升程", ("mm",), "lobe.csv, line 1, says 英寸, and"),
+        ("angle [deg],radius [mm]", ("mm",), 'of lobe.csv is called "radius [mm]", and lifts are needed: subtract'),
+        ("# theta, Pitch radius", ("mm",), 'is called "Pitch radius", and lifts'),
         ("angle,load [N]", ("Nm",), 'is "N" by its first lines, which does not do here: write N·mm, Nm there'),
     ],
 )

@@ -153,6 +153,20 @@ def test_noise_of_a_table_is_said_and_the_cure_works(tmp_path):
     json.dumps(smooth.facts())
 
 
+@pytest.mark.parametrize(("above", "held"), [(32.0, True), (1.5, True), (0.1, False)])
+def test_rows_that_never_come_down_to_the_base_circle_are_a_reservation(tmp_path, above, held):
+    """Radii, and a dial that was not set to zero: the disc is larger than its base circle says."""
+    theta = np.arange(0.0, 360.0, 2.0)
+    rows = lobe(np.radians(theta))[:, 0]
+    np.savetxt(tmp_path / "lobe.csv", np.c_[theta, rows - rows.min() + above], delimiter=",")
+    head, tail = FEEDER.split("segments = [")
+    (tmp_path / "lobe.toml").write_text(head + 'table = "lobe.csv"\n' + tail.split("]\n", 1)[1], encoding="utf-8")
+    found = [
+        each for each in Design.load(tmp_path / "lobe.toml").cam().verdict.reservations if each.code == "never-at-zero"
+    ]
+    assert [each.cure for each in found] == [f"subtract {above:g} mm from each row"] * held
+
+
 def test_the_table_of_contacts_has_velocity_acceleration_and_jerk(tmp_path):
     cam = feeder().cam()
     cam.write(tmp_path, formats=["csv"])

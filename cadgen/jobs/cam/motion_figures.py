@@ -3,6 +3,8 @@
 from collections.abc import Callable, Sequence
 from math import degrees
 
+import numpy as np
+
 from cadgen.arrays import TURN
 from cadgen.cam.checks import cam_place
 from cadgen.check import Check, CheckCode
@@ -25,6 +27,8 @@ _GREATEST = (
 )
 _POWERS = ("", "", "²", "³")
 _MOST_PLACES = 4  # of jumps that a sentence names
+_PLACES = 3600  # of a turn at which the least lift is sought
+_HIGH = 0.02  # of the travel, up to which the least lift is a reading's fault or meant
 
 
 def checks_of(motion: Motion, speed_rpm: float | None) -> tuple[Check, ...]:
@@ -140,7 +144,7 @@ def _seam_row(seam: Seam, motion: SegmentMotion) -> tuple[Cell | str, ...]:
 def reservations_of(
     motion: Motion, design: MotionDesign, accepted: Callable[[Sequence[str]], bool]
 ) -> tuple[Reservation, ...]:
-    """Reservations on a motion: corners, jumps of the acceleration, a table with noise.
+    """Reservations on a motion: corners, jumps of the acceleration, a table with noise, or one that never comes down.
 
     Args:
         motion: motion of the follower.
@@ -150,6 +154,8 @@ def reservations_of(
     held: list[Reservation] = []
     if isinstance(motion, SegmentMotion):
         held += _jump_reservations(motion, accepted)
+    if isinstance(motion, TableMotion) and design.cam.base_radius_mm is None:
+        held += _high_reservation(motion)
     if isinstance(motion, TableMotion) and motion.rough:
         smooth = motion_of(with_overrides(design, ["motion.smooth=true"]).motion, design.follower.registered)
         noise, unit = small_height(motion.noise, motion.unit)
@@ -172,6 +178,27 @@ def reservations_of(
             )
         )
     return tuple(held)
+
+
+def _high_reservation(motion: TableMotion) -> list[Reservation]:
+    """Reservation on rows that are all above lift 0, as radii are, or readings of a dial that was not set to zero."""
+    height = motion.jets(np.linspace(0.0, TURN, _PLACES, endpoint=False))[:, 0]
+    height, unit = (height, "mm") if motion.unit == MM else (np.degrees(height), "°")
+    least, travel = float(height.min()), float(np.ptp(height))
+    if least <= _HIGH * travel:
+        return []
+    return [
+        Reservation(
+            "never-at-zero",
+            Message(
+                "the follower never comes down to 0, where it stands on the base circle: its rows are {least:.4g} "
+                "{unit} and more, as radii are, or a dial that was not set to zero, and the disc is larger by that",
+                least=least,
+                unit=unit,
+            ),
+            Message("subtract {least:.4g} {unit} from each row", least=least, unit=unit),
+        )
+    ]
 
 
 def _jump_reservations(motion: SegmentMotion, accepted: Callable[[Sequence[str]], bool]) -> list[Reservation]:
