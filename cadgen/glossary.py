@@ -4,10 +4,10 @@ The pages are `docs/glossary.md` and `docs/glossary.zh-CN.md`; a wheel has them 
 """
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
-from functools import cache
+from functools import cache, cached_property
 from pathlib import Path
 
 from cadgen.messages import CHINESE, ENGLISH
@@ -15,6 +15,8 @@ from cadgen.messages import CHINESE, ENGLISH
 # In the package of a wheel, beside it in a working copy.
 _PLACES = tuple(folder / "docs" for folder in Path(__file__).parents[:2])
 _PAGES = {ENGLISH: "glossary.md", CHINESE: "glossary.zh-CN.md"}
+# Words that tell no terms apart.
+_IDLE = {"a", "an", "the", "of", "mm", "µm", "deg"}
 _LINK = re.compile(r"\[([^]]+)\]\([^)]*\)")
 
 
@@ -34,13 +36,17 @@ class Term:
     meaning: str
     section: str
 
-    @property
-    def names(self) -> Iterator[str]:
-        """Spellings by which it is found, in small letters."""
-        for name in (self.name, self.other_name):
-            for one in re.split("[；;]", name):
-                yield one.strip().lower()
-                yield re.sub(r"[（(].*?[）)]", "", one).strip().lower()
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """Spellings by which it is found, as `_plain` makes them."""
+        listed = [one for name in (self.name, self.other_name) for one in re.split("[；;]", name)]
+        return tuple(map(_plain, [*listed, *(re.sub(r"[（(].*?[）)]", "", one) for one in listed)]))
+
+
+def _plain(text: str) -> str:
+    """Words of a text in small letters, singular, without articles, figures and units, a space between."""
+    words = re.findall(r"\w+", text.lower().replace("_", " "))
+    return " ".join(word.removesuffix("s") for word in words if not word.isdigit() and word not in _IDLE)
 
 
 @cache
@@ -59,33 +65,39 @@ def terms(language: str = ENGLISH) -> Mapping[str, Term]:
             name, _, body = entry.partition("\n")
             other, _, meaning = body.partition(" · ")
             plain = _LINK.sub(r"\1", " ".join(meaning.split())).replace("`", "").replace("*", "")
-            found[name] = Term(name, other, plain, section.strip())
+            found[name] = Term(name, other, plain, section.partition("\n")[0])
     return found
 
 
 def find(word: str, language: str = ENGLISH) -> list[Term]:
-    """Terms that a word names, in either language: itself, or by words that both share, last ones first.
+    """Terms that a word names, in either language: itself, one that it is a part of, or the longest that are in it.
 
     Args:
-        word: such as `play`, `gates`, `回程误差`, `pressure`, `closing blend` or `lost lift, crossing`.
+        word: such as `play`, `gates`, `回程误差`, `pressure`, `rod-past-rim` or `nearest post, with play`.
         language: language of the answer.
 
     Returns:
         The best matches, none where there is no such term.
     """
-    wanted = " ".join(re.sub("[,_-]", " ", word.lower()).split())
-    singular = " ".join(part.removesuffix("s") for part in wanted.split())
-    named = [(term, [re.sub("[_-]", " ", name) for name in term.names]) for term in terms(language).values()]
-    for same in (
-        lambda name: name in (wanted, wanted.removesuffix("s")),
-        lambda name: f" {wanted} " in f" {name} ",
-        lambda name: len(name) > 1 and wanted.endswith(f" {name}"),
-        lambda name: len(name) > 1 and f" {name} " in f" {wanted} {singular} ",
-        lambda name: not name.isascii() and len(name) > 1 and name in wanted,
-    ):
-        if found := [term for term, names in named if any(map(same, names))]:
-            return found
-    return []
+    wanted = _plain(word)
+    if not wanted:
+        return []
+    by_name: dict[str, list[Term]] = {}
+    for term in terms(language).values():
+        for name in term.names:
+            by_name.setdefault(name, []).append(term)
+    letters = not wanted.isascii()  # of a language that puts no spaces between words
+    whole = [name for name in by_name if f" {wanted} " in f" {name} " or (letters and wanted in name)]
+    parts = [name for name in by_name if len(name) > 1 and f" {name} " in f" {wanted} "]
+    within = [name for name in by_name if len(name) > 1 and not name.isascii() and name in wanted]
+    found = [wanted] if wanted in by_name else sorted(whole, key=len) or _longest(parts or within)
+    return list({term.name: term for name in found for term in by_name[name]}.values())
+
+
+def _longest(names: list[str]) -> list[str]:
+    """Names that are in no other one, the longest first."""
+    alone = [name for name in names if not any(name != other and name in other for other in names)]
+    return sorted(alone, key=len, reverse=True)
 
 
 def nearest(word: str, language: str = ENGLISH) -> list[str]:
@@ -96,4 +108,4 @@ def nearest(word: str, language: str = ENGLISH) -> list[str]:
         language: language of the names.
     """
     by_name = {name: term.name for term in terms(language).values() for name in term.names}
-    return list(dict.fromkeys(by_name[name] for name in get_close_matches(word.lower(), by_name, 3, 0.75)))
+    return list(dict.fromkeys(by_name[name] for name in get_close_matches(_plain(word), by_name, 3, 0.75)))

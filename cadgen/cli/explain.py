@@ -25,11 +25,13 @@ def explain(words: tuple[str, ...]) -> None:
 
     word = " ".join(words).strip()
     if word:
+        keys = named_keys(word)[:_MOST_KEYS]
+        found = [] if keys and "." in word else glossary.find(word, language())  # a whole key is no term
         entries = [
-            *((f"{term.name} ({term.other_name})", term.meaning, "") for term in glossary.find(word, language())),
+            *((f"{term.name} ({term.other_name})", term.meaning, "") for term in found),
             *(
                 (f"{key.name} ({kind})" if kind else key.name, shown(Message(key.meaning)), shown(key.demand))
-                for kind, key in named_keys(word)[:_MOST_KEYS]
+                for kind, key in keys
             ),
         ]
         entries += _kinds(word)
