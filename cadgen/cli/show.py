@@ -175,7 +175,7 @@ def checks(cam: "Cam", cures: "Cures", *, every: bool) -> None:
     Args:
         cam: cam that was computed.
         cures: cures of its lost lift.
-        every: whether every check is shown, by group, with what was assumed.
+        every: whether every check is shown, by group, with what was assumed; else what to do beside the cam.
     """
     console = Output()
     if cam.expected:
@@ -184,6 +184,8 @@ def checks(cam: "Cam", cures: "Cures", *, every: bool) -> None:
     if every:
         console.print(cam.wheel)
         friction(cam)
+    else:
+        sentences(cam.application.setting())
     rows(cam, every=every)
     for line in cures.sentences():
         console.print(line)

@@ -14,7 +14,7 @@ from cadgen.check import CheckCode
 from cadgen.cli import cli
 from cadgen.curves.closed import Outline
 from cadgen.design import cam_model, variation
-from cadgen.design.load import load_design, packaged_designs
+from cadgen.design.load import load_design, packaged_designs, with_overrides
 from cadgen.errors import DesignError
 from cadgen.jobs.calibration.as_built_file import as_built_text
 from cadgen.jobs.calibration.calibration import calibrate
@@ -249,10 +249,24 @@ def test_the_key_takes_the_phase_out(built):
     assert line == "The key of the new cam is turned by -1.500°, which takes out the cam's phase."
 
 
+def test_the_sheet_says_where_to_stop_and_how_to_set_a_cam_without_a_key(built):
+    """Half a per cent more wheel is at the end of the path half a per cent sooner."""
+    phase = effect("track", "cam phase", "car", phase_deg=1.5)
+    wheel = effect("track", "wheel radius", "car", wheel_radius_percent=0.5)
+    plan = plan_cam(with_overrides(built(phase, wheel), ["blank.keyway="]), "actual")
+    stop, set_on_shaft = plan.application.drawing_notes(plan)[:2]
+    assert f"ends at {348 / 1.005:.2f}° of cam angle" in stop
+    assert "Set the new cam on its shaft 1.500° back against its sense" in set_on_shaft
+    assert plan.application.setting() == (stop, set_on_shaft)
+
+
 @pytest.mark.slow
 @pytest.mark.long
 def test_the_commands_say_what_is_built_and_where_to_stop(built, tmp_path):
     built(*TRACK, effect("track", "cam phase", "car", phase_deg=0.4))
+    short = CliRunner().invoke(cli, ["check", str(tmp_path / "mine.toml"), "--set", "blank.keyway="])
+    assert "stop the run there" in " ".join(short.output.split())
+    assert "Set the new cam on its shaft 0.400° back" in " ".join(short.output.split())
     keyless = ["simulate", str(tmp_path / "mine.toml"), "--profile", "compensated", "--set", "blank.keyway="]
     run = CliRunner().invoke(cli, [*keyless, "--out", str(tmp_path / "out")])
     assert run.exit_code == 0, run.output

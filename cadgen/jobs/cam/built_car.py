@@ -20,7 +20,7 @@ _LEAST_SHIFT = radians(0.005)  # of the run's end: less than a hundredth of a de
 
 
 def as_built_sentences(design: Design, stop: float) -> list[str]:
-    """Effects that count, effects that are only noted, where to stop the run, and how to set the cam, in words.
+    """Effects that count, effects that are only noted, and what to do for them, in words.
 
     Args:
         design: loaded design.
@@ -39,7 +39,17 @@ def as_built_sentences(design: Design, stop: float) -> list[str]:
     ]
     if noted:
         lines.append(Message("Only noted: {effects}.", effects=_listed_effects(noted)))
-    lines += [*_lead_sentences(design), *_friction_sentences(design)]
+    return [*lines, *_lead_sentences(design), *_friction_sentences(design), *setting_sentences(design, stop)]
+
+
+def setting_sentences(design: Design, stop: float) -> list[str]:
+    """Instructions for a car as built: where to stop the run, and how to set the cam on its shaft.
+
+    Args:
+        design: loaded design.
+        stop: motor position at which the run ends, rad.
+    """
+    lines: list[str] = []
     if abs(stop - stop_as_designed(design)) > _LEAST_SHIFT:
         turns: str = ""
         if design.train is not None:

@@ -172,6 +172,10 @@ class Application:
         """Sentences on what was assumed, and on what to do beside the cam."""
         return ()
 
+    def setting(self) -> tuple[str, ...]:
+        """Instructions without which the cam does not do what it was made for."""
+        return ()
+
     def warnings(self) -> tuple[str, ...]:
         """Sentences on what was left out and may matter."""
         return ()

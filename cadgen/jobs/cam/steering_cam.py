@@ -39,7 +39,13 @@ from cadgen.errors import DesignError
 from cadgen.figures import Facts, Figures
 from cadgen.gears.train import OnceATurn
 from cadgen.inference.monte_carlo.random_cars import Tolerances
-from cadgen.jobs.cam.built_car import as_built_sentences, assumed_play, outlook_checks, outlook_sentence
+from cadgen.jobs.cam.built_car import (
+    as_built_sentences,
+    assumed_play,
+    outlook_checks,
+    outlook_sentence,
+    setting_sentences,
+)
 from cadgen.jobs.cam.cam_plan import CamPlan, Making, steepest
 from cadgen.jobs.cam.car_facts import as_built_facts, comparison_facts
 from cadgen.jobs.cam.comparison import MeasuredCam, PlayComparison, ProfileChecks, against_play, known_trains, task_of
@@ -452,6 +458,10 @@ class CarUse(SteeredCar):
         """Expected run of the car on a cam of an as-built design, in a sentence; empty if nothing was measured."""
         return outlook_sentence(self.design)
 
+    def setting(self) -> tuple[str, ...]:
+        """Instructions where to stop the run of a car as built, and how to set the cam on its shaft."""
+        return tuple(setting_sentences(self.design, self.wanted.blend_start))
+
     def warnings(self) -> tuple[str, ...]:
         """Effect of friction on a cam that was computed without it."""
         return (self.comparison.rubbing,) if self.comparison and self.comparison.rubbing else ()
@@ -464,9 +474,9 @@ class CarUse(SteeredCar):
         )
 
     def drawing_notes(self, cam: CamPlan) -> tuple[str, ...]:
-        """Tolerances of the faces' distances from the fork axis, and what to do before each run with a brake."""
+        """Instructions for a car as built, and before each run with a brake; tolerances of the faces' distances."""
         inner, outer = self.design.tolerances.inner_face_mm, self.design.tolerances.outer_face_mm
-        begin = self.before_each_run
+        begin: tuple[str, ...] = (*self.setting(), *self.before_each_run)
         if self.in_car is not None and self.in_car.turned_over:
             begin = (
                 *begin,
