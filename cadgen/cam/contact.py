@@ -5,7 +5,7 @@ across. The follower, pressed on the disc by its spring, clears the point from s
 points of the outlines in the planes that carry it, it rests on the one that asks for the greatest.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -24,8 +24,9 @@ from cadgen.errors import DesignError
 COARSEST_STEP = 0.06
 FINEST_STEP = 5e-4
 ROLLING_TOLERANCE = 2e-5
-# Change of the pressure angle, rad, at which it is content as well, and the step, mm, at which it is in any case.
-_ANGLE_TOLERANCE, _ANGLE_STEP = 2e-5, 4e-3
+# Change of the pressure angle, rad, at which it is content as well, with followers that lean where the place of the
+# contact counts, and the step, mm, at which it is in any case.
+_ANGLE_TOLERANCE, _ANGLE_TOLERANCE_LEANING, _ANGLE_STEP = 2e-5, 3e-4, 4e-3
 _POINTS_PER_RADIUS = 20  # of the follower at least, or two steps could agree by chance
 # What a disc of any size may take: points on its outline, and points under the follower. The least rod on the largest
 # disc that the schema allows still has some points under it.
@@ -34,6 +35,7 @@ _MOST_UNDER = 10_000
 # Stations handled at once, so that a table of candidates stays within the processor's cache; fewer if it is wide.
 _BLOCK = 512
 _APART = 1e-7  # rad; points closer together than this say nothing of a slope
+_TIE = 1e-9  # of q, of two planes: within it rolling cannot tell which of them carries, and the first is taken
 _APEX_STEPS = 4  # of Newton's method, from a sample two steps away at most
 _HALVINGS = 50  # of the angle within which a point stands beside its line: to rounding
 _TABLE = 100_000
@@ -41,7 +43,9 @@ _TABLE = 100_000
 _STRIDE = 8
 
 
-def roll_curve(curve: ClosedCurve, follower: Follower, cam_angle: Array) -> tuple[Contact, float]:
+def roll_curve(
+    curve: ClosedCurve, follower: Follower, cam_angle: Array, *, by_place: bool = False
+) -> tuple[Contact, float]:
     """Roll a follower on an exact curve, in steps halved until the lift no longer changes.
 
     Only the cam angles that still change, and those so steep that two steps may agree by chance, are rolled again: a
@@ -51,6 +55,8 @@ def roll_curve(curve: ClosedCurve, follower: Follower, cam_angle: Array) -> tupl
         curve: outline, mm.
         follower: follower of the cam.
         cam_angle: cam angles, rad, shape (n,).
+        by_place: whether the place of the contact must no longer change either, as for all followers that do not lean;
+            along a hollow that is hardly wider than the follower it moves far within little lift.
 
     Returns:
         The contact, and the finest step that was needed, mm: an outline read back from a file needs it too.
@@ -68,8 +74,9 @@ def roll_curve(curve: ClosedCurve, follower: Follower, cam_angle: Array) -> tupl
         step /= 2
         finer = roll(curve.outline(step), follower, cam_angle[pending])
         changed = np.abs(finer.lift - contact.lift[pending]) > ROLLING_TOLERANCE
-        if not follower.leans and step > _ANGLE_STEP:
-            changed |= np.abs(finer.pressure_angle - contact.pressure_angle[pending]) > _ANGLE_TOLERANCE
+        if (by_place or not follower.leans) and step > _ANGLE_STEP:
+            settled = _ANGLE_TOLERANCE_LEANING if follower.leans else _ANGLE_TOLERANCE
+            changed |= np.abs(finer.pressure_angle - contact.pressure_angle[pending]) > settled
         for name in ("q", "lift", "face", "margin", "across", "pressure_angle"):
             getattr(contact, name)[pending] = getattr(finer, name)
         pending = pending[changed | (_left(step, follower, finer.pressure_angle) > ROLLING_TOLERANCE)]
@@ -105,8 +112,8 @@ def rolling_step(curve: ClosedCurve, follower: Follower, coarsest: float = COARS
 def roll(outline: Outline, follower: Follower, cam_angle: Array) -> Contact:
     """Turn the disc to each cam angle and let the follower down on it.
 
-    The best point of each smooth piece is refined by a parabola through it and its neighbours, so the error
-    falls with the third power of the outline's step.
+    The best point of each smooth piece is refined by a quartic through it and its four neighbours, so the error falls
+    with the fifth power of the outline's step; beside the ends of a piece by a parabola, with the third power.
 
     Args:
         outline: dense points of the disc's outline about the camshaft.
@@ -299,11 +306,11 @@ class Ring:
         apart = np.full(len(theta), np.inf)
         for other in others:
             apart = np.minimum(apart, np.abs(best[0] - other[0]))
-            best = np.where(best[0] >= other[0], best, other)
+            best = np.where(best[0] >= other[0] - _TIE, best, other)
         return np.vstack([best, follower.margin(apart, best[1])])
 
     def _refine(self, needed: Array, y: Array, first: NDArray[np.intp], face: float) -> Array:
-        """The greatest tan(beta) between the samples: parabolas through three neighbours of one piece."""
+        """The greatest tan(beta) between the samples: parabolas through three neighbours of one piece, or quartics."""
         last = needed.shape[1] - 1
         row = np.arange(len(needed))
         top = np.argmax(needed, axis=1)
@@ -318,6 +325,12 @@ class Ring:
         value = np.where(fits, at + slope * shift + bend * shift**2 / 2, -np.inf)
         best = np.argmax(value, axis=1)
         refined, chosen, shift = value[row, best], centre[row, best], shift[row, best]
+        # Where five are of one piece, by a quartic: its top errs by the fifth power of the step.
+        inner = np.clip(best, 1, 3)
+        five = (inner == best) & (fits[row, inner - 1] & fits[row, inner] & fits[row, inner + 1])
+        around = [np.where(five, seven[row, inner + beside], 0.0) for beside in range(-1, 4)]
+        place, highest = _quartic_top(around, shift, 1.0)
+        refined, shift = np.where(five, highest, refined), np.where(five, place, shift)
         sampled = needed[row, top]
         use = refined >= sampled
         chosen, shift = np.where(use, chosen, top), np.where(use, shift, 0.0)
@@ -349,14 +362,7 @@ class Ring:
             fits = np.isfinite(a + b + c + d + e)
             fits &= self._inside[first[row] + middle - 1] & self._inside[first[row] + middle + 1]
             a, b, c, d, e = (np.where(fits, each, 0.0) for each in (a, b, c, d, e))
-            slope, bend = (a - 8 * b + 8 * d - e) / 12, (16 * (b + d) - a - e - 30 * c) / 12
-            third, fourth = (e - 2 * d + 2 * b - a) / 2, e - 4 * d + 6 * c - 4 * b + a
-            found = np.zeros_like(c)
-            for _ in range(_APEX_STEPS):
-                rate = np.minimum(bend + found * (third + found * fourth / 2), -1e-300)
-                rise = slope + found * (bend + found * (third / 2 + found * fourth / 6))
-                found = np.clip(found - rise / rate, -2.0, 2.0)
-            value = c + found * (slope + found * (bend / 2 + found * (third / 6 + found * fourth / 24)))
+            found, value = _quartic_top((a, b, c, d, e), np.zeros_like(c), 2.0)
             better = fits & (value > highest[row])
             highest[row[better]], place[row[better]] = value[better], (middle + found)[better]
             if side == 0:  # the others are for a sample beside a joint
@@ -364,6 +370,25 @@ class Ring:
             if not row.size:
                 break
         return place
+
+
+def _quartic_top(samples: Sequence[Array], start: Array, most: float) -> tuple[Array, Array]:
+    """Tops of quartics through five even samples, by Newton's method: places from the middle one on, and values.
+
+    Args:
+        samples: the five in order, each of shape (n,).
+        start: places at which the search begins, shape (n,).
+        most: greatest distance of a top from the middle sample, in samples.
+    """
+    a, b, c, d, e = samples
+    slope, bend = (a - 8 * b + 8 * d - e) / 12, (16 * (b + d) - a - e - 30 * c) / 12
+    third, fourth = (e - 2 * d + 2 * b - a) / 2, e - 4 * d + 6 * c - 4 * b + a
+    place = start
+    for _ in range(_APEX_STEPS):
+        rate = np.minimum(bend + place * (third + place * fourth / 2), -1e-300)
+        rise = slope + place * (bend + place * (third / 2 + place * fourth / 6))
+        place = np.clip(place - rise / rate, -most, most)
+    return place, c + place * (slope + place * (bend / 2 + place * (third / 6 + place * fourth / 24)))
 
 
 def _blocks(width: NDArray[np.intp]) -> Iterator[slice]:

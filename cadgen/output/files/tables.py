@@ -130,7 +130,7 @@ def contact_rows(curve: ClosedCurve, follower: Follower, count: int, tolerance: 
     Returns:
         Contacts by increasing polar angle.
     """
-    rows, step = roll_curve(curve, follower, np.linspace(0.0, TURN, count, endpoint=False))
+    rows, step = roll_curve(curve, follower, np.linspace(0.0, TURN, count, endpoint=False), by_place=True)
     outline = curve.outline(step)
     place = _places(rows, follower)
     stray = _stray(curve, place[:-1], place[1:])
